@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# The built-in presets: files of presets/ compiled into the library, in the order in which they are
+# listed. The first is the default. Sets TABOR_PRESET_SOURCE, the generated table, and adds it to tabor.
+
+set(TABOR_PRESETS
+    tabor
+    frame-drum
+    bodhran-d-string)
+
+list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VARIABLE TABOR_PRESET_FILES)
+list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")
+set(TABOR_PRESET_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/preset_table.c")
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(INIH REQUIRED IMPORTED_TARGET inih)
+
+add_executable(embed-presets "${PROJECT_SOURCE_DIR}/host/embed_presets.c"
+                             "${PROJECT_SOURCE_DIR}/host/preset_file.c")
+tabor_target_defaults(embed-presets)
+target_link_libraries(embed-presets PRIVATE PkgConfig::INIH)
+
+add_custom_command(
+  OUTPUT "${TABOR_PRESET_SOURCE}"
+  COMMAND embed-presets "${TABOR_PRESET_SOURCE}" ${TABOR_PRESET_FILES}
+  DEPENDS embed-presets ${TABOR_PRESET_FILES}
+  COMMENT "Embedding the presets"
+  VERBATIM)
+
+target_sources(tabor PRIVATE "${TABOR_PRESET_SOURCE}")

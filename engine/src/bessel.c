@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "bessel.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* Cube root from above, without libm: for the width of the transition region around order = x. */
+static double cube_root_above(double x) {
+  double y = 1.0;
+  while (y * y * y < x) y *= 1.25;
+  return y;
+}
+
+/* An even order from which the recurrence has forgotten its start at orders <= m to 1e-17: beyond
+ * the turning point J_l falls like exp(-(2/3) (2/x)^(1/2) (l - x)^(3/2)) at first, then faster. */
+static uint32_t miller_start(uint32_t m, double x) {
+  const double turn = x + 14.0 * cube_root_above(x) + 10.0;
+  const double top = turn > (double)m + 2.0 ? turn : (double)m + 2.0;
+  return 2u * ((uint32_t)(top / 2.0) + 6u);
+}
+
+void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
+  double top = 0.0;
+  for (int i = 0; i < 8; i++) top = x[i] > top ? x[i] : top;
+  const uint32_t start = miller_start(m, top);
+
+  double twice_inverse[8], above[8], here[8], sum[8];
+  for (int i = 0; i < 8; i++) {
+    twice_inverse[i] = x[i] > 1e-30 ? 2.0 / x[i] : 0.0;
+    above[i] = 0.0;
+    here[i] = 1e-200;
+    sum[i] = 0.0;
+    j[i] = 0.0;
+  }
+  for (uint32_t l = start; l > 0; l--) {
+    const double even = l % 2 == 0 ? 2.0 : 0.0;
+    double largest = 0.0;
+    for (int i = 0; i < 8; i++) {
+      sum[i] += even * here[i];
+      const double next = (double)l * twice_inverse[i] * here[i] - above[i];
+      above[i] = here[i];
+      here[i] = next;
+      const double size = next < 0.0 ? -next : next;
+      largest = size > largest ? size : largest;
+    }
+    if (l - 1 == m) {
+      for (int i = 0; i < 8; i++) j[i] = here[i];
+    }
+    if (largest > 1e100) { /* scale each lane down by its own amount */
+      for (int i = 0; i < 8; i++) {
+        const double size = here[i] < 0.0 ? -here[i] : here[i];
+        const double scale = size > 1e50 ? 1e-150 : 1.0;
+        above[i] *= scale;
+        here[i] *= scale;
+        sum[i] *= scale;
+        j[i] *= scale;
+      }
+    }
+  }
+  for (int i = 0; i < 8; i++) {
+    if (x[i] <= 1e-30) {
+      j[i] = m == 0 ? 1.0 : 0.0;
+    } else {
+      j[i] /= sum[i] + here[i];
+    }
+  }
+}
+
+double tb_bessel_j(uint32_t m, double x) {
+  const uint32_t start = miller_start(m, x);
+  if (x <= 1e-30) return m == 0 ? 1.0 : 0.0;
+  double above = 0.0, here = 1e-200, sum = 0.0, wanted = 0.0;
+  for (uint32_t l = start; l > 0; l--) {
+    if (l % 2 == 0) sum += 2.0 * here;
+    const double next = 2.0 * (double)l / x * here - above;
+    above = here;
+    here = next;
+    if (l - 1 == m) wanted = here;
+    if (here > 1e100 || here < -1e100) {
+      above *= 1e-150;
+      here *= 1e-150;
+      sum *= 1e-150;
+      wanted *= 1e-150;
+    }
+  }
+  return wanted / (sum + here);
+}
+
+/* Downwards below the turning point is stable too, so one direction serves all orders. The scale
+ * comes from j_0 = sin x/x or j_1, whichever is larger. */
+void tb_bessel_half(double x, uint32_t count, double *j) {
+  const double factor = sqrt(2.0 * x / PI); /* J_{l+1/2} = sqrt(2 x/pi) j_l */
+  const uint32_t start = miller_start(count, x);
+  double above = 0.0, here = 1e-200;
+  for (uint32_t l = start; l > 0; l--) {
+    const double next = (2.0 * (double)l + 1.0) / x * here - above;
+    above = here;
+    here = next;
+    if (l - 1 < count) j[l - 1] = here;
+    if (here > 1e100 || here < -1e100) {
+      above *= 1e-150;
+      here *= 1e-150;
+      for (uint32_t i = l - 1; i < count; i++) j[i] *= 1e-150;
+    }
+  }
+  const double j0 = sin(x) / x;
+  const double j1 = x < 0.05 ? x / 3.0 * (1.0 - x * x / 10.0 * (1.0 - x * x / 28.0))
+                             : sin(x) / (x * x) - cos(x) / x;
+  const double scale = fabs(j0) > fabs(j1) ? j0 / here : j1 / above;
+  for (uint32_t i = 0; i < count; i++) j[i] *= scale * factor;
+}
+
+/* The one zero of J_m between lo and hi: Newton's step where it stays inside, else halving. */
+static double refine_zero(uint32_t m, double lo, double hi) {
+  const double sign_lo = tb_bessel_j(m, lo);
+  double x = 0.5 * (lo + hi);
+  for (int i = 0; i < 100; i++) {
+    const double value = tb_bessel_j(m, x);
+    if ((value > 0.0) == (sign_lo > 0.0)) {
+      lo = x;
+    } else {
+      hi = x;
+    }
+    const double slope = (double)m / x * value - tb_bessel_j(m + 1, x);
+    double next = x - value / slope;
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    const double step = fabs(next - x);
+    x = next;
+    if (step <= 1e-15 * x) break;
+  }
+  return x;
+}
+
+/* Zeros of J_0 from McMahon's expansion, polished ([DLMF] 10.21.19). */
+static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
+  uint32_t count = 0;
+  for (uint32_t n = 1;; n++) {
+    const double b = ((double)n - 0.25) * PI;
+    const double guess = b + 1.0 / (8.0 * b) - 31.0 / (384.0 * b * b * b);
+    const double zero = refine_zero(0, guess - 0.3, guess + 0.3);
+    if (zero >= top || count == room) return count;
+    zeros[count++] = zero;
+  }
+}
+
+/* Zeros interlace: j_{m-1,n} < j_{m,n} < j_{m-1,n+1} ([DLMF] 10.21(i)). */
+uint32_t tb_bessel_zeros(uint32_t m, double top, const double *below, uint32_t below_count,
+                         double *zeros, uint32_t room) {
+  if (m == 0) return zeros_of_order_0(top, zeros, room);
+  uint32_t count = 0;
+  for (uint32_t n = 0; n < below_count && count < room; n++) {
+    const double lo = below[n];
+    const double hi = n + 1 < below_count ? below[n + 1] : top;
+    const bool crosses = (tb_bessel_j(m, lo) > 0.0) != (tb_bessel_j(m, hi) > 0.0);
+    if (!crosses) break;
+    zeros[count++] = refine_zero(m, lo, hi);
+  }
+  return count;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+#include "energy.h"
+
+static double modes_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbModes *modes = &view->model->modes;
+  const double rate = view->model->sample_rate;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < modes->count; i++) {
+    const double velocity = (next->q[i] - now->q[i]) * rate;
+    sum += velocity * velocity + modes->stiffness[i] * next->q[i] * now->q[i];
+  }
+  return 0.5 * sum;
+}
+
+/* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */
+static double tension_energy(const TbView *view, const TbWire *wire, double change,
+                             const double *next, const double *now) {
+  const double *rest = view->model->rest.v + wire->first_node;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < wire->cells; i++) {
+    const double slope = rest[i + 1] - rest[i];
+    const double moved = 0.5 * ((next[i + 1] - next[i]) + (now[i + 1] - now[i]));
+    sum += slope * (0.5 * slope + moved);
+  }
+  return change * sum / wire->spacing;
+}
+
+static double wires_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbWires *wires = &view->model->wires;
+  double sum = 0.0;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    const TbWireCoefficients *c = &view->state->wires[w];
+    const double *v1 = next->v + wire->first_node, *v0 = now->v + wire->first_node;
+    sum += tb_wire_energy(wire, c, view->model->time_step, v1, v0);
+    const double change = c->tension - wire->tension;
+    if (change != 0.0) sum += tension_energy(view, wire, change, v1, v0);
+  }
+  return sum;
+}
+
+static double contact_energy(const TbView *view, uint32_t row, double eta) {
+  const TbRest *rest = &view->model->rest;
+  const uint32_t w = view->model->wires.row_wire[row];
+  const double moved = eta - rest->eta[row];
+  return tb_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
+         rest->force[row] * (moved - view->state->shift[w]);
+}
+
+static double contacts_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  double sum = 0.0;
+  for (uint32_t row = 0; row < view->model->wires.row_count; row++) {
+    sum += contact_energy(view, row, next->eta[row]) + contact_energy(view, row, now->eta[row]);
+  }
+  return 0.5 * sum;
+}
+
+static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const uint32_t first = view->model->wires.stride;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER) continue;
+    const double velocity = (next->z[i] - now->z[i]) * view->model->sample_rate;
+    sum += slot->mass * velocity * velocity +
+           tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
+           tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]);
+  }
+  return 0.5 * sum;
+}
+
+double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  return modes_energy(view, next, now) + wires_energy(view, next, now) +
+         contacts_energy(view, next, now) + strikers_energy(view, next, now);
+}
+
+double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbModes *modes = &view->model->modes;
+  const TbWires *wires = &view->model->wires;
+  double head = 0.0, all = 0.0;
+  for (uint32_t i = 0; i < modes->count; i++) {
+    const double step = next->q[i] - now->q[i];
+    head += step * step;
+  }
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    double sum = 0.0;
+    for (uint32_t i = 1; i < wire->cells; i++) {
+      const double step = next->v[wire->first_node + i] - now->v[wire->first_node + i];
+      sum += step * step;
+    }
+    all += wire->mass_per_length * wire->spacing * sum;
+  }
+  return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* Energy stored between two successive instants, counted from the rest state [J]. Audio-safe.
+ *
+ * Modes and wires are quadratic in their deviation from rest. A contact contributes the mean over the
+ * two instants of V(eta) - V(eta_r) - f_r (eta - eta_r - shift): the linear terms of head, wires and
+ * gravity around the equilibrium sum up to -f_r times the deviation. A wire whose tension has moved by
+ * dT since rest adds dT Int (v_r'^2/2 + v_r' v') dx. */
+#ifndef TB_ENERGY_H
+#define TB_ENERGY_H
+
+#include "state.h"
+
+double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
+/* Kinetic energy of head and wires alone. */
+double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* The head as a list of modes.
+ *
+ * rho w_tt = T lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + air + contacts, w = 0 at R,
+ * [Torin2014] eq. (1)-(2) with the bending stiffness D of Mylar added.
+ *
+ * In vacuo the modes are J_m(z r/R) {cos, sin}(m theta), omega^2 = (T K^2 + D K^4)/rho, K = z/R, with
+ * Int phi^2 dA = a_m R^2 J_{m+1}(z)^2/2 and amplitude decay rate (sigma0 + sigma1 K^2)/2; D K^4 takes
+ * the edge as simply supported. Air couples the modes of one order m: K v = omega^2 M v with the full
+ * same-order added-mass matrix at low frequency, then the mass of each normal mode at its own
+ * frequency (a Rayleigh quotient, right to second order) and its radiation resistance there.
+ * Normal modes are scaled to unit modal mass [1 kg]; a shape value has the unit 1. */
+#ifndef TB_HEAD_H
+#define TB_HEAD_H
+
+#include "air.h"
+
+/* More two-way modes than this do not fit a processor's second-level cache. */
+#define TB_MAX_MODES 2048u
+
+/* Modes of one angular order: mode k is Sum_i vectors[k][i] J_m(zeros[i] r/R). */
+typedef struct TbHeadOrder {
+  uint32_t m, zero_count, mode_count;
+  uint32_t first_zero; /* index of zeros[0] among all zeros of the head */
+  double *zeros, *vectors;
+  uint32_t *rows; /* row of each mode, sorted by frequency over all orders */
+} TbHeadOrder;
+
+/* A normal mode; its sine copy for m > 0 is the same row. */
+typedef struct TbHeadMode {
+  uint32_t m, n;
+  double omega;                            /* undamped [rad/s] */
+  double decay_rate, radiation_rate;       /* of the amplitude [1/s]; the second is part of the first */
+  double fields[2 * TABOR_MAX_MICS];       /* (re, im) of the air's I at each microphone */
+} TbHeadMode;
+
+typedef struct TbHead {
+  uint32_t order_count, row_count, zero_count;
+  TbHeadOrder *orders;
+  TbHeadMode *modes;
+  double radius;    /* [m] */
+  double bandwidth; /* of the modes kept [Hz] */
+} TbHead;
+
+/* Modes up to `bandwidth` [Hz], fewer if they are too many. TABOR_ERROR_MEMORY or _NUMERICS. */
+TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                            double bandwidth);
+
+/* Factors 2 J_1(K a)/(K a) by which a force spread over a disc of radius a drives each Bessel
+ * function: patch[zero_count]. a = 0 gives 1. */
+void tb_head_patch(const TbHead *head, double patch_radius, double *patch);
+
+/* Radial shape of every row at distance r [m]: radial[row_count]. patch may be NULL. Audio-safe. */
+void tb_head_radial(const TbHead *head, double r, const double *patch, double *radial);
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/* Dense linear algebra for set-up. The only file that calls LAPACK; all memory comes from an arena. */
+#ifndef TB_LINEAR_H
+#define TB_LINEAR_H
+
+#include "arena.h"
+
+/* Solves K v = lambda M v, both symmetric, M positive definite, row-major n x n. On return row i of
+ * `vectors` is the i-th eigenvector with v^T M v = 1, eigenvalues ascending. K and M are destroyed. */
+bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double *mass,
+                        double *eigenvalues, double *vectors);
+
+/* Solves A x = b for symmetric positive definite A, row-major; A is destroyed, b becomes x. */
+bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *right_hand_sides);
+
+/* Solves A x = b for complex symmetric A, given as (re, im) pairs; A is destroyed, b becomes x. */
+bool tb_solve_complex(TbArena *scratch, uint32_t n, double *matrix, uint32_t columns,
+                      double *right_hand_sides);
+
+#endif

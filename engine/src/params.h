@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file params.h
+ * The one parameter table: every key of a definition with its place in TaborDrumDef.
+ *
+ * The table drives defaults, setting from text, printing, enumeration, validation, live changes and
+ * documentation. A later key is one more row and one more field.
+ */
+#ifndef TABOR_SRC_PARAMS_H
+#define TABOR_SRC_PARAMS_H
+
+#include "tabor/tabor.h"
+
+/**
+ * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used again.
+ * A section owns a hundred; keys that contract.md reserves for later fit into the gaps
+ * (400: resonant, 800: hand, 900: hoop).
+ */
+typedef enum TbParamId {
+  TB_PARAM_NONE = 0,
+
+  TB_PARAM_DRUM_NAME = 100,
+  TB_PARAM_DRUM_COMMENT = 101,
+  TB_PARAM_DRUM_LICENSE = 102,
+
+  TB_PARAM_SHELL_RADIUS = 200,
+  TB_PARAM_SHELL_BOUNDARY = 202,
+
+  TB_PARAM_BATTER_TENSION = 300,
+  TB_PARAM_BATTER_SURFACE_DENSITY = 301,
+  TB_PARAM_BATTER_BENDING_STIFFNESS = 302,
+  TB_PARAM_BATTER_DAMPING_0 = 303,
+  TB_PARAM_BATTER_DAMPING_1 = 304,
+
+  TB_PARAM_WIRES_COUNT = 501,
+  TB_PARAM_WIRES_SIDE = 502,
+  TB_PARAM_WIRES_LENGTH = 503,
+  TB_PARAM_WIRES_SPACING = 504,
+  TB_PARAM_WIRES_ANGLE = 505,
+  TB_PARAM_WIRES_OFFSET = 506,
+  TB_PARAM_WIRES_MASS_PER_LENGTH = 507,
+  TB_PARAM_WIRES_TENSION = 508, /**< live */
+  TB_PARAM_WIRES_TENSION_SPREAD = 509,
+  TB_PARAM_WIRES_SEED = 510,
+  TB_PARAM_WIRES_BENDING_STIFFNESS = 511,
+  TB_PARAM_WIRES_DAMPING_0 = 512, /**< live */
+  TB_PARAM_WIRES_DAMPING_1 = 513, /**< live */
+  TB_PARAM_WIRES_STRAINER = 514,  /**< live */
+  TB_PARAM_WIRES_STRAINER_TRAVEL = 515,
+  TB_PARAM_WIRES_REST_OFFSET = 516, /**< live */
+  TB_PARAM_WIRES_CONTACT_STIFFNESS = 517,
+  TB_PARAM_WIRES_CONTACT_EXPONENT = 518,
+  TB_PARAM_WIRES_CONTACT_LOSS = 519,
+
+  TB_PARAM_WIRE_LENGTH = 603,
+  TB_PARAM_WIRE_ANGLE = 605,
+  TB_PARAM_WIRE_OFFSET = 606,
+  TB_PARAM_WIRE_MASS_PER_LENGTH = 607,
+  TB_PARAM_WIRE_TENSION = 608,
+  TB_PARAM_WIRE_BENDING_STIFFNESS = 611,
+  TB_PARAM_WIRE_DAMPING_0 = 612,
+  TB_PARAM_WIRE_DAMPING_1 = 613,
+  TB_PARAM_WIRE_REST_OFFSET = 616,
+  TB_PARAM_WIRE_CONTACT_STIFFNESS = 617,
+  TB_PARAM_WIRE_CONTACT_EXPONENT = 618,
+  TB_PARAM_WIRE_CONTACT_LOSS = 619,
+
+  TB_PARAM_STRIKER_KIND = 700,
+  TB_PARAM_STRIKER_MASS = 701,
+  TB_PARAM_STRIKER_CONTACT_STIFFNESS = 702,
+  TB_PARAM_STRIKER_CONTACT_EXPONENT = 703,
+  TB_PARAM_STRIKER_CONTACT_LOSS = 704,
+  TB_PARAM_STRIKER_CONTACT_RADIUS = 705,
+
+  TB_PARAM_STRIKE_VELOCITY = 1000,
+  TB_PARAM_STRIKE_RADIUS = 1001,
+  TB_PARAM_STRIKE_ANGLE = 1002,
+  TB_PARAM_STRIKE_STRIKER = 1003,
+  TB_PARAM_STRIKE_TECHNIQUE = 1004,
+
+  TB_PARAM_MIC_RADIUS = 1100,
+  TB_PARAM_MIC_ANGLE = 1101,
+  TB_PARAM_MIC_HEIGHT = 1102,
+  TB_PARAM_MIC_GAIN = 1103, /**< live */
+
+  TB_PARAM_AIR_DENSITY = 1200,
+  TB_PARAM_AIR_SOUND_SPEED = 1201,
+  TB_PARAM_AIR_GRAVITY = 1202,
+
+  TB_PARAM_QUALITY_LEVEL = 1300,
+  TB_PARAM_QUALITY_TWO_WAY_BANDWIDTH = 1301,
+  TB_PARAM_QUALITY_NEWTON_CAP = 1303,
+  TB_PARAM_QUALITY_WIRE_POINTS = 1304,
+  TB_PARAM_QUALITY_LOSSES = 1305,
+
+  TB_PARAM_OUTPUT_FULL_SCALE = 1400 /**< live */
+} TbParamId;
+
+/** What a row's section consists of: one struct, or an array of elements with a number or a name. */
+typedef enum TbGroup { TB_GROUP_SINGLE, TB_GROUP_WIRE, TB_GROUP_STRIKER, TB_GROUP_MIC } TbGroup;
+
+typedef struct TbParam {
+  TaborParameter info; /**< the public face; first, so that a pointer to it is one to the row */
+  TbGroup group;
+  size_t offset;   /**< of the field in TaborDrumDef, of element 0 in an array */
+  size_t stride;   /**< to the next element's field, 0 in single sections */
+  size_t size;     /**< bytes of a text field with its terminator, 0 otherwise */
+  uint32_t base;   /**< of a choice: the stored value of its first word */
+  double least;    /**< a value closer to zero than this is refused, */
+  bool zero;       /**< ... but zero itself is allowed */
+  bool identifier; /**< a text that must be a name or empty */
+} TbParam;
+
+/** The table in preset order; rows of one section are neighbours. */
+extern const TbParam tb_params[];
+extern const uint32_t tb_param_count;
+
+/* Nothing in params.c calls anything: all of it is fit for the audio thread. */
+
+/** The row with this id, or NULL. */
+const TbParam *tb_param_by_id(uint32_t id);
+
+/** Elements that the group's array can hold; 1 for a single section. */
+uint32_t tb_group_capacity(TbGroup group);
+
+/** The row's field of element @p element, which must be below the group's capacity. */
+void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element);
+const void *tb_param_field_const(const TbParam *param, const TaborDrumDef *def, uint32_t element);
+
+#endif /* TABOR_SRC_PARAMS_H */

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#include "preset.h"
+#include "error.h"
+#include "text.h"
+
+#include <math.h>
+#include <string.h>
+
+uint32_t tabor_preset_count(void) { return tb_preset_count; }
+
+const TaborPresetInfo *tabor_preset(uint32_t index) {
+  return index < tb_preset_count ? &tb_presets[index].info : NULL;
+}
+
+static const TbPreset *find_preset(const char *name) {
+  for (uint32_t i = 0; i < tb_preset_count; i++) {
+    if (strcmp(tb_presets[i].info.name, name) == 0) return &tb_presets[i];
+  }
+  return NULL;
+}
+
+static const char *nearest_preset(const char *name) {
+  const char *nearest = "";
+  size_t smallest = SIZE_MAX;
+  for (uint32_t i = 0; i < tb_preset_count; i++) {
+    const size_t distance = tb_edit_distance(name, tb_presets[i].info.name);
+    if (distance >= smallest) continue;
+    smallest = distance;
+    nearest = tb_presets[i].info.name;
+  }
+  return nearest;
+}
+
+TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
+  if (!def || !name) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, name, NAN, NAN, "the %s is NULL",
+                        def ? "preset's name" : "definition");
+  }
+  const TbPreset *const preset = find_preset(name);
+  if (!preset) {
+    return tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN,
+                        "unknown preset '%s'; did you mean '%s'?", name, nearest_preset(name));
+  }
+  TaborDrumDef read;
+  tabor_drum_def_clear(&read);
+  for (uint32_t i = 0; i < preset->pair_count; i++) {
+    const TbPresetPair *const pair = &preset->pairs[i];
+    const TaborStatus status = tabor_drum_def_set(&read, pair->key, pair->value, error);
+    if (status != TABOR_OK) return status; /* test_preset sees to it that this never happens */
+  }
+  *def = read;
+  return tb_error_clear(error);
+}

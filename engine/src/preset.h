@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file preset.h
+ * The built-in presets: the files of presets/ as a table that embed-presets writes when the library
+ * is built (engine/presets.cmake).
+ */
+#ifndef TABOR_SRC_PRESET_H
+#define TABOR_SRC_PRESET_H
+
+#include "tabor/tabor.h"
+
+/** A line of a preset: "batter.tension", "3000". */
+typedef struct TbPresetPair {
+  const char *key, *value;
+} TbPresetPair;
+
+typedef struct TbPreset {
+  TaborPresetInfo info;
+  const TbPresetPair *pairs;
+  uint32_t pair_count;
+} TbPreset;
+
+extern const TbPreset tb_presets[];
+extern const uint32_t tb_preset_count;
+
+#endif /* TABOR_SRC_PRESET_H */

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* Gauss-Legendre quadrature in panels of 16 points ([DLMF] 3.5(v)). */
+#ifndef TB_QUADRATURE_H
+#define TB_QUADRATURE_H
+
+#include <stdint.h>
+
+#define TB_PANEL 16u
+
+/* Nodes and weights of `panels` equal panels on (from, to); both arrays hold panels * 16 values. */
+void tb_quadrature(double from, double to, uint32_t panels, double *nodes, double *weights);
+
+#endif

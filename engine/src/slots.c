@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "slots.h"
+
+#include "live.h"
+
+static const double AWAY = 0.005; /* [m] */
+static const double LINGER = 1.0; /* [s] */
+
+static bool in_play(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].kind != TB_SLOT_FREE;
+}
+
+/* How the head yields at this slot to forces everywhere, over one step: its shape, what a unit force
+ * does to the modes, and the compliance to every wire point and every other slot. */
+static void couple(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = model->wires.stride;
+  const double *shape = tb_slot_shape(view, slot);
+  double *drive = tb_slot_drive(view, slot), *coupling = tb_slot_coupling(view, slot);
+  for (uint32_t i = 0; i < modes->padded; i++) drive[i] = modes->g[i] * shape[i];
+  kernels->project(modes->coupled, stride, stride, coupling, model->projection, drive);
+  for (uint32_t row = 0; row < stride; row++) coupling[row] *= model->wires.side;
+  for (uint32_t other = 0; other < TB_SLOTS; other++) {
+    const double value = in_play(view, other) || other == slot
+                             ? kernels->dot(modes->padded, drive, tb_slot_shape(view, other))
+                             : 0.0;
+    coupling[stride + other] = value;
+    tb_slot_coupling(view, other)[stride + slot] = value;
+  }
+}
+
+static void prepare_law(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  const TbSlot *s = &view->state->slots[slot];
+  TbLaw *law = &view->state->slot_laws[slot];
+  const uint32_t row = model->wires.stride + slot;
+  if (s->kind == TB_SLOT_HAND) {
+    view->own[row] = 0.0;
+    tb_law_damper(law, s->strength, model->time_step);
+    return;
+  }
+  const TaborStrikerDef *def = &model->def.striker[s->definition];
+  const double k = model->time_step, compliance = k * k / s->mass;
+  view->own[row] = compliance;
+  tb_law_prepare(law, def->contact_stiffness, def->contact_exponent,
+                 model->def.quality.losses ? def->contact_loss : 0.0, k,
+                 TB_SLOPE_LIMIT / (compliance + tb_slot_coupling(view, slot)[row]));
+}
+
+static double head_at(const TbView *view, uint32_t slot, const double *q) {
+  return view->model->kernels->dot(view->model->modes.padded, tb_slot_shape(view, slot), q);
+}
+
+void tb_slots_rebuild(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  TbSlot *s = &view->state->slots[slot];
+  const bool hand = s->kind == TB_SLOT_HAND;
+  const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
+  tb_model_shape(model, s->radius, s->angle, patch, view->radial, tb_slot_shape(view, slot));
+  couple(view, slot);
+  prepare_law(view, slot);
+  s->rest_height = head_at(view, slot, model->rest.q);
+  const uint32_t row = model->wires.stride + slot;
+  view->now.eta[row] = head_at(view, slot, view->now.q) - (hand ? 0.0 : view->now.z[slot]);
+  view->last.eta[row] = head_at(view, slot, view->last.q) - (hand ? 0.0 : view->last.z[slot]);
+  view->solve.force[row] = 0.0;
+}
+
+/* Frees a slot; what a striker still carries is booked as removed. */
+static void take_away(TbView *view, uint32_t slot) {
+  TbState *state = view->state;
+  TbSlot *s = &state->slots[slot];
+  const uint32_t row = view->model->wires.stride + slot;
+  if (s->kind == TB_SLOT_STRIKER) {
+    const double velocity = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
+    state->sums.removed +=
+        0.5 * (s->mass * velocity * velocity +
+               tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
+               tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
+  }
+  *s = (TbSlot){0};
+  view->solve.force[row] = 0.0;
+  view->now.z[slot] = view->last.z[slot] = 0.0;
+  view->now.eta[row] = view->last.eta[row] = 0.0;
+  state->slot_mask &= ~(1u << slot);
+  tb_live_apply(view);
+}
+
+static bool touches(const TbView *view, uint32_t slot) {
+  const uint32_t row = view->model->wires.stride + slot;
+  return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
+}
+
+/* A free slot, if need be that of the oldest striker which touches nothing; TB_SLOTS if none. */
+static uint32_t obtain(TbView *view) {
+  uint32_t oldest = TB_SLOTS;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind == TB_SLOT_FREE) return i;
+    if (s->kind != TB_SLOT_STRIKER || touches(view, i)) continue;
+    if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
+  }
+  if (oldest < TB_SLOTS) take_away(view, oldest);
+  return oldest;
+}
+
+bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocity, double radius,
+                     double angle) {
+  const uint32_t slot = obtain(view);
+  if (slot == TB_SLOTS) return false;
+  TbState *state = view->state;
+  const double mass = view->model->def.striker[striker].mass;
+  state->slots[slot] = (TbSlot){.kind = TB_SLOT_STRIKER,
+                                .id = id,
+                                .serial = ++state->serial,
+                                .mass = mass,
+                                .definition = striker,
+                                .radius = radius,
+                                .angle = angle,
+                                .velocity = velocity};
+  state->slot_mask |= 1u << slot;
+  view->now.z[slot] = view->last.z[slot] = 0.0;
+  tb_slots_rebuild(view, slot);
+
+  /* On the surface now, or, where the head recedes faster, just above it one sample ago. */
+  const uint32_t row = view->model->wires.stride + slot;
+  const double approach = velocity * view->model->time_step;
+  const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
+  double z = surface_now;
+  if (surface_last - approach > z) z = surface_last - approach;
+  view->now.z[slot] = z;
+  view->last.z[slot] = z + approach;
+  view->now.eta[row] = surface_now - view->now.z[slot];
+  view->last.eta[row] = surface_last - view->last.z[slot];
+  if (view->last.eta[row] > 0.0) view->last.eta[row] = 0.0; /* rounding of z + approach */
+  const double speed = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
+  state->sums.injected += 0.5 * mass * speed * speed;
+  state->statistics.strikes++;
+  tb_live_apply(view);
+  return true;
+}
+
+static uint32_t find_hand(const TbView *view, uint32_t id) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind == TB_SLOT_HAND && s->id == id) return i;
+  }
+  return TB_SLOTS;
+}
+
+bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
+  uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
+  if (slot == TB_SLOTS) slot = obtain(view);
+  if (slot == TB_SLOTS) return false;
+  TbState *state = view->state;
+  state->slots[slot] = (TbSlot){.kind = TB_SLOT_HAND,
+                                .id = id,
+                                .serial = ++state->serial,
+                                .radius = radius,
+                                .angle = angle,
+                                .strength = strength};
+  state->slot_mask |= 1u << slot;
+  tb_slots_rebuild(view, slot);
+  tb_live_apply(view);
+  return true;
+}
+
+void tb_slots_release(TbView *view, uint32_t id) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (in_play(view, i) && (id == 0 || view->state->slots[i].id == id)) take_away(view, i);
+  }
+}
+
+void tb_slots_retire(TbView *view) {
+  TbState *state = view->state;
+  if (state->slot_mask == 0) return;
+  const uint64_t linger = (uint64_t)(LINGER * view->model->sample_rate);
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    TbSlot *s = &state->slots[i];
+    if (s->kind != TB_SLOT_STRIKER) continue;
+    s->age++;
+    if (touches(view, i)) continue;
+    const double gap = -view->now.eta[view->model->wires.stride + i];
+    const bool leaving = view->now.z[i] > view->last.z[i];
+    if ((gap > AWAY && leaving) || s->age > linger) take_away(view, i);
+  }
+}

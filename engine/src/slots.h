@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/* What is in play on the head: strikers and damping hands, in a fixed pool. Audio-safe.
+ *
+ * A striker is its effective tip mass M, free but for the contact: M z_tt = f, [Torin2014] eq. (5);
+ * no gravity, since a hand carries the stick. It starts touching the head's momentary surface with
+ * exactly the speed asked for, so the energy it brings is M v^2/2. It is taken away once it moves
+ * off beyond 5 mm, or touches nothing a second after the stroke. */
+#ifndef TB_SLOTS_H
+#define TB_SLOTS_H
+
+#include "state.h"
+
+/* Places a stroke; false if the pool is full of strikers in contact. */
+bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocity, double radius,
+                     double angle);
+/* Lays a hand of `strength` [N s/m] on the head, or moves the one with this id. */
+bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle);
+/* Takes away what has this id, or everything for 0. */
+void tb_slots_release(TbView *view, uint32_t id);
+/* Takes away strikers that are done; call once per sample after the rotation. */
+void tb_slots_retire(TbView *view);
+/* Recomputes law, shape and coupling of a slot from its description, as after a swap. */
+void tb_slots_rebuild(TbView *view, uint32_t slot);
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+#include "state.h"
+
+#include <string.h>
+
+#include "live.h"
+
+static size_t place(size_t *total, size_t count) {
+  const size_t at = *total;
+  *total += (count * sizeof(double) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
+  return at;
+}
+
+void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
+  const size_t modes = model->modes.padded, nodes = model->wires.node_count;
+  const size_t rows = model->wires.stride + TB_SLOTS;
+  *layout = (TbLayout){0};
+  size_t total = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
+  for (int phase = 0; phase < 3; phase++) {
+    layout->q[phase] = place(&total, modes);
+    layout->v[phase] = place(&total, nodes);
+    layout->eta[phase] = place(&total, rows);
+  }
+  layout->qf = place(&total, modes);
+  layout->vf = place(&total, nodes);
+  layout->bend = place(&total, nodes);
+  layout->bend_last = place(&total, nodes);
+  size_t *const row_arrays[] = {
+      &layout->eta_free, &layout->rest_load, &layout->own,     &layout->force,
+      &layout->b,        &layout->s,         &layout->previous, &layout->product,
+      &layout->slope,    &layout->residual,  &layout->direction, &layout->scaled,
+      &layout->weight,   &layout->work};
+  for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
+    *row_arrays[i] = place(&total, rows);
+  }
+  layout->coupling = place(&total, TB_SLOTS * rows);
+  layout->shape = place(&total, TB_SLOTS * modes);
+  layout->drive = place(&total, TB_SLOTS * modes);
+  layout->radial = place(&total, model->head.row_count);
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    layout->delay[mic] = place(&total, model->mics[mic].delay + 1u);
+  }
+  layout->total = total;
+}
+
+size_t tb_state_bytes(const TaborModel *model) { return model->layout.total; }
+
+static double *at(TbState *state, size_t offset) {
+  return (double *)(void *)((char *)state + offset);
+}
+
+static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
+  return (TbPhase){at(state, layout->q[index]), at(state, layout->v[index]),
+                   at(state, layout->eta[index]), state->z[index]};
+}
+
+static void view_phases(TbView *view) {
+  const TbLayout *layout = &view->model->layout;
+  const uint32_t newest = view->state->newest;
+  view->now = phase_at(view->state, layout, newest);
+  view->last = phase_at(view->state, layout, (newest + 2) % 3);
+  view->next = phase_at(view->state, layout, (newest + 1) % 3);
+  view->solve.y = view->last.eta;
+}
+
+TbView tb_view(TbState *state, const TaborModel *model) {
+  const TbLayout *l = &model->layout;
+  TbView view = {.model = model,
+                 .state = state,
+                 .qf = at(state, l->qf),
+                 .vf = at(state, l->vf),
+                 .bend = at(state, l->bend),
+                 .bend_last = at(state, l->bend_last),
+                 .eta_free = at(state, l->eta_free),
+                 .rest_load = at(state, l->rest_load),
+                 .own = at(state, l->own),
+                 .b = at(state, l->b),
+                 .s = at(state, l->s),
+                 .coupling = at(state, l->coupling),
+                 .shape = at(state, l->shape),
+                 .drive = at(state, l->drive),
+                 .radial = at(state, l->radial)};
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    view.delay[mic] = at(state, l->delay[mic]);
+  }
+  view.solve = (TbSolve){.kernels = model->kernels,
+                         .wire_rows = model->wires.row_count,
+                         .stride = model->wires.stride,
+                         .slot_mask = state->slot_mask,
+                         .cap = model->newton_cap,
+                         .inner_cap = model->inner_cap,
+                         .compliance = model->compliance,
+                         .coupling = view.coupling,
+                         .own = view.own,
+                         .row_wire = model->wires.row_wire,
+                         .wire_laws = model->wires.laws,
+                         .slot_laws = state->slot_laws,
+                         .b = view.b,
+                         .s = view.s,
+                         .force = at(state, l->force),
+                         .previous = at(state, l->previous),
+                         .product = at(state, l->product),
+                         .slope = at(state, l->slope),
+                         .residual = at(state, l->residual),
+                         .direction = at(state, l->direction),
+                         .scaled = at(state, l->scaled),
+                         .weight = at(state, l->weight),
+                         .work = at(state, l->work)};
+  view_phases(&view);
+  return view;
+}
+
+void tb_view_rotate(TbView *view) {
+  view->state->newest = (view->state->newest + 1) % 3;
+  view_phases(view);
+}
+
+void tb_state_reset(TbState *state, const TaborModel *model) {
+  memset(state, 0, model->layout.total);
+  state->fingerprint = model->fingerprint;
+  state->asleep = 1;
+  TbView view = tb_view(state, model);
+  const TbWires *wires = &model->wires;
+  for (uint32_t row = 0; row < wires->row_count; row++) {
+    view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = model->rest.eta[row];
+    view.solve.force[row] = model->rest.force[row];
+  }
+  tb_live_reset(&view);
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* The state of one sounding drum: one block without pointers into itself, and a view of its arrays.
+ * Everything counts from the model's rest state. Audio-safe. */
+#ifndef TB_STATE_H
+#define TB_STATE_H
+
+#include "model.h"
+
+/* Values that may move while the drum rings. */
+typedef enum TbLiveIndex {
+  TB_LIVE_TENSION,
+  TB_LIVE_DAMPING_0,
+  TB_LIVE_DAMPING_1,
+  TB_LIVE_STRAINER,
+  TB_LIVE_REST_OFFSET,
+  TB_LIVE_FULL_SCALE,
+  TB_LIVE_GAIN, /* of the first microphone; the others follow */
+  TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
+} TbLiveIndex;
+
+typedef struct TbLive {
+  double now, target, step; /* step per sample while `left` samples remain */
+  uint32_t left;
+} TbLive;
+
+typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
+
+/* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
+ * height at its place; penetration eta = w - z (a hand: eta = w). */
+typedef struct TbSlot {
+  uint32_t kind, id;
+  uint64_t serial;      /* order of arrival */
+  uint64_t age;         /* samples in play */
+  double mass;          /* [kg] */
+  double rest_height;   /* of the head at its place [m] */
+  uint32_t definition;  /* which striker */
+  double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
+} TbSlot;
+
+typedef struct TbState {
+  uint64_t fingerprint;
+  uint64_t clock;      /* samples stepped since reset */
+  uint32_t newest;     /* which of the three phases holds the newest samples */
+  uint32_t asleep, quiet_checks;
+  uint32_t slot_mask;
+  uint64_t serial;
+  uint32_t delay_at[TABOR_MAX_MICS];
+  TbLive live[TB_LIVE_COUNT];
+  TbWireCoefficients wires[TABOR_MAX_WIRES];
+  double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
+  TbSlot slots[TB_SLOTS];
+  TbLaw slot_laws[TB_SLOTS];
+  double z[3][TB_SLOTS];
+  TaborLedger sums; /* stored and residual are not kept */
+  TaborStatistics statistics;
+} TbState;
+
+/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers. */
+typedef struct TbPhase {
+  double *q, *v, *eta, *z;
+} TbPhase;
+
+/* The three instants that a step touches: n + 1, n, n - 1. */
+typedef struct TbView {
+  const TaborModel *model;
+  TbState *state;
+  TbPhase next, now, last;
+  double *qf, *vf, *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
+  double *coupling, *shape, *drive, *radial;
+  double *delay[TABOR_MAX_MICS];
+  TbSolve solve;
+} TbView;
+
+void tb_layout_prepare(TbLayout *layout, const TaborModel *model);
+size_t tb_state_bytes(const TaborModel *model);
+
+/* Puts `state` (tb_state_bytes() large) to rest; statistics and ledger restart. */
+void tb_state_reset(TbState *state, const TaborModel *model);
+
+TbView tb_view(TbState *state, const TaborModel *model);
+/* After `next` was filled: it becomes the newest. */
+void tb_view_rotate(TbView *view);
+
+/* Places of one slot in the per-slot arrays. */
+static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
+  return view->shape + (size_t)slot * view->model->modes.padded;
+}
+static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
+  return view->drive + (size_t)slot * view->model->modes.padded;
+}
+static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
+  return view->coupling + (size_t)slot * (view->model->wires.stride + TB_SLOTS);
+}
+
+#endif

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT */
+#include "step.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "energy.h"
+#include "guard.h"
+#include "live.h"
+#include "slots.h"
+
+/* Where everything would be without contact forces. */
+static void free_motion(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  model->kernels->two_step(modes->padded, view->qf, modes->a, view->now.q, modes->b, view->last.q);
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    const TbWireCoefficients *c = &view->state->wires[w];
+    const uint32_t at = wire->first_node;
+    tb_wire_free(wire, c, view->now.v + at, view->last.v + at, view->vf + at, view->bend + at,
+                 view->bend_last + at);
+    if (c->tension == wire->tension) continue;
+    /* The shape at rest is bent: a tension other than the rest's pulls it. */
+    const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
+    for (uint32_t i = 1; i < wire->cells; i++) view->vf[at + i] += pull * model->rest.bend[at + i];
+  }
+}
+
+/* b = change of penetration over two steps without contact forces, with the rest load. */
+static void free_penetration(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = wires->stride;
+  double *eta = view->eta_free;
+  kernels->project(model->modes.coupled, stride, stride, eta, model->projection, view->qf);
+  for (uint32_t row = 0; row < wires->row_count; row++) {
+    const double deviation = wires->side * eta[row] - view->vf[wires->row_node[row]];
+    eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+    const uint32_t row = stride + i;
+    const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->qf);
+    const double z = 2.0 * view->now.z[i] - view->last.z[i];
+    eta[row] = view->state->slots[i].kind == TB_SLOT_STRIKER ? head - z : head;
+    view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
+  }
+}
+
+/* The next instant from the free motion and the contact forces. */
+static void respond(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = wires->stride;
+  const double *force = view->solve.force;
+  double *change = view->solve.work; /* forces counted from rest */
+  memcpy(view->next.q, view->qf, modes->padded * sizeof(double));
+  memcpy(view->next.v, view->vf, wires->node_count * sizeof(double));
+  for (uint32_t row = 0; row < stride; row++) change[row] = 0.0;
+  for (uint32_t row = 0; row < wires->row_count; row++) {
+    change[row] = force[row] - model->rest.force[row];
+    view->next.v[wires->row_node[row]] += view->own[row] * change[row];
+    view->next.eta[row] = view->last.eta[row] + view->s[row];
+  }
+  kernels->spread(modes->coupled, stride, stride, view->next.q, modes->pull, model->projection,
+                  change);
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+    const uint32_t row = stride + i;
+    if (force[row] != 0.0) {
+      kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
+    }
+    view->next.z[i] = 2.0 * view->now.z[i] - view->last.z[i] + view->own[row] * force[row];
+    view->next.eta[row] = view->last.eta[row] + view->s[row];
+  }
+}
+
+static void book_losses(TbView *view) {
+  const TaborModel *model = view->model;
+  TaborLedger *sums = &view->state->sums;
+  const TbModes *modes = &model->modes;
+  const TbPair head = model->kernels->losses(modes->padded, modes->loss_head, modes->loss_air,
+                                             view->next.q, view->last.q);
+  sums->head_loss += head.first;
+  sums->radiated += head.second;
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    sums->wire_loss +=
+        tb_wire_loss(wire, &view->state->wires[w], model->time_step,
+                     view->next.v + wire->first_node, view->last.v + wire->first_node);
+  }
+  double contact = 0.0, damper = 0.0;
+  for (uint32_t row = tb_solve_next(&view->solve, UINT32_MAX); row < model->wires.stride + TB_SLOTS;
+       row = tb_solve_next(&view->solve, row)) {
+    const TbLaw *law = tb_solve_law(&view->solve, row);
+    const double loss = tb_law_loss(law, view->last.eta[row], view->s[row]);
+    *(law->kind == TB_LAW_DAMPER ? &damper : &contact) += loss;
+  }
+  sums->contact_loss += contact;
+  sums->damper_loss += damper;
+}
+
+static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
+  if (!outcome->contact) return;
+  statistics->solves++;
+  statistics->newton_iterations += outcome->iterations;
+  if (outcome->iterations > statistics->newton_max) statistics->newton_max = outcome->iterations;
+  statistics->newton_capped += outcome->capped;
+  statistics->work_corrected += outcome->corrected;
+  statistics->fallbacks += outcome->fallback;
+  statistics->contact_sum += outcome->touching;
+  if (outcome->touching > statistics->contact_max) statistics->contact_max = outcome->touching;
+}
+
+/* A line of delay + 1 samples: what goes in now comes out `delay` samples later. */
+static double delayed(TbView *view, uint32_t mic, double value) {
+  uint32_t *at = &view->state->delay_at[mic];
+  const uint32_t length = view->model->mics[mic].delay + 1u;
+  view->delay[mic][*at] = value;
+  *at = *at + 1u == length ? 0u : *at + 1u;
+  return view->delay[mic][*at];
+}
+
+static void listen(TbView *view, double *pressure) {
+  const TaborModel *model = view->model;
+  const TbLive *live = view->state->live;
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    const TbMic *m = &model->mics[mic];
+    const double p = model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q,
+                                             view->now.q, view->last.q);
+    pressure[mic] =
+        delayed(view, mic, p) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+  }
+}
+
+void tb_step(TbView *view, double *pressure) {
+  tb_live_step(view);
+  free_motion(view);
+  free_penetration(view);
+  const TbSolveOutcome outcome = tb_solve(&view->solve);
+  count(&view->state->statistics, &outcome);
+  respond(view);
+  if (outcome.excess > 0.0) tb_guard(view);
+  book_losses(view);
+  listen(view, pressure);
+  view->state->clock++;
+  tb_view_rotate(view);
+  tb_slots_retire(view);
+}
+
+/* ---- housekeeping --------------------------------------------------------------------------- */
+
+/* Far below anything audible: a medium stroke brings some 1e-2 J. */
+static const double SILENT_ENERGY = 1e-18; /* [J] */
+static const uint32_t SILENT_CHECKS = 16;
+static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
+
+static void clear_vanished(TbView *view) {
+  for (uint32_t i = 0; i < view->model->modes.count; i++) {
+    if (fabs(view->now.q[i]) < VANISHED && fabs(view->last.q[i]) < VANISHED) {
+      view->now.q[i] = view->last.q[i] = 0.0;
+    }
+  }
+}
+
+/* Stops all motion; a drum within rounding of its rest returns to it exactly. */
+static void fall_asleep(TbView *view) {
+  const TaborModel *model = view->model;
+  const bool at_rest =
+      fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * SILENT_ENERGY;
+  const uint32_t rows = model->wires.stride + TB_SLOTS;
+  if (at_rest) {
+    memset(view->now.q, 0, model->modes.padded * sizeof(double));
+    memset(view->now.v, 0, model->wires.node_count * sizeof(double));
+    for (uint32_t row = 0; row < model->wires.row_count; row++) {
+      view->now.eta[row] =
+          model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
+      view->solve.force[row] = model->rest.force[row];
+    }
+    for (uint32_t row = model->wires.stride; row < rows; row++) view->now.eta[row] = 0.0;
+  }
+  memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
+  memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
+  memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
+  }
+  view->state->asleep = 1;
+}
+
+static bool striker_in_play(const TbView *view) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (view->state->slots[i].kind == TB_SLOT_STRIKER) return true;
+  }
+  return false;
+}
+
+static bool parameter_moves(const TbState *state) {
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    if (state->live[i].left) return true;
+  }
+  return false;
+}
+
+void tb_step_housekeeping(TbView *view) {
+  TbState *state = view->state;
+  const double motion = tb_energy_motion(view, &view->now, &view->last);
+  if (!isfinite(motion)) {
+    const TaborStatistics statistics = state->statistics;
+    tb_state_reset(state, view->model);
+    state->statistics = statistics;
+    state->statistics.recovered++;
+    *view = tb_view(state, view->model);
+    return;
+  }
+  clear_vanished(view);
+  const bool quiet = motion < SILENT_ENERGY && !striker_in_play(view) && !parameter_moves(state);
+  state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
+  if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
+}

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT */
+/* Continuing a ringing drum on another model.
+ *
+ * Carrying displacements over as they are is a parametric pump: toggling the tension by 10 % every 64
+ * samples multiplies the energy without bound. Keeping phase and action per mode does not: with
+ * t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
+ *   q' = c q, q-' = c (q cos t1 + im sin t1);
+ * the energy then follows w1/w0. Modes are matched by (m, n, cosine or sine), which is right while
+ * only tensions, masses, losses or quality changed. For another radius, boundary or side the old drum
+ * rings out under a short fade. Audio-safe but for tb_swap_map(). */
+#include <math.h>
+#include <string.h>
+
+#include "drum.h"
+#include "drum_memory.h"
+#include "energy.h"
+#include "live.h"
+#include "slots.h"
+#include "step.h"
+
+static const double FADE = 0.03; /* [s] */
+
+/* ---- set-up --------------------------------------------------------------------------------- */
+
+static bool continues(const TaborModel *a, const TaborModel *b) {
+  return a->def.shell.radius == b->def.shell.radius &&
+         a->def.shell.boundary == b->def.shell.boundary && a->wires.count == b->wires.count &&
+         a->wires.side == b->wires.side && a->def.wires.angle == b->def.wires.angle;
+}
+
+static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uint8_t sine) {
+  for (uint32_t i = 0; i < model->modes.count; i++) {
+    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+    if (mode->m == wanted->m && mode->n == wanted->n && model->modes.sine[i] == sine) return i;
+  }
+  return UINT32_MAX;
+}
+
+/* w_d k, or -1 for an overdamped mode. */
+static double turn_per_sample(const TbHeadMode *mode, double k) {
+  const double square = mode->omega * mode->omega - mode->decay_rate * mode->decay_rate;
+  return square > 0.0 ? sqrt(square) * k : -1.0;
+}
+
+static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const TbHeadMode *to,
+                     double k) {
+  const double t0 = turn_per_sample(from, k), t1 = turn_per_sample(to, k);
+  if (t0 == t1 || t0 <= 0.0 || t1 <= 0.0) return; /* scale 0: copy */
+  map->cos_old[i] = cos(t0);
+  map->sin_old[i] = sin(t0);
+  map->cos_new[i] = cos(t1);
+  map->sin_new[i] = sin(t1);
+  map->scale[i] = sqrt(map->sin_old[i] / map->sin_new[i]);
+}
+
+bool tb_swap_map(TaborSwap *swap) {
+  TbMapping *map = &swap->mapping;
+  const TaborModel *from = swap->old_model, *to = swap->new_model;
+  map->continues = continues(from, to);
+  if (!map->continues) return true;
+  const uint32_t n = to->modes.padded;
+  map->mode = tb_arena_take(&swap->arena, n, sizeof *map->mode);
+  double **arrays[] = {&map->scale, &map->cos_old, &map->sin_old, &map->cos_new, &map->sin_new};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+    *arrays[i] = tb_arena_doubles(&swap->arena, n);
+  }
+  if (swap->arena.failed) return false;
+  for (uint32_t i = 0; i < to->modes.count; i++) {
+    const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
+    map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
+    if (map->mode[i] == UINT32_MAX) continue;
+    map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode, to->time_step);
+  }
+  return true;
+}
+
+/* ---- on the audio thread -------------------------------------------------------------------- */
+
+static void carry_modes(const TbMapping *map, const TbView *from, TbView *to) {
+  for (uint32_t i = 0; i < to->model->modes.count; i++) {
+    const uint32_t source = map->mode[i];
+    if (source == UINT32_MAX) continue;
+    const double q = from->now.q[source], last = from->last.q[source];
+    const double c = map->scale[i];
+    if (c == 0.0) {
+      to->now.q[i] = q;
+      to->last.q[i] = last;
+      continue;
+    }
+    const double im = (last - q * map->cos_old[i]) / map->sin_old[i];
+    to->now.q[i] = c * q;
+    to->last.q[i] = c * (q * map->cos_new[i] + im * map->sin_new[i]);
+  }
+}
+
+/* Linear interpolation between grids; the same grid copies. */
+static void carry_nodes(const TbWire *from, const TbWire *to, const double *source, double *target) {
+  for (uint32_t i = 1; i < to->cells; i++) {
+    const double place = (double)i * (double)from->cells / (double)to->cells;
+    const uint32_t node = (uint32_t)place;
+    const double part = place - (double)node;
+    target[i] = part == 0.0 ? source[node] : source[node] + part * (source[node + 1] - source[node]);
+  }
+}
+
+static void carry_wires(const TbView *from, TbView *to) {
+  for (uint32_t w = 0; w < to->model->wires.count; w++) {
+    const TbWire *a = &from->model->wires.wires[w], *b = &to->model->wires.wires[w];
+    carry_nodes(a, b, from->now.v + a->first_node, to->now.v + b->first_node);
+    carry_nodes(a, b, from->last.v + a->first_node, to->last.v + b->first_node);
+  }
+}
+
+/* A live value that the player moved, or that both definitions share, goes on as it is. */
+static void carry_live(const TbView *from, TbView *to) {
+  TbLive fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
+  memcpy(fresh, to->state->live, sizeof fresh);
+  tb_live_definition(from->model, old_fresh);
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    const TbLive *live = &from->state->live[i];
+    const bool untouched = live->left == 0 && live->now == old_fresh[i].now;
+    to->state->live[i] = untouched ? fresh[i] : *live;
+  }
+}
+
+static void eta_of_wires(TbView *view, TbPhase *phase) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  model->kernels->project(model->modes.coupled, wires->stride, wires->stride, phase->eta,
+                          model->projection, phase->q);
+  for (uint32_t row = 0; row < wires->row_count; row++) {
+    const double deviation = wires->side * phase->eta[row] - phase->v[wires->row_node[row]];
+    phase->eta[row] =
+        deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+  }
+}
+
+/* Penetrations follow from displacements; where nothing changed they are the same to the bit. */
+static void carry_contacts(const TbView *from, TbView *to) {
+  const uint32_t stride = to->model->wires.stride;
+  if (from->model->fingerprint == to->model->fingerprint) {
+    const size_t bytes = (stride + TB_SLOTS) * sizeof(double);
+    memcpy(to->now.eta, from->now.eta, bytes);
+    memcpy(to->last.eta, from->last.eta, bytes);
+    memcpy(to->solve.force, from->solve.force, bytes);
+    return;
+  }
+  eta_of_wires(to, &to->now);
+  eta_of_wires(to, &to->last);
+}
+
+static void carry_slots(const TbView *from, TbView *to) {
+  const bool same = from->model->fingerprint == to->model->fingerprint;
+  const uint32_t first = to->model->wires.stride;
+  to->state->serial = from->state->serial;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *slot = &from->state->slots[i];
+    const bool known = slot->definition < to->model->def.striker_count;
+    if (slot->kind == TB_SLOT_FREE || !known) continue;
+    to->state->slots[i] = *slot;
+    to->state->slot_mask |= 1u << i;
+    to->now.z[i] = from->now.z[i];
+    to->last.z[i] = from->last.z[i];
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (to->state->slots[i].kind == TB_SLOT_FREE) continue;
+    const double force = from->solve.force[from->model->wires.stride + i];
+    const double now = to->now.eta[first + i], last = to->last.eta[first + i];
+    tb_slots_rebuild(to, i);
+    if (same) {
+      to->solve.force[first + i] = force;
+      to->now.eta[first + i] = now;
+      to->last.eta[first + i] = last;
+    }
+  }
+  tb_live_apply(to);
+}
+
+static void carry_sound(const TbView *from, TbView *to) {
+  const TaborDrumDef *a = &from->model->def, *b = &to->model->def;
+  for (uint32_t mic = 0; mic < a->mic_count && mic < b->mic_count; mic++) {
+    if (from->model->mics[mic].delay != to->model->mics[mic].delay) continue;
+    memcpy(to->delay[mic], from->delay[mic],
+           (to->model->mics[mic].delay + 1u) * sizeof(double));
+    to->state->delay_at[mic] = from->state->delay_at[mic];
+  }
+}
+
+static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
+  TbState *state = to->state;
+  state->clock = from->state->clock;
+  state->asleep = from->state->asleep;
+  state->quiet_checks = from->state->quiet_checks;
+  carry_modes(&swap->mapping, from, to);
+  carry_wires(from, to);
+  carry_live(from, to);
+  memcpy(state->shift, from->state->shift, sizeof state->shift);
+  tb_live_apply(to);
+  carry_contacts(from, to);
+  carry_slots(from, to);
+  carry_sound(from, to);
+}
+
+static void exchange(TaborDrum *drum, TaborSwap *swap) {
+  TbState *old_state = drum->state;
+  TaborModel *old_model = drum->model;
+  drum->state = swap->state;
+  drum->model = swap->new_model;
+  swap->state = old_state;
+  swap->held[1] = old_model; /* the drum's reference to the old one against ours to the new */
+}
+
+bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
+  if (swap->old_model != drum->model || atomic_load(&swap->used)) return false;
+  atomic_store(&swap->used, true);
+  tb_swap_finish(drum);
+  TbView from = tb_view(drum->state, drum->model);
+  TbView to = tb_view(swap->state, swap->new_model);
+  to.state->sums = from.state->sums;
+  to.state->statistics = from.state->statistics;
+  const double before = tb_energy_stored(&from, &from.now, &from.last);
+  if (swap->mapping.continues) continue_on(swap, &from, &to);
+  to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
+  exchange(drum, swap);
+  const bool rings = !swap->mapping.continues && !swap->state->asleep;
+  if (!rings) {
+    atomic_store(&swap->done, true);
+    return true;
+  }
+  swap->fade_length = swap->fade_left = (uint32_t)(FADE * drum->model->sample_rate);
+  drum->fading = swap;
+  return true;
+}
+
+void tb_swap_fade(TaborDrum *drum, double *pressure, uint32_t mics) {
+  TaborSwap *swap = drum->fading;
+  TbView view = tb_view(swap->state, swap->old_model);
+  double ringing[TABOR_MAX_MICS] = {0.0};
+  tb_step(&view, ringing);
+  const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
+  const uint32_t shared =
+      mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;
+  for (uint32_t mic = 0; mic < shared; mic++) pressure[mic] += gain * ringing[mic];
+  if (--swap->fade_left == 0) tb_swap_finish(drum);
+}
+
+void tb_swap_finish(TaborDrum *drum) {
+  if (!drum->fading) return;
+  TaborSwap *swap = drum->fading;
+  drum->fading = NULL;
+  atomic_store(&swap->done, true);
+}
+
+bool tabor_swap_done(const TaborSwap *swap) { return atomic_load(&swap->done); }

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Checks of a whole definition, which may come from anywhere: no field is trusted until it was looked
+ * at. First every field alone, against the table; then what must hold between fields.
+ */
+#include "definition.h"
+#include "error.h"
+#include "key.h"
+#include "text.h"
+#include "value.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Check {
+  const TaborDrumDef *def;
+  TaborError *error;
+  TaborStatus status;
+} Check;
+
+static bool check_field(void *context, const TbParam *param, uint32_t element) {
+  Check *const check = context;
+  const TbValue value = tb_value_load(param, tb_param_field_const(param, check->def, element));
+  char key[TB_KEY_SIZE];
+  tb_key_write(check->def, param, element, key);
+  check->status = tb_value_check(param, key, &value, check->error);
+  return check->status == TABOR_OK;
+}
+
+static TaborStatus check_count(const char *key, const char *what, uint32_t count, uint32_t capacity,
+                               TaborError *error) {
+  if (count >= 1 && count <= capacity) return TABOR_OK;
+  char value[TB_NUMBER_SIZE];
+  tb_number_print(count, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, 1, capacity,
+                      "the drum has %s %ss; it needs 1 to %u", value, what, (unsigned)capacity);
+}
+
+/* Names of strikers or microphones: valid, and each only once. */
+static TaborStatus check_names(const TaborDrumDef *def, TbGroup group, const char *section,
+                               TaborError *error) {
+  const uint32_t count = tb_group_count(def, group);
+  for (uint32_t i = 0; i < count; i++) {
+    const char *const stored = group == TB_GROUP_MIC ? def->mic[i].name : def->striker[i].name;
+    char name[TABOR_NAME_SIZE];
+    tb_element_name(def, group, i, name);
+    if (!tb_name_is_valid(stored, TABOR_NAME_SIZE)) {
+      return tb_error_set(error, TABOR_ERROR_VALUE, section, name, NAN, NAN,
+                          "%s number %u: its name '%s' is not 1 to %d letters, digits, '-' and '_'",
+                          section, (unsigned)i + 1u, name, TABOR_NAME_SIZE - 1);
+    }
+    if (tb_element_find(def, group, name) != (int)i) {
+      return tb_error_set(error, TABOR_ERROR_VALUE, section, name, NAN, NAN,
+                          "two of the drum's %ss are called '%s'", section, name);
+    }
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus check_fields(const TaborDrumDef *def, TaborError *error) {
+  TaborStatus status =
+    check_count("striker", "striker", def->striker_count, TABOR_MAX_STRIKERS, error);
+  if (status == TABOR_OK) {
+    status = check_count("mic", "microphone", def->mic_count, TABOR_MAX_MICS, error);
+  }
+  if (status == TABOR_OK) status = check_names(def, TB_GROUP_STRIKER, "striker", error);
+  if (status == TABOR_OK) status = check_names(def, TB_GROUP_MIC, "mic", error);
+  if (status != TABOR_OK) return status;
+  Check check = {def, error, TABOR_OK};
+  (void)tb_walk(def, check_field, &check);
+  return check.status;
+}
+
+static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
+  if (!(def->strike.radius < def->shell.radius)) {
+    char value[TB_NUMBER_SIZE];
+    tb_number_print(def->strike.radius, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "strike.radius", value, 0, def->shell.radius,
+                        "strike.radius = %s is not below shell.radius, %g m", value,
+                        def->shell.radius);
+  }
+  if (tb_strike_striker(def) >= 0) return TABOR_OK;
+  return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
+}
+
+/* Every wire crosses the head. It may be longer than its chord: what lies beyond touches nothing. */
+static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborError *error) {
+  TaborWireDef wire;
+  tb_wire_resolve(def, index, &wire);
+  if (fabs(wire.offset) < def->shell.radius) return TABOR_OK;
+  char key[TB_KEY_SIZE] = "wires.spacing", value[TB_NUMBER_SIZE];
+  if (!isnan(def->wire[index].offset)) {
+    (void)snprintf(key, sizeof key, "wire.%u.offset", (unsigned)index + 1u);
+  } else if (fabs(def->wires.offset) >= def->shell.radius) {
+    (void)snprintf(key, sizeof key, "wires.offset");
+  }
+  TbKey parsed;
+  (void)tb_key_parse(key, &parsed);
+  const TbValue own =
+    tb_value_load(parsed.param, tb_param_field_const(parsed.param, def, parsed.wire));
+  tb_number_print(own.number, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, parsed.param->info.minimum,
+                      parsed.param->info.maximum,
+                      "%s = %s: wire %u would lie %g m from the centre, not within shell.radius, %g m",
+                      key, value, (unsigned)index + 1u, wire.offset, def->shell.radius);
+}
+
+TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error) {
+  TaborStatus status = tb_check_struct(def, error);
+  if (status == TABOR_OK) status = check_fields(def, error);
+  if (status == TABOR_OK) status = check_strike(def, error);
+  for (uint32_t i = 0; status == TABOR_OK && i < def->wires.count; i++) {
+    status = check_wire(def, i, error);
+  }
+  return status == TABOR_OK ? tb_error_clear(error) : status;
+}

@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+#include "wires.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "definition.h"
+#include "error.h"
+#include "power.h"
+
+static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
+                               double k) {
+  const double a = tension * k * k / mu + 2.0 * damping_1 * k;
+  return sqrt(0.5 * (a + sqrt(a * a + 16.0 * stiffness / mu * k * k)));
+}
+
+/* Even, so that one node is the midpoint. 0 if the wire is too stiff for two cells. */
+static uint32_t cells_of(double length, double spacing, uint32_t most) {
+  const double fit = length / (spacing * (1.0 + 1e-9));
+  const uint32_t cells = fit > (double)most ? most : (uint32_t)fit;
+  return cells & ~1u;
+}
+
+static void place(TbWire *wire, const TaborDrumDef *def, const TaborWireDef *own) {
+  double sine, cosine;
+  tb_sin_cos_degrees(own->angle - def->wires.angle, &sine, &cosine);
+  wire->dx = cosine * wire->spacing;
+  wire->dy = sine * wire->spacing;
+  wire->x0 = -own->offset * sine - 0.5 * own->length * cosine;
+  wire->y0 = own->offset * cosine - 0.5 * own->length * sine;
+}
+
+static bool node_place(const TbWire *wire, uint32_t node, double radius, double *x, double *y) {
+  /* Counted from the middle, so that mirror-symmetric nodes get mirror-symmetric places. */
+  const double steps = (double)node - 0.5 * (double)wire->cells;
+  const double middle_x = wire->x0 + 0.5 * (double)wire->cells * wire->dx;
+  const double middle_y = wire->y0 + 0.5 * (double)wire->cells * wire->dy;
+  *x = middle_x + steps * wire->dx;
+  *y = middle_y + steps * wire->dy;
+  return *x * *x + *y * *y < radius * radius * (1.0 - 1e-9);
+}
+
+static TaborStatus wire_prepare(TbWire *wire, const TaborDrumDef *def, uint32_t index, double k,
+                                uint32_t most_cells, TaborError *error) {
+  TaborWireDef own;
+  tb_wire_resolve(def, index, &own);
+  const TaborWireDef *set = &def->wire[index];
+  const bool lossless = def->quality.losses == 0;
+  *wire = (TbWire){.length = own.length,
+                   .mass_per_length = own.mass_per_length,
+                   .tension = own.tension,
+                   .tension_limit = TB_WIRE_TENSION_HEADROOM * own.tension,
+                   .bending_stiffness = own.bending_stiffness,
+                   .damping_0 = lossless ? 0.0 : own.damping_0,
+                   .damping_1 = lossless ? 0.0 : own.damping_1,
+                   .damping_1_limit = lossless ? 0.0 : 2.0 * own.damping_1,
+                   .rest_offset = own.rest_offset,
+                   .contact_stiffness = own.contact_stiffness,
+                   .contact_exponent = own.contact_exponent,
+                   .contact_loss = lossless ? 0.0 : own.contact_loss,
+                   .own_tension = !isnan(set->tension),
+                   .own_damping_0 = !isnan(set->damping_0),
+                   .own_damping_1 = !isnan(set->damping_1),
+                   .own_rest_offset = !isnan(set->rest_offset)};
+  const double spacing = smallest_spacing(wire->tension_limit, wire->mass_per_length,
+                                          wire->bending_stiffness, wire->damping_1_limit, k);
+  wire->cells = cells_of(wire->length, spacing, most_cells);
+  if (wire->cells < 4) {
+    char key[TABOR_NAME_SIZE];
+    snprintf(key, sizeof key, "wire.%u", (unsigned)(index + 1));
+    return tb_error_set(error, TABOR_ERROR_RANGE, key, NULL, NAN, NAN,
+                        "wire %u is too short, light, stiff or tense for the sample rate: its "
+                        "length of %g m is below four steps of %g m",
+                        (unsigned)(index + 1), own.length, spacing);
+  }
+  wire->spacing = wire->length / (double)wire->cells;
+  place(wire, def, &own);
+  double x, y;
+  for (uint32_t node = 1; node < wire->cells; node++) {
+    if (!node_place(wire, node, def->shell.radius, &x, &y)) continue;
+    if (wire->row_count == 0) wire->row_node = node;
+    wire->row_count++; /* a chord crosses the disc once: consecutive nodes */
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
+  wires->stride = tb_pad(wires->row_count);
+  wires->node_count = tb_pad(wires->node_count);
+  wires->row_wire = tb_arena_take(arena, wires->stride, sizeof *wires->row_wire);
+  wires->row_node = tb_arena_take(arena, wires->stride, sizeof *wires->row_node);
+  wires->row_x = tb_arena_doubles(arena, wires->stride);
+  wires->row_y = tb_arena_doubles(arena, wires->stride);
+  if (arena->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    for (uint32_t i = 0; i < wire->row_count; i++) {
+      const uint32_t row = wire->first_row + i, node = wire->row_node + i;
+      wires->row_wire[row] = (uint8_t)w;
+      wires->row_node[row] = wire->first_node + node;
+      node_place(wire, node, radius, &wires->row_x[row], &wires->row_y[row]);
+    }
+  }
+  return TABOR_OK;
+}
+
+TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
+                             double time_step, uint32_t most_cells, TaborError *error) {
+  const bool above = def->wires.side == TABOR_SIDE_ABOVE;
+  *wires = (TbWires){.count = def->wires.count,
+                     .side = above ? 1.0 : -1.0,
+                     .gravity = above ? -def->air.gravity : def->air.gravity,
+                     .strainer_travel = def->wires.strainer_travel};
+  wires->wires = tb_arena_take(arena, wires->count, sizeof *wires->wires);
+  wires->laws = tb_arena_take(arena, wires->count, sizeof *wires->laws);
+  if (arena->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    TbWire *wire = &wires->wires[w];
+    const TaborStatus status = wire_prepare(wire, def, w, time_step, most_cells, error);
+    if (status != TABOR_OK) return status;
+    wire->first_node = wires->node_count;
+    wire->first_row = wires->row_count;
+    wires->node_count += wire->cells + 1;
+    wires->row_count += wire->row_count;
+  }
+  return rows_prepare(wires, arena, def->shell.radius);
+}
+
+void tb_wire_coefficients(const TbWire *wire, double k, double tension, double damping_0,
+                          double damping_1, TbWireCoefficients *c) {
+  const double mu = wire->mass_per_length, h = wire->spacing;
+  const double gain = 1.0 / (1.0 + 0.5 * damping_0 * k);
+  *c = (TbWireCoefficients){
+      .tension = tension,
+      .damping_0 = damping_0,
+      .damping_1 = damping_1,
+      .stretch = tension * k * k / (mu * h * h),
+      .bend = wire->bending_stiffness * k * k / (mu * h * h * h * h),
+      .diffuse = damping_1 * k / (h * h),
+      .keep = 1.0 - 0.5 * damping_0 * k,
+      .gain = gain,
+      .compliance = k * k / (mu * h) * gain,
+  };
+}
+
+/* Second differences, 0 at the hinged ends. */
+static void second_difference(uint32_t cells, const double *restrict v, double *restrict out) {
+  out[0] = out[cells] = 0.0;
+  for (uint32_t i = 1; i < cells; i++) out[i] = (v[i - 1] - v[i]) + (v[i + 1] - v[i]);
+}
+
+void tb_wire_free(const TbWire *wire, const TbWireCoefficients *c, const double *restrict now,
+                  const double *restrict last, double *restrict free, double *restrict bend,
+                  double *restrict bend_last) {
+  const uint32_t cells = wire->cells;
+  second_difference(cells, now, bend);
+  second_difference(cells, last, bend_last);
+  free[0] = free[cells] = 0.0;
+  for (uint32_t i = 1; i < cells; i++) {
+    const double fourth = (bend[i - 1] - bend[i]) + (bend[i + 1] - bend[i]);
+    const double force =
+        c->stretch * bend[i] - c->bend * fourth + c->diffuse * (bend[i] - bend_last[i]);
+    free[i] = c->gain * (2.0 * now[i] - c->keep * last[i] + force);
+  }
+}
+
+double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k,
+                      const double *next, const double *now) {
+  const double mu = wire->mass_per_length, h = wire->spacing;
+  const uint32_t cells = wire->cells;
+  double kinetic = 0.0, stretch = 0.0, bend = 0.0, diffuse = 0.0;
+  for (uint32_t i = 0; i < cells; i++) {
+    const double velocity = (next[i] - now[i]) / k;
+    const double slope_next = next[i + 1] - next[i], slope_now = now[i + 1] - now[i];
+    const double slope_velocity = (slope_next - slope_now) / k;
+    kinetic += velocity * velocity;
+    stretch += slope_next * slope_now;
+    diffuse += slope_velocity * slope_velocity;
+    if (i == 0) continue;
+    bend += ((next[i - 1] - next[i]) + (next[i + 1] - next[i])) *
+            ((now[i - 1] - now[i]) + (now[i + 1] - now[i]));
+  }
+  return 0.5 * mu * h * kinetic + 0.5 * c->tension / h * stretch +
+         0.5 * wire->bending_stiffness / (h * h * h) * bend -
+         0.25 * c->damping_1 * mu * k / h * diffuse;
+}
+
+double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double k, const double *next,
+                    const double *last) {
+  double plain = 0.0, sloped = 0.0;
+  for (uint32_t i = 0; i < wire->cells; i++) {
+    const double v = next[i] - last[i], w = next[i + 1] - last[i + 1];
+    plain += v * v;
+    sloped += (w - v) * (w - v);
+  }
+  const double scale = wire->mass_per_length / (4.0 * k);
+  return scale * (c->damping_0 * wire->spacing * plain + c->damping_1 / wire->spacing * sloped);
+}

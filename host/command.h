@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file command.h
+ * The commands of the program, one file each.
+ */
+#ifndef TABOR_HOST_COMMAND_H
+#define TABOR_HOST_COMMAND_H
+
+#include "options.h"
+
+extern const Command render_command;  /* render.c */
+extern const Command presets_command; /* presets_command.c */
+extern const Command show_command;    /* show.c */
+extern const Command modes_command;   /* modes.c */
+
+#endif

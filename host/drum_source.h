@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file drum_source.h
+ * The drum that a command is about: a preset, by name or from a file, changed by --set.
+ */
+#ifndef TABOR_HOST_DRUM_SOURCE_H
+#define TABOR_HOST_DRUM_SOURCE_H
+
+#include "options.h"
+
+/** The preset that is meant when none is given. */
+#define DEFAULT_PRESET "tabor"
+
+/** Rows of the option tables for what drum_load() and engine_options_read() read. */
+#define OPTION_SET {"set", 0, "KEY=VALUE", "change a parameter of the drum (repeatable)"}
+#define OPTION_RATE {"rate", 0, "HZ", "sample rate, 22050 to 192000 (default 48000)"}
+#define OPTION_QUALITY                                                                             \
+  {"quality", 0, "LEVEL", "draft, live, studio or reference (default: the preset's, else studio)"}
+
+/** PRESET of the command line, or the default. */
+const char *preset_argument(const Arguments *arguments);
+/** True if @p preset is a file: it has a '/' or ends in ".ini". */
+bool preset_is_file(const char *preset);
+/** Reads the preset, applies every --set in order, and validates the result. */
+Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
+/** Reads --rate and --quality. */
+Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
+
+#endif

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file interrupt.h
+ * Signals: nothing half-written stays behind, and the exit status tells which signal it was.
+ */
+#ifndef TABOR_HOST_INTERRUPT_H
+#define TABOR_HOST_INTERRUPT_H
+
+#include <signal.h>
+
+/**
+ * From now on SIGINT, SIGTERM and their like remove the guarded files and end the program with
+ * 128 + signal (130, 143); SIGPIPE and SIGXFSZ become errors of the write that caused them.
+ */
+void interrupt_install(void);
+
+/** Holds signals back, so that creating or renaming a file and noting it down are one step. */
+void interrupt_hold(sigset_t *before);
+void interrupt_resume(const sigset_t *before);
+
+/** Guards the file @p path (not copied) until interrupt_unguard(); call both while signals are held. */
+void interrupt_guard(const char *path);
+void interrupt_unguard(const char *path);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file message.h
+ * What the program says on standard error, and the exit status that goes with it.
+ *
+ * A function that can go wrong says so itself, in one line, and returns the outcome; its callers only
+ * pass the outcome on. So every error is printed once, where most is known about it.
+ */
+#ifndef TABOR_HOST_MESSAGE_H
+#define TABOR_HOST_MESSAGE_H
+
+#include <tabor/tabor.h>
+
+#ifdef __GNUC__
+#  define PRINTF_LIKE __attribute__((format(printf, 1, 2)))
+#else
+#  define PRINTF_LIKE
+#endif
+
+/** How a request ended; the values are the program's exit status. */
+typedef enum Outcome {
+  OUTCOME_OK = 0,
+  OUTCOME_FAILED = 1, /**< a right request failed: files, memory, devices */
+  OUTCOME_REFUSED = 2 /**< the request is wrong */
+} Outcome;
+
+/** Says what is wrong with the request; returns OUTCOME_REFUSED. */
+PRINTF_LIKE Outcome refuse(const char *format, ...);
+/** Says what failed; returns OUTCOME_FAILED. */
+PRINTF_LIKE Outcome fail(const char *format, ...);
+/** fail() for memory. */
+Outcome fail_memory(void);
+/** Says what the engine found wrong: refused for wrong requests, failed for memory and numerics. */
+Outcome report_engine_error(const TaborError *error);
+/** Something the user should know although the request is carried out. */
+PRINTF_LIKE void warn(const char *format, ...);
+/** Something the user may like to know. */
+PRINTF_LIKE void note(const char *format, ...);
+
+#endif

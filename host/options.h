@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file options.h
+ * Commands, their options, and the reading of a command line by these tables.
+ *
+ * "--rate 48000", "--rate=48000", "-o FILE", "-oFILE" and "-nq" all work; options may follow operands;
+ * "--" ends the options. Where an option that is not repeatable comes twice, the last one counts.
+ */
+#ifndef TABOR_HOST_OPTIONS_H
+#define TABOR_HOST_OPTIONS_H
+
+#include "message.h"
+
+/** One row of a table of options; tables end with a row without a name. */
+typedef struct Option {
+  const char *name;  /**< "rate" for --rate */
+  char letter;       /**< 'o' for -o, or 0 */
+  const char *value; /**< what to write for its value in the help, "HZ"; NULL if it takes none */
+  const char *text;  /**< one line of help */
+} Option;
+
+typedef struct Arguments Arguments;
+
+typedef struct Command {
+  const char *name;
+  const char *operand; /**< "[PRESET]", or NULL if it takes none */
+  const char *summary; /**< one line */
+  const char *notes;   /**< further lines of help, or NULL */
+  const Option *options;
+  Outcome (*run)(const Arguments *arguments);
+} Command;
+
+/** An option that was given. */
+typedef struct OptionUse {
+  const Option *option;
+  const char *value; /**< NULL if it takes none */
+} OptionUse;
+
+/** A command line, read. Points into argv. */
+struct Arguments {
+  OptionUse *uses;
+  size_t use_count;
+  const char *operand; /**< NULL if none was given */
+};
+
+/** Options that every command has. */
+extern const Option common_options[];
+
+/** Reads argv[1...] by @p command's table. Free with arguments_free(), whatever the outcome. */
+Outcome arguments_read(const Command *command, int argc, char *const *argv, Arguments *arguments);
+void arguments_free(Arguments *arguments);
+
+/** True if option @p name was given. */
+bool arguments_has(const Arguments *arguments, const char *name);
+/** Value of the last option @p name, or NULL. */
+const char *arguments_value(const Arguments *arguments, const char *name);
+/** Value of the next option @p name from *position on, which moves behind it; NULL after the last. */
+const char *arguments_next(const Arguments *arguments, const char *name, size_t *position);
+
+#endif

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+#include "render_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "json_output.h"
+
+static double decibels(double factor) { return 20 * log10(factor); }
+
+static double seconds(const Session *session)
+{
+  return session->position / session->request->model.sample_rate;
+}
+
+static double real_time_factor(const Session *session)
+{
+  return session->computing / seconds(session);
+}
+
+static double newton_mean(const TaborStatistics *statistics)
+{
+  if (statistics->solves == 0) return 0;
+  return (double)statistics->newton_iterations / (double)statistics->solves;
+}
+
+/* The gain is rounded down to a tenth of a decibel, so that it does avoid the saturation. */
+static void warn_of_saturation(const Session *session)
+{
+  const RenderRequest *const request = session->request;
+  const double largest = audio_largest(request->audio.encoding);
+  if (session->peak <= largest) return;
+  const double gain = floor(10 * (request->gain_db - decibels(session->peak / largest))) / 10;
+  warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(session->peak), gain);
+}
+
+static void warn_of_drops(const TaborStatistics *statistics)
+{
+  if (statistics->dropped_events > 0) {
+    warn("%llu strokes were dropped: more than %d strikers at once",
+         (unsigned long long)statistics->dropped_events, TABOR_MAX_ACTIVE);
+  }
+  if (statistics->recovered > 0) {
+    warn("the drum was reset %llu times because its state was not finite",
+         (unsigned long long)statistics->recovered);
+  }
+}
+
+static json_t *energy_json(const TaborLedger *ledger)
+{
+  const struct {
+    const char *name;
+    double value;
+  } terms[] = {
+    {"injected", ledger->injected},         {"control", ledger->control},
+    {"stored", ledger->stored},             {"head_loss", ledger->head_loss},
+    {"wire_loss", ledger->wire_loss},       {"contact_loss", ledger->contact_loss},
+    {"damper_loss", ledger->damper_loss},   {"shell_loss", ledger->shell_loss},
+    {"radiated", ledger->radiated},         {"removed", ledger->removed},
+    {"residual", ledger->residual},
+  };
+  json_t *const energy = json_object();
+  for (size_t i = 0; i < sizeof terms / sizeof terms[0]; i++) {
+    json_object_set_new(energy, terms[i].name, json_number(terms[i].value));
+  }
+  return energy;
+}
+
+static Outcome print_json(const Session *session, const TaborStatistics *statistics,
+                          const TaborLedger *ledger)
+{
+  const RenderRequest *const request = session->request;
+  json_t *const newton =
+    json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
+              (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
+  return json_print(json_pack(
+    "{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset), "rate",
+    (json_int_t)request->audio.rate, "frames", (json_int_t)session->position, "channels",
+    (json_int_t)request->audio.channels, "peak", json_number(session->peak), "real_time_factor",
+    json_number(real_time_factor(session)), "newton", newton, "energy", energy_json(ledger),
+    "output", json_text(request->output.name)));
+}
+
+static void note_summary(const Session *session)
+{
+  const RenderRequest *const request = session->request;
+  const bool standard = strcmp(request->output.name, "-") == 0;
+  char peak[32] = "silent";
+  if (session->peak > 0) {
+    (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(session->peak));
+  }
+  note("%s: %s, %.2f s, %u Hz, %u channel%s, %s", standard ? "standard output" : request->output.name,
+       request->preset, seconds(session), (unsigned)request->audio.rate,
+       (unsigned)request->audio.channels, request->audio.channels == 1 ? "" : "s", peak);
+}
+
+static void note_details(const Session *session, const TaborStatistics *statistics,
+                         const TaborLedger *ledger)
+{
+  TaborModelInfo info;
+  tabor_model_info(tabor_drum_model(session->drum), &info);
+  note("%u modes up to %.0f Hz, %u wires with %u contact points", (unsigned)info.mode_count,
+       info.two_way_bandwidth, (unsigned)info.wire_count, (unsigned)info.contact_points);
+  note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
+       real_time_factor(session), newton_mean(statistics), (unsigned)statistics->newton_max,
+       (unsigned long long)statistics->newton_capped);
+  note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, "
+       "radiated %.3g, removed %.3g, residual %.2g",
+       ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
+       ledger->radiated, ledger->removed, ledger->residual);
+}
+
+Outcome render_report(const Session *session)
+{
+  TaborStatistics statistics;
+  TaborLedger ledger;
+  tabor_drum_statistics(session->drum, &statistics);
+  tabor_drum_ledger(session->drum, &ledger);
+  warn_of_saturation(session);
+  warn_of_drops(&statistics);
+  if (session->request->verbose) note_details(session, &statistics, &ledger);
+  if (session->request->json) return print_json(session, &statistics, &ledger);
+  if (!session->request->quiet) note_summary(session);
+  return OUTCOME_OK;
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file render_report.h
+ * What there is to say about a finished rendering.
+ */
+#ifndef TABOR_HOST_RENDER_REPORT_H
+#define TABOR_HOST_RENDER_REPORT_H
+
+#include "session.h"
+
+/** Warnings, then the facts: as JSON on standard output, or as a line or more on standard error. */
+Outcome render_report(const Session *session);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file strokes.h
+ * The strokes of a rendering, from --strike options.
+ */
+#ifndef TABOR_HOST_STROKES_H
+#define TABOR_HOST_STROKES_H
+
+#include "options.h"
+
+#define MOST_STROKES 10000
+
+#define OPTION_STRIKE                                                                              \
+  {"strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)"}
+
+/** Strike events in order of time; event.frame counts from the beginning of the sound. */
+typedef struct Strokes {
+  TaborEvent *events;
+  size_t count;
+} Strokes;
+
+/**
+ * Reads every --strike for a drum at @p rate [Hz]; without any, the preset's own stroke at time 0.
+ * Free with strokes_free(), whatever the outcome.
+ */
+Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
+                     Strokes *strokes);
+void strokes_free(Strokes *strokes);
+/** Frame of the last stroke. */
+uint32_t strokes_last_frame(const Strokes *strokes);
+
+#endif

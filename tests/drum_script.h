@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file drum_script.h
+ * A performance for the system tests: a list of events at absolute frames, played to a drum in blocks
+ * of any size. Built on the public interface alone.
+ */
+#ifndef TEST_DRUM_SCRIPT_H
+#define TEST_DRUM_SCRIPT_H
+
+#include "tabor/tabor.h"
+
+enum { SCRIPT_MAX_EVENTS = 32, SCRIPT_FRAMES = 9600 };
+
+/** Events in order; their frame counts from the start of the performance. */
+typedef struct Script {
+  TaborEvent events[SCRIPT_MAX_EVENTS];
+  uint32_t count;
+} Script;
+
+/** What a performance gave: every microphone's samples one after the other, and the last state. */
+typedef struct Take {
+  float *samples; /**< [mic][frame] */
+  uint32_t mics, frames;
+  TaborLedger ledger;
+  TaborStatistics statistics;
+} Take;
+
+/** Chooses the next block's size; @p context is its own. */
+typedef uint32_t BlockSize(void *context);
+
+/** A model of built-in preset @p preset at 48 kHz; fails the test if there is an error. */
+TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions);
+/** A drum of @p model; fails the test if there is an error. */
+TaborDrum *script_drum(TaborModel *model);
+
+/** A stroke of the definition's first striker; angle in degrees. */
+TaborEvent script_strike(uint32_t frame, double velocity, double radius, double angle);
+/** A change of live parameter @p key, which must exist. */
+TaborEvent script_parameter(uint32_t frame, const char *key, double value);
+void script_add(Script *script, TaborEvent event);
+/**
+ * Strokes at odd frames and two at once, live parameters in motion while it rings, a damping hand that
+ * comes and goes, strikers taken away: something of everything that a player can do.
+ */
+void script_everything(Script *script);
+
+/** Plays frames @p from to @p to of @p script in blocks of @p size(@p context). */
+void script_play(TaborDrum *drum, const Script *script, uint32_t from, uint32_t to, BlockSize *size,
+                 void *context, Take *take);
+/** Plays all of it to @p drum in blocks of 64. */
+void script_play_all(TaborDrum *drum, const Script *script, Take *take);
+
+/** Room for @p frames of @p model's microphones. */
+Take take_create(const TaborModel *model, uint32_t frames);
+void take_destroy(Take *take);
+/** Largest sample by absolute value, over all microphones. */
+double take_peak(const Take *take);
+/** Fails the test, naming @p what and the first differing sample, unless both hold the same bits. */
+void take_assert_same(const Take *a, const Take *b, const char *what);
+
+/** Always 64. */
+uint32_t blocks_of_64(void *context);
+/** The number that @p context points to. */
+uint32_t blocks_of(void *context);
+
+#endif

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file host_inspect.c
+ * What the scripts need to see in JSON and in sound files, one answer a call:
+ *
+ *     host_inspect json PATH        the value at a path such as modes.0.frequency, from standard input;
+ *                                   'keys' and 'size' at the end of a path ask for just these
+ *     host_inspect sound FILE       container encoding rate channels frames
+ *     host_inspect peak FILE        largest sample in size
+ *     host_inspect first FILE       number of the first frame that is not zero
+ *     host_inspect equal FILE FILE  same samples, whatever the container
+ */
+#include <jansson.h>
+#include <math.h>
+#include <sndfile.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- JSON ---- */
+
+static void print_keys(json_t *object)
+{
+  const char *key, *separator = "";
+  json_t *value;
+  json_object_foreach (object, key, value) {
+    printf("%s%s", separator, key);
+    separator = " ";
+  }
+  printf("\n");
+}
+
+static int print_value(const json_t *value)
+{
+  if (!value) return 1;
+  if (json_is_string(value)) return puts(json_string_value(value)) < 0;
+  char *const text = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(17));
+  if (!text) return 1;
+  (void)puts(text);
+  free(text);
+  return 0;
+}
+
+static int inspect_json(char *path)
+{
+  json_error_t error;
+  json_t *const root = json_loadf(stdin, JSON_REJECT_DUPLICATES, &error);
+  json_t *value = root;
+  int status = root ? 0 : 1;
+  if (!root) (void)fprintf(stderr, "host_inspect: %d: %s\n", error.line, error.text);
+  const char *step = strtok(path, ".");
+  for (; value && step && strcmp(step, "keys") != 0 && strcmp(step, "size") != 0;
+       step = strtok(NULL, ".")) {
+    value = json_is_array(value) ? json_array_get(value, (size_t)atol(step))
+                                 : json_object_get(value, step);
+  }
+  if (status == 0 && step && strcmp(step, "keys") == 0) {
+    print_keys(value);
+  } else if (status == 0 && step) {
+    printf("%zu\n", json_array_size(value));
+  } else if (status == 0) {
+    status = print_value(value);
+  }
+  json_decref(root);
+  return status;
+}
+
+/* ---- sound ---- */
+
+typedef struct Sound {
+  SF_INFO info;
+  double *samples;
+  sf_count_t count;
+} Sound;
+
+static bool sound_read(const char *path, Sound *sound)
+{
+  sound->info = (SF_INFO){0};
+  SNDFILE *const stream = sf_open(path, SFM_READ, &sound->info);
+  if (!stream) {
+    (void)fprintf(stderr, "host_inspect: %s: %s\n", path, sf_strerror(NULL));
+    return false;
+  }
+  sound->count = sound->info.frames * sound->info.channels;
+  sound->samples = calloc((size_t)sound->count + 1, sizeof *sound->samples);
+  const bool complete =
+    sound->samples && sf_read_double(stream, sound->samples, sound->count) == sound->count;
+  (void)sf_close(stream);
+  return complete;
+}
+
+static const char *container_name(int format)
+{
+  switch (format & SF_FORMAT_TYPEMASK) {
+  case SF_FORMAT_WAV: return "wav";
+  case SF_FORMAT_FLAC: return "flac";
+  case SF_FORMAT_AU: return "au";
+  default: return "other";
+  }
+}
+
+static const char *encoding_name(int format)
+{
+  switch (format & SF_FORMAT_SUBMASK) {
+  case SF_FORMAT_PCM_16: return "pcm16";
+  case SF_FORMAT_PCM_24: return "pcm24";
+  case SF_FORMAT_FLOAT: return "float";
+  default: return "other";
+  }
+}
+
+static double peak(const Sound *sound)
+{
+  double largest = 0;
+  for (sf_count_t i = 0; i < sound->count; i++) largest = fmax(largest, fabs(sound->samples[i]));
+  return largest;
+}
+
+static long long first_frame(const Sound *sound)
+{
+  sf_count_t i = 0;
+  while (i < sound->count && sound->samples[i] == 0) i++;
+  return (long long)(i / sound->info.channels);
+}
+
+static bool equal(const Sound *a, const char *path)
+{
+  Sound b = {0};
+  const bool same = sound_read(path, &b) && a->count == b.count &&
+                    a->info.channels == b.info.channels &&
+                    memcmp(a->samples, b.samples, (size_t)a->count * sizeof *a->samples) == 0;
+  free(b.samples);
+  return same;
+}
+
+static int inspect_sound(const char *what, const Sound *sound, const char *other)
+{
+  const int format = sound->info.format;
+  if (strcmp(what, "sound") == 0) {
+    printf("%s %s %d %d %lld\n", container_name(format), encoding_name(format),
+           sound->info.samplerate, sound->info.channels, (long long)sound->info.frames);
+  } else if (strcmp(what, "peak") == 0) {
+    printf("%.9g\n", peak(sound));
+  } else if (strcmp(what, "first") == 0) {
+    printf("%lld\n", first_frame(sound));
+  } else {
+    return strcmp(what, "equal") == 0 && other && equal(sound, other) ? 0 : 1;
+  }
+  return 0;
+}
+
+int main(int argc, char **argv)
+{
+  if (argc < 3) return 2;
+  if (strcmp(argv[1], "json") == 0) return inspect_json(argv[2]);
+  Sound sound = {0};
+  const int status =
+    sound_read(argv[2], &sound) ? inspect_sound(argv[1], &sound, argc > 3 ? argv[3] : NULL) : 1;
+  free(sound.samples);
+  return status;
+}

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The same model gives the same bits everywhere only if no compiler may reorder or fuse arithmetic:
+# every engine source is compiled with -ffp-contract=off, and nothing anywhere asks for more freedom.
+#
+# test_arithmetic.sh SOURCE-FOLDER BUILD-FOLDER
+set -euo pipefail
+source_dir=$1 build_dir=$2
+
+# Written with brackets so that this file does not find itself.
+freedom='(fast|unsafe|associative|reciprocal|finite)[-](math|only)|-O[f]ast|[-]mfma|FP[_]CONTRACT +(ON|DEFAULT)'
+status=0
+
+cd "$source_dir"
+if grep -rnE --include='*.c' --include='*.h' --include='*.cmake' --include='*.in' \
+  --include=CMakeLists.txt --include=CMakePresets.json --exclude-dir=build --exclude-dir=.git -e "$freedom" .; then
+  echo "the lines above loosen the rules of arithmetic" >&2
+  status=1
+fi
+
+commands=$build_dir/compile_commands.json
+if [ ! -f "$commands" ]; then
+  echo "no $commands: configure with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON" >&2
+  exit $((status ? status : 77))
+fi
+# Of sources compiled more than once, every command counts.
+engine_commands=$(grep '"command":' "$commands" | grep -E -- '-c [^ ]*/engine/src/[^ ]*\.c"' || true)
+if [ -z "$engine_commands" ]; then
+  echo "$commands compiles no engine source" >&2
+  exit 1
+fi
+if grep -vF -- ' -ffp-contract=off ' <<<"$engine_commands"; then
+  echo "the engine sources above are compiled without -ffp-contract=off" >&2
+  status=1
+fi
+if grep -E -e "$freedom" <<<"$(grep '"command":' "$commands")"; then
+  echo "the commands above loosen the rules of arithmetic" >&2
+  status=1
+fi
+exit "$status"

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* The same bits from every instruction set, and from every thread. */
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "drum_script.h"
+
+static bool processor_has_avx2(void) {
+#if defined(__GNUC__) && defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return false;
+#endif
+}
+
+static Take play_fresh(TaborModel *model, const Script *script) {
+  TaborDrum *drum = script_drum(model);
+  Take take = take_create(model, SCRIPT_FRAMES);
+  script_play_all(drum, script, &take);
+  tabor_drum_destroy(drum);
+  return take;
+}
+
+static void compare_kernels(const char *preset, TaborQuality quality) {
+  Script script;
+  script_everything(&script);
+  TaborModel *baseline = script_model(preset, quality, TABOR_INSTRUCTIONS_BASELINE);
+  TaborModel *avx2 = script_model(preset, quality, TABOR_INSTRUCTIONS_AVX2);
+  TaborModel *automatic = script_model(preset, quality, TABOR_INSTRUCTIONS_AUTO);
+  Take a = play_fresh(baseline, &script);
+  Take b = play_fresh(avx2, &script);
+  Take c = play_fresh(automatic, &script);
+  char what[96];
+  snprintf(what, sizeof what, "%s at quality %d, baseline and AVX2", preset, (int)quality);
+  take_assert_same(&a, &b, what);
+  take_assert_same(&a, &c, "baseline and automatic choice");
+  take_destroy(&a);
+  take_destroy(&b);
+  take_destroy(&c);
+  tabor_model_release(baseline);
+  tabor_model_release(avx2);
+  tabor_model_release(automatic);
+}
+
+static void avx2_gives_the_same_bits_as_baseline(void **state) {
+  (void)state;
+  if (!processor_has_avx2()) skip();
+  for (int quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_REFERENCE; quality++) {
+    compare_kernels("tabor", (TaborQuality)quality);
+  }
+  compare_kernels("bodhran-d-string", TABOR_QUALITY_STUDIO);
+}
+
+/* All that a thread needs is made before it starts: a failing assertion may not jump out of it. */
+typedef struct Player {
+  TaborDrum *drum;
+  const Script *script;
+  Take take;
+} Player;
+
+static void *play_in_thread(void *context) {
+  Player *player = context;
+  script_play_all(player->drum, player->script, &player->take);
+  return NULL;
+}
+
+static void two_threads_on_one_model_give_what_one_gives(void **state) {
+  (void)state;
+  Script scripts[2];
+  script_everything(&scripts[0]);
+  scripts[1] = (Script){.count = 0};
+  script_add(&scripts[1], script_strike(11, 6.0, 0.02, 0.0));
+  script_add(&scripts[1], script_strike(4001, 1.5, 0.08, 90.0));
+
+  TaborModel *model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  Player players[2];
+  pthread_t threads[2];
+  for (int i = 0; i < 2; i++) {
+    players[i] = (Player){script_drum(model), &scripts[i], take_create(model, SCRIPT_FRAMES)};
+  }
+  for (int i = 0; i < 2; i++) {
+    assert_int_equal(pthread_create(&threads[i], NULL, play_in_thread, &players[i]), 0);
+  }
+  for (int i = 0; i < 2; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
+  for (int i = 0; i < 2; i++) {
+    Take alone = play_fresh(model, &scripts[i]);
+    take_assert_same(&alone, &players[i].take, "alone and beside another thread");
+    take_destroy(&alone);
+    take_destroy(&players[i].take);
+    tabor_drum_destroy(players[i].drum);
+  }
+  tabor_model_release(model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(avx2_gives_the_same_bits_as_baseline),
+    cmocka_unit_test(two_threads_on_one_model_give_what_one_gives),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Preset files as users write, cut and damage them.
+
+. "$(dirname "$0")/host_checks.sh"
+
+done_quietly show
+cp "$out" good.ini
+
+# bad PATTERN: the preset bad.ini is refused by every command.
+bad() {
+  local command
+  for command in show render modes; do
+    refused "$1" $command bad.ini
+  done
+}
+
+# with LINE...: a good preset with these lines behind it.
+with() {
+  { cat good.ini && printf '%s\n' "$@"; } >bad.ini
+}
+
+# ---- files that cannot be read ----
+
+failed "missing.ini" show missing.ini
+failed "missing/tabor.ini" show missing/tabor.ini
+failed "good.ini/x" show good.ini/x
+mkdir folder.ini
+failed "folder.ini" show folder.ini
+failed "\./" show ./
+failed "/dev/null" show /dev/null
+mkfifo fifo.ini
+failed "fifo.ini" show fifo.ini
+if [ "$(id -u)" != 0 ]; then
+  cp good.ini secret.ini
+  chmod 0 secret.ini
+  failed "secret.ini" show secret.ini
+fi
+
+# ---- files that are no presets ----
+
+: >bad.ini
+run show bad.ini # no pairs at all: a drum of defaults without striker or microphone
+same "empty preset" 2 "$status"
+head -c 3000 "$TABOR" >bad.ini
+bad "bad.ini"
+printf '\211PNG\r\n\032\n' >bad.ini
+bad "bad.ini"
+{ head -n 8 good.ini && printf 'comment = a\0b\n' && tail -n +9 good.ini; } >bad.ini
+bad "bad.ini"
+printf '[drum]\nname = caf\351\n' >bad.ini
+bad "bad.ini"
+with "; $(printf 'x%.0s' {1..300})"
+bad "bad.ini"
+with "; $(printf 'x%.0s' {1..198})"
+bad "bad.ini"
+{ cat good.ini && for ((i = 0; i < 1400; i++)); do echo "; forty-eight bytes of comment to fill a preset up"; done; } >bad.ini
+check "the large preset is too large" test "$(wc -c <bad.ini)" -gt 65536
+bad "bad.ini"
+echo 'tension = 3000' >bad.ini
+bad "bad.ini"
+{ echo tension = 3000 && cat good.ini; } >bad.ini
+bad "bad.ini"
+
+# Cut anywhere within a line, it is refused (where a whole line is lost, nobody can tell).
+bytes=$(wc -c <good.ini)
+for part in 3 11 29 50 71 93 97; do
+  head -c $((bytes * part / 100)) good.ini >bad.ini
+  if [ "$(tail -c 1 bad.ini | od -An -tu1 | tr -d ' ')" != 10 ]; then
+    run show bad.ini
+    same "cut at $part per cent" 2 "$status"
+  fi
+done
+head -c 30 good.ini >bad.ini
+bad "bad.ini"
+
+# ---- lines that are wrong ----
+
+with "[batter]" "tension = 3000"
+bad "batter|tension"
+sed 's/^tension = .*/&\n&/' good.ini >bad.ini
+bad "tension"
+with "[nonsense]" "key = 3"
+bad "nonsense"
+with "[baffle]" "tension = 3"
+bad "baffle"
+sed 's/^tension /tensoin /' good.ini >bad.ini
+bad "tensoin"
+sed 's/^\(tension =\).*/\1/' good.ini >bad.ini
+bad "tension"
+sed 's/^\(tension\) =.*/\1/' good.ini >bad.ini
+bad "bad.ini"
+sed 's/^\(tension\) =/\1:/' good.ini >bad.ini
+bad "bad.ini"
+sed 's/^\(tension\) =/ \1 =/' good.ini >bad.ini
+bad "bad.ini"
+for value in nan inf 1e400 -3000 0 1e300 3000x "3000 4000" 0x800 "3,000"; do
+  sed "s/^\(tension =\).*/\1 $value ; [N\/m]/" good.ini >bad.ini
+  bad "tension"
+done
+with "[wires]" "count = 3.5"
+bad "bad.ini"
+
+# ---- files that are right ----
+
+done_quietly show good.ini
+check "show reads back what it wrote" cmp -s good.ini "$out"
+sed 's/$/\r/' good.ini >dos.ini
+done_quietly show dos.ini
+check "line ends of Windows" cmp -s good.ini "$out"
+sed 's/^\(tension =\).*/\1 2345/' good.ini >mine.ini
+done_quietly show ./mine.ini
+check "a changed value" grep -q '^tension = 2345 ' "$out"
+mkdir presets
+cp mine.ini presets/mine
+done_quietly show presets/mine
+check "a '/' means a file" grep -q '^tension = 2345 ' "$out"
+done_quietly render mine.ini -q -o mine.wav --duration 0.05
+done_quietly render -q --set batter.tension=2345 -o set.wav --duration 0.05
+check "file and --set give the same sound" cmp -s mine.wav set.wav
+cp good.ini guarded.ini
+refused "overwrite the preset" render guarded.ini -q --trace guarded.ini
+
+finish

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Wrong requests: each is refused with status 2 and one line that names what is wrong.
+
+. "$(dirname "$0")/host_checks.sh"
+
+echo precious >strike.wav # the default output
+echo precious >a.wav
+
+# ---- commands and options ----
+
+refused "no command"
+refused "unknown command 'rendr'; did you mean 'render'" rendr
+refused "unknown command 'zzzzzzzz'$" zzzzzzzz
+refused "unknown command ''" ''
+for command in render presets show modes; do
+  refused "unknown option '--jsn'; did you mean '--json'" $command --jsn
+  refused "unknown option '-x'" $command -x
+  refused "--json takes no value" $command --json=yes
+  refused "unexpected argument" $command tabor second
+done
+refused "unexpected argument 'tabor'" presets tabor
+refused "unknown option '--rate'" show --rate 48000
+refused "unknown option '--durat'; did you mean '--duration'" render --durat 1
+for option in output format rate quality duration strike set mic gain trace; do
+  refused "--$option needs a value" render --$option
+done
+refused "--output needs a value" render -o
+
+# ---- numbers ----
+
+absurd=(nan NaN inf -inf infinity 1e400 -1e400 '' ' ' 3x x3 0x1p3 0x10 ' 1' '1 ' 1,5 1e 1e+ . + - -e1 1.2.3 --3 $'1\n')
+for number in "${absurd[@]}"; do
+  refused "--rate .*allowed: 22050 to 192000" render "--rate=$number"
+  refused "--duration .*allowed: 0.01 to 3600" render "--duration=$number"
+  refused "--gain .*allowed: -120 to 120" render "--gain=$number"
+  refused "shell.radius" render --set "shell.radius=$number"
+  refused "strike: |--strike .*(allowed|FIELD=VALUE)" render --strike "velocity=$number"
+done
+for rate in 0 -1 22049 192001 48000.5 1e9 1e-400; do
+  refused "--rate '$rate'.*allowed: 22050 to 192000" render --rate $rate
+  refused "--rate '$rate'.*allowed: 22050 to 192000" modes --rate $rate
+done
+for duration in 0 -1 0.009 3600.1 1e300; do
+  refused "--duration '$duration'.*allowed: 0.01 to 3600" render --duration $duration
+done
+for gain in -121 120.1 1e300; do
+  refused "--gain '$gain'.*allowed" render --gain $gain
+done
+for radius in 0 -1 0.04 0.61 1e300; do
+  refused "shell.radius" render --set shell.radius=$radius
+  refused "shell.radius" show --set shell.radius=$radius
+  refused "shell.radius" modes --set shell.radius=$radius
+done
+
+# ---- names ----
+
+for command in render show modes; do
+  refused "tabro.*'?tabor" $command tabro
+  refused "preset" $command ''
+  refused "tension" $command --set batter.tensoin=3000
+  refused "nonsense" $command --set nonsense=3
+  refused "KEY=VALUE" $command --set batter.tension
+  refused "KEY=VALUE" $command --set =3000
+  refused "KEY=VALUE" $command --set ''
+  refused "shell.boundary" $command --set shell.boundary=leather
+  refused "wires.count" $command --set wires.count=1.5
+  refused "wires.count" $command --set wires.count=41
+  refused "wires.count" $command --set wires.count=-1
+  refused "so long a key" $command --set "$(printf 'k%.0s' {1..5000})=3"
+done
+refused "--mic 'tpo'.*did you mean 'top'" render --mic tpo
+refused "--mic ''" render --mic ''
+refused "--quality 'sudio'.*did you mean 'studio'" render --quality sudio
+refused "--quality" modes --quality ''
+refused "--format 'pcm32'.*pcm16, pcm24, float" render --format pcm32
+refused "--format ''" render --format ''
+
+# ---- strokes ----
+
+refused "FIELD=VALUE" render --strike ''
+refused "FIELD=VALUE" render --strike velocity
+refused "FIELD=VALUE" render --strike velocity=2,
+refused "FIELD=VALUE" render --strike ,velocity=2
+refused "unknown field 'velocty'; did you mean 'velocity'" render --strike velocty=2
+refused "unknown field ''" render --strike =2
+refused "'time' given twice" render --strike time=1,time=2
+refused "given twice" render --strike velocity=1,midi=3
+refused "time '-0.1'.*allowed: 0 to 3600" render --strike time=-0.1
+refused "time '3601'.*allowed" render --strike time=3601
+refused "velocity '0'.*allowed: 0.01 to 30" render --strike velocity=0
+refused "velocity '31'.*allowed: 0.01 to 30" render --strike velocity=31
+refused "angle '361'.*allowed: -360 to 360" render --strike angle=361
+refused "radius '-0.01'.*allowed: 0 to" render --strike radius=-0.01
+refused "radius '0.6'.*allowed: 0 to" render --strike radius=0.6
+refused "per cent '101'.*allowed: 0 to 100" render --strike radius=101%
+refused "per cent '-1'.*allowed: 0 to 100" render --strike radius=-1%
+refused "per cent ''" render --strike radius=%
+refused "per cent 'nan'" render --strike radius=nan%
+for midi in 0 128 1.5 -3 nan; do
+  refused "midi '$midi'.*allowed: 1 to 127" render --strike midi=$midi
+done
+refused "striker 'stik'.*did you mean 'stick'" render --strike striker=stik
+refused "striker ''" render --strike striker=
+for technique in rimshot cross-stick rim buzz sweep; do
+  refused "technique '$technique': not in this version" render --strike technique=$technique
+done
+refused "technique 'norml'.*did you mean 'normal'" render --strike technique=norml
+refused "too long" render --strike "striker=$(printf 's%.0s' {1..5000})"
+refused "the last stroke comes at 2 s" render --strike time=2 --strike time=1 --duration 1.5
+refused "the last stroke comes at 1 s" render --strike time=1 --duration 1
+strokes=()
+for ((i = 0; i <= 10000; i++)); do strokes+=(--strike time=0); done
+refused "10001 strokes; allowed: up to 10000" render "${strokes[@]}"
+
+# ---- outputs that cannot be meant ----
+
+refused "-o needs" render -o ''
+refused ".wav, .flac or .au" render -o sound.mp3
+refused ".wav, .flac or .au" render -o sound
+refused ".wav, .flac or .au" render -o sound.wav.
+refused "both would go to standard output" render -o - --json
+refused "both would go to standard output" render -o /dev/stdout --json
+refused "--trace needs" render --trace ''
+refused "--trace needs" render --trace -
+refused "FLAC" render -o a.flac --format float
+refused "FLAC.*8 channels" render -o a.flac --mic top --mic top --mic top --mic top --mic top \
+  --mic top --mic top --mic top --mic top
+refused "FLAC.*multiples of 10" render -o a.flac --rate 100001
+refused "both name" render -o a.wav --trace a.wav
+refused "both name" render -o new.wav --trace ./new.wav
+refused "both name" render --trace strike.wav
+ln -s a.wav link.csv
+refused "both name" render -o a.wav --trace link.csv
+mkdir folder
+ln -s folder other
+refused "both name" render -o folder/new.wav --trace other/new.wav
+
+# A name with a line feed in it still makes one line.
+refused "unknown command" $'two\nlines'
+refused "preset" render $'two\nlines'
+refused "KEY=VALUE" render --set $'two\nlines'
+refused "new" render -o $'new\nline.mp3'
+
+# ---- what is right after all ----
+
+run render -o b.wav --duration 0.01 --strike time=0.0099 --rate 22050 -q
+same "stroke just inside" 0 "$status"
+
+finish

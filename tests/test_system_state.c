@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/* The state of a drum is one thing: it can be put back to rest, saved, carried over and continued. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "drum_script.h"
+
+/* In mid-ring: a striker just left, the wires chatter, a parameter is still moving. */
+enum { MIDDLE = 2332 };
+
+static TaborModel *model;
+static Script script;
+static Take whole; /* played in one go */
+
+static int set_up(void **state) {
+  (void)state;
+  model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  script_everything(&script);
+  TaborDrum *drum = script_drum(model);
+  whole = take_create(model, SCRIPT_FRAMES);
+  script_play_all(drum, &script, &whole);
+  tabor_drum_destroy(drum);
+  return 0;
+}
+
+static int tear_down(void **state) {
+  (void)state;
+  take_destroy(&whole);
+  tabor_model_release(model);
+  return 0;
+}
+
+/* A take whose first half is copied from the whole, for a drum that plays only the second. */
+static Take half_take(void) {
+  Take take = take_create(model, SCRIPT_FRAMES);
+  for (uint32_t mic = 0; mic < take.mics; mic++) {
+    const size_t start = (size_t)mic * take.frames;
+    memcpy(take.samples + start, whole.samples + start, MIDDLE * sizeof(float));
+  }
+  return take;
+}
+
+static TaborDrum *drum_in_mid_ring(void) {
+  TaborDrum *drum = script_drum(model);
+  Take take = take_create(model, SCRIPT_FRAMES);
+  script_play(drum, &script, 0, MIDDLE, blocks_of_64, NULL, &take);
+  take_destroy(&take);
+  return drum;
+}
+
+static void assert_whole_again(TaborDrum *drum, const char *what) {
+  Take take = take_create(model, SCRIPT_FRAMES);
+  script_play_all(drum, &script, &take);
+  take_assert_same(&whole, &take, what);
+  assert_memory_equal(&take.statistics, &whole.statistics, sizeof take.statistics);
+  take_destroy(&take);
+}
+
+static void reset_equals_a_fresh_drum(void **state) {
+  (void)state;
+  TaborDrum *drum = drum_in_mid_ring();
+  tabor_drum_reset(drum);
+  const TaborLedger nothing = {0};
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  assert_memory_equal(&ledger, &nothing, sizeof nothing);
+  assert_true(tabor_drum_is_silent(drum));
+  assert_whole_again(drum, "after tabor_drum_reset()");
+  tabor_drum_destroy(drum);
+}
+
+static void a_reset_event_equals_a_fresh_drum(void **state) {
+  (void)state;
+  TaborDrum *drum = drum_in_mid_ring();
+  const TaborEvent reset = {.frame = 6, .type = TABOR_EVENT_RESET};
+  tabor_drum_process(drum, &reset, 1, NULL, 7);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.frames, 1); /* statistics restart with the reset's own frame */
+  tabor_drum_reset(drum);
+  assert_whole_again(drum, "after TABOR_EVENT_RESET");
+  tabor_drum_destroy(drum);
+}
+
+/* The swap is an event at frame MIDDLE; the new model is built anew from the same definition. */
+static void swapping_to_an_identical_model_changes_no_bit(void **state) {
+  (void)state;
+  TaborModel *twin = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborSwap *swap = NULL;
+  assert_int_equal(tabor_swap_create(model, twin, &swap, NULL), TABOR_OK);
+  assert_false(tabor_swap_done(swap));
+
+  Script swapped = {.count = 0};
+  uint32_t next = 0;
+  while (script.events[next].frame < MIDDLE) script_add(&swapped, script.events[next++]);
+  script_add(&swapped, (TaborEvent){.frame = MIDDLE, .type = TABOR_EVENT_SWAP, .swap = swap});
+  while (next < script.count) script_add(&swapped, script.events[next++]);
+
+  TaborDrum *drum = script_drum(model);
+  Take take = take_create(model, SCRIPT_FRAMES);
+  script_play_all(drum, &swapped, &take);
+  assert_int_equal(take.statistics.dropped_events, whole.statistics.dropped_events);
+  take_assert_same(&whole, &take, "swap to a twin");
+  assert_true(tabor_swap_done(swap));
+  assert_ptr_equal(tabor_drum_model(drum), twin);
+  tabor_swap_destroy(swap);
+  tabor_drum_reset(drum);
+  assert_whole_again(drum, "on the twin");
+  tabor_drum_destroy(drum);
+  take_destroy(&take);
+  tabor_model_release(twin);
+}
+
+static void a_saved_state_continues_to_the_same_bit(void **state) {
+  (void)state;
+  TaborDrum *drum = drum_in_mid_ring();
+  const size_t size = tabor_drum_state_size(drum);
+  unsigned char *bytes = malloc(size);
+  assert_non_null(bytes);
+  tabor_drum_state_save(drum, bytes);
+  tabor_drum_destroy(drum);
+
+  TaborDrum *other = script_drum(model);
+  assert_int_equal(tabor_drum_state_load(other, bytes, size), TABOR_OK);
+  Take take = half_take();
+  script_play(other, &script, MIDDLE, SCRIPT_FRAMES, blocks_of_64, NULL, &take);
+  take_assert_same(&whole, &take, "from a saved state");
+  assert_memory_equal(&take.statistics, &whole.statistics, sizeof take.statistics);
+  tabor_drum_destroy(other);
+  take_destroy(&take);
+  free(bytes);
+}
+
+static void assert_refused(TaborDrum *drum, const unsigned char *bytes, size_t size,
+                           const char *what) {
+  if (tabor_drum_state_load(drum, bytes, size) != TABOR_ERROR_STATE)
+    fail_msg("%s was accepted", what);
+}
+
+/* No bit of the drum changes either: it saves the same bytes as before, and plays on. */
+static void a_damaged_state_is_refused_and_changes_nothing(void **state) {
+  (void)state;
+  TaborDrum *drum = drum_in_mid_ring();
+  const size_t size = tabor_drum_state_size(drum);
+  unsigned char *before = malloc(size), *bytes = malloc(size + 1), *after = malloc(size);
+  assert_true(before && bytes && after);
+  tabor_drum_state_save(drum, before);
+
+  TaborDrum *fresh = script_drum(model);
+  tabor_drum_state_save(fresh, bytes);
+  tabor_drum_destroy(fresh);
+  bytes[size] = 0;
+  assert_refused(drum, bytes, 0, "an empty state");
+  assert_refused(drum, bytes, size - 1, "a short state");
+  assert_refused(drum, bytes, size + 1, "a long state");
+  const size_t stride = size / 97 | 1;
+  for (size_t i = 0; i < size; i += i < 64 ? 1 : stride) {
+    const unsigned char bit = (unsigned char)(1u << i % 8);
+    char what[96];
+    snprintf(what, sizeof what, "a wrong bit in byte %zu of %zu", i, size);
+    bytes[i] ^= bit;
+    assert_refused(drum, bytes, size, what);
+    bytes[i] ^= bit;
+  }
+  memset(bytes, 0xff, size);
+  assert_refused(drum, bytes, size, "all ones");
+  memset(bytes, 0, size);
+  assert_refused(drum, bytes, size, "all zeros");
+
+  tabor_drum_state_save(drum, after);
+  assert_memory_equal(before, after, size);
+  Take take = half_take();
+  script_play(drum, &script, MIDDLE, SCRIPT_FRAMES, blocks_of_64, NULL, &take);
+  take_assert_same(&whole, &take, "after damaged states");
+  tabor_drum_destroy(drum);
+  take_destroy(&take);
+  free(before);
+  free(bytes);
+  free(after);
+}
+
+static void a_state_of_another_model_is_refused(void **state) {
+  (void)state;
+  TaborModel *other_model =
+    script_model("bodhran-d-string", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborDrum *drum = drum_in_mid_ring(), *other = script_drum(other_model);
+  const size_t size = tabor_drum_state_size(drum);
+  unsigned char *bytes = malloc(size);
+  assert_non_null(bytes);
+  tabor_drum_state_save(drum, bytes);
+  assert_refused(other, bytes, size, "another model's state");
+  assert_true(tabor_drum_is_silent(other));
+  tabor_drum_destroy(drum);
+  tabor_drum_destroy(other);
+  tabor_model_release(other_model);
+  free(bytes);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(reset_equals_a_fresh_drum),
+    cmocka_unit_test(a_reset_event_equals_a_fresh_drum),
+    cmocka_unit_test(swapping_to_an_identical_model_changes_no_bit),
+    cmocka_unit_test(a_saved_state_continues_to_the_same_bit),
+    cmocka_unit_test(a_damaged_state_is_refused_and_changes_nothing),
+    cmocka_unit_test(a_state_of_another_model_is_refused),
+  };
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}

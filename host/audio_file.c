@@ -12,8 +12,7 @@
 
 /* ---- formats ---- */
 
-bool audio_container(const char *name, AudioContainer *container)
-{
+bool audio_container(const char *name, AudioContainer *container) {
   static const struct {
     const char *extension;
     AudioContainer container;
@@ -29,8 +28,7 @@ bool audio_container(const char *name, AudioContainer *container)
   return false;
 }
 
-Outcome audio_encoding(const char *name, AudioEncoding *encoding)
-{
+Outcome audio_encoding(const char *name, AudioEncoding *encoding) {
   static const char *const names[] = {"pcm16", "pcm24", "float"};
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
     if (strcmp(name, names[i]) == 0) {
@@ -44,8 +42,7 @@ Outcome audio_encoding(const char *name, AudioEncoding *encoding)
 /* libFLAC writes its "streamable subset" only: above 65,535 Hz whole multiples of 10 Hz. */
 static bool flac_holds_rate(uint32_t rate) { return rate < 65536 || rate % 10 == 0; }
 
-Outcome audio_format_check(const AudioFormat *format)
-{
+Outcome audio_format_check(const AudioFormat *format) {
   if (format->container != AUDIO_FLAC) return OUTCOME_OK;
   if (format->encoding == AUDIO_FLOAT) {
     return refuse("--format 'float': FLAC holds whole numbers; allowed: pcm16, pcm24");
@@ -61,13 +58,11 @@ Outcome audio_format_check(const AudioFormat *format)
 }
 
 /* Steps from 0 to full scale. */
-static double full_scale_steps(AudioEncoding encoding)
-{
+static double full_scale_steps(AudioEncoding encoding) {
   return encoding == AUDIO_PCM16 ? 32768.0 : 8388608.0;
 }
 
-double audio_largest(AudioEncoding encoding)
-{
+double audio_largest(AudioEncoding encoding) {
   if (encoding == AUDIO_FLOAT) return INFINITY;
   const double steps = full_scale_steps(encoding);
   return (steps - 1) / steps;
@@ -76,14 +71,12 @@ double audio_largest(AudioEncoding encoding)
 /* ---- writing ---- */
 
 /* True if a WAV file could pass 4 GiB, which its header cannot express. */
-static bool may_need_rf64(const AudioFormat *format)
-{
+static bool may_need_rf64(const AudioFormat *format) {
   const uint64_t frame_size = (uint64_t)format->channels * sizeof(float); /* at most */
   return format->container == AUDIO_WAV && format->most_frames > (UINT32_MAX - 65536) / frame_size;
 }
 
-static int sndfile_format(const AudioFormat *format)
-{
+static int sndfile_format(const AudioFormat *format) {
   static const int containers[] = {SF_FORMAT_WAV, SF_FORMAT_FLAC, SF_FORMAT_AU};
   static const int encodings[] = {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT};
   const int container = may_need_rf64(format) ? SF_FORMAT_RF64 : containers[format->container];
@@ -91,14 +84,12 @@ static int sndfile_format(const AudioFormat *format)
 }
 
 /* libsndfile keeps errno of the call that failed; its own message is the second choice. */
-static Outcome sound_failure(const AudioFile *file, SNDFILE *stream)
-{
+static Outcome sound_failure(const AudioFile *file, SNDFILE *stream) {
   if (errno != 0) return output_failure(file->output);
   return fail("cannot write '%s': %s", file->output->name, sf_strerror(stream));
 }
 
-Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output)
-{
+Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output) {
   *file = (AudioFile){.output = output, .format = *format};
   file->buffer = malloc((size_t)format->channels * AUDIO_BLOCK * sizeof(int));
   if (!file->buffer) return fail_memory();
@@ -115,26 +106,23 @@ Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *
   return OUTCOME_OK;
 }
 
-/* One sample as the upper bits of an int, rounded to the encoding's steps. libsndfile takes just these
-   bits, so every container gets the same numbers. */
-static int quantise(double sample, double steps)
-{
+/* One sample as the upper bits of an int, rounded to the encoding's steps. libsndfile takes just
+   these bits, so every container gets the same numbers. */
+static int quantise(double sample, double steps) {
   const double number = rint(sample * steps);
   const double largest = steps - 1;
   const double bounded = number > largest ? largest : number >= -steps ? number : -steps;
   return (int)bounded * (int)(2147483648.0 / steps);
 }
 
-static sf_count_t write_floats(AudioFile *file, const double *samples, uint32_t frames)
-{
+static sf_count_t write_floats(AudioFile *file, const double *samples, uint32_t frames) {
   float *const encoded = file->buffer;
   const size_t count = (size_t)frames * file->format.channels;
   for (size_t i = 0; i < count; i++) encoded[i] = (float)samples[i];
   return sf_writef_float(file->stream, encoded, frames);
 }
 
-static sf_count_t write_integers(AudioFile *file, const double *samples, uint32_t frames)
-{
+static sf_count_t write_integers(AudioFile *file, const double *samples, uint32_t frames) {
   int *const encoded = file->buffer;
   const double steps = full_scale_steps(file->format.encoding);
   const size_t count = (size_t)frames * file->format.channels;
@@ -142,8 +130,7 @@ static sf_count_t write_integers(AudioFile *file, const double *samples, uint32_
   return sf_writef_int(file->stream, encoded, frames);
 }
 
-Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames)
-{
+Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames) {
   errno = 0;
   const sf_count_t written = file->format.encoding == AUDIO_FLOAT
                                ? write_floats(file, samples, frames)
@@ -156,8 +143,7 @@ Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames
 /* ---- completing ---- */
 
 /* sf_close() does not tell when the header could not be written, so the file is read back. */
-static Outcome verify(const AudioFile *file)
-{
+static Outcome verify(const AudioFile *file) {
   const AudioFormat *const format = &file->format;
   SF_INFO info = {0};
   if (lseek(file->output->descriptor, 0, SEEK_SET) != 0) return output_failure(file->output);
@@ -170,8 +156,7 @@ static Outcome verify(const AudioFile *file)
   return fail("cannot write '%s': read back, it is not complete", file->output->name);
 }
 
-Outcome audio_file_finish(AudioFile *file)
-{
+Outcome audio_file_finish(AudioFile *file) {
   SNDFILE *const stream = file->stream;
   file->stream = NULL;
   errno = 0;
@@ -179,8 +164,7 @@ Outcome audio_file_finish(AudioFile *file)
   return file->output->kind == OUTPUT_STREAMED ? OUTCOME_OK : verify(file);
 }
 
-void audio_file_free(AudioFile *file)
-{
+void audio_file_free(AudioFile *file) {
   if (file->stream) (void)sf_close(file->stream);
   free(file->buffer);
   *file = (AudioFile){0};

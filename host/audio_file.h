@@ -47,7 +47,7 @@ double audio_largest(AudioEncoding encoding);
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
 /** Appends @p frames frames, interleaved; integer encodings round and saturate. */
 Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
-/** Completes the file; where it can be read back, reopens it and checks that all frames are there. */
+/** Completes the file; where it can be read back, reopens it and checks that it is complete. */
 Outcome audio_file_finish(AudioFile *file);
 void audio_file_free(AudioFile *file);
 

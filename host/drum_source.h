@@ -12,10 +12,12 @@
 #define DEFAULT_PRESET "tabor"
 
 /** Rows of the option tables for what drum_load() and engine_options_read() read. */
-#define OPTION_SET {"set", 0, "KEY=VALUE", "change a parameter of the drum (repeatable)"}
-#define OPTION_RATE {"rate", 0, "HZ", "sample rate, 22050 to 192000 (default 48000)"}
+#define OPTION_SET                                                                                 \
+  { "set", 0, "KEY=VALUE", "change a parameter of the drum (repeatable)" }
+#define OPTION_RATE                                                                                \
+  { "rate", 0, "HZ", "sample rate, 22050 to 192000 (default 48000)" }
 #define OPTION_QUALITY                                                                             \
-  {"quality", 0, "LEVEL", "draft, live, studio or reference (default: the preset's, else studio)"}
+  { "quality", 0, "LEVEL", "draft, live, studio or reference (default: the preset's, else studio)" }
 
 /** PRESET of the command line, or the default. */
 const char *preset_argument(const Arguments *arguments);

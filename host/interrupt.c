@@ -12,28 +12,25 @@ static const int fatal_signals[] = {SIGHUP, SIGINT, SIGTERM, SIGXCPU};
 /* The only globals of the program: a handler has no other way to know. Changed under hold only. */
 static const char *volatile guarded[GUARDS];
 
-/* A flag would not do: a write to a pipe that nobody reads is restarted inside libsndfile for ever. */
-static void end(int number)
-{
+/* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. */
+static void end(int number) {
   for (size_t i = 0; i < GUARDS; i++) {
     if (guarded[i]) (void)unlink(guarded[i]);
   }
   _exit(128 + number);
 }
 
-static void fatal_set(sigset_t *set)
-{
+static void fatal_set(sigset_t *set) {
   sigemptyset(set);
   for (size_t i = 0; i < FATAL_SIGNALS; i++) sigaddset(set, fatal_signals[i]);
 }
 
-void interrupt_install(void)
-{
+void interrupt_install(void) {
   struct sigaction action = {.sa_handler = end};
   fatal_set(&action.sa_mask);
   for (size_t i = 0; i < FATAL_SIGNALS; i++) {
     struct sigaction before;
-    /* nohup ignores SIGHUP; shells ignore SIGINT in background jobs, but then it was sent on purpose */
+    /* nohup ignores SIGHUP; shells ignore SIGINT in background jobs, but not for this purpose */
     const int number = fatal_signals[i];
     if (number == SIGHUP && sigaction(number, NULL, &before) == 0 && before.sa_handler == SIG_IGN) {
       continue;
@@ -45,8 +42,7 @@ void interrupt_install(void)
   (void)sigaction(SIGXFSZ, &ignore, NULL);
 }
 
-void interrupt_hold(sigset_t *before)
-{
+void interrupt_hold(sigset_t *before) {
   sigset_t set;
   fatal_set(&set);
   (void)sigprocmask(SIG_BLOCK, &set, before);
@@ -54,8 +50,7 @@ void interrupt_hold(sigset_t *before)
 
 void interrupt_resume(const sigset_t *before) { (void)sigprocmask(SIG_SETMASK, before, NULL); }
 
-void interrupt_guard(const char *path)
-{
+void interrupt_guard(const char *path) {
   for (size_t i = 0; i < GUARDS; i++) {
     if (!guarded[i]) {
       guarded[i] = path;
@@ -64,8 +59,7 @@ void interrupt_guard(const char *path)
   }
 }
 
-void interrupt_unguard(const char *path)
-{
+void interrupt_unguard(const char *path) {
   for (size_t i = 0; i < GUARDS; i++) {
     if (guarded[i] == path) guarded[i] = NULL;
   }

@@ -18,7 +18,7 @@ void interrupt_install(void);
 void interrupt_hold(sigset_t *before);
 void interrupt_resume(const sigset_t *before);
 
-/** Guards the file @p path (not copied) until interrupt_unguard(); call both while signals are held. */
+/** Guards the file @p path (not copied) until interrupt_unguard(); signals are to be held. */
 void interrupt_guard(const char *path);
 void interrupt_unguard(const char *path);
 

@@ -8,8 +8,7 @@
 
 json_t *json_number(double number) { return isfinite(number) ? json_real(number) : json_null(); }
 
-json_t *json_text(const char *text)
-{
+json_t *json_text(const char *text) {
   json_t *const value = json_string(text);
   if (value) return value;
   char *const copy = strdup(text);
@@ -22,8 +21,7 @@ json_t *json_text(const char *text)
 }
 
 /* 15 digits: every decimal number of so many comes out as it went in, 0.1 as 0.1. */
-Outcome json_print(json_t *value)
-{
+Outcome json_print(json_t *value) {
   char *const text = value ? json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(15)) : NULL;
   json_decref(value);
   if (!text) return fail_memory();

@@ -17,22 +17,19 @@
 static const Command *const commands[] = {&render_command, &presets_command, &show_command,
                                           &modes_command, NULL};
 
-static const char *command_name_at(const void *list, size_t index)
-{
+static const char *command_name_at(const void *list, size_t index) {
   const Command *const command = ((const Command *const *)list)[index];
   return command ? command->name : NULL;
 }
 
-static const Command *find_command(const char *name)
-{
+static const Command *find_command(const char *name) {
   for (size_t i = 0; commands[i]; i++) {
     if (strcmp(commands[i]->name, name) == 0) return commands[i];
   }
   return NULL;
 }
 
-static void print_options(const Option *options)
-{
+static void print_options(const Option *options) {
   for (const Option *option = options; option->name; option++) {
     char left[40];
     (void)snprintf(left, sizeof left, "--%s%s%s", option->name, option->value ? " " : "",
@@ -45,8 +42,7 @@ static void print_options(const Option *options)
   }
 }
 
-static void print_help(const Command *command)
-{
+static void print_help(const Command *command) {
   printf("Usage: tabor %s%s%s [OPTION]...\n\n", command->name, command->operand ? " " : "",
          command->operand ? command->operand : "");
   printf("%s.\n\n", command->summary);
@@ -56,8 +52,7 @@ static void print_help(const Command *command)
 }
 
 /* Without a command: what there is. */
-static Outcome run_top(const Arguments *arguments)
-{
+static Outcome run_top(const Arguments *arguments) {
   (void)arguments;
   return refuse("no command; see 'tabor --help'");
 }
@@ -71,15 +66,15 @@ static const Command top_command = {
   .run = run_top,
 };
 
-static void print_top_help(void)
-{
+static void print_top_help(void) {
   printf("Usage: tabor COMMAND [OPTION]...\n\n%s.\n\n", top_command.summary);
-  for (size_t i = 0; commands[i]; i++) printf("  %-9s %s\n", commands[i]->name, commands[i]->summary);
-  printf("\n'tabor COMMAND --help' explains a command. Exit status: 0 done, 1 failed, 2 wrong request.\n");
+  for (size_t i = 0; commands[i]; i++)
+    printf("  %-9s %s\n", commands[i]->name, commands[i]->summary);
+  printf("\n'tabor COMMAND --help' explains a command. Exit status: 0 done, 1 failed, 2 wrong "
+         "request.\n");
 }
 
-static Outcome print_version(const Arguments *arguments)
-{
+static Outcome print_version(const Arguments *arguments) {
   if (!arguments_has(arguments, "json")) {
     printf("tabor %s\n", tabor_version());
     return OUTCOME_OK;
@@ -87,8 +82,7 @@ static Outcome print_version(const Arguments *arguments)
   return json_print(json_pack("{s:s, s:s}", "name", "tabor", "version", tabor_version()));
 }
 
-static Outcome print_help_or_run(const Command *command, const Arguments *arguments)
-{
+static Outcome print_help_or_run(const Command *command, const Arguments *arguments) {
   if (arguments_has(arguments, "help")) {
     if (command == &top_command) {
       print_top_help();
@@ -101,8 +95,7 @@ static Outcome print_help_or_run(const Command *command, const Arguments *argume
   return command->run(arguments);
 }
 
-static Outcome run(int argc, char *const *argv)
-{
+static Outcome run(int argc, char *const *argv) {
   const Command *command = &top_command;
   if (argc > 1 && argv[1][0] != '-') {
     command = find_command(argv[1]);
@@ -119,10 +112,9 @@ static Outcome run(int argc, char *const *argv)
   return outcome;
 }
 
-/* If a standard stream is closed, the next file opened would become it and receive its messages. Its
-   place is taken in the wrong direction, so that using it stays an error. */
-static void reserve_standard_streams(void)
-{
+/* If a standard stream is closed, the next file opened would become it and receive its messages.
+   Its place is taken in the wrong direction, so that using it stays an error. */
+static void reserve_standard_streams(void) {
   for (int descriptor = 0; descriptor <= 2; descriptor++) {
     if (fcntl(descriptor, F_GETFD) == -1) {
       (void)!open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
@@ -130,17 +122,14 @@ static void reserve_standard_streams(void)
   }
 }
 
-/* Data that did not reach the standard output are a failure, too. */
-static Outcome finish_standard_output(Outcome outcome)
-{
-  errno = 0;
+/* Data that did not reach the standard output are a failure, too; errno is the last write's. */
+static Outcome finish_standard_output(Outcome outcome) {
   const bool complete = fflush(stdout) == 0 && !ferror(stdout);
   if (complete || outcome != OUTCOME_OK) return outcome;
-  return fail("cannot write to standard output: %s", strerror(errno ? errno : EIO));
+  return fail("cannot write to standard output: %s", strerror(errno));
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   reserve_standard_streams();
   interrupt_install();
   return (int)finish_standard_output(run(argc, argv));

@@ -5,23 +5,20 @@
 #include <stdio.h>
 
 /* User input appears in messages: without this a line feed in it would make two lines of one. */
-static void replace_controls(char *text)
-{
+static void replace_controls(char *text) {
   for (; *text; text++) {
     if ((unsigned char)*text < 0x20 || *text == 0x7f) *text = '?';
   }
 }
 
-static void say(const char *prefix, const char *format, va_list arguments)
-{
+static void say(const char *prefix, const char *format, va_list arguments) {
   char line[1024];
   (void)vsnprintf(line, sizeof line, format, arguments);
   replace_controls(line);
   (void)fprintf(stderr, "%s%s\n", prefix, line);
 }
 
-Outcome refuse(const char *format, ...)
-{
+Outcome refuse(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   say("tabor: ", format, arguments);
@@ -29,8 +26,7 @@ Outcome refuse(const char *format, ...)
   return OUTCOME_REFUSED;
 }
 
-Outcome fail(const char *format, ...)
-{
+Outcome fail(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   say("tabor: ", format, arguments);
@@ -40,8 +36,7 @@ Outcome fail(const char *format, ...)
 
 Outcome fail_memory(void) { return fail("out of memory"); }
 
-Outcome report_engine_error(const TaborError *error)
-{
+Outcome report_engine_error(const TaborError *error) {
   switch (error->status) {
   case TABOR_OK: return OUTCOME_OK;
   case TABOR_ERROR_KEY:
@@ -57,16 +52,14 @@ Outcome report_engine_error(const TaborError *error)
   return fail("%s", error->message);
 }
 
-void warn(const char *format, ...)
-{
+void warn(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   say("tabor: warning: ", format, arguments);
   va_end(arguments);
 }
 
-void note(const char *format, ...)
-{
+void note(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   say("", format, arguments);

@@ -3,8 +3,8 @@
  * @file message.h
  * What the program says on standard error, and the exit status that goes with it.
  *
- * A function that can go wrong says so itself, in one line, and returns the outcome; its callers only
- * pass the outcome on. So every error is printed once, where most is known about it.
+ * A function that can go wrong says so itself, in one line, and returns the outcome; its callers
+ * only pass the outcome on. So every error is printed once, where most is known about it.
  */
 #ifndef TABOR_HOST_MESSAGE_H
 #define TABOR_HOST_MESSAGE_H

@@ -13,8 +13,7 @@
 /* Time in which the amplitude falls by 60 dB [s]; infinite without losses. */
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
 
-static Outcome print_table(const TaborModel *model)
-{
+static Outcome print_table(const TaborModel *model) {
   printf("%3s %3s %14s %11s %9s %7s\n", "m", "n", "frequency/Hz", "decay/(1/s)", "t60/s", "copies");
   TaborModeInfo mode;
   for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
@@ -25,16 +24,14 @@ static Outcome print_table(const TaborModel *model)
 }
 
 /* A single head's modes all belong to the batter; a phase is what two heads have to each other. */
-static json_t *mode_json(const TaborModeInfo *mode)
-{
+static json_t *mode_json(const TaborModeInfo *mode) {
   return json_pack("{s:I, s:I, s:o, s:o, s:o, s:I, s:s, s:n}", "m", (json_int_t)mode->m, "n",
                    (json_int_t)mode->n, "frequency", json_number(mode->frequency), "decay_rate",
                    json_number(mode->decay_rate), "t60", json_number(t60(mode->decay_rate)),
                    "multiplicity", (json_int_t)mode->multiplicity, "head", "batter", "phase");
 }
 
-static Outcome print_json(const TaborModel *model)
-{
+static Outcome print_json(const TaborModel *model) {
   json_t *const list = json_array();
   TaborModeInfo mode;
   uint32_t row = 0;
@@ -46,8 +43,7 @@ static Outcome print_json(const TaborModel *model)
   return json_print(json_pack("{s:o}", "modes", list));
 }
 
-static Outcome run(const Arguments *arguments)
-{
+static Outcome run(const Arguments *arguments) {
   TaborDrumDef def;
   TaborModelOptions model_options;
   Outcome outcome = drum_load(arguments, &def);

@@ -6,21 +6,18 @@
 #include <string.h>
 
 /* Passes digits; returns how many there were. */
-static size_t skip_digits(const char **text)
-{
+static size_t skip_digits(const char **text) {
   const size_t count = strspn(*text, "0123456789");
   *text += count;
   return count;
 }
 
-static void skip_sign(const char **text)
-{
+static void skip_sign(const char **text) {
   if (**text == '+' || **text == '-') (*text)++;
 }
 
 /* strtod() alone would also take blanks, hexadecimal digits, inf and nan. */
-static bool is_decimal(const char *text)
-{
+static bool is_decimal(const char *text) {
   skip_sign(&text);
   size_t digits = skip_digits(&text);
   if (*text == '.') {
@@ -37,8 +34,7 @@ static bool is_decimal(const char *text)
 }
 
 /* The program never leaves the "C" locale, so the decimal separator is a point. */
-Outcome number_read(const NumberField *field, const char *text, double *value)
-{
+Outcome number_read(const NumberField *field, const char *text, double *value) {
   const double number = is_decimal(text) ? strtod(text, NULL) : NAN;
   const char *trouble = NULL;
   if (isnan(number)) {

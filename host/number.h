@@ -16,8 +16,8 @@ typedef struct NumberField {
 } NumberField;
 
 /**
- * Reads "-1.5e3" and the like. Refuses, naming field, text and range, anything else: blanks, hexadecimal
- * digits, inf, nan, numbers too large for a double or outside the range.
+ * Reads "-1.5e3" and the like. Refuses, naming field, text and range, anything else: blanks,
+ * hexadecimal digits, inf, nan, numbers too large for a double or outside the range.
  */
 Outcome number_read(const NumberField *field, const char *text, double *value);
 

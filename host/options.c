@@ -7,11 +7,11 @@
 #include "suggest.h"
 
 const Option common_options[] = {
-  {"json", 0, NULL, "print facts as JSON"},
-  {"quiet", 'q', NULL, "print errors and warnings only"},
-  {"verbose", 'v', NULL, "print more"},
-  {"help", 'h', NULL, "print this help"},
-  {"version", 0, NULL, "print the version"},
+  {"json", 0, NULL, "print facts as JSON on standard output"},
+  {"quiet", 'q', NULL, "print nothing but errors and warnings"},
+  {"verbose", 'v', NULL, "print more about what was done"},
+  {"help", 'h', NULL, "print this help and do nothing else"},
+  {"version", 0, NULL, "print the version and do nothing else"},
   {0},
 };
 
@@ -23,22 +23,20 @@ typedef struct Reader {
   Arguments *arguments;
 } Reader;
 
-static const Option *option_at(const Command *command, size_t index)
-{
+static const Option *option_at(const Command *command, size_t index) {
   size_t own = 0;
   while (command->options[own].name) own++;
-  const Option *const option = index < own ? &command->options[index] : &common_options[index - own];
+  const Option *const option =
+    index < own ? &command->options[index] : &common_options[index - own];
   return option->name ? option : NULL;
 }
 
-static const char *option_name_at(const void *command, size_t index)
-{
+static const char *option_name_at(const void *command, size_t index) {
   const Option *const option = option_at(command, index);
   return option ? option->name : NULL;
 }
 
-static const Option *find_name(const Command *command, const char *name, size_t length)
-{
+static const Option *find_name(const Command *command, const char *name, size_t length) {
   const Option *option;
   for (size_t i = 0; (option = option_at(command, i)) != NULL; i++) {
     if (strlen(option->name) == length && memcmp(option->name, name, length) == 0) break;
@@ -46,8 +44,7 @@ static const Option *find_name(const Command *command, const char *name, size_t 
   return option;
 }
 
-static const Option *find_letter(const Command *command, char letter)
-{
+static const Option *find_letter(const Command *command, char letter) {
   const Option *option;
   for (size_t i = 0; (option = option_at(command, i)) != NULL; i++) {
     if (option->letter == letter) break;
@@ -55,13 +52,11 @@ static const Option *find_letter(const Command *command, char letter)
   return option;
 }
 
-static void add_use(Reader *reader, const Option *option, const char *value)
-{
+static void add_use(Reader *reader, const Option *option, const char *value) {
   reader->arguments->uses[reader->arguments->use_count++] = (OptionUse){option, value};
 }
 
-static Outcome unknown_option(const Command *command, const char *text, size_t length)
-{
+static Outcome unknown_option(const Command *command, const char *text, size_t length) {
   char word[64] = "", hint[96];
   if (length < sizeof word) {
     memcpy(word, text, length);
@@ -72,8 +67,7 @@ static Outcome unknown_option(const Command *command, const char *text, size_t l
 }
 
 /* Takes the next argument as the value of an option that was written without one. */
-static Outcome take_value(Reader *reader, const Option *option)
-{
+static Outcome take_value(Reader *reader, const Option *option) {
   if (reader->next == reader->argc) {
     return refuse("--%s needs a value (%s)", option->name, option->value);
   }
@@ -81,20 +75,19 @@ static Outcome take_value(Reader *reader, const Option *option)
   return OUTCOME_OK;
 }
 
-static Outcome read_long(Reader *reader, const char *text)
-{
+static Outcome read_long(Reader *reader, const char *text) {
   const size_t length = strcspn(text, "=");
   const Option *const option = find_name(reader->command, text, length);
   if (!option) return unknown_option(reader->command, text, length);
   const char *const value = text[length] ? text + length + 1 : NULL;
-  if (!option->value && value) return refuse("--%s takes no value, but '%s' was given", option->name, value);
+  if (!option->value && value)
+    return refuse("--%s takes no value, but '%s' was given", option->name, value);
   if (option->value && !value) return take_value(reader, option);
   add_use(reader, option, value);
   return OUTCOME_OK;
 }
 
-static Outcome read_letters(Reader *reader, const char *letters)
-{
+static Outcome read_letters(Reader *reader, const char *letters) {
   for (; *letters; letters++) {
     const Option *const option = find_letter(reader->command, *letters);
     if (!option) return refuse("unknown option '-%c'", *letters);
@@ -108,8 +101,7 @@ static Outcome read_letters(Reader *reader, const char *letters)
   return OUTCOME_OK;
 }
 
-static Outcome read_operand(Reader *reader, const char *text)
-{
+static Outcome read_operand(Reader *reader, const char *text) {
   if (!reader->command->operand || reader->arguments->operand) {
     return refuse("unexpected argument '%s'", text);
   }
@@ -118,15 +110,14 @@ static Outcome read_operand(Reader *reader, const char *text)
 }
 
 /* Every letter of a cluster is a use, so characters are counted, not arguments. */
-static size_t most_uses(int argc, char *const *argv)
-{
+static size_t most_uses(int argc, char *const *argv) {
   size_t most = 1;
-  for (int i = 1; i < argc; i++) most += argv[i][0] == '-' && argv[i][1] != '-' ? strlen(argv[i]) : 1;
+  for (int i = 1; i < argc; i++)
+    most += argv[i][0] == '-' && argv[i][1] != '-' ? strlen(argv[i]) : 1;
   return most;
 }
 
-Outcome arguments_read(const Command *command, int argc, char *const *argv, Arguments *arguments)
-{
+Outcome arguments_read(const Command *command, int argc, char *const *argv, Arguments *arguments) {
   *arguments = (Arguments){0};
   arguments->uses = calloc(most_uses(argc, argv), sizeof *arguments->uses);
   if (!arguments->uses) return fail_memory();
@@ -148,22 +139,19 @@ Outcome arguments_read(const Command *command, int argc, char *const *argv, Argu
   return outcome;
 }
 
-void arguments_free(Arguments *arguments)
-{
+void arguments_free(Arguments *arguments) {
   free(arguments->uses);
   *arguments = (Arguments){0};
 }
 
-bool arguments_has(const Arguments *arguments, const char *name)
-{
+bool arguments_has(const Arguments *arguments, const char *name) {
   for (size_t i = 0; i < arguments->use_count; i++) {
     if (strcmp(arguments->uses[i].option->name, name) == 0) return true;
   }
   return false;
 }
 
-const char *arguments_next(const Arguments *arguments, const char *name, size_t *position)
-{
+const char *arguments_next(const Arguments *arguments, const char *name, size_t *position) {
   while (*position < arguments->use_count) {
     const OptionUse *const use = &arguments->uses[(*position)++];
     if (strcmp(use->option->name, name) == 0) return use->value;
@@ -171,8 +159,7 @@ const char *arguments_next(const Arguments *arguments, const char *name, size_t 
   return NULL;
 }
 
-const char *arguments_value(const Arguments *arguments, const char *name)
-{
+const char *arguments_value(const Arguments *arguments, const char *name) {
   const char *value = NULL, *last = NULL;
   size_t position = 0;
   while ((value = arguments_next(arguments, name, &position)) != NULL) last = value;

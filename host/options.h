@@ -3,8 +3,9 @@
  * @file options.h
  * Commands, their options, and the reading of a command line by these tables.
  *
- * "--rate 48000", "--rate=48000", "-o FILE", "-oFILE" and "-nq" all work; options may follow operands;
- * "--" ends the options. Where an option that is not repeatable comes twice, the last one counts.
+ * "--rate 48000", "--rate=48000", "-o FILE", "-oFILE" and "-nq" all work; options may follow
+ * operands; "--" ends the options. Where an option that is not repeatable comes twice, the last one
+ * counts.
  */
 #ifndef TABOR_HOST_OPTIONS_H
 #define TABOR_HOST_OPTIONS_H
@@ -54,7 +55,7 @@ void arguments_free(Arguments *arguments);
 bool arguments_has(const Arguments *arguments, const char *name);
 /** Value of the last option @p name, or NULL. */
 const char *arguments_value(const Arguments *arguments, const char *name);
-/** Value of the next option @p name from *position on, which moves behind it; NULL after the last. */
+/** Value of the next option @p name from *position on, which moves behind it; NULL at the end. */
 const char *arguments_next(const Arguments *arguments, const char *name, size_t *position);
 
 #endif

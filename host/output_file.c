@@ -12,8 +12,7 @@
 
 #define MOST_LINKS 40
 
-Outcome output_failure(const OutputFile *file)
-{
+Outcome output_failure(const OutputFile *file) {
   const char *const reason = strerror(errno);
   if (strcmp(file->name, "-") == 0) return fail("cannot write to standard output: %s", reason);
   return fail("cannot write '%s': %s", file->name, reason);
@@ -22,25 +21,22 @@ Outcome output_failure(const OutputFile *file)
 /* ---- planning ---- */
 
 /* Length of the folder part of a path, with its last slash. */
-static size_t folder_length(const char *path)
-{
+static size_t folder_length(const char *path) {
   const char *const slash = strrchr(path, '/');
   return slash ? (size_t)(slash - path) + 1 : 0;
 }
 
 /* "FOLDER/name" of two parts, the first with its slash. */
-static char *join(const char *folder, size_t length, const char *name)
-{
+static char *join(const char *folder, size_t length, const char *name) {
   char *const path = malloc(length + strlen(name) + 1);
   if (!path) return NULL;
   memcpy(path, folder, length);
-  strcpy(path + length, name);
+  memcpy(path + length, name, strlen(name) + 1);
   return path;
 }
 
 /* Path that the symbolic link *path leads to, in one step. */
-static char *read_link(const char *path)
-{
+static char *read_link(const char *path) {
   char text[4096];
   const ssize_t length = readlink(path, text, sizeof text - 1);
   if (length < 0) return NULL;
@@ -49,8 +45,7 @@ static char *read_link(const char *path)
 }
 
 /* Follows links at the end of the path; what it leads to need not exist. */
-static char *follow_links(const char *name)
-{
+static char *follow_links(const char *name) {
   char *path = strdup(name);
   struct stat status;
   for (int i = 0; path && lstat(path, &status) == 0 && S_ISLNK(status.st_mode); i++) {
@@ -63,14 +58,12 @@ static char *follow_links(const char *name)
 }
 
 /* For root every file is writable, but a file without any write bit is meant to stay. */
-static bool is_writable(const char *path, mode_t mode)
-{
+static bool is_writable(const char *path, mode_t mode) {
   errno = EACCES;
   return (mode & (S_IWUSR | S_IWGRP | S_IWOTH)) != 0 && access(path, W_OK) == 0;
 }
 
-static Outcome plan_existing(OutputFile *file)
-{
+static Outcome plan_existing(OutputFile *file) {
   const mode_t mode = file->status.st_mode;
   if (S_ISDIR(mode)) return fail("cannot write '%s': it is a folder", file->name);
   if (file->keep_existing) return fail("'%s' exists and is not overwritten (-n)", file->name);
@@ -80,15 +73,13 @@ static Outcome plan_existing(OutputFile *file)
   return OUTCOME_OK;
 }
 
-static Outcome plan_standard_output(OutputFile *file)
-{
+static Outcome plan_standard_output(OutputFile *file) {
   file->keep_existing = false;
   file->exists = true;
   return fstat(STDOUT_FILENO, &file->status) == 0 ? OUTCOME_OK : output_failure(file);
 }
 
-static Outcome plan_path(OutputFile *file)
-{
+static Outcome plan_path(OutputFile *file) {
   if (stat(file->name, &file->status) == 0) {
     file->exists = true;
     const Outcome outcome = plan_existing(file);
@@ -104,8 +95,7 @@ static Outcome plan_path(OutputFile *file)
   return file->target ? OUTCOME_OK : output_failure(file);
 }
 
-Outcome output_plan(OutputFile *file, const char *name, bool keep_existing)
-{
+Outcome output_plan(OutputFile *file, const char *name, bool keep_existing) {
   *file = OUTPUT_FILE_NONE;
   file->name = strcmp(name, "/dev/stdout") == 0 ? "-" : name;
   file->keep_existing = keep_existing;
@@ -120,22 +110,19 @@ Outcome output_plan(OutputFile *file, const char *name, bool keep_existing)
   return outcome;
 }
 
-static bool same_file(const struct stat *a, const struct stat *b)
-{
+static bool same_file(const struct stat *a, const struct stat *b) {
   return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
 /* Status of the folder that a path lies in. */
-static bool folder_status(const char *path, struct stat *status)
-{
+static bool folder_status(const char *path, struct stat *status) {
   char *const folder = join(path, folder_length(path), ".");
   const bool found = folder && stat(folder, status) == 0;
   free(folder);
   return found;
 }
 
-bool output_same(const OutputFile *a, const OutputFile *b)
-{
+bool output_same(const OutputFile *a, const OutputFile *b) {
   if (a->exists != b->exists) return false;
   if (a->exists) return same_file(&a->status, &b->status) && !S_ISCHR(a->status.st_mode);
   struct stat folder_a, folder_b;
@@ -144,8 +131,7 @@ bool output_same(const OutputFile *a, const OutputFile *b)
          same_file(&folder_a, &folder_b);
 }
 
-bool output_overwrites(const OutputFile *file, const char *path)
-{
+bool output_overwrites(const OutputFile *file, const char *path) {
   struct stat status;
   return file->exists && S_ISREG(file->status.st_mode) && stat(path, &status) == 0 &&
          same_file(&file->status, &status);
@@ -154,8 +140,7 @@ bool output_overwrites(const OutputFile *file, const char *path)
 /* ---- opening ---- */
 
 /* The new file gets the permissions of the old one, or what a newly created file would have. */
-static void take_permissions(const OutputFile *file)
-{
+static void take_permissions(const OutputFile *file) {
   if (file->exists) {
     if (fchown(file->descriptor, file->status.st_uid, file->status.st_gid) != 0) errno = 0;
     (void)fchmod(file->descriptor, file->status.st_mode & 0777);
@@ -166,8 +151,7 @@ static void take_permissions(const OutputFile *file)
   (void)fchmod(file->descriptor, 0666 & ~mask);
 }
 
-static Outcome open_beside(OutputFile *file)
-{
+static Outcome open_beside(OutputFile *file) {
   file->temporary = join(file->target, folder_length(file->target), ".tabor-XXXXXX");
   if (!file->temporary) return fail_memory();
   sigset_t before;
@@ -185,15 +169,13 @@ static Outcome open_beside(OutputFile *file)
   return OUTCOME_OK;
 }
 
-static int open_place(const OutputFile *file)
-{
+static int open_place(const OutputFile *file) {
   if (!file->target) return dup(STDOUT_FILENO);
   return open(file->target, O_WRONLY | O_NOCTTY);
 }
 
 /* A file without a name: nothing to remove, whatever happens. */
-static int open_unnamed(void)
-{
+static int open_unnamed(void) {
   FILE *const stream = tmpfile();
   if (!stream) return -1;
   const int descriptor = dup(fileno(stream));
@@ -201,8 +183,7 @@ static int open_unnamed(void)
   return descriptor;
 }
 
-Outcome output_open(OutputFile *file, bool seeks)
-{
+Outcome output_open(OutputFile *file, bool seeks) {
   if (file->kind == OUTPUT_REPLACED) return open_beside(file);
   if (seeks) file->kind = OUTPUT_GATHERED;
   file->destination = open_place(file);
@@ -219,8 +200,7 @@ Outcome output_open(OutputFile *file, bool seeks)
 
 /* ---- writing ---- */
 
-static bool write_all(int descriptor, const char *bytes, size_t size)
-{
+static bool write_all(int descriptor, const char *bytes, size_t size) {
   while (size > 0) {
     const ssize_t written = write(descriptor, bytes, size);
     if (written < 0 && errno == EINTR) continue;
@@ -231,23 +211,20 @@ static bool write_all(int descriptor, const char *bytes, size_t size)
   return true;
 }
 
-Outcome output_write(OutputFile *file, const void *bytes, size_t size)
-{
+Outcome output_write(OutputFile *file, const void *bytes, size_t size) {
   return write_all(file->descriptor, bytes, size) ? OUTCOME_OK : output_failure(file);
 }
 
 /* ---- completing and delivering ---- */
 
 /* close() can be the first to tell that the bytes did not reach a network disk. */
-static bool close_once(int *descriptor)
-{
+static bool close_once(int *descriptor) {
   const int closing = *descriptor;
   *descriptor = -1;
   return closing < 0 || close(closing) == 0;
 }
 
-static bool copy_gathered(const OutputFile *file)
-{
+static bool copy_gathered(const OutputFile *file) {
   char bytes[65536];
   if (lseek(file->descriptor, 0, SEEK_SET) != 0) return false;
   for (;;) {
@@ -258,23 +235,20 @@ static bool copy_gathered(const OutputFile *file)
 }
 
 /* Unlike rename(), link() fails if the target has come into being since it was planned. */
-static bool move_without_overwriting(const char *from, const char *to)
-{
+static bool move_without_overwriting(const char *from, const char *to) {
   if (link(from, to) == 0) return unlink(from) == 0;
   struct stat status;
   if (errno == EEXIST || lstat(to, &status) == 0) return false;
   return rename(from, to) == 0; /* a file system without hard links */
 }
 
-static void forget_temporary(OutputFile *file)
-{
+static void forget_temporary(OutputFile *file) {
   interrupt_unguard(file->temporary);
   free(file->temporary);
   file->temporary = NULL;
 }
 
-static bool put_in_place(OutputFile *file)
-{
+static bool put_in_place(OutputFile *file) {
   sigset_t before;
   interrupt_hold(&before);
   const bool moved = file->keep_existing ? move_without_overwriting(file->temporary, file->target)
@@ -284,21 +258,18 @@ static bool put_in_place(OutputFile *file)
   return moved;
 }
 
-Outcome output_complete(OutputFile *file)
-{
+Outcome output_complete(OutputFile *file) {
   const bool copied = file->kind != OUTPUT_GATHERED || copy_gathered(file);
   if (copied && close_once(&file->descriptor) && close_once(&file->destination)) return OUTCOME_OK;
   return output_failure(file);
 }
 
-Outcome output_deliver(OutputFile *file)
-{
+Outcome output_deliver(OutputFile *file) {
   if (file->kind != OUTPUT_REPLACED || put_in_place(file)) return OUTCOME_OK;
   return output_failure(file);
 }
 
-void output_discard(OutputFile *file)
-{
+void output_discard(OutputFile *file) {
   (void)close_once(&file->descriptor);
   (void)close_once(&file->destination);
   if (file->temporary) {

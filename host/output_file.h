@@ -3,14 +3,14 @@
  * @file output_file.h
  * Files that appear complete or not at all.
  *
- * A regular file is written beside its target under a temporary name and renamed when it is complete;
- * until then an older file of that name stays untouched. Anything else is written in place: to pipes
- * the bytes go as they come, for devices (and for pipes, if the format has to go back to its header)
- * they are gathered in an unnamed temporary file first. A symbolic link stays: the file that it points
- * to is written.
+ * A regular file is written beside its target under a temporary name and renamed when it is
+ * complete; until then an older file of that name stays untouched. Anything else is written in
+ * place: to pipes the bytes go as they come, for devices (and for pipes, if the format has to go
+ * back to its header) they are gathered in an unnamed temporary file first. A symbolic link stays:
+ * the file that it points to is written.
  *
- * Life: plan (looks, touches nothing), open, write, complete, deliver; discard at any time, any number
- * of times. Of several files all are completed before the first is delivered.
+ * Life: plan (looks, touches nothing), open, write, complete, deliver; discard at any time, any
+ * number of times. Of several files all are completed before the first is delivered.
  */
 #ifndef TABOR_HOST_OUTPUT_FILE_H
 #define TABOR_HOST_OUTPUT_FILE_H
@@ -27,15 +27,15 @@ typedef enum OutputKind {
 } OutputKind;
 
 typedef struct OutputFile {
-  const char *name;     /**< as the user wrote it; "-" is the standard output */
-  bool keep_existing;   /**< refuse to overwrite */
+  const char *name;   /**< as the user wrote it; "-" is the standard output */
+  bool keep_existing; /**< refuse to overwrite */
   OutputKind kind;
-  bool exists;          /**< when it was planned; then status is valid */
+  bool exists; /**< when it was planned; then status is valid */
   struct stat status;
-  char *target;         /**< name with links followed; NULL for the standard output */
-  char *temporary;      /**< name of the file written beside, or NULL */
-  int descriptor;       /**< where to write, or -1 */
-  int destination;      /**< pipe or device that the gathered bytes go to, or -1 */
+  char *target;    /**< name with links followed; NULL for the standard output */
+  char *temporary; /**< name of the file written beside, or NULL */
+  int descriptor;  /**< where to write, or -1 */
+  int destination; /**< pipe or device that the gathered bytes go to, or -1 */
 } OutputFile;
 
 /** What an OutputFile is before output_plan(): safe to discard. */

@@ -40,9 +40,9 @@ typedef struct Reader {
   const char *path;
   char *message; /* of the caller */
   size_t size;
-  char text[PRESET_FILE_LIMIT + 2];              /* one byte too many shows that it is too large */
-  Section sections[PRESET_FILE_LIMIT / 4 + 1];   /* "[a]\n" */
-  Pair pairs[PRESET_FILE_LIMIT / 3 + 1];         /* "a=\n" */
+  char text[PRESET_FILE_LIMIT + 2];            /* one byte too many shows that it is too large */
+  Section sections[PRESET_FILE_LIMIT / 4 + 1]; /* "[a]\n" */
+  Pair pairs[PRESET_FILE_LIMIT / 3 + 1];       /* "a=\n" */
   size_t length, section_count, pair_count;
   size_t pairs_given; /* to the caller */
   bool refused;       /* by the caller */
@@ -64,7 +64,7 @@ static size_t write_place(Reader *reader, unsigned line) {
     char *const end = reader->message + written;
     written += snprintf(end, reader->size - (size_t)written, ":%u", line);
   }
-  return written > 0 && (size_t)written < reader->size ? (size_t)written : reader->size - 1;
+  return written >= 0 && (size_t)written < reader->size ? (size_t)written : reader->size - 1;
 }
 
 /* Writes "path:line: ..."; returns false, so that a check can end with it. Line 0: the whole file. */
@@ -314,15 +314,16 @@ static int take_pair(void *user, const char *section, const char *key, const cha
   if (reader->refused) return 0;
   const bool expected = reader->pairs_given < reader->pair_count;
   const Pair pair = reader->pairs[expected ? reader->pairs_given : 0];
-  reader->refused = !expected || !is_text(reader, pair.section, pair.section_length, section)
-                    || !is_text(reader, pair.key, pair.key_length, key);
+  reader->refused = !expected || !is_text(reader, pair.section, pair.section_length, section) ||
+                    !is_text(reader, pair.key, pair.key_length, key);
   if (reader->refused) {
     (void)refuse_line(reader, pair.line, "inih takes the file apart differently from its checks");
     return 0;
   }
   reader->pairs_given++;
   char reason[512] = "refused";
-  if (reader->pair(reader->context, section, key, value, pair.line, reason, sizeof reason)) return 1;
+  if (reader->pair(reader->context, section, key, value, pair.line, reason, sizeof reason))
+    return 1;
   reader->refused = true;
   (void)refuse_line(reader, pair.line, "%s", reason);
   return 0;

@@ -9,8 +9,7 @@
 #include "command.h"
 #include "json_output.h"
 
-static int longest_name(void)
-{
+static int longest_name(void) {
   size_t longest = 0;
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     const size_t length = strlen(tabor_preset(i)->name);
@@ -19,8 +18,7 @@ static int longest_name(void)
   return (int)longest;
 }
 
-static Outcome print_table(void)
-{
+static Outcome print_table(void) {
   const int width = longest_name();
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     const TaborPresetInfo *const preset = tabor_preset(i);
@@ -29,14 +27,13 @@ static Outcome print_table(void)
   return OUTCOME_OK;
 }
 
-static Outcome print_json(void)
-{
+static Outcome print_json(void) {
   json_t *const list = json_array();
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     const TaborPresetInfo *const preset = tabor_preset(i);
-    json_array_append_new(list, json_pack("{s:o, s:o, s:o}", "name", json_text(preset->name),
-                                          "comment", json_text(preset->comment), "file",
-                                          json_text(preset->file)));
+    json_array_append_new(list,
+                          json_pack("{s:o, s:o, s:o}", "name", json_text(preset->name), "comment",
+                                    json_text(preset->comment), "file", json_text(preset->file)));
   }
   if (json_array_size(list) != tabor_preset_count()) {
     json_decref(list);
@@ -45,8 +42,7 @@ static Outcome print_json(void)
   return json_print(json_pack("{s:o}", "presets", list));
 }
 
-static Outcome run(const Arguments *arguments)
-{
+static Outcome run(const Arguments *arguments) {
   return arguments_has(arguments, "json") ? print_json() : print_table();
 }
 

@@ -21,8 +21,7 @@ typedef struct Rendering {
   bool shows_progress;
 } Rendering;
 
-static void show_progress(const Rendering *rendering)
-{
+static void show_progress(const Rendering *rendering) {
   const uint32_t rate = rendering->request.audio.rate;
   const uint32_t position = rendering->session.position;
   if (rendering->shows_progress && position % rate < RING_OUT_BLOCK) {
@@ -30,13 +29,11 @@ static void show_progress(const Rendering *rendering)
   }
 }
 
-static void clear_progress(const Rendering *rendering)
-{
+static void clear_progress(const Rendering *rendering) {
   if (rendering->shows_progress) (void)fputs("\r            \r", stderr);
 }
 
-static Outcome play_block(Rendering *rendering, uint32_t frames)
-{
+static Outcome play_block(Rendering *rendering, uint32_t frames) {
   Session *const session = &rendering->session;
   Outcome outcome = OUTCOME_OK;
   if (rendering->request.has_trace) {
@@ -48,8 +45,7 @@ static Outcome play_block(Rendering *rendering, uint32_t frames)
   return audio_file_write(&rendering->audio, session->interleaved, frames);
 }
 
-static Outcome play(Rendering *rendering)
-{
+static Outcome play(Rendering *rendering) {
   const Session *const session = &rendering->session;
   RingOut *const ring_out = &rendering->ring_out;
   Outcome outcome = OUTCOME_OK;
@@ -64,16 +60,14 @@ static Outcome play(Rendering *rendering)
   return outcome;
 }
 
-static void prepare_length(Rendering *rendering)
-{
+static void prepare_length(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
   rendering->ring_out = ring_out_begin(request->frames, strokes_last_frame(&request->strokes),
                                        request->model.sample_rate);
   request->audio.most_frames = rendering->ring_out.most;
 }
 
-static Outcome open_files(Rendering *rendering)
-{
+static Outcome open_files(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
   const bool seeks = request->audio.container != AUDIO_AU;
   Outcome outcome = output_open(&request->output, seeks);
@@ -88,8 +82,7 @@ static Outcome open_files(Rendering *rendering)
 }
 
 /* Both files are completed and checked before the first appears. */
-static Outcome complete_files(Rendering *rendering)
-{
+static Outcome complete_files(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
   Outcome outcome = audio_file_finish(&rendering->audio);
   if (outcome == OUTCOME_OK && request->has_trace) outcome = trace_file_finish(&rendering->trace);
@@ -98,8 +91,7 @@ static Outcome complete_files(Rendering *rendering)
   return outcome;
 }
 
-static Outcome deliver_files(Rendering *rendering)
-{
+static Outcome deliver_files(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
   Outcome outcome = complete_files(rendering);
   if (outcome == OUTCOME_OK) outcome = output_deliver(&request->output);
@@ -107,8 +99,7 @@ static Outcome deliver_files(Rendering *rendering)
   return outcome;
 }
 
-static Outcome render(const Arguments *arguments, Rendering *rendering)
-{
+static Outcome render(const Arguments *arguments, Rendering *rendering) {
   Outcome outcome = render_request_read(arguments, &rendering->request);
   if (outcome != OUTCOME_OK) return outcome;
   rendering->shows_progress = !rendering->request.quiet && isatty(STDERR_FILENO);
@@ -121,8 +112,7 @@ static Outcome render(const Arguments *arguments, Rendering *rendering)
   return outcome;
 }
 
-static Outcome run(const Arguments *arguments)
-{
+static Outcome run(const Arguments *arguments) {
   Rendering *const rendering = calloc(1, sizeof *rendering);
   if (!rendering) return fail_memory();
   const Outcome outcome = render(arguments, rendering);

@@ -9,25 +9,21 @@
 
 static double decibels(double factor) { return 20 * log10(factor); }
 
-static double seconds(const Session *session)
-{
+static double seconds(const Session *session) {
   return session->position / session->request->model.sample_rate;
 }
 
-static double real_time_factor(const Session *session)
-{
+static double real_time_factor(const Session *session) {
   return session->computing / seconds(session);
 }
 
-static double newton_mean(const TaborStatistics *statistics)
-{
+static double newton_mean(const TaborStatistics *statistics) {
   if (statistics->solves == 0) return 0;
   return (double)statistics->newton_iterations / (double)statistics->solves;
 }
 
 /* The gain is rounded down to a tenth of a decibel, so that it does avoid the saturation. */
-static void warn_of_saturation(const Session *session)
-{
+static void warn_of_saturation(const Session *session) {
   const RenderRequest *const request = session->request;
   const double largest = audio_largest(request->audio.encoding);
   if (session->peak <= largest) return;
@@ -35,8 +31,7 @@ static void warn_of_saturation(const Session *session)
   warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(session->peak), gain);
 }
 
-static void warn_of_drops(const TaborStatistics *statistics)
-{
+static void warn_of_drops(const TaborStatistics *statistics) {
   if (statistics->dropped_events > 0) {
     warn("%llu strokes were dropped: more than %d strikers at once",
          (unsigned long long)statistics->dropped_events, TABOR_MAX_ACTIVE);
@@ -47,17 +42,16 @@ static void warn_of_drops(const TaborStatistics *statistics)
   }
 }
 
-static json_t *energy_json(const TaborLedger *ledger)
-{
+static json_t *energy_json(const TaborLedger *ledger) {
   const struct {
     const char *name;
     double value;
   } terms[] = {
-    {"injected", ledger->injected},         {"control", ledger->control},
-    {"stored", ledger->stored},             {"head_loss", ledger->head_loss},
-    {"wire_loss", ledger->wire_loss},       {"contact_loss", ledger->contact_loss},
-    {"damper_loss", ledger->damper_loss},   {"shell_loss", ledger->shell_loss},
-    {"radiated", ledger->radiated},         {"removed", ledger->removed},
+    {"injected", ledger->injected},       {"control", ledger->control},
+    {"stored", ledger->stored},           {"head_loss", ledger->head_loss},
+    {"wire_loss", ledger->wire_loss},     {"contact_loss", ledger->contact_loss},
+    {"damper_loss", ledger->damper_loss}, {"shell_loss", ledger->shell_loss},
+    {"radiated", ledger->radiated},       {"removed", ledger->removed},
     {"residual", ledger->residual},
   };
   json_t *const energy = json_object();
@@ -68,36 +62,34 @@ static json_t *energy_json(const TaborLedger *ledger)
 }
 
 static Outcome print_json(const Session *session, const TaborStatistics *statistics,
-                          const TaborLedger *ledger)
-{
+                          const TaborLedger *ledger) {
   const RenderRequest *const request = session->request;
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
               (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
-  return json_print(json_pack(
-    "{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset), "rate",
-    (json_int_t)request->audio.rate, "frames", (json_int_t)session->position, "channels",
-    (json_int_t)request->audio.channels, "peak", json_number(session->peak), "real_time_factor",
-    json_number(real_time_factor(session)), "newton", newton, "energy", energy_json(ledger),
-    "output", json_text(request->output.name)));
+  return json_print(
+    json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset),
+              "rate", (json_int_t)request->audio.rate, "frames", (json_int_t)session->position,
+              "channels", (json_int_t)request->audio.channels, "peak", json_number(session->peak),
+              "real_time_factor", json_number(real_time_factor(session)), "newton", newton,
+              "energy", energy_json(ledger), "output", json_text(request->output.name)));
 }
 
-static void note_summary(const Session *session)
-{
+static void note_summary(const Session *session) {
   const RenderRequest *const request = session->request;
   const bool standard = strcmp(request->output.name, "-") == 0;
   char peak[32] = "silent";
   if (session->peak > 0) {
     (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(session->peak));
   }
-  note("%s: %s, %.2f s, %u Hz, %u channel%s, %s", standard ? "standard output" : request->output.name,
-       request->preset, seconds(session), (unsigned)request->audio.rate,
-       (unsigned)request->audio.channels, request->audio.channels == 1 ? "" : "s", peak);
+  note("%s: %s, %.2f s, %u Hz, %u channel%s, %s",
+       standard ? "standard output" : request->output.name, request->preset, seconds(session),
+       (unsigned)request->audio.rate, (unsigned)request->audio.channels,
+       request->audio.channels == 1 ? "" : "s", peak);
 }
 
 static void note_details(const Session *session, const TaborStatistics *statistics,
-                         const TaborLedger *ledger)
-{
+                         const TaborLedger *ledger) {
   TaborModelInfo info;
   tabor_model_info(tabor_drum_model(session->drum), &info);
   note("%u modes up to %.0f Hz, %u wires with %u contact points", (unsigned)info.mode_count,
@@ -111,8 +103,7 @@ static void note_details(const Session *session, const TaborStatistics *statisti
        ledger->radiated, ledger->removed, ledger->residual);
 }
 
-Outcome render_report(const Session *session)
-{
+Outcome render_report(const Session *session) {
   TaborStatistics statistics;
   TaborLedger ledger;
   tabor_drum_statistics(session->drum, &statistics);

@@ -12,7 +12,8 @@
 #define DEFAULT_ENCODING "pcm24"
 
 const Option render_options[] = {
-  {"output", 'o', "FILE", "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT ")"},
+  {"output", 'o', "FILE",
+   "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT ")"},
   {"no-overwrite", 'n', NULL, "fail if the output exists"},
   {"format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
   OPTION_RATE,
@@ -26,8 +27,7 @@ const Option render_options[] = {
   {0},
 };
 
-static Outcome read_gain(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--gain", -120, 120, false};
   const char *const text = arguments_value(arguments, "gain");
   const Outcome outcome = text ? number_read(&field, text, &request->gain_db) : OUTCOME_OK;
@@ -35,8 +35,7 @@ static Outcome read_gain(const Arguments *arguments, RenderRequest *request)
   return outcome;
 }
 
-static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_duration(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--duration", 0.01, 3600, false};
   const char *const text = arguments_value(arguments, "duration");
   if (!text) return OUTCOME_OK;
@@ -50,14 +49,12 @@ static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
                 last / request->model.sample_rate);
 }
 
-static const char *mic_name_at(const void *def, size_t index)
-{
+static const char *mic_name_at(const void *def, size_t index) {
   const TaborDrumDef *const drum = def;
   return index < drum->mic_count ? drum->mic[index].name : NULL;
 }
 
-static Outcome add_mic(RenderRequest *request, const char *name)
-{
+static Outcome add_mic(RenderRequest *request, const char *name) {
   const int mic = tabor_drum_def_find_mic(&request->def, name);
   char hint[96];
   suggest_hint(hint, sizeof hint, name, "", mic_name_at, &request->def);
@@ -69,8 +66,7 @@ static Outcome add_mic(RenderRequest *request, const char *name)
   return OUTCOME_OK;
 }
 
-static Outcome read_mics(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_mics(const Arguments *arguments, RenderRequest *request) {
   const char *name;
   size_t position = 0;
   while ((name = arguments_next(arguments, "mic", &position)) != NULL) {
@@ -83,9 +79,8 @@ static Outcome read_mics(const Arguments *arguments, RenderRequest *request)
   return OUTCOME_OK;
 }
 
-/* The extension decides; what is no regular file, as /dev/full, may do without and gets a stream. */
-static Outcome choose_container(RenderRequest *request)
-{
+/* The extension decides; what is no regular file, as /dev/full, may do without and gets AU. */
+static Outcome choose_container(RenderRequest *request) {
   const OutputFile *const output = &request->output;
   if (audio_container(output->name, &request->audio.container)) return OUTCOME_OK;
   request->audio.container = AUDIO_AU;
@@ -93,8 +88,7 @@ static Outcome choose_container(RenderRequest *request)
   return refuse("-o '%s': the name must end in .wav, .flac or .au", output->name);
 }
 
-static Outcome plan_output(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome plan_output(const Arguments *arguments, RenderRequest *request) {
   const char *const name = arguments_value(arguments, "output");
   if (name && !*name) return refuse("-o needs the name of a file");
   Outcome outcome = output_plan(&request->output, name ? name : DEFAULT_OUTPUT,
@@ -107,8 +101,7 @@ static Outcome plan_output(const Arguments *arguments, RenderRequest *request)
   return OUTCOME_OK;
 }
 
-static Outcome plan_trace(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome plan_trace(const Arguments *arguments, RenderRequest *request) {
   const char *const name = arguments_value(arguments, "trace");
   if (!name) return OUTCOME_OK;
   if (!*name || strcmp(name, "-") == 0) return refuse("--trace needs the name of a file");
@@ -122,8 +115,7 @@ static Outcome plan_trace(const Arguments *arguments, RenderRequest *request)
   return OUTCOME_OK;
 }
 
-static Outcome protect_preset(const RenderRequest *request)
-{
+static Outcome protect_preset(const RenderRequest *request) {
   const char *const preset = request->preset;
   if (!preset_is_file(preset)) return OUTCOME_OK;
   if (output_overwrites(&request->output, preset) ||
@@ -133,14 +125,12 @@ static Outcome protect_preset(const RenderRequest *request)
   return OUTCOME_OK;
 }
 
-static Outcome read_encoding(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_encoding(const Arguments *arguments, RenderRequest *request) {
   const char *const name = arguments_value(arguments, "format");
   return audio_encoding(name ? name : DEFAULT_ENCODING, &request->audio.encoding);
 }
 
-static Outcome read_drum(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
   request->preset = preset_argument(arguments);
   request->json = arguments_has(arguments, "json");
   request->quiet = arguments_has(arguments, "quiet");
@@ -148,35 +138,30 @@ static Outcome read_drum(const Arguments *arguments, RenderRequest *request)
   return drum_load(arguments, &request->def);
 }
 
-static Outcome read_model(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
   const Outcome outcome = model_options_read(arguments, &request->model);
   request->audio.rate = (uint32_t)request->model.sample_rate;
   return outcome;
 }
 
-static Outcome read_strokes(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) {
   return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
 }
 
-static Outcome check_format(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome check_format(const Arguments *arguments, RenderRequest *request) {
   (void)arguments;
   return audio_format_check(&request->audio);
 }
 
-static Outcome check_preset(const Arguments *arguments, RenderRequest *request)
-{
+static Outcome check_preset(const Arguments *arguments, RenderRequest *request) {
   (void)arguments;
   return protect_preset(request);
 }
 
-Outcome render_request_read(const Arguments *arguments, RenderRequest *request)
-{
+Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
   static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
-    read_encoding, read_gain,   read_drum,    read_model,   read_strokes, read_duration,
+    read_encoding, read_gain,   read_drum,    read_model, read_strokes, read_duration,
     read_mics,     plan_output, check_format, plan_trace, check_preset,
   };
   memset(request, 0, sizeof *request);
@@ -188,8 +173,7 @@ Outcome render_request_read(const Arguments *arguments, RenderRequest *request)
   return outcome;
 }
 
-void render_request_free(RenderRequest *request)
-{
+void render_request_free(RenderRequest *request) {
   output_discard(&request->output);
   output_discard(&request->trace);
   strokes_free(&request->strokes);

@@ -23,8 +23,8 @@ typedef struct RenderRequest {
   double gain;                  /**< factor */
   double gain_db;               /**< the same [dB] */
   bool json, quiet, verbose;
-  OutputFile output;            /**< planned */
-  OutputFile trace;             /**< planned, if has_trace */
+  OutputFile output; /**< planned */
+  OutputFile trace;  /**< planned, if has_trace */
   bool has_trace;
 } RenderRequest;
 

@@ -7,16 +7,14 @@
 #define MOST_TIME 20.0   /* [s] */
 #define ENERGY_FALL 1e-9 /* 90 dB */
 
-RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate)
-{
+RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate) {
   if (frames > 0) return (RingOut){.last_event = last_event, .least = frames, .most = frames};
   return (RingOut){.last_event = last_event,
                    .least = last_event + (uint32_t)ceil(LEAST_TIME * rate),
                    .most = last_event + (uint32_t)ceil(MOST_TIME * rate)};
 }
 
-bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum)
-{
+bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum) {
   if (position >= ring_out->most) return true;
   if (position <= ring_out->last_event) return false;
   TaborLedger ledger;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ring_out.h
- * When a rendering without --duration ends: once the stored energy has fallen 90 dB below its largest
- * value since the last stroke, but between 0.5 and 20 s after it.
+ * When a rendering without --duration ends: once the stored energy has fallen 90 dB below its
+ * largest value since the last stroke, but between 0.5 and 20 s after it.
  */
 #ifndef TABOR_HOST_RING_OUT_H
 #define TABOR_HOST_RING_OUT_H
 
 #include <tabor/tabor.h>
 
-/** Frames from one look at the energy to the next, fixed so that the length depends on nothing else. */
+/** Frames from one look at the energy to the next; fixed, as the length depends on it. */
 #define RING_OUT_BLOCK 256
 
 typedef struct RingOut {

@@ -4,8 +4,7 @@
 #include <math.h>
 #include <time.h>
 
-static Outcome create_drum(Session *session)
-{
+static Outcome create_drum(Session *session) {
   const RenderRequest *const request = session->request;
   TaborModel *model = NULL;
   TaborError error;
@@ -17,8 +16,7 @@ static Outcome create_drum(Session *session)
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
 }
 
-Outcome session_open(Session *session, RenderRequest *request)
-{
+Outcome session_open(Session *session, RenderRequest *request) {
   session->request = request;
   session->drum = NULL;
   session->next_event = 0;
@@ -32,16 +30,14 @@ Outcome session_open(Session *session, RenderRequest *request)
   return create_drum(session);
 }
 
-static double processor_time(void)
-{
+static double processor_time(void) {
   struct timespec now = {0};
   (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 /* Plays frames from session->position on to outputs. */
-static void process(Session *session, float *const *outputs, uint32_t frames)
-{
+static void process(Session *session, float *const *outputs, uint32_t frames) {
   const Strokes *const strokes = &session->request->strokes;
   TaborEvent *const events = strokes->events + session->next_event;
   uint32_t count = 0;
@@ -56,8 +52,7 @@ static void process(Session *session, float *const *outputs, uint32_t frames)
   session->position += frames;
 }
 
-static void interleave(Session *session, uint32_t frames)
-{
+static void interleave(Session *session, uint32_t frames) {
   const RenderRequest *const request = session->request;
   const uint32_t channels = request->audio.channels;
   for (uint32_t channel = 0; channel < channels; channel++) {
@@ -70,14 +65,12 @@ static void interleave(Session *session, uint32_t frames)
   }
 }
 
-void session_play(Session *session, uint32_t frames)
-{
+void session_play(Session *session, uint32_t frames) {
   process(session, session->outputs, frames);
   interleave(session, frames);
 }
 
-Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace)
-{
+Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace) {
   const double rate = session->request->model.sample_rate;
   Outcome outcome = OUTCOME_OK;
   for (uint32_t frame = 0; outcome == OUTCOME_OK && frame < frames; frame++) {
@@ -92,8 +85,7 @@ Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace)
   return outcome;
 }
 
-void session_free(Session *session)
-{
+void session_free(Session *session) {
   tabor_drum_destroy(session->drum);
   session->drum = NULL;
 }

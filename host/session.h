@@ -15,9 +15,9 @@ typedef struct Session {
   RenderRequest *request;
   TaborDrum *drum;
   size_t next_event;
-  uint32_t position;    /**< frames played */
-  double peak;          /**< largest sample in size */
-  double computing;     /**< processor time that the drum took [s] */
+  uint32_t position;              /**< frames played */
+  double peak;                    /**< largest sample in size */
+  double computing;               /**< processor time that the drum took [s] */
   float *outputs[TABOR_MAX_MICS]; /**< into planar; NULL for microphones that nobody hears */
   float planar[TABOR_MAX_MICS][SESSION_BLOCK];
   double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */

@@ -21,8 +21,7 @@ typedef struct Entry {
 } Entry;
 
 /* Reads entry @p index; false past the last, and on an error, which goes to *outcome. */
-static bool entry_read(const TaborDrumDef *def, uint32_t index, Entry *entry, Outcome *outcome)
-{
+static bool entry_read(const TaborDrumDef *def, uint32_t index, Entry *entry, Outcome *outcome) {
   TaborError error;
   if (!tabor_drum_def_key(def, index, entry->key, sizeof entry->key)) return false;
   entry->parameter = tabor_parameter_find(entry->key);
@@ -35,15 +34,13 @@ static bool entry_read(const TaborDrumDef *def, uint32_t index, Entry *entry, Ou
 
 /* ---- as a preset file ---- */
 
-static size_t section_length(const char *key)
-{
+static size_t section_length(const char *key) {
   const char *const dot = strrchr(key, '.');
   return dot ? (size_t)(dot - key) : 0;
 }
 
 /* A preset file has no way to quote, so a text that it would read differently cannot be written. */
-static bool survives_preset(const char *line, const char *value)
-{
+static bool survives_preset(const char *line, const char *value) {
   const size_t length = strlen(value);
   if (length == 0) return true;
   for (const char *byte = value; *byte; byte++) {
@@ -53,27 +50,23 @@ static bool survives_preset(const char *line, const char *value)
          value[length - 1] != ' ' && !strstr(value, " ;");
 }
 
-static void print_section(const Entry *entry, const char *previous)
-{
+static void print_section(const Entry *entry, const char *previous) {
   const size_t length = section_length(entry->key);
   if (length == section_length(previous) && memcmp(entry->key, previous, length) == 0) return;
   printf("\n[%.*s]\n", (int)length, entry->key);
 }
 
-static void write_comment(const TaborParameter *parameter, char *comment, size_t size)
-{
+static void write_comment(const TaborParameter *parameter, char *comment, size_t size) {
   const bool has_unit = parameter->unit[0] != '\0';
   (void)snprintf(comment, size, "; %s%s%s%s", has_unit ? "[" : "", parameter->unit,
                  has_unit ? "] " : "", parameter->text);
 }
 
-static void write_line(const Entry *entry, char *line, size_t size)
-{
+static void write_line(const Entry *entry, char *line, size_t size) {
   (void)snprintf(line, size, "%s = %s", entry->key + section_length(entry->key) + 1, entry->value);
 }
 
-static void print_entry(const Entry *entry)
-{
+static void print_entry(const Entry *entry) {
   char line[LONGEST_KEY + TABOR_TEXT_SIZE], comment[512];
   write_line(entry, line, sizeof line);
   write_comment(entry->parameter, comment, sizeof comment);
@@ -84,16 +77,14 @@ static void print_entry(const Entry *entry)
   }
 }
 
-static Outcome check_entry(const Entry *entry)
-{
+static Outcome check_entry(const Entry *entry) {
   char line[LONGEST_KEY + TABOR_TEXT_SIZE];
   write_line(entry, line, sizeof line);
   if (survives_preset(line, entry->value)) return OUTCOME_OK;
   return refuse("%s: a preset file cannot hold this text: '%.80s'", entry->key, entry->value);
 }
 
-static Outcome check_preset(const TaborDrumDef *def)
-{
+static Outcome check_preset(const TaborDrumDef *def) {
   Entry entry;
   Outcome outcome = OUTCOME_OK;
   for (uint32_t i = 0; outcome == OUTCOME_OK && entry_read(def, i, &entry, &outcome); i++) {
@@ -102,8 +93,7 @@ static Outcome check_preset(const TaborDrumDef *def)
   return outcome;
 }
 
-static Outcome print_preset(const TaborDrumDef *def)
-{
+static Outcome print_preset(const TaborDrumDef *def) {
   Entry entry;
   char previous[LONGEST_KEY] = "";
   Outcome outcome = check_preset(def);
@@ -119,15 +109,13 @@ static Outcome print_preset(const TaborDrumDef *def)
 
 /* ---- as JSON ---- */
 
-static json_t *value_json(const Entry *entry)
-{
+static json_t *value_json(const Entry *entry) {
   const TaborParameterType type = entry->parameter->type;
   if (type != TABOR_TYPE_NUMBER && type != TABOR_TYPE_WHOLE) return json_text(entry->value);
   return json_loads(entry->value, JSON_DECODE_ANY | JSON_DECODE_INT_AS_REAL, NULL);
 }
 
-static json_t *entry_json(const Entry *entry)
-{
+static json_t *entry_json(const Entry *entry) {
   const TaborParameter *const parameter = entry->parameter;
   return json_pack("{s:s, s:o, s:s, s:o, s:o, s:b, s:s}", "key", entry->key, "value",
                    value_json(entry), "unit", parameter->unit, "minimum",
@@ -135,8 +123,7 @@ static json_t *entry_json(const Entry *entry)
                    "live", (int)parameter->live, "text", parameter->text);
 }
 
-static Outcome print_json(const TaborDrumDef *def)
-{
+static Outcome print_json(const TaborDrumDef *def) {
   json_t *const list = json_array();
   Entry entry;
   Outcome outcome = OUTCOME_OK;
@@ -152,8 +139,7 @@ static Outcome print_json(const TaborDrumDef *def)
   return outcome;
 }
 
-static Outcome run(const Arguments *arguments)
-{
+static Outcome run(const Arguments *arguments) {
   TaborDrumDef def;
   const Outcome outcome = drum_load(arguments, &def);
   if (outcome != OUTCOME_OK) return outcome;

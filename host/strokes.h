@@ -11,7 +11,7 @@
 #define MOST_STROKES 10000
 
 #define OPTION_STRIKE                                                                              \
-  {"strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)"}
+  { "strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)" }
 
 /** Strike events in order of time; event.frame counts from the beginning of the sound. */
 typedef struct Strokes {

@@ -10,8 +10,7 @@
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
 /* Optimal string alignment distance, row by row; words longer than LONGEST_WORD are far. */
-static size_t edit_distance(const char *a, const char *b)
-{
+static size_t edit_distance(const char *a, const char *b) {
   const size_t columns = strlen(b);
   if (strlen(a) > LONGEST_WORD || columns > LONGEST_WORD) return LONGEST_WORD;
   size_t rows[3][LONGEST_WORD + 1]; /* of i - 2, i - 1 and i characters of a */
@@ -35,14 +34,12 @@ static size_t edit_distance(const char *a, const char *b)
 }
 
 /* An abbreviation counts as one change. */
-static size_t distance_to(const char *word, size_t length, const char *name)
-{
+static size_t distance_to(const char *word, size_t length, const char *name) {
   const bool abbreviates = length >= 2 && strncmp(word, name, length) == 0;
   return abbreviates ? strlen(name) != length : edit_distance(word, name);
 }
 
-const char *suggest(const char *word, NameAt *name_at, const void *list)
-{
+const char *suggest(const char *word, NameAt *name_at, const void *list) {
   const size_t length = strlen(word);
   const char *nearest = NULL;
   size_t best = length < 3 ? length : length / 3 + 1; /* only nearer ones count */
@@ -58,8 +55,7 @@ const char *suggest(const char *word, NameAt *name_at, const void *list)
 }
 
 const char *suggest_hint(char *hint, size_t size, const char *word, const char *prefix,
-                         NameAt *name_at, const void *list)
-{
+                         NameAt *name_at, const void *list) {
   const char *const nearest = suggest(word, name_at, list);
   if (nearest) {
     (void)snprintf(hint, size, "; did you mean '%s%s'?", prefix, nearest);

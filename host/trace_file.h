@@ -16,7 +16,7 @@ typedef struct TraceFile {
   uint64_t written; /**< bytes before it */
 } TraceFile;
 
-/** Starts the file with the names of its columns. Free with trace_file_free(), whatever the outcome. */
+/** Starts the file with its columns' names. Free with trace_file_free(), whatever the outcome. */
 Outcome trace_file_open(TraceFile *trace, OutputFile *output);
 /** Adds the state of @p drum, which is that of time @p time [s]. */
 Outcome trace_file_row(TraceFile *trace, double time, const TaborDrum *drum);

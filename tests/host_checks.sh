@@ -54,8 +54,8 @@ run() {
   status=$?
 }
 
-# expect_error STATUS PATTERN: the last run ended so, with one line that matches on standard error and
-# nothing on standard output.
+# expect_error STATUS PATTERN: the last run ended so, with one line that matches on standard error
+# and nothing on standard output.
 expect_error() {
   checks=$((checks + 1))
   if [ "$status" != "$1" ] || [ "$(wc -l <"$err")" != 1 ] || [ -s "$out" ] ||
@@ -64,8 +64,8 @@ expect_error() {
   fi
 }
 
-# refused PATTERN ARGUMENT..., failed PATTERN ARGUMENT...: the program ends with status 2, 1, says so in
-# one line that matches, prints nothing, and leaves the folder as it was.
+# refused PATTERN ARGUMENT..., failed PATTERN ARGUMENT...: the program ends with status 2, 1, says
+# so in one line that matches, prints nothing, and leaves the folder as it was.
 refused() { rejected 2 "$@"; }
 failed() { rejected 1 "$@"; }
 rejected() {

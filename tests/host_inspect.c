@@ -3,8 +3,8 @@
  * @file host_inspect.c
  * What the scripts need to see in JSON and in sound files, one answer a call:
  *
- *     host_inspect json PATH        the value at a path such as modes.0.frequency, from standard input;
- *                                   'keys' and 'size' at the end of a path ask for just these
+ *     host_inspect json PATH        the value at a path such as modes.0.frequency, from standard
+ *                                   input; 'keys' and 'size' at its end ask for just these
  *     host_inspect sound FILE       container encoding rate channels frames
  *     host_inspect peak FILE        largest sample in size
  *     host_inspect first FILE       number of the first frame that is not zero
@@ -20,19 +20,17 @@
 
 /* ---- JSON ---- */
 
-static void print_keys(json_t *object)
-{
+static void print_keys(json_t *object) {
   const char *key, *separator = "";
   json_t *value;
-  json_object_foreach (object, key, value) {
+  json_object_foreach(object, key, value) {
     printf("%s%s", separator, key);
     separator = " ";
   }
   printf("\n");
 }
 
-static int print_value(const json_t *value)
-{
+static int print_value(const json_t *value) {
   if (!value) return 1;
   if (json_is_string(value)) return puts(json_string_value(value)) < 0;
   char *const text = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(17));
@@ -42,8 +40,7 @@ static int print_value(const json_t *value)
   return 0;
 }
 
-static int inspect_json(char *path)
-{
+static int inspect_json(char *path) {
   json_error_t error;
   json_t *const root = json_loadf(stdin, JSON_REJECT_DUPLICATES, &error);
   json_t *value = root;
@@ -74,8 +71,7 @@ typedef struct Sound {
   sf_count_t count;
 } Sound;
 
-static bool sound_read(const char *path, Sound *sound)
-{
+static bool sound_read(const char *path, Sound *sound) {
   sound->info = (SF_INFO){0};
   SNDFILE *const stream = sf_open(path, SFM_READ, &sound->info);
   if (!stream) {
@@ -90,8 +86,7 @@ static bool sound_read(const char *path, Sound *sound)
   return complete;
 }
 
-static const char *container_name(int format)
-{
+static const char *container_name(int format) {
   switch (format & SF_FORMAT_TYPEMASK) {
   case SF_FORMAT_WAV: return "wav";
   case SF_FORMAT_FLAC: return "flac";
@@ -100,8 +95,7 @@ static const char *container_name(int format)
   }
 }
 
-static const char *encoding_name(int format)
-{
+static const char *encoding_name(int format) {
   switch (format & SF_FORMAT_SUBMASK) {
   case SF_FORMAT_PCM_16: return "pcm16";
   case SF_FORMAT_PCM_24: return "pcm24";
@@ -110,22 +104,19 @@ static const char *encoding_name(int format)
   }
 }
 
-static double peak(const Sound *sound)
-{
+static double peak(const Sound *sound) {
   double largest = 0;
   for (sf_count_t i = 0; i < sound->count; i++) largest = fmax(largest, fabs(sound->samples[i]));
   return largest;
 }
 
-static long long first_frame(const Sound *sound)
-{
+static long long first_frame(const Sound *sound) {
   sf_count_t i = 0;
   while (i < sound->count && sound->samples[i] == 0) i++;
   return (long long)(i / sound->info.channels);
 }
 
-static bool equal(const Sound *a, const char *path)
-{
+static bool equal(const Sound *a, const char *path) {
   Sound b = {0};
   const bool same = sound_read(path, &b) && a->count == b.count &&
                     a->info.channels == b.info.channels &&
@@ -134,8 +125,7 @@ static bool equal(const Sound *a, const char *path)
   return same;
 }
 
-static int inspect_sound(const char *what, const Sound *sound, const char *other)
-{
+static int inspect_sound(const char *what, const Sound *sound, const char *other) {
   const int format = sound->info.format;
   if (strcmp(what, "sound") == 0) {
     printf("%s %s %d %d %lld\n", container_name(format), encoding_name(format),
@@ -150,8 +140,7 @@ static int inspect_sound(const char *what, const Sound *sound, const char *other
   return 0;
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   if (argc < 3) return 2;
   if (strcmp(argv[1], "json") == 0) return inspect_json(argv[2]);
   Sound sound = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameter table, setting and getting, and the validation of definitions from anywhere. */
+#define _GNU_SOURCE /* mkdtemp, setenv */
 #include "definition.h"
 #include "error.h"
 #include "key.h"
@@ -29,7 +30,9 @@ static uint32_t random_whole(Random *random) {
   return (uint32_t)(random->state >> 32);
 }
 
-static uint32_t random_below(Random *random, uint32_t limit) { return random_whole(random) % limit; }
+static uint32_t random_below(Random *random, uint32_t limit) {
+  return random_whole(random) % limit;
+}
 
 static double random_bits(Random *random) {
   const uint64_t bits = (uint64_t)random_whole(random) << 32 | random_whole(random);
@@ -71,7 +74,8 @@ static void refuse_def(const TaborDrumDef *def, TaborStatus status, const char *
   TaborError error;
   const TaborStatus got = tabor_drum_def_validate(def, &error);
   if (got != status || strcmp(error.key, key) != 0 || !strstr(error.message, part)) {
-    fail_msg("status %d, not %d; key '%s', not '%s': %s", got, status, error.key, key, error.message);
+    fail_msg("status %d, not %d; key '%s', not '%s': %s", got, status, error.key, key,
+             error.message);
   }
   assert_tidy(&error, status);
   assert_int_equal(tabor_drum_def_validate(def, NULL), status);
@@ -133,9 +137,12 @@ static void test_table(void **state) {
 /* Saved automation holds on to these numbers. */
 static void test_live_keys(void **state) {
   (void)state;
-  static const struct { const char *key; uint32_t id; } live[] = {
-    {"wires.tension", 508},   {"wires.damping_0", 512},   {"wires.damping_1", 513},
-    {"wires.strainer", 514},  {"wires.rest_offset", 516}, {"mic.top.gain", 1103},
+  static const struct {
+    const char *key;
+    uint32_t id;
+  } live[] = {
+    {"wires.tension", 508},      {"wires.damping_0", 512},   {"wires.damping_1", 513},
+    {"wires.strainer", 514},     {"wires.rest_offset", 516}, {"mic.top.gain", 1103},
     {"output.full_scale", 1400},
   };
   uint32_t count = 0;
@@ -154,11 +161,34 @@ static void test_parameter_find(void **state) {
   assert_string_equal(tabor_parameter_find("wire.40.offset")->key, "offset");
   assert_string_equal(tabor_parameter_find("striker.my-stick_2.mass")->section, "striker.");
   static const char *const unknown[] = {
-    "", ".", "..", "batter", "batter.", ".tension", "batter.tension.", "batter.x.tension", "mic.gain",
-    "mic..gain", "mic.top.", "mic.a.b.gain", "mic.a b.gain", "wire.0.tension", "wire.41.tension",
-    "wire.01.tension", "wire.x.tension", "wire.4294967297.tension", "wires.1.tension",
-    "resonant.tension", "hoop.mass", "hand.grip", "batter.muffle_radius", "shell.depth",
-    "quality.bandwidth", "striker.brush.bristles", "Batter.tension", " batter.tension",
+    "",
+    ".",
+    "..",
+    "batter",
+    "batter.",
+    ".tension",
+    "batter.tension.",
+    "batter.x.tension",
+    "mic.gain",
+    "mic..gain",
+    "mic.top.",
+    "mic.a.b.gain",
+    "mic.a b.gain",
+    "wire.0.tension",
+    "wire.41.tension",
+    "wire.01.tension",
+    "wire.x.tension",
+    "wire.4294967297.tension",
+    "wires.1.tension",
+    "resonant.tension",
+    "hoop.mass",
+    "hand.grip",
+    "batter.muffle_radius",
+    "shell.depth",
+    "quality.bandwidth",
+    "striker.brush.bristles",
+    "Batter.tension",
+    " batter.tension",
   };
   for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
     if (tabor_parameter_find(unknown[i])) fail_msg("'%s' is a key", unknown[i]);
@@ -169,8 +199,10 @@ static void test_parameter_find(void **state) {
 /* Every field of the structs that a key could name has one: what is no key's is counted here. */
 static bool count_bytes(void *context, const TbParam *param, uint32_t element) {
   unsigned char *const owned = context;
-  const size_t sizes[] = {[TABOR_TYPE_NUMBER] = sizeof(double), [TABOR_TYPE_WHOLE] = sizeof(uint32_t),
-                          [TABOR_TYPE_CHOICE] = sizeof(uint32_t), [TABOR_TYPE_TEXT] = param->size};
+  const size_t sizes[] = {[TABOR_TYPE_NUMBER] = sizeof(double),
+                          [TABOR_TYPE_WHOLE] = sizeof(uint32_t),
+                          [TABOR_TYPE_CHOICE] = sizeof(uint32_t),
+                          [TABOR_TYPE_TEXT] = param->size};
   const size_t start = param->offset + element * param->stride;
   for (size_t i = start; i < start + sizes[param->info.type]; i++) {
     assert_true(i < sizeof(TaborDrumDef));
@@ -193,7 +225,8 @@ static void test_table_covers_the_struct(void **state) {
   for (size_t i = 0; i < sizeof owned; i++) bytes += owned[i];
   const size_t names = (TABOR_MAX_STRIKERS + TABOR_MAX_MICS) * TABOR_NAME_SIZE;
   const size_t counts = 3 * sizeof(uint32_t); /* struct_size, striker_count, mic_count */
-  const size_t paddings = 4 + TABOR_MAX_STRIKERS; /* at most one word after a lone uint32_t */
+  const size_t paddings =
+    8 + TABOR_MAX_STRIKERS; /* a word after each odd run of uint32_t, at most */
   assert_in_range(bytes, sizeof def - names - counts - 4 * paddings, sizeof def - names - counts);
 }
 
@@ -252,10 +285,16 @@ static void other_value(Random *random, const TbParam *param, char text[TABOR_TE
     break;
   }
   case TABOR_TYPE_WHOLE:
-    snprintf(text, TABOR_TEXT_SIZE, "%.0f", floor(param->least + fraction * (row->maximum - param->least)));
+    snprintf(text, TABOR_TEXT_SIZE, "%.0f",
+             floor(param->least + fraction * (row->maximum - param->least)));
     break;
-  case TABOR_TYPE_CHOICE: snprintf(text, TABOR_TEXT_SIZE, "%s", strrchr(row->choices, '|') ? strrchr(row->choices, '|') + 1 : row->choices); break;
-  case TABOR_TYPE_TEXT: snprintf(text, TABOR_TEXT_SIZE, "%s", param->identifier ? "stick" : "h\xC3\xA9 = ; [x] \"'\\"); break;
+  case TABOR_TYPE_CHOICE:
+    snprintf(text, TABOR_TEXT_SIZE, "%s",
+             strrchr(row->choices, '|') ? strrchr(row->choices, '|') + 1 : row->choices);
+    break;
+  case TABOR_TYPE_TEXT:
+    snprintf(text, TABOR_TEXT_SIZE, "%s", param->identifier ? "stick" : "h\xC3\xA9 = ; [x] \"'\\");
+    break;
   }
 }
 
@@ -305,7 +344,8 @@ static void test_keys_in_order(void **state) {
     strcat(strcat(all, key), " ");
   }
   assert_true(same_bits(&def, &copy, sizeof def));
-  assert_non_null(strstr(all, "wires.contact_loss wire.3.tension striker.stick.kind striker.stick.mass"));
+  assert_non_null(
+    strstr(all, "wires.contact_loss wire.3.tension striker.stick.kind striker.stick.mass"));
   assert_non_null(strstr(all, "mic.top.gain mic.far.radius"));
   assert_null(strstr(all, "wire.1."));
   assert_false(tabor_drum_def_key(&def, index, key, sizeof key));
@@ -319,9 +359,14 @@ static void test_set_values(void **state) {
   (void)state;
   TaborDrumDef def;
   tabor_drum_def_default(&def);
-  static const struct { const char *text; double value; } numbers[] = {
-    {"3000", 3000}, {"3e3", 3000}, {"3.E+3", 3000}, {"+3000.0", 3000}, {"0003000", 3000},
-    {"20000", 20000}, {"100", 100}, {"1234.5678901234567890123456789", 1234.567890123456789},
+  static const struct {
+    const char *text;
+    double value;
+  } numbers[] = {
+    {"3000", 3000},    {"3e3", 3000},
+    {"3.E+3", 3000},   {"+3000.0", 3000},
+    {"0003000", 3000}, {"20000", 20000},
+    {"100", 100},      {"1234.5678901234567890123456789", 1234.567890123456789},
   };
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     must_set(&def, "batter.tension", numbers[i].text);
@@ -353,20 +398,25 @@ static void test_set_values(void **state) {
 static void test_set_refusals(void **state) {
   (void)state;
   static const char *const no_numbers[] = {
-    "", " ", "x", " 1000", "1000 ", "1000 N/m", "1,000", "1000,5", "0x3E8", "1e", "1e+", "e3", ".", "-",
-    "+", "--1", "+-1", "1.2.3", "1e3.5", "nan", "NAN", "nan(1)", "inf", "-inf", "infinity", "1000\n",
-    "10\xC2\xA0", "\xD9\xA1\xD9\xA2", "\xFF\xFE", "1000f", "1_000", "0b1", "1000;",
+    "",         " ",     "x",     " 1000",    "1000 ",  "1000 N/m",   "1,000",
+    "1000,5",   "0x3E8", "1e",    "1e+",      "e3",     ".",          "-",
+    "+",        "--1",   "+-1",   "1.2.3",    "1e3.5",  "nan",        "NAN",
+    "nan(1)",   "inf",   "-inf",  "infinity", "1000\n", "10\xC2\xA0", "\xD9\xA1\xD9\xA2",
+    "\xFF\xFE", "1000f", "1_000", "0b1",      "1000;",
   };
   for (size_t i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; i++) {
     refuse_set("batter.tension", no_numbers[i], TABOR_ERROR_VALUE, "is not a number");
   }
-  static const char *const outside[] = {"0", "-3000", "99.999", "20000.001", "1e308", "1e309", "-1e999"};
+  static const char *const outside[] = {"0",     "-3000", "99.999", "20000.001",
+                                        "1e308", "1e309", "-1e999"};
   for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
     refuse_set("batter.tension", outside[i], TABOR_ERROR_RANGE, "is outside 100 to 20000 N/m");
   }
-  static const char *const no_wholes[] = {"", " 1", "1 ", "+1", "-1", "1.0", "1e1", "0x1", "one", "-0"};
+  static const char *const no_wholes[] = {"",    " 1",  "1 ",  "+1",  "-1",
+                                          "1.0", "1e1", "0x1", "one", "-0"};
   for (size_t i = 0; i < sizeof no_wholes / sizeof no_wholes[0]; i++) {
-    refuse_set("wires.count", no_wholes[i], TABOR_ERROR_VALUE, "is not a whole number from 0 to 40");
+    refuse_set("wires.count", no_wholes[i], TABOR_ERROR_VALUE,
+               "is not a whole number from 0 to 40");
   }
   refuse_set("wires.count", "41", TABOR_ERROR_RANGE, "wires.count = 41 is outside 0 to 40");
   refuse_set("wires.seed", "4294967296", TABOR_ERROR_RANGE, "outside 0 to 4294967295");
@@ -397,8 +447,23 @@ static void test_set_texts(void **state) {
   must_set(&def, "drum.name", text);
   assert_string_equal(def.name, text);
   static const char *const broken[] = {
-    "a\nb", "a\tb", "a\rb", "\x01", "\x1b[31m", "\x7f", "\xC2\x9B", "\xC3", "\xC3(", "\xA9", "\xFF",
-    "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\xE2\x82",
+    "a\nb",
+    "a\tb",
+    "a\rb",
+    "\x01",
+    "\x1b[31m",
+    "\x7f",
+    "\xC2\x9B",
+    "\xC3",
+    "\xC3(",
+    "\xA9",
+    "\xFF",
+    "\xC0\xAF",
+    "\xE0\x80\xAF",
+    "\xED\xA0\x80",
+    "\xF0\x80\x80\x80",
+    "\xF4\x90\x80\x80",
+    "\xE2\x82",
     "\xF5\x80\x80\x80",
   };
   for (size_t i = 0; i < sizeof broken / sizeof broken[0]; i++) {
@@ -411,23 +476,23 @@ static void test_set_texts(void **state) {
 
 static void test_unknown_keys(void **state) {
   (void)state;
-  static const struct { const char *key, *nearest; } keys[] = {
+  static const struct {
+    const char *key, *nearest;
+  } keys[] = {
     {"batter.tensoin", "'batter.tension'"},
     {"bater.tension", "'batter.tension'"},
     {"tension", "'batter.tension'"},
     {"strainer", "'wires.strainer'"},
-    {"wires.mass", "'wires.side'"},
     {"wire.2.tensio", "'wire.2.tension'"},
     {"mic.top.gian", "'mic.top.gain'"},
     {"mic.bottom.hight", "'mic.bottom.height'"},
     {"micro.top.gain", "'mic.top.gain'"},
     {"striker.stick.mas", "'striker.stick.mass'"},
-    {"resonant.tension", "'batter.tension'"},
+    {"batter.strainer", "'wires.strainer'"},
     {"", "did you mean '"},
     {"\x1b[2J\n", "did you mean '"},
   };
   for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-    if (i == 4) continue; /* any of several is as near */
     refuse_set(keys[i].key, "1", TABOR_ERROR_KEY, keys[i].nearest);
   }
   char longest[1000];
@@ -477,13 +542,15 @@ static void test_arguments(void **state) {
   assert_int_equal(tabor_drum_def_set(&def, NULL, "1", &error), TABOR_ERROR_ARGUMENT);
   assert_int_equal(tabor_drum_def_set(&def, "batter.tension", NULL, &error), TABOR_ERROR_ARGUMENT);
   assert_tidy(&error, TABOR_ERROR_ARGUMENT);
-  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", NULL, 9, &error), TABOR_ERROR_ARGUMENT);
+  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", NULL, 9, &error),
+                   TABOR_ERROR_ARGUMENT);
   assert_int_equal(tabor_drum_def_validate(NULL, &error), TABOR_ERROR_ARGUMENT);
   static const uint32_t sizes[] = {0, 1, sizeof def - 1, sizeof def + 1, UINT32_MAX};
   for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
     def.struct_size = sizes[i];
     refuse_def(&def, TABOR_ERROR_ARGUMENT, "", "struct_size");
-    assert_int_equal(tabor_drum_def_set(&def, "batter.tension", "3000", &error), TABOR_ERROR_ARGUMENT);
+    assert_int_equal(tabor_drum_def_set(&def, "batter.tension", "3000", &error),
+                     TABOR_ERROR_ARGUMENT);
     assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, sizeof text, &error),
                      TABOR_ERROR_ARGUMENT);
   }
@@ -495,18 +562,23 @@ static void test_get_refusals(void **state) {
   TaborError error;
   char text[TABOR_TEXT_SIZE] = "old";
   tabor_drum_def_default(&def);
-  assert_int_equal(tabor_drum_def_get(&def, "mic.tip.gain", text, sizeof text, &error), TABOR_ERROR_NAME);
+  assert_int_equal(tabor_drum_def_get(&def, "mic.tip.gain", text, sizeof text, &error),
+                   TABOR_ERROR_NAME);
   assert_string_equal(error.message,
                       "mic.tip.gain: the drum has no microphone 'tip'; did you mean 'top'?");
   assert_string_equal(text, "");
-  assert_int_equal(tabor_drum_def_get(&def, "shell.radis", text, sizeof text, &error), TABOR_ERROR_KEY);
-  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 4, &error), TABOR_ERROR_ARGUMENT);
-  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 0, &error), TABOR_ERROR_ARGUMENT);
+  assert_int_equal(tabor_drum_def_get(&def, "shell.radis", text, sizeof text, &error),
+                   TABOR_ERROR_KEY);
+  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 4, &error),
+                   TABOR_ERROR_ARGUMENT);
+  assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 0, &error),
+                   TABOR_ERROR_ARGUMENT);
   assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 5, &error), TABOR_OK);
   assert_string_equal(text, "3000");
   assert_int_equal(tabor_drum_def_get(&def, "wire.9.tension", text, 1, &error), TABOR_OK);
   def.quality.level = 9;
-  assert_int_equal(tabor_drum_def_get(&def, "quality.level", text, sizeof text, &error), TABOR_ERROR_RANGE);
+  assert_int_equal(tabor_drum_def_get(&def, "quality.level", text, sizeof text, &error),
+                   TABOR_ERROR_RANGE);
 }
 
 /* Random bytes, most of them near what means something. */
@@ -514,8 +586,9 @@ static void random_text(Random *random, char *text, uint32_t size) {
   static const char letters[] = "0123456789.eE+-xnainf.batermicstkwg[];=| \t\n\x80\xC3\xA9\xFF";
   const uint32_t length = random_below(random, size);
   for (uint32_t i = 0; i < length; i++) {
-    const uint32_t c = random_below(random, 4) ? (uint32_t)letters[random_below(random, sizeof letters - 1)]
-                                               : 1 + random_below(random, 255);
+    const uint32_t c = random_below(random, 4)
+                         ? (uint32_t)letters[random_below(random, sizeof letters - 1)]
+                         : 1 + random_below(random, 255);
     text[i] = (char)c;
   }
   text[length] = '\0';
@@ -532,7 +605,7 @@ static void test_random_texts(void **state) {
     TaborError error;
     const TbParam *const param = &tb_params[random_below(&random, tb_param_count)];
     full_key(&param->info, param->group == TB_GROUP_WIRE ? "7" : "top", key);
-    if (i % 20 == 0) random_text(&random, key, sizeof key);
+    if (i % 200 == 0) random_text(&random, key, sizeof key);
     random_text(&random, text, random_below(&random, 2) ? 6 : sizeof text);
     const TaborDrumDef before = def;
     const TaborStatus status = tabor_drum_def_set(&def, key, text, &error);
@@ -542,20 +615,42 @@ static void test_random_texts(void **state) {
   /* Whatever was accepted is fine, but for what must hold between fields. */
   TaborError error;
   const TaborStatus status = tabor_drum_def_validate(&def, &error);
-  assert_true(status == TABOR_OK || strncmp(error.key, "strike.", 7) == 0
-              || strncmp(error.key, "wire", 4) == 0);
+  assert_true(status == TABOR_OK || strncmp(error.key, "strike.", 7) == 0 ||
+              strncmp(error.key, "wire", 4) == 0);
 }
 
 /* Numbers as text ------------------------------------------------------------------------------ */
 
 static void test_number_print(void **state) {
   (void)state;
-  static const struct { double value; const char *text; } numbers[] = {
-    {0, "0"}, {1, "1"}, {-1, "-1"}, {0.1, "0.1"}, {3000, "3000"}, {1234567, "1234567"}, {1e7, "1e7"},
-    {1e8, "1e8"}, {0.0016, "0.0016"}, {1e-4, "0.0001"}, {1e-5, "1e-5"}, {12.5, "12.5"}, {120, "120"},
-    {1.0 / 3, "0.3333333333333333"}, {-1.5e-7, "-1.5e-7"}, {1e-300, "1e-300"}, {123456.75, "123456.75"},
-    {DBL_MAX, "1.7976931348623157e308"}, {DBL_MIN, "2.2250738585072014e-308"}, {5e-324, "5e-324"},
-    {(double)NAN, "nan"}, {(double)INFINITY, "inf"}, {-(double)INFINITY, "-inf"}, {-0.0, "-0"},
+  static const struct {
+    double value;
+    const char *text;
+  } numbers[] = {
+    {0, "0"},
+    {1, "1"},
+    {-1, "-1"},
+    {0.1, "0.1"},
+    {3000, "3000"},
+    {1234567, "1234567"},
+    {1e7, "1e7"},
+    {1e8, "1e8"},
+    {0.0016, "0.0016"},
+    {1e-4, "0.0001"},
+    {1e-5, "1e-5"},
+    {12.5, "12.5"},
+    {120, "120"},
+    {1.0 / 3, "0.3333333333333333"},
+    {-1.5e-7, "-1.5e-7"},
+    {1e-300, "1e-300"},
+    {123456.75, "123456.75"},
+    {DBL_MAX, "1.7976931348623157e308"},
+    {DBL_MIN, "2.2250738585072014e-308"},
+    {5e-324, "5e-324"},
+    {(double)NAN, "nan"},
+    {(double)INFINITY, "inf"},
+    {-(double)INFINITY, "-inf"},
+    {-0.0, "-0"},
   };
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     char text[TB_NUMBER_SIZE];
@@ -584,8 +679,9 @@ static void test_number_round_trip(void **state) {
 
 /* A locale whose decimal point is none: the program that embeds the library may have set it. */
 static bool set_comma_locale(void) {
-  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8",
-                                      "nl_NL.UTF-8", "it_IT.UTF-8", "es_ES.UTF-8", "pl_PL.UTF-8"};
+  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8",  "de_DE",
+                                      "fr_FR.UTF-8", "fr_FR.utf8",  "nl_NL.UTF-8",
+                                      "it_IT.UTF-8", "es_ES.UTF-8", "pl_PL.UTF-8"};
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
     if (setlocale(LC_ALL, names[i]) && strcmp(localeconv()->decimal_point, ".") != 0) return true;
   }
@@ -593,10 +689,31 @@ static bool set_comma_locale(void) {
   return false;
 }
 
+/* Most systems have the sources of all locales and none compiled: compiles one for this test. */
+static bool make_comma_locale(const char *folder) {
+  char command[256];
+  snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 >%s/log 2>&1",
+           folder, folder);
+  if (system(command) != 0) return false;
+  (void)setenv("LOCPATH", folder, 1);
+  const bool made = set_comma_locale();
+  (void)unsetenv("LOCPATH");
+  return made;
+}
+
+static bool find_comma_locale(void) {
+  if (set_comma_locale()) return true;
+  char folder[] = "/tmp/test_definition.XXXXXX", command[64];
+  if (!mkdtemp(folder)) return false;
+  const bool made = make_comma_locale(folder);
+  snprintf(command, sizeof command, "rm -r %s", folder);
+  return system(command) == 0 && made;
+}
+
 static void test_locale(void **state) {
   (void)state;
-  if (!set_comma_locale()) {
-    print_message("SKIPPED: no locale with a decimal comma is installed\n");
+  if (!find_comma_locale()) {
+    print_message("SKIPPED: no locale with a decimal comma, and localedef cannot make one\n");
     skip();
   }
   print_message("locale %s\n", setlocale(LC_ALL, NULL));
@@ -619,9 +736,10 @@ static void test_locale(void **state) {
 static void test_error_set(void **state) {
   (void)state;
   TaborError error;
-  assert_int_equal(tb_error_set(NULL, TABOR_ERROR_VALUE, "k", "v", 0, 1, "%s", "x"), TABOR_ERROR_VALUE);
-  tb_error_set(&error, TABOR_ERROR_RANGE, "a\nb", NULL, 0.5, (double)NAN, "%s|%d|%u|%zu|%c|%g|%%|%s",
-               "s\x1b\xC3\xA9\xFF", -7, 7u, (size_t)9, 'c', 1e-7, (const char *)NULL);
+  assert_int_equal(tb_error_set(NULL, TABOR_ERROR_VALUE, "k", "v", 0, 1, "%s", "x"),
+                   TABOR_ERROR_VALUE);
+  tb_error_set(&error, TABOR_ERROR_RANGE, "a\nb", NULL, 0.5, (double)NAN,
+               "%s|%d|%u|%zu|%c|%g|%%|%s", "s\x1b\xC3\xA9\xFF", -7, 7u, (size_t)9, 'c', 1e-7, "");
   assert_string_equal(error.message, "s?\xC3\xA9?|-7|7|9|c|1e-7|%|");
   assert_string_equal(error.key, "a?b");
   assert_string_equal(error.value, "");
@@ -629,9 +747,13 @@ static void test_error_set(void **state) {
   char longest[2000];
   memset(longest, 0, sizeof longest);
   for (size_t i = 0; i + 4 < sizeof longest; i += 3) memcpy(longest + i, "\xE2\x82\xAC", 3);
-  tb_error_set(&error, TABOR_ERROR_VALUE, longest, longest, 0, 1, "x%s", longest);
+  tb_error_set(&error, TABOR_ERROR_VALUE, longest, longest, 0, 1, "x%s|%s|%s.", longest, longest,
+               longest);
   assert_tidy(&error, TABOR_ERROR_VALUE); /* cut between characters */
-  assert_int_equal(strlen(error.message), 1 + 254 / 3 * 3);
+  assert_int_equal(strlen(error.value), 63);
+  const char *const second = strchr(error.message, '|');
+  assert_int_equal(second - error.message, 1 + 96 + 3);
+  assert_int_equal(strlen(error.message), sizeof error.message - 1);
 }
 
 static void test_edit_distance(void **state) {
@@ -721,10 +843,15 @@ static void refuse_field(const Corners *corners, const char *key) {
   assert_tidy(&error, status);
 }
 
-static void corner_number(const Corners *corners, const TbParam *param, const char *key, double *field) {
+static void corner_number(const Corners *corners, const TbParam *param, const char *key,
+                          double *field) {
   const double good = *field;
-  const double bad[] = {(double)INFINITY, -(double)INFINITY, DBL_MAX, -DBL_MAX,
-                        nextafter(param->info.minimum, -1e300), nextafter(param->info.maximum, 1e300),
+  const double bad[] = {(double)INFINITY,
+                        -(double)INFINITY,
+                        DBL_MAX,
+                        -DBL_MAX,
+                        nextafter(param->info.minimum, -1e300),
+                        nextafter(param->info.maximum, 1e300),
                         (double)NAN};
   const size_t count = sizeof bad / sizeof bad[0] - (param->group == TB_GROUP_WIRE);
   for (size_t i = 0; i < count; i++) {
@@ -734,14 +861,16 @@ static void corner_number(const Corners *corners, const TbParam *param, const ch
   *field = good;
 }
 
-static void corner_text(const Corners *corners, const TbParam *param, const char *key, char *field) {
+static void corner_text(const Corners *corners, const TbParam *param, const char *key,
+                        char *field) {
   TaborError error;
   char good[TABOR_TEXT_SIZE];
   memcpy(good, field, param->size);
   memset(field, 'x', param->size);
   assert_int_equal(tabor_drum_def_validate(corners->def, &error), TABOR_ERROR_VALUE);
   assert_string_equal(error.key, key);
-  assert_int_equal(tabor_drum_def_get(corners->def, key, (char[300]){0}, 300, &error), TABOR_ERROR_VALUE);
+  assert_int_equal(tabor_drum_def_get(corners->def, key, (char[300]){0}, 300, &error),
+                   TABOR_ERROR_VALUE);
   memcpy(field, "\n", 2);
   assert_int_equal(tabor_drum_def_validate(corners->def, &error), TABOR_ERROR_VALUE);
   assert_tidy(&error, TABOR_ERROR_VALUE);
@@ -762,7 +891,8 @@ static bool corner_field(void *context, const TbParam *param, uint32_t element) 
     uint32_t *const whole = field;
     const uint32_t good = *whole;
     *whole = UINT32_MAX;
-    if (param->info.maximum < UINT32_MAX || param->info.type == TABOR_TYPE_CHOICE) refuse_field(corners, key);
+    if (param->info.maximum < UINT32_MAX || param->info.type == TABOR_TYPE_CHOICE)
+      refuse_field(corners, key);
     *whole = 0;
     if (param->base > 0) refuse_field(corners, key);
     *whole = good;
@@ -801,11 +931,11 @@ static void test_random_structs(void **state) {
     def.struct_size = sizeof def;
     const TaborStatus status = tabor_drum_def_validate(&def, &error);
     assert_tidy(&error, status);
-    for (uint32_t k = 0; k < 80 && tabor_drum_def_key(&def, k * 7, key, sizeof key); k++) {
+    for (uint32_t k = 0; k < 6 && tabor_drum_def_key(&def, k * 83 + 5, key, sizeof key); k++) {
       (void)tabor_drum_def_get(&def, key, text, sizeof text, &error);
     }
     (void)tabor_drum_def_find_striker(&def, "stick");
-    (void)tabor_drum_def_set(&def, "mic.top.gian", "1", &error);
+    if (i % 16 == 0) (void)tabor_drum_def_set(&def, "mic.top.gian", "1", &error);
     (void)tabor_drum_def_set(&def, "mic.top.gain", "1", &error);
     assert_tidy(&error, error.status);
   }
@@ -853,40 +983,27 @@ static void test_wire_spread(void **state) {
   assert_true(fabs(sum / 40000) < 0.012); /* four standard errors of the mean, 0.577/200 */
   assert_true(lowest < -0.999 && highest > 0.999);
   /* SplitMix64's published first output for state 0 is 0xE220A8397B1DCDAF. */
-  assert_true(tb_wire_deviate(0, 0) == (2.0 * (double)(0xE220A8397B1DCDAFu >> 12) + 1) / 4503599627370496.0 - 1);
+  assert_true(tb_wire_deviate(0, 0) ==
+              (2.0 * (double)(0xE220A8397B1DCDAFu >> 12) + 1) / 4503599627370496.0 - 1);
   assert_true(tb_wire_deviate(1, 0) != tb_wire_deviate(0, 1));
 }
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_table),
-    cmocka_unit_test(test_live_keys),
-    cmocka_unit_test(test_parameter_find),
-    cmocka_unit_test(test_table_covers_the_struct),
-    cmocka_unit_test(test_default),
-    cmocka_unit_test(test_clear),
-    cmocka_unit_test(test_round_trip),
-    cmocka_unit_test(test_keys_in_order),
-    cmocka_unit_test(test_set_values),
-    cmocka_unit_test(test_set_refusals),
-    cmocka_unit_test(test_set_texts),
-    cmocka_unit_test(test_unknown_keys),
-    cmocka_unit_test(test_full),
-    cmocka_unit_test(test_arguments),
-    cmocka_unit_test(test_get_refusals),
-    cmocka_unit_test(test_random_texts),
-    cmocka_unit_test(test_number_print),
-    cmocka_unit_test(test_number_round_trip),
-    cmocka_unit_test(test_locale),
-    cmocka_unit_test(test_error_set),
-    cmocka_unit_test(test_edit_distance),
-    cmocka_unit_test(test_between_fields),
-    cmocka_unit_test(test_names),
-    cmocka_unit_test(test_counts),
-    cmocka_unit_test(test_corners),
-    cmocka_unit_test(test_random_structs),
-    cmocka_unit_test(test_wire_resolve),
-    cmocka_unit_test(test_wire_spread),
+    cmocka_unit_test(test_table),          cmocka_unit_test(test_live_keys),
+    cmocka_unit_test(test_parameter_find), cmocka_unit_test(test_table_covers_the_struct),
+    cmocka_unit_test(test_default),        cmocka_unit_test(test_clear),
+    cmocka_unit_test(test_round_trip),     cmocka_unit_test(test_keys_in_order),
+    cmocka_unit_test(test_set_values),     cmocka_unit_test(test_set_refusals),
+    cmocka_unit_test(test_set_texts),      cmocka_unit_test(test_unknown_keys),
+    cmocka_unit_test(test_full),           cmocka_unit_test(test_arguments),
+    cmocka_unit_test(test_get_refusals),   cmocka_unit_test(test_random_texts),
+    cmocka_unit_test(test_number_print),   cmocka_unit_test(test_number_round_trip),
+    cmocka_unit_test(test_locale),         cmocka_unit_test(test_error_set),
+    cmocka_unit_test(test_edit_distance),  cmocka_unit_test(test_between_fields),
+    cmocka_unit_test(test_names),          cmocka_unit_test(test_counts),
+    cmocka_unit_test(test_corners),        cmocka_unit_test(test_random_structs),
+    cmocka_unit_test(test_wire_resolve),   cmocka_unit_test(test_wire_spread),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

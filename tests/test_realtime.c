@@ -15,7 +15,8 @@
 
 #include "drum_script.h"
 
-static long allocations, locks; /* cmocka and this file use them from one thread */
+/* Volatile: a compiler knows that malloc does not change a program's own variables. */
+static volatile long allocations, locks;
 
 /* Declares the true function and defines the one that counts. */
 #define WRAP(counter, type, name, parameters, arguments)                                           \

@@ -179,7 +179,7 @@ static void a_swap_of_another_model_is_dropped(void **state) {
   tabor_model_release(other);
 }
 
-/* More strokes in one frame than strikers exist: never worse than a count. */
+/* More strokes in one frame than strikers exist: one is taken away for each new one, and counted. */
 static void the_pool_of_strikers_is_bounded(void **state) {
   (void)state;
   TaborEvent strokes[3 * TABOR_MAX_ACTIVE];
@@ -188,7 +188,6 @@ static void the_pool_of_strikers_is_bounded(void **state) {
   Take take = play(strokes, COUNT);
   assert_int_equal(take.statistics.strikes + take.statistics.dropped_events, COUNT);
   assert_true(take.statistics.strikes >= 1);
-  assert_true(take.statistics.strikes <= TABOR_MAX_ACTIVE);
   assert_int_equal(take.statistics.recovered, 0);
   assert_true(take_peak(&take) > 0.0);
   take_destroy(&take);

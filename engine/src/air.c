@@ -63,13 +63,18 @@ bool tb_air_order_prepare(TbAirOrder *order, TbArena *arena, uint32_t m, const d
   order->slopes = tb_arena_doubles(arena, count);
   order->expansion = tb_arena_doubles(arena, (size_t)count * order->terms);
   const uint32_t orders = m + 2u * order->terms;
-  double *half = tb_arena_doubles(arena, orders);
+  double *half = tb_arena_doubles(arena, 8 * (size_t)orders);
   if (arena->failed) return false;
-  for (uint32_t i = 0; i < count; i++) {
-    order->slopes[i] = tb_bessel_j(m + 1, zeros[i]);
-    tb_bessel_half(zeros[i], orders, half);
-    for (uint32_t n = 0; n < order->terms; n++) {
-      order->expansion[i * order->terms + n] = half[m + 2 * n + 1] / (zeros[i] * sqrt(zeros[i]));
+  for (uint32_t i = 0; i < count; i += 8) {
+    double x[8];
+    for (uint32_t l = 0; l < 8; l++) x[l] = zeros[i + l < count ? i + l : i];
+    tb_bessel_half8(x, orders, half);
+    for (uint32_t l = 0; l < 8 && i + l < count; l++) {
+      order->slopes[i + l] = tb_bessel_j(m + 1, x[l]);
+      for (uint32_t n = 0; n < order->terms; n++) {
+        order->expansion[(i + l) * order->terms + n] =
+          half[8 * (m + 2 * n + 1) + l] / (x[l] * sqrt(x[l]));
+      }
     }
   }
   return true;
@@ -95,8 +100,7 @@ bool tb_air_mass_baffled(const TbAirOrder *order, TbArena *scratch, double *mass
   bessel_at(order->m, nodes.count, nodes.kappa, 1.0, j);
   for (uint32_t i = 0; i < n; i++) {
     for (uint32_t q = 0; q < nodes.count; q++) {
-      w[i * nodes.count + q] =
-          hankel(order->zeros[i], order->slopes[i], nodes.kappa[q], j[q]);
+      w[i * nodes.count + q] = hankel(order->zeros[i], order->slopes[i], nodes.kappa[q], j[q]);
     }
   }
   for (uint32_t a = 0; a < n; a++) {
@@ -180,101 +184,132 @@ static bool load_baffled(const TbAirOrder *order, TbArena *scratch, const double
   return true;
 }
 
-/* C(x) into `matrix` as (re, im) pairs. Beyond the last node the integrand is
+/* How much of the expansion one shape needs. Its terms n beyond (z - m)/2 vanish fast, z the highest
+ * zero that takes part; 1e-3 of the largest part changes the load by 1e-6. */
+typedef struct Reach {
+  double zero;
+  uint32_t terms, orders; /* terms, and the spherical orders that hold them */
+} Reach;
+
+static Reach reach_of(const TbAirOrder *order, const double *v, double x) {
+  double largest = 0.0;
+  for (uint32_t i = 0; i < order->count; i++) largest = fmax(largest, fabs(v[i]));
+  uint32_t last = 0;
+  for (uint32_t i = 0; i < order->count; i++) {
+    if (fabs(v[i]) > 1e-3 * largest) last = i;
+  }
+  const double zero = order->zeros[last];
+  uint32_t terms = (uint32_t)fmax(0.0, 0.5 * (fmax(zero, x) - (double)order->m)) + 13u;
+  if (terms > order->terms) terms = order->terms;
+  return (Reach){.zero = zero, .terms = terms, .orders = order->m + 2u * terms};
+}
+
+/* out[a][b] += factor row[a] row[b], b <= a. */
+static void add_outer(uint32_t n, double *restrict out, double factor, const double *restrict row) {
+  for (uint32_t a = 0; a < n; a++) {
+    const double scaled = factor * row[a];
+    double *restrict line = out + (size_t)a * n;
+    for (uint32_t b = 0; b <= a; b++) line[b] += scaled * row[b];
+  }
+}
+
+/* Lower triangles of the real and imaginary parts of C(x). Beyond the last node the integrand is
  * -x^2/(2 k^3) times the mean (-1)^(n-n')/(pi k) of the Bessel product. */
-static bool open_matrix(const TbAirOrder *order, TbArena *scratch, double x, double *matrix) {
-  const uint32_t terms = order->terms, orders = order->m + 2u * terms;
-  const double top = fmax(60.0, 2.0 * fmax(x, order->zeros[order->count - 1]));
+static bool open_matrix(const TbAirOrder *order, TbArena *scratch, Reach reach, double x,
+                        double *re, double *im) {
+  const double top = fmax(40.0, 1.5 * fmax(x, reach.zero) + 10.0);
   Nodes nodes;
   if (!nodes_prepare(&nodes, scratch, x, top, 2.0)) return false;
-  double *half = tb_arena_doubles(scratch, orders);
-  double *row = tb_arena_doubles(scratch, terms);
+  double *half = tb_arena_doubles(scratch, 8 * (size_t)reach.orders);
+  double *row = tb_arena_doubles(scratch, reach.terms);
   if (scratch->failed) return false;
 
   const double end = sqrt(x * x + top * top);
   const double tail = -x * x / (6.0 * PI * end * end * end);
-  for (uint32_t a = 0; a < terms; a++) {
-    for (uint32_t b = 0; b < terms; b++) {
-      const double sign = (a + b) % 2 ? -1.0 : 1.0;
-      matrix[2 * (a * terms + b)] =
-          sign * tail + (a == b ? 0.5 / ((double)order->m + 2.0 * a + 1.5) : 0.0);
-      matrix[2 * (a * terms + b) + 1] = 0.0;
-    }
+  for (uint32_t a = 0; a < reach.terms; a++) {
+    for (uint32_t b = 0; b <= a; b++) re[a * reach.terms + b] = (a + b) % 2 ? -tail : tail;
+    re[a * reach.terms + a] += 0.5 / ((double)order->m + 2.0 * a + 1.5);
   }
   for (uint32_t q = 0; q < nodes.count; q++) {
     const double kappa = nodes.kappa[q], root = nodes.root[q];
     const bool below = q < nodes.below;
     const double measure = below ? root / x : root / kappa; /* dkappa = cos t x dt, (t/kappa) dt */
     const double factor = nodes.weights[q] * measure / (kappa * kappa);
-    const double re = (below ? -kappa : root - kappa) * factor, im = below ? root * factor : 0.0;
-    tb_bessel_half(kappa, orders, half);
-    for (uint32_t n = 0; n < terms; n++) row[n] = half[order->m + 2 * n + 1];
-    for (uint32_t a = 0; a < terms; a++) {
-      for (uint32_t b = 0; b <= a; b++) {
-        matrix[2 * (a * terms + b)] += re * row[a] * row[b];
-        matrix[2 * (a * terms + b) + 1] += im * row[a] * row[b];
-      }
-    }
-  }
-  for (uint32_t a = 0; a < terms; a++) {
-    for (uint32_t b = 0; b < a; b++) {
-      matrix[2 * (b * terms + a)] = matrix[2 * (a * terms + b)];
-      matrix[2 * (b * terms + a) + 1] = matrix[2 * (a * terms + b) + 1];
-    }
+    if (q % 8 == 0) tb_bessel_half8(nodes.kappa + q, reach.orders, half);
+    for (uint32_t n = 0; n < reach.terms; n++) row[n] = half[8 * (order->m + 2 * n + 1) + q % 8];
+    add_outer(reach.terms, re, factor * (below ? -kappa : root - kappa), row);
+    if (below) add_outer(reach.terms, im, factor * root, row);
   }
   return true;
 }
 
 /* The load, and the expansion a = C^-1 b of the pressure jump as (re, im) pairs. */
-static bool load_open(const TbAirOrder *order, TbArena *scratch, const double *v, double x,
-                      TbAirLoad *load, double *a) {
-  const uint32_t terms = order->terms;
+static bool load_open(const TbAirOrder *order, TbArena *scratch, Reach reach, const double *v,
+                      double x, TbAirLoad *load, double *a) {
+  const uint32_t terms = reach.terms;
+  double *re = tb_arena_doubles(scratch, (size_t)terms * terms);
+  double *im = tb_arena_doubles(scratch, (size_t)terms * terms);
   double *matrix = tb_arena_doubles(scratch, 2 * (size_t)terms * terms);
   double *b = tb_arena_doubles(scratch, terms);
-  if (scratch->failed || !open_matrix(order, scratch, x, matrix)) return false;
+  if (scratch->failed || !open_matrix(order, scratch, reach, x, re, im)) return false;
   for (uint32_t n = 0; n < terms; n++) {
-    for (uint32_t i = 0; i < order->count; i++) b[n] += v[i] * order->expansion[i * terms + n];
+    for (uint32_t i = 0; i < order->count; i++)
+      b[n] += v[i] * order->expansion[i * order->terms + n];
     a[2 * n] = b[n];
     a[2 * n + 1] = 0.0;
+    for (uint32_t l = 0; l <= n; l++) {
+      const uint32_t here = 2 * (n * terms + l), mirror = 2 * (l * terms + n);
+      matrix[here] = matrix[mirror] = re[n * terms + l];
+      matrix[here + 1] = matrix[mirror + 1] = im[n * terms + l];
+    }
   }
   if (!tb_solve_complex(scratch, terms, matrix, 1, a)) return false;
-  double re = 0.0, im = 0.0;
+  double mass = 0.0, lost = 0.0;
   for (uint32_t n = 0; n < terms; n++) {
-    re += b[n] * a[2 * n];
-    im += b[n] * a[2 * n + 1];
+    mass += b[n] * a[2 * n];
+    lost += b[n] * a[2 * n + 1];
   }
-  *load = (TbAirLoad){.mass = 2.0 * re, .resistance = -2.0 * x * im};
+  *load = (TbAirLoad){.mass = 2.0 * mass, .resistance = -2.0 * x * lost};
   return true;
 }
 
-/* P(kappa) = kappa^{-3/2} Sum_n a_n J_{mu_n}(kappa). */
-static void transform_open(const TbAirOrder *order, const double *a, double kappa, double *half,
-                           double *re, double *im) {
-  tb_bessel_half(kappa, order->m + 2u * order->terms, half);
-  const double factor = 1.0 / (kappa * sqrt(kappa));
-  *re = *im = 0.0;
-  for (uint32_t n = 0; n < order->terms; n++) {
-    *re += a[2 * n] * factor * half[order->m + 2 * n + 1];
-    *im += a[2 * n + 1] * factor * half[order->m + 2 * n + 1];
+/* P(kappa) = kappa^{-3/2} Sum_n a_n J_{mu_n}(kappa) at every node, as (re, im) pairs. */
+static bool transform_open(const TbAirOrder *order, TbArena *scratch, Reach reach, const double *a,
+                           const Nodes *nodes, double *p) {
+  double *half = tb_arena_doubles(scratch, 8 * (size_t)reach.orders);
+  if (!half) return false;
+  for (uint32_t q = 0; q < nodes->count; q++) {
+    if (q % 8 == 0) tb_bessel_half8(nodes->kappa + q, reach.orders, half);
+    const double factor = 1.0 / (nodes->kappa[q] * sqrt(nodes->kappa[q]));
+    double re = 0.0, im = 0.0;
+    for (uint32_t n = 0; n < reach.terms; n++) {
+      const double j = half[8 * (order->m + 2 * n + 1) + q % 8];
+      re += a[2 * n] * j;
+      im += a[2 * n + 1] * j;
+    }
+    p[2 * q] = factor * re;
+    p[2 * q + 1] = factor * im;
   }
+  return true;
 }
 
 /* I = Int P(k) J_m(k r) e^{-gamma |h|} k dk            open, times the sign of h,
  * I = Int f(k) J_m(k r) e^{-gamma |h|} (k/gamma) dk    baffled; gamma = i sqrt(x^2 - k^2) below x. */
-static bool field(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary,
+static bool field(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, Reach reach,
                   const double *v, const double *a, double x, TbAirPoint point, double *result) {
   const double height = fabs(point.height);
-  const double smooth = fmax(60.0, 4.0 * order->zeros[order->count - 1]);
+  const double smooth = fmax(60.0, 4.0 * fmax(x, reach.zero));
   const double top = fmin(smooth, 40.0 / height);
   Nodes nodes;
   if (!nodes_prepare(&nodes, scratch, x, top, 1.0 + point.radius + height)) return false;
   double *j = tb_arena_doubles(scratch, nodes.count);
-  double *f = tb_arena_doubles(scratch, nodes.count);
-  double *half = tb_arena_doubles(scratch, order->m + 2u * order->terms);
+  double *f = tb_arena_doubles(scratch, 2 * (size_t)nodes.count);
   if (scratch->failed) return false;
   const bool open = boundary == TABOR_BOUNDARY_OPEN;
   bessel_at(order->m, nodes.count, nodes.kappa, point.radius, j);
-  if (!open && !transform_baffled(order, scratch, &nodes, v, f)) return false;
+  const bool transformed = open ? transform_open(order, scratch, reach, a, &nodes, f)
+                                : transform_baffled(order, scratch, &nodes, v, f);
+  if (!transformed) return false;
 
   double re = 0.0, im = 0.0;
   for (uint32_t q = 0; q < nodes.count; q++) {
@@ -284,11 +319,9 @@ static bool field(const TbAirOrder *order, TbArena *scratch, TaborBoundary bound
     const double phase = below ? -root * height : 0.0;
     double fr = 0.0, fi = 0.0;
     if (open) { /* k dk = k cos t x dt below, t dt above */
-      double pr, pi;
-      transform_open(order, a, kappa, half, &pr, &pi);
       const double measure = below ? kappa * root / x : root;
-      fr = measure * pr;
-      fi = measure * pi;
+      fr = measure * f[2 * q];
+      fi = measure * f[2 * q + 1];
     } else if (below) { /* k dk/gamma = -i k dt below, dt above; weights hold x dt */
       fi = -f[q] * kappa / x;
     } else {
@@ -306,13 +339,15 @@ static bool field(const TbAirOrder *order, TbArena *scratch, TaborBoundary bound
 bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, const double *v,
                  double x, const TbAirPoint *points, uint32_t point_count, TbAirLoad *load,
                  double *fields) {
-  double *a = tb_arena_doubles(scratch, 2 * (size_t)order->terms);
+  const Reach reach = reach_of(order, v, x);
+  double *a = tb_arena_doubles(scratch, 2 * (size_t)reach.terms);
   if (!a) return false;
-  const bool loaded = boundary == TABOR_BOUNDARY_OPEN ? load_open(order, scratch, v, x, load, a)
-                                                      : load_baffled(order, scratch, v, x, load);
+  const bool loaded = boundary == TABOR_BOUNDARY_OPEN
+                        ? load_open(order, scratch, reach, v, x, load, a)
+                        : load_baffled(order, scratch, v, x, load);
   if (!loaded) return false;
   for (uint32_t p = 0; p < point_count; p++) {
-    if (!field(order, scratch, boundary, v, a, x, points[p], fields + 2 * p)) return false;
+    if (!field(order, scratch, boundary, reach, v, a, x, points[p], fields + 2 * p)) return false;
   }
   return true;
 }

@@ -21,10 +21,22 @@ static uint32_t miller_start(uint32_t m, double x) {
   return 2u * ((uint32_t)(top / 2.0) + 6u);
 }
 
+static double magnitude(double x) { return x < 0.0 ? -x : x; }
+
+/* The lane with the smallest argument grows fastest on the way down: it tells when to rescale. */
+static uint32_t fastest_lane(const double x[8]) {
+  uint32_t fastest = 0;
+  for (uint32_t i = 1; i < 8; i++) {
+    if (x[i] > 1e-30 && (x[i] < x[fastest] || x[fastest] <= 1e-30)) fastest = i;
+  }
+  return fastest;
+}
+
 void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
   double top = 0.0;
   for (int i = 0; i < 8; i++) top = x[i] > top ? x[i] : top;
   const uint32_t start = miller_start(m, top);
+  const uint32_t fastest = fastest_lane(x);
 
   double twice_inverse[8], above[8], here[8], sum[8];
   for (int i = 0; i < 8; i++) {
@@ -36,22 +48,18 @@ void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
   }
   for (uint32_t l = start; l > 0; l--) {
     const double even = l % 2 == 0 ? 2.0 : 0.0;
-    double largest = 0.0;
     for (int i = 0; i < 8; i++) {
       sum[i] += even * here[i];
       const double next = (double)l * twice_inverse[i] * here[i] - above[i];
       above[i] = here[i];
       here[i] = next;
-      const double size = next < 0.0 ? -next : next;
-      largest = size > largest ? size : largest;
     }
     if (l - 1 == m) {
       for (int i = 0; i < 8; i++) j[i] = here[i];
     }
-    if (largest > 1e100) { /* scale each lane down by its own amount */
+    if (magnitude(here[fastest]) > 1e100) {
       for (int i = 0; i < 8; i++) {
-        const double size = here[i] < 0.0 ? -here[i] : here[i];
-        const double scale = size > 1e50 ? 1e-150 : 1.0;
+        const double scale = magnitude(here[i]) > 1e50 ? 1e-150 : 1.0;
         above[i] *= scale;
         here[i] *= scale;
         sum[i] *= scale;
@@ -88,28 +96,48 @@ double tb_bessel_j(uint32_t m, double x) {
   return wanted / (sum + here);
 }
 
-/* Downwards below the turning point is stable too, so one direction serves all orders. The scale
- * comes from j_0 = sin x/x or j_1, whichever is larger. */
-void tb_bessel_half(double x, uint32_t count, double *j) {
-  const double factor = sqrt(2.0 * x / PI); /* J_{l+1/2} = sqrt(2 x/pi) j_l */
-  const uint32_t start = miller_start(count, x);
-  double above = 0.0, here = 1e-200;
-  for (uint32_t l = start; l > 0; l--) {
-    const double next = (2.0 * (double)l + 1.0) / x * here - above;
-    above = here;
-    here = next;
-    if (l - 1 < count) j[l - 1] = here;
-    if (here > 1e100 || here < -1e100) {
-      above *= 1e-150;
-      here *= 1e-150;
-      for (uint32_t i = l - 1; i < count; i++) j[i] *= 1e-150;
-    }
-  }
+/* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
+ * or j_1, whichever is larger. */
+static double half_scale(double x, double here, double above) {
   const double j0 = sin(x) / x;
   const double j1 = x < 0.05 ? x / 3.0 * (1.0 - x * x / 10.0 * (1.0 - x * x / 28.0))
                              : sin(x) / (x * x) - cos(x) / x;
-  const double scale = fabs(j0) > fabs(j1) ? j0 / here : j1 / above;
-  for (uint32_t i = 0; i < count; i++) j[i] *= scale * factor;
+  return (fabs(j0) > fabs(j1) ? j0 / here : j1 / above) * sqrt(2.0 * x / PI);
+}
+
+/* Downwards below the turning point is stable too, so one direction serves all orders. */
+void tb_bessel_half8(const double x[8], uint32_t count, double *j) {
+  double inverse[8], above[8], here[8], top = 0.0;
+  for (int i = 0; i < 8; i++) {
+    inverse[i] = 1.0 / x[i];
+    above[i] = 0.0;
+    here[i] = 1e-200;
+    top = x[i] > top ? x[i] : top;
+  }
+  const uint32_t fastest = fastest_lane(x);
+  for (uint32_t l = miller_start(count, top); l > 0; l--) {
+    const double factor = 2.0 * (double)l + 1.0;
+    for (int i = 0; i < 8; i++) {
+      const double next = factor * inverse[i] * here[i] - above[i];
+      above[i] = here[i];
+      here[i] = next;
+    }
+    if (l - 1 < count) {
+      for (int i = 0; i < 8; i++) j[8 * (l - 1) + (uint32_t)i] = here[i];
+    }
+    if (magnitude(here[fastest]) < 1e100) continue;
+    for (uint32_t i = 0; i < 8; i++) {
+      const double scale = fabs(here[i]) > 1e50 ? 1e-150 : 1.0;
+      above[i] *= scale;
+      here[i] *= scale;
+      for (uint32_t o = l - 1; o < count; o++) j[8 * o + i] *= scale;
+    }
+  }
+  double scale[8];
+  for (int i = 0; i < 8; i++) scale[i] = half_scale(x[i], here[i], above[i]);
+  for (uint32_t o = 0; o < count; o++) {
+    for (uint32_t i = 0; i < 8; i++) j[8 * o + i] *= scale[i];
+  }
 }
 
 /* The one zero of J_m between lo and hi: Newton's step where it stays inside, else halving. */

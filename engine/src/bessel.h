@@ -18,8 +18,9 @@ double tb_bessel_j(uint32_t m, double x);
 /* J_m(x[i]) for 8 arguments at once, in lanes. */
 void tb_bessel_j8(uint32_t m, const double x[8], double j[8]);
 
-/* J_{l+1/2}(x), l = 0 .. count-1, x > 0; sin and cos come from libm: set-up only. */
-void tb_bessel_half(double x, uint32_t count, double *j);
+/* j[l][i] = J_{l+1/2}(x[i]), l = 0 .. count-1, for 8 arguments x[i] > 0 at once; sin and cos come from
+ * libm: set-up only. */
+void tb_bessel_half8(const double x[8], uint32_t count, double *j);
 
 /* Zeros of J_m below `top`, ascending. `below` holds those of J_{m-1} (unused for m = 0).
  * Returns how many; writes at most `room`. */

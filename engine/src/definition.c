@@ -133,7 +133,7 @@ static void nearest_element(const TaborDrumDef *def, TbGroup group, const char *
   for (uint32_t i = 0; i < tb_group_count(def, group); i++) {
     char candidate[TABOR_NAME_SIZE];
     tb_element_name(def, group, i, candidate);
-    const size_t distance = tb_edit_distance(name, candidate);
+    const size_t distance = tb_word_distance(name, candidate);
     if (distance >= smallest) continue;
     smallest = distance;
     memcpy(nearest, candidate, sizeof candidate);

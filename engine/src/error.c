@@ -8,6 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Longest text that %s writes, so that one cannot push what comes after it out of the message. No full
+ * key is longer. */
+#define TEXT_LIMIT 96
+
 /* Room left in a message. */
 typedef struct Writer {
   char *at;
@@ -21,13 +25,20 @@ static void write_text(Writer *writer, const char *text) {
   writer->room -= length;
 }
 
+static void write_argument(Writer *writer, const char *text) {
+  char cut[TEXT_LIMIT + 1];
+  tb_text_copy(cut, sizeof cut, text);
+  write_text(writer, cut);
+  if (strlen(text) > TEXT_LIMIT) write_text(writer, "...");
+}
+
 /* @p conversion is what follows the '%'; returns its last character. */
 static const char *write_conversion(Writer *writer, const char *conversion, va_list *arguments) {
   char text[TB_NUMBER_SIZE] = "%";
   switch (*conversion) {
   case 's': {
     const char *const string = va_arg(*arguments, const char *);
-    write_text(writer, string ? string : "");
+    write_argument(writer, string ? string : "");
     return conversion;
   }
   case 'd': (void)snprintf(text, sizeof text, "%d", va_arg(*arguments, int)); break;

@@ -25,7 +25,7 @@
  * @param format  printf-like, with the conversions %s %d %u %zu %c %g %% only and no flags, widths or
  *                precisions; %g writes the shortest text that reads back the same, always with a '.'
  *
- * Texts are cut to fit between characters; what is no printable UTF-8 in them becomes '?'.
+ * What is no printable UTF-8 becomes '?'. A %s is cut to 96 bytes, between characters.
  */
 TaborStatus tb_error_set(TaborError *error, TaborStatus status, const char *key, const char *value,
                          double minimum, double maximum, const char *format, ...) TB_PRINTF(7, 8);

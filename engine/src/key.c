@@ -131,14 +131,14 @@ bool tb_walk(const TaborDrumDef *def, TbVisit *visit, void *context) {
 typedef struct Search {
   const TaborDrumDef *def;
   const char *wanted;
-  bool bare;          /* no section was given: compare the last part alone */
+  bool bare; /* no section was given: compare the last part alone */
   char *nearest;
   size_t distance;
 } Search;
 
 static void consider(Search *search, const TbParam *param, const char *candidate) {
   const char *const compared = search->bare ? param->info.key : candidate;
-  const size_t distance = tb_edit_distance(search->wanted, compared);
+  const size_t distance = tb_word_distance(search->wanted, compared);
   if (distance >= search->distance) return;
   search->distance = distance;
   (void)snprintf(search->nearest, TB_KEY_SIZE, "%s", candidate);

@@ -13,9 +13,9 @@
 
 typedef enum TbKeyStatus {
   TB_KEY_OK,
-  TB_KEY_UNKNOWN,    /**< no such section, or no such key in it */
-  TB_KEY_BAD_NAME,   /**< the name in the middle is none */
-  TB_KEY_BAD_NUMBER  /**< the wire's number is none of 1 to 40 */
+  TB_KEY_UNKNOWN,   /**< no such section, or no such key in it */
+  TB_KEY_BAD_NAME,  /**< the name in the middle is none */
+  TB_KEY_BAD_NUMBER /**< the wire's number is none of 1 to 40 */
 } TbKeyStatus;
 
 /** A full key taken apart. */

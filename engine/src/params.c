@@ -4,11 +4,11 @@
 #include <math.h>
 
 /* What a row says of its value. */
-#define NUMBER(low, high, value) \
+#define NUMBER(low, high, value)                                                                   \
   .type = TABOR_TYPE_NUMBER, .minimum = (low), .maximum = (high), .fallback = (value)
-#define WHOLE(low, high, value) \
+#define WHOLE(low, high, value)                                                                    \
   .type = TABOR_TYPE_WHOLE, .minimum = (low), .maximum = (high), .fallback = (value)
-#define CHOICE(words, value) \
+#define CHOICE(words, value)                                                                       \
   .type = TABOR_TYPE_CHOICE, .minimum = NAN, .maximum = NAN, .fallback = (value), .choices = (words)
 #define TEXT .type = TABOR_TYPE_TEXT, .minimum = NAN, .maximum = NAN, .fallback = NAN
 #define LOGARITHMIC .logarithmic = true
@@ -18,21 +18,23 @@
 /* Where a row's field is. */
 #define AT(member) .group = TB_GROUP_SINGLE, .offset = offsetof(TaborDrumDef, member)
 #define SIZED(member) AT(member), .size = sizeof(((TaborDrumDef *)0)->member)
-#define IN_ARRAY(array, type, member) \
+#define IN_ARRAY(array, type, member)                                                              \
   .offset = offsetof(TaborDrumDef, array) + offsetof(type, member), .stride = sizeof(type)
 #define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
 #define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
 #define IN_MIC(member) .group = TB_GROUP_MIC, IN_ARRAY(mic, TaborMicDef, member)
 
-#define ROW(id_, section_, key_, unit_, text_, ...)                                      \
-  .info = {.id = (id_), .section = (section_), .key = (key_), .unit = (unit_), .text = (text_), \
+#define ROW(id_, section_, key_, unit_, text_, ...)                                                \
+  .info = {.id = (id_),                                                                            \
+           .section = (section_),                                                                  \
+           .key = (key_),                                                                          \
+           .unit = (unit_),                                                                        \
+           .text = (text_),                                                                        \
            __VA_ARGS__}
 
 const TbParam tb_params[] = {
-  {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT),
-   SIZED(name)},
-  {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT),
-   SIZED(comment)},
+  {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
+  {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
   {ROW(TB_PARAM_DRUM_LICENSE, "drum", "license", "", "licence of the preset", TEXT),
    SIZED(license)},
 
@@ -60,8 +62,7 @@ const TbParam tb_params[] = {
        "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
    AT(batter.damping_1)},
 
-  {ROW(TB_PARAM_WIRES_COUNT, "wires", "count", "", "number of wires",
-       WHOLE(0, TABOR_MAX_WIRES, 0)),
+  {ROW(TB_PARAM_WIRES_COUNT, "wires", "count", "", "number of wires", WHOLE(0, TABOR_MAX_WIRES, 0)),
    AT(wires.count)},
   {ROW(TB_PARAM_WIRES_SIDE, "wires", "side", "", "face of the head on which the wires lie",
        CHOICE("above|below", TABOR_SIDE_ABOVE)),
@@ -82,8 +83,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_WIRES_MASS_PER_LENGTH, "wires", "mass_per_length", "kg/m", "mass of a wire",
        NUMBER(1e-4, 0.1, 1.6e-3), LOGARITHMIC),
    AT(wires.mass_per_length)},
-  {ROW(TB_PARAM_WIRES_TENSION, "wires", "tension", "N", "tension of a wire",
-       NUMBER(0.01, 200, 5), LOGARITHMIC, LIVE),
+  {ROW(TB_PARAM_WIRES_TENSION, "wires", "tension", "N", "tension of a wire", NUMBER(0.01, 200, 5),
+       LOGARITHMIC, LIVE),
    AT(wires.tension)},
   {ROW(TB_PARAM_WIRES_TENSION_SPREAD, "wires", "tension_spread", "",
        "largest relative deviation of a wire's tension", NUMBER(0, 0.9, 0)),
@@ -100,8 +101,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_WIRES_DAMPING_1, "wires", "damping_1", "m2/s",
        "loss of a wire that grows with the square of the wave number", NUMBER(0, 0.1, 0.001), LIVE),
    AT(wires.damping_1)},
-  {ROW(TB_PARAM_WIRES_STRAINER, "wires", "strainer", "", "0: thrown off, 1: on",
-       NUMBER(0, 1, 1), LIVE),
+  {ROW(TB_PARAM_WIRES_STRAINER, "wires", "strainer", "", "0: thrown off, 1: on", NUMBER(0, 1, 1),
+       LIVE),
    AT(wires.strainer)},
   {ROW(TB_PARAM_WIRES_STRAINER_TRAVEL, "wires", "strainer_travel", "m",
        "how far the ends lift when the strainer is thrown off", NUMBER(0, 0.02, 0.004)),
@@ -120,8 +121,8 @@ const TbParam tb_params[] = {
        "Hunt-Crossley loss of the contact", NUMBER(0, 100, 0.3)),
    AT(wires.contact_loss)},
 
-  {ROW(TB_PARAM_WIRE_LENGTH, "wire.", "length", "m", "its own length",
-       NUMBER(0.02, 1.5, FOLLOWS), LOGARITHMIC),
+  {ROW(TB_PARAM_WIRE_LENGTH, "wire.", "length", "m", "its own length", NUMBER(0.02, 1.5, FOLLOWS),
+       LOGARITHMIC),
    IN_WIRE(length)},
   {ROW(TB_PARAM_WIRE_ANGLE, "wire.", "angle", "deg", "its own direction",
        NUMBER(-360, 360, FOLLOWS)),
@@ -153,8 +154,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_WIRE_CONTACT_EXPONENT, "wire.", "contact_exponent", "",
        "its own power of the penetration", NUMBER(1, 3, FOLLOWS)),
    IN_WIRE(contact_exponent)},
-  {ROW(TB_PARAM_WIRE_CONTACT_LOSS, "wire.", "contact_loss", "s/m",
-       "its own Hunt-Crossley loss", NUMBER(0, 100, FOLLOWS)),
+  {ROW(TB_PARAM_WIRE_CONTACT_LOSS, "wire.", "contact_loss", "s/m", "its own Hunt-Crossley loss",
+       NUMBER(0, 100, FOLLOWS)),
    IN_WIRE(contact_loss)},
 
   {ROW(TB_PARAM_STRIKER_KIND, "striker.", "kind", "", "what it is",
@@ -188,8 +189,7 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_STRIKE_STRIKER, "strike", "striker", "", "name of its striker; empty: the first",
        TEXT),
    SIZED(strike.striker), .identifier = true},
-  {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made",
-       CHOICE("normal", 0)),
+  {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made", CHOICE("normal", 0)),
    AT(strike.technique)},
 
   {ROW(TB_PARAM_MIC_RADIUS, "mic.", "radius", "m", "distance from the drum's axis",

@@ -23,7 +23,7 @@ static const char *nearest_preset(const char *name) {
   const char *nearest = "";
   size_t smallest = SIZE_MAX;
   for (uint32_t i = 0; i < tb_preset_count; i++) {
-    const size_t distance = tb_edit_distance(name, tb_presets[i].info.name);
+    const size_t distance = tb_word_distance(name, tb_presets[i].info.name);
     if (distance >= smallest) continue;
     smallest = distance;
     nearest = tb_presets[i].info.name;

@@ -101,7 +101,8 @@ static char *write_scientific(char *to, const Decimal *decimal) {
 
 static void write_decimal(char *to, const Decimal *decimal) {
   if (decimal->negative) *to++ = '-';
-  const bool plain = decimal->point > -4 && decimal->point <= 7;
+  const int zeros = decimal->point - decimal->count; /* that would have to fill up a whole number */
+  const bool plain = decimal->point > -4 && decimal->point <= 16 && zeros <= 6;
   to = plain ? write_plain(to, decimal) : write_scientific(to, decimal);
   *to = '\0';
 }
@@ -115,7 +116,8 @@ void tb_number_print(double value, char text[TB_NUMBER_SIZE]) {
     const Decimal decimal = to_decimal(value, precision);
     write_decimal(text, &decimal);
     double back;
-    if (tb_number_parse(text, &back) == TB_PARSE_OK && memcmp(&back, &value, sizeof back) == 0) return;
+    if (tb_number_parse(text, &back) == TB_PARSE_OK && memcmp(&back, &value, sizeof back) == 0)
+      return;
   }
 }
 
@@ -137,7 +139,9 @@ size_t tb_text_step(const char *text) {
   return 4;
 }
 
-static bool is_terminated(const char *text, size_t size) { return memchr(text, '\0', size) != NULL; }
+static bool is_terminated(const char *text, size_t size) {
+  return memchr(text, '\0', size) != NULL;
+}
 
 bool tb_text_is_valid(const char *text, size_t size) {
   if (!is_terminated(text, size)) return false;
@@ -193,4 +197,10 @@ size_t tb_edit_distance(const char *a, const char *b) {
     }
   }
   return table[rows % 3][columns];
+}
+
+size_t tb_word_distance(const char *word, const char *candidate) {
+  const bool begins = *word && strncmp(word, candidate, strlen(word)) == 0;
+  const size_t distance = tb_edit_distance(word, candidate);
+  return begins && distance > 1 ? 1 : distance;
 }

@@ -50,4 +50,7 @@ void tb_text_copy(char *to, size_t size, const char *from);
 /** Insertions, deletions, changes and exchanges of neighbours that turn @p a into @p b. */
 size_t tb_edit_distance(const char *a, const char *b);
 
+/** How far @p word is from meaning @p candidate: as above, but the start of a word is near it. */
+size_t tb_word_distance(const char *word, const char *candidate);
+
 #endif /* TABOR_SRC_TEXT_H */

@@ -100,10 +100,10 @@ static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborErro
   const TbValue own =
     tb_value_load(parsed.param, tb_param_field_const(parsed.param, def, parsed.wire));
   tb_number_print(own.number, value);
-  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, parsed.param->info.minimum,
-                      parsed.param->info.maximum,
-                      "%s = %s: wire %u would lie %g m from the centre, not within shell.radius, %g m",
-                      key, value, (unsigned)index + 1u, wire.offset, def->shell.radius);
+  return tb_error_set(
+    error, TABOR_ERROR_RANGE, key, value, parsed.param->info.minimum, parsed.param->info.maximum,
+    "%s = %s: wire %u would lie %g m from the centre, not within shell.radius, %g m", key, value,
+    (unsigned)index + 1u, wire.offset, def->shell.radius);
 }
 
 TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error) {

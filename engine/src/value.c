@@ -176,8 +176,8 @@ static TaborStatus parse_number(const TbParam *param, const char *key, const cha
   const TbParse parse = tb_number_parse(text, &value->number);
   if (parse == TB_PARSE_OVERFLOW) return refuse_range(param, key, text, error);
   if (parse == TB_PARSE_OK) return tb_value_check(param, key, value, error);
-  return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum,
-                      param->info.maximum, "%s = '%s' is not a number", key, text);
+  return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum, param->info.maximum,
+                      "%s = '%s' is not a number", key, text);
 }
 
 static TaborStatus parse_whole(const TbParam *param, const char *key, const char *text,
@@ -185,9 +185,9 @@ static TaborStatus parse_whole(const TbParam *param, const char *key, const char
   const TbParse parse = tb_whole_parse(text, &value->whole);
   if (parse == TB_PARSE_OVERFLOW) return refuse_range(param, key, text, error);
   if (parse == TB_PARSE_OK) return tb_value_check(param, key, value, error);
-  return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum,
-                      param->info.maximum, "%s = '%s' is not a whole number from %g to %g", key,
-                      text, param->info.minimum, param->info.maximum);
+  return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum, param->info.maximum,
+                      "%s = '%s' is not a whole number from %g to %g", key, text,
+                      param->info.minimum, param->info.maximum);
 }
 
 static TaborStatus parse_choice(const TbParam *param, const char *key, const char *text,

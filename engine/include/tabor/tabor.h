@@ -145,7 +145,8 @@ typedef struct TaborWiresDef {
   double damping_1;          /**< sigma1 [m2/s], 0 to 0.1, default 0.001 */
   double strainer;           /**< 0 off to 1 on, default 1 */
   double strainer_travel;    /**< lift of the ends with the strainer off [m], 0 to 0.02, 0.004 */
-  double rest_offset;        /**< ends from the undeflected head, positive = away [m], -0.01 to 0.02 */
+  double rest_offset;        /**< ends from the undeflected head, positive = away [m],
+                                  -0.01 to 0.02, default 0 */
   double contact_stiffness;  /**< K [N/m^(exponent+1) per length], 1e4 to 1e13, default 1e8 */
   double contact_exponent;   /**< 1 to 3, default 1.5 */
   double contact_loss;       /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.3 */
@@ -224,7 +225,7 @@ typedef struct TaborDrumDef {
 typedef enum TaborParameterType {
   TABOR_TYPE_NUMBER, /**< a double */
   TABOR_TYPE_WHOLE,  /**< a uint32_t */
-  TABOR_TYPE_CHOICE, /**< one word of a list, stored as its index */
+  TABOR_TYPE_CHOICE, /**< one word of a list, stored as its enumerator */
   TABOR_TYPE_TEXT    /**< characters */
 } TaborParameterType;
 
@@ -236,7 +237,8 @@ typedef struct TaborParameter {
   const char *unit;        /**< "N/m"; "" for a pure number */
   TaborParameterType type;
   double minimum, maximum; /**< of numbers and whole numbers; NaN otherwise */
-  double fallback;         /**< the default; NaN for text, and where a wire follows [wires] */
+  double fallback;         /**< the default, of a choice its index in @p choices; NaN for text, and
+                                where a wire follows [wires] */
   const char *choices;     /**< words separated by '|' for a choice, NULL otherwise */
   bool logarithmic;        /**< a control should move it in ratios */
   bool live;               /**< a parameter event may change it while the drum rings */

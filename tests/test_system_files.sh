@@ -1,0 +1,208 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Output files: complete or not there at all, and what was there before stays until then.
+
+. "$(dirname "$0")/host_checks.sh"
+
+short=(-q --quality draft --duration 0.05)
+long=(-q --quality draft --duration 3600 --rate 192000)
+
+# no_leftovers WHAT: no temporary file is in the folder.
+no_leftovers() { same "leftovers after $1" '' "$(find . -name '.tabor*')"; }
+
+frames() { "$INSPECT" sound "$1" | cut -d ' ' -f 5; }
+
+# ---- replacing ----
+
+done_quietly render "${short[@]}"
+same "the default output" 2400 "$(frames strike.wav)"
+cp strike.wav plain.wav
+echo old >target.wav
+chmod 640 target.wav
+ln target.wav hard.wav
+done_quietly render "${short[@]}" -o target.wav
+check "an old file is replaced" cmp -s target.wav plain.wav
+same "its permissions stay" 640 "$(stat -c %a target.wav)"
+same "by a new file, not by overwriting" old "$(cat hard.wav)"
+(umask 027 && exec "$TABOR" render "${short[@]}" -o masked.wav)
+same "permissions of a new file" 640 "$(stat -c %a masked.wav)"
+no_leftovers replacing
+
+echo old >target.wav
+ln -s target.wav link.wav
+done_quietly render "${short[@]}" -o link.wav
+same "a link stays" target.wav "$(readlink link.wav)"
+check "and its file is written" cmp -s target.wav plain.wav
+mkdir sub
+ln -s sub/new.wav dangling.wav
+done_quietly render "${short[@]}" -o dangling.wav
+same "a dangling link stays" sub/new.wav "$(readlink dangling.wav)"
+check "and its file is created" cmp -s sub/new.wav plain.wav
+done_quietly render "${short[@]}" -o "$PWD/sub/absolute.wav"
+check "an absolute path" cmp -s sub/absolute.wav plain.wav
+done_quietly render "${short[@]}" -o=odd.wav
+check "a name with '='" cmp -s =odd.wav plain.wav
+done_quietly render "${short[@]}" --output=UPPER.WAV
+check "an extension in capitals" cmp -s UPPER.WAV plain.wav
+
+# ---- what may not be written ----
+
+failed "it is a folder" render "${short[@]}" -o sub
+failed "it is a folder" render "${short[@]}" -o sub/
+mkdir folder.wav
+failed "it is a folder" render "${short[@]}" -o folder.wav
+failed "it is a folder" render "${short[@]}" --trace sub
+failed "No such file" render "${short[@]}" -o missing/a.wav
+failed "No such file" render "${short[@]}" --trace missing/a.csv
+failed "Not a directory" render "${short[@]}" -o plain.wav/a.wav
+echo precious >protected.wav
+chmod 444 protected.wav
+failed "write-protected" render "${short[@]}" -o protected.wav
+failed "write-protected" render "${short[@]}" --trace protected.wav
+ln -s protected.wav to-protected.wav
+failed "write-protected" render "${short[@]}" -o to-protected.wav
+ln -s loop.wav loop.wav
+failed "symbolic links" render "${short[@]}" -o loop.wav
+failed "name too long|File name too long" render "${short[@]}" -o "$(printf 'x%.0s' {1..300}).wav"
+failed "exists" render "${short[@]}" -n -o plain.wav
+failed "exists" render "${short[@]}" -n
+failed "exists" render "${short[@]}" -n -o new.wav --trace plain.wav
+failed "exists" render "${short[@]}" --no-overwrite -o link.wav
+done_quietly render "${short[@]}" -n -o new.wav
+check "-n writes a new file" cmp -s new.wav plain.wav
+if [ "$(id -u)" != 0 ]; then
+  mkdir closed
+  chmod 555 closed
+  failed "Permission denied" render "${short[@]}" -o closed/a.wav
+fi
+
+# A file that appears while the drum plays is not overwritten either.
+"$TABOR" render -q -n --duration 5 --quality draft -o late.wav 2>"$err" &
+child=$!
+check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
+echo first >late.wav
+wait $child
+status=$?
+: >"$out"
+expect_error 1 "late.wav.*exists"
+same "the file that came first" first "$(cat late.wav)"
+no_leftovers -n
+
+# ---- full disks and limits ----
+
+failed "No space left" render "${short[@]}" -o /dev/full
+ln -s /dev/full full.wav
+ln -s /dev/full full.flac
+failed "No space left" render "${short[@]}" -o full.wav
+failed "No space left" render "${short[@]}" -o full.flac
+failed "No space left" render "${short[@]}" -o kept.wav --trace /dev/full
+for data in "render ${short[*]} -o -" "render --quality draft --duration 0.05 --json -o json.wav" presets \
+  "presets --json" show "show --json" "modes --quality draft" "modes --json --quality draft" --help "render --help" --version; do
+  # shellcheck disable=SC2086
+  "$TABOR" $data >/dev/full 2>"$err"
+  status=$?
+  : >"$out"
+  expect_error 1 "standard output: No space left"
+  # shellcheck disable=SC2086
+  "$TABOR" $data >&- 2>"$err"
+  status=$?
+  expect_error 1 "standard output: Bad file descriptor"
+done
+rm -f json.wav
+done_quietly render "${short[@]}" -o /dev/null
+
+# limited ARGUMENT...: the same as failed, under a limit of the size of files.
+limited() {
+  local before
+  before=$(snapshot)
+  (
+    ulimit -f 8
+    exec "$TABOR" "$@"
+  ) >"$out" 2>"$err"
+  status=$?
+  expect_error 1 "File too large"
+  same "folder after: $*" "$before" "$(snapshot)"
+}
+limited render -q --quality draft --duration 1 -o new.wav
+limited render -q --quality draft --duration 1 -o brand-new.wav
+limited render -q --quality draft --duration 1 -o new.au
+limited render -q --quality draft --duration 1 -o new.flac --format pcm24 --gain 20
+limited render -q --quality draft --duration 0.01 --format pcm16 -o ok.wav --trace new.csv
+limited render -q --quality draft --duration 1 --format float -o /dev/null
+
+# A reader that leaves early ends the program with an error, not with a signal.
+mkfifo gone.au
+head -c 100 gone.au >/dev/null &
+run render -q --quality draft --duration 2 -o gone.au
+wait
+expect_error 1 "Broken pipe"
+"$TABOR" render -q --quality draft --duration 2 -o - 2>"$err" | head -c 100 >/dev/null
+status=${PIPESTATUS[0]}
+expect_error 1 "Broken pipe"
+
+# ---- pipes ----
+
+done_quietly render "${short[@]}" -o plain.au
+for name in pipe.au pipe.wav pipe.flac pipe; do
+  mkfifo $name
+  cat $name >received &
+  done_quietly render "${short[@]}" -o $name
+  wait
+  check "the sound through $name" "$INSPECT" equal received plain.wav
+  check "$name is still a pipe" test -p $name
+done
+mkfifo pipe.csv
+cat pipe.csv >received &
+done_quietly render "${short[@]}" -o plain.wav --trace pipe.csv
+wait
+same "rows through a pipe" 2401 "$(wc -l <received)"
+"$TABOR" render "${short[@]}" -o - | cat >stream.au
+same "a stream" "au pcm24 48000 1 2400" "$("$INSPECT" sound stream.au)"
+check "its sound" "$INSPECT" equal stream.au plain.wav
+"$TABOR" render "${short[@]}" -o - >redirected.au
+check "redirected" cmp -s redirected.au plain.au
+echo before >appended
+"$TABOR" render "${short[@]}" -o /dev/stdout >>appended
+tail -c +8 appended >tail.au
+check "appended" cmp -s tail.au plain.au
+
+# ---- signals ----
+
+# interrupted SIGNAL STATUS ARGUMENT...
+interrupted() {
+  local signal=$1 expected=$2 before child
+  shift 2
+  before=$(snapshot)
+  "$TABOR" render "${long[@]}" "$@" >"$out" 2>"$err" &
+  child=$!
+  check "rendering has begun: $*" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
+  kill -"$signal" $child
+  wait $child
+  same "status after SIG$signal" "$expected" $?
+  same "folder after SIG$signal: $*" "$before" "$(snapshot)"
+}
+for name in plain.wav interrupted.wav interrupted.flac interrupted.au; do
+  interrupted INT 130 -o $name
+  interrupted TERM 143 -o $name
+done
+interrupted TERM 143 -o interrupted.wav --trace interrupted.csv
+interrupted INT 130 -o /dev/null --trace interrupted.csv
+interrupted HUP 129 -o plain.wav
+"$TABOR" render "${short[@]}" -o pipe.au 2>"$err" & # nobody reads
+child=$!
+sleep 0.3
+kill -TERM $child
+wait $child
+same "status while it waits for a reader" 143 $?
+sleep 5 >pipe.au <pipe.au & # somebody who does not read either
+holder=$!
+"$TABOR" render -q --quality draft --duration 60 -o pipe.au 2>"$err" &
+child=$!
+sleep 0.5
+kill -INT $child
+wait $child
+same "status while the pipe is full" 130 $?
+kill $holder
+wait $holder 2>"$err"
+
+finish

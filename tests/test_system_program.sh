@@ -1,0 +1,254 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The program doing what it is asked: facts, sounds, traces.
+
+. "$(dirname "$0")/host_checks.sh"
+
+# What takes time is done at draft quality unless quality matters.
+quick=(--quality draft)
+short=(-q "${quick[@]}" --duration 0.1)
+
+# sound NAME ARGUMENT...: renders without a word.
+sound() {
+  local name=$1
+  shift
+  done_quietly render -q "${quick[@]}" "$@" -o "$name"
+}
+# brief NAME ARGUMENT...: the same for 0.1 s.
+brief() { sound "$@" --duration 0.1; }
+described() { same "what $1 is" "$2" "$("$INSPECT" sound "$1")"; }
+# same_bytes WHAT FILE FILE
+same_bytes() { check "$1" cmp -s "$2" "$3"; }
+differ() { check "$1" eval "! cmp -s $2 $3"; }
+setting() { grep -E "^$1 = " "$out" | sed 's/^[^=]*= *//; s/ *;.*//'; }
+
+# ---- help and version ----
+
+done_quietly --version
+check "version" grep -qE '^tabor [0-9]+\.[0-9]+\.[0-9]+$' "$out"
+version=$(cut -d ' ' -f 2 "$out")
+done_quietly --version --json
+same "version as JSON" "$version" "$(json version)"
+done_quietly --help
+for command in render presets show modes; do
+  check "help names $command" grep -q "^  $command " "$out"
+  same "$command --version" "tabor $version" "$("$TABOR" $command --version)"
+  check "$command --help" eval "'$TABOR' $command --help | grep -q '^Usage: tabor $command'"
+  check "$command -h" eval "'$TABOR' $command --nothing -h 2>&1 | grep -q nothing"
+done
+
+# ---- presets ----
+
+done_quietly presets
+check "a table of presets" grep -qE '^tabor +[^ ]' "$out"
+rows=$(wc -l <"$out")
+done_quietly presets --json
+same "presets as JSON" presets "$(json keys)"
+same "as many" "$rows" "$(json presets.size)"
+same "keys of a preset" "name comment file" "$(json presets.0.keys)"
+presets=()
+for ((i = 0; i < rows; i++)); do presets+=("$(json "presets.$i.name")"); done
+check "tabor is a preset" grep -qw tabor <<<"${presets[*]}"
+
+# ---- show ----
+
+for preset in "${presets[@]}"; do
+  done_quietly show "$preset"
+  cp "$out" shown.ini
+  check "a comment on every line of $preset" eval "! grep -E '^[a-z].*=' shown.ini | grep -vq ' ; '"
+  same "no line of $preset too long" 0 "$(grep -cE '^.{199}' shown.ini)"
+  done_quietly show ./shown.ini
+  same_bytes "$preset reads back" shown.ini "$out"
+  sound a.wav "$preset" --duration 0.05
+  sound b.wav ./shown.ini --duration 0.05
+  same_bytes "$preset sounds the same from its file" a.wav b.wav
+done
+done_quietly show --set shell.radius=0.2 --set batter.tension=1234.5 --set=shell.radius=0.21
+same "the last --set counts" 0.21 "$(setting radius | head -n 1)"
+same "all of them" 1234.5 "$(setting tension | head -n 1)"
+check "unit and text" grep -qE '^tension = 1234.5 +; \[N/m\] [a-z]' "$out"
+done_quietly show --set drum.name=Mine --set "mic.extra.height=0.5" --set striker.other.mass=0.02
+check "a new microphone" grep -qx '\[mic.extra\]' "$out"
+check "a new striker" grep -qx '\[striker.other\]' "$out"
+cp "$out" shown.ini
+done_quietly show shown.ini
+same_bytes "they read back" shown.ini "$out"
+refused "drum.comment" show --set 'drum.comment=one ; two'
+refused "drum.comment" show --set "drum.comment=$(printf 'x%.0s' {1..240})"
+done_quietly show --json
+same "show as JSON" "name parameters" "$(json keys)"
+same "keys of a parameter" "key value unit minimum maximum live text" "$(json parameters.0.keys)"
+
+# ---- modes ----
+
+done_quietly modes frame-drum "${quick[@]}"
+rows=$(($(wc -l <"$out") - 1))
+done_quietly modes frame-drum --json "${quick[@]}"
+same "modes as JSON" modes "$(json keys)"
+same "as many rows" "$rows" "$(json modes.size)"
+same "keys of a mode" "m n frequency decay_rate t60 multiplicity head phase" "$(json modes.0.keys)"
+same "the lowest mode" "0 1 1" "$(json modes.0.m) $(json modes.0.n) $(json modes.0.multiplicity)"
+same "the next" "1 1 2" "$(json modes.1.m) $(json modes.1.n) $(json modes.1.multiplicity)"
+same "head and phase" "batter null" "$(json modes.0.head) $(json modes.0.phase)"
+holds "sorted" "$(json modes.0.frequency) < $(json modes.1.frequency)"
+holds "t60" "$(json modes.0.t60) * $(json modes.0.decay_rate) - log(1000) < 1e-9"
+vacuum=(--set air.density=0 --set batter.bending_stiffness=0 --set quality.losses=0 \
+  --set batter.tension=3000 --set batter.surface_density=0.3 --set shell.radius=0.2)
+done_quietly modes frame-drum --json "${quick[@]}" "${vacuum[@]}"
+holds "Bessel's zero" \
+  "($(json modes.0.frequency) / (2.404825557695773 / (2 * atan2(0, -1) * 0.2) * 100) - 1)^2 < 1e-18"
+same "no decay, no t60" null "$(json modes.0.t60)"
+
+# ---- the facts of a rendering ----
+
+done_quietly render "${quick[@]}" --json --duration 0.5 -o facts.wav --rate 44100 --mic top --mic top
+same "keys" "preset rate frames channels peak real_time_factor newton energy output" "$(json keys)"
+same "keys of newton" "mean max capped" "$(json newton.keys)"
+same "keys of energy" "injected control stored head_loss wire_loss contact_loss damper_loss \
+shell_loss radiated removed residual" "$(json energy.keys)"
+same "facts" "tabor 44100 22050 2 facts.wav" \
+  "$(json preset) $(json rate) $(json frames) $(json channels) $(json output)"
+described facts.wav "wav pcm24 44100 2 22050"
+holds "peak" "($(json peak) - $("$INSPECT" peak facts.wav))^2 < 1e-12"
+holds "real time" "$(json real_time_factor) > 0"
+holds "Newton" "$(json newton.mean) > 0 && $(json newton.max) >= $(json newton.mean)"
+holds "a stick of some grams" "$(json energy.injected) > 1e-3 && $(json energy.injected) < 1"
+holds "the ledger" "($(json energy.injected) + $(json energy.control) - $(json energy.stored) \
+  - $(json energy.head_loss) - $(json energy.wire_loss) - $(json energy.contact_loss) \
+  - $(json energy.damper_loss) - $(json energy.shell_loss) - $(json energy.radiated) \
+  - $(json energy.removed) - $(json energy.residual))^2 < (1e-9 * $(json energy.injected))^2"
+run render "${quick[@]}" --duration 0.05 -o talk.wav
+same "status" 0 "$status"
+check "a line about it" grep -q '^talk.wav: tabor, 0.05 s, 48000 Hz, 1 channel, peak ' "$err"
+same "nothing else" "1 0" "$(wc -l <"$err") $(wc -c <"$out")"
+run render "${quick[@]}" --duration 0.05 -v -o talk.wav
+check "more" grep -q 'energy in J' "$err"
+run render "${quick[@]}" --duration 0.05 --json -o talk.wav
+same "JSON alone" 0 "$(wc -c <"$err")"
+
+# ---- formats and rates ----
+
+for rate in 22050 44100 96000 192000; do
+  for container in wav flac au; do
+    for encoding in pcm16 pcm24 float; do
+      [ $container$encoding = flacfloat ] && continue
+      sound f.$container --rate $rate --format $encoding --duration 0.02 --mic top --mic top
+      described f.$container "$container $encoding $rate 2 $((rate / 50))"
+    done
+  done
+done
+sound rounded.wav --rate 22051 --duration 0.25
+described rounded.wav "wav pcm24 22051 1 5513"
+for encoding in pcm16 pcm24; do
+  for container in wav flac au; do
+    sound same.$container --format $encoding --duration 0.1
+    check "$encoding in $container" "$INSPECT" equal same.wav same.$container
+  done
+done
+sound a.wav --duration 0.05 --format pcm16
+sound b.wav --duration 0.05 --format float
+holds "16 bits are the rounded sound" \
+  "($("$INSPECT" peak a.wav) - $("$INSPECT" peak b.wav))^2 <= (0.5 / 32768)^2"
+
+# ---- the same command, the same bytes ----
+
+for file in once.wav once.flac once.au; do
+  format=float
+  [ $file = once.flac ] && format=pcm24
+  sound $file --duration 0.3 --format $format
+  cp $file first
+  sleep 1.1
+  sound $file --duration 0.3 --format $format
+  same_bytes "twice the same $file" first $file
+done
+
+# ---- length ----
+
+sound whole.wav --format float
+frames=$("$INSPECT" sound whole.wav | cut -d ' ' -f 5)
+holds "until it has died away" "$frames >= 24000 && $frames <= 20 * 48000"
+sound traced.wav --format float --trace whole.csv
+same_bytes "tracing changes nothing" whole.wav traced.wav
+last=$(tail -n 1 whole.csv | cut -d , -f 7)
+most=$(cut -d , -f 7 whole.csv | sort -g | tail -n 1)
+holds "90 dB below the largest energy" "$last <= 1e-9 * $most || $frames == 20 * 48000"
+sound later.wav --format float --strike time=3
+same "the same length from the last stroke on" "0" "$((($("$INSPECT" sound later.wav |
+  cut -d ' ' -f 5) - 144000 - frames) / 257))"
+done_quietly render -q "${quick[@]}" --set batter.damping_0=1000 --strike time=0 -o dead.wav
+holds "half a second at least" "$("$INSPECT" sound dead.wav | cut -d ' ' -f 5) >= 24000"
+
+# ---- strokes ----
+
+done_quietly show
+radius=$(setting radius | head -n 1)
+holds "radius" "$radius >= 0.05"
+sound none.wav --duration 0.2 --format float
+sound zero.wav --duration 0.2 --format float --strike time=0
+same_bytes "the preset's stroke" none.wav zero.wav
+sound shifted.wav --duration 0.3 --format float --strike=time=0.1
+same "0.1 s later" $(($("$INSPECT" first none.wav) + 4800)) "$("$INSPECT" first shifted.wav)"
+sound two.wav --duration 0.3 --format float --strike time=0.1,velocity=1 --strike time=0
+sound turned.wav --duration 0.3 --format float --strike time=0 --strike velocity=1,time=0.1
+same_bytes "strokes in any order" two.wav turned.wav
+brief fast.wav --strike velocity=12
+brief midi.wav --strike midi=127
+same_bytes "midi=127 is 12 m/s" fast.wav midi.wav
+brief slow.wav --strike velocity=0.3
+brief midi.wav --strike midi=1
+same_bytes "midi=1 is 0.3 m/s" slow.wav midi.wav
+differ "and another sound" slow.wav fast.wav
+brief metres.wav --strike "radius=$(awk "BEGIN { printf \"%.17g\", $radius / 2 }")"
+brief percent.wav --strike radius=50%
+same_bytes "50 % of the head" metres.wav percent.wav
+brief centre.wav --strike radius=0%
+differ "and another sound" percent.wav centre.wav
+brief named.wav --strike striker=stick,technique=normal
+brief plain.wav
+same_bytes "the stick is the striker" named.wav plain.wav
+brief tight.wav --set batter.tension=5000
+differ "--set is heard" plain.wav tight.wav
+brief draft.wav --quality draft
+brief studio.wav --quality studio
+differ "--quality is heard" draft.wav studio.wav
+done_quietly render -q --duration 0.1 -o default.wav
+same_bytes "studio is the default" studio.wav default.wav
+done_quietly render -q --duration 0.1 -o key.wav --set quality.level=draft
+same_bytes "unless the drum says otherwise" draft.wav key.wav
+strokes=()
+for ((i = 0; i < 10000; i++)); do strokes+=(--strike "time=0.$((i % 10))"); done
+sound many.wav "${strokes[@]}" --duration 1
+
+# ---- gain ----
+
+brief quiet.wav --format float
+brief loud.wav --format float --gain 20
+holds "20 dB are a factor of 10" \
+  "($("$INSPECT" peak loud.wav) / $("$INSPECT" peak quiet.wav) / 10 - 1)^2 < 1e-12"
+for encoding in pcm16 pcm24; do
+  run render "${short[@]}" --format $encoding --gain 60 -o loud.wav
+  same "saturation is no error" 0 "$status"
+  same "one warning" 1 "$(grep -c 'warning: the peak of +[0-9.]* dBFS saturates' "$err")"
+  holds "it saturates" "$("$INSPECT" peak loud.wav) >= 0.9999"
+  gain=$(sed 's/.*--gain \([-0-9.]*\) .*/\1/' "$err")
+  brief loud.wav --format $encoding --gain "$gain"
+  holds "the gain of the warning just avoids it" \
+    "$("$INSPECT" peak loud.wav) < 1 && $("$INSPECT" peak loud.wav) > 0.98"
+done
+brief loud.wav --format float --gain 60
+holds "float does not saturate" "$("$INSPECT" peak loud.wav) > 1.5"
+
+# ---- the trace ----
+
+sound t.wav --duration 0.25 --trace t.csv
+same "columns" "time_s,head_m,wire_m,striker_m,striker_force_n,wire_force_n,energy_j" \
+  "$(head -n 1 t.csv)"
+same "a row a sample" 12001 "$(wc -l <t.csv)"
+same "seven fields a row" 12001 "$(awk -F, 'NF == 7' t.csv | wc -l)"
+same "times" 0 "$(awk -F, 'NR > 1 && ($1 * 48000 - NR + 1)^2 > 1e-12' t.csv | wc -l)"
+same "only numbers" 0 "$(tail -n +2 t.csv | grep -cvE '^[-+0-9.e,]*$')"
+check "the stick pushes" eval "awk -F, '\$5 > 0.1' t.csv | grep -q ."
+sound f.wav frame-drum --duration 0.02 --trace f.csv
+same "no wire, no fields" 0 "$(awk -F, 'NR > 1 && ($3 != "" || $6 != "")' f.csv | wc -l)"
+
+finish

@@ -83,8 +83,9 @@ static int sndfile_format(const AudioFormat *format) {
   return container | encodings[format->encoding];
 }
 
-/* libsndfile keeps errno of the call that failed; its own message is the second choice. */
+/* libsndfile's own message is the second choice. */
 static Outcome sound_failure(const AudioFile *file, SNDFILE *stream) {
+  if (file->io.error != 0) errno = file->io.error;
   if (errno != 0) return output_failure(file->output);
   return fail("cannot write '%s': %s", file->output->name, sf_strerror(stream));
 }
@@ -97,7 +98,9 @@ Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *
                   .channels = (int)format->channels,
                   .format = sndfile_format(format)};
   errno = 0;
-  file->stream = sf_open_fd(output->descriptor, SFM_WRITE, &info, SF_FALSE);
+  file->stream = output->kind == OUTPUT_STREAMED
+                   ? sf_open_fd(output->descriptor, SFM_WRITE, &info, SF_FALSE)
+                   : recorded_io_open(&file->io, output->descriptor, &info);
   if (!file->stream) return sound_failure(file, NULL);
   (void)sf_command(file->stream, SFC_SET_ADD_PEAK_CHUNK, NULL, SF_FALSE); /* holds the time */
   if (may_need_rf64(format)) { /* what turns out to be short is a WAV all the same */
@@ -135,14 +138,15 @@ Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames
   const sf_count_t written = file->format.encoding == AUDIO_FLOAT
                                ? write_floats(file, samples, frames)
                                : write_integers(file, samples, frames);
-  if (written != (sf_count_t)frames) return sound_failure(file, file->stream);
+  if (written != (sf_count_t)frames || file->io.error != 0)
+    return sound_failure(file, file->stream);
   file->frames += frames;
   return OUTCOME_OK;
 }
 
 /* ---- completing ---- */
 
-/* sf_close() does not tell when the header could not be written, so the file is read back. */
+/* What cannot be seen in a single write, as a file that has grown too large for its header. */
 static Outcome verify(const AudioFile *file) {
   const AudioFormat *const format = &file->format;
   SF_INFO info = {0};
@@ -160,7 +164,7 @@ Outcome audio_file_finish(AudioFile *file) {
   SNDFILE *const stream = file->stream;
   file->stream = NULL;
   errno = 0;
-  if (sf_close(stream) != 0) return sound_failure(file, NULL);
+  if (sf_close(stream) != 0 || file->io.error != 0) return sound_failure(file, NULL);
   return file->output->kind == OUTPUT_STREAMED ? OUTCOME_OK : verify(file);
 }
 

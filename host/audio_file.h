@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "output_file.h"
+#include "recorded_io.h"
 
 typedef enum AudioContainer { AUDIO_WAV, AUDIO_FLAC, AUDIO_AU } AudioContainer;
 typedef enum AudioEncoding { AUDIO_PCM16, AUDIO_PCM24, AUDIO_FLOAT } AudioEncoding;
@@ -22,10 +23,11 @@ typedef struct AudioFormat {
   uint64_t most_frames; /**< how long the sound may become */
 } AudioFormat;
 
-/** A sound file being written to an open OutputFile, which it does not own. */
+/** A sound file being written to an open OutputFile, which it does not own. Stays where it is. */
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
+  RecordedIo io; /**< what stream writes to, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
   uint64_t frames;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * embed-presets OUT.c A.ini B.ini ...: writes preset files as the C table of engine/src/preset.h, in
- * this order. Part of the build, not of the product. What the values are worth is tested later
+ * embed-presets OUT.c A.ini B.ini ...: writes preset files as the C table of engine/src/preset.h,
+ * in this order. Part of the build, not of the product. What the values are worth is tested later
  * (tests/test_preset.c); here a file only has to be a sound INI file.
  */
 #include "preset_file.h"

@@ -67,7 +67,8 @@ static size_t write_place(Reader *reader, unsigned line) {
   return written >= 0 && (size_t)written < reader->size ? (size_t)written : reader->size - 1;
 }
 
-/* Writes "path:line: ..."; returns false, so that a check can end with it. Line 0: the whole file. */
+/* Writes "path:line: ..."; returns false, so that a check can end with it. Line 0: the whole
+ * file. */
 PRINTF_LIKE static bool refuse_line(Reader *reader, unsigned line, const char *format, ...) {
   if (reader->size == 0) return false;
   const size_t place = write_place(reader, line);
@@ -228,8 +229,8 @@ static bool check_duplicate(Reader *reader, const Pair *pair) {
   return true;
 }
 
-/* A last line without a line end may have been cut off in the middle of its value; a comment after the
- * value shows that it was not. */
+/* A last line without a line end may have been cut off in the middle of its value; a comment after
+ * the value shows that it was not. */
 static bool check_last_line(Reader *reader, unsigned line, Span value) {
   const char *const text_end = reader->text + reader->length;
   if (memchr(value.end, '\n', (size_t)(text_end - value.end))) return true;

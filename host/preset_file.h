@@ -7,12 +7,12 @@
  *     [batter]
  *     tension = 3000   ; N/m: why
  *
- * inih takes the lines apart. What it would let through in silence is refused before it sees the text:
- * more than 64 KiB; anything but valid UTF-8; control characters other than tab and line ends; lines
- * over 198 bytes, section names and keys over 49 (it cuts them); indented lines (it appends them to the
- * value before); text after a section's ']'; ':' for '='; a key before the first section; sections and
- * keys that occur twice. So is a last line that ends right after its value without a line end: a file
- * that was cut off there would give another number.
+ * inih takes the lines apart. What it would let through in silence is refused before it sees the
+ * text: more than 64 KiB; anything but valid UTF-8; control characters other than tab and line
+ * ends; lines over 198 bytes, section names and keys over 49 (it cuts them); indented lines (it
+ * appends them to the value before); text after a section's ']'; ':' for '='; a key before the
+ * first section; sections and keys that occur twice. So is a last line that ends right after its
+ * value without a line end: a file that was cut off there would give another number.
  *
  * What keys and values mean is up to the caller.
  */
@@ -26,8 +26,8 @@
 #define PRESET_FILE_LIMIT 65536
 
 /**
- * Takes a pair of the file's line @p line. On false, it has written one line about what is wrong into
- * @p message, and reading ends.
+ * Takes a pair of the file's line @p line. On false, it has written one line about what is wrong
+ * into @p message, and reading ends.
  */
 typedef bool PresetPairFn(void *context, const char *section, const char *key, const char *value,
                           unsigned line, char *message, size_t size);
@@ -40,8 +40,8 @@ typedef enum PresetFileStatus {
 
 /**
  * Calls @p pair for every pair of the file, in order; for none of them if the file as a whole is
- * malformed. Otherwise than with PRESET_FILE_OK, @p message is one line that names the file, the line
- * and the thing. Never waits for a FIFO or device and never reads more than the limit.
+ * malformed. Otherwise than with PRESET_FILE_OK, @p message is one line that names the file, the
+ * line and the thing. Never waits for a FIFO or device and never reads more than the limit.
  */
 PresetFileStatus preset_file_read(const char *path, PresetPairFn *pair, void *context,
                                   char *message, size_t size);

@@ -56,30 +56,30 @@ void script_add(Script *script, TaborEvent event) {
 void script_everything(Script *script) {
   memset(script, 0, sizeof *script);
   script_add(script, script_strike(3, 3.0, 0.031, 17.0));
-  script_add(script, script_parameter(501, "wires.strainer", 0.4));
-  script_add(script, script_parameter(777, "wires.tension", 7.5));
-  TaborEvent stroke = script_strike(1025, 8.0, 0.07, -120.0);
+  script_add(script, script_parameter(251, "wires.strainer", 0.4));
+  script_add(script, script_parameter(387, "wires.tension", 7.5));
+  TaborEvent stroke = script_strike(513, 8.0, 0.07, -120.0);
   stroke.id = 5;
   script_add(script, stroke);
-  script_add(script, script_strike(1025, 0.8, 0.0, 0.0));
-  script_add(script, script_parameter(1291, "output.full_scale", 35.0));
-  script_add(script, (TaborEvent){.frame = 2049, .type = TABOR_EVENT_RELEASE, .id = 5});
-  script_add(script, script_parameter(2311, "wires.damping_0", 20.0));
-  script_add(script, script_parameter(2311, "wires.rest_offset", 2e-4));
-  script_add(script, script_strike(3333, 12.0, 0.04, 200.0));
-  script_add(script, (TaborEvent){.frame = 3800,
+  script_add(script, script_strike(513, 0.8, 0.0, 0.0));
+  script_add(script, script_parameter(645, "output.full_scale", 35.0));
+  script_add(script, (TaborEvent){.frame = 1025, .type = TABOR_EVENT_RELEASE, .id = 5});
+  script_add(script, script_parameter(1155, "wires.damping_0", 20.0));
+  script_add(script, script_parameter(1155, "wires.rest_offset", 2e-4));
+  script_add(script, script_strike(1667, 12.0, 0.04, 200.0));
+  script_add(script, (TaborEvent){.frame = 1901,
                                   .type = TABOR_EVENT_DAMP,
                                   .id = 9,
                                   .radius = 0.06,
                                   .angle = 80.0,
                                   .value = 6.0});
-  script_add(script, script_parameter(4242, "wires.damping_1", 0.003));
-  script_add(script, script_strike(4607, 2.0, 0.05, 45.0));
-  script_add(script, (TaborEvent){.frame = 5501, .type = TABOR_EVENT_RELEASE, .id = 9});
-  script_add(script, script_parameter(5502, "wires.strainer", 1.0));
-  script_add(script, script_strike(6401, 5.0, 0.09, 10.0));
-  script_add(script, script_parameter(6800, "mic.top.gain", 0.5));
-  script_add(script, (TaborEvent){.frame = 8191, .type = TABOR_EVENT_RELEASE});
+  script_add(script, script_parameter(2121, "wires.damping_1", 0.003));
+  script_add(script, script_strike(2303, 2.0, 0.05, 45.0));
+  script_add(script, (TaborEvent){.frame = 2751, .type = TABOR_EVENT_RELEASE, .id = 9});
+  script_add(script, script_parameter(2752, "wires.strainer", 1.0));
+  script_add(script, script_strike(3201, 5.0, 0.09, 10.0));
+  script_add(script, script_parameter(3400, "mic.top.gain", 0.5));
+  script_add(script, (TaborEvent){.frame = 4095, .type = TABOR_EVENT_RELEASE});
 }
 
 Take take_create(const TaborModel *model, uint32_t frames) {

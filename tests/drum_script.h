@@ -9,7 +9,7 @@
 
 #include "tabor/tabor.h"
 
-enum { SCRIPT_MAX_EVENTS = 32, SCRIPT_FRAMES = 9600 };
+enum { SCRIPT_MAX_EVENTS = 32, SCRIPT_FRAMES = 4800 };
 
 /** Events in order; their frame counts from the start of the performance. */
 typedef struct Script {

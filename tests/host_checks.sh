@@ -14,7 +14,7 @@ work=$private/work out=$private/out err=$private/err
 mkdir "$work"
 cd "$work" || exit 1
 
-checks=0 failures=0
+checks=0 failures=0 skipped=
 
 # complain WHAT: a check has failed.
 complain() {
@@ -101,6 +101,7 @@ wait_for() {
 
 # The last line of every script.
 finish() {
-  printf '%s: %d checks, %d failed\n' "$(basename "$0" .sh)" "$checks" "$failures"
+  printf '%s: %d checks, %d failed%s\n' "$(basename "$0" .sh)" "$checks" "$failures" \
+    "${skipped:+, skipped: $skipped}"
   [ "$failures" = 0 ]
 }

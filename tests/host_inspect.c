@@ -49,7 +49,7 @@ static int inspect_json(char *path) {
   const char *step = strtok(path, ".");
   for (; value && step && strcmp(step, "keys") != 0 && strcmp(step, "size") != 0;
        step = strtok(NULL, ".")) {
-    value = json_is_array(value) ? json_array_get(value, (size_t)atol(step))
+    value = json_is_array(value) ? json_array_get(value, strtoul(step, NULL, 10))
                                  : json_object_get(value, step);
   }
   if (status == 0 && step && strcmp(step, "keys") == 0) {

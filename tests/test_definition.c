@@ -828,7 +828,8 @@ static void test_counts(void **state) {
   refuse_def(&def, TABOR_ERROR_RANGE, "wires.count", "outside 0 to 40");
 }
 
-/* Every number at NaN, the infinities and beyond its limits; every whole number and choice beyond. */
+/* Every number at NaN, the infinities and beyond its limits; every whole number and choice
+ * beyond. */
 typedef struct Corners {
   TaborDrumDef *def;
   unsigned checked;

@@ -106,9 +106,9 @@ static void playing_allocates_and_locks_nothing(void **state) {
   Take take = take_create(model, SCRIPT_FRAMES);
   Script script;
   script_everything(&script);
-  script_add(&script, (TaborEvent){.frame = 9001, .type = TABOR_EVENT_RESET});
-  script_add(&script, script_strike(9003, 30.0, 1.0, 0.0));
-  script_add(&script, (TaborEvent){.frame = 9100, .type = 99});
+  script_add(&script, (TaborEvent){.frame = 4501, .type = TABOR_EVENT_RESET});
+  script_add(&script, script_strike(4503, 30.0, 1.0, 0.0));
+  script_add(&script, (TaborEvent){.frame = 4600, .type = 99});
   void *bytes = malloc(tabor_drum_state_size(drum));
   assert_non_null(bytes);
 

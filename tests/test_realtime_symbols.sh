@@ -1,35 +1,75 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What the audio thread may call, read off the objects themselves: the objects listed here are all
-# that runs on it. They may call each other and the allow-list, and nothing else, whatever branch a
-# test happens to take.
+# What the audio thread may call, read off the compiled library, whatever branches other tests take.
+# Every function has its own section; from those that tabor.h calls AUDIO or ANY, this follows every
+# reference to other sections, tables of functions included, and looks at what is reached outside the
+# library. What it cannot see is a pointer that the user gave: the allocator, which test_realtime counts.
 #
-# test_realtime_symbols.sh LIBTABOR.A
+# test_realtime_symbols.sh LIBTABOR.A TABOR.H
 set -euo pipefail
-library=$1
+library=$1 header=$2
 
-# Sources of which every function is safe on the audio thread.
-realtime_sources="kernels law power solve state live energy"
+# They allocate nothing, lock nothing and make no system call. The compiler itself puts in calls of
+# the first four; sqrt is exact everywhere.
+allowed="memcmp memcpy memmove memset sqrt _GLOBAL_OFFSET_TABLE_ __stack_chk_fail"
 
-# Functions from outside: they allocate nothing, lock nothing and make no system call. The
-# compiler itself puts in calls of the first four.
-allowed="memcpy memmove memset memcmp sqrt _GLOBAL_OFFSET_TABLE_ __stack_chk_fail"
+audio=$(awk '/^\/\* [A-Z-]+ -+ \*\/$/ { audio = $2 == "AUDIO" || $2 == "ANY" } /^\/\* -+$/ { audio = 0 } audio' \
+  "$header" | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
 
-# Lines of "source kind name" for every symbol: U is needed, T, D, R and their like are given.
-symbols=$(nm -A "$library" | sed -nE 's/^.*:([^:]+)\.c\.o: *[0-9a-f]* ([A-Za-z]) (.*)$/\1 \2 \3/p')
-
-awk -v sources="$realtime_sources" -v allowed="$allowed" '
-  BEGIN {
-    split(sources, list, " ")
-    for (i in list) realtime[list[i]] = 1
-    split(allowed, list, " ")
-    for (i in list) given[list[i]] = 1
+objdump -t -r "$library" | awk -v roots="$audio" -v allowed="$allowed" '
+  # A node is a section of a member of the archive.
+  / file format / { member++; name[member] = $1; next }
+  /^RELOCATION RECORDS FOR/ { section = substr($4, 2, length($4) - 3); next }
+  /^[0-9a-f]+ [gl!uw ][w ]/ {                     # a symbol: value flags section size [.hidden] name
+    rest = substr($0, index($0, " ") + 9)
+    split(rest, field, /[ \t]+/)
+    if (field[1] == "*UND*") next
+    flag = substr($0, index($0, " ") + 1, 1)
+    if (flag == "l") local[member, $NF] = field[1]
+    else { given[$NF] = given[$NF] member SUBSEP field[1] " " }
+    next
   }
-  $1 in realtime { seen[$1] = 1 }
-  $1 in realtime && $2 ~ /[A-TV-Z]/ { given[$3] = 1 }
-  $1 in realtime && $2 == "U" { needed[$3] = needed[$3] " " $1 ".c" }
+  /^[0-9a-f]+ R_/ {
+    symbol = $3
+    sub(/[-+]0x[0-9a-f]+$/, "", symbol)
+    refers[member, section] = refers[member, section] symbol " "
+  }
+  function visit(node, path) {
+    if (node in seen) return
+    seen[node] = path
+    todo[++last] = node
+  }
   END {
-    for (name in realtime) if (!(name in seen)) { print name ".c: not in the library"; bad = 1 }
-    for (name in needed) if (!(name in given)) { print name ": called from" needed[name]; bad = 1 }
+    count = split(roots, root, /[ \n]+/)
+    for (i = 1; i <= count; i++) {
+      if (!(root[i] in given)) { print root[i] ": not in the library"; bad = 1; continue }
+      n = split(given[root[i]], place, " ")
+      for (j = 1; j <= n; j++) visit(place[j], root[i])
+    }
+    for (symbol in given) {                        # chosen when a model is made, called by pointer
+      if (symbol !~ /^tb_kernels_/) continue
+      n = split(given[symbol], place, " ")
+      for (j = 1; j <= n; j++) visit(place[j], symbol)
+      kernels++
+    }
+    if (!kernels) { print "no table of kernels was found"; bad = 1 }
+    n = split(allowed, list, " ")
+    for (i in list) fine[list[i]] = 1
+    for (at = 1; at <= last; at++) {
+      node = todo[at]
+      split(node, part, SUBSEP)
+      n = split(refers[node], target, " ")
+      for (i = 1; i <= n; i++) {
+        t = target[i]
+        if (t ~ /^\./) visit(part[1] SUBSEP t, seen[node])
+        else if ((part[1], t) in local) visit(part[1] SUBSEP local[part[1], t], seen[node] " > " t)
+        else if (t in given) {
+          m = split(given[t], place, " ")
+          for (j = 1; j <= m; j++) visit(place[j], seen[node] " > " t)
+        }
+        else if (!(t in fine)) { print t ": called by " seen[node]; fine[t] = 1; bad = 1 }
+      }
+    }
+    if (last < 20) { print "only " last + 0 " functions were reached: this test sees nothing"; bad = 1 }
     exit bad
-  }' <<<"$symbols" >&2
+  }' >&2

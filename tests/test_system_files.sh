@@ -130,6 +130,29 @@ limited render -q --quality draft --duration 1 -o new.flac --format pcm24 --gain
 limited render -q --quality draft --duration 0.01 --format pcm16 -o ok.wav --trace new.csv
 limited render -q --quality draft --duration 1 --format float -o /dev/null
 
+# Every single write may be the one that fails, the last one of the header too.
+# traced OPTION... -- ARGUMENT...: runs the program under strace.
+traced() {
+  ASAN_OPTIONS=detect_leaks=0 strace -f -qq -o "$private/calls" "$@" >"$out" 2>"$err"
+}
+if traced -e trace=write true; then
+  for name in plain.wav plain.flac plain.au; do
+    words=("$TABOR" render "${short[@]}" -o $name --trace whole.csv)
+    traced -e trace=write "${words[@]}"
+    writes=$(wc -l <"$private/calls")
+    check "$name takes some writes" test "$writes" -gt 5
+    before=$(snapshot)
+    for k in 1 2 3 4 5 $((writes / 2)) $((writes - 1)) "$writes"; do
+      traced -e trace=write -e inject=write:error=ENOSPC:when="$k" "${words[@]}"
+      status=$?
+      expect_error 1 "No space left"
+      same "folder after failed write $k of $writes to $name" "$before" "$(snapshot)"
+    done
+  done
+else
+  skipped="failing writes (needs strace)"
+fi
+
 # A reader that leaves early ends the program with an error, not with a signal.
 mkfifo gone.au
 head -c 100 gone.au >/dev/null &

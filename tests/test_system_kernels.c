@@ -75,7 +75,7 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
   script_everything(&scripts[0]);
   scripts[1] = (Script){.count = 0};
   script_add(&scripts[1], script_strike(11, 6.0, 0.02, 0.0));
-  script_add(&scripts[1], script_strike(4001, 1.5, 0.08, 90.0));
+  script_add(&scripts[1], script_strike(2001, 1.5, 0.08, 90.0));
 
   TaborModel *model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
   Player players[2];

@@ -12,7 +12,7 @@
 #include "drum_script.h"
 
 /* In mid-ring: a striker just left, the wires chatter, a parameter is still moving. */
-enum { MIDDLE = 2332 };
+enum { MIDDLE = 1166 };
 
 static TaborModel *model;
 static Script script;

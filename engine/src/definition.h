@@ -9,8 +9,8 @@
 #include "tabor/tabor.h"
 
 /**
- * The complete values of wire @p index (from 0) of a valid definition, none of them NaN: its own ones
- * where they are set, those of [wires] otherwise.
+ * The complete values of wire @p index (from 0) of a valid definition, none of them NaN: its own
+ * ones where they are set, those of [wires] otherwise.
  *
  * - tension: with the spread applied, T (1 + spread u), u in [-1, 1] from seed and index; a wire's
  *   own tension is taken as it is. The spread may carry it past the range of the key.

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Longest text that %s writes, so that one cannot push what comes after it out of the message. No full
- * key is longer. */
+/* Longest text that %s writes, so that one cannot push what comes after it out of the message. No
+ * full key is longer. */
 #define TEXT_LIMIT 96
 
 /* Room left in a message. */

@@ -22,8 +22,9 @@
  * @param key     the offending key, or NULL
  * @param value   its value as text, or NULL
  * @param minimum,maximum what is allowed; NaN where no range applies
- * @param format  printf-like, with the conversions %s %d %u %zu %c %g %% only and no flags, widths or
- *                precisions; %g writes the shortest text that reads back the same, always with a '.'
+ * @param format  printf-like, with the conversions %s %d %u %zu %c %g %% only and no flags, widths
+ *                or precisions; %g writes the shortest text that reads back the same, always with a
+ *                '.'
  *
  * What is no printable UTF-8 becomes '?'. A %s is cut to 96 bytes, between characters.
  */

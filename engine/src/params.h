@@ -12,8 +12,8 @@
 #include "tabor/tabor.h"
 
 /**
- * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used again.
- * A section owns a hundred; keys that contract.md reserves for later fit into the gaps
+ * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
+ * again. A section owns a hundred; keys that contract.md reserves for later fit into the gaps
  * (400: resonant, 800: hand, 900: hoop).
  */
 typedef enum TbParamId {
@@ -96,7 +96,8 @@ typedef enum TbParamId {
   TB_PARAM_OUTPUT_FULL_SCALE = 1400 /**< live */
 } TbParamId;
 
-/** What a row's section consists of: one struct, or an array of elements with a number or a name. */
+/** What a row's section consists of: one struct, or an array of elements with a number or a
+ * name. */
 typedef enum TbGroup { TB_GROUP_SINGLE, TB_GROUP_WIRE, TB_GROUP_STRIKER, TB_GROUP_MIC } TbGroup;
 
 typedef struct TbParam {

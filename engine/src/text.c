@@ -38,7 +38,8 @@ static bool is_decimal(const char *text) {
 
 TbParse tb_number_parse(const char *text, double *value) {
   if (!is_decimal(text)) return TB_PARSE_INVALID;
-  /* The C locale is built into the C library: this allocates nothing and touches no thread's locale. */
+  /* The C locale is built into the C library: this allocates nothing and touches no thread's
+   * locale. */
   const locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
   if (!c_locale) return TB_PARSE_INVALID;
   const double result = strtod_l(text, NULL, c_locale);

@@ -28,13 +28,13 @@ TbParse tb_number_parse(const char *text, double *value);
 /** Reads digits only. */
 TbParse tb_whole_parse(const char *text, uint32_t *value);
 
-/** Writes the shortest text that tb_number_parse() reads back to the same bits; "nan", "inf", "-inf"
- *  for those that it would not read. */
+/** Writes the shortest text that tb_number_parse() reads back to the same bits; "nan", "inf",
+ *  "-inf" for those that it would not read. */
 void tb_number_print(double value, char text[TB_NUMBER_SIZE]);
 
 /**
- * Bytes of the printable UTF-8 character at @p text, 0 at its end, before a control character (C0, DEL,
- * C1) or an invalid, overlong or surrogate sequence. Never reads past a terminator.
+ * Bytes of the printable UTF-8 character at @p text, 0 at its end, before a control character (C0,
+ * DEL, C1) or an invalid, overlong or surrogate sequence. Never reads past a terminator.
  */
 size_t tb_text_step(const char *text);
 

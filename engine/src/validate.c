@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Checks of a whole definition, which may come from anywhere: no field is trusted until it was looked
- * at. First every field alone, against the table; then what must hold between fields.
+ * Checks of a whole definition, which may come from anywhere: no field is trusted until it was
+ * looked at. First every field alone, against the table; then what must hold between fields.
  */
 #include "definition.h"
 #include "error.h"
@@ -84,7 +84,8 @@ static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
   return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
 }
 
-/* Every wire crosses the head. It may be longer than its chord: what lies beyond touches nothing. */
+/* Every wire crosses the head. It may be longer than its chord: what lies beyond touches
+ * nothing. */
 static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborError *error) {
   TaborWireDef wire;
   tb_wire_resolve(def, index, &wire);

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* Small helpers of the physics tests: drums from definitions, seeds, energy balances. */
+#ifndef TEST_PHYSICS_H
+#define TEST_PHYSICS_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <cmocka.h>
+
+#include "tabor/tabor.h"
+
+static inline TaborDrumDef physics_preset(const char *name) {
+  TaborDrumDef def;
+  TaborError error = {0};
+  if (tabor_drum_def_preset(&def, name, &error) != TABOR_OK) fail_msg("%s", error.message);
+  return def;
+}
+
+static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, uint32_t quality) {
+  TaborModelOptions options;
+  tabor_model_options_default(&options);
+  options.sample_rate = rate;
+  options.quality = quality;
+  TaborError error = {0};
+  TaborModel *model;
+  if (tabor_model_create(def, &options, &model, &error) != TABOR_OK) fail_msg("%s", error.message);
+  return model;
+}
+
+static inline TaborDrum *physics_drum(TaborModel *model) {
+  TaborDrum *drum;
+  TaborError error = {0};
+  if (tabor_drum_create(model, &drum, &error) != TABOR_OK) fail_msg("%s", error.message);
+  return drum;
+}
+
+static inline TaborEvent physics_strike(const TaborDrumDef *def) {
+  const int striker =
+    def->strike.striker[0] ? tabor_drum_def_find_striker(def, def->strike.striker) : 0;
+  return (TaborEvent){.type = TABOR_EVENT_STRIKE,
+                      .striker = (uint32_t)striker,
+                      .velocity = def->strike.velocity,
+                      .radius = def->strike.radius,
+                      .angle = def->strike.angle};
+}
+
+/* Splitmix64: one number after another from a seed, the same everywhere. */
+static inline uint64_t physics_random(uint64_t *state) {
+  uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
+  return z ^ (z >> 31);
+}
+
+static inline double physics_uniform(uint64_t *state, double lo, double hi) {
+  return lo + (hi - lo) * ((double)(physics_random(state) >> 11) * 0x1p-53);
+}
+
+/* From the environment variable TABOR_TEST_SEED, or the clock; printed, so that a failure repeats. */
+static inline uint64_t physics_seed(void) {
+  const char *text = getenv("TABOR_TEST_SEED");
+  const uint64_t seed = text ? strtoull(text, NULL, 0) : (uint64_t)time(NULL);
+  print_message("TABOR_TEST_SEED=%llu\n", (unsigned long long)seed);
+  return seed;
+}
+
+#endif

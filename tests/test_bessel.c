@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* Bessel functions against libm's (whole orders), against closed forms (orders 1/2 and 3/2, and the sum
+ * of squares), and zeros against published values. */
+#define _GNU_SOURCE /* jn */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "bessel.h"
+
+static const double PI = 3.14159265358979323846;
+
+static void whole_orders_agree_with_libm(void **state) {
+  (void)state;
+  double worst = 0.0;
+  for (uint32_t m = 0; m < 150; m += 3) {
+    for (double x = 1e-6; x < 900.0; x = x * 1.07 + 0.01) {
+      worst = fmax(worst, fabs(tb_bessel_j(m, x) - jn((int)m, x)));
+    }
+  }
+  print_message("largest difference %.1e\n", worst);
+  assert_true(worst < 1e-14);
+}
+
+static void lanes_agree_with_single_values(void **state) {
+  (void)state;
+  for (uint32_t m = 0; m < 100; m += 7) {
+    for (double top = 0.0; top < 300.0; top = top * 1.5 + 0.1) {
+      double x[8], j[8];
+      for (int i = 0; i < 8; i++) x[i] = top * (7 - i) / 7.0;
+      tb_bessel_j8(m, x, j);
+      for (int i = 0; i < 8; i++) assert_true(fabs(j[i] - tb_bessel_j(m, x[i])) < 1e-14);
+    }
+  }
+}
+
+static void half_orders_have_their_closed_forms(void **state) {
+  (void)state;
+  enum { ORDERS = 260 };
+  double j[8 * ORDERS];
+  for (double base = 1e-4; base < 200.0; base *= 1.7) {
+    double x[8];
+    for (int i = 0; i < 8; i++) x[i] = base * (1.0 + 0.9 * i);
+    tb_bessel_half8(x, ORDERS, j);
+    for (int i = 0; i < 8; i++) {
+      const double unit = sqrt(2.0 / (PI * x[i]));
+      const double s = sin(x[i]), c = cos(x[i]);
+      assert_true(fabs(j[i] - unit * s) < 1e-14);
+      if (x[i] > 0.1) assert_true(fabs(j[8 + i] - unit * (s / x[i] - c)) < 1e-14);
+      double sum = 0.0; /* Sum (2 l + 1) j_l^2 = 1 [DLMF] 10.60.12 */
+      for (int l = 0; l < ORDERS; l++) {
+        sum += (2.0 * l + 1.0) * j[8 * l + i] * j[8 * l + i] * PI / (2.0 * x[i]);
+      }
+      if (x[i] < 180.0) assert_true(fabs(sum - 1.0) < 1e-12);
+    }
+  }
+}
+
+static void zeros_are_the_published_ones(void **state) {
+  (void)state;
+  double order_0[40], order_1[40], order_2[40];
+  const uint32_t n0 = tb_bessel_zeros(0, 60.0, NULL, 0, order_0, 40);
+  const uint32_t n1 = tb_bessel_zeros(1, 60.0, order_0, n0, order_1, 40);
+  const uint32_t n2 = tb_bessel_zeros(2, 60.0, order_1, n1, order_2, 40);
+  assert_int_equal(n0, 19);
+  assert_int_equal(n1, 18);
+  assert_int_equal(n2, 18);
+  /* Abramowitz and Stegun, table 9.5. */
+  assert_true(fabs(order_0[0] - 2.404825557695773) < 1e-14);
+  assert_true(fabs(order_0[4] - 14.930917708487785) < 2e-14);
+  assert_true(fabs(order_1[0] - 3.831705970207512) < 1e-14);
+  assert_true(fabs(order_1[9] - 32.189679910974404) < 3e-14);
+  assert_true(fabs(order_2[0] - 5.135622301840683) < 1e-14);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(whole_orders_agree_with_libm),
+    cmocka_unit_test(lanes_agree_with_single_values),
+    cmocka_unit_test(half_orders_have_their_closed_forms),
+    cmocka_unit_test(zeros_are_the_published_ones),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+/* The energy ledger over a second of every preset. */
+#include "physics.h"
+
+static const double RATE = 48000.0;
+
+/* Lossless drums conserve: rounding only, over 48,000 steps. */
+static const double DRIFT = 1e-11;
+/* With losses every joule is accounted for. */
+static const double RESIDUAL = 1e-9;
+/* At draft, two Newton iterations often end before convergence: the remedies may lose, never create. */
+static const double DRAFT_LOSS = 1e-5;
+
+/* Extremes of the residual over a second, in units of the energy injected. */
+static TaborLedger a_second(const TaborDrumDef *def, uint32_t quality, double *largest,
+                            double *smallest) {
+  TaborModel *model = physics_model(def, RATE, quality);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent strike = physics_strike(def);
+  TaborLedger ledger;
+  *largest = *smallest = 0.0;
+  for (uint32_t block = 0; block < 750; block++) {
+    tabor_drum_process(drum, &strike, block == 0 ? 1 : 0, NULL, 64);
+    tabor_drum_ledger(drum, &ledger);
+    *largest = fmax(*largest, ledger.residual / ledger.injected);
+    *smallest = fmin(*smallest, ledger.residual / ledger.injected);
+  }
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  return ledger;
+}
+
+static void lossless_drums_keep_their_energy(void **state) {
+  (void)state;
+  for (uint32_t p = 0; p < tabor_preset_count(); p++) {
+    TaborDrumDef def = physics_preset(tabor_preset(p)->name);
+    def.quality.losses = 0;
+    double most, least;
+    const TaborLedger ledger = a_second(&def, TABOR_QUALITY_STUDIO, &most, &least);
+    const double drift = fmax(most, -least);
+    print_message("%-20s drift %.1e of %.3g J\n", tabor_preset(p)->name, drift, ledger.injected);
+    assert_true(drift < DRIFT);
+    assert_true(ledger.head_loss == 0.0 && ledger.wire_loss == 0.0 && ledger.radiated == 0.0);
+    assert_true(ledger.contact_loss == 0.0);
+    assert_true(ledger.stored + ledger.removed > 0.999 * ledger.injected);
+  }
+}
+
+static void with_losses_every_joule_is_accounted_for(void **state) {
+  (void)state;
+  for (uint32_t p = 0; p < tabor_preset_count(); p++) {
+    for (uint32_t quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_STUDIO; quality++) {
+      const TaborDrumDef def = physics_preset(tabor_preset(p)->name);
+      double most, least;
+      const TaborLedger ledger = a_second(&def, quality, &most, &least);
+      print_message(
+        "%-20s quality %u: residual %.1e to %.1e; head %.2g wire %.2g contact %.2g radiated "
+        "%.2g J\n",
+        tabor_preset(p)->name, quality, least, most, ledger.head_loss, ledger.wire_loss,
+        ledger.contact_loss, ledger.radiated);
+      assert_true(least > -RESIDUAL);
+      assert_true(most < (quality == TABOR_QUALITY_DRAFT ? DRAFT_LOSS : RESIDUAL));
+      assert_true(ledger.head_loss > 0.0 && ledger.radiated > 0.0);
+    }
+  }
+}
+
+/* What a stroke brings is M v^2/2, and what it hits decides what it loses. */
+static void a_stroke_brings_its_kinetic_energy(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("frame-drum");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  TaborEvent strike = physics_strike(&def);
+  double expected = 0.0;
+  for (int i = 0; i < 5; i++) { /* onto a head that moves by now */
+    strike.velocity = 0.3 + 2.0 * i;
+    tabor_drum_process(drum, &strike, 1, NULL, 700);
+    expected += 0.5 * def.striker[strike.striker].mass * strike.velocity * strike.velocity;
+  }
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  assert_true(fabs(ledger.injected / expected - 1.0) < 1e-9);
+  assert_true(fabs(ledger.residual) < 1e-9 * expected);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* Moving parameters do work, either sign, and the balance still closes. */
+static void moving_parameters_are_accounted_for(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("tabor");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent strike = physics_strike(&def);
+  static const char *const keys[] = {"wires.strainer", "wires.tension", "wires.rest_offset",
+                                     "wires.damping_0"};
+  const double values[] = {0.2, 1.3 * def.wires.tension, 0.001, 10.0};
+  tabor_drum_process(drum, &strike, 1, NULL, 480);
+  for (int i = 0; i < 8; i++) {
+    const TaborParameter *parameter = tabor_parameter_find(keys[i % 4]);
+    assert_non_null(parameter);
+    TaborEvent move = {.type = TABOR_EVENT_PARAMETER, .parameter = parameter->id};
+    move.value = i < 4 ? values[i] : (i == 4 ? 1.0 : (i == 5 ? def.wires.tension : 0.0));
+    tabor_drum_process(drum, &move, 1, NULL, 2000);
+  }
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  print_message("control %.3g J, residual %.1e J of %.3g J\n", ledger.control, ledger.residual,
+                ledger.injected);
+  assert_true(ledger.control != 0.0);
+  assert_true(fabs(ledger.residual) < RESIDUAL * (ledger.injected + fabs(ledger.control)));
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* A drum at rest is exactly at rest, awake too: its ledger does not move. */
+static void a_drum_at_rest_stays_there(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("bodhran-d-string");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborDrum *drum = physics_drum(model);
+  /* A parameter set to the value that it has wakes the drum without moving anything. */
+  const TaborEvent wake = {.type = TABOR_EVENT_PARAMETER,
+                           .parameter = tabor_parameter_find("wires.tension")->id,
+                           .value = def.wires.tension};
+  float samples[512];
+  float *outputs[TABOR_MAX_MICS] = {samples};
+  for (int block = 0; block < 20; block++) {
+    tabor_drum_process(drum, &wake, block == 0 ? 1 : 0, outputs, 512);
+    for (int i = 0; i < 512; i++) assert_true(samples[i] == 0.0f);
+  }
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  assert_true(ledger.stored == 0.0 && ledger.residual == 0.0 && ledger.contact_loss == 0.0);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_true(statistics.solves > 100); /* it really was awake */
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* A hand on a ringing head takes its energy, and the ledger says so. */
+static void a_hand_damps_the_head(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("frame-drum");
+  double left[2];
+  for (int damped = 0; damped < 2; damped++) {
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+    TaborDrum *drum = physics_drum(model);
+    const TaborEvent strike = physics_strike(&def);
+    tabor_drum_process(drum, &strike, 1, NULL, 2400);
+    const TaborEvent hand = {
+      .type = TABOR_EVENT_DAMP, .id = 7, .radius = 0.06, .angle = 40.0, .value = 10.0};
+    tabor_drum_process(drum, &hand, damped ? 1 : 0, NULL, 7200);
+    TaborLedger ledger;
+    tabor_drum_ledger(drum, &ledger);
+    left[damped] = ledger.stored;
+    assert_true((ledger.damper_loss > 0.0) == (damped == 1));
+    assert_true(fabs(ledger.residual) < RESIDUAL * ledger.injected);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  print_message("energy left after 150 ms: %.2g J free, %.2g J damped\n", left[0], left[1]);
+  assert_true(left[1] < 0.1 * left[0]);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(lossless_drums_keep_their_energy),
+    cmocka_unit_test(with_losses_every_joule_is_accounted_for),
+    cmocka_unit_test(a_stroke_brings_its_kinetic_energy),
+    cmocka_unit_test(moving_parameters_are_accounted_for),
+    cmocka_unit_test(a_drum_at_rest_stays_there),
+    cmocka_unit_test(a_hand_damps_the_head),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -93,3 +93,18 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
   }
   return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
 }
+
+TbLosses tb_losses(const TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbPair head = model->kernels->losses(modes->padded, modes->loss_head, modes->loss_air,
+                                             view->next.q, view->last.q);
+  TbLosses losses = {.head = head.first, .radiated = head.second};
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    losses.wires +=
+        tb_wire_loss(wire, &view->state->wires[w], model->time_step,
+                     view->next.v + wire->first_node, view->last.v + wire->first_node);
+  }
+  return losses;
+}

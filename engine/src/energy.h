@@ -14,4 +14,10 @@ double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *
 /* Kinetic energy of head and wires alone. */
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
 
+/* Losses [J] of the step from view->last to view->next, contacts apart. */
+typedef struct TbLosses {
+  double head, radiated, wires;
+} TbLosses;
+TbLosses tb_losses(const TbView *view);
+
 #endif

@@ -17,15 +17,20 @@ static void shorten_all(TbView *view, double t) {
   for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) view->s[row] *= t;
 }
 
-void tb_guard(TbView *view) {
+static double energy_and_losses(const TbView *view) {
+  const TbLosses losses = tb_losses(view);
+  return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
+         losses.wires;
+}
+
+bool tb_guard(TbView *view) {
   const double before = tb_energy_stored(view, &view->now, &view->last);
-  double whole = 1.0; /* part of the original step that is left */
+  if (energy_and_losses(view) <= before) return false;
+  view->state->statistics.guarded++;
   for (int i = 0; i < 40; i++) {
-    const double after = tb_energy_stored(view, &view->next, &view->now);
-    if (after <= before) break;
     shorten_all(view, 0.8);
-    whole *= 0.8;
+    if (energy_and_losses(view) <= before) return true;
   }
-  if (tb_energy_stored(view, &view->next, &view->now) > before) shorten_all(view, 0.0);
-  if (whole < 1.0) view->state->statistics.guarded++;
+  shorten_all(view, 0.0);
+  return true;
 }

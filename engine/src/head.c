@@ -213,7 +213,6 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
     head->zero_count += order->zero_count;
     head->order_count++;
   }
-  if (head->row_count == 0) return TABOR_ERROR_NUMERICS;
   sort_modes(head);
   return TABOR_OK;
 }

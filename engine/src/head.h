@@ -42,7 +42,8 @@ typedef struct TbHead {
   double bandwidth; /* of the modes kept [Hz] */
 } TbHead;
 
-/* Modes up to `bandwidth` [Hz], fewer if they are too many. TABOR_ERROR_MEMORY or _NUMERICS. */
+/* Modes up to `bandwidth` [Hz], fewer if they are too many, none if the lowest lies above it.
+ * TABOR_ERROR_MEMORY or _NUMERICS. */
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                             double bandwidth);
 

@@ -375,6 +375,12 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   typedef TaborStatus Stage(TaborModel *);
   TaborStatus status =
       tb_head_prepare(&model->head, &model->arena, &model->def, level->bandwidth);
+  if (status == TABOR_OK && model->head.row_count == 0) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
+                        "no mode of this head lies below the two-way bandwidth of %g Hz: it is too "
+                        "small, light or tense",
+                        model->head.bandwidth);
+  }
   if (status == TABOR_OK) {
     status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
                               level->wire_cells, error);
@@ -457,7 +463,7 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   if (status != TABOR_OK) {
     tabor_model_release(model);
     if (status == TABOR_ERROR_MEMORY) return memory_error(error);
-    if (status == TABOR_ERROR_RANGE) return status; /* the wires named what is wrong */
+    if (status == TABOR_ERROR_RANGE) return status; /* whoever found it has named it */
     return tb_error_set(error, status, NULL, NULL, NAN, NAN,
                         "the modes or the rest state of this drum could not be computed");
   }

@@ -80,29 +80,30 @@ static void respond(TbView *view) {
   }
 }
 
+/* What the contacts' own laws lose at s, hands apart. Where Newton has not converged the forces are
+ * not quite the laws', and the laws' losses count only as far as the work done really covers them. */
+static void book_contacts(TbView *view, bool capped) {
+  const TbSolve *solve = &view->solve;
+  double contact = 0.0, damper = 0.0, covered = 0.0;
+  for (uint32_t row = tb_solve_next(solve, UINT32_MAX); row < solve->stride + TB_SLOTS;
+       row = tb_solve_next(solve, row)) {
+    const TbLaw *law = tb_solve_law(solve, row);
+    const double y = view->last.eta[row], s = view->s[row];
+    *(law->kind == TB_LAW_DAMPER ? &damper : &contact) += tb_law_loss(law, y, s);
+    if (capped) covered += 0.5 * (solve->force[row] * s - tb_law_work(law, y, s));
+  }
+  const double lost = contact + damper;
+  const double part = capped && lost > covered ? fmax(0.0, covered) / fmax(lost, 1e-300) : 1.0;
+  view->state->sums.contact_loss += part * contact;
+  view->state->sums.damper_loss += part * damper;
+}
+
 static void book_losses(TbView *view) {
-  const TaborModel *model = view->model;
+  const TbLosses losses = tb_losses(view);
   TaborLedger *sums = &view->state->sums;
-  const TbModes *modes = &model->modes;
-  const TbPair head = model->kernels->losses(modes->padded, modes->loss_head, modes->loss_air,
-                                             view->next.q, view->last.q);
-  sums->head_loss += head.first;
-  sums->radiated += head.second;
-  for (uint32_t w = 0; w < model->wires.count; w++) {
-    const TbWire *wire = &model->wires.wires[w];
-    sums->wire_loss +=
-        tb_wire_loss(wire, &view->state->wires[w], model->time_step,
-                     view->next.v + wire->first_node, view->last.v + wire->first_node);
-  }
-  double contact = 0.0, damper = 0.0;
-  for (uint32_t row = tb_solve_next(&view->solve, UINT32_MAX); row < model->wires.stride + TB_SLOTS;
-       row = tb_solve_next(&view->solve, row)) {
-    const TbLaw *law = tb_solve_law(&view->solve, row);
-    const double loss = tb_law_loss(law, view->last.eta[row], view->s[row]);
-    *(law->kind == TB_LAW_DAMPER ? &damper : &contact) += loss;
-  }
-  sums->contact_loss += contact;
-  sums->damper_loss += damper;
+  sums->head_loss += losses.head;
+  sums->radiated += losses.radiated;
+  sums->wire_loss += losses.wires;
 }
 
 static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
@@ -145,7 +146,8 @@ void tb_step(TbView *view, double *pressure) {
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   respond(view);
-  if (outcome.excess > 0.0) tb_guard(view);
+  const bool shortened = outcome.excess > 0.0 && tb_guard(view);
+  if (!shortened && outcome.contact) book_contacts(view, outcome.capped);
   book_losses(view);
   listen(view, pressure);
   view->state->clock++;

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/* Random drums and random playing: nothing is ever not finite, and the numerics never create energy.
+ *
+ * usage: test_system_trials [DEFINITIONS [SEQUENCES]], 100 and 900 by default. */
+#include "physics.h"
+
+static uint32_t definitions = 100, sequences = 900;
+
+/* The residual may not fall below this part of what was put in. */
+static const double CREATED = 1e-9;
+/* ... give or take the rounding of the wires' potentials while parameters move a drum that nobody has
+ * struck [J]; the softest stroke that is allowed brings 1e-6 J. */
+static const double ROUNDING = 1e-15;
+
+static double draw_value(uint64_t *seed, const TaborParameter *p) {
+  const double corner = physics_uniform(seed, 0.0, 1.0);
+  if (corner < 0.15) return p->minimum;
+  if (corner < 0.30) return p->maximum;
+  if (p->logarithmic && p->minimum > 0.0) {
+    return exp(physics_uniform(seed, log(p->minimum), log(p->maximum)));
+  }
+  return physics_uniform(seed, p->minimum, p->maximum);
+}
+
+/* Many wires are slow and no riskier than a few. */
+static uint32_t draw_wire_count(uint64_t *seed) {
+  const uint64_t draw = physics_random(seed) % 20;
+  return draw == 0 ? 6 : draw < 4 ? 0 : 1 + (uint32_t)(draw % 3);
+}
+
+static bool is(const TaborParameter *p, const char *section, const char *key) {
+  return strcmp(p->section, section) == 0 && strcmp(p->key, key) == 0;
+}
+
+/* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
+static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
+  *def = physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
+  for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
+    const TaborParameter *p = tabor_parameter(i);
+    if (p->type != TABOR_TYPE_NUMBER || physics_random(seed) % 3 != 0) continue;
+    if (is(p, "quality", "two_way_bandwidth") || is(p, "wires", "offset")) continue;
+    char key[128], value[64];
+    const bool named = p->section[strlen(p->section) - 1] == '.';
+    if (named && strcmp(p->section, "striker.") != 0 && strcmp(p->section, "mic.") != 0) continue;
+    snprintf(key, sizeof key, "%s%s.%s", p->section,
+             !named ? "" : p->section[0] == 's' ? def->striker[0].name : def->mic[0].name, p->key);
+    snprintf(value, sizeof value, "%.17g", draw_value(seed, p));
+    TaborError error;
+    if (tabor_drum_def_set(def, key, value, &error) != TABOR_OK) fail_msg("%s", error.message);
+  }
+  def->shell.boundary = (uint32_t)(physics_random(seed) % 2);
+  def->wires.side = (uint32_t)(physics_random(seed) % 2);
+  def->wires.count = draw_wire_count(seed);
+  def->wires.spacing = fmin(def->wires.spacing, 0.2 * def->shell.radius);
+  def->wires.offset = physics_uniform(seed, -0.4, 0.4) * def->shell.radius;
+  def->strike.radius = fmin(def->strike.radius, 0.99 * def->shell.radius);
+  def->quality.two_way_bandwidth = physics_uniform(seed, 500.0, 3000.0);
+  def->quality.newton_cap = 1 + (uint32_t)(physics_random(seed) % 4);
+  def->quality.losses = physics_random(seed) % 4 != 0;
+  for (int w = 0; w < TABOR_MAX_WIRES; w++) def->wire[w].offset = NAN;
+}
+
+static const char *const LIVE[] = {"wires.strainer",  "wires.tension",     "wires.damping_0",
+                                   "wires.damping_1", "wires.rest_offset", "mic.top.gain",
+                                   "output.full_scale"};
+
+static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
+  const uint64_t draw = physics_random(seed) % 100;
+  TaborEvent event = {.frame = (uint32_t)(physics_random(seed) % 64),
+                      .id = (uint32_t)(physics_random(seed) % 4),
+                      .striker = (uint32_t)(physics_random(seed) % def->striker_count),
+                      .velocity = exp(physics_uniform(seed, log(0.01), log(30.0))),
+                      .radius = physics_uniform(seed, 0.0, def->shell.radius),
+                      .angle = physics_uniform(seed, -360.0, 360.0)};
+  if (draw < 55) {
+    event.type = TABOR_EVENT_STRIKE;
+  } else if (draw < 65) {
+    event.type = TABOR_EVENT_DAMP;
+    event.value = physics_uniform(seed, 0.0, 100.0);
+  } else if (draw < 70) {
+    event.type = TABOR_EVENT_RELEASE;
+  } else {
+    const TaborParameter *p =
+        tabor_parameter_find(LIVE[physics_random(seed) % (sizeof LIVE / sizeof *LIVE)]);
+    event.type = TABOR_EVENT_PARAMETER;
+    event.parameter = p->id;
+    event.value = draw_value(seed, p);
+  }
+  return event;
+}
+
+static void check(const TaborDrum *drum, const float *samples, uint32_t count, uint64_t trial_seed) {
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  const double scale = ledger.injected + fabs(ledger.control);
+  bool finite = isfinite(ledger.residual) && isfinite(ledger.stored);
+  for (uint32_t i = 0; i < count; i++) finite = finite && isfinite(samples[i]);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  if (!finite || statistics.recovered || !(ledger.residual >= -CREATED * scale - ROUNDING)) {
+    fail_msg("trial %#llx: residual %g J of %g J (stored %g), recovered %llu, finite %d",
+             (unsigned long long)trial_seed, ledger.residual, scale, ledger.stored,
+             (unsigned long long)statistics.recovered, finite);
+  }
+}
+
+/* Some events, then silence, for `blocks` blocks of 64. */
+static void play(TaborDrum *drum, const TaborDrumDef *def, uint64_t *seed, uint32_t blocks) {
+  const uint64_t name = *seed;
+  float samples[64];
+  float *outputs[TABOR_MAX_MICS] = {samples};
+  for (uint32_t block = 0; block < blocks; block++) {
+    const bool any = block == 0 || physics_random(seed) % 6 == 0;
+    const TaborEvent event = draw_event(seed, def);
+    tabor_drum_process(drum, &event, any ? 1 : 0, outputs, 64);
+    check(drum, samples, 64, name);
+  }
+}
+
+typedef struct Tally {
+  uint32_t refused;
+  uint64_t solves, capped, corrected, fallbacks, guarded;
+} Tally;
+
+static void count(const TaborDrum *drum, Tally *tally) {
+  TaborStatistics s;
+  tabor_drum_statistics(drum, &s);
+  tally->solves += s.solves;
+  tally->capped += s.newton_capped;
+  tally->corrected += s.work_corrected;
+  tally->fallbacks += s.fallbacks;
+  tally->guarded += s.guarded;
+}
+
+static void report(const char *what, uint32_t trials, const Tally *tally) {
+  print_message("%u %s, %u refused with a reason: %llu solves, %llu capped, %llu corrected, %llu "
+                "fallbacks, %llu guarded\n",
+                trials, what, tally->refused, (unsigned long long)tally->solves,
+                (unsigned long long)tally->capped, (unsigned long long)tally->corrected,
+                (unsigned long long)tally->fallbacks, (unsigned long long)tally->guarded);
+}
+
+static TaborModel *model_of(const TaborDrumDef *def, uint64_t *seed, uint64_t name, Tally *tally) {
+  static const double RATES[] = {22050.0, 44100.0, 48000.0, 96000.0, 192000.0};
+  TaborModelOptions options;
+  tabor_model_options_default(&options);
+  options.sample_rate = RATES[physics_random(seed) % 5];
+  options.quality = TABOR_QUALITY_DRAFT + (uint32_t)(physics_random(seed) % 2);
+  TaborModel *model;
+  TaborError error = {0};
+  const TaborStatus status = tabor_model_create(def, &options, &model, &error);
+  if (status == TABOR_OK) return model;
+  /* A drum may be impossible, but then it says why. */
+  if (status != TABOR_ERROR_RANGE || !error.message[0]) {
+    fail_msg("definition %#llx: status %d, %s", (unsigned long long)name, (int)status, error.message);
+  }
+  tally->refused++;
+  return NULL;
+}
+
+static void random_definitions_stay_finite_and_passive(void **state) {
+  (void)state;
+  uint64_t seed = physics_seed();
+  Tally tally = {0};
+  for (uint32_t trial = 0; trial < definitions; trial++) {
+    const uint64_t name = seed;
+    TaborDrumDef def;
+    draw_definition(&seed, &def);
+    TaborModel *model = model_of(&def, &seed, name, &tally);
+    if (!model) continue;
+    TaborDrum *drum = physics_drum(model);
+    play(drum, &def, &seed, 30);
+    count(drum, &tally);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  report("definitions", definitions, &tally);
+  assert_true(tally.refused < definitions / 3 + 1);
+  assert_true(tally.solves > 0 && tally.capped > 0);
+}
+
+static void random_playing_stays_finite_and_passive(void **state) {
+  (void)state;
+  uint64_t seed = physics_seed();
+  Tally tally = {0};
+  enum { MODELS = 24 };
+  for (uint32_t m = 0; m < MODELS; m++) {
+    const uint64_t name = seed;
+    TaborDrumDef def = physics_preset(tabor_preset(m % tabor_preset_count())->name);
+    def.quality.newton_cap = 1 + m % 4;
+    def.quality.two_way_bandwidth = 2500.0;
+    def.quality.losses = m % 5 != 0;
+    TaborModel *model = model_of(&def, &seed, name, &tally);
+    assert_non_null(model);
+    for (uint32_t trial = 0; trial < sequences / MODELS + 1; trial++) {
+      TaborDrum *drum = physics_drum(model);
+      play(drum, &def, &seed, 60);
+      count(drum, &tally);
+      tabor_drum_destroy(drum);
+    }
+    tabor_model_release(model);
+  }
+  report("sequences", sequences, &tally);
+  assert_true(tally.solves > 0 && tally.capped > 0);
+}
+
+int main(int argc, char **argv) {
+  if (argc > 1) definitions = (uint32_t)strtoul(argv[1], NULL, 10);
+  if (argc > 2) sequences = (uint32_t)strtoul(argv[2], NULL, 10);
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(random_definitions_stay_finite_and_passive),
+      cmocka_unit_test(random_playing_stays_finite_and_passive),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

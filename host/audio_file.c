@@ -138,8 +138,8 @@ Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames
   const sf_count_t written = file->format.encoding == AUDIO_FLOAT
                                ? write_floats(file, samples, frames)
                                : write_integers(file, samples, frames);
-  if (written != (sf_count_t)frames || file->io.error != 0)
-    return sound_failure(file, file->stream);
+  const bool complete = written == (sf_count_t)frames && file->io.error == 0;
+  if (!complete) return sound_failure(file, file->stream);
   file->frames += frames;
   return OUTCOME_OK;
 }

@@ -8,7 +8,8 @@
  *     host_inspect sound FILE       container encoding rate channels frames
  *     host_inspect peak FILE        largest sample in size
  *     host_inspect first FILE       number of the first frame that is not zero
- *     host_inspect equal FILE FILE  same samples, whatever the container
+ *     host_inspect distance A B     largest difference of two sounds
+ *     host_inspect equal A B        status 0 if there is none, whatever the containers
  */
 #include <jansson.h>
 #include <math.h>
@@ -116,13 +117,17 @@ static long long first_frame(const Sound *sound) {
   return (long long)(i / sound->info.channels);
 }
 
-static bool equal(const Sound *a, const char *path) {
+/* Largest difference of two sounds; infinite if they are not of one shape. */
+static double distance(const Sound *a, const char *path) {
   Sound b = {0};
-  const bool same = sound_read(path, &b) && a->count == b.count &&
-                    a->info.channels == b.info.channels &&
-                    memcmp(a->samples, b.samples, (size_t)a->count * sizeof *a->samples) == 0;
+  const bool alike =
+    sound_read(path, &b) && a->count == b.count && a->info.channels == b.info.channels;
+  double largest = alike ? 0 : INFINITY;
+  for (sf_count_t i = 0; alike && i < a->count; i++) {
+    largest = fmax(largest, fabs(a->samples[i] - b.samples[i]));
+  }
   free(b.samples);
-  return same;
+  return largest;
 }
 
 static int inspect_sound(const char *what, const Sound *sound, const char *other) {
@@ -134,8 +139,10 @@ static int inspect_sound(const char *what, const Sound *sound, const char *other
     printf("%.9g\n", peak(sound));
   } else if (strcmp(what, "first") == 0) {
     printf("%lld\n", first_frame(sound));
+  } else if (strcmp(what, "distance") == 0) {
+    printf("%.17g\n", distance(sound, other));
   } else {
-    return strcmp(what, "equal") == 0 && other && equal(sound, other) ? 0 : 1;
+    return distance(sound, other) == 0 ? 0 : 1;
   }
   return 0;
 }
@@ -145,7 +152,7 @@ int main(int argc, char **argv) {
   if (strcmp(argv[1], "json") == 0) return inspect_json(argv[2]);
   Sound sound = {0};
   const int status =
-    sound_read(argv[2], &sound) ? inspect_sound(argv[1], &sound, argc > 3 ? argv[3] : NULL) : 1;
+    sound_read(argv[2], &sound) ? inspect_sound(argv[1], &sound, argv[argc - 1]) : 1;
   free(sound.samples);
   return status;
 }

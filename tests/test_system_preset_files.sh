@@ -35,6 +35,7 @@ if [ "$(id -u)" != 0 ]; then
   cp good.ini secret.ini
   chmod 0 secret.ini
   failed "secret.ini" show secret.ini
+  rm -f secret.ini
 fi
 
 # ---- files that are no presets ----

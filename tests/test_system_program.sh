@@ -145,10 +145,13 @@ for encoding in pcm16 pcm24; do
     check "$encoding in $container" "$INSPECT" equal same.wav same.$container
   done
 done
-sound a.wav --duration 0.05 --format pcm16
-sound b.wav --duration 0.05 --format float
-holds "16 bits are the rounded sound" \
-  "($("$INSPECT" peak a.wav) - $("$INSPECT" peak b.wav))^2 <= (0.5 / 32768)^2"
+sound whole.wav --duration 0.05 --format float
+for bits in 16 24; do
+  sound rounded.wav --duration 0.05 --format pcm$bits
+  distance=$("$INSPECT" distance rounded.wav whole.wav)
+  holds "$bits bits are the sound rounded to the nearest" \
+    "$distance > 0 && $distance <= 0.5 / 2^($bits - 1)"
+done
 
 # ---- the same command, the same bytes ----
 

@@ -18,11 +18,19 @@ enum { MOST = 16, ROWS = MOST + TABOR_MAX_ACTIVE };
 /* A contact problem of up to 16 points, each with a law of its own, and the solver's memory. */
 typedef struct Problem {
   uint32_t n;
-  double compliance[MOST * MOST], coupling[TABOR_MAX_ACTIVE * ROWS], own[ROWS];
-  double b[ROWS], y[ROWS], s[ROWS], force[ROWS], scratch[9][ROWS];
+  _Alignas(64) double compliance[MOST * MOST];
+  double coupling[TABOR_MAX_ACTIVE * ROWS], own[ROWS];
+  double b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[10][ROWS];
+  uint32_t active[ROWS];
   uint8_t row_wire[MOST];
   TbLaw laws[MOST], slot_laws[TABOR_MAX_ACTIVE];
 } Problem;
+
+/* Rows that stand for nothing never touch. */
+static void clear(Problem *p) {
+  memset(p, 0, sizeof *p);
+  for (int i = 0; i < ROWS; i++) p->y[i] = -1.0;
+}
 
 static TbSolve solver(Problem *p, uint32_t cap) {
   return (TbSolve){.kernels = &tb_kernels_baseline,
@@ -40,18 +48,22 @@ static TbSolve solver(Problem *p, uint32_t cap) {
                    .y = p->y,
                    .s = p->s,
                    .force = p->force,
+                   .product = p->product,
                    .previous = p->scratch[0],
-                   .product = p->scratch[1],
-                   .slope = p->scratch[2],
-                   .residual = p->scratch[3],
-                   .direction = p->scratch[4],
-                   .scaled = p->scratch[5],
-                   .weight = p->scratch[6],
-                   .work = p->scratch[7]};
+                   .slope = p->scratch[1],
+                   .residual = p->scratch[2],
+                   .scaled = p->scratch[3],
+                   .work = p->scratch[4],
+                   .direction = p->scratch[5],
+                   .turned = p->scratch[6],
+                   .weight = p->scratch[7],
+                   .right = p->scratch[8],
+                   .solution = p->scratch[9],
+                   .active = p->active};
 }
 
 static void load_problem(Problem *p, const json_t *entry) {
-  memset(p, 0, sizeof *p);
+  clear(p);
   double stiffness[MOST], exponent[MOST];
   p->n = (uint32_t)reference_vector(json_object_get(entry, "b"), p->b, MOST);
   reference_vector(json_object_get(entry, "eta_previous"), p->y, MOST);
@@ -104,7 +116,7 @@ static void no_cap_creates_energy(void **state) {
   uint32_t capped = 0, corrected = 0, fallbacks = 0, excesses = 0;
   for (int trial = 0; trial < 20000; trial++) {
     Problem p;
-    memset(&p, 0, sizeof p);
+    clear(&p);
     p.n = 1 + (uint32_t)(rand() % 8);
     double root[MOST][MOST];
     for (uint32_t i = 0; i < p.n; i++) {
@@ -129,6 +141,7 @@ static void no_cap_creates_energy(void **state) {
                      1.0 / 48000.0, 10.0 / largest);
     }
     TbSolve solve = solver(&p, 1 + (uint32_t)(trial % 4));
+    tb_solve_product(&solve, p.force, p.product);
     const TbSolveOutcome outcome = tb_solve(&solve);
     capped += outcome.capped;
     corrected += outcome.corrected;
@@ -155,7 +168,7 @@ static void no_cap_creates_energy(void **state) {
 static void without_contact_nothing_is_solved(void **state) {
   (void)state;
   Problem p;
-  memset(&p, 0, sizeof p);
+  clear(&p);
   p.n = 2;
   for (uint32_t i = 0; i < 2; i++) {
     p.row_wire[i] = (uint8_t)i;

@@ -26,34 +26,39 @@ static Take play_fresh(TaborModel *model, const Script *script) {
   return take;
 }
 
-static void compare_kernels(const char *preset, TaborQuality quality) {
+static Take play_with(const char *preset, TaborQuality quality, TaborInstructions instructions) {
   Script script;
   script_everything(&script);
-  TaborModel *baseline = script_model(preset, quality, TABOR_INSTRUCTIONS_BASELINE);
-  TaborModel *avx2 = script_model(preset, quality, TABOR_INSTRUCTIONS_AVX2);
-  TaborModel *automatic = script_model(preset, quality, TABOR_INSTRUCTIONS_AUTO);
-  Take a = play_fresh(baseline, &script);
-  Take b = play_fresh(avx2, &script);
-  Take c = play_fresh(automatic, &script);
+  TaborModel *model = script_model(preset, quality, instructions);
+  Take take = play_fresh(model, &script);
+  tabor_model_release(model);
+  return take;
+}
+
+static void compare_kernels(const char *preset, TaborQuality quality, TaborInstructions other) {
+  Take a = play_with(preset, quality, TABOR_INSTRUCTIONS_BASELINE);
+  Take b = play_with(preset, quality, other);
   char what[96];
-  snprintf(what, sizeof what, "%s at quality %d, baseline and AVX2", preset, (int)quality);
+  snprintf(what, sizeof what, "%s at quality %d, baseline and instructions %d", preset,
+           (int)quality, (int)other);
+  assert_true(take_peak(&a) > 0.0);
   take_assert_same(&a, &b, what);
-  take_assert_same(&a, &c, "baseline and automatic choice");
   take_destroy(&a);
   take_destroy(&b);
-  take_destroy(&c);
-  tabor_model_release(baseline);
-  tabor_model_release(avx2);
-  tabor_model_release(automatic);
 }
 
 static void avx2_gives_the_same_bits_as_baseline(void **state) {
   (void)state;
   if (!processor_has_avx2()) skip();
   for (int quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_REFERENCE; quality++) {
-    compare_kernels("tabor", (TaborQuality)quality);
+    compare_kernels("tabor", (TaborQuality)quality, TABOR_INSTRUCTIONS_AVX2);
   }
-  compare_kernels("bodhran-d-string", TABOR_QUALITY_STUDIO);
+  compare_kernels("bodhran-d-string", TABOR_QUALITY_STUDIO, TABOR_INSTRUCTIONS_AVX2);
+}
+
+static void the_automatic_choice_gives_the_same_bits_as_baseline(void **state) {
+  (void)state;
+  compare_kernels("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
 }
 
 /* All that a thread needs is made before it starts: a failing assertion may not jump out of it. */

@@ -166,8 +166,8 @@ static double wire_height(const TbView *view) {
 void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
   const TbView view = tb_view(drum->state, drum->model);
   const TaborModel *model = drum->model;
-  *probe = (TaborProbe){.head = model->rest.head + model->kernels->dot(model->modes.padded,
-                                                                        model->center, view.now.q),
+  *probe = (TaborProbe){.head = model->rest.head +
+                                model->kernels->dot(model->modes.padded, model->center, view.now.q),
                         .wire = NAN,
                         .striker = NAN,
                         .striker_force = NAN,

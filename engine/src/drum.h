@@ -16,9 +16,9 @@ struct TaborDrum {
 
 /* How the modes and wires of an old model continue as those of a new one. */
 typedef struct TbMapping {
-  bool continues;      /* false: another instrument; the old one rings out under a fade */
-  uint32_t *mode;      /* [padded of new]: old mode, or UINT32_MAX */
-  double *scale;       /* c of swap.h; 0 copies both instants as they are */
+  bool continues; /* false: another instrument; the old one rings out under a fade */
+  uint32_t *mode; /* [padded of new]: old mode, or TB_NO_MODE */
+  double *scale;  /* c of swap.h; 0 copies both instants as they are */
   double *cos_old, *sin_old, *cos_new, *sin_new;
 } TbMapping;
 
@@ -28,7 +28,7 @@ struct TaborSwap {
   TaborModel *old_model, *new_model; /* as asked for */
   TaborModel *held[2];               /* references to give back at the end */
   TbMapping mapping;
-  TbState *state;       /* memory for the new drum; after the event, the old drum's */
+  TbState *state;                  /* memory for the new drum; after the event, the old drum's */
   uint32_t fade_left, fade_length; /* [samples] */
   atomic_bool used, done;
 };

@@ -54,9 +54,8 @@ static TaborStatus check_models(const TaborModel *old_model, const TaborModel *n
   }
   if (old_model->sample_rate != new_model->sample_rate) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", NULL, old_model->sample_rate,
-                        old_model->sample_rate,
-                        "a drum at %g Hz cannot continue at %g Hz", old_model->sample_rate,
-                        new_model->sample_rate);
+                        old_model->sample_rate, "a drum at %g Hz cannot continue at %g Hz",
+                        old_model->sample_rate, new_model->sample_rate);
   }
   if (!same_allocator(old_model, new_model)) {
     return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,

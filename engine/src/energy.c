@@ -5,7 +5,7 @@ static double modes_energy(const TbView *view, const TbPhase *next, const TbPhas
   const TbModes *modes = &view->model->modes;
   const double rate = view->model->sample_rate;
   double sum = 0.0;
-  for (uint32_t i = 0; i < modes->count; i++) {
+  for (uint32_t i = 0; i < modes->padded; i++) {
     const double velocity = (next->q[i] - now->q[i]) * rate;
     sum += velocity * velocity + modes->stiffness[i] * next->q[i] * now->q[i];
   }
@@ -78,7 +78,7 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
   const TbModes *modes = &view->model->modes;
   const TbWires *wires = &view->model->wires;
   double head = 0.0, all = 0.0;
-  for (uint32_t i = 0; i < modes->count; i++) {
+  for (uint32_t i = 0; i < modes->padded; i++) {
     const double step = next->q[i] - now->q[i];
     head += step * step;
   }
@@ -102,9 +102,8 @@ TbLosses tb_losses(const TbView *view) {
   TbLosses losses = {.head = head.first, .radiated = head.second};
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
-    losses.wires +=
-        tb_wire_loss(wire, &view->state->wires[w], model->time_step,
-                     view->next.v + wire->first_node, view->last.v + wire->first_node);
+    losses.wires += tb_wire_loss(wire, &view->state->wires[w], model->time_step,
+                                 view->next.v + wire->first_node, view->last.v + wire->first_node);
   }
   return losses;
 }

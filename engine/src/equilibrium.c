@@ -14,10 +14,10 @@
 static const double PI = 3.14159265358979323846;
 
 typedef struct Statics {
-  uint32_t n;          /* contact points */
-  double *compliance;  /* C, [n][n] */
-  double *eta0;        /* [n] */
-  double *weight;      /* [padded]: gravity on each mode [N] */
+  uint32_t n;         /* contact points */
+  double *compliance; /* C, [n][n] */
+  double *eta0;       /* [n] */
+  double *weight;     /* [padded]: gravity on each mode [N] */
 } Statics;
 
 /* Weight of the head on each mode: -rho g Int phi dA, which only m = 0 has. */
@@ -25,7 +25,8 @@ static void weigh_head(const TaborModel *model, double *weight) {
   const TbHeadOrder *order = &model->head.orders[0];
   const double radius = model->head.radius;
   const double load = -model->def.batter.surface_density * model->def.air.gravity;
-  for (uint32_t i = 0; i < model->modes.count; i++) {
+  for (uint32_t i = 0; i < model->modes.padded; i++) {
+    if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
     if (mode->m != 0) continue;
     const double *v = order->vectors + (size_t)(mode->n - 1) * order->zero_count;
@@ -63,27 +64,32 @@ static bool wire_responses(const TbWires *wires, const TbWire *wire, TbArena *sc
   return tb_solve_positive(n, matrix, columns, responses);
 }
 
-static void head_compliance(const TaborModel *model, double *compliance, uint32_t n) {
-  for (uint32_t i = 0; i < model->modes.coupled && i < model->modes.count; i++) {
-    const double *phi = model->projection + (size_t)i * model->wires.stride;
-    const double yield = 1.0 / model->modes.stiffness[i];
-    for (uint32_t a = 0; a < n; a++) {
-      for (uint32_t b = 0; b <= a; b++) compliance[a * n + b] += yield * phi[a] * phi[b];
-    }
+/* Displacement of every contact point under modal forces F: phi F/K'. `modal` is used up. */
+static void head_response(const TaborModel *model, double *modal, double *fold, double *rows) {
+  for (uint32_t i = 0; i < model->modes.group[model->modes.groups]; i++) {
+    modal[i] = model->modes.row[i] == TB_NO_MODE ? 0.0 : modal[i] / model->modes.stiffness[i];
   }
-  for (uint32_t a = 0; a < n; a++) {
-    for (uint32_t b = 0; b < a; b++) compliance[b * n + a] = compliance[a * n + b];
-  }
+  tb_project(&model->projection, model->kernels, modal, fold, rows);
 }
 
-static void head_sag(const TaborModel *model, const double *weight, double *eta0) {
-  for (uint32_t i = 0; i < model->modes.coupled && i < model->modes.count; i++) {
-    const double *phi = model->projection + (size_t)i * model->wires.stride;
-    const double q = weight[i] / model->modes.stiffness[i];
-    for (uint32_t a = 0; a < model->wires.row_count; a++) {
-      eta0[a] += model->wires.side * phi[a] * q;
-    }
+/* The head's part of C and, under its own weight, of eta0. */
+static bool head_statics(const TaborModel *model, TbArena *scratch, Statics *s) {
+  double *force = tb_arena_doubles(scratch, model->wires.stride);
+  double *rows = tb_arena_doubles(scratch, model->wires.stride);
+  double *modal = tb_arena_doubles(scratch, model->modes.padded);
+  double *fold = tb_arena_doubles(scratch, tb_projection_scratch(&model->projection));
+  if (scratch->failed) return false;
+  for (uint32_t i = 0; i < model->modes.padded; i++) modal[i] = s->weight[i];
+  head_response(model, modal, fold, rows);
+  for (uint32_t a = 0; a < s->n; a++) s->eta0[a] = model->wires.side * rows[a];
+  for (uint32_t a = 0; a < s->n; a++) {
+    force[a] = 1.0;
+    tb_project_forces(&model->projection, model->kernels, force, fold, modal);
+    force[a] = 0.0;
+    head_response(model, modal, fold, rows);
+    for (uint32_t b = 0; b < s->n; b++) s->compliance[a * s->n + b] = rows[b];
   }
+  return true;
 }
 
 static double total_potential(const TaborModel *model, const Statics *s, const double *y,
@@ -93,8 +99,8 @@ static double total_potential(const TaborModel *model, const Statics *s, const d
     double yielded = 0.0;
     for (uint32_t b = 0; b < s->n; b++) yielded += s->compliance[a * s->n + b] * y[b];
     eta[a] = s->eta0[a] - yielded;
-    sum += 0.5 * y[a] * yielded +
-           tb_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
+    sum +=
+      0.5 * y[a] * yielded + tb_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
   }
   return sum;
 }
@@ -181,18 +187,21 @@ static TaborStatus wires_statics(const TaborModel *model, TbArena *scratch, Stat
   return TABOR_OK;
 }
 
-static void rest_shapes(TaborModel *model, const Statics *s, double **responses) {
+static void rest_head(TaborModel *model, const Statics *s, double *modal, double *fold) {
+  const TbModes *modes = &model->modes;
   TbRest *rest = &model->rest;
-  const TbWires *wires = &model->wires;
-  for (uint32_t i = 0; i < model->modes.count; i++) {
-    double force = s->weight[i];
-    if (i < model->modes.coupled) {
-      const double *phi = model->projection + (size_t)i * wires->stride;
-      for (uint32_t a = 0; a < s->n; a++) force -= wires->side * phi[a] * rest->force[a];
-    }
-    rest->q[i] = force / model->modes.stiffness[i];
+  tb_project_forces(&model->projection, model->kernels, rest->force, fold, modal);
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    if (modes->row[i] == TB_NO_MODE) continue;
+    const double contact = i < modes->group[modes->groups] ? model->wires.side * modal[i] : 0.0;
+    rest->q[i] = (s->weight[i] - contact) / modes->stiffness[i];
     rest->head += model->center[i] * rest->q[i];
   }
+}
+
+static void rest_wires(TaborModel *model, double **responses) {
+  TbRest *rest = &model->rest;
+  const TbWires *wires = &model->wires;
   for (uint32_t w = 0; w < wires->count; w++) {
     const TbWire *wire = &wires->wires[w];
     const uint32_t n = wire->cells - 1;
@@ -211,8 +220,8 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   const TbWires *wires = &model->wires;
   TbRest *rest = &model->rest;
   for (uint32_t w = 0; w < wires->count; w++) {
-    rest->offset[w] = wires->wires[w].rest_offset +
-                      (1.0 - model->def.wires.strainer) * wires->strainer_travel;
+    rest->offset[w] =
+      wires->wires[w].rest_offset + (1.0 - model->def.wires.strainer) * wires->strainer_travel;
   }
   Statics s = {.n = wires->row_count};
   s.compliance = tb_arena_doubles(scratch, (size_t)s.n * s.n);
@@ -220,11 +229,12 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   s.weight = tb_arena_doubles(scratch, model->modes.padded);
   double **responses = tb_arena_take(scratch, wires->count, sizeof *responses);
   double *y = tb_arena_doubles(scratch, s.n);
+  double *modal = tb_arena_doubles(scratch, model->modes.padded);
+  double *fold = tb_arena_doubles(scratch, tb_projection_scratch(&model->projection));
   if (scratch->failed) return TABOR_ERROR_MEMORY;
 
   weigh_head(model, s.weight);
-  head_compliance(model, s.compliance, s.n);
-  head_sag(model, s.weight, s.eta0);
+  if (!head_statics(model, scratch, &s)) return TABOR_ERROR_MEMORY;
   TaborStatus status = wires_statics(model, scratch, &s, responses);
   if (status == TABOR_OK) status = balance(model, scratch, &s, y, rest->eta);
   if (status != TABOR_OK) return status;
@@ -232,6 +242,7 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   for (uint32_t a = 0; a < s.n; a++) {
     rest->force[a] = tb_law_force(&wires->laws[wires->row_wire[a]], rest->eta[a], 0.0).force;
   }
-  rest_shapes(model, &s, responses);
+  rest_head(model, &s, modal, fold);
+  rest_wires(model, responses);
   return TABOR_OK;
 }

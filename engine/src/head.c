@@ -16,8 +16,8 @@ static const double TOP_ZERO = 91.0;
 /* What one order needs while it is built. */
 typedef struct OrderWork {
   const TaborDrumDef *def;
-  double azimuth;   /* a_m */
-  double limit;     /* highest frequency kept [rad/s] */
+  double azimuth; /* a_m */
+  double limit;   /* highest frequency kept [rad/s] */
   bool lossless;
 } OrderWork;
 
@@ -73,8 +73,8 @@ static TaborStatus solve_order(const OrderWork *work, TbArena *scratch, const Tb
   }
   if (def->air.density > 0.0) {
     return tb_eigen_symmetric(scratch, n, stiffness, mass, eigenvalues, vectors)
-               ? TABOR_OK
-               : (scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS);
+             ? TABOR_OK
+             : (scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS);
   }
   for (uint32_t i = 0; i < n; i++) { /* in vacuo the Bessel functions are the modes */
     eigenvalues[i] = stiffness[i * n + i] / mass[i * n + i];
@@ -155,7 +155,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const OrderWork *wo
     TbArena one;
     tb_arena_prepare(&one, &arena->allocator);
     const bool finished =
-        finish_mode(work, &one, &air, eigenvalues[k], order->vectors + (size_t)k * n, mode);
+      finish_mode(work, &one, &air, eigenvalues[k], order->vectors + (size_t)k * n, mode);
     if (!finished) status = one.failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
     tb_arena_release(&one);
     order->mode_count++;
@@ -183,8 +183,8 @@ static void sort_modes(TbHead *head) {
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                             double bandwidth) {
   const double top = zero_at_frequency(def, 1.03 * bandwidth);
-  *head = (TbHead){.radius = def->shell.radius,
-                   .bandwidth = fmin(bandwidth, frequency_at(def, top))};
+  *head =
+    (TbHead){.radius = def->shell.radius, .bandwidth = fmin(bandwidth, frequency_at(def, top))};
   const double basis_top = top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
   const uint32_t most_orders = (uint32_t)basis_top + 1u;
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
@@ -192,9 +192,8 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   head->modes = tb_arena_take(arena, TB_MAX_MODES, sizeof *head->modes);
   if (arena->failed) return TABOR_ERROR_MEMORY;
 
-  OrderWork work = {.def = def,
-                    .limit = 2.0 * PI * head->bandwidth,
-                    .lossless = def->quality.losses == 0};
+  OrderWork work = {
+    .def = def, .limit = 2.0 * PI * head->bandwidth, .lossless = def->quality.losses == 0};
   for (uint32_t m = 0; m < most_orders; m++) {
     TbHeadOrder *order = &head->orders[m];
     const TbHeadOrder *last = m ? &head->orders[m - 1] : NULL;
@@ -206,8 +205,7 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
                                         last ? last->zero_count : 0, order->zeros, room);
     if (order->zero_count == 0) break;
     work.azimuth = m ? PI : 2.0 * PI;
-    const TaborStatus status = build_order(head, arena, &work, order,
-                                           head->modes + head->row_count,
+    const TaborStatus status = build_order(head, arena, &work, order, head->modes + head->row_count,
                                            TB_MAX_MODES - head->row_count);
     if (status != TABOR_OK) return status;
     head->zero_count += order->zero_count;

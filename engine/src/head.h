@@ -17,6 +17,8 @@
 
 /* More two-way modes than this do not fit a processor's second-level cache. */
 #define TB_MAX_MODES 2048u
+/* Angular orders stay below the largest Bessel zero of the basis. */
+#define TB_MAX_ORDERS 128u
 
 /* Modes of one angular order: mode k is Sum_i vectors[k][i] J_m(zeros[i] r/R). */
 typedef struct TbHeadOrder {
@@ -29,9 +31,9 @@ typedef struct TbHeadOrder {
 /* A normal mode; its sine copy for m > 0 is the same row. */
 typedef struct TbHeadMode {
   uint32_t m, n;
-  double omega;                            /* undamped [rad/s] */
-  double decay_rate, radiation_rate;       /* of the amplitude [1/s]; the second is part of the first */
-  double fields[2 * TABOR_MAX_MICS];       /* (re, im) of the air's I at each microphone */
+  double omega;                      /* undamped [rad/s] */
+  double decay_rate, radiation_rate; /* of the amplitude [1/s]; the second is part of the first */
+  double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
 } TbHeadMode;
 
 typedef struct TbHead {

@@ -3,7 +3,7 @@
  *
  * Every choice computes the same bits: sums run in 8 fixed lanes that one fixed tree joins, or term
  * by term in ascending order into independent results; nothing is contracted into fused operations.
- * Lengths and strides are multiples of 8, arrays aligned to 64 bytes. Audio-safe. */
+ * Lengths are multiples of 8 (only `multiply` takes any n), arrays aligned to 64 bytes. Audio-safe. */
 #ifndef TB_KERNELS_H
 #define TB_KERNELS_H
 
@@ -17,16 +17,14 @@ typedef struct TbKernels {
   /* out = a x - b y */
   void (*two_step)(uint32_t n, double *out, const double *a, const double *x, const double *b,
                    const double *y);
-  /* out[j] = Sum_i matrix[i][j] x[i], i ascending */
-  void (*project)(uint32_t rows, uint32_t columns, uint32_t stride, double *out,
-                  const double *matrix, const double *x);
-  /* out[i] += scale[i] Sum_j matrix[i][j] x[j] */
-  void (*spread)(uint32_t rows, uint32_t columns, uint32_t stride, double *out,
-                 const double *scale, const double *matrix, const double *x);
+  /* out[8 b + l] = Sum_i matrix[b][i][l] x[i], i ascending, for b < blocks, i < n */
+  void (*multiply)(uint32_t blocks, uint32_t n, double *out, const double *matrix, const double *x);
   /* Sum x y */
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */
   void (*add_scaled)(uint32_t n, double *out, double f, const double *x);
+  /* out += x y */
+  void (*add_product)(uint32_t n, double *out, const double *x, const double *y);
   /* Sum u (next - 2 now + last) + v (next - last) */
   double (*readout)(uint32_t n, const double *u, const double *v, const double *next,
                     const double *now, const double *last);

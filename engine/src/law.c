@@ -159,8 +159,7 @@ TbLawResult tb_law_force(const TbLaw *law, double y, double s) {
   const double mean = gradient(law, y, s);
   const double factor = 1.0 + law->loss * s;
   if (factor <= 0.0) return (TbLawResult){0.0, 0.0};
-  return (TbLawResult){mean * factor,
-                       gradient_slope(law, y, s, mean) * factor + mean * law->loss};
+  return (TbLawResult){mean * factor, gradient_slope(law, y, s, mean) * factor + mean * law->loss};
 }
 
 double tb_law_loss(const TbLaw *law, double y, double s) {
@@ -168,4 +167,11 @@ double tb_law_loss(const TbLaw *law, double y, double s) {
   if (law->loss == 0.0 || (y <= 0.0 && y + s <= 0.0)) return 0.0;
   const double factor = 1.0 + law->loss * s;
   return 0.5 * work_of(law, y, s) * (factor > 0.0 ? law->loss * s : -1.0);
+}
+
+/* f s = DV factor, so (f s - DV)/2 = f s (1 - 1/factor)/2. */
+double tb_law_loss_of(const TbLaw *law, double y, double s, double force) {
+  if (law->kind == TB_LAW_DAMPER || force == 0.0) return tb_law_loss(law, y, s);
+  const double pace = law->loss * s;
+  return 0.5 * force * s * pace / (1.0 + pace);
 }

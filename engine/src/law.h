@@ -20,18 +20,18 @@
 
 typedef enum TbLawKind {
   TB_LAW_GENERAL,
-  TB_LAW_LINEAR,    /* a = 1 */
+  TB_LAW_LINEAR,     /* a = 1 */
   TB_LAW_THREE_HALF, /* a = 3/2 */
-  TB_LAW_SQUARE,    /* a = 2 */
+  TB_LAW_SQUARE,     /* a = 2 */
   TB_LAW_DAMPER
 } TbLawKind;
 
 typedef struct TbLaw {
   TbLawKind kind;
-  double stiffness; /* K [N/m^a] */
-  double exponent;  /* a */
-  double loss;      /* lambda/(2k) [1/m]; for a damper c/(2k) [N/m] */
-  double limit;     /* c [m], where the parabola begins */
+  double stiffness;                    /* K [N/m^a] */
+  double exponent;                     /* a */
+  double loss;                         /* lambda/(2k) [1/m]; for a damper c/(2k) [N/m] */
+  double limit;                        /* c [m], where the parabola begins */
   double limit_force, limit_potential; /* V'(c) [N], V(c) [J] */
   double limit_slope;                  /* G [N/m] */
 } TbLaw;
@@ -52,6 +52,8 @@ TbLawResult tb_law_force(const TbLaw *law, double y, double s);
 double tb_law_work(const TbLaw *law, double y, double s);
 /* The energy lost per step by the law itself at s: (f s - DV)/2 [J]. */
 double tb_law_loss(const TbLaw *law, double y, double s);
+/* The same where `force` already is the law's force at s: no potential is needed then. */
+double tb_law_loss_of(const TbLaw *law, double y, double s, double force);
 /* V(eta), V'(eta), V''(eta). */
 double tb_law_potential(const TbLaw *law, double eta);
 double tb_law_static_force(const TbLaw *law, double eta);

@@ -57,6 +57,7 @@ void tb_live_apply(TbView *view) {
   }
   view->solve.slot_mask = view->state->slot_mask;
   tb_solve_product(&view->solve, view->model->rest.force, view->rest_load);
+  tb_solve_product(&view->solve, view->solve.force, view->solve.product);
 }
 
 void tb_live_definition(const TaborModel *model, TbLive *live) {

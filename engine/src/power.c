@@ -73,9 +73,21 @@ void tb_sin_cos_degrees(double angle, double *sine, double *cosine) {
   }
   s *= x;
   switch (((quarter % 4) + 4) % 4) {
-  case 0: *sine = s; *cosine = c; break;
-  case 1: *sine = c; *cosine = -s; break;
-  case 2: *sine = -s; *cosine = -c; break;
-  default: *sine = -c; *cosine = s; break;
+  case 0:
+    *sine = s;
+    *cosine = c;
+    break;
+  case 1:
+    *sine = c;
+    *cosine = -s;
+    break;
+  case 2:
+    *sine = -s;
+    *cosine = -c;
+    break;
+  default:
+    *sine = -c;
+    *cosine = s;
+    break;
   }
 }

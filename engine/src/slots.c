@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "slots.h"
 
+#include <string.h>
+
 #include "live.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -20,12 +22,12 @@ static void couple(TbView *view, uint32_t slot) {
   const double *shape = tb_slot_shape(view, slot);
   double *drive = tb_slot_drive(view, slot), *coupling = tb_slot_coupling(view, slot);
   for (uint32_t i = 0; i < modes->padded; i++) drive[i] = modes->g[i] * shape[i];
-  kernels->project(modes->coupled, stride, stride, coupling, model->projection, drive);
+  tb_project(&model->projection, kernels, drive, view->fold, coupling);
   for (uint32_t row = 0; row < stride; row++) coupling[row] *= model->wires.side;
   for (uint32_t other = 0; other < TB_SLOTS; other++) {
     const double value = in_play(view, other) || other == slot
-                             ? kernels->dot(modes->padded, drive, tb_slot_shape(view, other))
-                             : 0.0;
+                           ? kernels->dot(modes->padded, drive, tb_slot_shape(view, other))
+                           : 0.0;
     coupling[stride + other] = value;
     tb_slot_coupling(view, other)[stride + slot] = value;
   }
@@ -68,6 +70,13 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   view->solve.force[row] = 0.0;
 }
 
+static void clear_coupling(TbView *view, uint32_t slot) {
+  const uint32_t stride = view->model->wires.stride;
+  memset(tb_slot_coupling(view, slot), 0, (stride + TB_SLOTS) * sizeof(double));
+  for (uint32_t i = 0; i < TB_SLOTS; i++) tb_slot_coupling(view, i)[stride + slot] = 0.0;
+  view->own[stride + slot] = 0.0;
+}
+
 /* Frees a slot; what a striker still carries is booked as removed. */
 static void take_away(TbView *view, uint32_t slot) {
   TbState *state = view->state;
@@ -75,15 +84,15 @@ static void take_away(TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
   if (s->kind == TB_SLOT_STRIKER) {
     const double velocity = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
-    state->sums.removed +=
-        0.5 * (s->mass * velocity * velocity +
-               tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
-               tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
+    state->sums.removed += 0.5 * (s->mass * velocity * velocity +
+                                  tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
+                                  tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
   }
   *s = (TbSlot){0};
   view->solve.force[row] = 0.0;
   view->now.z[slot] = view->last.z[slot] = 0.0;
-  view->now.eta[row] = view->last.eta[row] = 0.0;
+  view->now.eta[row] = view->last.eta[row] = TB_NOTHING;
+  clear_coupling(view, slot);
   state->slot_mask &= ~(1u << slot);
   tb_live_apply(view);
 }

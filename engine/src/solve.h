@@ -28,47 +28,42 @@
 #define TB_SLOTS ((uint32_t)TABOR_MAX_ACTIVE)
 
 /* Rows 0 .. stride-1 are wire points (those from `wire_rows` on are padding), the TB_SLOTS rows after
- * them are strikers and hands, of which `slot_mask` tells the ones in play. */
+ * them are strikers and hands, of which `slot_mask` tells the ones in play. Rows that stand for nothing
+ * have b = 0, y < 0 and no force, and their compliances are 0: loops may run over them. */
 typedef struct TbSolve {
   const TbKernels *kernels;
   uint32_t wire_rows, stride, slot_mask;
   uint32_t cap, inner_cap;
-  const double *compliance;  /* [wire_rows][stride]: the head's, between wire points */
-  const double *coupling;    /* [TB_SLOTS][stride + TB_SLOTS]: the head's, of each slot */
-  const double *own;         /* [stride + TB_SLOTS]: the wires' and strikers' */
-  const uint8_t *row_wire;   /* [stride]: which wire's law a point has */
+  const double *compliance; /* [wire_rows][stride]: the head's, between wire points */
+  const double *coupling;   /* [TB_SLOTS][stride + TB_SLOTS]: the head's, of each slot */
+  const double *own;        /* [stride + TB_SLOTS]: the wires' and strikers' */
+  const uint8_t *row_wire;  /* [stride]: which wire's law a point has */
   const TbLaw *wire_laws, *slot_laws;
-  const double *b, *y;       /* [stride + TB_SLOTS] */
-  double *s, *force;         /* out; force holds the last sample's on entry */
+  const double *b, *y;     /* [stride + TB_SLOTS] */
+  double *s;               /* out */
+  double *force, *product; /* f and M f: the last sample's on entry, this one's on return */
   /* Scratch, the same length. */
-  double *previous, *product, *slope, *residual, *direction, *scaled, *weight, *work;
+  double *previous, *slope, *residual, *scaled, *work;
+  double *direction, *turned, *weight, *right, *solution; /* of the touching rows alone */
+  uint32_t *active;
 } TbSolve;
 
 typedef struct TbSolveOutcome {
   uint32_t iterations, touching;
-  bool contact;   /* false: nothing could touch and all forces are zero */
+  bool contact; /* false: nothing could touch and all forces are zero */
   bool capped, corrected, fallback;
-  double excess;  /* energy that these forces would create [J], 0 unless both remedies failed */
+  double excess; /* energy that these forces would create [J], 0 unless both remedies failed */
 } TbSolveOutcome;
 
 TbSolveOutcome tb_solve(TbSolve *solve);
 
-/* out = M x, for any x; the rest load is computed by this too, so that it cancels to the bit. */
+/* out = M x; the rest load is computed by this too, so that it cancels to the bit. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *out);
 
 /* The law of a row. */
 static inline const TbLaw *tb_solve_law(const TbSolve *solve, uint32_t row) {
   return row < solve->stride ? &solve->wire_laws[solve->row_wire[row]]
                              : &solve->slot_laws[row - solve->stride];
-}
-
-/* The next row in play after `row`, or stride + TB_SLOTS; start with UINT32_MAX. */
-static inline uint32_t tb_solve_next(const TbSolve *solve, uint32_t row) {
-  row++;
-  if (row < solve->wire_rows) return row;
-  if (row < solve->stride) row = solve->stride;
-  while (row < solve->stride + TB_SLOTS && !(solve->slot_mask >> (row - solve->stride) & 1u)) row++;
-  return row;
 }
 
 #endif

@@ -26,13 +26,15 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->bend = place(&total, nodes);
   layout->bend_last = place(&total, nodes);
   size_t *const row_arrays[] = {
-      &layout->eta_free, &layout->rest_load, &layout->own,     &layout->force,
-      &layout->b,        &layout->s,         &layout->previous, &layout->product,
-      &layout->slope,    &layout->residual,  &layout->direction, &layout->scaled,
-      &layout->weight,   &layout->work};
+    &layout->eta_free, &layout->rest_load, &layout->own,       &layout->force,  &layout->product,
+    &layout->b,        &layout->s,         &layout->previous,  &layout->slope,  &layout->residual,
+    &layout->scaled,   &layout->work,      &layout->direction, &layout->turned, &layout->weight,
+    &layout->right,    &layout->solution,  &layout->active};
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
+  layout->fold = place(&total, tb_projection_scratch(&model->projection));
+  layout->modal = place(&total, modes);
   layout->coupling = place(&total, TB_SLOTS * rows);
   layout->shape = place(&total, TB_SLOTS * modes);
   layout->drive = place(&total, TB_SLOTS * modes);
@@ -76,6 +78,8 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .own = at(state, l->own),
                  .b = at(state, l->b),
                  .s = at(state, l->s),
+                 .fold = at(state, l->fold),
+                 .modal = at(state, l->modal),
                  .coupling = at(state, l->coupling),
                  .shape = at(state, l->shape),
                  .drive = at(state, l->drive),
@@ -98,14 +102,18 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                          .b = view.b,
                          .s = view.s,
                          .force = at(state, l->force),
-                         .previous = at(state, l->previous),
                          .product = at(state, l->product),
+                         .previous = at(state, l->previous),
                          .slope = at(state, l->slope),
                          .residual = at(state, l->residual),
-                         .direction = at(state, l->direction),
                          .scaled = at(state, l->scaled),
+                         .work = at(state, l->work),
+                         .direction = at(state, l->direction),
+                         .turned = at(state, l->turned),
                          .weight = at(state, l->weight),
-                         .work = at(state, l->work)};
+                         .right = at(state, l->right),
+                         .solution = at(state, l->solution),
+                         .active = (uint32_t *)(void *)at(state, l->active)};
   view_phases(&view);
   return view;
 }
@@ -121,9 +129,11 @@ void tb_state_reset(TbState *state, const TaborModel *model) {
   state->asleep = 1;
   TbView view = tb_view(state, model);
   const TbWires *wires = &model->wires;
-  for (uint32_t row = 0; row < wires->row_count; row++) {
-    view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = model->rest.eta[row];
-    view.solve.force[row] = model->rest.force[row];
+  for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {
+    const bool real = row < wires->row_count;
+    const double eta = real ? model->rest.eta[row] : TB_NOTHING;
+    view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
+    view.solve.force[row] = real ? model->rest.force[row] : 0.0;
   }
   tb_live_reset(&view);
 }

@@ -23,24 +23,27 @@ typedef struct TbLive {
   uint32_t left;
 } TbLive;
 
+/* Penetration of a row that stands for nothing: see TbSolve [m]. */
+#define TB_NOTHING (-1.0)
+
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
  * height at its place; penetration eta = w - z (a hand: eta = w). */
 typedef struct TbSlot {
   uint32_t kind, id;
-  uint64_t serial;      /* order of arrival */
-  uint64_t age;         /* samples in play */
-  double mass;          /* [kg] */
-  double rest_height;   /* of the head at its place [m] */
-  uint32_t definition;  /* which striker */
+  uint64_t serial;                          /* order of arrival */
+  uint64_t age;                             /* samples in play */
+  double mass;                              /* [kg] */
+  double rest_height;                       /* of the head at its place [m] */
+  uint32_t definition;                      /* which striker */
   double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
 } TbSlot;
 
 typedef struct TbState {
   uint64_t fingerprint;
-  uint64_t clock;      /* samples stepped since reset */
-  uint32_t newest;     /* which of the three phases holds the newest samples */
+  uint64_t clock;  /* samples stepped since reset */
+  uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
   uint32_t slot_mask;
   uint64_t serial;
@@ -66,6 +69,7 @@ typedef struct TbView {
   TbState *state;
   TbPhase next, now, last;
   double *qf, *vf, *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
+  double *fold, *modal; /* scratch of the projection */
   double *coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;

@@ -34,7 +34,7 @@ static void free_penetration(TbView *view) {
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = wires->stride;
   double *eta = view->eta_free;
-  kernels->project(model->modes.coupled, stride, stride, eta, model->projection, view->qf);
+  tb_project(&model->projection, kernels, view->qf, view->fold, eta);
   for (uint32_t row = 0; row < wires->row_count; row++) {
     const double deviation = wires->side * eta[row] - view->vf[wires->row_node[row]];
     eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
@@ -67,8 +67,8 @@ static void respond(TbView *view) {
     view->next.v[wires->row_node[row]] += view->own[row] * change[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
-  kernels->spread(modes->coupled, stride, stride, view->next.q, modes->pull, model->projection,
-                  change);
+  tb_project_forces(&model->projection, kernels, change, view->fold, view->modal);
+  kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
@@ -82,18 +82,27 @@ static void respond(TbView *view) {
 
 /* What the contacts' own laws lose at s, hands apart. Where Newton has not converged the forces are
  * not quite the laws', and the laws' losses count only as far as the work done really covers them. */
-static void book_contacts(TbView *view, bool capped) {
+static void book_contacts(TbView *view, const TbSolveOutcome *outcome) {
   const TbSolve *solve = &view->solve;
   double contact = 0.0, damper = 0.0, covered = 0.0;
-  for (uint32_t row = tb_solve_next(solve, UINT32_MAX); row < solve->stride + TB_SLOTS;
-       row = tb_solve_next(solve, row)) {
+  for (uint32_t row = 0; row < solve->stride + TB_SLOTS; row++) {
+    const double y = view->last.eta[row], s = view->s[row], force = solve->force[row];
+    const bool real = row < solve->stride
+                        ? row < solve->wire_rows
+                        : view->state->slots[row - solve->stride].kind != TB_SLOT_FREE;
+    if (!real || (force == 0.0 && y <= 0.0 && y + s <= 0.0)) continue;
     const TbLaw *law = tb_solve_law(solve, row);
-    const double y = view->last.eta[row], s = view->s[row];
-    *(law->kind == TB_LAW_DAMPER ? &damper : &contact) += tb_law_loss(law, y, s);
-    if (capped) covered += 0.5 * (solve->force[row] * s - tb_law_work(law, y, s));
+    double *sum = law->kind == TB_LAW_DAMPER ? &damper : &contact;
+    if (!outcome->capped) {
+      *sum += tb_law_loss_of(law, y, s, force);
+    } else {
+      *sum += tb_law_loss(law, y, s);
+      covered += 0.5 * (force * s - tb_law_work(law, y, s));
+    }
   }
   const double lost = contact + damper;
-  const double part = capped && lost > covered ? fmax(0.0, covered) / fmax(lost, 1e-300) : 1.0;
+  const double part =
+    outcome->capped && lost > covered ? fmax(0.0, covered) / fmax(lost, 1e-300) : 1.0;
   view->state->sums.contact_loss += part * contact;
   view->state->sums.damper_loss += part * damper;
 }
@@ -135,7 +144,7 @@ static void listen(TbView *view, double *pressure) {
     const double p = model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q,
                                              view->now.q, view->last.q);
     pressure[mic] =
-        delayed(view, mic, p) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+      delayed(view, mic, p) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
   }
 }
 
@@ -147,7 +156,7 @@ void tb_step(TbView *view, double *pressure) {
   count(&view->state->statistics, &outcome);
   respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
-  if (!shortened && outcome.contact) book_contacts(view, outcome.capped);
+  if (!shortened && outcome.contact) book_contacts(view, &outcome);
   book_losses(view);
   listen(view, pressure);
   view->state->clock++;
@@ -163,7 +172,7 @@ static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
 
 static void clear_vanished(TbView *view) {
-  for (uint32_t i = 0; i < view->model->modes.count; i++) {
+  for (uint32_t i = 0; i < view->model->modes.padded; i++) {
     if (fabs(view->now.q[i]) < VANISHED && fabs(view->last.q[i]) < VANISHED) {
       view->now.q[i] = view->last.q[i] = 0.0;
     }
@@ -173,18 +182,19 @@ static void clear_vanished(TbView *view) {
 /* Stops all motion; a drum within rounding of its rest returns to it exactly. */
 static void fall_asleep(TbView *view) {
   const TaborModel *model = view->model;
-  const bool at_rest =
-      fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * SILENT_ENERGY;
+  const bool at_rest = fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * SILENT_ENERGY;
   const uint32_t rows = model->wires.stride + TB_SLOTS;
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.row_count; row++) {
-      view->now.eta[row] =
-          model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
+      view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
       view->solve.force[row] = model->rest.force[row];
     }
-    for (uint32_t row = model->wires.stride; row < rows; row++) view->now.eta[row] = 0.0;
+    for (uint32_t i = 0; i < TB_SLOTS; i++) {
+      if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
+    }
+    tb_solve_product(&view->solve, view->solve.force, view->solve.product);
   }
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));

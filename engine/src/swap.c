@@ -29,11 +29,12 @@ static bool continues(const TaborModel *a, const TaborModel *b) {
 }
 
 static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uint8_t sine) {
-  for (uint32_t i = 0; i < model->modes.count; i++) {
+  for (uint32_t i = 0; i < model->modes.padded; i++) {
+    if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
     if (mode->m == wanted->m && mode->n == wanted->n && model->modes.sine[i] == sine) return i;
   }
-  return UINT32_MAX;
+  return TB_NO_MODE;
 }
 
 /* w_d k, or -1 for an overdamped mode. */
@@ -65,10 +66,12 @@ bool tb_swap_map(TaborSwap *swap) {
     *arrays[i] = tb_arena_doubles(&swap->arena, n);
   }
   if (swap->arena.failed) return false;
-  for (uint32_t i = 0; i < to->modes.count; i++) {
+  for (uint32_t i = 0; i < n; i++) {
+    map->mode[i] = TB_NO_MODE;
+    if (to->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
-    if (map->mode[i] == UINT32_MAX) continue;
+    if (map->mode[i] == TB_NO_MODE) continue;
     map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode, to->time_step);
   }
   return true;
@@ -77,9 +80,9 @@ bool tb_swap_map(TaborSwap *swap) {
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
 static void carry_modes(const TbMapping *map, const TbView *from, TbView *to) {
-  for (uint32_t i = 0; i < to->model->modes.count; i++) {
+  for (uint32_t i = 0; i < to->model->modes.padded; i++) {
     const uint32_t source = map->mode[i];
-    if (source == UINT32_MAX) continue;
+    if (source == TB_NO_MODE) continue;
     const double q = from->now.q[source], last = from->last.q[source];
     const double c = map->scale[i];
     if (c == 0.0) {
@@ -94,12 +97,14 @@ static void carry_modes(const TbMapping *map, const TbView *from, TbView *to) {
 }
 
 /* Linear interpolation between grids; the same grid copies. */
-static void carry_nodes(const TbWire *from, const TbWire *to, const double *source, double *target) {
+static void carry_nodes(const TbWire *from, const TbWire *to, const double *source,
+                        double *target) {
   for (uint32_t i = 1; i < to->cells; i++) {
     const double place = (double)i * (double)from->cells / (double)to->cells;
     const uint32_t node = (uint32_t)place;
     const double part = place - (double)node;
-    target[i] = part == 0.0 ? source[node] : source[node] + part * (source[node + 1] - source[node]);
+    target[i] =
+      part == 0.0 ? source[node] : source[node] + part * (source[node + 1] - source[node]);
   }
 }
 
@@ -126,13 +131,12 @@ static void carry_live(const TbView *from, TbView *to) {
 static void eta_of_wires(TbView *view, TbPhase *phase) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
-  model->kernels->project(model->modes.coupled, wires->stride, wires->stride, phase->eta,
-                          model->projection, phase->q);
+  tb_project(&model->projection, model->kernels, phase->q, view->fold, phase->eta);
   for (uint32_t row = 0; row < wires->row_count; row++) {
     const double deviation = wires->side * phase->eta[row] - phase->v[wires->row_node[row]];
-    phase->eta[row] =
-        deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
   }
+  for (uint32_t row = wires->row_count; row < wires->stride; row++) phase->eta[row] = TB_NOTHING;
 }
 
 /* Penetrations follow from displacements; where nothing changed they are the same to the bit. */
@@ -174,14 +178,14 @@ static void carry_slots(const TbView *from, TbView *to) {
     }
   }
   tb_live_apply(to);
+  if (same) memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
 }
 
 static void carry_sound(const TbView *from, TbView *to) {
   const TaborDrumDef *a = &from->model->def, *b = &to->model->def;
   for (uint32_t mic = 0; mic < a->mic_count && mic < b->mic_count; mic++) {
     if (from->model->mics[mic].delay != to->model->mics[mic].delay) continue;
-    memcpy(to->delay[mic], from->delay[mic],
-           (to->model->mics[mic].delay + 1u) * sizeof(double));
+    memcpy(to->delay[mic], from->delay[mic], (to->model->mics[mic].delay + 1u) * sizeof(double));
     to->state->delay_at[mic] = from->state->delay_at[mic];
   }
 }
@@ -239,7 +243,7 @@ void tb_swap_fade(TaborDrum *drum, double *pressure, uint32_t mics) {
   tb_step(&view, ringing);
   const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
   const uint32_t shared =
-      mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;
+    mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;
   for (uint32_t mic = 0; mic < shared; mic++) pressure[mic] += gain * ringing[mic];
   if (--swap->fade_left == 0) tb_swap_finish(drum);
 }

@@ -26,17 +26,15 @@ static void place(TbWire *wire, const TaborDrumDef *def, const TaborWireDef *own
   tb_sin_cos_degrees(own->angle - def->wires.angle, &sine, &cosine);
   wire->dx = cosine * wire->spacing;
   wire->dy = sine * wire->spacing;
-  wire->x0 = -own->offset * sine - 0.5 * own->length * cosine;
-  wire->y0 = own->offset * cosine - 0.5 * own->length * sine;
+  wire->x = -own->offset * sine;
+  wire->y = own->offset * cosine;
 }
 
 static bool node_place(const TbWire *wire, uint32_t node, double radius, double *x, double *y) {
   /* Counted from the middle, so that mirror-symmetric nodes get mirror-symmetric places. */
   const double steps = (double)node - 0.5 * (double)wire->cells;
-  const double middle_x = wire->x0 + 0.5 * (double)wire->cells * wire->dx;
-  const double middle_y = wire->y0 + 0.5 * (double)wire->cells * wire->dy;
-  *x = middle_x + steps * wire->dx;
-  *y = middle_y + steps * wire->dy;
+  *x = wire->x + steps * wire->dx;
+  *y = wire->y + steps * wire->dy;
   return *x * *x + *y * *y < radius * radius * (1.0 - 1e-9);
 }
 
@@ -110,7 +108,8 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
   *wires = (TbWires){.count = def->wires.count,
                      .side = above ? 1.0 : -1.0,
                      .gravity = above ? -def->air.gravity : def->air.gravity,
-                     .strainer_travel = def->wires.strainer_travel};
+                     .strainer_travel = def->wires.strainer_travel,
+                     .mirrored = true};
   wires->wires = tb_arena_take(arena, wires->count, sizeof *wires->wires);
   wires->laws = tb_arena_take(arena, wires->count, sizeof *wires->laws);
   if (arena->failed) return TABOR_ERROR_MEMORY;
@@ -122,6 +121,7 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
     wire->first_row = wires->row_count;
     wires->node_count += wire->cells + 1;
     wires->row_count += wire->row_count;
+    wires->mirrored = wires->mirrored && wire->dy == 0.0 && wire->x == 0.0;
   }
   return rows_prepare(wires, arena, def->shell.radius);
 }
@@ -131,15 +131,15 @@ void tb_wire_coefficients(const TbWire *wire, double k, double tension, double d
   const double mu = wire->mass_per_length, h = wire->spacing;
   const double gain = 1.0 / (1.0 + 0.5 * damping_0 * k);
   *c = (TbWireCoefficients){
-      .tension = tension,
-      .damping_0 = damping_0,
-      .damping_1 = damping_1,
-      .stretch = tension * k * k / (mu * h * h),
-      .bend = wire->bending_stiffness * k * k / (mu * h * h * h * h),
-      .diffuse = damping_1 * k / (h * h),
-      .keep = 1.0 - 0.5 * damping_0 * k,
-      .gain = gain,
-      .compliance = k * k / (mu * h) * gain,
+    .tension = tension,
+    .damping_0 = damping_0,
+    .damping_1 = damping_1,
+    .stretch = tension * k * k / (mu * h * h),
+    .bend = wire->bending_stiffness * k * k / (mu * h * h * h * h),
+    .diffuse = damping_1 * k / (h * h),
+    .keep = 1.0 - 0.5 * damping_0 * k,
+    .gain = gain,
+    .compliance = k * k / (mu * h) * gain,
   };
 }
 
@@ -159,13 +159,13 @@ void tb_wire_free(const TbWire *wire, const TbWireCoefficients *c, const double 
   for (uint32_t i = 1; i < cells; i++) {
     const double fourth = (bend[i - 1] - bend[i]) + (bend[i + 1] - bend[i]);
     const double force =
-        c->stretch * bend[i] - c->bend * fourth + c->diffuse * (bend[i] - bend_last[i]);
+      c->stretch * bend[i] - c->bend * fourth + c->diffuse * (bend[i] - bend_last[i]);
     free[i] = c->gain * (2.0 * now[i] - c->keep * last[i] + force);
   }
 }
 
-double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k,
-                      const double *next, const double *now) {
+double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k, const double *next,
+                      const double *now) {
   const double mu = wire->mass_per_length, h = wire->spacing;
   const uint32_t cells = wire->cells;
   double kinetic = 0.0, stretch = 0.0, bend = 0.0, diffuse = 0.0;

@@ -24,33 +24,34 @@
 
 /* One wire as defined. */
 typedef struct TbWire {
-  uint32_t cells;              /* N, even */
-  uint32_t first_node;         /* of its N + 1 nodes (ends included) among all nodes */
-  uint32_t first_row;          /* its contact rows: nodes over the head, consecutive */
-  uint32_t row_count, row_node; /* row_node: its first node over the head, counted on the wire */
-  double length, spacing;      /* [m]; spacing = h */
-  double mass_per_length;      /* mu */
+  uint32_t cells;                /* N, even */
+  uint32_t first_node;           /* of its N + 1 nodes (ends included) among all nodes */
+  uint32_t first_row;            /* its contact rows: nodes over the head, consecutive */
+  uint32_t row_count, row_node;  /* row_node: its first node over the head, counted on the wire */
+  double length, spacing;        /* [m]; spacing = h */
+  double mass_per_length;        /* mu */
   double tension, tension_limit; /* T as defined, and the most the grid is stable for [N] */
-  double bending_stiffness;    /* EI */
-  double damping_0, damping_1; /* sigma0, sigma1 as defined */
+  double bending_stiffness;      /* EI */
+  double damping_0, damping_1;   /* sigma0, sigma1 as defined */
   double damping_1_limit;
-  double rest_offset;          /* of the ends with the strainer on [m] */
+  double rest_offset; /* of the ends with the strainer on [m] */
   double contact_stiffness, contact_exponent, contact_loss; /* per length; see law.h */
-  double x0, y0, dx, dy;       /* first end, and the step from node to node, relative to the bed [m] */
+  double x, y, dx, dy; /* middle, and the step from node to node, +x along the bed [m] */
   bool own_tension, own_damping_0, own_damping_1, own_rest_offset; /* do not follow [wires] */
 } TbWire;
 
 typedef struct TbWires {
   uint32_t count, node_count; /* nodes of all wires, padded */
   uint32_t row_count, stride; /* contact points; padded */
+  bool mirrored;              /* every wire is its own image under x -> -x */
   TbWire *wires;
-  TbLaw *laws;                /* [count] */
-  uint8_t *row_wire;          /* [stride] */
-  uint32_t *row_node;         /* [stride]: node among all nodes */
-  double *row_x, *row_y;      /* [stride]: place on the head, +x along wires.angle [m] */
-  double side;                /* +1 above the head, -1 below */
-  double gravity;             /* outward acceleration [m/s2]: -g above, +g below */
-  double strainer_travel;     /* [m] */
+  TbLaw *laws;            /* [count] */
+  uint8_t *row_wire;      /* [stride] */
+  uint32_t *row_node;     /* [stride]: node among all nodes */
+  double *row_x, *row_y;  /* [stride]: place on the head, +x along wires.angle [m] */
+  double side;            /* +1 above the head, -1 below */
+  double gravity;         /* outward acceleration [m/s2]: -g above, +g below */
+  double strainer_travel; /* [m] */
 } TbWires;
 
 /* What a live value makes of a wire's coefficients. */

@@ -5,7 +5,9 @@
 set(TABOR_PRESETS
     tabor
     frame-drum
-    bodhran-d-string)
+    bodhran-piano-string
+    bodhran-d-string
+    bodhran-d-string-tensioned)
 
 list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VARIABLE TABOR_PRESET_FILES)
 list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")

@@ -8,9 +8,10 @@ static uint32_t definitions = 100, sequences = 900;
 
 /* The residual may not fall below this part of what was put in. */
 static const double CREATED = 1e-9;
-/* ... give or take the rounding of the wires' potentials while parameters move a drum that nobody has
- * struck [J]; the softest stroke that is allowed brings 1e-6 J. */
-static const double ROUNDING = 1e-15;
+/* ... give or take rounding, where parameters moved a drum that was hardly struck: their work is then a
+ * small difference of the potentials that the drum fell through. */
+static const double ROUNDING = 1e-15; /* [J]; the softest stroke brings 1e-6 J */
+static const double ROUNDING_OF_STORED = 1e-10;
 
 static double draw_value(uint64_t *seed, const TaborParameter *p) {
   const double corner = physics_uniform(seed, 0.0, 1.0);
@@ -34,7 +35,8 @@ static bool is(const TaborParameter *p, const char *section, const char *key) {
 
 /* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
 static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
-  *def = physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
+  *def =
+    physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *p = tabor_parameter(i);
     if (p->type != TABOR_TYPE_NUMBER || physics_random(seed) % 3 != 0) continue;
@@ -43,7 +45,10 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
     const bool named = p->section[strlen(p->section) - 1] == '.';
     if (named && strcmp(p->section, "striker.") != 0 && strcmp(p->section, "mic.") != 0) continue;
     snprintf(key, sizeof key, "%s%s.%s", p->section,
-             !named ? "" : p->section[0] == 's' ? def->striker[0].name : def->mic[0].name, p->key);
+             !named                 ? ""
+             : p->section[0] == 's' ? def->striker[0].name
+                                    : def->mic[0].name,
+             p->key);
     snprintf(value, sizeof value, "%.17g", draw_value(seed, p));
     TaborError error;
     if (tabor_drum_def_set(def, key, value, &error) != TABOR_OK) fail_msg("%s", error.message);
@@ -60,8 +65,8 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
   for (int w = 0; w < TABOR_MAX_WIRES; w++) def->wire[w].offset = NAN;
 }
 
-static const char *const LIVE[] = {"wires.strainer",  "wires.tension",     "wires.damping_0",
-                                   "wires.damping_1", "wires.rest_offset", "mic.top.gain",
+static const char *const LIVE[] = {"wires.strainer",   "wires.tension",     "wires.damping_0",
+                                   "wires.damping_1",  "wires.rest_offset", "mic.top.gain",
                                    "output.full_scale"};
 
 static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
@@ -81,7 +86,7 @@ static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
     event.type = TABOR_EVENT_RELEASE;
   } else {
     const TaborParameter *p =
-        tabor_parameter_find(LIVE[physics_random(seed) % (sizeof LIVE / sizeof *LIVE)]);
+      tabor_parameter_find(LIVE[physics_random(seed) % (sizeof LIVE / sizeof *LIVE)]);
     event.type = TABOR_EVENT_PARAMETER;
     event.parameter = p->id;
     event.value = draw_value(seed, p);
@@ -89,15 +94,17 @@ static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
   return event;
 }
 
-static void check(const TaborDrum *drum, const float *samples, uint32_t count, uint64_t trial_seed) {
+static void check(const TaborDrum *drum, const float *samples, uint32_t count,
+                  uint64_t trial_seed) {
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
   const double scale = ledger.injected + fabs(ledger.control);
+  const double least = CREATED * scale + ROUNDING + ROUNDING_OF_STORED * fabs(ledger.stored);
   bool finite = isfinite(ledger.residual) && isfinite(ledger.stored);
   for (uint32_t i = 0; i < count; i++) finite = finite && isfinite(samples[i]);
   TaborStatistics statistics;
   tabor_drum_statistics(drum, &statistics);
-  if (!finite || statistics.recovered || !(ledger.residual >= -CREATED * scale - ROUNDING)) {
+  if (!finite || statistics.recovered || !(ledger.residual >= -least)) {
     fail_msg("trial %#llx: residual %g J of %g J (stored %g), recovered %llu, finite %d",
              (unsigned long long)trial_seed, ledger.residual, scale, ledger.stored,
              (unsigned long long)statistics.recovered, finite);
@@ -152,7 +159,8 @@ static TaborModel *model_of(const TaborDrumDef *def, uint64_t *seed, uint64_t na
   if (status == TABOR_OK) return model;
   /* A drum may be impossible, but then it says why. */
   if (status != TABOR_ERROR_RANGE || !error.message[0]) {
-    fail_msg("definition %#llx: status %d, %s", (unsigned long long)name, (int)status, error.message);
+    fail_msg("definition %#llx: status %d, %s", (unsigned long long)name, (int)status,
+             error.message);
   }
   tally->refused++;
   return NULL;
@@ -208,8 +216,8 @@ int main(int argc, char **argv) {
   if (argc > 1) definitions = (uint32_t)strtoul(argv[1], NULL, 10);
   if (argc > 2) sequences = (uint32_t)strtoul(argv[2], NULL, 10);
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(random_definitions_stay_finite_and_passive),
-      cmocka_unit_test(random_playing_stays_finite_and_passive),
+    cmocka_unit_test(random_definitions_stay_finite_and_passive),
+    cmocka_unit_test(random_playing_stays_finite_and_passive),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ typedef struct TbRest {
 
 /* Where the arrays of a drum's state lie, in bytes from its start. */
 typedef struct TbLayout {
-  size_t q[3], v[3], eta[3], qf, vf, bend, bend_last;
+  size_t q[3], v[3], eta[3], bend, bend_last;
   size_t eta_free, rest_load, own, force, b, s;
   size_t product, previous, slope, residual, scaled, work;
   size_t direction, turned, weight, right, solution, active;

@@ -21,8 +21,6 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->v[phase] = place(&total, nodes);
     layout->eta[phase] = place(&total, rows);
   }
-  layout->qf = place(&total, modes);
-  layout->vf = place(&total, nodes);
   layout->bend = place(&total, nodes);
   layout->bend_last = place(&total, nodes);
   size_t *const row_arrays[] = {
@@ -69,8 +67,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
   TbView view = {.model = model,
                  .state = state,
-                 .qf = at(state, l->qf),
-                 .vf = at(state, l->vf),
                  .bend = at(state, l->bend),
                  .bend_last = at(state, l->bend_last),
                  .eta_free = at(state, l->eta_free),

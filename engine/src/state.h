@@ -68,7 +68,7 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *qf, *vf, *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
+  double *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
   double *fold, *modal; /* scratch of the projection */
   double *coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];

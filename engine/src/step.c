@@ -9,21 +9,23 @@
 #include "live.h"
 #include "slots.h"
 
-/* Where everything would be without contact forces. */
+/* Where head and wires would be without contact forces, into view->next. */
 static void free_motion(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
-  model->kernels->two_step(modes->padded, view->qf, modes->a, view->now.q, modes->b, view->last.q);
+  model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
+                           view->last.q);
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
     const TbWireCoefficients *c = &view->state->wires[w];
     const uint32_t at = wire->first_node;
-    tb_wire_free(wire, c, view->now.v + at, view->last.v + at, view->vf + at, view->bend + at,
+    tb_wire_free(wire, c, view->now.v + at, view->last.v + at, view->next.v + at, view->bend + at,
                  view->bend_last + at);
     if (c->tension == wire->tension) continue;
     /* The shape at rest is bent: a tension other than the rest's pulls it. */
     const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
-    for (uint32_t i = 1; i < wire->cells; i++) view->vf[at + i] += pull * model->rest.bend[at + i];
+    for (uint32_t i = 1; i < wire->cells; i++)
+      view->next.v[at + i] += pull * model->rest.bend[at + i];
   }
 }
 
@@ -34,23 +36,23 @@ static void free_penetration(TbView *view) {
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = wires->stride;
   double *eta = view->eta_free;
-  tb_project(&model->projection, kernels, view->qf, view->fold, eta);
+  tb_project(&model->projection, kernels, view->next.q, view->fold, eta);
   for (uint32_t row = 0; row < wires->row_count; row++) {
-    const double deviation = wires->side * eta[row] - view->vf[wires->row_node[row]];
+    const double deviation = wires->side * eta[row] - view->next.v[wires->row_node[row]];
     eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
     view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
-    const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->qf);
+    const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
     const double z = 2.0 * view->now.z[i] - view->last.z[i];
     eta[row] = view->state->slots[i].kind == TB_SLOT_STRIKER ? head - z : head;
     view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
   }
 }
 
-/* The next instant from the free motion and the contact forces. */
+/* Adds what the contact forces do to the free motion in view->next. */
 static void respond(TbView *view) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
@@ -59,8 +61,6 @@ static void respond(TbView *view) {
   const uint32_t stride = wires->stride;
   const double *force = view->solve.force;
   double *change = view->solve.work; /* forces counted from rest */
-  memcpy(view->next.q, view->qf, modes->padded * sizeof(double));
-  memcpy(view->next.v, view->vf, wires->node_count * sizeof(double));
   for (uint32_t row = 0; row < stride; row++) change[row] = 0.0;
   for (uint32_t row = 0; row < wires->row_count; row++) {
     change[row] = force[row] - model->rest.force[row];

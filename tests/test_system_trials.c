@@ -84,6 +84,9 @@ static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
     event.value = physics_uniform(seed, 0.0, 100.0);
   } else if (draw < 70) {
     event.type = TABOR_EVENT_RELEASE;
+  } else if (draw < 76) {
+    event.type = TABOR_EVENT_PRESS;
+    event.value = physics_uniform(seed, 0.0, 1.0);
   } else {
     const TaborParameter *p =
       tabor_parameter_find(LIVE[physics_random(seed) % (sizeof LIVE / sizeof *LIVE)]);

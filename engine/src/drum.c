@@ -36,6 +36,10 @@ static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
                          place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
 }
 
+static bool press(TbView *view, const TaborEvent *event) {
+  return tb_slots_press(view, event->id, clamp(event->value, 0.0, 1.0));
+}
+
 static bool damp(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   return tb_slots_damp(view, event->id, clamp(event->value, 0.0, 100.0),
                        place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
@@ -52,6 +56,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   if (!fields_finite(event)) return false;
   switch (event->type) {
   case TABOR_EVENT_STRIKE: return strike(drum, view, event);
+  case TABOR_EVENT_PRESS: return press(view, event);
   case TABOR_EVENT_DAMP: return damp(drum, view, event);
   case TABOR_EVENT_RELEASE: tb_slots_release(view, event->id); return true;
   case TABOR_EVENT_PARAMETER:

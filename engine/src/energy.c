@@ -91,6 +91,10 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
     }
     all += wire->mass_per_length * wire->spacing * sum;
   }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const double step = next->z[i] - now->z[i];
+    all += view->state->slots[i].mass * step * step;
+  }
   return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
 }
 

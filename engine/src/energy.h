@@ -11,7 +11,7 @@
 #include "state.h"
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
-/* Kinetic energy of head and wires alone. */
+/* Kinetic energy alone, of head, wires and strikers. */
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
 
 /* Losses [J] of the step from view->last to view->next, contacts apart. */

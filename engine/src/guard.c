@@ -2,6 +2,7 @@
 #include "guard.h"
 
 #include "energy.h"
+#include "slots.h"
 
 /* next = last + t (next - last). */
 static void shorten(uint32_t n, double *next, const double *last, double t) {
@@ -20,7 +21,7 @@ static void shorten_all(TbView *view, double t) {
 static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
-         losses.wires;
+         losses.wires - tb_slots_hand_work(view);
 }
 
 bool tb_guard(TbView *view) {

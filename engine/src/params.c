@@ -177,6 +177,13 @@ const TbParam tb_params[] = {
        "radius of the patch over which the force spreads", NUMBER(0, 0.05, 0.006)),
    IN_STRIKER(contact_radius)},
 
+  {ROW(TB_PARAM_HAND_STIFFNESS, "hand", "stiffness", "N/m", "spring of a hand that presses a stick",
+       NUMBER(0, 1000, 20)),
+   AT(hand.stiffness)},
+  {ROW(TB_PARAM_HAND_DAMPING, "hand", "damping", "N s/m", "damping of a hand that presses a stick",
+       NUMBER(0, 10, 0.2)),
+   AT(hand.damping)},
+
   {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
        NUMBER(0.01, 30, 2.5), LOGARITHMIC),
    AT(strike.velocity)},

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "live.h"
+#include "power.h"
 
 static const double AWAY = 0.005; /* [m] */
 static const double LINGER = 1.0; /* [s] */
@@ -25,12 +26,22 @@ static void couple(TbView *view, uint32_t slot) {
   tb_project(&model->projection, kernels, drive, view->fold, coupling);
   for (uint32_t row = 0; row < stride; row++) coupling[row] *= model->wires.side;
   for (uint32_t other = 0; other < TB_SLOTS; other++) {
-    const double value = in_play(view, other) || other == slot
-                           ? kernels->dot(modes->padded, drive, tb_slot_shape(view, other))
-                           : 0.0;
+    /* The lower slot's drive on the higher one's shape: the same bits whoever came first. */
+    const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
+    const double value =
+      in_play(view, other) || other == slot
+        ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high))
+        : 0.0;
     coupling[stride + other] = value;
     tb_slot_coupling(view, other)[stride + slot] = value;
   }
+}
+
+/* Displacement of the striker itself one step after a unit force [m/N]. */
+static double own_compliance(const TbView *view, const TbSlot *s) {
+  const double k = view->model->time_step;
+  const double damping = s->held ? view->model->def.hand.damping : 0.0;
+  return k * k / (s->mass + 0.5 * damping * k);
 }
 
 static void prepare_law(TbView *view, uint32_t slot) {
@@ -44,7 +55,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
     return;
   }
   const TaborStrikerDef *def = &model->def.striker[s->definition];
-  const double k = model->time_step, compliance = k * k / s->mass;
+  const double k = model->time_step, compliance = own_compliance(view, s);
   view->own[row] = compliance;
   tb_law_prepare(law, def->contact_stiffness, def->contact_exponent,
                  model->def.quality.losses ? def->contact_loss : 0.0, k,
@@ -108,7 +119,7 @@ static uint32_t obtain(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
-    if (s->kind != TB_SLOT_STRIKER || touches(view, i)) continue;
+    if (s->kind != TB_SLOT_STRIKER || s->held || touches(view, i)) continue;
     if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
   }
   if (oldest < TB_SLOTS) take_away(view, oldest);
@@ -151,6 +162,47 @@ bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocit
   return true;
 }
 
+bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
+  const double force = 0.3 * tb_power(8.0 / 0.3, pressure);
+  bool found = false;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    TbSlot *s = &view->state->slots[i];
+    if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
+    if (!s->held) s->anchor = view->now.z[i];
+    s->held = 1;
+    s->press = force;
+    view->own[view->model->wires.stride + i] = own_compliance(view, s);
+    found = true;
+  }
+  if (found) tb_live_apply(view);
+  return found;
+}
+
+double tb_slots_free_height(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  const double now = view->now.z[slot], last = view->last.z[slot];
+  if (!s->held) return 2.0 * now - last;
+  const TaborHandDef *hand = &view->model->def.hand;
+  const double k = view->model->time_step;
+  const double inertia = s->mass / (k * k), damping = hand->damping / (2.0 * k);
+  const double pull = s->press + hand->stiffness * (now - s->anchor);
+  return (inertia * (2.0 * now - last) + damping * last - pull) / (inertia + damping);
+}
+
+double tb_slots_hand_work(const TbView *view) {
+  const TaborHandDef *hand = &view->model->def.hand;
+  double work = 0.0;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (!s->held) continue;
+    const double moved = view->next.z[i] - view->last.z[i];
+    const double force = -s->press - hand->stiffness * (view->now.z[i] - s->anchor) -
+                         hand->damping * moved * 0.5 * view->model->sample_rate;
+    work += 0.5 * force * moved;
+  }
+  return work;
+}
+
 static uint32_t find_hand(const TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->slots[i];
@@ -188,7 +240,7 @@ void tb_slots_retire(TbView *view) {
   const uint64_t linger = (uint64_t)(LINGER * view->model->sample_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
-    if (s->kind != TB_SLOT_STRIKER) continue;
+    if (s->kind != TB_SLOT_STRIKER || s->held) continue;
     s->age++;
     if (touches(view, i)) continue;
     const double gap = -view->now.eta[view->model->wires.stride + i];

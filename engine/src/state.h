@@ -37,6 +37,8 @@ typedef struct TbSlot {
   double mass;                              /* [kg] */
   double rest_height;                       /* of the head at its place [m] */
   uint32_t definition;                      /* which striker */
+  uint32_t held;                            /* a hand presses it: see slots.h */
+  double press, anchor;                     /* F0 [N], z0 [m] */
   double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
 } TbSlot;
 

@@ -46,8 +46,8 @@ static void free_penetration(TbView *view) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
-    const double z = 2.0 * view->now.z[i] - view->last.z[i];
-    eta[row] = view->state->slots[i].kind == TB_SLOT_STRIKER ? head - z : head;
+    const bool striker = view->state->slots[i].kind == TB_SLOT_STRIKER;
+    eta[row] = striker ? head - tb_slots_free_height(view, i) : head;
     view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
   }
 }
@@ -75,7 +75,7 @@ static void respond(TbView *view) {
     if (force[row] != 0.0) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
     }
-    view->next.z[i] = 2.0 * view->now.z[i] - view->last.z[i] + view->own[row] * force[row];
+    view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
 }
@@ -113,6 +113,7 @@ static void book_losses(TbView *view) {
   sums->head_loss += losses.head;
   sums->radiated += losses.radiated;
   sums->wire_loss += losses.wires;
+  sums->injected += tb_slots_hand_work(view);
 }
 
 static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
@@ -199,15 +200,17 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
+  memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
   view->state->asleep = 1;
 }
 
-static bool striker_in_play(const TbView *view) {
+static bool striker_in_flight(const TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (view->state->slots[i].kind == TB_SLOT_STRIKER) return true;
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind == TB_SLOT_STRIKER && !slot->held) return true;
   }
   return false;
 }
@@ -231,7 +234,7 @@ void tb_step_housekeeping(TbView *view) {
     return;
   }
   clear_vanished(view);
-  const bool quiet = motion < SILENT_ENERGY && !striker_in_play(view) && !parameter_moves(state);
+  const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) && !parameter_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
 }

@@ -170,6 +170,12 @@ typedef struct TaborStrikerDef {
   double contact_radius;    /**< of the patch over which the force spreads [m], 0 to 0.05, 0.006 */
 } TaborStrikerDef;
 
+/** The hand that presses a stick onto the head: a spring and a damper towards where it took hold. */
+typedef struct TaborHandDef {
+  double stiffness; /**< [N/m], 0 to 1000, default 20 */
+  double damping;   /**< [N s/m], 0 to 10, default 0.2 */
+} TaborHandDef;
+
 /** The stroke that is made when none is given. */
 typedef struct TaborStrikeDef {
   double velocity;  /**< [m/s], 0.01 to 30, default 2.5 */
@@ -213,6 +219,7 @@ typedef struct TaborDrumDef {
   TaborWireDef wire[TABOR_MAX_WIRES];
   uint32_t striker_count;
   TaborStrikerDef striker[TABOR_MAX_STRIKERS];
+  TaborHandDef hand;
   TaborStrikeDef strike;
   uint32_t mic_count;
   TaborMicDef mic[TABOR_MAX_MICS];
@@ -375,7 +382,9 @@ typedef struct TaborSwap TaborSwap;
 
 typedef enum TaborEventType {
   TABOR_EVENT_STRIKE = 1,    /**< id, striker, velocity, radius, angle */
-  TABOR_EVENT_PRESS = 2,     /**< reserved; counted as dropped in this version */
+  TABOR_EVENT_PRESS = 2,     /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
+                                1 for 0.3 to 8 N in equal ratios; they bounce (a buzz) and stay until
+                                released */
   TABOR_EVENT_DAMP = 3,      /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
   TABOR_EVENT_RELEASE = 4,   /**< id, or 0 for all: lifts damping hands, takes strikers away */
   TABOR_EVENT_PARAMETER = 5, /**< parameter, index, value */
@@ -394,7 +403,8 @@ typedef struct TaborEvent {
   double velocity;    /**< [m/s], clamped to 0.01 to 30 */
   double radius;      /**< [m] from the centre, clamped to the head */
   double angle;       /**< [deg] */
-  double value;       /**< of the parameter, clamped to its range; strength of a damping hand, 0 to 100 */
+  double value;       /**< of the parameter, clamped to its range; strength of a damping hand, 0 to
+                         100; pressure, 0 to 1 */
   TaborSwap *swap;    /**< for TABOR_EVENT_SWAP */
 } TaborEvent;
 
@@ -424,7 +434,7 @@ typedef struct TaborStatistics {
  *                      + radiated + removed + residual.
  */
 typedef struct TaborLedger {
-  double injected;     /**< kinetic energy of launched strikers */
+  double injected;     /**< kinetic energy of launched strikers, and the work of pressing hands */
   double control;      /**< work of moving parameters and swaps, either sign */
   double stored;       /**< above the rest state, strikers in flight included */
   double head_loss;    /**< in the head's material */

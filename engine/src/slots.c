@@ -81,11 +81,17 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   view->solve.force[row] = 0.0;
 }
 
-static void clear_coupling(TbView *view, uint32_t slot) {
-  const uint32_t stride = view->model->wires.stride;
+/* Makes a row stand for nothing: see TbSolve. */
+static void clear_row(TbView *view, uint32_t slot) {
+  const uint32_t stride = view->model->wires.stride, row = stride + slot;
+  TbPhase *const phases[3] = {&view->next, &view->now, &view->last};
+  for (int i = 0; i < 3; i++) {
+    phases[i]->z[slot] = 0.0;
+    phases[i]->eta[row] = TB_NOTHING;
+  }
   memset(tb_slot_coupling(view, slot), 0, (stride + TB_SLOTS) * sizeof(double));
-  for (uint32_t i = 0; i < TB_SLOTS; i++) tb_slot_coupling(view, i)[stride + slot] = 0.0;
-  view->own[stride + slot] = 0.0;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) tb_slot_coupling(view, i)[row] = 0.0;
+  view->own[row] = view->b[row] = view->solve.force[row] = 0.0;
 }
 
 /* Frees a slot; what a striker still carries is booked as removed. */
@@ -99,11 +105,9 @@ static void take_away(TbView *view, uint32_t slot) {
                                   tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
                                   tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
   }
+  clear_row(view, slot);
   *s = (TbSlot){0};
-  view->solve.force[row] = 0.0;
-  view->now.z[slot] = view->last.z[slot] = 0.0;
-  view->now.eta[row] = view->last.eta[row] = TB_NOTHING;
-  clear_coupling(view, slot);
+  state->slot_laws[slot] = (TbLaw){.kind = TB_LAW_GENERAL};
   state->slot_mask &= ~(1u << slot);
   tb_live_apply(view);
 }

@@ -101,8 +101,8 @@ static void book_contacts(TbView *view, const TbSolveOutcome *outcome) {
     }
   }
   const double lost = contact + damper;
-  const double part =
-    outcome->capped && lost > covered ? fmax(0.0, covered) / fmax(lost, 1e-300) : 1.0;
+  double part = 1.0;
+  if (outcome->capped && lost > covered) part = covered > 0.0 ? covered / lost : 0.0;
   view->state->sums.contact_loss += part * contact;
   view->state->sums.damper_loss += part * damper;
 }

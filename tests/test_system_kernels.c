@@ -105,6 +105,7 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(avx2_gives_the_same_bits_as_baseline),
+    cmocka_unit_test(the_automatic_choice_gives_the_same_bits_as_baseline),
     cmocka_unit_test(two_threads_on_one_model_give_what_one_gives),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -55,10 +55,8 @@ static void the_head_rings_at_its_modes_and_decays_as_they_do(void **state) {
     TaborDrumDef def;
     tabor_drum_def_default(&def);
     def.shell.radius = 0.2;
-    def.batter = (TaborHeadDef){.tension = 3000.0,
-                                .surface_density = 0.26,
-                                .damping_0 = 6.0,
-                                .damping_1 = 5e-4};
+    def.batter = (TaborHeadDef){
+      .tension = 3000.0, .surface_density = 0.26, .damping_0 = 6.0, .damping_1 = 5e-4};
     def.air.density = 0.0;
     def.air.gravity = 0.0;
     TaborModel *model = physics_model(&def, RATES[r], TABOR_QUALITY_DRAFT);
@@ -111,8 +109,8 @@ static void microphones_hear_the_listed_modes(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(the_head_rings_at_its_modes_and_decays_as_they_do),
-      cmocka_unit_test(microphones_hear_the_listed_modes),
+    cmocka_unit_test(the_head_rings_at_its_modes_and_decays_as_they_do),
+    cmocka_unit_test(microphones_hear_the_listed_modes),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,10 +48,11 @@ static bool nodes_prepare(Nodes *nodes, TbArena *scratch, double x, double top, 
 }
 
 static void bessel_at(uint32_t m, uint32_t count, const double *kappa, double scale, double *j) {
+  const uint32_t orders[8] = {m, m, m, m, m, m, m, m};
   for (uint32_t q = 0; q < count; q += 8) {
     double argument[8];
     for (uint32_t i = 0; i < 8; i++) argument[i] = scale * kappa[q + i];
-    tb_bessel_j8(m, argument, j + q);
+    tb_bessel_j8(orders, argument, j + q);
   }
 }
 
@@ -299,7 +300,7 @@ static bool field(const TbAirOrder *order, TbArena *scratch, TaborBoundary bound
                   const double *v, const double *a, double x, TbAirPoint point, double *result) {
   const double height = fabs(point.height);
   const double smooth = fmax(60.0, 4.0 * fmax(x, reach.zero));
-  const double top = fmin(smooth, 40.0 / height);
+  const double top = fmin(smooth, 24.0 / height); /* e^-24 is nothing */
   Nodes nodes;
   if (!nodes_prepare(&nodes, scratch, x, top, 1.0 + point.radius + height)) return false;
   double *j = tb_arena_doubles(scratch, nodes.count);
@@ -348,6 +349,21 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
   if (!loaded) return false;
   for (uint32_t p = 0; p < point_count; p++) {
     if (!field(order, scratch, boundary, reach, v, a, x, points[p], fields + 2 * p)) return false;
+  }
+  return true;
+}
+
+bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, double x, const TbAirPoint *points,
+                 uint32_t point_count, double *resistance, double *fields) {
+  const double one = 1.0;
+  const Reach reach = {.zero = order->zeros[0]};
+  if (!tb_air_resistance_baffled(order, scratch, x, resistance)) return false;
+  *resistance *= 2.0;
+  for (uint32_t p = 0; p < point_count; p++) {
+    if (!field(order, scratch, TABOR_BOUNDARY_BAFFLED, reach, &one, NULL, x, points[p],
+               fields + 2 * p)) {
+      return false;
+    }
   }
   return true;
 }

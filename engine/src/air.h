@@ -61,4 +61,9 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
                  double x, const TbAirPoint *points, uint32_t point_count, TbAirLoad *load,
                  double *fields);
 
+/* Both sides' resistance, and the fields, of one baffled Bessel function that moves slower than sound:
+ * what tb_air_load() gives, without the mass. `order` has one zero and needs no expansion. */
+bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, double x, const TbAirPoint *points,
+                 uint32_t point_count, double *resistance, double *fields);
+
 #endif

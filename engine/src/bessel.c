@@ -32,10 +32,14 @@ static uint32_t fastest_lane(const double x[8]) {
   return fastest;
 }
 
-void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
+void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]) {
   double top = 0.0;
-  for (int i = 0; i < 8; i++) top = x[i] > top ? x[i] : top;
-  const uint32_t start = miller_start(m, top);
+  uint32_t highest = 0;
+  for (int i = 0; i < 8; i++) {
+    top = x[i] > top ? x[i] : top;
+    highest = m[i] > highest ? m[i] : highest;
+  }
+  const uint32_t start = miller_start(highest, top);
   const uint32_t fastest = fastest_lane(x);
 
   double twice_inverse[8], above[8], here[8], sum[8];
@@ -54,8 +58,8 @@ void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
       above[i] = here[i];
       here[i] = next;
     }
-    if (l - 1 == m) {
-      for (int i = 0; i < 8; i++) j[i] = here[i];
+    if (l - 1 <= highest) {
+      for (int i = 0; i < 8; i++) j[i] = l - 1 == m[i] ? here[i] : j[i];
     }
     if (magnitude(here[fastest]) > 1e100) {
       for (int i = 0; i < 8; i++) {
@@ -69,7 +73,7 @@ void tb_bessel_j8(uint32_t m, const double x[8], double j[8]) {
   }
   for (int i = 0; i < 8; i++) {
     if (x[i] <= 1e-30) {
-      j[i] = m == 0 ? 1.0 : 0.0;
+      j[i] = m[i] == 0 ? 1.0 : 0.0;
     } else {
       j[i] /= sum[i] + here[i];
     }

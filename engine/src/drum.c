@@ -149,6 +149,7 @@ void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {
   const TbView view = tb_view(drum->state, drum->model);
   *ledger = drum->state->sums;
   ledger->stored = tb_energy_stored(&view, &view.now, &view.last);
+  ledger->high_band = tb_energy_high(&view);
   ledger->residual = ledger->injected + ledger->control - ledger->stored - ledger->head_loss -
                      ledger->wire_loss - ledger->contact_loss - ledger->damper_loss -
                      ledger->shell_loss - ledger->radiated - ledger->removed;

@@ -1,15 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "energy.h"
 
-static double modes_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
-  const TbModes *modes = &view->model->modes;
-  const double rate = view->model->sample_rate;
+static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
+                          const double *now) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < modes->padded; i++) {
-    const double velocity = (next->q[i] - now->q[i]) * rate;
-    sum += velocity * velocity + modes->stiffness[i] * next->q[i] * now->q[i];
+  for (uint32_t i = 0; i < n; i++) {
+    const double velocity = (next[i] - now[i]) * rate;
+    sum += velocity * velocity + stiffness[i] * next[i] * now[i];
   }
   return 0.5 * sum;
+}
+
+static double modes_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbModes *modes = &view->model->modes;
+  return oscillators(modes->padded, view->model->sample_rate, modes->stiffness, next->q, now->q);
+}
+
+double tb_energy_high(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  return oscillators(high->padded, view->model->sample_rate, high->stiffness, view->now.high,
+                     view->last.high);
 }
 
 /* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */

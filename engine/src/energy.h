@@ -11,6 +11,8 @@
 #include "state.h"
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
+/* Energy of the high band, which no balance includes. */
+double tb_energy_high(const TbView *view);
 /* Kinetic energy alone, of head, wires and strikers. */
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
 

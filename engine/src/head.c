@@ -228,12 +228,14 @@ void tb_head_patch(const TbHead *head, double patch_radius, double *patch) {
 
 /* Values of all Bessel functions of one order at r, eight at a time. */
 static void order_values(const TbHeadOrder *order, double r, const double *patch, double *values) {
+  const uint32_t m = order->m;
+  const uint32_t orders[8] = {m, m, m, m, m, m, m, m};
   for (uint32_t i = 0; i < order->zero_count; i += 8) {
     double argument[8], j[8];
     for (uint32_t l = 0; l < 8; l++) {
       argument[l] = i + l < order->zero_count ? order->zeros[i + l] * r : 0.0;
     }
-    tb_bessel_j8(order->m, argument, j);
+    tb_bessel_j8(orders, argument, j);
     for (uint32_t l = 0; l < 8 && i + l < order->zero_count; l++) {
       values[i + l] = patch ? j[l] * patch[i + l] : j[l];
     }

@@ -18,7 +18,7 @@
 /* More two-way modes than this do not fit a processor's second-level cache. */
 #define TB_MAX_MODES 2048u
 /* Angular orders stay below the largest Bessel zero of the basis. */
-#define TB_MAX_ORDERS 128u
+#define TB_MAX_ORDERS 256u
 
 /* Modes of one angular order: mode k is Sum_i vectors[k][i] J_m(zeros[i] r/R). */
 typedef struct TbHeadOrder {

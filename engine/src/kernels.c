@@ -3,9 +3,7 @@
 #include "kernels.h"
 
 /* Eight lanes in as many registers as the instruction set needs for them. */
-#if defined(__AVX512F__)
-#  define WIDTH 8
-#elif defined(__AVX2__)
+#if defined(__AVX2__)
 #  define WIDTH 4
 #else
 #  define WIDTH 2

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Microphones: pressure computed from each mode's radiation, with its phase and its delay. */
+#include "mics.h"
+
 #include <math.h>
 
 #include "model.h"
@@ -32,24 +34,25 @@ static void realise(const TbPole *pole, double gain_re, double gain_im, double o
   *v = (bend_re * gain_im - bend_im * gain_re) / determinant;
 }
 
-/* p = -omega^2 rho0 R I per unit amplitude, advanced by the delay that is taken out, and times
- * sin(omega k)/(omega k), by which the recursion's answer to a force is too large. */
-static void mic_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
-  const TaborMicDef *place = &model->def.mic[index];
-  const double k = model->time_step;
+void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const TbPole *pole,
+                    uint32_t m, bool sine_copy, const double *field, double *u, double *v) {
   double sine, cosine;
-  tb_sin_cos_degrees(place->angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
+  const double turn = omega * model->time_step;
+  const double size = -omega * omega * model->def.air.density * model->head.radius *
+                      tb_angular(m, sine_copy, sine, cosine) * sin(turn) / turn;
+  const double phase = turn * (double)model->mics[index].delay;
+  realise(pole, size * (field[0] * cos(phase) - field[1] * sin(phase)),
+          size * (field[0] * sin(phase) + field[1] * cos(phase)), turn, u, v);
+}
+
+static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
-    const double size = -mode->omega * mode->omega * model->def.air.density * model->head.radius *
-                        tb_angular(mode->m, model->modes.sine[i], sine, cosine) *
-                        sin(mode->omega * k) / (mode->omega * k);
-    const double re = mode->fields[2 * index], im = mode->fields[2 * index + 1];
-    const double phase = mode->omega * (double)mic->delay * k;
-    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, k);
-    realise(&pole, size * (re * cos(phase) - im * sin(phase)),
-            size * (re * sin(phase) + im * cos(phase)), mode->omega * k, &mic->u[i], &mic->v[i]);
+    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
+    tb_mic_weights(model, index, mode->omega, &pole, mode->m, model->modes.sine[i],
+                   mode->fields + 2 * index, &mic->u[i], &mic->v[i]);
   }
 }
 
@@ -60,7 +63,7 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
     mic->u = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->v = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;
-    mic_weights(model, index, mic);
+    mode_weights(model, index, mic);
   }
   return TABOR_OK;
 }

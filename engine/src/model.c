@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "mics.h"
 #include "power.h"
 #include "state.h"
 
@@ -12,28 +13,33 @@ static const double PI = 3.14159265358979323846;
 
 /* What a quality level stands for. */
 typedef struct Level {
-  double bandwidth; /* two-way [Hz] */
+  double bandwidth, top; /* two-way, and with the high band [Hz] */
   uint32_t newton_cap, inner_cap, wire_cells;
 } Level;
 
 static Level level_of(uint32_t quality) {
   switch (quality) {
-  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 2, 4, 32};
-  case TABOR_QUALITY_LIVE: return (Level){5000.0, 4, 6, 64};
-  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 16, 64, 256};
-  default: return (Level){8000.0, 8, 24, 128};
+  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32};
+  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64};
+  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128};
   }
 }
 
 /* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
 static const double TOP_OF_RATE = 0.2;
 
+/* The one-way band needs no more than that its modes be told apart from their images. */
+static const double TOP_OF_HEARING = 0.42;
+
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);
   if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
   if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
   if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
+  if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * rate);
+  level.top = fmin(level.top, TOP_OF_HEARING * rate);
   return level;
 }
 
@@ -42,6 +48,13 @@ void tb_model_shape(const TaborModel *model, double radius, double angle, const 
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
   tb_modes_shape(&model->modes, &model->head, radius, sine, cosine, patch, radial, shape);
+}
+
+void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
+                         double *drive) {
+  double sine, cosine;
+  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_highband_drive(&model->high, radius, sine, cosine, model->high_patches[striker], drive);
 }
 
 /* ---- contacts ------------------------------------------------------------------------------- */
@@ -111,7 +124,9 @@ static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  return tb_mics_prepare(model);
+  const TaborStatus status = tb_mics_prepare(model);
+  if (status != TABOR_OK) return status;
+  return tb_highband_prepare(&model->high, &model->arena, model, model->top);
 }
 
 /* ---- strikers and rest ---------------------------------------------------------------------- */
@@ -125,6 +140,10 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
     tb_head_patch(&model->head, hand ? TB_HAND_RADIUS : model->def.striker[i].contact_radius,
                   patch);
     model->patches[hand ? TABOR_MAX_STRIKERS : i] = patch;
+    if (hand) break;
+    model->high_patches[i] = tb_arena_doubles(&model->arena, model->high.padded);
+    if (!model->high_patches[i]) return TABOR_ERROR_MEMORY;
+    tb_highband_patch(&model->high, model->def.striker[i].contact_radius, model->high_patches[i]);
   }
   return TABOR_OK;
 }
@@ -253,6 +272,7 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   const Level level = resolve_level(def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;
+  model->top = level.top;
 
   TbArena scratch;
   tb_arena_prepare(&scratch, &allocator);
@@ -291,6 +311,8 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .mode_count = model->modes.count,
     .mode_rows = model->head.row_count,
     .two_way_bandwidth = model->head.bandwidth,
+    .bandwidth = model->high.count ? model->top : model->head.bandwidth,
+    .high_mode_count = model->high.count,
     .newton_cap = model->newton_cap,
     .wire_count = model->wires.count,
     .contact_points = model->wires.row_count,

@@ -8,6 +8,7 @@
 
 #include <stdatomic.h>
 
+#include "highband.h"
 #include "projection.h"
 #include "solve.h"
 
@@ -38,7 +39,8 @@ typedef struct TbLayout {
   size_t eta_free, rest_load, own, force, b, s;
   size_t product, previous, slope, residual, scaled, work;
   size_t direction, turned, weight, right, solution, active;
-  size_t fold, modal, coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+  size_t high[3], high_drive, high_groups, high_force, fold, modal, coupling, shape, drive, radial,
+    delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 
@@ -48,12 +50,15 @@ struct TaborModel {
   TaborDrumDef def;
   uint32_t quality;
   double sample_rate, time_step; /* [Hz], k [s] */
+  double top;                    /* of the high band [Hz] */
   uint32_t newton_cap, inner_cap;
   const TbKernels *kernels;
   TbHead head;
   TbWires wires;
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
+  TbHighBand high;
+  double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbRest rest;
   TbProjection projection;
   double *compliance; /* [row_count][stride]: of the head over one step, between contact points */
@@ -66,12 +71,13 @@ struct TaborModel {
 /* Static equilibrium into model->rest (equilibrium.c). */
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 
-/* Weights and delays of the microphones (mics.c). */
-TaborStatus tb_mics_prepare(TaborModel *model);
-
 /* Shape of every mode at radius [m] and angle [deg, absolute], `patch` as in tb_head_radial();
  * radial is scratch of head.row_count. shape[padded]. Audio-safe. */
 void tb_model_shape(const TaborModel *model, double radius, double angle, const double *patch,
                     double *radial, double *shape);
+
+/* The high band's answer to a unit force of a striker there: drive[high.padded]. Audio-safe. */
+void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
+                         double *drive);
 
 #endif

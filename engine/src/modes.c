@@ -18,8 +18,7 @@ TbPole tb_pole(double omega, double s, double k) {
 }
 
 /* cos(m t) and sin(m t) for all orders at once, by Chebyshev's recurrence. */
-static void angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c,
-                            double *s) {
+void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s) {
   c[0] = 1.0;
   s[0] = 0.0;
   if (orders > 1) {
@@ -34,7 +33,7 @@ static void angular_factors(uint32_t orders, double sin_angle, double cos_angle,
 
 double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
-  angular_factors(m + 1, sin_angle, cos_angle, c, s);
+  tb_angular_factors(m + 1, sin_angle, cos_angle, c, s);
   return sine ? s[m] : c[m];
 }
 
@@ -42,7 +41,7 @@ void tb_modes_shape(const TbModes *modes, const TbHead *head, double radius, dou
                     double cos_angle, const double *patch, double *radial, double *shape) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_head_radial(head, radius, patch, radial);
-  angular_factors(head->order_count, sin_angle, cos_angle, c, s);
+  tb_angular_factors(head->order_count, sin_angle, cos_angle, c, s);
   for (uint32_t i = 0; i < modes->padded; i++) {
     const uint32_t row = modes->row[i];
     if (row == TB_NO_MODE) {

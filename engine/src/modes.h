@@ -38,6 +38,9 @@ TbPole tb_pole(double omega, double decay_rate, double time_step);
 /* cos(m t) or sin(m t) from sin t, cos t. Audio-safe; exact zeros stay exact. */
 double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 
+/* The same for orders 0 .. orders - 1 at once: c[orders], s[orders]. */
+void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s);
+
 /* Lists and orders the modes and computes their coefficients. */
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, double time_step);

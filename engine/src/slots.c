@@ -74,6 +74,8 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   tb_model_shape(model, s->radius, s->angle, patch, view->radial, tb_slot_shape(view, slot));
   couple(view, slot);
   prepare_law(view, slot);
+  if (!hand)
+    tb_model_high_drive(model, s->definition, s->radius, s->angle, tb_slot_high_drive(view, slot));
   s->rest_height = head_at(view, slot, model->rest.q);
   const uint32_t row = model->wires.stride + slot;
   view->now.eta[row] = head_at(view, slot, view->now.q) - (hand ? 0.0 : view->now.z[slot]);

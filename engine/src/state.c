@@ -31,6 +31,10 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
+  for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
+  layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
+  layout->high_groups = place(&total, TB_HIGH_GROUPS);
+  layout->high_force = place(&total, model->high.padded);
   layout->fold = place(&total, tb_projection_scratch(&model->projection));
   layout->modal = place(&total, modes);
   layout->coupling = place(&total, TB_SLOTS * rows);
@@ -51,7 +55,7 @@ static double *at(TbState *state, size_t offset) {
 
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
   return (TbPhase){at(state, layout->q[index]), at(state, layout->v[index]),
-                   at(state, layout->eta[index]), state->z[index]};
+                   at(state, layout->eta[index]), state->z[index], at(state, layout->high[index])};
 }
 
 static void view_phases(TbView *view) {
@@ -76,6 +80,9 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .s = at(state, l->s),
                  .fold = at(state, l->fold),
                  .modal = at(state, l->modal),
+                 .high_drive = at(state, l->high_drive),
+                 .high_groups = at(state, l->high_groups),
+                 .high_force = at(state, l->high_force),
                  .coupling = at(state, l->coupling),
                  .shape = at(state, l->shape),
                  .drive = at(state, l->drive),

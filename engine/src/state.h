@@ -60,9 +60,10 @@ typedef struct TbState {
   TaborStatistics statistics;
 } TbState;
 
-/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers. */
+/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, and
+ * modes of the high band. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z;
+  double *q, *v, *eta, *z, *high;
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */
@@ -72,6 +73,7 @@ typedef struct TbView {
   TbPhase next, now, last;
   double *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
   double *fold, *modal; /* scratch of the projection */
+  double *high_drive, *high_groups, *high_force;
   double *coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;
@@ -93,6 +95,9 @@ static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
 }
 static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
   return view->drive + (size_t)slot * view->model->modes.padded;
+}
+static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
+  return view->high_drive + (size_t)slot * view->model->high.padded;
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
   return view->coupling + (size_t)slot * (view->model->wires.stride + TB_SLOTS);

@@ -137,13 +137,41 @@ static double delayed(TbView *view, uint32_t mic, double value) {
   return view->delay[mic][*at];
 }
 
+/* The high band hears the contact forces, counted from rest; it does not answer. */
+static void drive_high(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbHighBand *high = &model->high;
+  const TbKernels *kernels = model->kernels;
+  if (high->count == 0) return;
+  kernels->two_step(high->padded, view->next.high, high->a, view->now.high, high->b,
+                    view->last.high);
+  const double *force = view->solve.force;
+  if (model->wires.row_count > 0) {
+    for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
+    for (uint32_t row = 0; row < model->wires.row_count; row++) {
+      view->high_groups[high->row_group[row]] += force[row] - model->rest.force[row];
+    }
+    kernels->multiply(high->padded / 8, TB_HIGH_GROUPS, view->high_force, high->push,
+                      view->high_groups);
+    for (uint32_t i = 0; i < high->padded; i++) view->next.high[i] += view->high_force[i];
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const double push = force[model->wires.stride + i];
+    if (view->state->slots[i].kind != TB_SLOT_STRIKER || push == 0.0) continue;
+    kernels->add_scaled(high->padded, view->next.high, push, tb_slot_high_drive(view, i));
+  }
+}
+
 static void listen(TbView *view, double *pressure) {
   const TaborModel *model = view->model;
   const TbLive *live = view->state->live;
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     const TbMic *m = &model->mics[mic];
+    const TbHighMic *high = &model->high.mics[mic];
     const double p = model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q,
-                                             view->now.q, view->last.q);
+                                             view->now.q, view->last.q) +
+                     model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
+                                             view->now.high, view->last.high);
     pressure[mic] =
       delayed(view, mic, p) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
   }
@@ -159,6 +187,7 @@ void tb_step(TbView *view, double *pressure) {
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (!shortened && outcome.contact) book_contacts(view, &outcome);
   book_losses(view);
+  drive_high(view);
   listen(view, pressure);
   view->state->clock++;
   tb_view_rotate(view);
@@ -173,11 +202,22 @@ static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
 
 static void clear_vanished(TbView *view) {
+  for (uint32_t i = 0; i < view->model->high.padded; i++) {
+    if (fabs(view->now.high[i]) < VANISHED && fabs(view->last.high[i]) < VANISHED) {
+      view->now.high[i] = view->last.high[i] = 0.0;
+    }
+  }
   for (uint32_t i = 0; i < view->model->modes.padded; i++) {
     if (fabs(view->now.q[i]) < VANISHED && fabs(view->last.q[i]) < VANISHED) {
       view->now.q[i] = view->last.q[i] = 0.0;
     }
   }
+}
+
+static void clear_high(TbView *view) {
+  const size_t bytes = view->model->high.padded * sizeof(double);
+  memset(view->now.high, 0, bytes);
+  memset(view->last.high, 0, bytes);
 }
 
 /* Stops all motion; a drum within rounding of its rest returns to it exactly. */
@@ -204,6 +244,7 @@ static void fall_asleep(TbView *view) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
+  clear_high(view);
   view->state->asleep = 1;
 }
 

@@ -181,6 +181,14 @@ static void carry_slots(const TbView *from, TbView *to) {
   if (same) memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
 }
 
+/* Modes of the high band are chosen anew in every model: only the same model's go on. */
+static void carry_high(const TbView *from, TbView *to) {
+  if (from->model->fingerprint != to->model->fingerprint) return;
+  const size_t bytes = to->model->high.padded * sizeof(double);
+  memcpy(to->now.high, from->now.high, bytes);
+  memcpy(to->last.high, from->last.high, bytes);
+}
+
 static void carry_sound(const TbView *from, TbView *to) {
   const TaborDrumDef *a = &from->model->def, *b = &to->model->def;
   for (uint32_t mic = 0; mic < a->mic_count && mic < b->mic_count; mic++) {
@@ -202,6 +210,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   tb_live_apply(to);
   carry_contacts(from, to);
   carry_slots(from, to);
+  carry_high(from, to);
   carry_sound(from, to);
 }
 

@@ -202,6 +202,7 @@ typedef struct TaborAirDef {
 typedef struct TaborQualityDef {
   uint32_t level;           /**< a TaborQuality but the default, default studio */
   double two_way_bandwidth; /**< modes up to here feel the contacts [Hz], 0 = by level, to 40,000 */
+  double bandwidth;         /**< modes up to here are heard [Hz], 0 = by level, to 40,000 */
   uint32_t newton_cap;      /**< iterations a sample, 0 = by level, 1 to 16 */
   uint32_t wire_points;     /**< cells of a wire at most, 0 = by level, 8 to 400 */
   uint32_t losses;          /**< 1, or 0 to switch off every loss and radiation */
@@ -312,7 +313,7 @@ typedef struct TaborModel TaborModel;
 typedef enum TaborInstructions {
   TABOR_INSTRUCTIONS_AUTO,     /**< the widest that the processor has */
   TABOR_INSTRUCTIONS_BASELINE, /**< what the library was compiled for */
-  TABOR_INSTRUCTIONS_AVX2
+  TABOR_INSTRUCTIONS_AVX2      /**< or the baseline, where the processor lacks it */
 } TaborInstructions;
 
 /** Where memory comes from: @p allocate returns memory aligned to 64 bytes, or NULL. */
@@ -337,6 +338,8 @@ typedef struct TaborModelInfo {
   uint32_t mode_count;       /**< modes, cosine and sine copies counted apart */
   uint32_t mode_rows;        /**< rows of tabor_model_mode(), copies counted once */
   double two_way_bandwidth;  /**< [Hz], may be below the wish: modes are limited to 2048 */
+  double bandwidth;          /**< [Hz], with the one-way high band */
+  uint32_t high_mode_count;  /**< modes of the high band */
   uint32_t newton_cap;       /**< iterations a sample */
   uint32_t wire_count;
   uint32_t contact_points;   /**< of all wires together */
@@ -444,6 +447,7 @@ typedef struct TaborLedger {
   double shell_loss;   /**< 0 in this version */
   double radiated;     /**< as sound, by the head */
   double removed;      /**< of strikers taken away */
+  double high_band;    /**< stored in the one-way high band; outside the balance */
   double residual;     /**< what the numerics lost (positive) or created (negative) */
 } TaborLedger;
 

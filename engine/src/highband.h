@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* The high band: modes above the two-way bandwidth, driven by the actual contact forces and heard, but
+ * not fed back to the contacts, which hardly feel them.
+ *
+ * Up there the modes are too many to keep, and most are silent: they are slower than sound and radiate
+ * from the edge alone. So each Bessel function counts as a mode of its own, with the air's mass
+ * 2 rho0/(K sqrt(1 - (k0/K)^2)) per area, K = z/R (a plane wave slower than sound on both sides), and its
+ * baffled radiation. An open head radiates less than a baffled one by a factor that its microphones and
+ * the edge decide, not the frequency: at three places 5.4, 6.5 and 7.7 dB, within 0.1 dB from z = 20 to
+ * 130 (tests/test_highband.c). It is measured on a few modes that both ways can be computed for. Per
+ * sixth of an octave the modes are sorted by the energy they can bring to a microphone,
+ * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there.
+ *
+ * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each
+ * group pushing at its middle. */
+#ifndef TB_HIGHBAND_H
+#define TB_HIGHBAND_H
+
+#include "kernels.h"
+#include "modes.h"
+
+#define TB_HIGH_GROUPS 16u
+#define TB_HIGH_MOST 2048u
+
+/* Weights of a microphone: see TbMic. */
+typedef struct TbHighMic {
+  double *u, *v;
+} TbHighMic;
+
+typedef struct TbHighBand {
+  uint32_t count, padded; /* modes kept, sine copies counted; 0: no high band */
+  uint32_t candidates;    /* Bessel functions that there were to choose from */
+  uint32_t orders;        /* all angular orders are below */
+  uint32_t *order;        /* [padded] angular order m */
+  uint8_t *sine;          /* [padded]; a sine copy follows its cosine */
+  double *zero, *scale;   /* [padded] z, and the shape's factor for unit modal mass */
+  double *a, *b, *g;      /* [padded] the recursion: see modes.h */
+  double *stiffness;      /* [padded] K' */
+  TbHighMic mics[TABOR_MAX_MICS];
+  uint8_t *row_group; /* [stride] group of each contact point */
+  double *push;       /* [padded/8][TB_HIGH_GROUPS][8]: -side g phi at the groups' middles */
+  double radius;      /* of the head [m] */
+} TbHighBand;
+
+struct TaborModel;
+/* Modes from the head's own up to `top` [Hz]. */
+TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const struct TaborModel *model,
+                                double top);
+
+/* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
+void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch);
+
+/* drive[padded] = -g phi at radius [m] and the angle from the wires' direction: what a unit force on the
+ * head does. `patch` may be NULL. Audio-safe. */
+void tb_highband_drive(const TbHighBand *band, double radius, double sin_angle, double cos_angle,
+                       const double *patch, double *drive);
+
+#endif

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+/* The one-way high band against a sum over all modes, each with its own air. */
+#include "air.h"
+#include "bessel.h"
+#include "model.h"
+#include "physics.h"
+
+static const double PI = 3.14159265358979323846;
+static const double RATE = 96000.0;
+enum { FRAMES = 9600 }; /* 100 ms */
+
+/* Small and tense, so that all its modes to 16 kHz can be two-way at 96 kHz. */
+static TaborDrumDef small_drum(uint32_t boundary) {
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.shell.radius = 0.1;
+  def.shell.boundary = boundary;
+  def.batter = (TaborHeadDef){.tension = 8000.0,
+                              .surface_density = 0.26,
+                              .bending_stiffness = 0.002,
+                              .damping_0 = 10.0,
+                              .damping_1 = 3e-4};
+  def.striker[0].mass = 0.010;
+  def.striker[0].contact_stiffness = 3e7;
+  def.striker[0].contact_radius = 0.003;
+  def.mic[0].radius = 0.04;
+  def.mic[0].angle = 60.0;
+  def.mic[0].height = 0.15;
+  return def;
+}
+
+/* Strikes the drum, and keeps the force of every sample. */
+static void strike(const TaborDrumDef *def, double radius, double angle, float *samples,
+                   double *force, TaborModelInfo *info) {
+  TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_STUDIO);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent event = {
+    .type = TABOR_EVENT_STRIKE, .velocity = 5.0, .radius = radius, .angle = angle};
+  for (uint32_t i = 0; i < FRAMES; i++) {
+    float *outputs[TABOR_MAX_MICS] = {samples + i};
+    tabor_drum_process(drum, &event, i == 0 ? 1 : 0, outputs, 1);
+    TaborProbe probe;
+    tabor_drum_probe(drum, &probe);
+    force[i] = isnan(probe.striker_force) ? 0.0 : probe.striker_force;
+  }
+  tabor_model_info(model, info);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* The same forces on all modes up to 16 kHz, each with the air that the two-way modes have. */
+static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, const double *force,
+                          float *samples, TaborModelInfo *info) {
+  TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_STUDIO);
+  const TbModes *modes = &model->modes;
+  const uint32_t n = modes->padded, delay = model->mics[0].delay;
+  double *q = calloc(3 * (size_t)n, sizeof *q), *shape = calloc(n, sizeof *shape);
+  double *radial = calloc(model->head.row_count, sizeof *radial);
+  assert_true(q && shape && radial);
+  tb_model_shape(model, radius, angle, model->patches[0], radial, shape);
+  memset(samples, 0, FRAMES * sizeof *samples);
+  for (uint32_t i = 0; i < FRAMES; i++) {
+    double *next = q + (i + 1) % 3 * n, *now = q + i % 3 * n, *last = q + (i + 2) % 3 * n;
+    double pressure = 0.0;
+    for (uint32_t k = 0; k < n; k++) {
+      next[k] = modes->a[k] * now[k] - modes->b[k] * last[k] - modes->g[k] * shape[k] * force[i];
+      pressure += model->mics[0].u[k] * (next[k] - 2.0 * now[k] + last[k]) +
+                  model->mics[0].v[k] * (next[k] - last[k]);
+    }
+    if (i + delay < FRAMES) samples[i + delay] = (float)(pressure / def->full_scale);
+  }
+  tabor_model_info(model, info);
+  free(q);
+  free(shape);
+  free(radial);
+  tabor_model_release(model);
+}
+
+/* Energy of a stretch between two frequencies, by a plain Fourier sum under a Hann window. */
+static double band_energy(const float *x, uint32_t count, double lo, double hi) {
+  const double step = RATE / count;
+  double energy = 0.0;
+  for (double f = lo; f < hi; f += step) {
+    double re = 0.0, im = 0.0, c = 1.0, s = 0.0;
+    const double turn_c = cos(2.0 * PI * f / RATE), turn_s = sin(2.0 * PI * f / RATE);
+    for (uint32_t i = 0; i < count; i++) {
+      const double w = 0.5 - 0.5 * cos(2.0 * PI * (i + 0.5) / count);
+      re += w * (double)x[i] * c;
+      im += w * (double)x[i] * s;
+      const double next = c * turn_c - s * turn_s;
+      s = s * turn_c + c * turn_s;
+      c = next;
+    }
+    energy += re * re + im * im;
+  }
+  return energy;
+}
+
+static void levels_agree_with_the_full_sum(void **state) {
+  (void)state;
+  static const double CENTERS[] = {5000.0, 6300.0, 8000.0, 10000.0, 12500.0};
+  static const double PLACES[][2] = {{0.0, 0.0}, {0.03, 20.0}, {0.055, 110.0}, {0.08, 250.0}};
+  static float full[FRAMES], split[FRAMES];
+  static double force[FRAMES];
+  for (uint32_t boundary = 0; boundary < 2; boundary++) {
+    double worst = 0.0;
+    for (int place = 0; place < 4; place++) {
+      TaborDrumDef def = small_drum(boundary);
+      TaborModelInfo all, some;
+      def.quality.bandwidth = 16000.0;
+      def.quality.two_way_bandwidth = 4000.0;
+      strike(&def, PLACES[place][0], PLACES[place][1], split, force, &some);
+      def.quality.two_way_bandwidth = 16000.0;
+      sum_all_modes(&def, PLACES[place][0], PLACES[place][1], force, full, &all);
+      assert_int_equal(all.high_mode_count, 0);
+      assert_true(some.high_mode_count > 0 && some.mode_count < all.mode_count / 3);
+      for (int stretch = 0; stretch < 2; stretch++) {
+        const uint32_t from = stretch ? FRAMES / 2 : 0;
+        print_message("boundary %u, place %d, %s:", boundary, place,
+                      stretch ? "50 to 100 ms" : "first 50 ms");
+        for (int band = 0; band < 5; band++) {
+          const double lo = CENTERS[band] * 0.891, hi = CENTERS[band] * 1.122;
+          const double level = 10.0 * log10(band_energy(split + from, FRAMES / 2, lo, hi) /
+                                            band_energy(full + from, FRAMES / 2, lo, hi));
+          print_message(" %+.2f", level);
+          worst = fmax(worst, fabs(level));
+        }
+        print_message(" dB (%u of %u modes)\n", some.high_mode_count,
+                      all.mode_count - some.mode_count);
+      }
+    }
+    print_message("worst %.2f dB\n", worst);
+    assert_true(worst < 3.0);
+  }
+}
+
+/* What highband.h takes from this: an open edge's share depends on the place, not on the frequency. */
+static void an_open_edge_radiates_a_fixed_part(void **state) {
+  (void)state;
+  static const double FROM[] = {20.0, 55.0, 95.0}, TO[] = {30.0, 68.0, 108.0};
+  const TbAirPoint points[3] = {{0.25, 0.5}, {0.8, 1.0}, {3.0, 3.0}};
+  double ratio[3][3];
+  for (int range = 0; range < 3; range++) {
+    double open[3] = {0.0}, baffled[3] = {0.0};
+    double lists[2][64];
+    uint32_t counts[2] = {0, 0};
+    for (uint32_t m = 0; m < 14; m++) {
+      const uint32_t here = m % 2;
+      counts[here] =
+        tb_bessel_zeros(m, TO[range], lists[1 - here], counts[1 - here], lists[here], 64);
+      for (uint32_t i = 0; i < counts[here]; i++) {
+        if (lists[here][i] < FROM[range]) continue;
+        const TaborAllocator system = tb_allocator_resolve(NULL);
+        TbArena arena;
+        tb_arena_prepare(&arena, &system);
+        TbAirOrder order;
+        TbAirLoad load;
+        double o[6], b[6], resistance;
+        const double one = 1.0, x = 0.31 * lists[here][i];
+        assert_true(tb_air_order_prepare(&order, &arena, m, &lists[here][i], 1));
+        assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, &one, x, points, 3, &load, o));
+        assert_true(tb_air_slow(&order, &arena, x, points, 3, &resistance, b));
+        tb_arena_release(&arena);
+        const double unit = 1.0 / pow(tb_bessel_j(m + 1, lists[here][i]), 2.0);
+        for (int p = 0; p < 3; p++) {
+          open[p] += unit * (o[2 * p] * o[2 * p] + o[2 * p + 1] * o[2 * p + 1]);
+          baffled[p] += unit * (b[2 * p] * b[2 * p] + b[2 * p + 1] * b[2 * p + 1]);
+        }
+      }
+    }
+    for (int p = 0; p < 3; p++) ratio[range][p] = 10.0 * log10(open[p] / baffled[p]);
+    print_message("z %.0f to %.0f: %.2f, %.2f, %.2f dB\n", FROM[range], TO[range], ratio[range][0],
+                  ratio[range][1], ratio[range][2]);
+  }
+  for (int range = 1; range < 3; range++) {
+    for (int p = 0; p < 3; p++) assert_true(fabs(ratio[range][p] - ratio[0][p]) < 0.5);
+  }
+}
+
+/* tb_air_slow() is tb_air_load() of a baffled head. */
+static void slow_modes_radiate_as_others_do(void **state) {
+  (void)state;
+  const TaborAllocator system = tb_allocator_resolve(NULL);
+  TbArena arena;
+  tb_arena_prepare(&arena, &system);
+  const double zero = 14.930917708487785, one = 1.0;
+  const TbAirPoint point = {0.4, 0.5};
+  TbAirOrder order;
+  TbAirLoad load;
+  double a[2], b[2], resistance;
+  assert_true(tb_air_order_prepare(&order, &arena, 0, &zero, 1));
+  assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, &one, 5.0, &point, 1, &load, a));
+  assert_true(tb_air_slow(&order, &arena, 5.0, &point, 1, &resistance, b));
+  assert_true(fabs(load.resistance / resistance - 1.0) < 1e-9);
+  assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-9 * hypot(a[0], a[1]));
+  tb_arena_release(&arena);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(levels_agree_with_the_full_sum),
+    cmocka_unit_test(an_open_edge_radiates_a_fixed_part),
+    cmocka_unit_test(slow_modes_radiate_as_others_do),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

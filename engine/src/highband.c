@@ -11,18 +11,19 @@
 #include "power.h"
 
 static const double PI = 3.14159265358979323846;
-static const double KEPT = 0.999;      /* of each band's energy */
+static const double KEPT = 0.999;     /* of each band's energy */
 static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
 
 /* One Bessel function, cosine and sine copies together. */
 typedef struct Candidate {
   uint32_t m, band;
-  double zero, slope, omega, decay_rate, scale;
+  double zero, slope, omega, decay_rate, radiation_rate, scale;
   double loudness; /* the largest over microphones */
   double fields[2 * TABOR_MAX_MICS];
 } Candidate;
 
-/* What an open edge makes of baffled radiation: pressure per microphone, and resistance. */
+/* What the edge and the coupling of modes by the air make of a Bessel function's baffled radiation:
+ * pressure per microphone, and resistance. */
 typedef struct EdgeFactors {
   double field[TABOR_MAX_MICS], resistance;
 } EdgeFactors;
@@ -56,9 +57,9 @@ static double frequency(const TaborDrumDef *def, double wavenumber, double *mass
 /* True if no microphone is far enough from the axis to hear order m at all. */
 static bool inaudible(const Builder *b, uint32_t m, double x, double zero) {
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const double top = fmin(4.0 * fmax(x, zero), 16.0 / fabs(b->points[p].height));
+    const double top = fmin(4.0 * fmax(x, zero), 10.0 / fabs(b->points[p].height));
     const double reach = sqrt(x * x + top * top) * b->points[p].radius;
-    if ((double)m < reach + 4.0 * cbrt(reach) + 8.0) return false;
+    if ((double)m < reach + 2.5 * cbrt(reach) + 5.0) return false;
   }
   return true;
 }
@@ -68,83 +69,89 @@ static TbAirOrder single(uint32_t m, const double *zero, double *slope) {
   return (TbAirOrder){.m = m, .count = 1, .zeros = zero, .slopes = slope};
 }
 
-static bool add_candidate(Builder *b, uint32_t m, double zero) {
+/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. */
+static bool radiate(const Builder *b, uint32_t m, double zero, Candidate *c) {
   const TaborDrumDef *def = &b->model->def;
   const double radius = def->shell.radius, wavenumber = zero / radius;
-  double mass;
-  const double omega = frequency(def, wavenumber, &mass);
-  const double x = omega * radius / def->air.sound_speed;
-  if (omega > b->top || b->count == b->room || inaudible(b, m, x, zero)) return true;
-  Candidate *c = &b->candidates[b->count++];
-  *c = (Candidate){.m = m, .zero = zero, .omega = omega};
+  double mass, resistance;
+  *c = (Candidate){.m = m, .zero = zero, .omega = frequency(def, wavenumber, &mass)};
   const TbAirOrder order = single(m, &zero, &c->slope);
-  double resistance;
   TbArena scratch;
   tb_arena_prepare(&scratch, &b->scratch->allocator);
-  const bool done =
-    tb_air_slow(&order, &scratch, x, b->points, def->mic_count, &resistance, c->fields);
+  const bool done = tb_air_slow(&order, &scratch, c->omega * radius / def->air.sound_speed,
+                                b->points, def->mic_count, &resistance, c->fields);
   tb_arena_release(&scratch);
   if (!done) return false;
-
   const double norm = (m ? PI : 2.0 * PI) * radius * radius * 0.5 * c->slope * c->slope;
   c->scale = 1.0 / sqrt(mass * norm);
-  const double loss = def->batter.surface_density / mass *
-                      (def->batter.damping_0 + def->batter.damping_1 * wavenumber * wavenumber);
-  const double radiated = def->air.density * def->air.sound_speed * b->edge.resistance *
-                          resistance / (mass * 0.5 * c->slope * c->slope);
-  c->decay_rate = def->quality.losses ? 0.5 * (loss + radiated) : 0.0;
-  const double sinc = sin(omega * b->model->time_step) / (omega * b->model->time_step);
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    c->fields[2 * p] *= b->edge.field[p] * c->scale;
-    c->fields[2 * p + 1] *= b->edge.field[p] * c->scale;
-    const double gain = omega * omega * sinc * hypot(c->fields[2 * p], c->fields[2 * p + 1]);
-    c->loudness = fmax(c->loudness, gain * gain / (4.0 * fmax(c->decay_rate, 1e-3)));
+  for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= c->scale;
+  c->decay_rate = 0.5 * def->batter.surface_density / mass *
+                  (def->batter.damping_0 + def->batter.damping_1 * wavenumber * wavenumber);
+  c->radiation_rate =
+    def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
+  return true;
+}
+
+/* The largest energy that a unit force brings to a microphone. */
+static double loudness(const Builder *b, const Candidate *c) {
+  const double turn = c->omega * b->model->time_step;
+  double loudest = 0.0;
+  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
+    const double gain =
+      c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * p], c->fields[2 * p + 1]);
+    loudest = fmax(loudest, gain * gain / (4.0 * fmax(c->decay_rate, 1e-3)));
   }
+  return loudest;
+}
+
+static bool add_candidate(Builder *b, uint32_t m, double zero) {
+  const TaborDrumDef *def = &b->model->def;
+  double mass;
+  const double omega = frequency(def, zero / def->shell.radius, &mass);
+  const double x = omega * def->shell.radius / def->air.sound_speed;
+  if (omega > b->top || b->count == b->room || inaudible(b, m, x, zero)) return true;
+  Candidate *c = &b->candidates[b->count];
+  if (!radiate(b, m, zero, c)) return false;
+  b->count++;
+  for (uint32_t p = 0; p < def->mic_count; p++) {
+    c->fields[2 * p] *= b->edge.field[p];
+    c->fields[2 * p + 1] *= b->edge.field[p];
+  }
+  c->decay_rate += b->edge.resistance * c->radiation_rate;
+  if (!def->quality.losses) c->decay_rate = 0.0;
+  c->loudness = loudness(b, c);
   c->band = (uint32_t)(6.0 * log2(omega / (2.0 * PI * 20.0)));
   return true;
 }
 
-/* Open against baffled radiation of a few modes near the top of the two-way band. */
+static double square_of(const double *complex_number) {
+  return complex_number[0] * complex_number[0] + complex_number[1] * complex_number[1];
+}
+
+/* The upper two-way modes of the low orders, as they radiate, against the same as Bessel functions. */
 static bool measure_edge(Builder *b) {
-  const TaborDrumDef *def = &b->model->def;
-  b->edge.resistance = 1.0;
-  for (uint32_t p = 0; p < def->mic_count; p++) b->edge.field[p] = 1.0;
-  if (def->shell.boundary != TABOR_BOUNDARY_OPEN) return true;
-  double open[TABOR_MAX_MICS] = {0.0}, baffled[TABOR_MAX_MICS] = {0.0};
-  double open_lost = 0.0, baffled_lost = 0.0;
-  for (uint32_t m = 0; m < b->model->head.order_count && m < 4; m++) {
-    const TbHeadOrder *order = &b->model->head.orders[m];
-    for (uint32_t i = order->zero_count / 2; i < order->zero_count;
-         i += 1 + order->zero_count / 4) {
-      double mass, fields[2 * TABOR_MAX_MICS], other[2 * TABOR_MAX_MICS];
-      const double x = frequency(def, order->zeros[i] / def->shell.radius, &mass) *
-                       def->shell.radius / def->air.sound_speed;
-      TbArena scratch;
-      tb_arena_prepare(&scratch, &b->scratch->allocator);
-      const double one = 1.0;
-      double resistance;
-      TbAirOrder air;
-      TbAirLoad load;
-      const bool done =
-        tb_air_order_prepare(&air, &scratch, m, order->zeros + i, 1) &&
-        tb_air_load(&air, &scratch, TABOR_BOUNDARY_OPEN, &one, x, b->points, def->mic_count, &load,
-                    fields) &&
-        tb_air_slow(&air, &scratch, x, b->points, def->mic_count, &resistance, other);
-      tb_arena_release(&scratch);
-      if (!done) return false;
-      const double unit = 1.0 / (air.m + 1.0); /* low orders dominate near the axis */
-      for (uint32_t p = 0; p < def->mic_count; p++) {
-        open[p] += unit * (fields[2 * p] * fields[2 * p] + fields[2 * p + 1] * fields[2 * p + 1]);
-        baffled[p] += unit * (other[2 * p] * other[2 * p] + other[2 * p + 1] * other[2 * p + 1]);
+  const TaborModel *model = b->model;
+  const uint32_t mics = model->def.mic_count;
+  double real[TABOR_MAX_MICS] = {0.0}, simple[TABOR_MAX_MICS] = {0.0};
+  double real_rate = 0.0, simple_rate = 0.0;
+  for (uint32_t m = 0; m < model->head.order_count && m < 6; m++) {
+    const TbHeadOrder *order = &model->head.orders[m];
+    for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
+      const TbHeadMode *mode = &model->head.modes[order->rows[k]];
+      Candidate c;
+      if (!radiate(b, m, order->zeros[k], &c)) return false;
+      for (uint32_t p = 0; p < mics; p++) {
+        real[p] += square_of(mode->fields + 2 * p);
+        simple[p] += square_of(c.fields + 2 * p);
       }
-      open_lost += load.resistance;
-      baffled_lost += resistance;
+      real_rate += mode->radiation_rate;
+      simple_rate += c.radiation_rate;
     }
   }
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    if (baffled[p] > 0.0) b->edge.field[p] = fmin(1.0, sqrt(open[p] / baffled[p]));
+  b->edge.resistance = simple_rate > 0.0 ? real_rate / simple_rate : 1.0;
+  for (uint32_t p = 0; p < mics; p++) {
+    b->edge.field[p] = simple[p] > 0.0 ? sqrt(real[p] / simple[p]) : 1.0;
   }
-  if (baffled_lost > 0.0) b->edge.resistance = fmin(1.0, open_lost / baffled_lost);
   return true;
 }
 

@@ -5,10 +5,11 @@
  * Up there the modes are too many to keep, and most are silent: they are slower than sound and radiate
  * from the edge alone. So each Bessel function counts as a mode of its own, with the air's mass
  * 2 rho0/(K sqrt(1 - (k0/K)^2)) per area, K = z/R (a plane wave slower than sound on both sides), and its
- * baffled radiation. An open head radiates less than a baffled one by a factor that its microphones and
- * the edge decide, not the frequency: at three places 5.4, 6.5 and 7.7 dB, within 0.1 dB from z = 20 to
- * 130 (tests/test_highband.c). It is measured on a few modes that both ways can be computed for. Per
- * sixth of an octave the modes are sorted by the energy they can bring to a microphone,
+ * baffled radiation, times one factor per microphone and one for the resistance. These stand for the
+ * edge and for the coupling of modes by the air, which depend on the place and hardly on the frequency
+ * (an open edge: 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20
+ * to 108, tests/test_highband.c), so they are measured on the upper two-way modes. Per sixth of an
+ * octave the modes are sorted by the energy that they can bring to a microphone,
  * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there.
  *
  * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each

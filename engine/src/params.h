@@ -13,7 +13,7 @@
 
 /**
  * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
- * again. A section owns a hundred; keys that contract.md reserves for later fit into the gaps
+ * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps
  * (400: resonant, 800: hand, 900: hoop).
  */
 typedef enum TbParamId {

@@ -12,5 +12,7 @@ extern const Command render_command;  /* render.c */
 extern const Command presets_command; /* presets_command.c */
 extern const Command show_command;    /* show.c */
 extern const Command modes_command;   /* modes.c */
+extern const Command bench_command;   /* bench.c */
+extern const Command analyze_command; /* analyze.c */
 
 #endif

@@ -47,6 +47,47 @@ static Outcome load_builtin(const char *name, TaborDrumDef *def) {
   return report_engine_error(&error);
 }
 
+const char *drum_mic_name(const void *def, size_t index) {
+  const TaborDrumDef *const drum = def;
+  return index < drum->mic_count ? drum->mic[index].name : NULL;
+}
+
+const char *drum_striker_name(const void *def, size_t index) {
+  const TaborDrumDef *const drum = def;
+  return index < drum->striker_count ? drum->striker[index].name : NULL;
+}
+
+/* Kinds of things with names of their own. */
+static const struct Family {
+  const char *prefix, *what;
+  NameAt *name_at;
+  int (*find)(const TaborDrumDef *def, const char *name);
+} families[] = {
+  {"mic.", "microphone", drum_mic_name, tabor_drum_def_find_mic},
+  {"striker.", "striker", drum_striker_name, tabor_drum_def_find_striker},
+};
+
+/* Refuses the key of a microphone or striker that the drum has not got. */
+static Outcome check_member(const struct Family *family, const char *key, const TaborDrumDef *def) {
+  const size_t prefix = strlen(family->prefix);
+  const char *const dot = strrchr(key, '.');
+  if (strncmp(key, family->prefix, prefix) != 0 || dot < key + prefix) return OUTCOME_OK;
+  char name[2 * TABOR_NAME_SIZE], hint[96];
+  memcpy(name, key + prefix, (size_t)(dot - key) - prefix);
+  name[(size_t)(dot - key) - prefix] = '\0';
+  if (family->find(def, name) >= 0) return OUTCOME_OK;
+  suggest_hint(hint, sizeof hint, name, family->prefix, family->name_at, def);
+  return refuse("--set '%.80s': the drum has no %s '%.63s'%s", key, family->what, name, hint);
+}
+
+static Outcome check_members(const char *key, const TaborDrumDef *def) {
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; i < sizeof families / sizeof families[0] && outcome == OUTCOME_OK; i++) {
+    outcome = check_member(&families[i], key, def);
+  }
+  return outcome;
+}
+
 /* One KEY=VALUE. */
 static Outcome apply_setting(const char *setting, TaborDrumDef *def) {
   const char *const equals = strchr(setting, '=');
@@ -57,6 +98,8 @@ static Outcome apply_setting(const char *setting, TaborDrumDef *def) {
     return refuse("--set '%.80s...': no parameter has so long a key", setting);
   memcpy(key, setting, length);
   key[length] = '\0';
+  const Outcome outcome = check_members(key, def);
+  if (outcome != OUTCOME_OK) return outcome;
   TaborError error;
   if (tabor_drum_def_set(def, key, equals + 1, &error) == TABOR_OK) return OUTCOME_OK;
   return report_engine_error(&error);
@@ -94,6 +137,8 @@ static Outcome quality_read(const char *text, uint32_t *quality) {
   return refuse("--quality '%.80s': unknown; allowed: draft, live, studio, reference%s", text,
                 hint);
 }
+
+const char *quality_name(uint32_t quality) { return quality_names[quality - TABOR_QUALITY_DRAFT]; }
 
 Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options) {
   static const NumberField rate = {"--rate", 22050, 192000, true};

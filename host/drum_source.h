@@ -23,9 +23,15 @@
 const char *preset_argument(const Arguments *arguments);
 /** True if @p preset is a file: it has a '/' or ends in ".ini". */
 bool preset_is_file(const char *preset);
-/** Reads the preset, applies every --set in order, and validates the result. */
+/** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
+const char *drum_mic_name(const void *def, size_t index);
+const char *drum_striker_name(const void *def, size_t index);
+/** Reads the preset, applies every --set in order, and validates the result. A --set adds no
+ * microphone or striker: in a file a new name makes one, on a command line it is a slip. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
 /** Reads --rate and --quality. */
 Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
+/** "live" and the like for a TaborQuality that is not the default. */
+const char *quality_name(uint32_t quality);
 
 #endif

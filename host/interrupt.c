@@ -2,9 +2,10 @@
 #include "interrupt.h"
 
 #include <stddef.h>
+#include <tabor/tabor.h>
 #include <unistd.h>
 
-#define GUARDS 2 /* the sound and the trace */
+#define GUARDS (TABOR_MAX_MICS + 1) /* a sound for each microphone, and the trace */
 
 static const int fatal_signals[] = {SIGHUP, SIGINT, SIGTERM, SIGXCPU};
 #define FATAL_SIGNALS (sizeof fatal_signals / sizeof fatal_signals[0])

@@ -3,7 +3,6 @@
  * @file main.c
  * `tabor COMMAND [OPTION]...`: finds the command, reads its command line, and runs it.
  */
-#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,8 +13,9 @@
 #include "json_output.h"
 #include "suggest.h"
 
-static const Command *const commands[] = {&render_command, &presets_command, &show_command,
-                                          &modes_command, NULL};
+static const Command *const commands[] = {
+  &render_command, &presets_command, &show_command, &modes_command,
+  &bench_command,  &analyze_command, NULL};
 
 static const char *command_name_at(const void *list, size_t index) {
   const Command *const command = ((const Command *const *)list)[index];
@@ -126,7 +126,7 @@ static void reserve_standard_streams(void) {
 static Outcome finish_standard_output(Outcome outcome) {
   const bool complete = fflush(stdout) == 0 && !ferror(stdout);
   if (complete || outcome != OUTCOME_OK) return outcome;
-  return fail("cannot write to standard output: %s", strerror(errno));
+  return standard_output_failure();
 }
 
 int main(int argc, char **argv) {

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "message.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 /* User input appears in messages: without this a line feed in it would make two lines of one. */
 static void replace_controls(char *text) {
@@ -35,6 +37,11 @@ Outcome fail(const char *format, ...) {
 }
 
 Outcome fail_memory(void) { return fail("out of memory"); }
+
+Outcome standard_output_failure(void) {
+  if (errno == EPIPE) return OUTCOME_READER_LEFT;
+  return fail("cannot write to standard output: %s", strerror(errno));
+}
 
 Outcome report_engine_error(const TaborError *error) {
   switch (error->status) {

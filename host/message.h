@@ -20,8 +20,10 @@
 /** How a request ended; the values are the program's exit status. */
 typedef enum Outcome {
   OUTCOME_OK = 0,
-  OUTCOME_FAILED = 1, /**< a right request failed: files, memory, devices */
-  OUTCOME_REFUSED = 2 /**< the request is wrong */
+  OUTCOME_FAILED = 1,       /**< a right request failed: files, memory, devices */
+  OUTCOME_REFUSED = 2,      /**< the request is wrong */
+  OUTCOME_READER_LEFT = 141 /**< nobody reads the standard output any more; nothing to say: it is as
+                                 if SIGPIPE had ended the program */
 } Outcome;
 
 /** Says what is wrong with the request; returns OUTCOME_REFUSED. */
@@ -30,6 +32,8 @@ PRINTF_LIKE Outcome refuse(const char *format, ...);
 PRINTF_LIKE Outcome fail(const char *format, ...);
 /** fail() for memory. */
 Outcome fail_memory(void);
+/** Fails with the reason of errno; says nothing where the reader left, as in 'tabor modes | head'. */
+Outcome standard_output_failure(void);
 /** Says what the engine found wrong: refused for wrong requests, failed for memory and numerics. */
 Outcome report_engine_error(const TaborError *error);
 /** Something the user should know although the request is carried out. */

@@ -13,9 +13,8 @@
 #define MOST_LINKS 40
 
 Outcome output_failure(const OutputFile *file) {
-  const char *const reason = strerror(errno);
-  if (strcmp(file->name, "-") == 0) return fail("cannot write to standard output: %s", reason);
-  return fail("cannot write '%s': %s", file->name, reason);
+  if (strcmp(file->name, "-") == 0) return standard_output_failure();
+  return fail("cannot write '%s': %s", file->name, strerror(errno));
 }
 
 /* ---- planning ---- */
@@ -264,9 +263,24 @@ Outcome output_complete(OutputFile *file) {
   return output_failure(file);
 }
 
-Outcome output_deliver(OutputFile *file) {
-  if (file->kind != OUTPUT_REPLACED || put_in_place(file)) return OUTCOME_OK;
-  return output_failure(file);
+static Outcome deliver(OutputFile *file) {
+  if (file->kind != OUTPUT_REPLACED) return OUTCOME_OK;
+  file->delivered = put_in_place(file);
+  return file->delivered ? OUTCOME_OK : output_failure(file);
+}
+
+static void withdraw(OutputFile *file) {
+  if (file->delivered && !file->exists) (void)unlink(file->target);
+}
+
+Outcome output_deliver(OutputFile *const *files, size_t count) {
+  sigset_t before;
+  interrupt_hold(&before);
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; i < count && outcome == OUTCOME_OK; i++) outcome = deliver(files[i]);
+  for (size_t i = 0; i < count && outcome != OUTCOME_OK; i++) withdraw(files[i]);
+  interrupt_resume(&before);
+  return outcome;
 }
 
 void output_discard(OutputFile *file) {

@@ -34,6 +34,7 @@ typedef struct OutputFile {
   struct stat status;
   char *target;    /**< name with links followed; NULL for the standard output */
   char *temporary; /**< name of the file written beside, or NULL */
+  bool delivered;  /**< has its name */
   int descriptor;  /**< where to write, or -1 */
   int destination; /**< pipe or device that the gathered bytes go to, or -1 */
 } OutputFile;
@@ -58,8 +59,11 @@ Outcome output_write(OutputFile *file, const void *bytes, size_t size);
 Outcome output_failure(const OutputFile *file);
 /** No more bytes: copies what was gathered to its destination, and closes. */
 Outcome output_complete(OutputFile *file);
-/** Gives the completed file its name. */
-Outcome output_deliver(OutputFile *file);
+/**
+ * Gives @p count completed files their names, in one go as far as signals are concerned. If one
+ * cannot get its name, those that were new disappear again.
+ */
+Outcome output_deliver(OutputFile *const *files, size_t count);
 /** Removes what is not delivered, and frees. */
 void output_discard(OutputFile *file);
 

@@ -3,6 +3,7 @@
  * @file render.c
  * `tabor render`: plays a drum into a sound file.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -10,12 +11,17 @@
 #include "command.h"
 #include "render_report.h"
 #include "ring_out.h"
+#include "sound_files.h"
+#include "spool.h"
+
+#define NORMAL_PEAK_DB (-1.0) /* of --normalize */
 
 /* A rendering under way. */
 typedef struct Rendering {
   RenderRequest request;
   Session session;
-  AudioFile audio;
+  SoundFiles sounds;
+  Spool spool; /* in use while the gain is not known */
   TraceFile trace;
   RingOut ring_out;
   bool shows_progress;
@@ -42,7 +48,11 @@ static Outcome play_block(Rendering *rendering, uint32_t frames) {
     session_play(session, frames);
   }
   if (outcome != OUTCOME_OK) return outcome;
-  return audio_file_write(&rendering->audio, session->interleaved, frames);
+  if (rendering->request.normalize) {
+    return spool_write(&rendering->spool, session->interleaved,
+                       (size_t)frames * rendering->request.channels);
+  }
+  return sound_files_write(&rendering->sounds, session->interleaved, frames);
 }
 
 static Outcome play(Rendering *rendering) {
@@ -60,6 +70,35 @@ static Outcome play(Rendering *rendering) {
   return outcome;
 }
 
+/* The gain that gives the whole sound its peak; silence stays as it is. */
+static void choose_gain(Rendering *rendering) {
+  RenderRequest *const request = &rendering->request;
+  Session *const session = &rendering->session;
+  if (session->peak == 0) return;
+  request->gain = pow(10, NORMAL_PEAK_DB / 20) / session->peak;
+  request->gain_db = 20 * log10(request->gain);
+  session->peak *= request->gain;
+}
+
+/* Writes what was set aside, with its gain. */
+static Outcome write_normalized(Rendering *rendering) {
+  const RenderRequest *const request = &rendering->request;
+  Session *const session = &rendering->session;
+  choose_gain(rendering);
+  Outcome outcome = spool_rewind(&rendering->spool);
+  for (uint32_t left = session->position; left > 0 && outcome == OUTCOME_OK;) {
+    const uint32_t frames = left < SESSION_BLOCK ? left : SESSION_BLOCK;
+    const size_t samples = (size_t)frames * request->channels;
+    outcome = spool_read(&rendering->spool, session->interleaved, samples);
+    for (size_t i = 0; i < samples; i++) session->interleaved[i] *= request->gain;
+    if (outcome == OUTCOME_OK) {
+      outcome = sound_files_write(&rendering->sounds, session->interleaved, frames);
+    }
+    left -= frames;
+  }
+  return outcome;
+}
+
 static void prepare_length(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
   rendering->ring_out = ring_out_begin(request->frames, strokes_last_frame(&request->strokes),
@@ -67,36 +106,41 @@ static void prepare_length(Rendering *rendering) {
   request->audio.most_frames = rendering->ring_out.most;
 }
 
+static Outcome open_outputs(RenderRequest *request) {
+  const bool seeks = request->audio.container != AUDIO_AU;
+  Outcome outcome = OUTCOME_OK;
+  for (uint32_t i = 0; i < request->output_count && outcome == OUTCOME_OK; i++) {
+    outcome = output_open(&request->outputs[i], seeks);
+  }
+  if (outcome == OUTCOME_OK && request->has_trace) outcome = output_open(&request->trace, false);
+  return outcome;
+}
+
 static Outcome open_files(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
-  const bool seeks = request->audio.container != AUDIO_AU;
-  Outcome outcome = output_open(&request->output, seeks);
-  if (outcome == OUTCOME_OK && request->has_trace) outcome = output_open(&request->trace, false);
+  Outcome outcome = open_outputs(request);
   if (outcome == OUTCOME_OK) {
-    outcome = audio_file_open(&rendering->audio, &request->audio, &request->output);
+    outcome = sound_files_open(&rendering->sounds, &request->audio, request->outputs,
+                               request->output_count);
   }
   if (outcome == OUTCOME_OK && request->has_trace) {
     outcome = trace_file_open(&rendering->trace, &request->trace);
   }
+  if (outcome == OUTCOME_OK && request->normalize) outcome = spool_open(&rendering->spool);
   return outcome;
 }
 
-/* Both files are completed and checked before the first appears. */
-static Outcome complete_files(Rendering *rendering) {
-  RenderRequest *const request = &rendering->request;
-  Outcome outcome = audio_file_finish(&rendering->audio);
-  if (outcome == OUTCOME_OK && request->has_trace) outcome = trace_file_finish(&rendering->trace);
-  if (outcome == OUTCOME_OK) outcome = output_complete(&request->output);
-  if (outcome == OUTCOME_OK && request->has_trace) outcome = output_complete(&request->trace);
-  return outcome;
-}
-
+/* All files are completed and checked before the first appears. */
 static Outcome deliver_files(Rendering *rendering) {
   RenderRequest *const request = &rendering->request;
-  Outcome outcome = complete_files(rendering);
-  if (outcome == OUTCOME_OK) outcome = output_deliver(&request->output);
-  if (outcome == OUTCOME_OK && request->has_trace) outcome = output_deliver(&request->trace);
-  return outcome;
+  OutputFile *outputs[TABOR_MAX_MICS + 1];
+  size_t count = 0;
+  for (uint32_t i = 0; i < request->output_count; i++) outputs[count++] = &request->outputs[i];
+  if (request->has_trace) outputs[count++] = &request->trace;
+  Outcome outcome = sound_files_finish(&rendering->sounds);
+  if (outcome == OUTCOME_OK && request->has_trace) outcome = trace_file_finish(&rendering->trace);
+  for (size_t i = 0; i < count && outcome == OUTCOME_OK; i++) outcome = output_complete(outputs[i]);
+  return outcome == OUTCOME_OK ? output_deliver(outputs, count) : outcome;
 }
 
 static Outcome render(const Arguments *arguments, Rendering *rendering) {
@@ -107,6 +151,7 @@ static Outcome render(const Arguments *arguments, Rendering *rendering) {
   outcome = open_files(rendering);
   if (outcome == OUTCOME_OK) outcome = session_open(&rendering->session, &rendering->request);
   if (outcome == OUTCOME_OK) outcome = play(rendering);
+  if (outcome == OUTCOME_OK && rendering->request.normalize) outcome = write_normalized(rendering);
   if (outcome == OUTCOME_OK) outcome = deliver_files(rendering);
   if (outcome == OUTCOME_OK) outcome = render_report(&rendering->session);
   return outcome;
@@ -117,7 +162,8 @@ static Outcome run(const Arguments *arguments) {
   if (!rendering) return fail_memory();
   const Outcome outcome = render(arguments, rendering);
   session_free(&rendering->session);
-  audio_file_free(&rendering->audio);
+  sound_files_free(&rendering->sounds);
+  spool_free(&rendering->spool);
   trace_file_free(&rendering->trace);
   render_request_free(&rendering->request);
   free(rendering);
@@ -132,7 +178,16 @@ static const char notes[] =
   "  angle      in which direction [degrees], counter-clockwise from +x\n"
   "  striker    one of the preset's, by name\n"
   "  technique  normal\n"
-  "Fields left out are the preset's. PRESET is a name that 'tabor presets' lists, or a file:\n"
+  "Fields left out are the preset's; a time left out is 0.\n"
+  "\n"
+  "--events reads a stroke a line, as comma-separated values; the first line names the columns:\n"
+  "  time,velocity,radius,striker\n"
+  "  0,2.5,30%,stick\n"
+  "  0.5,1,,\n"
+  "Any of the fields above, midi too, in any order; empty fields are the preset's. Lines may come\n"
+  "in any order of time; those that begin with '#' are comments. --strike adds to them.\n"
+  "\n"
+  "PRESET is a name that 'tabor presets' lists, or a file:\n"
   "with a '/' in it, or ending in .ini. 'tabor show' lists the keys for --set.\n";
 
 const Command render_command = {

@@ -61,6 +61,16 @@ static json_t *energy_json(const TaborLedger *ledger) {
   return energy;
 }
 
+/* The name of the file; with --split, which may make several, a list of them. */
+static json_t *outputs_json(const RenderRequest *request) {
+  if (!request->split) return json_text(request->outputs[0].name);
+  json_t *const list = json_array();
+  for (uint32_t i = 0; i < request->output_count; i++) {
+    json_array_append_new(list, json_text(request->outputs[i].name));
+  }
+  return list;
+}
+
 static Outcome print_json(const Session *session, const TaborStatistics *statistics,
                           const TaborLedger *ledger) {
   const RenderRequest *const request = session->request;
@@ -70,22 +80,30 @@ static Outcome print_json(const Session *session, const TaborStatistics *statist
   return json_print(
     json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset),
               "rate", (json_int_t)request->audio.rate, "frames", (json_int_t)session->position,
-              "channels", (json_int_t)request->audio.channels, "peak", json_number(session->peak),
+              "channels", (json_int_t)request->channels, "peak", json_number(session->peak),
               "real_time_factor", json_number(real_time_factor(session)), "newton", newton,
-              "energy", energy_json(ledger), "output", json_text(request->output.name)));
+              "energy", energy_json(ledger), "output", outputs_json(request)));
 }
 
 static void note_summary(const Session *session) {
   const RenderRequest *const request = session->request;
-  const bool standard = strcmp(request->output.name, "-") == 0;
+  const OutputFile *const first = &request->outputs[0];
+  const OutputFile *const last = &request->outputs[request->output_count - 1];
   char peak[32] = "silent";
   if (session->peak > 0) {
     (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(session->peak));
   }
-  note("%s: %s, %.2f s, %u Hz, %u channel%s, %s",
-       standard ? "standard output" : request->output.name, request->preset, seconds(session),
-       (unsigned)request->audio.rate, (unsigned)request->audio.channels,
-       request->audio.channels == 1 ? "" : "s", peak);
+  note("%s%s%s: %s, %.2f s, %u Hz, %u channel%s, %s",
+       strcmp(first->name, "-") == 0 ? "standard output" : first->name,
+       first == last ? "" : " ... ", first == last ? "" : last->name, request->preset,
+       seconds(session), (unsigned)request->audio.rate, (unsigned)request->channels,
+       request->channels == 1 ? "" : "s", peak);
+}
+
+static void warn_of_silence(const Session *session) {
+  if (session->request->normalize && session->peak == 0) {
+    warn("the sound is silent; --normalize has nothing to amplify");
+  }
 }
 
 static void note_details(const Session *session, const TaborStatistics *statistics,
@@ -101,6 +119,7 @@ static void note_details(const Session *session, const TaborStatistics *statisti
        "radiated %.3g, removed %.3g, residual %.2g",
        ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
        ledger->radiated, ledger->removed, ledger->residual);
+  if (session->request->normalize) note("normalized by %+.2f dB", session->request->gain_db);
 }
 
 Outcome render_report(const Session *session) {
@@ -109,6 +128,7 @@ Outcome render_report(const Session *session) {
   tabor_drum_statistics(session->drum, &statistics);
   tabor_drum_ledger(session->drum, &ledger);
   warn_of_saturation(session);
+  warn_of_silence(session);
   warn_of_drops(&statistics);
   if (session->request->verbose) note_details(session, &statistics, &ledger);
   if (session->request->json) return print_json(session, &statistics, &ledger);

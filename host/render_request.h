@@ -17,14 +17,19 @@ typedef struct RenderRequest {
   TaborDrumDef def;
   TaborModelOptions model;
   Strokes strokes;
-  AudioFormat audio;
+  AudioFormat audio;            /**< of each file */
+  uint32_t channels;            /**< of the whole sound */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel: index into the definition's microphones */
   uint32_t frames;              /**< how many, or 0: until the drum has died away */
+  bool split;                   /**< a file for each channel */
+  bool normalize;               /**< the gain is yet to be found */
   double gain;                  /**< factor */
   double gain_db;               /**< the same [dB] */
   bool json, quiet, verbose;
-  OutputFile output; /**< planned */
-  OutputFile trace;  /**< planned, if has_trace */
+  OutputFile outputs[TABOR_MAX_MICS]; /**< planned sound files */
+  uint32_t output_count;
+  char *names[TABOR_MAX_MICS]; /**< of these, if split */
+  OutputFile trace;            /**< planned, if has_trace */
   bool has_trace;
 } RenderRequest;
 

@@ -23,7 +23,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
   session->position = 0;
   session->peak = session->computing = 0;
   for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) session->outputs[mic] = NULL;
-  for (uint32_t channel = 0; channel < request->audio.channels; channel++) {
+  for (uint32_t channel = 0; channel < request->channels; channel++) {
     const uint32_t mic = request->mics[channel];
     session->outputs[mic] = session->planar[mic];
   }
@@ -54,7 +54,7 @@ static void process(Session *session, float *const *outputs, uint32_t frames) {
 
 static void interleave(Session *session, uint32_t frames) {
   const RenderRequest *const request = session->request;
-  const uint32_t channels = request->audio.channels;
+  const uint32_t channels = request->channels;
   for (uint32_t channel = 0; channel < channels; channel++) {
     const float *const samples = session->planar[request->mics[channel]];
     for (uint32_t frame = 0; frame < frames; frame++) {

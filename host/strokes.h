@@ -1,30 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file strokes.h
- * The strokes of a rendering, from --strike options.
+ * The strokes of a rendering, from --strike options and an events file.
  */
 #ifndef TABOR_HOST_STROKES_H
 #define TABOR_HOST_STROKES_H
 
 #include "options.h"
+#include "stroke.h"
 
-#define MOST_STROKES 10000
+#define MOST_STROKES 100000
 
 #define OPTION_STRIKE                                                                              \
   { "strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)" }
+#define OPTION_EVENTS                                                                              \
+  { "events", 0, "FILE", "strokes from a CSV file, '-' for standard input; see below" }
 
 /** Strike events in order of time; event.frame counts from the beginning of the sound. */
 typedef struct Strokes {
   TaborEvent *events;
-  size_t count;
+  size_t count, capacity;
+  double rate; /**< [Hz] */
 } Strokes;
 
 /**
- * Reads every --strike for a drum at @p rate [Hz]; without any, the preset's own stroke at time 0.
- * Free with strokes_free(), whatever the outcome.
+ * Reads every --strike and the file of --events for a drum at @p rate [Hz]; without any, the
+ * preset's own stroke at time 0. Free with strokes_free(), whatever the outcome.
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes);
+/** Adds one behind the others, whatever its time. */
+Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
 void strokes_free(Strokes *strokes);
 /** Frame of the last stroke. */
 uint32_t strokes_last_frame(const Strokes *strokes);

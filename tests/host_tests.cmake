@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Tests of the program. The scripts find it in $TABOR and their helper in $INSPECT.
+# Tests of the program. The scripts find it in $TABOR and their helpers in $INSPECT and $SYNTHESISE.
 
 if(TARGET tabor-program)
   pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
@@ -7,11 +7,17 @@ if(TARGET tabor-program)
   tabor_target_defaults(host_inspect)
   target_link_libraries(host_inspect PRIVATE PkgConfig::JANSSON PkgConfig::SNDFILE m)
 
-  foreach(name IN ITEMS test_system_files test_system_preset_files test_system_program
-                        test_system_requests)
+  add_executable(host_synthesise host_synthesise.c)
+  tabor_target_defaults(host_synthesise)
+  target_link_libraries(host_synthesise PRIVATE PkgConfig::SNDFILE m)
+
+  foreach(name IN ITEMS test_system_analyze test_system_bench test_system_events_file
+                        test_system_files test_system_preset_files test_system_program
+                        test_system_requests test_system_split)
     add_test(NAME ${name} COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh")
     tabor_test_properties(${name})
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
-                                              "INSPECT=$<TARGET_FILE:host_inspect>")
+                                              "INSPECT=$<TARGET_FILE:host_inspect>"
+                                              "SYNTHESISE=$<TARGET_FILE:host_synthesise>")
   endforeach()
 endif()

@@ -30,7 +30,7 @@ version=$(cut -d ' ' -f 2 "$out")
 done_quietly --version --json
 same "version as JSON" "$version" "$(json version)"
 done_quietly --help
-for command in render presets show modes; do
+for command in render presets show modes bench analyze; do
   check "help names $command" grep -q "^  $command " "$out"
   same "$command --version" "tabor $version" "$("$TABOR" $command --version)"
   check "$command --help" eval "'$TABOR' $command --help | grep -q '^Usage: tabor $command'"
@@ -67,7 +67,9 @@ done_quietly show --set shell.radius=0.2 --set batter.tension=1234.5 --set=shell
 same "the last --set counts" 0.21 "$(setting radius | head -n 1)"
 same "all of them" 1234.5 "$(setting tension | head -n 1)"
 check "unit and text" grep -qE '^tension = 1234.5 +; \[N/m\] [a-z]' "$out"
-done_quietly show --set drum.name=Mine --set "mic.extra.height=0.5" --set striker.other.mass=0.02
+done_quietly show --set drum.name=Mine
+{ cat "$out" && printf '[mic.extra]\nheight = 0.5\n[striker.other]\nmass = 0.02\n'; } >more.ini
+done_quietly show more.ini
 check "a new microphone" grep -qx '\[mic.extra\]' "$out"
 check "a new striker" grep -qx '\[striker.other\]' "$out"
 cp "$out" shown.ini

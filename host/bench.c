@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file bench.c
+ * `tabor bench`: how much processor time a drum takes while it is played without a pause.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "command.h"
+#include "drum_source.h"
+#include "json_output.h"
+#include "number.h"
+
+/* The workload: strokes so dense that the drum never falls asleep. */
+#define DURATION 4.0   /* [s] */
+#define INTERVAL 0.125 /* between strokes [s] */
+#define STROKES 32
+static const double velocities[] = {1, 4};             /* [m/s], in turn */
+static const double radii[] = {0, 0.2, 0.4, 0.6, 0.8}; /* of the head's, in turn */
+
+#define LONGEST_BLOCK 8192
+
+typedef struct Bench {
+  const char *preset;
+  TaborDrumDef def;
+  TaborModelOptions model_options;
+  uint32_t block, repeats;
+  TaborModelInfo info;
+  TaborDrum *drum;
+  TaborEvent strokes[STROKES];
+  float *sound;               /* of a block, of the first microphone */
+  double *times, *best;       /* processor time of each block [s]; of the fastest repeat, sorted */
+  uint32_t blocks, frames;    /* of a repeat */
+  double best_sum;            /* [s] */
+  TaborStatistics statistics; /* the same in every repeat */
+} Bench;
+
+static void prepare_strokes(Bench *bench) {
+  const int striker = tabor_drum_def_find_striker(&bench->def, bench->def.strike.striker);
+  for (uint32_t i = 0; i < STROKES; i++) {
+    bench->strokes[i] = (TaborEvent){
+      .frame = (uint32_t)lround(i * INTERVAL * bench->model_options.sample_rate),
+      .type = TABOR_EVENT_STRIKE,
+      .id = i + 1,
+      .striker = striker > 0 ? (uint32_t)striker : 0,
+      .velocity = velocities[i % (sizeof velocities / sizeof velocities[0])],
+      .radius = radii[i % (sizeof radii / sizeof radii[0])] * bench->def.shell.radius,
+      .angle = bench->def.strike.angle,
+    };
+  }
+}
+
+static Outcome create_drum(Bench *bench) {
+  TaborModel *model = NULL;
+  TaborError error;
+  if (tabor_model_create(&bench->def, &bench->model_options, &model, &error) != TABOR_OK) {
+    return report_engine_error(&error);
+  }
+  tabor_model_info(model, &bench->info);
+  const TaborStatus status = tabor_drum_create(model, &bench->drum, &error);
+  tabor_model_release(model); /* the drum keeps its own reference */
+  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
+}
+
+static Outcome prepare(Bench *bench) {
+  bench->frames = (uint32_t)lround(DURATION * bench->model_options.sample_rate);
+  bench->blocks = (bench->frames + bench->block - 1) / bench->block;
+  bench->sound = calloc(bench->block, sizeof *bench->sound);
+  bench->times = calloc(bench->blocks, sizeof *bench->times);
+  bench->best = calloc(bench->blocks, sizeof *bench->best);
+  bench->best_sum = INFINITY;
+  if (!bench->sound || !bench->times || !bench->best) return fail_memory();
+  prepare_strokes(bench);
+  return create_drum(bench);
+}
+
+static double processor_time(void) {
+  struct timespec now = {0};
+  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Plays the block from @p start on; returns its processor time. *next is the next stroke. */
+static double time_block(Bench *bench, uint32_t start, uint32_t *next) {
+  TaborEvent events[STROKES];
+  float *outputs[TABOR_MAX_MICS] = {bench->sound};
+  const uint32_t left = bench->frames - start;
+  const uint32_t frames = left < bench->block ? left : bench->block;
+  uint32_t count = 0;
+  for (; *next < STROKES && bench->strokes[*next].frame < start + frames; (*next)++) {
+    events[count] = bench->strokes[*next];
+    events[count++].frame -= start;
+  }
+  const double before = processor_time();
+  tabor_drum_process(bench->drum, events, count, outputs, frames);
+  return processor_time() - before;
+}
+
+static void play(Bench *bench) {
+  double sum = 0;
+  uint32_t next = 0;
+  tabor_drum_reset(bench->drum);
+  for (uint32_t i = 0; i < bench->blocks; i++) {
+    bench->times[i] = time_block(bench, i * bench->block, &next);
+    sum += bench->times[i];
+  }
+  tabor_drum_statistics(bench->drum, &bench->statistics);
+  if (!(sum < bench->best_sum)) return;
+  bench->best_sum = sum;
+  double *const spare = bench->best;
+  bench->best = bench->times;
+  bench->times = spare;
+}
+
+static int compare_times(const void *left, const void *right) {
+  const double a = *(const double *)left, b = *(const double *)right;
+  return a < b ? -1 : a > b;
+}
+
+/* ---- the figures ---- */
+
+typedef struct Figures {
+  double real_time_factor, median, p99, max; /* of blocks [us] */
+  double contacts_mean;
+} Figures;
+
+/* The smallest time that a share of the blocks, sorted, does not exceed. */
+static double quantile(const Bench *bench, double share) {
+  return bench->best[(uint32_t)ceil(share * bench->blocks) - 1];
+}
+
+static Figures summarise(const Bench *bench) {
+  const TaborStatistics *const statistics = &bench->statistics;
+  const double solves = (double)statistics->solves;
+  qsort(bench->best, bench->blocks, sizeof *bench->best, compare_times);
+  return (Figures){
+    .real_time_factor = bench->best_sum * bench->model_options.sample_rate / bench->frames,
+    .median = 1e6 * quantile(bench, 0.5),
+    .p99 = 1e6 * quantile(bench, 0.99),
+    .max = 1e6 * quantile(bench, 1),
+    .contacts_mean = solves > 0 ? (double)statistics->contact_sum / solves : 0,
+  };
+}
+
+static Outcome print_json(const Bench *bench, const Figures *figures) {
+  json_t *const block_time =
+    json_pack("{s:o, s:o, s:o}", "median", json_number(figures->median), "p99",
+              json_number(figures->p99), "max", json_number(figures->max));
+  json_t *const contacts = json_pack(
+    "{s:I, s:o, s:I}", "points", (json_int_t)bench->info.contact_points, "mean",
+    json_number(figures->contacts_mean), "max", (json_int_t)bench->statistics.contact_max);
+  return json_print(
+    json_pack("{s:o, s:I, s:I, s:s, s:o, s:o, s:I, s:o}", "preset", json_text(bench->preset),
+              "rate", (json_int_t)bench->model_options.sample_rate, "block",
+              (json_int_t)bench->block, "quality", quality_name(bench->info.quality),
+              "real_time_factor", json_number(figures->real_time_factor), "block_time_us",
+              block_time, "modes", (json_int_t)bench->info.mode_count, "contacts", contacts));
+}
+
+static void print_row(const char *name, const char *value) { printf("%-18s %s\n", name, value); }
+
+static Outcome print_table(const Bench *bench, const Figures *figures) {
+  char text[128];
+  print_row("preset", bench->preset);
+  (void)snprintf(text, sizeof text, "%.0f Hz", bench->model_options.sample_rate);
+  print_row("rate", text);
+  (void)snprintf(text, sizeof text, "%u frames (%.0f us)", (unsigned)bench->block,
+                 1e6 * bench->block / bench->model_options.sample_rate);
+  print_row("block", text);
+  print_row("quality", quality_name(bench->info.quality));
+  (void)snprintf(text, sizeof text, "%.4f", figures->real_time_factor);
+  print_row("real-time factor", text);
+  (void)snprintf(text, sizeof text, "median %.1f us, 99 %% below %.1f us, at most %.1f us",
+                 figures->median, figures->p99, figures->max);
+  print_row("block time", text);
+  (void)snprintf(text, sizeof text, "%u", (unsigned)bench->info.mode_count);
+  print_row("modes", text);
+  (void)snprintf(text, sizeof text, "%u points, of which touch: mean %.2f, most %u",
+                 (unsigned)bench->info.contact_points, figures->contacts_mean,
+                 (unsigned)bench->statistics.contact_max);
+  print_row("contacts", text);
+  return OUTCOME_OK;
+}
+
+/* ---- the command ---- */
+
+/* Reads a whole number, if option @p name was given. */
+static Outcome read_count(const Arguments *arguments, const char *name, const NumberField *field,
+                          uint32_t *count) {
+  const char *const text = arguments_value(arguments, name);
+  double number = *count;
+  const Outcome outcome = text ? number_read(field, text, &number) : OUTCOME_OK;
+  *count = (uint32_t)number;
+  return outcome;
+}
+
+static Outcome read_request(const Arguments *arguments, Bench *bench) {
+  static const NumberField block = {"--block", 1, LONGEST_BLOCK, true};
+  static const NumberField repeat = {"--repeat", 1, 1000, true};
+  bench->preset = preset_argument(arguments);
+  bench->block = 64;
+  bench->repeats = 5;
+  Outcome outcome = read_count(arguments, "block", &block, &bench->block);
+  if (outcome == OUTCOME_OK) outcome = read_count(arguments, "repeat", &repeat, &bench->repeats);
+  if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &bench->def);
+  if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &bench->model_options);
+  return outcome;
+}
+
+static Outcome measure(const Arguments *arguments, Bench *bench) {
+  Outcome outcome = read_request(arguments, bench);
+  if (outcome == OUTCOME_OK) outcome = prepare(bench);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (uint32_t i = 0; i < bench->repeats; i++) play(bench);
+  const Figures figures = summarise(bench);
+  return arguments_has(arguments, "json") ? print_json(bench, &figures)
+                                          : print_table(bench, &figures);
+}
+
+static Outcome run(const Arguments *arguments) {
+  Bench *const bench = calloc(1, sizeof *bench);
+  if (!bench) return fail_memory();
+  const Outcome outcome = measure(arguments, bench);
+  tabor_drum_destroy(bench->drum);
+  free(bench->sound);
+  free(bench->times);
+  free(bench->best);
+  free(bench);
+  return outcome;
+}
+
+static const Option options[] = {
+  OPTION_RATE,
+  {"block", 0, "FRAMES", "frames computed at once, 1 to 8192 (default 64)"},
+  OPTION_QUALITY,
+  {"repeat", 0, "TIMES", "how often to measure; the fastest counts, 1 to 1000 (default 5)"},
+  OPTION_SET,
+  {0},
+};
+
+static const char notes[] =
+  "The drum is played for 4 s: a stroke every 125 ms, at 1 and 4 m/s in turn, at 0, 0.2, 0.4, 0.6\n"
+  "and 0.8 of the head's radius in turn, with the preset's striker and angle, heard by its first\n"
+  "microphone. The real-time factor is processor time over the duration of the sound: below 1 the\n"
+  "drum can be played live. Times of blocks are processor times, of the fastest repeat.\n";
+
+const Command bench_command = {
+  .name = "bench",
+  .operand = "[PRESET]",
+  .summary = "Measure how much processor time a drum takes",
+  .notes = notes,
+  .options = options,
+  .run = run,
+};

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+#include "stroke.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drum_source.h"
+#include "number.h"
+#include "suggest.h"
+
+#define LONGEST_VALUE 128
+#define LONGEST_LABEL 320
+
+/* What a field is called in messages, as "--strike time". */
+typedef struct Label {
+  char text[LONGEST_LABEL];
+} Label;
+
+struct StrokeField {
+  const char *name;
+  Outcome (*read)(Stroke *stroke, const Label *label, const char *value);
+  unsigned sets; /* no two fields of a stroke may set the same */
+};
+
+static Outcome read_time(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, 3600, false};
+  return number_read(&field, value, &stroke->time);
+}
+
+/* The limits of a field that [strike] has, too. */
+static NumberField preset_field(const Label *label, const char *key) {
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  return (NumberField){label->text, parameter->minimum, parameter->maximum, false};
+}
+
+static Outcome read_velocity(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = preset_field(label, "strike.velocity");
+  return number_read(&field, value, &stroke->event.velocity);
+}
+
+/* The speed of a MIDI key: in ratios from 0.3 m/s for 1 to 12 m/s for 127. */
+static Outcome read_midi(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 1, 127, true};
+  double velocity = 0;
+  const Outcome outcome = number_read(&field, value, &velocity);
+  stroke->event.velocity = 0.3 * pow(12 / 0.3, (velocity - 1) / 126);
+  return outcome;
+}
+
+static Outcome read_percent(Stroke *stroke, const Label *label, const char *value) {
+  char number[LONGEST_VALUE], text[LONGEST_LABEL + 16];
+  const size_t length = strlen(value) - 1;
+  memcpy(number, value, length);
+  number[length] = '\0';
+  (void)snprintf(text, sizeof text, "%s in per cent", label->text);
+  const NumberField field = {text, 0, 100, false};
+  double percent = 0;
+  const Outcome outcome = number_read(&field, number, &percent);
+  stroke->event.radius = stroke->def->shell.radius * percent / 100;
+  return outcome;
+}
+
+/* Metres, or per cent of the head's radius. */
+static Outcome read_radius(Stroke *stroke, const Label *label, const char *value) {
+  const size_t length = strlen(value);
+  if (length > 0 && value[length - 1] == '%') return read_percent(stroke, label, value);
+  const NumberField field = {label->text, 0, stroke->def->shell.radius, false};
+  return number_read(&field, value, &stroke->event.radius);
+}
+
+static Outcome read_angle(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = preset_field(label, "strike.angle");
+  return number_read(&field, value, &stroke->event.angle);
+}
+
+static Outcome read_striker(Stroke *stroke, const Label *label, const char *value) {
+  const int index = tabor_drum_def_find_striker(stroke->def, value);
+  char hint[96];
+  suggest_hint(hint, sizeof hint, value, "", drum_striker_name, stroke->def);
+  if (index < 0) {
+    return refuse("%s '%s': the drum has no such striker%s", label->text, value, hint);
+  }
+  stroke->event.striker = (uint32_t)index;
+  return OUTCOME_OK;
+}
+
+static const char *technique_at(const void *list, size_t index) {
+  (void)list;
+  static const char *const names[] = {"normal", "rimshot", "cross-stick", "rim",
+                                      "buzz",   "sweep",   NULL};
+  return names[index];
+}
+
+static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
+  (void)stroke;
+  if (strcmp(value, technique_at(NULL, 0)) == 0) return OUTCOME_OK;
+  for (size_t i = 1; technique_at(NULL, i); i++) {
+    if (strcmp(value, technique_at(NULL, i)) == 0) {
+      return refuse("%s '%s': not in this version, only 'normal'", label->text, value);
+    }
+  }
+  char hint[96];
+  suggest_hint(hint, sizeof hint, value, "", technique_at, NULL);
+  return refuse("%s '%s': unknown%s", label->text, value, hint);
+}
+
+static const StrokeField fields[STROKE_FIELDS] = {
+  {"time", read_time, 1},
+  {"velocity", read_velocity, 2},
+  {"midi", read_midi, 2},
+  {"radius", read_radius, 4},
+  {"angle", read_angle, 8},
+  {"striker", read_striker, 16},
+  {"technique", read_technique, 32},
+};
+
+static const char *field_name_at(const void *list, size_t index) {
+  (void)list;
+  return index < STROKE_FIELDS ? fields[index].name : NULL;
+}
+
+const StrokeField *stroke_field(const char *name, size_t length) {
+  for (size_t i = 0; i < STROKE_FIELDS; i++) {
+    if (strlen(fields[i].name) == length && memcmp(fields[i].name, name, length) == 0) {
+      return &fields[i];
+    }
+  }
+  return NULL;
+}
+
+const char *stroke_field_name(const StrokeField *field) { return field->name; }
+
+Outcome stroke_unknown_field(const char *where, const char *kind, const char *name, size_t length) {
+  char word[32] = "", hint[96];
+  if (length < sizeof word) {
+    memcpy(word, name, length);
+    word[length] = '\0';
+  }
+  suggest_hint(hint, sizeof hint, word, "", field_name_at, NULL);
+  return refuse("%s unknown %s '%.*s'%s", where, kind, (int)(length < 80 ? length : 80), name,
+                hint);
+}
+
+Stroke stroke_default(const TaborDrumDef *def, const char *where) {
+  const int striker = tabor_drum_def_find_striker(def, def->strike.striker);
+  return (Stroke){.def = def,
+                  .where = where,
+                  .event = {.type = TABOR_EVENT_STRIKE,
+                            .striker = striker > 0 ? (uint32_t)striker : 0,
+                            .velocity = def->strike.velocity,
+                            .radius = def->strike.radius,
+                            .angle = def->strike.angle}};
+}
+
+Outcome stroke_set(Stroke *stroke, const StrokeField *field, const char *value, size_t length) {
+  Label label;
+  (void)snprintf(label.text, sizeof label.text, "%s %s", stroke->where, field->name);
+  if (stroke->set & field->sets) {
+    return refuse("%s: given twice%s", label.text,
+                  field->sets == 2 ? " (midi is a velocity, too)" : "");
+  }
+  stroke->set |= field->sets;
+  char text[LONGEST_VALUE];
+  if (length >= sizeof text) return refuse("%s: the value is too long", label.text);
+  memcpy(text, value, length);
+  text[length] = '\0';
+  return field->read(stroke, &label, text);
+}

@@ -185,7 +185,7 @@ static void test_parameter_find(void **state) {
     "hand.grip",
     "batter.muffle_radius",
     "shell.depth",
-    "quality.bandwidth",
+    "quality.newton",
     "striker.brush.bristles",
     "Batter.tension",
     " batter.tension",

@@ -169,9 +169,10 @@ double tb_law_loss(const TbLaw *law, double y, double s) {
   return 0.5 * work_of(law, y, s) * (factor > 0.0 ? law->loss * s : -1.0);
 }
 
-/* f s = DV factor, so (f s - DV)/2 = f s (1 - 1/factor)/2. */
+/* f s = DV factor, so (f s - DV)/2 = f s (1 - 1/factor)/2; a factor near 0 would cancel. */
 double tb_law_loss_of(const TbLaw *law, double y, double s, double force) {
   if (law->kind == TB_LAW_DAMPER || force == 0.0) return tb_law_loss(law, y, s);
   const double pace = law->loss * s;
+  if (pace < -0.5) return tb_law_loss(law, y, s);
   return 0.5 * force * s * pace / (1.0 + pace);
 }

@@ -6,8 +6,9 @@
 #include "live.h"
 #include "power.h"
 
-static const double AWAY = 0.005; /* [m] */
-static const double LINGER = 1.0; /* [s] */
+static const double AWAY = 0.005;       /* [m] */
+static const double OUT_OF_HAND = 0.05; /* [m] */
+static const double LINGER = 1.0;       /* [s] */
 
 static bool in_play(const TbView *view, uint32_t slot) {
   return view->state->slots[slot].kind != TB_SLOT_FREE;
@@ -246,11 +247,12 @@ void tb_slots_retire(TbView *view) {
   const uint64_t linger = (uint64_t)(LINGER * view->model->sample_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
-    if (s->kind != TB_SLOT_STRIKER || s->held) continue;
+    if (s->kind != TB_SLOT_STRIKER) continue;
     s->age++;
     if (touches(view, i)) continue;
     const double gap = -view->now.eta[view->model->wires.stride + i];
     const bool leaving = view->now.z[i] > view->last.z[i];
-    if ((gap > AWAY && leaving) || s->age > linger) take_away(view, i);
+    const bool gone = s->held ? gap > OUT_OF_HAND : gap > AWAY || s->age > linger;
+    if (gone && (leaving || s->age > linger)) take_away(view, i);
   }
 }

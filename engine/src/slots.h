@@ -7,8 +7,8 @@
  * off beyond 5 mm, or touches nothing a second after the stroke.
  *
  * A striker that a hand presses moves as M z_tt = f - F0 - kh (z - z0) - ch z_t, damper centred, z0
- * where the hand took hold; it bounces, and stays until it is released. The hand's work is injected
- * energy. Strikers pass the wires by: they meet the head alone. */
+ * where the hand took hold; it bounces, and stays until it is released or leaps 50 mm off, out of the
+ * hand. The hand's work is injected energy. Strikers pass the wires by: they meet the head alone. */
 #ifndef TB_SLOTS_H
 #define TB_SLOTS_H
 

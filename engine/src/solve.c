@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Newton has converged when the residual is rounding noise of what it is a difference of. */
-static const double RELATIVE_TOLERANCE = 1e-13;
+static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
 /* Inner solves stop here; the outer steps then still converge almost quadratically. */
 static const double INNER_TOLERANCE = 1e-7;

@@ -138,7 +138,7 @@ static void radiation_follows_from_the_finite_frequency_resistance(void **state)
       const double slope = tb_bessel_j(m + 1, zeros[0]);
       /* rate = R/(2 M): a_m rho0 c0 R^2 r/(2 rho a_m R^2 J^2/2) */
       const double expected =
-          def.air.density * def.air.sound_speed * load.resistance / (0.26 * slope * slope);
+        def.air.density * def.air.sound_speed * load.resistance / (0.26 * slope * slope);
       assert_true(fabs(mode.radiation_rate / expected - 1.0) < 1e-5);
       tb_arena_release(&arena);
     }
@@ -192,11 +192,11 @@ static void shapes_have_unit_modal_mass(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(in_vacuo_the_zeros_give_frequencies_and_losses),
-      cmocka_unit_test(rows_are_sorted_and_complete),
-      cmocka_unit_test(timpani_head_without_kettle_is_nearly_harmonic),
-      cmocka_unit_test(radiation_follows_from_the_finite_frequency_resistance),
-      cmocka_unit_test(shapes_have_unit_modal_mass),
+    cmocka_unit_test(in_vacuo_the_zeros_give_frequencies_and_losses),
+    cmocka_unit_test(rows_are_sorted_and_complete),
+    cmocka_unit_test(timpani_head_without_kettle_is_nearly_harmonic),
+    cmocka_unit_test(radiation_follows_from_the_finite_frequency_resistance),
+    cmocka_unit_test(shapes_have_unit_modal_mass),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,12 +51,12 @@ extern "C" {
 #define TABOR_VERSION_MINOR 1
 #define TABOR_VERSION_PATCH 0
 
-#define TABOR_MAX_WIRES 40    /**< wires of one drum */
-#define TABOR_MAX_STRIKERS 8  /**< kinds of striker in one definition */
-#define TABOR_MAX_MICS 8      /**< microphones in one definition */
-#define TABOR_MAX_ACTIVE 8    /**< strikers and damping hands in play at once */
-#define TABOR_NAME_SIZE 64    /**< bytes of a name, with its terminator */
-#define TABOR_TEXT_SIZE 256   /**< bytes of a comment or a message, with its terminator */
+#define TABOR_MAX_WIRES 40   /**< wires of one drum */
+#define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
+#define TABOR_MAX_MICS 8     /**< microphones in one definition */
+#define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
+#define TABOR_NAME_SIZE 64   /**< bytes of a name, with its terminator */
+#define TABOR_TEXT_SIZE 256  /**< bytes of a comment or a message, with its terminator */
 
 /* ------------------------------------------------------------------------------------------------
  * Errors
@@ -79,10 +79,10 @@ typedef enum TaborStatus {
 /** The first thing that was wrong, in full. Every set-up function accepts NULL instead. */
 typedef struct TaborError {
   TaborStatus status;
-  char key[TABOR_NAME_SIZE * 2];  /**< the offending key, "" if there is none */
-  char value[TABOR_NAME_SIZE];    /**< its value as text, "" if there is none */
-  double minimum, maximum;        /**< what is allowed; NaN where no range applies */
-  char message[TABOR_TEXT_SIZE];  /**< one line for a person, without a line feed */
+  char key[TABOR_NAME_SIZE * 2]; /**< the offending key, "" if there is none */
+  char value[TABOR_NAME_SIZE];   /**< its value as text, "" if there is none */
+  double minimum, maximum;       /**< what is allowed; NaN where no range applies */
+  char message[TABOR_TEXT_SIZE]; /**< one line for a person, without a line feed */
 } TaborError;
 
 /* ------------------------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ typedef enum TaborStrikerKind {
 } TaborStrikerKind;
 
 typedef struct TaborShellDef {
-  double radius;   /**< head radius [m], 0.05 to 0.60, default 0.1651 (13 inch) */
+  double radius;     /**< head radius [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   uint32_t boundary; /**< a TaborBoundary, default open */
 } TaborShellDef;
 
@@ -130,26 +130,26 @@ typedef struct TaborHeadDef {
 
 /** What all wires share. */
 typedef struct TaborWiresDef {
-  uint32_t count;            /**< 0 to 40, default 0 */
-  uint32_t side;             /**< a TaborSide, default above */
-  double length;             /**< between the ends [m], 0.02 to 1.5, default 0.30 */
-  double spacing;            /**< between neighbours [m], 0 to 0.1, default 0.002 */
-  double angle;              /**< of their direction [deg], -360 to 360, default 0 */
-  double offset;             /**< of the bed's middle from the centre, across [m], -0.6 to 0.6, 0 */
-  double mass_per_length;    /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
-  double tension;            /**< T [N], 0.01 to 200, default 5 */
-  double tension_spread;     /**< relative spread between wires, 0 to 0.9, default 0 */
-  uint32_t seed;             /**< of the spread, 0 to 4294967295, default 1 */
-  double bending_stiffness;  /**< EI [N m2], 0 to 0.1, default 1e-6 */
-  double damping_0;          /**< sigma0 [1/s], 0 to 1000, default 2 */
-  double damping_1;          /**< sigma1 [m2/s], 0 to 0.1, default 0.001 */
-  double strainer;           /**< 0 off to 1 on, default 1 */
-  double strainer_travel;    /**< lift of the ends with the strainer off [m], 0 to 0.02, 0.004 */
-  double rest_offset;        /**< ends from the undeflected head, positive = away [m],
+  uint32_t count;           /**< 0 to 40, default 0 */
+  uint32_t side;            /**< a TaborSide, default above */
+  double length;            /**< between the ends [m], 0.02 to 1.5, default 0.30 */
+  double spacing;           /**< between neighbours [m], 0 to 0.1, default 0.002 */
+  double angle;             /**< of their direction [deg], -360 to 360, default 0 */
+  double offset;            /**< of the bed's middle from the centre, across [m], -0.6 to 0.6, 0 */
+  double mass_per_length;   /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
+  double tension;           /**< T [N], 0.01 to 200, default 5 */
+  double tension_spread;    /**< relative spread between wires, 0 to 0.9, default 0 */
+  uint32_t seed;            /**< of the spread, 0 to 4294967295, default 1 */
+  double bending_stiffness; /**< EI [N m2], 0 to 0.1, default 1e-6 */
+  double damping_0;         /**< sigma0 [1/s], 0 to 1000, default 2 */
+  double damping_1;         /**< sigma1 [m2/s], 0 to 0.1, default 0.001 */
+  double strainer;          /**< 0 off to 1 on, default 1 */
+  double strainer_travel;   /**< lift of the ends with the strainer off [m], 0 to 0.02, 0.004 */
+  double rest_offset;       /**< ends from the undeflected head, positive = away [m],
                                   -0.01 to 0.02, default 0 */
-  double contact_stiffness;  /**< K [N/m^(exponent+1) per length], 1e4 to 1e13, default 1e8 */
-  double contact_exponent;   /**< 1 to 3, default 1.5 */
-  double contact_loss;       /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.3 */
+  double contact_stiffness; /**< K [N/m^(exponent+1) per length], 1e4 to 1e13, default 1e8 */
+  double contact_exponent;  /**< 1 to 3, default 1.5 */
+  double contact_loss;      /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.3 */
 } TaborWiresDef;
 
 /** One wire's own values. NaN means: as [wires] says. */
@@ -178,11 +178,11 @@ typedef struct TaborHandDef {
 
 /** The stroke that is made when none is given. */
 typedef struct TaborStrikeDef {
-  double velocity;  /**< [m/s], 0.01 to 30, default 2.5 */
-  double radius;    /**< distance from the centre [m], 0 to 0.6 and inside the head, default 0.05 */
-  double angle;     /**< [deg], -360 to 360, default 0 */
+  double velocity; /**< [m/s], 0.01 to 30, default 2.5 */
+  double radius;   /**< distance from the centre [m], 0 to 0.6 and inside the head, default 0.05 */
+  double angle;    /**< [deg], -360 to 360, default 0 */
   char striker[TABOR_NAME_SIZE]; /**< its name; "" is the first */
-  uint32_t technique; /**< 0, normal, is the only one in this version */
+  uint32_t technique;            /**< 0, normal, is the only one in this version */
 } TaborStrikeDef;
 
 typedef struct TaborMicDef {
@@ -239,10 +239,10 @@ typedef enum TaborParameterType {
 
 /** One row of the table that drives defaults, validation, presets, live changes and documentation. */
 typedef struct TaborParameter {
-  uint32_t id;             /**< stable, never reused */
-  const char *section;     /**< "batter"; "striker.", "mic.", "wire." for those with a name or number */
-  const char *key;         /**< "tension" */
-  const char *unit;        /**< "N/m"; "" for a pure number */
+  uint32_t id;         /**< stable, never reused */
+  const char *section; /**< "batter"; "striker.", "mic.", "wire." for those with a name or number */
+  const char *key;     /**< "tension" */
+  const char *unit;    /**< "N/m"; "" for a pure number */
   TaborParameterType type;
   double minimum, maximum; /**< of numbers and whole numbers; NaN otherwise */
   double fallback;         /**< the default, of a choice its index in @p choices; NaN for text, and
@@ -333,16 +333,16 @@ typedef struct TaborModelOptions {
 
 /** Facts of a model. */
 typedef struct TaborModelInfo {
-  double sample_rate;        /**< [Hz] */
-  uint32_t quality;          /**< a TaborQuality, never the default */
-  uint32_t mode_count;       /**< modes, cosine and sine copies counted apart */
-  uint32_t mode_rows;        /**< rows of tabor_model_mode(), copies counted once */
-  double two_way_bandwidth;  /**< [Hz], may be below the wish: modes are limited to 2048 */
-  double bandwidth;          /**< [Hz], with the one-way high band */
-  uint32_t high_mode_count;  /**< modes of the high band */
-  uint32_t newton_cap;       /**< iterations a sample */
+  double sample_rate;       /**< [Hz] */
+  uint32_t quality;         /**< a TaborQuality, never the default */
+  uint32_t mode_count;      /**< modes, cosine and sine copies counted apart */
+  uint32_t mode_rows;       /**< rows of tabor_model_mode(), copies counted once */
+  double two_way_bandwidth; /**< [Hz], may be below the wish: modes are limited to 2048 */
+  double bandwidth;         /**< [Hz], with the one-way high band */
+  uint32_t high_mode_count; /**< modes of the high band */
+  uint32_t newton_cap;      /**< iterations a sample */
   uint32_t wire_count;
-  uint32_t contact_points;   /**< of all wires together */
+  uint32_t contact_points; /**< of all wires together */
   uint32_t mic_count;
   size_t model_bytes, drum_bytes;
 } TaborModelInfo;
@@ -384,12 +384,12 @@ typedef struct TaborDrum TaborDrum;
 typedef struct TaborSwap TaborSwap;
 
 typedef enum TaborEventType {
-  TABOR_EVENT_STRIKE = 1,    /**< id, striker, velocity, radius, angle */
-  TABOR_EVENT_PRESS = 2,     /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
+  TABOR_EVENT_STRIKE = 1,  /**< id, striker, velocity, radius, angle */
+  TABOR_EVENT_PRESS = 2,   /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
                                 1 for 0.3 to 8 N in equal ratios; they bounce (a buzz) and stay until
                                 released */
-  TABOR_EVENT_DAMP = 3,      /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
-  TABOR_EVENT_RELEASE = 4,   /**< id, or 0 for all: lifts damping hands, takes strikers away */
+  TABOR_EVENT_DAMP = 3,    /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
+  TABOR_EVENT_RELEASE = 4, /**< id, or 0 for all: lifts damping hands, takes strikers away */
   TABOR_EVENT_PARAMETER = 5, /**< parameter, index, value */
   TABOR_EVENT_SWAP = 6,      /**< swap */
   TABOR_EVENT_RESET = 7      /**< back to rest; ledger and statistics restart */
@@ -413,22 +413,22 @@ typedef struct TaborEvent {
 
 /** Counters since creation or reset. */
 typedef struct TaborStatistics {
-  uint64_t frames;             /**< processed, sleeping frames included */
-  uint64_t slept_frames;       /**< of these, passed asleep */
-  uint64_t strikes;            /**< strokes begun */
-  uint64_t late_events;        /**< offset past the block: acted at its last frame */
-  uint64_t misordered_events;  /**< acted at the previous event's frame */
-  uint64_t dropped_events;     /**< unknown, not finite, or nothing free to carry them out */
-  uint64_t solves;             /**< samples on which a contact was solved */
-  uint64_t newton_iterations;  /**< sum over the solves */
-  uint32_t newton_max;         /**< most in one sample */
-  uint64_t newton_capped;      /**< solves stopped at the cap before convergence */
-  uint64_t work_corrected;     /**< of these, forces scaled so that contacts create no energy */
-  uint64_t fallbacks;          /**< of these, majorant steps */
-  uint64_t guarded;            /**< steps shortened by the energy guard */
-  uint64_t recovered;          /**< resets after a state that was not finite */
-  uint64_t contact_sum;        /**< sum over the solves of the points that touched */
-  uint32_t contact_max;        /**< most points that touched in one sample */
+  uint64_t frames;            /**< processed, sleeping frames included */
+  uint64_t slept_frames;      /**< of these, passed asleep */
+  uint64_t strikes;           /**< strokes begun */
+  uint64_t late_events;       /**< offset past the block: acted at its last frame */
+  uint64_t misordered_events; /**< acted at the previous event's frame */
+  uint64_t dropped_events;    /**< unknown, not finite, or nothing free to carry them out */
+  uint64_t solves;            /**< samples on which a contact was solved */
+  uint64_t newton_iterations; /**< sum over the solves */
+  uint32_t newton_max;        /**< most in one sample */
+  uint64_t newton_capped;     /**< solves stopped at the cap before convergence */
+  uint64_t work_corrected;    /**< of these, forces scaled so that contacts create no energy */
+  uint64_t fallbacks;         /**< of these, majorant steps */
+  uint64_t guarded;           /**< steps shortened by the energy guard */
+  uint64_t recovered;         /**< resets after a state that was not finite */
+  uint64_t contact_sum;       /**< sum over the solves of the points that touched */
+  uint32_t contact_max;       /**< most points that touched in one sample */
 } TaborStatistics;
 
 /**
@@ -453,11 +453,11 @@ typedef struct TaborLedger {
 
 /** A look at the newest state. Heights [m] share one datum, the undeflected head. */
 typedef struct TaborProbe {
-  double head;           /**< of the head's centre */
-  double wire;           /**< of the first wire's midpoint; NaN without wires */
-  double striker;        /**< of the newest striker in play; NaN without one */
-  double striker_force;  /**< between all strikers and the head [N]; NaN without one */
-  double wire_force;     /**< between all wires and the head [N]; NaN without wires */
+  double head;          /**< of the head's centre */
+  double wire;          /**< of the first wire's midpoint; NaN without wires */
+  double striker;       /**< of the newest striker in play; NaN without one */
+  double striker_force; /**< between all strikers and the head [N]; NaN without one */
+  double wire_force;    /**< between all wires and the head [N]; NaN without wires */
 } TaborProbe;
 
 /* SET-UP ------------------------------------------------------------------------------------- */

@@ -33,12 +33,20 @@ static bool is(const TaborParameter *p, const char *section, const char *key) {
   return strcmp(p->section, section) == 0 && strcmp(p->key, key) == 0;
 }
 
+/* What the engine cannot compute yet, and what only that would use. */
+static bool is_not_yet(const TaborParameter *p) {
+  return strcmp(p->section, "resonant") == 0 || is(p, "shell", "depth") ||
+         is(p, "batter", "stretch_stiffness") ||
+         (strcmp(p->section, "batter") == 0 && strncmp(p->key, "muffle_", 7) == 0);
+}
+
 /* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
 static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
   *def =
     physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *p = tabor_parameter(i);
+    if (is_not_yet(p)) continue;
     if (p->type != TABOR_TYPE_NUMBER || physics_random(seed) % 3 != 0) continue;
     if (is(p, "quality", "two_way_bandwidth") || is(p, "wires", "offset")) continue;
     char key[128], value[64];

@@ -22,6 +22,11 @@ static void set_defaults(TaborDrumDef *def, TbGroup group, uint32_t element) {
 
 /* Takes the next element of a group that has room. @p name is valid. */
 static uint32_t add_element(TaborDrumDef *def, TbGroup group, const char *name) {
+  if (group == TB_GROUP_RESONANT) {
+    def->two_headed = 1;
+    set_defaults(def, group, 0);
+    return 0;
+  }
   const bool is_mic = group == TB_GROUP_MIC;
   uint32_t *const count = is_mic ? &def->mic_count : &def->striker_count;
   const uint32_t element = (*count)++;
@@ -37,6 +42,7 @@ void tabor_drum_def_clear(TaborDrumDef *def) {
   memset(def, 0, sizeof *def); /* padding too: equal definitions are equal bytes */
   def->struct_size = (uint32_t)sizeof *def;
   set_defaults(def, TB_GROUP_SINGLE, 0);
+  set_defaults(def, TB_GROUP_RESONANT, 0); /* for who sets two_headed by hand */
   for (uint32_t i = 0; i < TABOR_MAX_WIRES; i++) set_defaults(def, TB_GROUP_WIRE, i);
 }
 
@@ -91,10 +97,11 @@ static TaborStatus parse_key(const TaborDrumDef *def, const char *text, TbKey *k
                       "unknown key '%s'; did you mean '%s'?", text, nearest);
 }
 
-/* Index of the element that the key names; of a named one that is not there, where it would go. */
+/* Index of the element that the key names; of one that is not there, where it would go. */
 static uint32_t find_element(const TaborDrumDef *def, const TbKey *key, bool *is_new) {
   *is_new = false;
   const TbGroup group = key->param->group;
+  if (group == TB_GROUP_RESONANT) *is_new = tb_group_count(def, group) == 0;
   if (group != TB_GROUP_STRIKER && group != TB_GROUP_MIC) return key->wire;
   const int found = tb_element_find(def, group, key->name);
   *is_new = found < 0;
@@ -150,6 +157,16 @@ TaborStatus tb_refuse_name(const TaborDrumDef *def, bool is_mic, const char *key
                       name, nearest);
 }
 
+static TaborStatus refuse_absent(const TaborDrumDef *def, const TbKey *parsed, const char *key,
+                                 TaborError *error) {
+  const TbGroup group = parsed->param->group;
+  if (group != TB_GROUP_RESONANT) {
+    return tb_refuse_name(def, group == TB_GROUP_MIC, key, parsed->name, error);
+  }
+  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN,
+                      "%s: the drum has no resonant head", key);
+}
+
 TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *text, size_t size,
                                TaborError *error) {
   TbKey parsed;
@@ -161,7 +178,7 @@ TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *t
   bool is_new;
   const TbParam *const param = parsed.param;
   const uint32_t element = find_element(def, &parsed, &is_new);
-  if (is_new) return tb_refuse_name(def, param->group == TB_GROUP_MIC, key, parsed.name, error);
+  if (is_new) return refuse_absent(def, &parsed, key, error);
   const TbValue value = tb_value_load(param, tb_param_field_const(param, def, element));
   if (tb_value_print(param, &value, text, size)) return tb_error_clear(error);
   status = tb_value_check(param, key, &value, error);

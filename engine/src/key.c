@@ -16,7 +16,7 @@ static bool matches(const TbParam *param, const char *text) {
   const size_t length = strlen(param->info.section);
   if (strncmp(text, param->info.section, length) != 0) return false;
   text += length;
-  if (param->group == TB_GROUP_SINGLE) {
+  if (!tb_group_is_array(param->group)) {
     return *text == '.' && strcmp(text + 1, param->info.key) == 0;
   }
   const char *const end = middle_end(text);
@@ -43,7 +43,7 @@ TbKeyStatus tb_key_parse(const char *text, TbKey *key) {
   memset(key, 0, sizeof *key);
   key->param = find_row(text);
   if (!key->param) return TB_KEY_UNKNOWN;
-  if (key->param->group == TB_GROUP_SINGLE) return TB_KEY_OK;
+  if (!tb_group_is_array(key->param->group)) return TB_KEY_OK;
 
   const bool is_wire = key->param->group == TB_GROUP_WIRE;
   const TbKeyStatus bad = is_wire ? TB_KEY_BAD_NUMBER : TB_KEY_BAD_NAME;
@@ -66,6 +66,7 @@ const TaborParameter *tabor_parameter_find(const char *key) {
 uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group) {
   const uint32_t capacity = tb_group_capacity(group);
   uint32_t count = capacity;
+  if (group == TB_GROUP_RESONANT) count = def->two_headed;
   if (group == TB_GROUP_STRIKER) count = def->striker_count;
   if (group == TB_GROUP_MIC) count = def->mic_count;
   return count < capacity ? count : capacity;
@@ -152,6 +153,14 @@ static bool consider_field(void *context, const TbParam *param, uint32_t element
   return true;
 }
 
+/* Keys that would give a one-headed drum its second head. */
+static void consider_resonant(Search *search) {
+  if (tb_group_count(search->def, TB_GROUP_RESONANT) > 0) return;
+  for (uint32_t i = 0; i < tb_param_count; i++) {
+    if (tb_params[i].group == TB_GROUP_RESONANT) (void)consider_field(search, &tb_params[i], 0);
+  }
+}
+
 /* Keys of strikers and microphones that the definition has not got: their name is the user's. */
 static void consider_new_names(Search *search) {
   const char *const first = strchr(search->wanted, '.'), *const last = strrchr(search->wanted, '.');
@@ -171,5 +180,7 @@ void tb_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_K
   Search search = {def, text, strchr(text, '.') == NULL, nearest, SIZE_MAX};
   nearest[0] = '\0';
   (void)tb_walk(def, consider_field, &search);
-  if (!search.bare) consider_new_names(&search);
+  if (search.bare) return;
+  consider_resonant(&search);
+  consider_new_names(&search);
 }

@@ -27,7 +27,8 @@ typedef struct TbKey {
 
 TbKeyStatus tb_key_parse(const char *text, TbKey *key);
 
-/** Elements of @p group that @p def has, never more than its arrays hold. All wires count. */
+/** Elements of @p group that @p def has, never more than its arrays hold. All wires count; resonant
+ * heads are 0 or 1. */
 uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group);
 
 /** The name of a striker or microphone, always terminated, "" for the other groups. */

@@ -242,6 +242,25 @@ static TaborStatus check_options(const TaborModelOptions *options, TaborError *e
   return TABOR_OK;
 }
 
+/* What a definition may say before the physics for it is there. Goes as that comes. */
+static TaborStatus refuse_not_yet(const TaborDrumDef *def, TaborError *error) {
+  const struct {
+    bool asked;
+    const char *key, *what;
+  } missing[] = {
+    {def->two_headed == 1, "resonant", "a second head"},
+    {def->shell.boundary == TABOR_BOUNDARY_CLOSED, "shell.boundary", "a closed drum"},
+    {def->batter.stretch_stiffness > 0.0, "batter.stretch_stiffness", "stretching of the head"},
+    {def->batter.muffle_strength > 0.0, "batter.muffle_strength", "a damper on the head"},
+  };
+  for (size_t i = 0; i < sizeof missing / sizeof *missing; i++) {
+    if (!missing[i].asked) continue;
+    return tb_error_set(error, TABOR_ERROR_RANGE, missing[i].key, NULL, NAN, NAN,
+                        "%s: this version cannot compute %s yet", missing[i].key, missing[i].what);
+  }
+  return TABOR_OK;
+}
+
 static TaborStatus memory_error(TaborError *error) {
   return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,
                       "out of memory while building a model");
@@ -255,6 +274,7 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   tabor_model_options_default(&defaults);
   if (!options) options = &defaults;
   TaborStatus status = tabor_drum_def_validate(def, error);
+  if (status == TABOR_OK) status = refuse_not_yet(def, error);
   if (status == TABOR_OK) status = check_options(options, error);
   if (status != TABOR_OK) return status;
 

@@ -20,6 +20,9 @@
 #define SIZED(member) AT(member), .size = sizeof(((TaborDrumDef *)0)->member)
 #define IN_ARRAY(array, type, member)                                                              \
   .offset = offsetof(TaborDrumDef, array) + offsetof(type, member), .stride = sizeof(type)
+#define IN_RESONANT(member)                                                                        \
+  .group = TB_GROUP_RESONANT,                                                                      \
+  .offset = offsetof(TaborDrumDef, resonant) + offsetof(TaborHeadDef, member)
 #define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
 #define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
 #define IN_MIC(member) .group = TB_GROUP_MIC, IN_ARRAY(mic, TaborMicDef, member)
@@ -38,12 +41,16 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_LICENSE, "drum", "license", "", "licence of the preset", TEXT),
    SIZED(license)},
 
-  {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the head",
+  {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),
    AT(shell.radius)},
+  {ROW(TB_PARAM_SHELL_DEPTH, "shell", "depth", "m",
+       "depth of the air below the batter head, with a resonant head or closed",
+       NUMBER(0.01, 1.5, 0.14), LOGARITHMIC),
+   AT(shell.depth)},
   {ROW(TB_PARAM_SHELL_BOUNDARY, "shell", "boundary", "",
-       "open: air free on both sides; baffled: each side in an infinite baffle",
-       CHOICE("open|baffled", TABOR_BOUNDARY_OPEN)),
+       "of a single head; open: free air; baffled: each side in a baffle; closed: over a cavity",
+       CHOICE("open|baffled|closed", TABOR_BOUNDARY_OPEN)),
    AT(shell.boundary)},
 
   {ROW(TB_PARAM_BATTER_TENSION, "batter", "tension", "N/m", "tension of the head",
@@ -61,7 +68,53 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_BATTER_DAMPING_1, "batter", "damping_1", "m2/s",
        "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
    AT(batter.damping_1)},
+  {ROW(TB_PARAM_BATTER_STRETCH_STIFFNESS, "batter", "stretch_stiffness", "N/m",
+       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
+   AT(batter.stretch_stiffness)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_RADIUS, "batter", "muffle_radius", "m",
+       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
+   AT(batter.muffle_radius)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_ANGLE, "batter", "muffle_angle", "deg",
+       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
+   AT(batter.muffle_angle)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_STRENGTH, "batter", "muffle_strength", "N s/m",
+       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
+   AT(batter.muffle_strength)},
 
+  /* The usual snare-side head: 3 mil (76 um) of Mylar, 1390 kg/m3, E = 3.8 GPa, nu = 0.3, so that
+   * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material, hence
+   * its losses. */
+  {ROW(TB_PARAM_RESONANT_TENSION, "resonant", "tension", "N/m", "tension of the lower head",
+       NUMBER(100, 20000, 2600), LOGARITHMIC),
+   IN_RESONANT(tension)},
+  {ROW(TB_PARAM_RESONANT_SURFACE_DENSITY, "resonant", "surface_density", "kg/m2",
+       "mass of the head per area", NUMBER(0.02, 5, 0.105), LOGARITHMIC),
+   IN_RESONANT(surface_density)},
+  {ROW(TB_PARAM_RESONANT_BENDING_STIFFNESS, "resonant", "bending_stiffness", "N m",
+       "bending stiffness of the head's sheet", NUMBER(0, 1, 1.5e-4)),
+   IN_RESONANT(bending_stiffness)},
+  {ROW(TB_PARAM_RESONANT_DAMPING_0, "resonant", "damping_0", "1/s",
+       "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),
+   IN_RESONANT(damping_0)},
+  {ROW(TB_PARAM_RESONANT_DAMPING_1, "resonant", "damping_1", "m2/s",
+       "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
+   IN_RESONANT(damping_1)},
+  {ROW(TB_PARAM_RESONANT_STRETCH_STIFFNESS, "resonant", "stretch_stiffness", "N/m",
+       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
+   IN_RESONANT(stretch_stiffness)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_RADIUS, "resonant", "muffle_radius", "m",
+       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
+   IN_RESONANT(muffle_radius)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_ANGLE, "resonant", "muffle_angle", "deg",
+       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
+   IN_RESONANT(muffle_angle)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_STRENGTH, "resonant", "muffle_strength", "N s/m",
+       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
+   IN_RESONANT(muffle_strength)},
+
+  {ROW(TB_PARAM_WIRES_HEAD, "wires", "head", "", "head on which the wires lie",
+       CHOICE("batter|resonant", TABOR_HEAD_BATTER)),
+   AT(wires.head)},
   {ROW(TB_PARAM_WIRES_COUNT, "wires", "count", "", "number of wires", WHOLE(0, TABOR_MAX_WIRES, 0)),
    AT(wires.count)},
   {ROW(TB_PARAM_WIRES_SIDE, "wires", "side", "", "face of the head on which the wires lie",
@@ -264,9 +317,14 @@ uint32_t tb_group_capacity(TbGroup group) {
   case TB_GROUP_WIRE: return TABOR_MAX_WIRES;
   case TB_GROUP_STRIKER: return TABOR_MAX_STRIKERS;
   case TB_GROUP_MIC: return TABOR_MAX_MICS;
-  case TB_GROUP_SINGLE: break;
+  case TB_GROUP_SINGLE:
+  case TB_GROUP_RESONANT: break;
   }
   return 1;
+}
+
+bool tb_group_is_array(TbGroup group) {
+  return group != TB_GROUP_SINGLE && group != TB_GROUP_RESONANT;
 }
 
 void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element) {

@@ -14,7 +14,7 @@
 /**
  * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
  * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps
- * (400: resonant, 800: hand, 900: hoop).
+ * (309 and 409: lugs, 800: hand, 900: hoop).
  */
 typedef enum TbParamId {
   TB_PARAM_NONE = 0,
@@ -24,6 +24,7 @@ typedef enum TbParamId {
   TB_PARAM_DRUM_LICENSE = 102,
 
   TB_PARAM_SHELL_RADIUS = 200,
+  TB_PARAM_SHELL_DEPTH = 201,
   TB_PARAM_SHELL_BOUNDARY = 202,
 
   TB_PARAM_BATTER_TENSION = 300,
@@ -31,7 +32,22 @@ typedef enum TbParamId {
   TB_PARAM_BATTER_BENDING_STIFFNESS = 302,
   TB_PARAM_BATTER_DAMPING_0 = 303,
   TB_PARAM_BATTER_DAMPING_1 = 304,
+  TB_PARAM_BATTER_STRETCH_STIFFNESS = 305,
+  TB_PARAM_BATTER_MUFFLE_RADIUS = 306,
+  TB_PARAM_BATTER_MUFFLE_ANGLE = 307,
+  TB_PARAM_BATTER_MUFFLE_STRENGTH = 308, /**< live */
 
+  TB_PARAM_RESONANT_TENSION = 400, /**< a hundred more than the batter's */
+  TB_PARAM_RESONANT_SURFACE_DENSITY = 401,
+  TB_PARAM_RESONANT_BENDING_STIFFNESS = 402,
+  TB_PARAM_RESONANT_DAMPING_0 = 403,
+  TB_PARAM_RESONANT_DAMPING_1 = 404,
+  TB_PARAM_RESONANT_STRETCH_STIFFNESS = 405,
+  TB_PARAM_RESONANT_MUFFLE_RADIUS = 406,
+  TB_PARAM_RESONANT_MUFFLE_ANGLE = 407,
+  TB_PARAM_RESONANT_MUFFLE_STRENGTH = 408, /**< live */
+
+  TB_PARAM_WIRES_HEAD = 500,
   TB_PARAM_WIRES_COUNT = 501,
   TB_PARAM_WIRES_SIDE = 502,
   TB_PARAM_WIRES_LENGTH = 503,
@@ -100,9 +116,15 @@ typedef enum TbParamId {
   TB_PARAM_OUTPUT_FULL_SCALE = 1400 /**< live */
 } TbParamId;
 
-/** What a row's section consists of: one struct, or an array of elements with a number or a
- * name. */
-typedef enum TbGroup { TB_GROUP_SINGLE, TB_GROUP_WIRE, TB_GROUP_STRIKER, TB_GROUP_MIC } TbGroup;
+/** What a row's section consists of: one struct; one that may be absent; an array of elements with a
+ * number or a name. */
+typedef enum TbGroup {
+  TB_GROUP_SINGLE,
+  TB_GROUP_RESONANT,
+  TB_GROUP_WIRE,
+  TB_GROUP_STRIKER,
+  TB_GROUP_MIC
+} TbGroup;
 
 typedef struct TbParam {
   TaborParameter info; /**< the public face; first, so that a pointer to it is one to the row */
@@ -125,8 +147,11 @@ extern const uint32_t tb_param_count;
 /** The row with this id, or NULL. */
 const TbParam *tb_param_by_id(uint32_t id);
 
-/** Elements that the group's array can hold; 1 for a single section. */
+/** Elements that the group's array can hold; 1 for a single section and for the resonant head. */
 uint32_t tb_group_capacity(TbGroup group);
+
+/** True if keys of the group name their element: "wire.3.length", "mic.top.gain". */
+bool tb_group_is_array(TbGroup group);
 
 /** The row's field of element @p element, which must be below the group's capacity. */
 void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element);

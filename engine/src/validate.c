@@ -58,12 +58,21 @@ static TaborStatus check_names(const TaborDrumDef *def, TbGroup group, const cha
   return TABOR_OK;
 }
 
+static TaborStatus check_two_headed(const TaborDrumDef *def, TaborError *error) {
+  if (def->two_headed <= 1) return TABOR_OK;
+  char value[TB_NUMBER_SIZE];
+  tb_number_print(def->two_headed, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, "resonant", value, 0, 1,
+                      "two_headed is %s; it needs to be 0 or 1", value);
+}
+
 static TaborStatus check_fields(const TaborDrumDef *def, TaborError *error) {
   TaborStatus status =
     check_count("striker", "striker", def->striker_count, TABOR_MAX_STRIKERS, error);
   if (status == TABOR_OK) {
     status = check_count("mic", "microphone", def->mic_count, TABOR_MAX_MICS, error);
   }
+  if (status == TABOR_OK) status = check_two_headed(def, error);
   if (status == TABOR_OK) status = check_names(def, TB_GROUP_STRIKER, "striker", error);
   if (status == TABOR_OK) status = check_names(def, TB_GROUP_MIC, "mic", error);
   if (status != TABOR_OK) return status;
@@ -72,14 +81,40 @@ static TaborStatus check_fields(const TaborDrumDef *def, TaborError *error) {
   return check.status;
 }
 
-static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
-  if (!(def->strike.radius < def->shell.radius)) {
-    char value[TB_NUMBER_SIZE];
-    tb_number_print(def->strike.radius, value);
-    return tb_error_set(error, TABOR_ERROR_RANGE, "strike.radius", value, 0, def->shell.radius,
-                        "strike.radius = %s is not below shell.radius, %g m", value,
-                        def->shell.radius);
+/* A place on a head: @p radius from its centre, as @p key says. */
+static TaborStatus check_place(const TaborDrumDef *def, const char *key, double radius,
+                               TaborError *error) {
+  if (radius < def->shell.radius) return TABOR_OK;
+  char value[TB_NUMBER_SIZE];
+  tb_number_print(radius, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, 0, def->shell.radius,
+                      "%s = %s is not below shell.radius, %g m", key, value, def->shell.radius);
+}
+
+/* A drum with two heads encloses its air; the boundary says what surrounds a single head. The
+ * damper's strength is live: its place counts even where it does nothing yet. */
+static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
+  const bool two_headed = def->two_headed == 1;
+  if (two_headed && def->shell.boundary != TABOR_BOUNDARY_OPEN) {
+    const char *const value = def->shell.boundary == TABOR_BOUNDARY_CLOSED ? "closed" : "baffled";
+    return tb_error_set(error, TABOR_ERROR_RANGE, "shell.boundary", value, NAN, NAN,
+                        "shell.boundary = %s is for a single head; with a resonant head it has to "
+                        "be open",
+                        value);
   }
+  if (!two_headed && def->wires.head == TABOR_HEAD_RESONANT) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "wires.head", "resonant", NAN, NAN,
+                        "wires.head = resonant: the drum has no resonant head");
+  }
+  const TaborStatus status =
+    check_place(def, "batter.muffle_radius", def->batter.muffle_radius, error);
+  if (status != TABOR_OK || !two_headed) return status;
+  return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
+}
+
+static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
+  const TaborStatus status = check_place(def, "strike.radius", def->strike.radius, error);
+  if (status != TABOR_OK) return status;
   if (tb_strike_striker(def) >= 0) return TABOR_OK;
   return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
 }
@@ -107,12 +142,43 @@ static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborErro
     (unsigned)index + 1u, wire.offset, def->shell.radius);
 }
 
+static TaborStatus refuse_height(const TaborDrumDef *def, uint32_t index, const char *reason,
+                                 TaborError *error) {
+  char key[TB_KEY_SIZE], value[TB_NUMBER_SIZE];
+  (void)snprintf(key, sizeof key, "mic.%s.height", def->mic[index].name);
+  tb_number_print(def->mic[index].height, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, NAN, NAN,
+                      "%s = %s: the microphone would be %s %g m below the batter head", key, value,
+                      reason, def->shell.depth);
+}
+
+/* Microphones stand in the outer air, and as far from the resonant head's plane as the table asks
+ * for the batter's. */
+static TaborStatus check_mic(const TaborDrumDef *def, uint32_t index, TaborError *error) {
+  const TaborMicDef *const mic = &def->mic[index];
+  const double depth = def->shell.depth;
+  const bool two_headed = def->two_headed == 1;
+  const bool encloses = two_headed || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
+  if (encloses && mic->radius < def->shell.radius && mic->height < 0 && mic->height > -depth) {
+    return refuse_height(def, index, "inside the shell, which ends", error);
+  }
+  const double least = tb_param_by_id(TB_PARAM_MIC_HEIGHT)->least;
+  if (two_headed && fabs(mic->height + depth) < least) {
+    return refuse_height(def, index, "within 0.01 m of the resonant head's plane,", error);
+  }
+  return TABOR_OK;
+}
+
 TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error) {
   TaborStatus status = tb_check_struct(def, error);
   if (status == TABOR_OK) status = check_fields(def, error);
+  if (status == TABOR_OK) status = check_heads(def, error);
   if (status == TABOR_OK) status = check_strike(def, error);
   for (uint32_t i = 0; status == TABOR_OK && i < def->wires.count; i++) {
     status = check_wire(def, i, error);
+  }
+  for (uint32_t i = 0; status == TABOR_OK && i < def->mic_count; i++) {
+    status = check_mic(def, i, error);
   }
   return status == TABOR_OK ? tb_error_clear(error) : status;
 }

@@ -67,7 +67,8 @@ typedef enum TaborStatus {
   TABOR_OK = 0,
   TABOR_ERROR_ARGUMENT, /**< a NULL pointer, or a struct of an unknown size */
   TABOR_ERROR_KEY,      /**< no parameter has this key */
-  TABOR_ERROR_NAME,     /**< no preset, striker or microphone has this name */
+  TABOR_ERROR_NAME,     /**< no preset, striker or microphone has this name; or the drum has no
+                             resonant head */
   TABOR_ERROR_VALUE,    /**< the text is not a value of the parameter's type */
   TABOR_ERROR_RANGE,    /**< the value lies outside what is allowed */
   TABOR_ERROR_FULL,     /**< a ninth striker or microphone */
@@ -91,9 +92,13 @@ typedef struct TaborError {
 
 /** What the head's surroundings are. */
 typedef enum TaborBoundary {
-  TABOR_BOUNDARY_OPEN,   /**< single head, air free on both sides, no baffle */
-  TABOR_BOUNDARY_BAFFLED /**< single head, each side in an infinite baffle */
+  TABOR_BOUNDARY_OPEN,    /**< single head, air free on both sides, no baffle */
+  TABOR_BOUNDARY_BAFFLED, /**< single head, each side in an infinite baffle */
+  TABOR_BOUNDARY_CLOSED   /**< single head over a rigid cavity as deep as the shell */
 } TaborBoundary;
+
+/** A head of the drum. */
+typedef enum TaborHead { TABOR_HEAD_BATTER, TABOR_HEAD_RESONANT } TaborHead;
 
 /** The face of the head on which the wires lie. */
 typedef enum TaborSide { TABOR_SIDE_ABOVE, TABOR_SIDE_BELOW } TaborSide;
@@ -115,21 +120,35 @@ typedef enum TaborStrikerKind {
 } TaborStrikerKind;
 
 typedef struct TaborShellDef {
-  double radius;     /**< head radius [m], 0.05 to 0.60, default 0.1651 (13 inch) */
-  uint32_t boundary; /**< a TaborBoundary, default open */
+  double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
+  double depth;  /**< from the batter head down to the resonant one or to the bottom of a closed
+                          drum [m], 0.01 to 1.5, default 0.14; open and baffled: without effect */
+  uint32_t
+    boundary; /**< a TaborBoundary, default open, which it must be on a two-headed drum: there
+                          the shell encloses the air between the heads */
 } TaborShellDef;
 
-/** A head: rho w_tt = T lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + forces. */
+/**
+ * A head: rho w_tt = (T + dT) lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + forces.
+ * Large deflections stretch it: dT = S/(2 A) Int |grad w|^2 dA, A its area (Berger). A damper, a
+ * force -c w_t on a small patch, may rest on it. Two defaults: of the batter and the resonant head.
+ */
 typedef struct TaborHeadDef {
-  double tension;           /**< T [N/m], 100 to 20,000, default 3000 */
-  double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 */
-  double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 */
+  double tension;           /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
+  double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 and 0.105 */
+  double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 and 1.5e-4 */
   double damping_0;         /**< sigma0 [1/s], 0 to 1000, default 12 */
   double damping_1;         /**< sigma1 [m2/s], 0 to 0.1, default 0.0016 */
+  double stretch_stiffness; /**< S = E h/(1 - nu^2) of the sheet [N/m], 0 to 1e7, default 0 */
+  double muffle_radius;     /**< the damper's distance from the centre [m], 0 to 0.6 and inside the
+                                 head, default 0 */
+  double muffle_angle;      /**< its direction [deg], -360 to 360, default 0 */
+  double muffle_strength;   /**< its c [N s/m], 0 (none) to 30, default 0 */
 } TaborHeadDef;
 
 /** What all wires share. */
 typedef struct TaborWiresDef {
+  uint32_t head;            /**< a TaborHead, default batter */
   uint32_t count;           /**< 0 to 40, default 0 */
   uint32_t side;            /**< a TaborSide, default above */
   double length;            /**< between the ends [m], 0.02 to 1.5, default 0.30 */
@@ -216,6 +235,8 @@ typedef struct TaborDrumDef {
   char license[TABOR_NAME_SIZE];
   TaborShellDef shell;
   TaborHeadDef batter;
+  uint32_t two_headed;   /**< 1 with a resonant head, 0 without, default 0 */
+  TaborHeadDef resonant; /**< without effect, and without keys, unless two_headed is 1 */
   TaborWiresDef wires;
   TaborWireDef wire[TABOR_MAX_WIRES];
   uint32_t striker_count;
@@ -283,7 +304,8 @@ TABOR_API void tabor_drum_def_clear(TaborDrumDef *def);
 TABOR_API TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error);
 /**
  * Sets one parameter from text: key "batter.tension", value "3000". Numbers parse independently of
- * the locale. A new NAME in "striker.NAME.mass" or "mic.NAME.gain" adds that striker or microphone.
+ * the locale. A new NAME in "striker.NAME.mass" or "mic.NAME.gain" adds that striker or microphone;
+ * any "resonant." key makes a one-headed drum two-headed. What is added has defaults otherwise.
  * On an error @p def is unchanged: TABOR_ERROR_KEY (with the nearest key), _VALUE, _RANGE, _FULL.
  */
 TABOR_API TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,
@@ -291,10 +313,12 @@ TABOR_API TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, con
 /**
  * Writes the value of @p key as text that tabor_drum_def_set() reads back to the same bits; at most
  * @p size bytes with the terminator. A wire's value that follows [wires] is written as "".
+ * TABOR_ERROR_NAME for a striker, microphone or resonant head that the drum has not got.
  */
 TABOR_API TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *text,
                                          size_t size, TaborError *error);
-/** Full key @p index of @p def in preset order, or false past the last; wires' unset values are skipped. */
+/** Full key @p index of @p def in preset order, or false past the last. Wires' unset values and the
+ * resonant keys of a one-headed drum are skipped. */
 TABOR_API bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char *key, size_t size);
 /** Checks every field and what must hold between fields. */
 TABOR_API TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file modes.c
- * `tabor modes`: frequencies and decays of the head with its air, sorted by frequency.
+ * `tabor modes`: frequencies and decays of the heads with their air, sorted by frequency.
  */
 #include <math.h>
 #include <stdio.h>
@@ -13,22 +13,32 @@
 /* Time in which the amplitude falls by 60 dB [s]; infinite without losses. */
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
 
+static const char *part_word(TaborModePart part) {
+  static const char *const words[] = {"batter", "resonant", "both", "cavity"};
+  return words[part];
+}
+
+static const char *phase_word(int phase) { return phase > 0 ? "in" : "out"; }
+
 static Outcome print_table(const TaborModel *model) {
-  printf("%3s %3s %14s %11s %9s %7s\n", "m", "n", "frequency/Hz", "decay/(1/s)", "t60/s", "copies");
+  printf("%3s %3s %14s %11s %9s %7s %-9s %s\n", "m", "n", "frequency/Hz", "decay/(1/s)", "t60/s",
+         "copies", "head", "phase");
   TaborModeInfo mode;
   for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
-    printf("%3u %3u %14.4f %11.4f %9.4f %7u\n", (unsigned)mode.m, (unsigned)mode.n, mode.frequency,
-           mode.decay_rate, t60(mode.decay_rate), (unsigned)mode.multiplicity);
+    printf("%3u %3u %14.4f %11.4f %9.4f %7u %-9s %s\n", (unsigned)mode.m, (unsigned)mode.n,
+           mode.frequency, mode.decay_rate, t60(mode.decay_rate), (unsigned)mode.multiplicity,
+           part_word(mode.part), mode.phase ? phase_word(mode.phase) : "-");
   }
   return OUTCOME_OK;
 }
 
 /* A single head's modes all belong to the batter; a phase is what two heads have to each other. */
 static json_t *mode_json(const TaborModeInfo *mode) {
-  return json_pack("{s:I, s:I, s:o, s:o, s:o, s:I, s:s, s:n}", "m", (json_int_t)mode->m, "n",
+  return json_pack("{s:I, s:I, s:o, s:o, s:o, s:I, s:s, s:s?}", "m", (json_int_t)mode->m, "n",
                    (json_int_t)mode->n, "frequency", json_number(mode->frequency), "decay_rate",
                    json_number(mode->decay_rate), "t60", json_number(t60(mode->decay_rate)),
-                   "multiplicity", (json_int_t)mode->multiplicity, "head", "batter", "phase");
+                   "multiplicity", (json_int_t)mode->multiplicity, "head", part_word(mode->part),
+                   "phase", mode->phase ? phase_word(mode->phase) : NULL);
 }
 
 static Outcome print_json(const TaborModel *model) {

@@ -159,7 +159,7 @@ static void shapes_have_unit_modal_mass(void **state) {
   double mass[MOST][MOST] = {{0.0}}, *radial = tb_arena_doubles(&arena, head.row_count);
   for (int i = 0; i < STEPS; i++) {
     const double r = 0.2 * (i + 0.5) / STEPS;
-    tb_head_radial(&head, r, NULL, radial);
+    tb_head_radial(&head, 0, r, NULL, radial);
     for (int a = 0; a < MOST; a++) {
       for (int b = 0; b < MOST; b++) {
         if (head.modes[a].m != head.modes[b].m) continue;
@@ -177,12 +177,12 @@ static void shapes_have_unit_modal_mass(void **state) {
   tb_head_patch(&head, 0.0, patch);
   for (uint32_t i = 0; i < head.zero_count; i++) assert_true(patch[i] == 1.0);
   tb_head_patch(&head, 0.03, patch);
-  tb_head_radial(&head, 0.0, patch, patched);
+  tb_head_radial(&head, 0, 0.0, patch, patched);
   for (int a = 0; a < MOST; a++) {
     double mean = 0.0;
     for (int i = 0; i < STEPS && head.modes[a].m == 0; i++) {
       const double r = 0.03 * (i + 0.5) / STEPS;
-      tb_head_radial(&head, r, NULL, radial);
+      tb_head_radial(&head, 0, r, NULL, radial);
       mean += radial[a] * 2.0 * r * 0.03 / STEPS / (0.03 * 0.03);
     }
     assert_true(fabs(patched[a] - mean) < 1e-6);

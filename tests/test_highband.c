@@ -57,7 +57,7 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
   double *q = calloc(3 * (size_t)n, sizeof *q), *shape = calloc(n, sizeof *shape);
   double *radial = calloc(model->head.row_count, sizeof *radial);
   assert_true(q && shape && radial);
-  tb_model_shape(model, radius, angle, model->patches[0], radial, shape);
+  tb_model_shape(model, 0, radius, angle, model->patches[0], radial, shape);
   memset(samples, 0, FRAMES * sizeof *samples);
   for (uint32_t i = 0; i < FRAMES; i++) {
     double *next = q + (i + 1) % 3 * n, *now = q + i % 3 * n, *last = q + (i + 2) % 3 * n;

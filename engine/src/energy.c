@@ -114,6 +114,12 @@ TbLosses tb_losses(const TbView *view) {
   const TbPair head = model->kernels->losses(modes->padded, modes->loss_head, modes->loss_air,
                                              view->next.q, view->last.q);
   TbLosses losses = {.head = head.first, .radiated = head.second};
+  if (modes->walls) {
+    losses.shell =
+      model->kernels
+        ->losses(modes->padded, modes->loss_shell, modes->loss_shell, view->next.q, view->last.q)
+        .first;
+  }
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
     losses.wires += tb_wire_loss(wire, &view->state->wires[w], model->time_step,

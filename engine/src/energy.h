@@ -18,7 +18,7 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
 
 /* Losses [J] of the step from view->last to view->next, contacts apart. */
 typedef struct TbLosses {
-  double head, radiated, wires;
+  double head, radiated, shell, wires;
 } TbLosses;
 TbLosses tb_losses(const TbView *view);
 

@@ -20,21 +20,24 @@ typedef struct Statics {
   double *weight;     /* [padded]: gravity on each mode [N] */
 } Statics;
 
-/* Weight of the head on each mode: -rho g Int phi dA, which only m = 0 has. */
+/* Weight of the heads on each mode: -Sum rho g Int phi dA, which only m = 0 has. */
 static void weigh_head(const TaborModel *model, double *weight) {
   const TbHeadOrder *order = &model->head.orders[0];
   const double radius = model->head.radius;
-  const double load = -model->def.batter.surface_density * model->def.air.gravity;
+  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
     if (mode->m != 0) continue;
-    const double *v = order->vectors + (size_t)(mode->n - 1) * order->zero_count;
-    double area = 0.0;
-    for (uint32_t z = 0; z < order->zero_count; z++) {
-      area += v[z] * tb_bessel_j(1, order->zeros[z]) / order->zeros[z];
+    for (uint32_t h = 0; h < model->head.heads; h++) {
+      const double load = -heads[h]->surface_density * model->def.air.gravity;
+      const double *v = order->vectors[h] + (size_t)mode->place * order->zero_count;
+      double area = 0.0;
+      for (uint32_t z = 0; z < order->zero_count; z++) {
+        area += v[z] * tb_bessel_j(1, order->zeros[z]) / order->zeros[z];
+      }
+      weight[i] += load * 2.0 * PI * radius * radius * area;
     }
-    weight[i] = load * 2.0 * PI * radius * radius * area;
   }
 }
 

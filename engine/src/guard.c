@@ -21,7 +21,7 @@ static void shorten_all(TbView *view, double t) {
 static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
-         losses.wires - tb_slots_hand_work(view);
+         losses.shell + losses.wires - tb_slots_hand_work(view);
 }
 
 bool tb_guard(TbView *view) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The head as a list of modes.
+/* The head, or both heads and the air between them, as a list of modes.
  *
  * rho w_tt = T lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + air + contacts, w = 0 at R,
  * [Torin2014] eq. (1)-(2) with the bending stiffness D of Mylar added.
@@ -15,28 +15,37 @@
 
 #include "air.h"
 
-/* More two-way modes than this do not fit a processor's second-level cache. */
-#define TB_MAX_MODES 2048u
+/* Two-way modes of one head are at most 2048. */
+#define TB_MAX_MODES 4096u
+#define TB_HEADS 2u
+/* Bessel functions of one angular order; their zeros stay below 100. */
+#define TB_MAX_ZEROS 64u
 /* Angular orders stay below the largest Bessel zero of the basis. */
 #define TB_MAX_ORDERS 256u
 
-/* Modes of one angular order: mode k is Sum_i vectors[k][i] J_m(zeros[i] r/R). */
+/* Modes of one angular order: mode k moves head h as Sum_i vectors[h][k][i] J_m(zeros[i] r/R), upward. */
 typedef struct TbHeadOrder {
   uint32_t m, zero_count, mode_count;
   uint32_t first_zero; /* index of zeros[0] among all zeros of the head */
-  double *zeros, *vectors;
+  double *zeros, *vectors[TB_HEADS];
   uint32_t *rows; /* row of each mode, sorted by frequency over all orders */
 } TbHeadOrder;
 
 /* A normal mode; its sine copy for m > 0 is the same row. */
 typedef struct TbHeadMode {
-  uint32_t m, n;
-  double omega;                      /* undamped [rad/s] */
-  double decay_rate, radiation_rate; /* of the amplitude [1/s]; the second is part of the first */
+  uint32_t m, n;     /* n: of the Bessel function that moves most, from 1 */
+  uint32_t index;    /* among the modes of its order, kept or not, from 0 */
+  uint32_t place;    /* among those of its order that were kept */
+  uint32_t part;     /* a TaborModePart: what moves */
+  int32_t phase;     /* +1: both heads move the same way, -1: against each other, 0 */
+  double omega;      /* undamped [rad/s] */
+  double decay_rate; /* of the amplitude [1/s]; the next two are parts of it */
+  double radiation_rate, shell_rate; /* to the air outside; at the walls of the cavity */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
 } TbHeadMode;
 
 typedef struct TbHead {
+  uint32_t heads; /* 1 or 2: batter, resonant */
   uint32_t order_count, row_count, zero_count;
   TbHeadOrder *orders;
   TbHeadMode *modes;
@@ -53,7 +62,9 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
  * function: patch[zero_count]. a = 0 gives 1. */
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch);
 
-/* Radial shape of every row at distance r [m]: radial[row_count]. patch may be NULL. Audio-safe. */
-void tb_head_radial(const TbHead *head, double r, const double *patch, double *radial);
+/* Radial shape of every row at distance r [m] on head `which`: radial[row_count]. patch may be NULL.
+ * Audio-safe. */
+void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
+                    double *radial);
 
 #endif

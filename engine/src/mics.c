@@ -9,10 +9,12 @@
 
 /* ---- microphones ---------------------------------------------------------------------------- */
 
-/* Travel time to the nearest point of the head, in whole samples. */
+/* Travel time to the nearest point of a head, in whole samples. */
 static uint32_t travel_delay(const TaborModel *model, const TaborMicDef *mic) {
   const double aside = fmax(0.0, mic->radius - model->head.radius);
-  const double distance = sqrt(mic->height * mic->height + aside * aside);
+  double height = fabs(mic->height);
+  if (model->def.two_headed) height = fmin(height, fabs(mic->height + model->def.shell.depth));
+  const double distance = sqrt(height * height + aside * aside);
   return (uint32_t)(distance / model->def.air.sound_speed * model->sample_rate);
 }
 

@@ -43,11 +43,11 @@ static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rat
   return level;
 }
 
-void tb_model_shape(const TaborModel *model, double radius, double angle, const double *patch,
-                    double *radial, double *shape) {
+void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
+                    const double *patch, double *radial, double *shape) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
-  tb_modes_shape(&model->modes, &model->head, radius, sine, cosine, patch, radial, shape);
+  tb_modes_shape(&model->modes, &model->head, which, radius, sine, cosine, patch, radial, shape);
 }
 
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
@@ -88,7 +88,7 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   double *radial = tb_arena_doubles(scratch, model->head.row_count);
   model->center = tb_arena_doubles(&model->arena, model->modes.padded);
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  tb_model_shape(model, 0.0, 0.0, NULL, radial, model->center);
+  tb_model_shape(model, model->wires.head, 0.0, 0.0, NULL, radial, model->center);
   return TABOR_OK;
 }
 
@@ -248,8 +248,6 @@ static TaborStatus refuse_not_yet(const TaborDrumDef *def, TaborError *error) {
     bool asked;
     const char *key, *what;
   } missing[] = {
-    {def->two_headed == 1, "resonant", "a second head"},
-    {def->shell.boundary == TABOR_BOUNDARY_CLOSED, "shell.boundary", "a closed drum"},
     {def->batter.stretch_stiffness > 0.0, "batter.stretch_stiffness", "stretching of the head"},
     {def->batter.muffle_strength > 0.0, "batter.muffle_strength", "a damper on the head"},
   };
@@ -350,6 +348,8 @@ bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info
                           .frequency = mode->omega / (2.0 * PI),
                           .decay_rate = mode->decay_rate,
                           .radiation_rate = mode->radiation_rate,
+                          .part = (TaborModePart)mode->part,
+                          .phase = mode->phase,
                           .multiplicity = mode->m ? 2 : 1};
   return true;
 }

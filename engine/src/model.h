@@ -30,7 +30,7 @@ typedef struct TbRest {
   double *eta;    /* [stride] penetration [m] */
   double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the slots */
   double *offset; /* [wires] of the ends [m] */
-  double head;    /* height of the head's centre [m] */
+  double head;    /* height of the centre of the head that has the wires [m] */
 } TbRest;
 
 /* Where the arrays of a drum's state lie, in bytes from its start. */
@@ -63,7 +63,7 @@ struct TaborModel {
   TbProjection projection;
   double *compliance; /* [row_count][stride]: of the head over one step, between contact points */
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
-  double *center;                          /* [padded]: shape at the head's centre */
+  double *center; /* [padded]: shape at the centre of the head that has the wires */
   TbLayout layout;
   uint64_t fingerprint; /* of everything that a saved state depends on */
 };
@@ -71,10 +71,10 @@ struct TaborModel {
 /* Static equilibrium into model->rest (equilibrium.c). */
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 
-/* Shape of every mode at radius [m] and angle [deg, absolute], `patch` as in tb_head_radial();
- * radial is scratch of head.row_count. shape[padded]. Audio-safe. */
-void tb_model_shape(const TaborModel *model, double radius, double angle, const double *patch,
-                    double *radial, double *shape);
+/* Shape of every mode on a TaborHead at radius [m] and angle [deg, absolute], `patch` as in
+ * tb_head_radial(); radial is scratch of head.row_count. shape[padded]. Audio-safe. */
+void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
+                    const double *patch, double *radial, double *shape);
 
 /* The high band's answer to a unit force of a striker there: drive[high.padded]. Audio-safe. */
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,

@@ -37,10 +37,11 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle) {
   return sine ? s[m] : c[m];
 }
 
-void tb_modes_shape(const TbModes *modes, const TbHead *head, double radius, double sin_angle,
-                    double cos_angle, const double *patch, double *radial, double *shape) {
+void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
+                    double sin_angle, double cos_angle, const double *patch, double *radial,
+                    double *shape) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
-  tb_head_radial(head, radius, patch, radial);
+  tb_head_radial(head, which, radius, patch, radial);
   tb_angular_factors(head->order_count, sin_angle, cos_angle, c, s);
   for (uint32_t i = 0; i < modes->padded; i++) {
     const uint32_t row = modes->row[i];
@@ -79,8 +80,8 @@ static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
   if (scratch->failed) return false;
   for (uint32_t a = 0; a < wires->row_count; a++) {
     const double x = wires->row_x[a], y = wires->row_y[a], r = sqrt(x * x + y * y);
-    tb_modes_shape(list, head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL, radial,
-                   shape);
+    tb_modes_shape(list, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
+                   radial, shape);
     for (uint32_t i = 0; i < list->count; i++) felt[i] |= shape[i] != 0.0;
   }
   return true;
@@ -121,8 +122,8 @@ static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, con
 
 static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head, double side,
                               double k) {
-  double **arrays[] = {&modes->a,         &modes->b,        &modes->g,   &modes->stiffness,
-                       &modes->loss_head, &modes->loss_air, &modes->pull};
+  double **arrays[] = {&modes->a,         &modes->b,        &modes->g,          &modes->stiffness,
+                       &modes->loss_head, &modes->loss_air, &modes->loss_shell, &modes->pull};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, modes->padded);
   }
@@ -131,14 +132,16 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
     if (modes->row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &head->modes[modes->row[i]];
     const TbPole pole = tb_pole(mode->omega, mode->decay_rate, k);
-    const double radiated = mode->decay_rate > 0.0 ? mode->radiation_rate / mode->decay_rate : 0.0;
+    const double each = mode->decay_rate > 0.0 ? pole.loss / mode->decay_rate : 0.0;
     modes->a[i] = pole.a;
     modes->b[i] = pole.b;
     modes->g[i] = pole.g;
     modes->pull[i] = -side * pole.g;
     modes->stiffness[i] = pole.stiffness;
-    modes->loss_air[i] = pole.loss * radiated;
-    modes->loss_head[i] = pole.loss * (1.0 - radiated);
+    modes->loss_air[i] = each * mode->radiation_rate;
+    modes->loss_shell[i] = each * mode->shell_rate;
+    modes->loss_head[i] = pole.loss - modes->loss_air[i] - modes->loss_shell[i];
+    modes->walls = modes->walls || mode->shell_rate > 0.0;
   }
   return true;
 }

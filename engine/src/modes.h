@@ -17,15 +17,17 @@
  * middle, then the odd ones, each group padded with silent modes to 8; the others follow. Wires
  * without that symmetry have one group. */
 typedef struct TbModes {
-  uint32_t count, padded;       /* modes, sine copies counted; with padding */
-  uint32_t groups;              /* 1 or 2 */
-  uint32_t group[3];            /* first mode of each group; coupled modes end at group[groups] */
-  uint32_t *row;                /* [padded]: of head.modes, or TB_NO_MODE for padding */
-  uint8_t *sine;                /* [padded]: 1 for sin(m theta) */
-  double *a, *b, *g;            /* [padded], as are all below */
-  double *stiffness;            /* K' */
-  double *loss_head, *loss_air; /* tanh(sk)/(2k^2), divided between material and radiation */
-  double *pull;                 /* -side g: what a wire's contact force does to a mode */
+  uint32_t count, padded; /* modes, sine copies counted; with padding */
+  uint32_t groups;        /* 1 or 2 */
+  uint32_t group[3];      /* first mode of each group; coupled modes end at group[groups] */
+  uint32_t *row;          /* [padded]: of head.modes, or TB_NO_MODE for padding */
+  uint8_t *sine;          /* [padded]: 1 for sin(m theta) */
+  double *a, *b, *g;      /* [padded], as are all below */
+  double *stiffness;      /* K' */
+  double *loss_head, *loss_air,
+    *loss_shell; /* tanh(sk)/(2k^2) by origin: head, sound, cavity walls */
+  bool walls;    /* some loss_shell is not 0 */
+  double *pull;  /* -side g: what a wire's contact force does to a mode */
 } TbModes;
 
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */
@@ -45,9 +47,10 @@ void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, dou
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, double time_step);
 
-/* Shape of every mode at radius [m] and angle from the wires' direction (sine, cosine); `patch` as in
+/* Shape of every mode on head `which` at radius [m] and angle from the wires' direction (sine, cosine); `patch` as in
  * tb_head_radial(); radial is scratch of head.row_count. shape[padded]. Audio-safe. */
-void tb_modes_shape(const TbModes *modes, const TbHead *head, double radius, double sin_angle,
-                    double cos_angle, const double *patch, double *radial, double *shape);
+void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
+                    double sin_angle, double cos_angle, const double *patch, double *radial,
+                    double *shape);
 
 #endif

@@ -49,8 +49,8 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
   for (uint32_t point = 0; !failed && point < p->folded; point++) {
     const double x = wires->row_x[p->left[point]], y = wires->row_y[p->left[point]];
     const double r = sqrt(x * x + y * y);
-    tb_modes_shape(modes, head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL, radial,
-                   shape);
+    tb_modes_shape(modes, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
+                   radial, shape);
     fill_point(p, point, shape);
   }
   tb_arena_release(&scratch);

@@ -72,7 +72,8 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   TbSlot *s = &view->state->slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
-  tb_model_shape(model, s->radius, s->angle, patch, view->radial, tb_slot_shape(view, slot));
+  tb_model_shape(model, TABOR_HEAD_BATTER, s->radius, s->angle, patch, view->radial,
+                 tb_slot_shape(view, slot));
   couple(view, slot);
   prepare_law(view, slot);
   if (!hand)

@@ -112,6 +112,7 @@ static void book_losses(TbView *view) {
   TaborLedger *sums = &view->state->sums;
   sums->head_loss += losses.head;
   sums->radiated += losses.radiated;
+  sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   sums->injected += tb_slots_hand_work(view);
 }

@@ -5,7 +5,7 @@
  * samples multiplies the energy without bound. Keeping phase and action per mode does not: with
  * t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
- * the energy then follows w1/w0. Modes are matched by (m, n, cosine or sine), which is right while
+ * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine), which is right while
  * only tensions, masses, losses or quality changed. For another radius, boundary or side the old drum
  * rings out under a short fade. Audio-safe but for tb_swap_map(). */
 #include <math.h>
@@ -23,8 +23,9 @@ static const double FADE = 0.03; /* [s] */
 /* ---- set-up --------------------------------------------------------------------------------- */
 
 static bool continues(const TaborModel *a, const TaborModel *b) {
-  return a->def.shell.radius == b->def.shell.radius &&
-         a->def.shell.boundary == b->def.shell.boundary && a->wires.count == b->wires.count &&
+  return a->def.shell.radius == b->def.shell.radius && a->def.shell.depth == b->def.shell.depth &&
+         a->def.shell.boundary == b->def.shell.boundary && a->def.two_headed == b->def.two_headed &&
+         a->wires.count == b->wires.count && a->wires.head == b->wires.head &&
          a->wires.side == b->wires.side && a->def.wires.angle == b->def.wires.angle;
 }
 
@@ -32,7 +33,8 @@ static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uin
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
-    if (mode->m == wanted->m && mode->n == wanted->n && model->modes.sine[i] == sine) return i;
+    if (mode->m == wanted->m && mode->index == wanted->index && model->modes.sine[i] == sine)
+      return i;
   }
   return TB_NO_MODE;
 }

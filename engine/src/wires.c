@@ -105,7 +105,8 @@ static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                              double time_step, uint32_t most_cells, TaborError *error) {
   const bool above = def->wires.side == TABOR_SIDE_ABOVE;
-  *wires = (TbWires){.count = def->wires.count,
+  *wires = (TbWires){.head = def->wires.head,
+                     .count = def->wires.count,
                      .side = above ? 1.0 : -1.0,
                      .gravity = above ? -def->air.gravity : def->air.gravity,
                      .strainer_travel = def->wires.strainer_travel,

@@ -41,6 +41,7 @@ typedef struct TbWire {
 } TbWire;
 
 typedef struct TbWires {
+  uint32_t head;              /* a TaborHead */
   uint32_t count, node_count; /* nodes of all wires, padded */
   uint32_t row_count, stride; /* contact points; padded */
   bool mirrored;              /* every wire is its own image under x -> -x */

@@ -372,12 +372,23 @@ typedef struct TaborModelInfo {
 } TaborModelInfo;
 
 /** One mode of the head with its air. */
+/** What a mode moves most. */
+typedef enum TaborModePart {
+  TABOR_PART_BATTER,   /**< the batter head, with over 90 % of the heads' energy */
+  TABOR_PART_RESONANT, /**< the resonant head, likewise */
+  TABOR_PART_BOTH,     /**< both heads */
+  TABOR_PART_CAVITY    /**< the air between them, with over half of all kinetic energy */
+} TaborModePart;
+
 typedef struct TaborModeInfo {
-  uint32_t m, n;         /**< nodal diameters, nodal circles counting the rim (from 1) */
+  uint32_t m, n;         /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
+                              function that moves most */
   double frequency;      /**< [Hz] */
   double decay_rate;     /**< of the amplitude [1/s] */
   double radiation_rate; /**< the part of it that leaves as sound [1/s] */
   uint32_t multiplicity; /**< 1, or 2 with a sine copy */
+  TaborModePart part;
+  int32_t phase; /**< of two heads: 1 if they move up together, -1 if against each other; else 0 */
 } TaborModeInfo;
 
 /* SET-UP ------------------------------------------------------------------------------------- */
@@ -468,7 +479,7 @@ typedef struct TaborLedger {
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
   double damper_loss;  /**< in damping hands */
-  double shell_loss;   /**< 0 in this version */
+  double shell_loss;   /**< friction and heat at the walls of the enclosed air */
   double radiated;     /**< as sound, by the head */
   double removed;      /**< of strikers taken away */
   double high_band;    /**< stored in the one-way high band; outside the balance */

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT */
+#include "cavity.h"
+
+#include <math.h>
+
+#include "bessel.h"
+
+static const double PI = 3.14159265358979323846;
+
+static double azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
+
+/* ---- z' ------------------------------------------------------------------------------------- */
+
+static double slope_at(uint32_t m, double z) {
+  return m ? 0.5 * (tb_bessel_j(m - 1, z) - tb_bessel_j(m + 1, z)) : -tb_bessel_j(1, z);
+}
+
+/* The zero of J_m' between lo and hi, where it changes its sign once: Newton, held by bisection. */
+static double extremum(uint32_t m, double lo, double hi) {
+  const bool falling = slope_at(m, lo) > 0.0;
+  double z = 0.5 * (lo + hi);
+  for (int i = 0; i < 60 && hi - lo > 1e-14 * hi; i++) {
+    const double slope = slope_at(m, z);
+    if ((slope > 0.0) == falling) {
+      lo = z;
+    } else {
+      hi = z;
+    }
+    const double order = (double)m / z;
+    const double bend = -slope / z - (1.0 - order * order) * tb_bessel_j(m, z);
+    const double next = z - slope / bend;
+    if (fabs(next - z) < 1e-15 * z) break;
+    z = next > lo && next < hi ? next : 0.5 * (lo + hi);
+  }
+  return z;
+}
+
+/* Between two zeros of J_m lies one of J_m', and one below the first (z' = 0 for m = 0). */
+static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, double *zeros) {
+  for (uint32_t i = 0; i < count; i++) {
+    const double lo = i ? nodes[i - 1] : (double)m;
+    zeros[i] = i == 0 && m == 0 ? 0.0 : extremum(m, lo, nodes[i]);
+  }
+  return count;
+}
+
+/* Zeros of J_m alone, by climbing from J_0. */
+static uint32_t node_zeros(TbArena *scratch, uint32_t m, double top, double **nodes) {
+  const uint32_t room = (uint32_t)(top / PI) + 4u;
+  double *lists[2] = {tb_arena_doubles(scratch, room), tb_arena_doubles(scratch, room)};
+  if (scratch->failed) return 0;
+  uint32_t count = 0;
+  for (uint32_t order = 0; order <= m; order++) {
+    const uint32_t last = count;
+    count = tb_bessel_zeros(order, top, lists[1 - order % 2], last, lists[order % 2], room);
+  }
+  *nodes = lists[m % 2];
+  return count;
+}
+
+/* ---- one order ------------------------------------------------------------------------------ */
+
+static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
+  return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
+}
+
+static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
+  uint32_t total = 0;
+  for (uint32_t p = 0; p < order->radial_count; p++) {
+    while (mode_omega(cavity, order->zeros[p], order->kept[p]) < top) order->kept[p]++;
+    total += order->kept[p];
+  }
+  order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
+  if (!order->modes) return false;
+  for (uint32_t p = 0; p < order->radial_count; p++) {
+    for (uint32_t l = 0; l < order->kept[p]; l++) {
+      const double omega = mode_omega(cavity, order->zeros[p], l);
+      if (omega == 0.0) continue; /* the spring */
+      order->modes[order->mode_count++] = (TbCavityMode){p, l, omega};
+    }
+  }
+  return true;
+}
+
+bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity,
+                             uint32_t m, double top_zero, double top) {
+  *order = (TbCavityOrder){.m = m};
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  double *nodes = NULL;
+  const uint32_t count = node_zeros(&scratch, m, top_zero, &nodes);
+  order->zeros = tb_arena_doubles(arena, count);
+  order->norms = tb_arena_doubles(arena, count);
+  order->kept = tb_arena_take(arena, count, sizeof *order->kept);
+  const bool failed = scratch.failed || arena->failed;
+  if (!failed) order->radial_count = radial_zeros(m, nodes, count, order->zeros);
+  tb_arena_release(&scratch);
+  if (failed) return false;
+  for (uint32_t p = 0; p < count; p++) {
+    const double zero = order->zeros[p], j = tb_bessel_j(m, zero);
+    const double ratio = zero > 0.0 ? (double)m / zero : 0.0;
+    order->norms[p] = 0.5 * (1.0 - ratio * ratio) * j * j;
+  }
+  return list_modes(order, arena, cavity, top);
+}
+
+/* ---- matrices ------------------------------------------------------------------------------- */
+
+/* Mass per S_i S_j/(a_m n_p) of one radial order, the coordinates left out. */
+static void radial_mass(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p, double *own,
+                        double *across) {
+  const double kappa = order->zeros[p] / cavity->radius, depth = cavity->depth;
+  const double kl = kappa * depth;
+  *own = kappa > 0.0 ? 1.0 / (kappa * tanh(kl)) : depth / 3.0;
+  *across = kappa > 0.0 ? (kl < 700.0 ? 1.0 / (kappa * sinh(kl)) : 0.0) : -depth / 6.0;
+  for (uint32_t l = 0; l < order->kept[p]; l++) {
+    const double axial = (double)l * PI / depth;
+    const double square = kappa * kappa + axial * axial;
+    if (square == 0.0) continue;
+    const double part = 1.0 / ((l ? 0.5 : 1.0) * depth * square);
+    *own -= part;
+    *across -= l % 2 ? -part : part;
+  }
+  *own *= cavity->density;
+  *across *= cavity->density;
+}
+
+/* S_i/(a_m R^2) = W_i(z') for every Bessel function of a head; z' never equals a z_i. */
+static void openings(const TbCavityOrder *order, const TbAirOrder *air, uint32_t p, double *s) {
+  const double zero = order->zeros[p], j = tb_bessel_j(order->m, zero);
+  for (uint32_t i = 0; i < air->count; i++) {
+    const double z = air->zeros[i];
+    s[i] = z * air->slopes[i] * j / (z * z - zero * zero);
+  }
+}
+
+/* matrix[rows of head a][rows of head b] += factor s s^T. */
+static void add_block(uint32_t size, double *matrix, uint32_t n, uint32_t a, uint32_t b,
+                      double factor, const double *s) {
+  for (uint32_t i = 0; i < n; i++) {
+    double *row = matrix + (size_t)(a * n + i) * size + b * n;
+    for (uint32_t k = 0; k < n; k++) row[k] += factor * s[i] * s[k];
+  }
+}
+
+static void add_heads(const TbCavity *cavity, uint32_t size, double *matrix, uint32_t n, double own,
+                      double across, const double *s) {
+  for (uint32_t a = 0; a < cavity->heads; a++) {
+    for (uint32_t b = 0; b < cavity->heads; b++) {
+      add_block(size, matrix, n, a, b, a == b ? own : across, s);
+    }
+  }
+}
+
+/* Stiffness of one mode: rho0 c0^2/N_c between the heads and, unless it is the spring, its own. */
+static void add_mode(const TbCavityOrder *order, const TbCavity *cavity, uint32_t n, uint32_t p,
+                     uint32_t l, double omega, uint32_t index, uint32_t size, const double *s,
+                     double *mass, double *stiffness) {
+  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
+  const double norm = area * cavity->depth * (l ? 0.5 : 1.0) * order->norms[p];
+  const double spring = cavity->density * cavity->sound_speed * cavity->sound_speed / norm;
+  const double upper = l % 2 ? -1.0 : 1.0;
+  add_heads(cavity, size, stiffness, n, spring * area * area, upper * spring * area * area, s);
+  if (omega == 0.0) return;
+  const double pull = -area * omega * sqrt(spring);
+  for (uint32_t h = 0; h < cavity->heads; h++) {
+    for (uint32_t i = 0; i < n; i++) {
+      const double value = (h ? 1.0 : upper) * pull * s[i];
+      stiffness[(size_t)(h * n + i) * size + index] = value;
+      stiffness[(size_t)index * size + h * n + i] = value;
+    }
+  }
+  mass[(size_t)index * size + index] = 1.0;
+  stiffness[(size_t)index * size + index] = omega * omega;
+}
+
+void tb_cavity_assemble(const TbCavityOrder *order, const TbCavity *cavity, const TbAirOrder *air,
+                        uint32_t size, double *mass, double *stiffness) {
+  const uint32_t n = air->count;
+  const double radius = cavity->radius;
+  const double unit =
+    azimuth(order->m) * radius * radius; /* S_i S_j/(a_m n_p) = unit s s/(n_p/R^2) */
+  double s[128];                         /* more than an order has zeros: see head.c */
+  uint32_t next = cavity->heads * n;
+  for (uint32_t p = 0; p < order->radial_count; p++) {
+    double own, across;
+    openings(order, air, p, s);
+    radial_mass(order, cavity, p, &own, &across);
+    add_heads(cavity, size, mass, n, unit * own / order->norms[p], unit * across / order->norms[p],
+              s);
+    for (uint32_t l = 0; l < order->kept[p]; l++) {
+      const double omega = mode_omega(cavity, order->zeros[p], l);
+      add_mode(order, cavity, n, p, l, omega, next, size, s, mass, stiffness);
+      if (omega > 0.0) next++;
+    }
+  }
+}

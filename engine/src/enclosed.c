@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosed.h"
+
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
+ * in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
+static const double COORDINATES = 24.0;
+/* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
+static const double CAVITY_BASIS = 2.0;
+/* A mode of which less than this part of the energy moves a head is not heard or felt. */
+static const double LEAST_HEAD = 1e-4;
+/* One head's mode: the other has less than this part of the heads' energy. */
+static const double ONE_HEAD = 0.1;
+
+static const double KINEMATIC_VISCOSITY = 1.5e-5; /* of air [m2/s] */
+static const double HEAT = 1.474;                 /* 1 + (gamma - 1)/sqrt(Pr), gamma 1.4, Pr 0.71 */
+
+typedef struct Enclosed {
+  const TaborDrumDef *def;
+  TbCoupled drum;
+  const TbAirOrder *air;
+  TbCavityOrder cavity;
+  double azimuth; /* a_m */
+} Enclosed;
+
+static TbCoupled coupled_of(const TaborDrumDef *def) {
+  const bool two = tb_is_two_headed(def);
+  return (TbCoupled){.cavity = {.radius = def->shell.radius,
+                                .depth = def->shell.depth,
+                                .density = def->air.density,
+                                .sound_speed = def->air.sound_speed,
+                                .heads = two ? 2 : 1},
+                     .heads = {&def->batter, two ? &def->resonant : NULL},
+                     .outside = def->air.density};
+}
+
+static double first_frequency(const TbCoupled *drum) {
+  const double wavenumber = 2.4048 / drum->cavity.radius;
+  double slowest = INFINITY;
+  for (uint32_t h = 0; h < drum->cavity.heads; h++) {
+    const double square =
+      tb_head_stiffness(drum->heads[h], wavenumber) / drum->heads[h]->surface_density;
+    slowest = fmin(slowest, sqrt(square));
+  }
+  return slowest;
+}
+
+static double wall_rate(const TbCavity *cavity, double omega) {
+  return (1.0 / cavity->radius + 1.0 / cavity->depth) * sqrt(0.5 * KINEMATIC_VISCOSITY * omega) *
+         HEAT;
+}
+
+/* What a mode's parts carry: masses of the heads themselves, and losses, v^T C v by origin. */
+typedef struct Parts {
+  double head_mass[TB_HEADS], cavity_mass;
+  double head_loss, wall_loss;
+  uint32_t strongest;       /* Bessel function that moves most, of either head */
+  double largest[TB_HEADS]; /* upward amplitude of each head's strongest function, mass-weighted */
+} Parts;
+
+static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts *parts) {
+  const TaborHeadDef *head = e->drum.heads[h];
+  const double radius = e->drum.cavity.radius;
+  for (uint32_t i = 0; i < e->air->count; i++) {
+    const double wavenumber = e->air->zeros[i] / radius;
+    const double norm = e->azimuth * radius * radius * 0.5 * e->air->slopes[i] * e->air->slopes[i];
+    const double mass = norm * head->surface_density * v[i] * v[i];
+    parts->head_mass[h] += mass;
+    parts->head_loss += mass * (head->damping_0 + head->damping_1 * wavenumber * wavenumber);
+    const double size = sqrt(mass);
+    if (size <= fabs(parts->largest[h])) continue;
+    parts->largest[h] = v[i] < 0.0 ? -size : size;
+    if (size >= fmax(fabs(parts->largest[0]), fabs(parts->largest[1]))) parts->strongest = i;
+  }
+}
+
+/* v: upward amplitudes of the heads, then cavity coordinates. */
+static Parts parts_of(const Enclosed *e, const double *v) {
+  Parts parts = {.strongest = 0};
+  const uint32_t heads = e->drum.cavity.heads, n = e->air->count;
+  for (uint32_t h = 0; h < heads; h++) add_head_parts(e, h, v + h * n, &parts);
+  for (uint32_t c = 0; c < e->cavity.mode_count; c++) {
+    const double u = v[heads * n + c];
+    parts.cavity_mass += u * u;
+    parts.wall_loss += 2.0 * wall_rate(&e->drum.cavity, e->cavity.modes[c].omega) * u * u;
+  }
+  return parts;
+}
+
+static uint32_t part_name(const Parts *parts) {
+  const double heads = parts->head_mass[0] + parts->head_mass[1];
+  if (parts->cavity_mass > 0.5) return TABOR_PART_CAVITY;
+  if (parts->head_mass[1] < ONE_HEAD * heads) return TABOR_PART_BATTER;
+  if (parts->head_mass[0] < ONE_HEAD * heads) return TABOR_PART_RESONANT;
+  return TABOR_PART_BOTH;
+}
+
+static bool tb_air_drum_load(const TbAirOrder *air, TbArena *scratch, const double *b,
+                             const double *r, double depth, double x, const TbAirPoint *points,
+                             uint32_t count, double *resistance, double *fields) {
+  *resistance = 0.0;
+  for (uint32_t p = 0; p < 2 * count; p++) fields[p] = 0.0;
+  for (uint32_t h = 0; h < (r ? 2u : 1u); h++) {
+    TbAirPoint own[TABOR_MAX_MICS];
+    for (uint32_t p = 0; p < count; p++)
+      own[p] = (TbAirPoint){points[p].radius, h ? -(points[p].height + depth) : points[p].height};
+    double fo[2 * TABOR_MAX_MICS], fb[2 * TABOR_MAX_MICS];
+    TbAirLoad o, bb;
+    if (!tb_air_load(air, scratch, TABOR_BOUNDARY_OPEN, h ? r : b, x, own, count, &o, fo))
+      return false;
+    if (!tb_air_load(air, scratch, TABOR_BOUNDARY_BAFFLED, h ? r : b, x, own, count, &bb, fb))
+      return false;
+    *resistance += 0.25 * bb.resistance + 0.25 * o.resistance;
+    for (uint32_t p = 0; p < 2 * count; p++) fields[p] += 0.5 * (fo[p] + fb[p]);
+  }
+  return true;
+}
+
+/* Resistance and sound outside; `outward` holds the outward amplitudes of both heads. */
+static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, TbHeadMode *mode) {
+  const TaborDrumDef *def = e->def;
+  const double radius = def->shell.radius, density = def->air.density;
+  if (density == 0.0) return true;
+  TbAirPoint points[TABOR_MAX_MICS];
+  for (uint32_t p = 0; p < def->mic_count; p++) {
+    points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
+  }
+  double resistance;
+  const uint32_t heads = e->drum.cavity.heads;
+  if (!tb_air_drum_load(e->air, scratch, outward, heads > 1 ? outward + e->air->count : NULL,
+                        def->shell.depth / radius, mode->omega * radius / def->air.sound_speed,
+                        points, def->mic_count, &resistance, mode->fields)) {
+    return false;
+  }
+  mode->radiation_rate =
+    0.5 * fmax(0.0, resistance) * e->azimuth * density * def->air.sound_speed * radius * radius;
+  return true;
+}
+
+static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
+                        const double *outward, TbHeadMode *mode) {
+  mode->n = parts->strongest + 1;
+  mode->part = part_name(parts);
+  const double both = parts->largest[0] * parts->largest[1];
+  mode->phase = both > 0.0 ? 1 : (both < 0.0 ? -1 : 0);
+  if (!radiate(e, scratch, outward, mode)) return false;
+  if (e->def->quality.losses == 0) {
+    mode->radiation_rate = 0.0;
+    return true;
+  }
+  mode->shell_rate = 0.5 * parts->wall_loss;
+  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
+  return true;
+}
+
+/* Keeps what moves a head, up to `limit`; `vectors` are outward, the order's upward. */
+static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *eigenvalues,
+                              double *vectors, double limit, TbHeadOrder *order, TbHeadMode *modes,
+                              uint32_t room) {
+  const uint32_t n = e->air->count, heads = e->drum.cavity.heads;
+  const uint32_t size = tb_coupled_size(&e->cavity, &e->drum, e->air);
+  double outward[2 * TB_MAX_ZEROS];
+  for (uint32_t k = 0; k < size && order->mode_count < room; k++) {
+    if (!(eigenvalues[k] <= limit * limit)) break;
+    double *v = vectors + (size_t)k * size;
+    for (uint32_t i = 0; i < heads * n; i++) outward[i] = v[i];
+    for (uint32_t i = n; i < heads * n; i++) v[i] = -v[i]; /* the lower head's upward */
+    const Parts parts = parts_of(e, v);
+    if (parts.head_mass[0] + parts.head_mass[1] < LEAST_HEAD) continue;
+    TbHeadMode *mode = &modes[order->mode_count];
+    *mode = (TbHeadMode){.m = order->m, .index = k, .omega = sqrt(eigenvalues[k])};
+    mode->place = order->mode_count;
+    TbArena one;
+    tb_arena_prepare(&one, &arena->allocator);
+    const bool finished = finish_mode(e, &parts, &one, outward, mode);
+    tb_arena_release(&one);
+    if (!finished) return TABOR_ERROR_MEMORY;
+    for (uint32_t h = 0; h < heads; h++) {
+      double *kept = order->vectors[h] + (size_t)order->mode_count * n;
+      for (uint32_t i = 0; i < n; i++) kept[i] = v[h * n + i];
+    }
+    order->mode_count++;
+  }
+  return TABOR_OK;
+}
+
+TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
+                              const TbAirOrder *air, double limit, TbHeadOrder *order,
+                              TbHeadMode *modes, uint32_t room) {
+  Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
+  e.azimuth = air->m ? PI : 2.0 * PI;
+  const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
+  if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
+                               COORDINATES * first_frequency(&e.drum))) {
+    return TABOR_ERROR_MEMORY;
+  }
+  const uint32_t size = tb_coupled_size(&e.cavity, &e.drum, air);
+  double *eigenvalues = tb_arena_doubles(scratch, size);
+  double *vectors = tb_arena_doubles(scratch, (size_t)size * size);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  const TaborStatus status =
+    tb_coupled_solve(&e.drum, scratch, air, &e.cavity, eigenvalues, vectors);
+  if (status != TABOR_OK) return status;
+  uint32_t below = 0;
+  while (below < size && eigenvalues[below] <= limit * limit) below++;
+  for (uint32_t h = 0; h < e.drum.cavity.heads; h++) {
+    order->vectors[h] = tb_arena_doubles(arena, (size_t)below * air->count);
+  }
+  if (arena->failed) return TABOR_ERROR_MEMORY;
+  return keep_modes(&e, arena, eigenvalues, vectors, limit, order, modes, room);
+}

@@ -3,6 +3,7 @@
 
 #include "energy.h"
 #include "params.h"
+#include "slots.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
@@ -14,6 +15,8 @@ static double definition_value(const TaborDrumDef *def, uint32_t index) {
   case TB_LIVE_DAMPING_1: return def->wires.damping_1;
   case TB_LIVE_STRAINER: return def->wires.strainer;
   case TB_LIVE_REST_OFFSET: return def->wires.rest_offset;
+  case TB_LIVE_MUFFLE: return def->batter.muffle_strength;
+  case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
   case TB_LIVE_FULL_SCALE: return def->full_scale;
   default: return index - TB_LIVE_GAIN < def->mic_count ? def->mic[index - TB_LIVE_GAIN].gain : 1.0;
   }
@@ -69,6 +72,7 @@ void tb_live_definition(const TaborModel *model, TbLive *live) {
 
 void tb_live_reset(TbView *view) {
   tb_live_definition(view->model, view->state->live);
+  tb_slots_muffle(view);
   tb_live_apply(view);
 }
 
@@ -79,6 +83,8 @@ static int live_index(uint32_t parameter) {
   case TB_PARAM_WIRES_DAMPING_1: return TB_LIVE_DAMPING_1;
   case TB_PARAM_WIRES_STRAINER: return TB_LIVE_STRAINER;
   case TB_PARAM_WIRES_REST_OFFSET: return TB_LIVE_REST_OFFSET;
+  case TB_PARAM_BATTER_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE;
+  case TB_PARAM_RESONANT_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE_RESONANT;
   case TB_PARAM_OUTPUT_FULL_SCALE: return TB_LIVE_FULL_SCALE;
   case TB_PARAM_MIC_GAIN: return TB_LIVE_GAIN;
   default: return -1;
@@ -89,6 +95,7 @@ bool tb_live_set(TbView *view, uint32_t parameter, uint32_t index, double value)
   const TbParam *param = tb_param_by_id(parameter);
   const int first = live_index(parameter);
   if (!param || first < 0) return false;
+  if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
   TbLive *live = &view->state->live[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
   live->target = clamp(value, param->info.minimum, param->info.maximum);
@@ -119,6 +126,7 @@ void tb_live_step(TbView *view) {
   if (!pending) return;
   const double before = tb_energy_stored(view, &view->now, &view->last);
   for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) advance(&live[i], i == TB_LIVE_TENSION);
+  tb_slots_muffle(view);
   tb_live_apply(view);
   view->state->sums.control += tb_energy_stored(view, &view->now, &view->last) - before;
 }

@@ -249,7 +249,6 @@ static TaborStatus refuse_not_yet(const TaborDrumDef *def, TaborError *error) {
     const char *key, *what;
   } missing[] = {
     {def->batter.stretch_stiffness > 0.0, "batter.stretch_stiffness", "stretching of the head"},
-    {def->batter.muffle_strength > 0.0, "batter.muffle_strength", "a damper on the head"},
   };
   for (size_t i = 0; i < sizeof missing / sizeof *missing; i++) {
     if (!missing[i].asked) continue;

@@ -72,7 +72,7 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   TbSlot *s = &view->state->slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
-  tb_model_shape(model, TABOR_HEAD_BATTER, s->radius, s->angle, patch, view->radial,
+  tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial,
                  tb_slot_shape(view, slot));
   couple(view, slot);
   prepare_law(view, slot);
@@ -116,6 +116,34 @@ static void take_away(TbView *view, uint32_t slot) {
   tb_live_apply(view);
 }
 
+void tb_slots_muffle(TbView *view) {
+  const TaborModel *model = view->model;
+  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  for (uint32_t h = 0; h < model->head.heads; h++) {
+    const uint32_t slot = TB_MUFFLERS + h;
+    TbSlot *s = &view->state->slots[slot];
+    const double strength =
+      model->def.quality.losses ? view->state->live[TB_LIVE_MUFFLE + h].now : 0.0;
+    if (strength == s->strength) continue;
+    if (strength == 0.0) {
+      take_away(view, slot);
+      continue;
+    }
+    const bool there = s->kind == TB_SLOT_HAND;
+    *s = (TbSlot){.kind = TB_SLOT_HAND,
+                  .head = h,
+                  .radius = heads[h]->muffle_radius,
+                  .angle = heads[h]->muffle_angle,
+                  .strength = strength};
+    view->state->slot_mask |= 1u << slot;
+    if (there) {
+      prepare_law(view, slot);
+    } else {
+      tb_slots_rebuild(view, slot);
+    }
+  }
+}
+
 static bool touches(const TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
   return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
@@ -124,7 +152,7 @@ static bool touches(const TbView *view, uint32_t slot) {
 /* A free slot, if need be that of the oldest striker which touches nothing; TB_SLOTS if none. */
 static uint32_t obtain(TbView *view) {
   uint32_t oldest = TB_SLOTS;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
     if (s->kind != TB_SLOT_STRIKER || s->held || touches(view, i)) continue;
@@ -212,7 +240,7 @@ double tb_slots_hand_work(const TbView *view) {
 }
 
 static uint32_t find_hand(const TbView *view, uint32_t id) {
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_HAND && s->id == id) return i;
   }
@@ -237,7 +265,7 @@ bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, do
 }
 
 void tb_slots_release(TbView *view, uint32_t id) {
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     if (in_play(view, i) && (id == 0 || view->state->slots[i].id == id)) take_away(view, i);
   }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is in play on the head: strikers and damping hands, in a fixed pool. Audio-safe.
+/* What is in play on the heads: strikers and damping hands, in a fixed pool, and the mufflers, hands that
+ * stay where the definition puts them. Audio-safe.
  *
  * A striker is its effective tip mass M, free but for the contact: M z_tt = f, [Torin2014] eq. (5);
  * no gravity, since a hand carries the stick. It starts touching the head's momentary surface with
@@ -25,7 +26,9 @@ bool tb_slots_press(TbView *view, uint32_t id, double pressure);
 double tb_slots_free_height(const TbView *view, uint32_t slot);
 /* Work [J] of the hands on the pressed strikers in the step from view->last to view->next. */
 double tb_slots_hand_work(const TbView *view);
-/* Takes away what has this id, or everything for 0. */
+/* Lays on, adjusts or lifts the mufflers as their live strengths say. */
+void tb_slots_muffle(TbView *view);
+/* Takes away strikers and hands with this id, or all for 0; mufflers stay. */
 void tb_slots_release(TbView *view, uint32_t id);
 /* Takes away strikers that are done; call once per sample after the rotation. */
 void tb_slots_retire(TbView *view);

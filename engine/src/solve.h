@@ -25,10 +25,11 @@
 #include "law.h"
 #include "tabor/tabor.h"
 
-#define TB_SLOTS ((uint32_t)TABOR_MAX_ACTIVE)
+/* Strikers and hands, then a muffler for each head; a multiple of 8. */
+#define TB_SLOTS 16u
 
 /* Rows 0 .. stride-1 are wire points (those from `wire_rows` on are padding), the TB_SLOTS rows after
- * them are strikers and hands, of which `slot_mask` tells the ones in play. Rows that stand for nothing
+ * them are strikers, hands and mufflers, of which `slot_mask` tells the ones in play. Rows that stand for nothing
  * have b = 0, y < 0 and no force, and their compliances are 0: loops may run over them. */
 typedef struct TbSolve {
   const TbKernels *kernels;

@@ -13,6 +13,8 @@ typedef enum TbLiveIndex {
   TB_LIVE_DAMPING_1,
   TB_LIVE_STRAINER,
   TB_LIVE_REST_OFFSET,
+  TB_LIVE_MUFFLE, /* of the batter head; the resonant one's follows */
+  TB_LIVE_MUFFLE_RESONANT,
   TB_LIVE_FULL_SCALE,
   TB_LIVE_GAIN, /* of the first microphone; the others follow */
   TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
@@ -28,6 +30,9 @@ typedef struct TbLive {
 
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
+/* The slot of the batter head's muffler, a hand that stays; the resonant head's follows. */
+#define TB_MUFFLERS ((uint32_t)TABOR_MAX_ACTIVE)
+
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
  * height at its place; penetration eta = w - z (a hand: eta = w). */
 typedef struct TbSlot {
@@ -37,6 +42,7 @@ typedef struct TbSlot {
   double mass;                              /* [kg] */
   double rest_height;                       /* of the head at its place [m] */
   uint32_t definition;                      /* which striker */
+  uint32_t head;                            /* a TaborHead */
   uint32_t held;                            /* a hand presses it: see slots.h */
   double press, anchor;                     /* F0 [N], z0 [m] */
   double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */

@@ -159,7 +159,7 @@ static void carry_slots(const TbView *from, TbView *to) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
   to->state->serial = from->state->serial;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *slot = &from->state->slots[i];
     const bool known = slot->definition < to->model->def.striker_count;
     if (slot->kind == TB_SLOT_FREE || !known) continue;
@@ -168,6 +168,7 @@ static void carry_slots(const TbView *from, TbView *to) {
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = from->last.z[i];
   }
+  tb_slots_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (to->state->slots[i].kind == TB_SLOT_FREE) continue;
     const double force = from->solve.force[from->model->wires.stride + i];

@@ -80,6 +80,8 @@ typedef struct TbView {
   double *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
   double *fold, *modal; /* scratch of the projection */
   double *high_drive, *high_groups, *high_force;
+  double *stretch_y[2], *stretch_pull[2]; /* [padded]: see stretch.h */
+  double stretch_s2[2][2], stretch_free[2];
   double *coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;

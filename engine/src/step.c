@@ -8,6 +8,7 @@
 #include "guard.h"
 #include "live.h"
 #include "slots.h"
+#include "stretch.h"
 
 /* Where head and wires would be without contact forces, into view->next. */
 static void free_motion(TbView *view) {
@@ -181,10 +182,13 @@ static void listen(TbView *view, double *pressure) {
 void tb_step(TbView *view, double *pressure) {
   tb_live_step(view);
   free_motion(view);
+  tb_stretch_free(view);
   free_penetration(view);
+  tb_stretch_rest_load(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   respond(view);
+  tb_stretch_respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (!shortened && outcome.contact) book_contacts(view, &outcome);
   book_losses(view);

@@ -208,7 +208,9 @@ typedef struct TaborMicDef {
   char name[TABOR_NAME_SIZE];
   double radius; /**< distance from the axis [m], 0 to 10, default 0.05 */
   double angle;  /**< [deg], -360 to 360, default 90 */
-  double height; /**< above the head, negative below [m], 0.01 to 10 in size, default 0.10 */
+  double height; /**< above the batter head, negative below [m], 0.01 to 10 in size, default 0.10;
+                      not inside a closed or two-headed shell, nor within 0.01 of a resonant head's
+                      plane */
   double gain;   /**< [1], 0 to 100, default 1 */
 } TaborMicDef;
 

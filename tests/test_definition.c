@@ -987,36 +987,6 @@ static void test_mics_and_shell(void **state) {
   refuse_mic(&def, "0", "-0.15", "inside the shell, which ends 0.3 m below");
 }
 
-static void refuse_model(const TaborDrumDef *def, const char *key) {
-  TaborModel *model = (TaborModel *)def;
-  TaborError error;
-  must_validate(def);
-  assert_int_equal(tabor_model_create(def, NULL, &model, &error), TABOR_ERROR_RANGE);
-  assert_null(model);
-  assert_tidy(&error, TABOR_ERROR_RANGE);
-  assert_string_equal(error.key, key);
-  assert_non_null(strstr(error.message, "cannot compute"));
-}
-
-/* Goes when the physics is there. */
-static void test_not_yet(void **state) {
-  (void)state;
-  TaborDrumDef good, def;
-  tabor_drum_def_default(&good);
-  def = good;
-  must_set(&def, "resonant.tension", "2000");
-  refuse_model(&def, "resonant");
-  def = good;
-  must_set(&def, "shell.boundary", "closed");
-  refuse_model(&def, "shell.boundary");
-  def = good;
-  must_set(&def, "batter.stretch_stiffness", "1");
-  refuse_model(&def, "batter.stretch_stiffness");
-  def = good;
-  must_set(&def, "batter.muffle_strength", "0.1");
-  refuse_model(&def, "batter.muffle_strength");
-}
-
 static void test_names(void **state) {
   (void)state;
   TaborDrumDef def;
@@ -1232,7 +1202,6 @@ int main(void) {
     cmocka_unit_test(test_second_head),    cmocka_unit_test(test_second_head_keys),
     cmocka_unit_test(test_heads_alike),    cmocka_unit_test(test_resonant_sheet),
     cmocka_unit_test(test_between_heads),  cmocka_unit_test(test_mics_and_shell),
-    cmocka_unit_test(test_not_yet),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

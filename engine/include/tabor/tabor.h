@@ -121,11 +121,9 @@ typedef enum TaborStrikerKind {
 
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
-  double depth;  /**< from the batter head down to the resonant one or to the bottom of a closed
-                          drum [m], 0.01 to 1.5, default 0.14; open and baffled: without effect */
-  uint32_t
-    boundary; /**< a TaborBoundary, default open, which it must be on a two-headed drum: there
-                          the shell encloses the air between the heads */
+  double depth;  /**< of the air below the batter head, down to the resonant head or the bottom of
+                          a closed drum [m], 0.01 to 1.5, default 0.14; otherwise without effect */
+  uint32_t boundary; /**< a TaborBoundary, default open, which it has to be on a two-headed drum */
 } TaborShellDef;
 
 /**
@@ -373,7 +371,6 @@ typedef struct TaborModelInfo {
   size_t model_bytes, drum_bytes;
 } TaborModelInfo;
 
-/** One mode of the head with its air. */
 /** What a mode moves most. */
 typedef enum TaborModePart {
   TABOR_PART_BATTER,   /**< the batter head, with over 90 % of the heads' energy */
@@ -382,11 +379,12 @@ typedef enum TaborModePart {
   TABOR_PART_CAVITY    /**< the air between them, with over half of all kinetic energy */
 } TaborModePart;
 
+/** One mode of the heads with their air. */
 typedef struct TaborModeInfo {
-  uint32_t m, n;         /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
+  uint32_t m, n;     /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
                               function that moves most */
-  double frequency;      /**< [Hz] */
-  double decay_rate;     /**< of the amplitude [1/s] */
+  double frequency;  /**< [Hz] */
+  double decay_rate; /**< of the amplitude [1/s] */
   double radiation_rate; /**< the part of it that leaves as sound [1/s] */
   uint32_t multiplicity; /**< 1, or 2 with a sine copy */
   TaborModePart part;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The same drum at every sample rate: levels per third of an octave up to 16 kHz, and the first modes. */
+/* The same drum at every sample rate: levels per tenth of a decade up to 16 kHz, and the first modes. */
 #include "physics.h"
+
+#include "treble.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATES[4] = {44100.0, 48000.0, 96000.0, 192000.0};
@@ -34,6 +36,14 @@ static Stroke play(const TaborDrumDef *def, double rate, double seconds) {
   return stroke;
 }
 
+/* Fades the second half: a tone that is cut off would sound at all frequencies. */
+static void fade(Stroke *stroke) {
+  const uint32_t half = stroke->count / 2;
+  for (uint32_t i = half; i < stroke->count; i++) {
+    stroke->sound[i] *= 0.5 + 0.5 * cos(PI * (i - half) / (stroke->count - half));
+  }
+}
+
 static void stroke_free(Stroke *stroke) {
   free(stroke->sound);
   free(stroke->force);
@@ -53,43 +63,75 @@ static double power_at(const double *x, uint32_t count, double f, double rate) {
   return (re * re + im * im) / (rate * rate);
 }
 
-/* Sound per force in every band [dB]. */
-static void band_levels(const Stroke *stroke, double rate, double *levels) {
+typedef struct Levels {
+  double sound[BANDS], response[BANDS]; /* [dB]; response: per force, the treble filter taken out */
+} Levels;
+
+static double treble_gain(double f, double rate) {
+  double memory[3] = {0.0}, re = 0.0, im = 0.0;
+  for (int i = 0; i < 200; i++) {
+    const double y = tb_treble(memory, i == 0 ? 1.0 : 0.0);
+    re += y * cos(2.0 * PI * f * i / rate);
+    im -= y * sin(2.0 * PI * f * i / rate);
+  }
+  return re * re + im * im;
+}
+
+static void band_levels(const Stroke *stroke, double rate, Levels *levels) {
   const double step = rate / stroke->count;
   for (int band = 0; band < BANDS; band++) {
     const double low = band_middle(band) * pow(10.0, -0.05), high = low * pow(10.0, 0.1);
-    double sound = 0.0, force = 0.0;
+    double sound = 0.0, plain = 0.0, force = 0.0;
     for (double f = ceil(low / step) * step; f < high; f += step) {
-      sound += power_at(stroke->sound, stroke->count, f, rate);
+      const double power = power_at(stroke->sound, stroke->count, f, rate);
+      sound += power;
+      plain += power / treble_gain(f, rate);
       force += power_at(stroke->force, stroke->count, f, rate);
     }
-    levels[band] = 10.0 * log10(sound / force);
+    levels->sound[band] = 10.0 * log10(sound);
+    levels->response[band] = 10.0 * log10(plain / force);
   }
 }
 
-/* What a force makes of sound depends on no rate; the force itself is a solver's, see
- * test_system_convergence.c. */
-static void levels_agree_from_44_to_192_kHz(void **state) {
-  (void)state;
-  TaborDrumDef def = physics_preset("frame-drum");
-  def.strike.velocity = 2.0;
-  double levels[4][BANDS];
-  for (int r = 0; r < 4; r++) {
-    Stroke stroke = play(&def, RATES[r], 0.1);
-    band_levels(&stroke, RATES[r], levels[r]);
-    stroke_free(&stroke);
-  }
+static double compare(const char *what, double levels[4][BANDS], double top) {
   double worst = 0.0;
+  print_message("%s: 44.1, 48, 96 against 192 kHz [dB]\n", what);
   for (int band = 0; band < BANDS; band++) {
     print_message("%6.0f Hz:", band_middle(band));
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < 3; r++) {
       const double off = levels[r][band] - levels[3][band];
-      print_message(" %+6.2f", r == 3 ? levels[r][band] : off);
-      worst = fmax(worst, fabs(off));
+      print_message(" %+6.2f", off);
+      if (band_middle(band) < 1.01 * top) worst = fmax(worst, fabs(off));
     }
-    print_message(" dB\n");
+    print_message(" of %+7.2f\n", levels[3][band]);
   }
-  assert_true(worst < 0.5);
+  return worst;
+}
+
+/* What a force makes of sound depends on no rate. The force itself is the solver's: with its loss of
+ * treble made good, the sound of a medium and of a hard stroke agrees too, but for the last octave of the
+ * hard one, which lies a hundred decibels down. */
+static void levels_agree_from_44_to_192_kHz(void **state) {
+  (void)state;
+  static const double SPEEDS[2] = {2.0, 10.0};
+  for (int speed = 0; speed < 2; speed++) {
+    TaborDrumDef def = physics_preset("frame-drum");
+    def.strike.velocity = SPEEDS[speed];
+    double sound[4][BANDS], response[4][BANDS];
+    for (int r = 0; r < 4; r++) {
+      Stroke stroke = play(&def, RATES[r], 0.1);
+      Levels levels;
+      fade(&stroke);
+      band_levels(&stroke, RATES[r], &levels);
+      memcpy(sound[r], levels.sound, sizeof sound[r]);
+      memcpy(response[r], levels.response, sizeof response[r]);
+      stroke_free(&stroke);
+    }
+    print_message("%g m/s\n", SPEEDS[speed]);
+    assert_true(compare("sound per force", response, 16000.0) < 0.5);
+    assert_true(compare("sound", sound, 10000.0) < 0.5);
+    assert_true(compare("sound", sound, 16000.0) < 3.0);
+  }
 }
 
 /* Of a decaying mode, from the phase that it gains between two Hann windows. */

@@ -56,6 +56,7 @@ typedef struct TbState {
   uint32_t slot_mask;
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
+  double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see treble.h */
   TbLive live[TB_LIVE_COUNT];
   TbWireCoefficients wires[TABOR_MAX_WIRES];
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */

@@ -194,8 +194,8 @@ static void slow_modes_radiate_as_others_do(void **state) {
   assert_true(tb_air_order_prepare(&order, &arena, 0, &zero, 1));
   assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, &one, 5.0, &point, 1, &load, a));
   assert_true(tb_air_slow(&order, &arena, 5.0, &point, 1, &resistance, b));
-  assert_true(fabs(load.resistance / resistance - 1.0) < 1e-9);
-  assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-9 * hypot(a[0], a[1]));
+  assert_true(fabs(load.resistance / resistance - 1.0) < 1e-4);
+  assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-4 * hypot(a[0], a[1]));
   tb_arena_release(&arena);
 }
 

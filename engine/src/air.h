@@ -18,19 +18,31 @@
  * sqrt = +i sqrt(x^2 - k^2) below x, the impedance is Z = i omega 2 a_m rho0 R^3 b^T C^-1 b, both
  * sides together. Limits: a rigid disc has mass 8/3 rho0 R^3 and resistance (16/27 pi) x^4 rho0 c0 R^2.
  *
+ * Drum (the heads of a closed shell, or one over a rigid bottom, in free space): between the baffled and
+ * the open head, each head in its own outward direction. With k = x sin t, W and P of both heads:
+ *   field: I = (I_baffled + I_open)/2 of each head at its own outward height, summed; I_baffled is even in
+ *   that height, I_open odd;
+ *   resistance, from the far fields W and i x cos t P of those two:
+ *   r = (x^2/2) Int_0^{pi/2} [W_1^2 + W_2^2 + 2 W_1 W_2 cos(x d cos t)
+ *       + x^2 cos^2 t (|P_1|^2 + |P_2|^2 - 2 Re(P_1 P_2*) cos(x d cos t))] sin t dt, d the depth.
+ * That is (r_b + r_o/2)/2 of each head and (r_b - r_o/2)/2 between them, never negative. Limits: two heads
+ * at the same place that move outwards alike cancel as dipoles and give both sides of a baffled head; a
+ * head alone and slow gives a quarter of those, the monopole of free space.
+ *
  * All results are dimensionless: multiply masses by a_m rho0 R^3 [kg], resistances by
  * a_m rho0 c0 R^2 [kg/s]. Set-up only. */
 #ifndef TB_AIR_H
 #define TB_AIR_H
 
-#include "arena.h"
+#include "besseltable.h"
 
 /* The radial modes of one angular order, with what the integrals need of them. */
 typedef struct TbAirOrder {
-  uint32_t m, count, terms; /* terms of the open head's expansion */
-  const double *zeros;      /* z_i, ascending */
-  double *slopes;           /* J_{m+1}(z_i) */
-  double *expansion;        /* [count][terms]: z_i^{-3/2} J_{mu_n}(z_i) */
+  uint32_t m, count, terms;   /* terms of the open head's expansion */
+  const double *zeros;        /* z_i, ascending */
+  double *slopes;             /* J_{m+1}(z_i) */
+  double *expansion;          /* [count][terms]: z_i^{-3/2} J_{mu_n}(z_i) */
+  const TbBesselTable *table; /* NULL: every value is computed, which takes longer */
 } TbAirOrder;
 
 /* A point of the field: distance from the axis and height above the head's plane, in units of R. */
@@ -61,8 +73,16 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
                  double x, const TbAirPoint *points, uint32_t point_count, TbAirLoad *load,
                  double *fields);
 
+/* Resistance and fields of a drum at x > 0. `upper` and `lower` are its heads' outward amplitudes; the
+ * lower head lies `depth` below the upper one, above whose plane the points' heights are given. `lower`
+ * may be NULL: a rigid bottom. */
+bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *upper,
+                      const double *lower, double depth, double x, const TbAirPoint *points,
+                      uint32_t point_count, double *resistance, double *fields);
+
 /* Both sides' resistance, and the fields, of one baffled Bessel function that moves slower than sound:
- * what tb_air_load() gives, without the mass. `order` has one zero and needs no expansion. */
+ * what tb_air_load() gives, without the mass and to four digits only. `order` has one zero and needs no
+ * expansion. */
 bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, double x, const TbAirPoint *points,
                  uint32_t point_count, double *resistance, double *fields);
 

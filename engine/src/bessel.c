@@ -13,10 +13,15 @@ static double cube_root_above(double x) {
   return y;
 }
 
-/* An even order from which the recurrence has forgotten its start at orders <= m to 1e-17: beyond
- * the turning point J_l falls like exp(-(2/3) (2/x)^(1/2) (l - x)^(3/2)) at first, then faster. */
+/* Beyond the turning point J_l falls like exp(-(2/3) (2/x)^(1/2) (l - x)^(3/2)) at first, then
+ * faster: below 1e-17 here. */
+static double beyond_turn(double x) { return x + 14.0 * cube_root_above(x) + 10.0; }
+
+uint32_t tb_bessel_reach(double x) { return (uint32_t)beyond_turn(x); }
+
+/* An even order from which the recurrence has forgotten its start at orders <= m to 1e-17. */
 static uint32_t miller_start(uint32_t m, double x) {
-  const double turn = x + 14.0 * cube_root_above(x) + 10.0;
+  const double turn = beyond_turn(x);
   const double top = turn > (double)m + 2.0 ? turn : (double)m + 2.0;
   return 2u * ((uint32_t)(top / 2.0) + 6u);
 }
@@ -109,19 +114,28 @@ static double half_scale(double x, double here, double above) {
   return (fabs(j0) > fabs(j1) ? j0 / here : j1 / above) * sqrt(2.0 * x / PI);
 }
 
-/* Downwards below the turning point is stable too, so one direction serves all orders. */
-void tb_bessel_half8(const double x[8], uint32_t count, double *j) {
-  double inverse[8], above[8], here[8], top = 0.0;
+/* Values that the recurrence over orders l + shift ends with: at order shift, one above, and for whole
+ * orders the sum that is 1. */
+typedef struct Ends {
+  double here[8], above[8], sum[8];
+} Ends;
+
+/* j[l][i], l < count, up to one factor per lane. Downwards below the turning point is stable too, so one
+ * direction serves all orders. */
+static void descend(const double x[8], double shift, uint32_t count, double *j, Ends *ends) {
+  double inverse[8], above[8], here[8], sum[8], top = 0.0;
   for (int i = 0; i < 8; i++) {
-    inverse[i] = 1.0 / x[i];
+    inverse[i] = 2.0 / x[i];
     above[i] = 0.0;
     here[i] = 1e-200;
+    sum[i] = 0.0;
     top = x[i] > top ? x[i] : top;
   }
   const uint32_t fastest = fastest_lane(x);
   for (uint32_t l = miller_start(count, top); l > 0; l--) {
-    const double factor = 2.0 * (double)l + 1.0;
+    const double factor = (double)l + shift, even = l % 2 == 0 ? 2.0 : 0.0;
     for (int i = 0; i < 8; i++) {
+      sum[i] += even * here[i];
       const double next = factor * inverse[i] * here[i] - above[i];
       above[i] = here[i];
       here[i] = next;
@@ -131,16 +145,35 @@ void tb_bessel_half8(const double x[8], uint32_t count, double *j) {
     }
     if (magnitude(here[fastest]) < 1e100) continue;
     for (uint32_t i = 0; i < 8; i++) {
-      const double scale = fabs(here[i]) > 1e50 ? 1e-150 : 1.0;
+      const double scale = magnitude(here[i]) > 1e50 ? 1e-150 : 1.0;
       above[i] *= scale;
       here[i] *= scale;
+      sum[i] *= scale;
       for (uint32_t o = l - 1; o < count; o++) j[8 * o + i] *= scale;
     }
   }
+  for (int i = 0; i < 8; i++) {
+    ends->here[i] = here[i];
+    ends->above[i] = above[i];
+    ends->sum[i] = sum[i] + here[i];
+  }
+}
+
+void tb_bessel_half8(const double x[8], uint32_t count, double *j) {
+  Ends ends;
+  descend(x, 0.5, count, j, &ends);
   double scale[8];
-  for (int i = 0; i < 8; i++) scale[i] = half_scale(x[i], here[i], above[i]);
+  for (int i = 0; i < 8; i++) scale[i] = half_scale(x[i], ends.here[i], ends.above[i]);
   for (uint32_t o = 0; o < count; o++) {
     for (uint32_t i = 0; i < 8; i++) j[8 * o + i] *= scale[i];
+  }
+}
+
+void tb_bessel_whole8(const double x[8], uint32_t count, double *j) {
+  Ends ends;
+  descend(x, 0.0, count, j, &ends);
+  for (uint32_t o = 0; o < count; o++) {
+    for (uint32_t i = 0; i < 8; i++) j[8 * o + i] /= ends.sum[i];
   }
 }
 

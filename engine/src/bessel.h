@@ -22,6 +22,12 @@ void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]);
  * libm: set-up only. */
 void tb_bessel_half8(const double x[8], uint32_t count, double *j);
 
+/* j[l][i] = J_l(x[i]), as above but whole orders. */
+void tb_bessel_whole8(const double x[8], uint32_t count, double *j);
+
+/* The order above which J(x) is nothing in double precision. */
+uint32_t tb_bessel_reach(double x);
+
 /* Zeros of J_m below `top`, ascending. `below` holds those of J_{m-1} (unused for m = 0).
  * Returns how many; writes at most `room`. */
 uint32_t tb_bessel_zeros(uint32_t m, double top, const double *below, uint32_t below_count,

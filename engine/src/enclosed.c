@@ -98,27 +98,6 @@ static uint32_t part_name(const Parts *parts) {
   return TABOR_PART_BOTH;
 }
 
-static bool tb_air_drum_load(const TbAirOrder *air, TbArena *scratch, const double *b,
-                             const double *r, double depth, double x, const TbAirPoint *points,
-                             uint32_t count, double *resistance, double *fields) {
-  *resistance = 0.0;
-  for (uint32_t p = 0; p < 2 * count; p++) fields[p] = 0.0;
-  for (uint32_t h = 0; h < (r ? 2u : 1u); h++) {
-    TbAirPoint own[TABOR_MAX_MICS];
-    for (uint32_t p = 0; p < count; p++)
-      own[p] = (TbAirPoint){points[p].radius, h ? -(points[p].height + depth) : points[p].height};
-    double fo[2 * TABOR_MAX_MICS], fb[2 * TABOR_MAX_MICS];
-    TbAirLoad o, bb;
-    if (!tb_air_load(air, scratch, TABOR_BOUNDARY_OPEN, h ? r : b, x, own, count, &o, fo))
-      return false;
-    if (!tb_air_load(air, scratch, TABOR_BOUNDARY_BAFFLED, h ? r : b, x, own, count, &bb, fb))
-      return false;
-    *resistance += 0.25 * bb.resistance + 0.25 * o.resistance;
-    for (uint32_t p = 0; p < 2 * count; p++) fields[p] += 0.5 * (fo[p] + fb[p]);
-  }
-  return true;
-}
-
 /* Resistance and sound outside; `outward` holds the outward amplitudes of both heads. */
 static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, TbHeadMode *mode) {
   const TaborDrumDef *def = e->def;

@@ -14,6 +14,9 @@ static const double PI = 3.14159265358979323846;
 /* About z^2/4 - z/2 modes lie below z, sine copies counted: 2048 of them below this. */
 static const double TOP_ZERO = 91.0;
 
+/* Most of the air's integrals end at this many times the basis' highest zero. */
+static const double AIR_REACH = 4.0;
+
 /* Estimate with the air's mass rho0/K on each side: enough to choose the basis. */
 static double frequency_at(const TaborDrumDef *def, const TaborHeadDef *head, double zero) {
   const double wavenumber = zero / def->shell.radius;
@@ -37,7 +40,7 @@ static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *hea
 }
 
 static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                               TbHeadOrder *order) {
+                               const TbBesselTable *table, TbHeadOrder *order) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   const double limit = 2.0 * PI * head->bandwidth;
@@ -46,6 +49,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
   TbAirOrder air;
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
+    air.table = table;
     status = tb_has_cavity(def)
                ? tb_enclosed_order(def, arena, &scratch, &air, limit, order, modes, room)
                : tb_single_order(def, arena, &scratch, &air, limit, order, modes, room);
@@ -85,16 +89,11 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 
-TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                            double bandwidth) {
-  *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1, .radius = def->shell.radius};
-  const double basis_top = choose_basis(head, def, bandwidth);
-  const uint32_t most_orders = (uint32_t)basis_top + 1u;
+/* All orders, each from the zeros of the one before. */
+static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                                const TbBesselTable *table, double basis_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
-  head->orders = tb_arena_take(arena, most_orders, sizeof *head->orders);
-  head->modes = tb_arena_take(arena, TB_MAX_MODES, sizeof *head->modes);
-  if (arena->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t m = 0; m < most_orders; m++) {
+  for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
     const TbHeadOrder *last = m ? &head->orders[m - 1] : NULL;
     order->m = m;
@@ -104,13 +103,32 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
     order->zero_count = tb_bessel_zeros(m, basis_top, last ? last->zeros : NULL,
                                         last ? last->zero_count : 0, order->zeros, room);
     if (order->zero_count == 0) break;
-    const TaborStatus status = build_order(head, arena, def, order);
+    const TaborStatus status = build_order(head, arena, def, table, order);
     if (status != TABOR_OK) return status;
     head->zero_count += order->zero_count;
     head->order_count++;
   }
-  sort_modes(head);
   return TABOR_OK;
+}
+
+TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                            double bandwidth) {
+  *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1, .radius = def->shell.radius};
+  const double basis_top = choose_basis(head, def, bandwidth);
+  const uint32_t most_orders = (uint32_t)basis_top + 1u;
+  head->orders = tb_arena_take(arena, most_orders, sizeof *head->orders);
+  head->modes = tb_arena_take(arena, TB_MAX_MODES, sizeof *head->modes);
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  TbBesselTable table;
+  TaborStatus status = TABOR_ERROR_MEMORY;
+  if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
+      !arena->failed) {
+    status = build_orders(head, arena, def, &table, basis_top, most_orders);
+  }
+  tb_arena_release(&scratch);
+  if (status == TABOR_OK) sort_modes(head);
+  return status;
 }
 
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch) {

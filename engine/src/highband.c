@@ -11,7 +11,9 @@
 #include "power.h"
 
 static const double PI = 3.14159265358979323846;
-static const double KEPT = 0.999;     /* of each band's energy */
+static const double KEPT = 0.999; /* of each band's energy */
+static const double AIR_REACH =
+  2.0; /* the air's integrals end below this many times the top zero */
 static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
 
 /* One Bessel function, cosine and sine copies together. */
@@ -33,6 +35,7 @@ typedef struct Builder {
   TbArena *scratch;
   EdgeFactors edge;
   TbAirPoint points[TABOR_MAX_MICS];
+  TbBesselTable table;
   double top; /* [rad/s] */
   Candidate *candidates;
   uint32_t count, room;
@@ -64,18 +67,15 @@ static bool inaudible(const Builder *b, uint32_t m, double x, double zero) {
   return true;
 }
 
-static TbAirOrder single(uint32_t m, const double *zero, double *slope) {
-  *slope = tb_bessel_j(m + 1, *zero);
-  return (TbAirOrder){.m = m, .count = 1, .zeros = zero, .slopes = slope};
-}
-
 /* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. */
 static bool radiate(const Builder *b, uint32_t m, double zero, Candidate *c) {
   const TaborDrumDef *def = &b->model->def;
   const double radius = def->shell.radius, wavenumber = zero / radius;
   double mass, resistance;
   *c = (Candidate){.m = m, .zero = zero, .omega = frequency(def, wavenumber, &mass)};
-  const TbAirOrder order = single(m, &zero, &c->slope);
+  c->slope = tb_bessel_j(m + 1, zero);
+  const TbAirOrder order = {
+    .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
   TbArena scratch;
   tb_arena_prepare(&scratch, &b->scratch->allocator);
   const bool done = tb_air_slow(&order, &scratch, c->omega * radius / def->air.sound_speed,
@@ -171,9 +171,8 @@ static double top_zero(const Builder *b) {
 }
 
 /* All Bessel functions above the two-way modes of their order, up to the last order that is heard. */
-static bool collect(Builder *b) {
+static bool collect(Builder *b, double top) {
   const TbHead *head = &b->model->head;
-  const double top = top_zero(b);
   const double x = b->top * head->radius / b->model->def.air.sound_speed;
   double lists[2][96];
   uint32_t counts[2] = {0, 0};
@@ -290,7 +289,10 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
                                model->def.mic[p].height / model->head.radius};
   }
   b.candidates = tb_arena_take(&scratch, b.room, sizeof *b.candidates);
-  bool done = !scratch.failed && measure_edge(&b) && collect(&b);
+  const double zero = top_zero(&b);
+  bool done = !scratch.failed &&
+              tb_bessel_table_prepare(&b.table, &scratch, (uint32_t)zero + 1u, AIR_REACH * zero) &&
+              measure_edge(&b) && collect(&b, zero);
   if (done) {
     band->candidates = b.count;
     thin(&b);

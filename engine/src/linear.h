@@ -13,8 +13,12 @@ bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double 
 /* Solves A x = b for symmetric positive definite A, row-major; A is destroyed, b becomes x. */
 bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *right_hand_sides);
 
-/* Solves A x = b for complex symmetric A, given as (re, im) pairs; A is destroyed, b becomes x. */
-bool tb_solve_complex(TbArena *scratch, uint32_t n, double *matrix, uint32_t columns,
-                      double *right_hand_sides);
+/* A = L D L^T for a complex symmetric A whose real part is positive definite and whose imaginary part is
+ * semidefinite: then no pivot is small and none need be exchanged [Higham1998]. Lower triangles, row-major,
+ * become L (its unit diagonal left out) and D. False if memory ran out or A is singular. */
+bool tb_factor_symmetric(TbArena *scratch, uint32_t n, double *re, double *im);
+
+/* Solves A x = b with these factors; b as (re, im) pairs becomes x. */
+void tb_solve_factored(uint32_t n, const double *re, const double *im, double *b);
 
 #endif

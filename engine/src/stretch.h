@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Heads that stretch: large deflections raise the tension, and the pitch glides down as they decay.
  *
- * Berger's approximation, one scalar per head h [NSS]: the tension rises by S/(2A) Int |grad w|^2 dA,
+ * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by S/(2A) Int |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
  * S [N/m] the sheet's stretching stiffness, A its area. G_h counts as its diagonal: the exact one couples
  * modes of one order too, which changes glides by less than a tenth. q counts from rest: the sag under

@@ -36,6 +36,8 @@ typedef struct TbRest {
 /* What the heads' stretching needs, see stretch.h. */
 typedef struct TbStretch {
   uint32_t count;   /* heads that stretch */
+  uint32_t from[4]; /* where the modes that count begin in each group (modes.h), */
+  uint32_t size[4]; /* ... and how many they are, a multiple of 8 */
   double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
 } TbStretch;

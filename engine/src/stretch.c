@@ -21,19 +21,45 @@ static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode 
   return 0.5 * azimuth * sum;
 }
 
+/* Higher modes hardly stretch a head: up to this many times the lowest frequency they count. */
+static const double TOP = 12.0;
+
+/* Each group lists its modes by frequency, so those that count stand at its beginning. */
+static void prepare_ranges(TaborModel *model) {
+  const TbModes *modes = &model->modes;
+  TbStretch *stretch = &model->stretch;
+  const double top = TOP * model->head.modes[0].omega;
+  for (uint32_t group = 0; group <= modes->groups; group++) {
+    const uint32_t end = group < modes->groups ? modes->group[group + 1] : modes->padded;
+    uint32_t i = modes->group[group];
+    stretch->from[group] = i;
+    while (i < end && modes->row[i] != TB_NO_MODE && model->head.modes[modes->row[i]].omega < top) {
+      i++;
+    }
+    stretch->size[group] = tb_pad(i - modes->group[group]);
+  }
+}
+
+static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
+  for (uint32_t group = 0; group <= model->modes.groups; group++) {
+    const uint32_t from = model->stretch.from[group];
+    for (uint32_t i = from; i < from + model->stretch.size[group]; i++) {
+      const uint32_t row = model->modes.row[i];
+      if (row != TB_NO_MODE) gain[i] = slope_square(&model->head, which, &model->head.modes[row]);
+    }
+  }
+}
+
 TaborStatus tb_stretch_prepare(TaborModel *model) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
-  const TbModes *modes = &model->modes;
   const double area = PI * model->head.radius * model->head.radius;
   TbStretch *stretch = &model->stretch;
+  prepare_ranges(model);
   for (uint32_t h = 0; h < model->head.heads; h++) {
     if (heads[h]->stretch_stiffness == 0.0) continue;
-    double *gain = tb_arena_doubles(&model->arena, modes->padded);
+    double *gain = tb_arena_doubles(&model->arena, model->modes.padded);
     if (!gain) return TABOR_ERROR_MEMORY;
-    for (uint32_t i = 0; i < modes->padded; i++) {
-      if (modes->row[i] == TB_NO_MODE) continue;
-      gain[i] = slope_square(&model->head, h, &model->head.modes[modes->row[i]]);
-    }
+    fill_gain(model, h, gain);
     stretch->gain[stretch->count] = gain;
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
@@ -55,15 +81,28 @@ static void invert(uint32_t count, double a[2][2], const double *factor, double 
   s2[1][1] = n[0][0] / determinant;
 }
 
+/* Sum x y over the modes that count. */
+static double dot(const TaborModel *model, const double *x, const double *y) {
+  double sum = 0.0;
+  for (uint32_t group = 0; group <= model->modes.groups; group++) {
+    const uint32_t from = model->stretch.from[group];
+    sum += model->kernels->dot(model->stretch.size[group], x + from, y + from);
+  }
+  return sum;
+}
+
 /* y = G q, and what a unit of theta takes from the modes, g y P. */
 static void prepare_shapes(TbView *view) {
-  const TbModes *modes = &view->model->modes;
   const TbStretch *stretch = &view->model->stretch;
+  const double *gains = view->model->modes.g, *q = view->now.q;
   for (uint32_t h = 0; h < stretch->count; h++) {
     double *y = view->stretch_y[h], *pull = view->stretch_pull[h];
-    for (uint32_t i = 0; i < modes->padded; i++) {
-      y[i] = stretch->gain[h][i] * view->now.q[i];
-      pull[i] = modes->g[i] * y[i] * stretch->factor[h];
+    for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group], to = from + stretch->size[group];
+      for (uint32_t i = from; i < to; i++) {
+        y[i] = stretch->gain[h][i] * q[i];
+        pull[i] = gains[i] * y[i] * stretch->factor[h];
+      }
     }
   }
 }
@@ -71,9 +110,14 @@ static void prepare_shapes(TbView *view) {
 /* theta = S2 t/2; takes its pull from next.q. */
 static void apply(TbView *view, const double t[2]) {
   const TaborModel *model = view->model;
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
+  const TbStretch *stretch = &model->stretch;
+  for (uint32_t h = 0; h < stretch->count; h++) {
     const double theta = 0.5 * (view->stretch_s2[h][0] * t[0] + view->stretch_s2[h][1] * t[1]);
-    model->kernels->add_scaled(model->modes.padded, view->next.q, -theta, view->stretch_pull[h]);
+    for (uint32_t group = 0; group <= model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group];
+      model->kernels->add_scaled(stretch->size[group], view->next.q + from, -theta,
+                                 view->stretch_pull[h] + from);
+    }
   }
 }
 
@@ -89,8 +133,7 @@ static void prepare_rows(TbView *view) {
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
       r[stride + slot] = 0.0;
       if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-      r[stride + slot] =
-        model->kernels->dot(model->modes.padded, tb_slot_drive(view, slot), view->stretch_y[h]);
+      r[stride + slot] = dot(model, tb_slot_drive(view, slot), view->stretch_y[h]);
     }
   }
 }
@@ -98,18 +141,16 @@ static void prepare_rows(TbView *view) {
 void tb_stretch_free(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  const uint32_t n = model->modes.padded;
   view->solve.stretch_count = stretch->count;
   if (stretch->count == 0) return;
   prepare_shapes(view);
   double a[2][2] = {{0.0}}, t[2] = {0.0};
   for (uint32_t h = 0; h < stretch->count; h++) {
     for (uint32_t l = 0; l < stretch->count; l++) {
-      a[h][l] =
-        model->kernels->dot(n, view->stretch_y[h], view->stretch_pull[l]) / stretch->factor[l];
+      a[h][l] = dot(model, view->stretch_y[h], view->stretch_pull[l]) / stretch->factor[l];
     }
-    t[h] = model->kernels->dot(n, view->stretch_y[h], view->next.q) +
-           model->kernels->dot(n, view->stretch_y[h], view->last.q);
+    t[h] =
+      dot(model, view->stretch_y[h], view->next.q) + dot(model, view->stretch_y[h], view->last.q);
   }
   invert(stretch->count, a, stretch->factor, view->stretch_s2);
   for (uint32_t h = 0; h < stretch->count; h++) {
@@ -119,7 +160,7 @@ void tb_stretch_free(TbView *view) {
   }
   apply(view, t);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    view->stretch_free[h] = model->kernels->dot(n, view->stretch_y[h], view->next.q);
+    view->stretch_free[h] = dot(model, view->stretch_y[h], view->next.q);
   }
   prepare_rows(view);
 }
@@ -135,8 +176,7 @@ void tb_stretch_respond(TbView *view) {
   if (model->stretch.count == 0) return;
   double t[2] = {0.0};
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    t[h] = model->kernels->dot(model->modes.padded, view->stretch_y[h], view->next.q) -
-           view->stretch_free[h];
+    t[h] = dot(model, view->stretch_y[h], view->next.q) - view->stretch_free[h];
   }
   apply(view, t);
   view->solve.stretch_count = 0; /* it belongs to this sample alone */
@@ -147,8 +187,9 @@ double tb_stretch_energy(const TbView *view, const double *next, const double *n
   double sum = 0.0;
   for (uint32_t h = 0; h < stretch->count; h++) {
     double square = 0.0;
-    for (uint32_t i = 0; i < view->model->modes.padded; i++) {
-      square += stretch->gain[h][i] * next[i] * now[i];
+    for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group], to = from + stretch->size[group];
+      for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];
     }
     sum += 0.25 * stretch->factor[h] * square * square;
   }

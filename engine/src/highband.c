@@ -18,7 +18,7 @@ static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
 
 /* One Bessel function, cosine and sine copies together. */
 typedef struct Candidate {
-  uint32_t m, band;
+  uint32_t head, m, band;
   double zero, slope, omega, decay_rate, radiation_rate, scale;
   double loudness; /* the largest over microphones */
   double fields[2 * TABOR_MAX_MICS];
@@ -33,6 +33,8 @@ typedef struct EdgeFactors {
 typedef struct Builder {
   const TaborModel *model;
   TbArena *scratch;
+  uint32_t head; /* whose modes are being collected */
+  const TaborHeadDef *plate;
   EdgeFactors edge;
   TbAirPoint points[TABOR_MAX_MICS];
   TbBesselTable table;
@@ -42,15 +44,16 @@ typedef struct Builder {
 } Builder;
 
 /* Mass per area of head and air, one fixed-point pass from the head alone. */
-static double frequency(const TaborDrumDef *def, double wavenumber, double *mass) {
+static double frequency(const TaborDrumDef *def, const TaborHeadDef *plate, double wavenumber,
+                        double *mass) {
   const double k2 = wavenumber * wavenumber;
-  const double stiffness = def->batter.tension * k2 + def->batter.bending_stiffness * k2 * k2;
-  *mass = def->batter.surface_density;
+  const double stiffness = plate->tension * k2 + plate->bending_stiffness * k2 * k2;
+  *mass = plate->surface_density;
   double omega = sqrt(stiffness / *mass);
   for (int pass = 0; pass < 3 && def->air.density > 0.0; pass++) {
     const double slowness = omega / (def->air.sound_speed * wavenumber);
     if (slowness >= 0.98) break; /* as fast as sound: no mass, all radiation */
-    *mass = def->batter.surface_density +
+    *mass = plate->surface_density +
             2.0 * def->air.density / (wavenumber * sqrt(1.0 - slowness * slowness));
     omega = sqrt(stiffness / *mass);
   }
@@ -72,7 +75,8 @@ static bool radiate(const Builder *b, uint32_t m, double zero, Candidate *c) {
   const TaborDrumDef *def = &b->model->def;
   const double radius = def->shell.radius, wavenumber = zero / radius;
   double mass, resistance;
-  *c = (Candidate){.m = m, .zero = zero, .omega = frequency(def, wavenumber, &mass)};
+  *c = (Candidate){
+    .head = b->head, .m = m, .zero = zero, .omega = frequency(def, b->plate, wavenumber, &mass)};
   c->slope = tb_bessel_j(m + 1, zero);
   const TbAirOrder order = {
     .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
@@ -84,9 +88,10 @@ static bool radiate(const Builder *b, uint32_t m, double zero, Candidate *c) {
   if (!done) return false;
   const double norm = (m ? PI : 2.0 * PI) * radius * radius * 0.5 * c->slope * c->slope;
   c->scale = 1.0 / sqrt(mass * norm);
-  for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= c->scale;
-  c->decay_rate = 0.5 * def->batter.surface_density / mass *
-                  (def->batter.damping_0 + def->batter.damping_1 * wavenumber * wavenumber);
+  const double outward = b->head == TABOR_HEAD_BATTER ? c->scale : -c->scale;
+  for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= outward;
+  c->decay_rate = 0.5 * b->plate->surface_density / mass *
+                  (b->plate->damping_0 + b->plate->damping_1 * wavenumber * wavenumber);
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;
@@ -107,7 +112,7 @@ static double loudness(const Builder *b, const Candidate *c) {
 static bool add_candidate(Builder *b, uint32_t m, double zero) {
   const TaborDrumDef *def = &b->model->def;
   double mass;
-  const double omega = frequency(def, zero / def->shell.radius, &mass);
+  const double omega = frequency(def, b->plate, zero / def->shell.radius, &mass);
   const double x = omega * def->shell.radius / def->air.sound_speed;
   if (omega > b->top || b->count == b->room || inaudible(b, m, x, zero)) return true;
   Candidate *c = &b->candidates[b->count];
@@ -128,6 +133,12 @@ static double square_of(const double *complex_number) {
   return complex_number[0] * complex_number[0] + complex_number[1] * complex_number[1];
 }
 
+/* Two-way modes that move this head alone, as far as there are two. */
+static bool belongs(const Builder *b, const TbHeadMode *mode) {
+  const uint32_t own = b->head == TABOR_HEAD_BATTER ? TABOR_PART_BATTER : TABOR_PART_RESONANT;
+  return b->model->head.heads == 1 || mode->part == own;
+}
+
 /* The upper two-way modes of the low orders, as they radiate, against the same as Bessel functions. */
 static bool measure_edge(Builder *b) {
   const TaborModel *model = b->model;
@@ -139,7 +150,8 @@ static bool measure_edge(Builder *b) {
     for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
       const TbHeadMode *mode = &model->head.modes[order->rows[k]];
       Candidate c;
-      if (!radiate(b, m, order->zeros[k], &c)) return false;
+      if (!belongs(b, mode)) continue;
+      if (!radiate(b, m, order->zeros[mode->n - 1], &c)) return false;
       for (uint32_t p = 0; p < mics; p++) {
         real[p] += square_of(mode->fields + 2 * p);
         simple[p] += square_of(c.fields + 2 * p);
@@ -161,13 +173,26 @@ static double top_zero(const Builder *b) {
   double lo = 0.5, hi = TOP_ZERO, mass;
   for (int i = 0; i < 40; i++) {
     const double middle = 0.5 * (lo + hi);
-    if (frequency(def, middle / def->shell.radius, &mass) < b->top) {
+    if (frequency(def, b->plate, middle / def->shell.radius, &mass) < b->top) {
       lo = middle;
     } else {
       hi = middle;
     }
   }
   return hi;
+}
+
+/* Two-way modes of one order: those of its functions that lie in the two-way band. */
+static uint32_t two_way(const Builder *b, uint32_t m, const double *zeros, uint32_t count) {
+  const TbHead *head = &b->model->head;
+  if (head->heads == 1) return m < head->order_count ? head->orders[m].mode_count : 0;
+  double mass;
+  uint32_t n = 0;
+  while (n < count && frequency(&b->model->def, b->plate, zeros[n] / head->radius, &mass) <
+                        2.0 * PI * head->bandwidth) {
+    n++;
+  }
+  return n;
 }
 
 /* All Bessel functions above the two-way modes of their order, up to the last order that is heard. */
@@ -179,8 +204,7 @@ static bool collect(Builder *b, double top) {
   for (uint32_t m = 0; m < TB_MAX_ORDERS - 2 && !inaudible(b, m, x, top); m++) {
     const uint32_t here = m % 2, last = 1 - here;
     counts[here] = tb_bessel_zeros(m, top, lists[last], counts[last], lists[here], 96);
-    const uint32_t taken = m < head->order_count ? head->orders[m].mode_count : 0;
-    for (uint32_t n = taken; n < counts[here]; n++) {
+    for (uint32_t n = two_way(b, m, lists[here], counts[here]); n < counts[here]; n++) {
       if (!add_candidate(b, m, lists[here][n])) return false;
     }
   }
@@ -189,25 +213,31 @@ static bool collect(Builder *b, double top) {
 
 static int louder(const void *x, const void *y) {
   const Candidate *a = x, *b = y;
+  if (a->head != b->head) return a->head < b->head ? -1 : 1;
   if (a->band != b->band) return a->band < b->band ? -1 : 1;
   if (a->loudness != b->loudness) return a->loudness > b->loudness ? -1 : 1;
   return a->zero < b->zero ? -1 : a->zero > b->zero;
 }
 
-/* Keeps the loudest of each sixth of an octave, in place. */
-static void thin(Builder *b) {
+static bool same_band(const Candidate *a, const Candidate *b) {
+  return a->head == b->head && a->band == b->band;
+}
+
+/* Keeps the loudest of each head's sixth of an octave, in place; counts modes, copies included. */
+static void thin(Builder *b, TbHighBand *band) {
   qsort(b->candidates, b->count, sizeof *b->candidates, louder);
-  uint32_t kept = 0, modes = 0;
+  uint32_t kept = 0;
   for (uint32_t from = 0, to; from < b->count; from = to) {
     double total = 0.0, sum = 0.0;
-    for (to = from; to < b->count && b->candidates[to].band == b->candidates[from].band; to++) {
+    for (to = from; to < b->count && same_band(&b->candidates[to], &b->candidates[from]); to++) {
       total += b->candidates[to].loudness;
     }
+    uint32_t *modes = &band->size[b->candidates[from].head];
     for (uint32_t i = from; i < to && sum < KEPT * total; i++) {
       const uint32_t copies = b->candidates[i].m ? 2 : 1;
-      if (modes + copies > TB_HIGH_MOST) break;
+      if (*modes + copies > TB_HIGH_MOST) break;
       sum += b->candidates[i].loudness;
-      modes += copies;
+      *modes += copies;
       b->candidates[kept++] = b->candidates[i];
     }
   }
@@ -215,7 +245,11 @@ static void thin(Builder *b) {
 }
 
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
-  band->padded = tb_pad(band->count);
+  for (uint32_t h = 0; h < TB_HEADS; h++) {
+    band->count += band->size[h];
+    band->begin[h + 1] = band->begin[h] + tb_pad(band->size[h]);
+  }
+  band->padded = band->begin[TB_HEADS];
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
   band->sine = tb_arena_take(arena, band->padded, sizeof *band->sine);
   double **arrays[] = {&band->zero, &band->scale, &band->a, &band->b, &band->g, &band->stiffness};
@@ -226,7 +260,6 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
     band->mics[p].u = tb_arena_doubles(arena, band->padded);
     band->mics[p].v = tb_arena_doubles(arena, band->padded);
   }
-  band->push = tb_arena_doubles(arena, (size_t)band->padded * TB_HIGH_GROUPS);
   return !arena->failed;
 }
 
@@ -254,7 +287,9 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
                            const TbWires *wires) {
   double x[TB_HIGH_GROUPS] = {0.0}, y[TB_HIGH_GROUPS] = {0.0};
   uint32_t members[TB_HIGH_GROUPS] = {0};
+  const uint32_t begin = band->begin[wires->head], end = band->begin[wires->head + 1];
   band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
+  band->push = tb_arena_doubles(arena, (size_t)(end - begin) * TB_HIGH_GROUPS);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   for (uint32_t row = 0; row < wires->row_count; row++) {
@@ -269,12 +304,45 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     if (members[group] == 0) continue;
     const double mx = x[group] / members[group], my = y[group] / members[group];
     const double r = hypot(mx, my);
-    tb_highband_drive(band, r, r > 0.0 ? my / r : 0.0, r > 0.0 ? mx / r : 1.0, NULL, drive);
-    for (uint32_t i = 0; i < band->padded; i++) {
-      band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] = wires->side * drive[i];
+    tb_highband_drive(band, wires->head, r, r > 0.0 ? my / r : 0.0, r > 0.0 ? mx / r : 1.0, NULL,
+                      drive);
+    for (uint32_t i = 0; i < end - begin; i++) {
+      band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] =
+        wires->side * drive[begin + i];
     }
   }
   return true;
+}
+
+/* Adds one head's candidates; microphones stand at their outward height from it. */
+static bool collect_head(Builder *b, uint32_t head) {
+  const TaborDrumDef *def = &b->model->def;
+  b->head = head;
+  b->plate = head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
+  for (uint32_t p = 0; p < def->mic_count; p++) {
+    const double height =
+      head == TABOR_HEAD_BATTER ? def->mic[p].height : -(def->mic[p].height + def->shell.depth);
+    b->points[p] = (TbAirPoint){def->mic[p].radius / def->shell.radius, height / def->shell.radius};
+  }
+  TbArena tables, *scratch = b->scratch;
+  tb_arena_prepare(&tables, &scratch->allocator);
+  b->scratch = &tables;
+  const double zero = top_zero(b);
+  const bool done =
+    tb_bessel_table_prepare(&b->table, &tables, (uint32_t)zero + 1u, AIR_REACH * zero) &&
+    measure_edge(b) && collect(b, zero);
+  tb_arena_release(&tables);
+  b->scratch = scratch;
+  return done;
+}
+
+static void fill_modes(TbHighBand *band, const Builder *b) {
+  uint32_t next[TB_HEADS] = {band->begin[0], band->begin[1]};
+  for (uint32_t i = 0; i < b->count; i++) {
+    const Candidate *c = &b->candidates[i];
+    fill_mode(band, next[c->head]++, b, c, false);
+    if (c->m) fill_mode(band, next[c->head]++, b, c, true);
+  }
 }
 
 TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborModel *model,
@@ -284,25 +352,15 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   Builder b = {.model = model, .scratch = &scratch, .top = 2.0 * PI * top, .room = 16384};
-  for (uint32_t p = 0; p < model->def.mic_count; p++) {
-    b.points[p] = (TbAirPoint){model->def.mic[p].radius / model->head.radius,
-                               model->def.mic[p].height / model->head.radius};
-  }
   b.candidates = tb_arena_take(&scratch, b.room, sizeof *b.candidates);
-  const double zero = top_zero(&b);
-  bool done = !scratch.failed &&
-              tb_bessel_table_prepare(&b.table, &scratch, (uint32_t)zero + 1u, AIR_REACH * zero) &&
-              measure_edge(&b) && collect(&b, zero);
+  bool done = !scratch.failed;
+  for (uint32_t h = 0; done && h < model->head.heads; h++) done = collect_head(&b, h);
   if (done) {
     band->candidates = b.count;
-    thin(&b);
-    for (uint32_t i = 0; i < b.count; i++) band->count += b.candidates[i].m ? 2 : 1;
+    thin(&b, band);
     done = allocate(band, arena, model->def.mic_count);
   }
-  for (uint32_t i = 0, next = 0; done && i < b.count; i++) {
-    fill_mode(band, next++, &b, &b.candidates[i], false);
-    if (b.candidates[i].m) fill_mode(band, next++, &b, &b.candidates[i], true);
-  }
+  if (done) fill_modes(band, &b);
   done = done && prepare_groups(band, arena, &scratch, &model->wires);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
@@ -316,22 +374,24 @@ void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patc
 }
 
 /* Up to eight modes from `from` on, sine copies passed over; returns how many. */
-static uint32_t next_eight(const TbHighBand *band, uint32_t *from, uint32_t index[8]) {
+static uint32_t next_eight(const TbHighBand *band, uint32_t *from, uint32_t end,
+                           uint32_t index[8]) {
   uint32_t n = 0;
-  for (; *from < band->count && n < 8; (*from)++) {
+  for (; *from < end && n < 8; (*from)++) {
     if (!band->sine[*from]) index[n++] = *from;
   }
   return n;
 }
 
-void tb_highband_drive(const TbHighBand *band, double radius, double sin_angle, double cos_angle,
-                       const double *patch, double *drive) {
+void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
+                       double cos_angle, const double *patch, double *drive) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_angular_factors(band->orders, sin_angle, cos_angle, c, s);
-  for (uint32_t from = 0; from < band->count;) {
+  const uint32_t end = band->begin[which] + band->size[which];
+  for (uint32_t from = band->begin[which]; from < end;) {
     uint32_t index[8], m[8] = {0};
     double x[8] = {0.0}, j[8];
-    const uint32_t n = next_eight(band, &from, index);
+    const uint32_t n = next_eight(band, &from, end, index);
     for (uint32_t l = 0; l < n; l++) {
       m[l] = band->order[index[l]];
       x[l] = band->zero[index[l]] * radius / band->radius;
@@ -344,5 +404,5 @@ void tb_highband_drive(const TbHighBand *band, double radius, double sin_angle, 
       if (m[l]) drive[i + 1] = shape * s[m[l]];
     }
   }
-  for (uint32_t i = band->count; i < band->padded; i++) drive[i] = 0.0;
+  for (uint32_t i = end; i < band->begin[which + 1]; i++) drive[i] = 0.0;
 }

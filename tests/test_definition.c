@@ -141,8 +141,10 @@ static void test_live_keys(void **state) {
     const char *key;
     uint32_t id;
   } live[] = {
-    {"wires.tension", 508},      {"wires.damping_0", 512},   {"wires.damping_1", 513},
-    {"wires.strainer", 514},     {"wires.rest_offset", 516}, {"mic.top.gain", 1103},
+    {"batter.muffle_strength", 308}, {"resonant.muffle_strength", 408},
+    {"wires.tension", 508},          {"wires.damping_0", 512},
+    {"wires.damping_1", 513},        {"wires.strainer", 514},
+    {"wires.rest_offset", 516},      {"mic.top.gain", 1103},
     {"output.full_scale", 1400},
   };
   uint32_t count = 0;
@@ -180,11 +182,16 @@ static void test_parameter_find(void **state) {
     "wire.x.tension",
     "wire.4294967297.tension",
     "wires.1.tension",
-    "resonant.tension",
+    "resonant",
+    "resonant.",
+    "resonant.x.tension",
+    "resonant.1.tension",
+    "resonant.batter",
     "hoop.mass",
     "hand.grip",
-    "batter.muffle_radius",
-    "shell.depth",
+    "batter.lug_count",
+    "batter.muffle",
+    "shell.height",
     "quality.newton",
     "striker.brush.bristles",
     "Batter.tension",
@@ -220,13 +227,15 @@ static void test_table_covers_the_struct(void **state) {
   tabor_drum_def_default(&def);
   def.striker_count = TABOR_MAX_STRIKERS;
   def.mic_count = TABOR_MAX_MICS;
+  def.two_headed = 1;
   assert_true(tb_walk(&def, count_bytes, owned));
   size_t bytes = 0;
   for (size_t i = 0; i < sizeof owned; i++) bytes += owned[i];
   const size_t names = (TABOR_MAX_STRIKERS + TABOR_MAX_MICS) * TABOR_NAME_SIZE;
-  const size_t counts = 3 * sizeof(uint32_t); /* struct_size, striker_count, mic_count */
+  const size_t counts =
+    4 * sizeof(uint32_t); /* struct_size, two_headed, striker_count, mic_count */
   const size_t paddings =
-    8 + TABOR_MAX_STRIKERS; /* a word after each odd run of uint32_t, at most */
+    10 + TABOR_MAX_STRIKERS; /* a word after each odd run of uint32_t, at most */
   assert_in_range(bytes, sizeof def - names - counts - 4 * paddings, sizeof def - names - counts);
 }
 
@@ -242,6 +251,8 @@ static void test_default(void **state) {
   assert_true(same_bits(&def, &again, sizeof def));
   must_validate(&def);
   assert_int_equal(def.struct_size, sizeof def);
+  assert_int_equal(def.two_headed, 0);
+  assert_int_equal(def.wires.head, TABOR_HEAD_BATTER);
   assert_int_equal(def.wires.count, 0);
   assert_int_equal(def.quality.level, TABOR_QUALITY_STUDIO);
   assert_int_equal(def.striker_count, 1);
@@ -425,10 +436,17 @@ static void test_set_refusals(void **state) {
   refuse_set("quality.losses", "2", TABOR_ERROR_RANGE, "outside 0 to 1");
   refuse_set("mic.top.height", "0", TABOR_ERROR_RANGE, "within 0.01 m of 0");
   refuse_set("mic.top.height", "-0.009", TABOR_ERROR_RANGE, "within 0.01 m of 0");
-  refuse_set("shell.boundary", "closed", TABOR_ERROR_VALUE, "is none of: open, baffled");
+  refuse_set("shell.boundary", "half", TABOR_ERROR_VALUE, "is none of: open, baffled, closed");
   refuse_set("shell.boundary", "", TABOR_ERROR_VALUE, "is none of");
   refuse_set("shell.boundary", "open|baffled", TABOR_ERROR_VALUE, "is none of");
   refuse_set("shell.boundary", "Open", TABOR_ERROR_VALUE, "is none of");
+  refuse_set("shell.depth", "0.009", TABOR_ERROR_RANGE, "outside 0.01 to 1.5 m");
+  refuse_set("wires.head", "top", TABOR_ERROR_VALUE, "is none of: batter, resonant");
+  refuse_set("batter.stretch_stiffness", "-1", TABOR_ERROR_RANGE, "outside 0 to 1e7 N/m");
+  refuse_set("batter.muffle_strength", "30.1", TABOR_ERROR_RANGE, "outside 0 to 30 N s/m");
+  refuse_set("batter.muffle_radius", "0.61", TABOR_ERROR_RANGE, "outside 0 to 0.6 m");
+  refuse_set("resonant.tension", "99", TABOR_ERROR_RANGE, "outside 100 to 20000 N/m");
+  refuse_set("resonant.damping_0", "x", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("striker.stick.kind", "brush", TABOR_ERROR_VALUE, "stick, mallet, finger");
   refuse_set("strike.technique", "rimshot", TABOR_ERROR_VALUE, "is none of: normal");
   refuse_set("wire.1.tension", "nan", TABOR_ERROR_VALUE, "is not a number");
@@ -489,6 +507,9 @@ static void test_unknown_keys(void **state) {
     {"micro.top.gain", "'mic.top.gain'"},
     {"striker.stick.mas", "'striker.stick.mass'"},
     {"batter.strainer", "'wires.strainer'"},
+    {"resonant.tensoin", "'resonant.tension'"},
+    {"resonnant.damping_1", "'resonant.damping_1'"},
+    {"batter.mufle_angle", "'batter.muffle_angle'"},
     {"", "did you mean '"},
     {"\x1b[2J\n", "did you mean '"},
   };
@@ -567,6 +588,10 @@ static void test_get_refusals(void **state) {
   assert_string_equal(error.message,
                       "mic.tip.gain: the drum has no microphone 'tip'; did you mean 'top'?");
   assert_string_equal(text, "");
+  assert_int_equal(tabor_drum_def_get(&def, "resonant.tension", text, sizeof text, &error),
+                   TABOR_ERROR_NAME);
+  assert_string_equal(error.message, "resonant.tension: the drum has no resonant head");
+  assert_string_equal(error.key, "resonant.tension");
   assert_int_equal(tabor_drum_def_get(&def, "shell.radis", text, sizeof text, &error),
                    TABOR_ERROR_KEY);
   assert_int_equal(tabor_drum_def_get(&def, "batter.tension", text, 4, &error),
@@ -616,7 +641,8 @@ static void test_random_texts(void **state) {
   TaborError error;
   const TaborStatus status = tabor_drum_def_validate(&def, &error);
   assert_true(status == TABOR_OK || strncmp(error.key, "strike.", 7) == 0 ||
-              strncmp(error.key, "wire", 4) == 0);
+              strncmp(error.key, "wire", 4) == 0 || strncmp(error.key, "mic.", 4) == 0 ||
+              strstr(error.key, ".muffle_radius"));
 }
 
 /* Numbers as text ------------------------------------------------------------------------------ */
@@ -794,6 +820,173 @@ static void test_between_fields(void **state) {
   must_validate(&def);
 }
 
+/* Two heads ------------------------------------------------------------------------------------ */
+
+/* The keys in order, each with a blank behind it. */
+static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
+  char key[TB_KEY_SIZE];
+  uint32_t count = 0;
+  *all = '\0';
+  for (; tabor_drum_def_key(def, count, key, sizeof key); count++) {
+    assert_true(strlen(all) + sizeof key < size);
+    strcat(strcat(all, key), " ");
+  }
+  return count;
+}
+
+/* Each of its keys brings the second head, with defaults for the others. */
+static void test_second_head(void **state) {
+  (void)state;
+  enum { KEYS = 9 };
+  TaborDrumDef one, two;
+  tabor_drum_def_default(&one);
+  tabor_drum_def_default(&two);
+  two.two_headed = 1; /* by hand: the defaults are there already */
+  must_validate(&two);
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < tb_param_count; i++) {
+    const TaborParameter *const row = &tb_params[i].info;
+    if (strcmp(row->section, "resonant") != 0) continue;
+    char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE];
+    full_key(row, "", key);
+    TaborDrumDef def = one;
+    def.resonant = (TaborHeadDef){.tension = NAN}; /* what a head left behind counts for nothing */
+    tb_number_print(row->fallback, text);
+    must_set(&def, key, text);
+    assert_true(same_bits(&def, &two, sizeof def));
+    count++;
+  }
+  assert_int_equal(count, KEYS);
+
+  must_set(&one, "resonant.tension", "1234");
+  must_set(&one, "resonant.damping_1", "0.002");
+  assert_int_equal(one.two_headed, 1);
+  assert_true(one.resonant.tension == 1234 && one.resonant.damping_1 == 0.002);
+  assert_true(one.resonant.surface_density == two.resonant.surface_density);
+  assert_true(one.batter.tension == two.batter.tension);
+}
+
+static void test_second_head_keys(void **state) {
+  (void)state;
+  enum { KEYS = 9 };
+  TaborDrumDef def, copy;
+  char all[8192];
+  tabor_drum_def_default(&def);
+  const uint32_t count = list_keys(&def, all, sizeof all);
+  assert_null(strstr(all, "resonant."));
+  assert_non_null(strstr(all, "shell.radius shell.depth shell.boundary batter.tension "));
+  assert_non_null(strstr(all, "batter.muffle_strength wires.head wires.count "));
+  must_set(&def, "resonant.damping_0", "17");
+  assert_int_equal(list_keys(&def, all, sizeof all), count + KEYS);
+  assert_non_null(strstr(all, "batter.muffle_strength resonant.tension "));
+  assert_non_null(strstr(all, "resonant.muffle_strength wires.head "));
+  tabor_drum_def_clear(&copy);
+  char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE];
+  for (uint32_t i = 0; tabor_drum_def_key(&def, i, key, sizeof key); i++) {
+    assert_int_equal(tabor_drum_def_get(&def, key, text, sizeof text, NULL), TABOR_OK);
+    must_set(&copy, key, text);
+  }
+  assert_true(same_bits(&def, &copy, sizeof def));
+}
+
+/* Resonant ids are the batter's and a hundred, and so are ranges, units and kinds. */
+static void test_heads_alike(void **state) {
+  (void)state;
+  for (uint32_t i = 0; i < tb_param_count; i++) {
+    const TaborParameter *const row = &tb_params[i].info;
+    if (strcmp(row->section, "batter") != 0) continue;
+    const TbParam *const other = tb_param_by_id(row->id + 100);
+    assert_non_null(other);
+    assert_string_equal(other->info.section, "resonant");
+    assert_string_equal(other->info.key, row->key);
+    assert_string_equal(other->info.unit, row->unit);
+    assert_true(other->info.minimum == row->minimum && other->info.maximum == row->maximum);
+    assert_int_equal(other->info.logarithmic, row->logarithmic);
+    assert_int_equal(other->info.live, row->live);
+    assert_int_equal(other->offset - tb_params[i].offset,
+                     offsetof(TaborDrumDef, resonant) - offsetof(TaborDrumDef, batter));
+  }
+}
+
+/* The default head is one sheet: its bending stiffness follows from its weight. */
+static void test_resonant_sheet(void **state) {
+  (void)state;
+  const double density = 1390, modulus = 3.8e9, poisson = 0.3; /* of Mylar */
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  const double thickness = def.resonant.surface_density / density;
+  assert_true(fabs(thickness / 76.2e-6 - 1) < 0.02); /* 3 mil */
+  const double stiffness =
+    modulus * thickness * thickness * thickness / (12 * (1 - poisson * poisson));
+  assert_true(fabs(def.resonant.bending_stiffness / stiffness - 1) < 0.02);
+}
+
+static void test_between_heads(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.two_headed = 2;
+  refuse_def(&def, TABOR_ERROR_RANGE, "resonant", "two_headed is 2");
+  def.two_headed = UINT32_MAX;
+  refuse_def(&def, TABOR_ERROR_RANGE, "resonant", "needs to be 0 or 1");
+  tabor_drum_def_default(&def);
+  must_set(&def, "wires.head", "resonant");
+  refuse_def(&def, TABOR_ERROR_RANGE, "wires.head", "the drum has no resonant head");
+  must_set(&def, "resonant.tension", "2000");
+  must_validate(&def);
+  must_set(&def, "shell.boundary", "baffled");
+  refuse_def(&def, TABOR_ERROR_RANGE, "shell.boundary", "baffled is for a single head");
+  must_set(&def, "shell.boundary", "closed");
+  refuse_def(&def, TABOR_ERROR_RANGE, "shell.boundary", "it has to be open");
+  must_set(&def, "shell.boundary", "open");
+  must_validate(&def);
+
+  must_set(&def, "resonant.muffle_radius", "0.1651"); /* the rim, of a damper that does nothing */
+  refuse_def(&def, TABOR_ERROR_RANGE, "resonant.muffle_radius", "is not below shell.radius");
+  must_set(&def, "batter.muffle_radius", "0.3");
+  refuse_def(&def, TABOR_ERROR_RANGE, "batter.muffle_radius", "is not below shell.radius, 0.1651");
+  must_set(&def, "batter.muffle_radius", "0.165");
+  must_set(&def, "wires.head", "batter");
+  def.two_headed = 0; /* and nobody looks at the head that is gone */
+  must_validate(&def);
+}
+
+static void refuse_mic(TaborDrumDef *def, const char *radius, const char *height,
+                       const char *part) {
+  must_set(def, "mic.low.radius", radius);
+  must_set(def, "mic.low.height", height);
+  refuse_def(def, TABOR_ERROR_RANGE, "mic.low.height", part);
+}
+
+static void accept_mic(TaborDrumDef *def, const char *radius, const char *height) {
+  must_set(def, "mic.low.radius", radius);
+  must_set(def, "mic.low.height", height);
+  must_validate(def);
+}
+
+/* radius 0.1651, depth 0.14 */
+static void test_mics_and_shell(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  accept_mic(&def, "0.05", "-0.05"); /* an open frame has no inside */
+  must_set(&def, "shell.boundary", "closed");
+  refuse_mic(&def, "0.05", "-0.05", "inside the shell, which ends 0.14 m below the batter head");
+  refuse_mic(&def, "0.165", "-0.139", "would be inside the shell");
+  accept_mic(&def, "0.1651", "-0.05");
+  accept_mic(&def, "0", "-0.145");
+  must_set(&def, "shell.boundary", "open");
+  must_set(&def, "resonant.tension", "2000");
+  refuse_mic(&def, "0.05", "-0.05", "inside the shell, which ends 0.14 m below the batter head");
+  refuse_mic(&def, "0", "-0.145", "within 0.01 m of the resonant head's plane, 0.14 m below");
+  refuse_mic(&def, "1", "-0.132", "within 0.01 m of the resonant head's plane");
+  accept_mic(&def, "0", "-0.15");
+  accept_mic(&def, "1", "-0.13");
+  accept_mic(&def, "0.2", "-0.05");
+  must_set(&def, "shell.depth", "0.3");
+  refuse_mic(&def, "0", "-0.15", "inside the shell, which ends 0.3 m below");
+}
+
 static void test_names(void **state) {
   (void)state;
   TaborDrumDef def;
@@ -907,6 +1100,7 @@ static void test_corners(void **state) {
   tabor_drum_def_default(&def);
   must_set(&def, "mic.far.gain", "1");
   must_set(&def, "striker.two.mass", "1");
+  must_set(&def, "resonant.tension", "3000");
   Corners corners = {&def, 0};
   assert_true(tb_walk(&def, corner_field, &corners));
   assert_true(corners.checked > 40 * 12);
@@ -1005,6 +1199,9 @@ int main(void) {
     cmocka_unit_test(test_names),          cmocka_unit_test(test_counts),
     cmocka_unit_test(test_corners),        cmocka_unit_test(test_random_structs),
     cmocka_unit_test(test_wire_resolve),   cmocka_unit_test(test_wire_spread),
+    cmocka_unit_test(test_second_head),    cmocka_unit_test(test_second_head_keys),
+    cmocka_unit_test(test_heads_alike),    cmocka_unit_test(test_resonant_sheet),
+    cmocka_unit_test(test_between_heads),  cmocka_unit_test(test_mics_and_shell),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,17 +13,17 @@
 #include "reference.h"
 #include "solve.h"
 
-enum { MOST = 16, ROWS = MOST + TABOR_MAX_ACTIVE };
+enum { MOST = 16, ROWS = MOST + TB_SLOTS };
 
 /* A contact problem of up to 16 points, each with a law of its own, and the solver's memory. */
 typedef struct Problem {
   uint32_t n;
   _Alignas(64) double compliance[MOST * MOST];
-  double coupling[TABOR_MAX_ACTIVE * ROWS], own[ROWS];
+  double coupling[TB_SLOTS * ROWS], own[ROWS];
   double b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[10][ROWS];
   uint32_t active[ROWS];
   uint8_t row_wire[MOST];
-  TbLaw laws[MOST], slot_laws[TABOR_MAX_ACTIVE];
+  TbLaw laws[MOST], slot_laws[TB_SLOTS];
 } Problem;
 
 /* Rows that stand for nothing never touch. */

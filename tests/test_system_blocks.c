@@ -8,11 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <cmocka.h>
 
 #include "drum_script.h"
+#include "physics.h"
 
 static const char *const presets[] = {"tabor", "frame-drum", "bodhran-d-string"};
 enum { PRESETS = sizeof presets / sizeof *presets };
@@ -38,14 +38,6 @@ static uint32_t blocks_at_random(void *context) {
   return (uint32_t)((draw >> 33) % (most + 1));
 }
 
-/* Seed from the environment variable TABOR_TEST_SEED, or the clock; printed, so that it can be. */
-static uint64_t random_seed(void) {
-  const char *text = getenv("TABOR_TEST_SEED");
-  const uint64_t seed = text ? strtoull(text, NULL, 0) : (uint64_t)time(NULL);
-  print_message("TABOR_TEST_SEED=%llu\n", (unsigned long long)seed);
-  return seed ? seed : 1;
-}
-
 static Take play_fresh(TaborModel *model, const Script *script, BlockSize *size, void *context) {
   TaborDrum *drum = script_drum(model);
   Take take = take_create(model, SCRIPT_FRAMES);
@@ -57,7 +49,7 @@ static Take play_fresh(TaborModel *model, const Script *script, BlockSize *size,
 static void every_block_size_gives_the_same_bits(void **state) {
   (void)state;
   static const uint32_t sizes[] = {1, 7, 64, 256, 1024, SCRIPT_FRAMES};
-  uint64_t seed = random_seed();
+  uint64_t seed = physics_seed();
   Script script;
   script_everything(&script);
   for (int p = 0; p < PRESETS; p++) {

@@ -20,6 +20,13 @@ static TaborDrumDef lone_mode(double strength) {
   return def;
 }
 
+static TaborDrumDef muffled(void) {
+  TaborDrumDef def = physics_preset("frame-drum");
+  def.batter.muffle_strength = 5.0;
+  def.batter.muffle_radius = 0.1;
+  return def;
+}
+
 static void run(TaborDrum *drum, double seconds) {
   float samples[480];
   float *outputs[TABOR_MAX_MICS] = {samples};
@@ -65,9 +72,7 @@ static void a_light_muffler_adds_its_share_to_the_decay(void **state) {
 
 static void what_a_muffler_takes_is_booked_as_damper_loss(void **state) {
   (void)state;
-  TaborDrumDef def = physics_preset("frame-drum");
-  def.batter.muffle_strength = 5.0;
-  def.batter.muffle_radius = 0.1;
+  const TaborDrumDef def = muffled();
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent strike = physics_strike(&def);
@@ -86,9 +91,7 @@ static void what_a_muffler_takes_is_booked_as_damper_loss(void **state) {
 /* Lifted while it rings, the muffler is as if it had not been: no more loss, no step in energy. */
 static void a_lifted_muffler_takes_nothing(void **state) {
   (void)state;
-  TaborDrumDef def = physics_preset("frame-drum");
-  def.batter.muffle_strength = 5.0;
-  def.batter.muffle_radius = 0.1;
+  const TaborDrumDef def = muffled();
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent events[] = {

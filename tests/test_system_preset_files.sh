@@ -116,6 +116,17 @@ check "a '/' means a file" grep -q '^tension = 2345 ' "$out"
 done_quietly render mine.ini -q --quality draft -o mine.wav --duration 0.05
 done_quietly render -q --quality draft --set batter.tension=2345 -o set.wav --duration 0.05
 check "file and --set give the same sound" cmp -s mine.wav set.wav
+{ sed 's/^height = -.*/height = -0.3/' good.ini && printf '[resonant]\ntension = 2100\n'; } >two.ini
+done_quietly show two.ini
+same "a section brings the second head" "[resonant] tension = 2100 surface_density = 0.105" \
+  "$(grep -A 2 '^\[resonant\]' "$out" | sed 's/ *;.*//' | tr '\n' ' ' | sed 's/ $//')"
+cp "$out" shown.ini
+done_quietly show shown.ini
+check "and reads back" cmp -s shown.ini "$out"
+{ cat two.ini && printf 'tensoin = 3\n'; } >bad.ini
+bad "bad.ini:[0-9]*: unknown key 'resonant.tensoin'; did you mean 'resonant.tension'"
+{ cat two.ini && printf 'surface_density = 9\n'; } >bad.ini
+bad "surface_density = 9 is outside"
 cp good.ini guarded.ini
 refused "overwrite the preset" render guarded.ini -q --trace guarded.ini
 

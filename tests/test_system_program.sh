@@ -75,6 +75,16 @@ check "a new striker" grep -qx '\[striker.other\]' "$out"
 cp "$out" shown.ini
 done_quietly show shown.ini
 same_bytes "they read back" shown.ini "$out"
+outside=(--set mic.bottom.height=-0.2) # where a shell is no longer in its place
+check "one head, one section" eval "! grep -q '^.resonant' '$out'"
+done_quietly show frame-drum --set resonant.damping_0=17 "${outside[@]}"
+check "a second head" grep -qx '\[resonant\]' "$out"
+check "with defaults" grep -qE '^surface_density = 0.105 ' "$out"
+cp "$out" shown.ini
+done_quietly show shown.ini
+same_bytes "it reads back" shown.ini "$out"
+done_quietly show frame-drum --json --set resonant.damping_0=17 "${outside[@]}"
+same "a key of the second head" 1 "$(grep -c '"resonant.damping_0"' "$out")"
 refused "drum.comment" show --set 'drum.comment=one ; two'
 refused "drum.comment" show --set "drum.comment=$(printf 'x%.0s' {1..240})"
 done_quietly show --json

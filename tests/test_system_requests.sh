@@ -47,6 +47,8 @@ done
 for gain in -121 120.1 1e300; do
   refused "--gain '$gain'.*allowed" render --gain $gain
 done
+# The tabor's lower microphone stands where a closed shell would be.
+refused "mic.bottom.height = -0.12: the microphone would be inside the shell" show --set shell.boundary=closed
 for radius in 0 -1 0.04 0.61 1e300; do
   refused "shell.radius" render --set shell.radius=$radius
   refused "shell.radius" show --set shell.radius=$radius
@@ -64,6 +66,10 @@ for command in render show modes bench; do
   refused "KEY=VALUE" $command --set =3000
   refused "KEY=VALUE" $command --set ''
   refused "shell.boundary" $command --set shell.boundary=leather
+  refused "wires.head = resonant: the drum has no resonant head" $command --set wires.head=resonant
+  refused "resonant.tension" $command --set resonant.tensoin=2000
+  refused "shell.boundary = closed is for a single head" $command --set resonant.tension=2000 \
+    --set shell.boundary=closed --set mic.bottom.height=-0.2
   refused "wires.count" $command --set wires.count=1.5
   refused "wires.count" $command --set wires.count=41
   refused "wires.count" $command --set wires.count=-1

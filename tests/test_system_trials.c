@@ -33,20 +33,24 @@ static bool is(const TaborParameter *p, const char *section, const char *key) {
   return strcmp(p->section, section) == 0 && strcmp(p->key, key) == 0;
 }
 
-/* What the engine cannot compute yet, and what only that would use. */
-static bool is_not_yet(const TaborParameter *p) {
-  return strcmp(p->section, "resonant") == 0 || is(p, "shell", "depth") ||
-         is(p, "batter", "stretch_stiffness") ||
-         (strcmp(p->section, "batter") == 0 && strncmp(p->key, "muffle_", 7) == 0);
+/* Microphones may not stand in the shell. */
+static void clear_shell(uint64_t *seed, TaborDrumDef *def) {
+  if (!def->two_headed && def->shell.boundary != TABOR_BOUNDARY_CLOSED) return;
+  for (uint32_t i = 0; i < def->mic_count; i++) {
+    def->mic[i].height = physics_random(seed) % 2
+                           ? physics_uniform(seed, 0.01, 3.0)
+                           : -def->shell.depth - physics_uniform(seed, 0.02, 3.0);
+  }
 }
 
 /* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
 static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
   *def =
     physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
+  const bool two_headed = physics_random(seed) % 2;
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *p = tabor_parameter(i);
-    if (is_not_yet(p)) continue;
+    if (!two_headed && strcmp(p->section, "resonant") == 0) continue;
     if (p->type != TABOR_TYPE_NUMBER || physics_random(seed) % 3 != 0) continue;
     if (is(p, "quality", "two_way_bandwidth") || is(p, "wires", "offset")) continue;
     char key[128], value[64];
@@ -61,21 +65,27 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
     TaborError error;
     if (tabor_drum_def_set(def, key, value, &error) != TABOR_OK) fail_msg("%s", error.message);
   }
-  def->shell.boundary = (uint32_t)(physics_random(seed) % 2);
+  def->shell.boundary =
+    def->two_headed ? TABOR_BOUNDARY_OPEN : (uint32_t)(physics_random(seed) % 3);
+  def->wires.head = def->two_headed ? (uint32_t)(physics_random(seed) % 2) : TABOR_HEAD_BATTER;
   def->wires.side = (uint32_t)(physics_random(seed) % 2);
   def->wires.count = draw_wire_count(seed);
   def->wires.spacing = fmin(def->wires.spacing, 0.2 * def->shell.radius);
   def->wires.offset = physics_uniform(seed, -0.4, 0.4) * def->shell.radius;
   def->strike.radius = fmin(def->strike.radius, 0.99 * def->shell.radius);
+  def->batter.muffle_radius = fmin(def->batter.muffle_radius, 0.9 * def->shell.radius);
+  def->resonant.muffle_radius = fmin(def->resonant.muffle_radius, 0.9 * def->shell.radius);
+  clear_shell(seed, def);
   def->quality.two_way_bandwidth = physics_uniform(seed, 500.0, 3000.0);
   def->quality.newton_cap = 1 + (uint32_t)(physics_random(seed) % 4);
   def->quality.losses = physics_random(seed) % 4 != 0;
   for (int w = 0; w < TABOR_MAX_WIRES; w++) def->wire[w].offset = NAN;
 }
 
-static const char *const LIVE[] = {"wires.strainer",   "wires.tension",     "wires.damping_0",
-                                   "wires.damping_1",  "wires.rest_offset", "mic.top.gain",
-                                   "output.full_scale"};
+static const char *const LIVE[] = {
+  "wires.strainer",    "wires.tension",          "wires.damping_0",
+  "wires.damping_1",   "wires.rest_offset",      "mic.top.gain",
+  "output.full_scale", "batter.muffle_strength", "resonant.muffle_strength"};
 
 static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
   const uint64_t draw = physics_random(seed) % 100;

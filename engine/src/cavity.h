@@ -6,7 +6,7 @@
  *   N_c = a_m L e_l n_p, e_0 = 1, else 1/2, n_p = (R^2/2)(1 - m^2/z'^2) J_m(z')^2 (R^2/2 for z' = 0).
  * A head that moves outward as w_i J_m(z_i r/R) opens the mode by S_ci w_i,
  *   S_ci = a_m R^2 W_i(z'), times (-1)^l on the upper head (W: air.h).
- * With a coordinate X_c per mode the energy is, symmetric and positive [FletcherRossing, Morse],
+ * With a coordinate X_c per mode the energy is, symmetric and positive [FletcherRossing, Morse1948],
  *   1/2 (N_c/(rho0 c0^2 omega_c^2)) X_c'^2 + 1/2 (N_c/(rho0 c0^2)) (X_c - (rho0 c0^2/N_c) S_c.w)^2;
  * (m, l, z') = (0, 0, 0) is a pure spring. Here X_c = sqrt(rho0 c0^2 omega_c^2/N_c) u_c, so that u_c has
  * unit mass [m kg^1/2].

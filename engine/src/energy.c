@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "energy.h"
 
+#include "stretch.h"
+
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
                           const double *now) {
   double sum = 0.0;
@@ -80,8 +82,9 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
 }
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
-  return modes_energy(view, next, now) + wires_energy(view, next, now) +
-         contacts_energy(view, next, now) + strikers_energy(view, next, now);
+  return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
+         wires_energy(view, next, now) + contacts_energy(view, next, now) +
+         strikers_energy(view, next, now);
 }
 
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {

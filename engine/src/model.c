@@ -8,6 +8,7 @@
 #include "mics.h"
 #include "power.h"
 #include "state.h"
+#include "stretch.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -82,6 +83,11 @@ static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
     }
   }
   return TABOR_OK;
+}
+
+static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  return tb_stretch_prepare(model);
 }
 
 static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
@@ -205,8 +211,9 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes, prepare_compliance, prepare_laws,  prepare_center,
-                           prepare_mics,  prepare_patches,    allocate_rest, tb_rest_prepare};
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,
+                           prepare_stretch, prepare_center,     prepare_mics,
+                           prepare_patches, allocate_rest,      tb_rest_prepare};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }
@@ -242,22 +249,6 @@ static TaborStatus check_options(const TaborModelOptions *options, TaborError *e
   return TABOR_OK;
 }
 
-/* What a definition may say before the physics for it is there. Goes as that comes. */
-static TaborStatus refuse_not_yet(const TaborDrumDef *def, TaborError *error) {
-  const struct {
-    bool asked;
-    const char *key, *what;
-  } missing[] = {
-    {def->batter.stretch_stiffness > 0.0, "batter.stretch_stiffness", "stretching of the head"},
-  };
-  for (size_t i = 0; i < sizeof missing / sizeof *missing; i++) {
-    if (!missing[i].asked) continue;
-    return tb_error_set(error, TABOR_ERROR_RANGE, missing[i].key, NULL, NAN, NAN,
-                        "%s: this version cannot compute %s yet", missing[i].key, missing[i].what);
-  }
-  return TABOR_OK;
-}
-
 static TaborStatus memory_error(TaborError *error) {
   return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,
                       "out of memory while building a model");
@@ -271,7 +262,6 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   tabor_model_options_default(&defaults);
   if (!options) options = &defaults;
   TaborStatus status = tabor_drum_def_validate(def, error);
-  if (status == TABOR_OK) status = refuse_not_yet(def, error);
   if (status == TABOR_OK) status = check_options(options, error);
   if (status != TABOR_OK) return status;
 

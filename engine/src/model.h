@@ -33,14 +33,23 @@ typedef struct TbRest {
   double head;    /* height of the centre of the head that has the wires [m] */
 } TbRest;
 
+/* What the heads' stretching needs, see stretch.h. */
+typedef struct TbStretch {
+  uint32_t count;   /* heads that stretch */
+  uint32_t from[4]; /* where the modes that count begin in each group (modes.h), */
+  uint32_t size[4]; /* ... and how many they are, a multiple of 8 */
+  double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
+  double factor[2]; /* S/2A [N/m3] */
+} TbStretch;
+
 /* Where the arrays of a drum's state lie, in bytes from its start. */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend, bend_last;
   size_t eta_free, rest_load, own, force, b, s;
   size_t product, previous, slope, residual, scaled, work;
   size_t direction, turned, weight, right, solution, active;
-  size_t high[3], high_drive, high_groups, high_force, fold, modal, coupling, shape, drive, radial,
-    delay[TABOR_MAX_MICS];
+  size_t high[3], high_drive, high_groups, high_force, stretch_y[2], stretch_pull[2],
+    stretch_rows[2], fold, modal, coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 
@@ -61,6 +70,7 @@ struct TaborModel {
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbRest rest;
   TbProjection projection;
+  TbStretch stretch;
   double *compliance; /* [row_count][stride]: of the head over one step, between contact points */
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *center; /* [padded]: shape at the centre of the head that has the wires */

@@ -16,6 +16,18 @@ static bool in_play(const TbSolve *solve, uint32_t slot) { return solve->slot_ma
 
 /* ---- M x ------------------------------------------------------------------------------------ */
 
+void tb_solve_stretch(const TbSolve *solve, const double *x, double *out) {
+  double along[2] = {0.0, 0.0};
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    along[h] = solve->kernels->dot(total_rows(solve), solve->stretch_rows[h], x);
+  }
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    const double pull =
+      solve->stretch_weight[h][0] * along[0] + solve->stretch_weight[h][1] * along[1];
+    solve->kernels->add_scaled(total_rows(solve), out, -pull, solve->stretch_rows[h]);
+  }
+}
+
 void tb_solve_product(const TbSolve *solve, const double *x, double *out) {
   const uint32_t stride = solve->stride, total = total_rows(solve);
   for (uint32_t i = 0; i < total; i++) out[i] = solve->own[i] * x[i];
@@ -29,6 +41,7 @@ void tb_solve_product(const TbSolve *solve, const double *x, double *out) {
     out[stride + slot] += solve->kernels->dot(stride, coupling, x);
     if (x[stride + slot] != 0.0) solve->kernels->add_scaled(total, out, x[stride + slot], coupling);
   }
+  tb_solve_stretch(solve, x, out);
 }
 
 /* ---- one evaluation ------------------------------------------------------------------------- */
@@ -86,6 +99,18 @@ static double evaluate(TbSolve *solve, uint32_t *touching) {
 
 /* ---- linear solves -------------------------------------------------------------------------- */
 
+static void active_stretch(const TbSolve *solve, uint32_t n, const double *x, double *out) {
+  double along[2] = {0.0, 0.0};
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    for (uint32_t i = 0; i < n; i++) along[h] += solve->stretch_rows[h][solve->active[i]] * x[i];
+  }
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    const double pull =
+      solve->stretch_weight[h][0] * along[0] + solve->stretch_weight[h][1] * along[1];
+    for (uint32_t i = 0; i < n; i++) out[i] -= pull * solve->stretch_rows[h][solve->active[i]];
+  }
+}
+
 /* out = M x over the first n active rows alone; wire points come before slots. */
 static void active_product(const TbSolve *solve, uint32_t n, const double *x, double *out) {
   const uint32_t stride = solve->stride, total = total_rows(solve);
@@ -105,6 +130,7 @@ static void active_product(const TbSolve *solve, uint32_t n, const double *x, do
     }
     for (uint32_t i = wires; i < n; i++) out[i] += column[active[i]] * x[j];
   }
+  active_stretch(solve, n, x, out);
 }
 
 /* Solves (I + W M W) p = right over the first n active rows by conjugate gradients from p = 0, W =

@@ -40,9 +40,12 @@ typedef struct TbSolve {
   const double *own;        /* [stride + TB_SLOTS]: the wires' and strikers' */
   const uint8_t *row_wire;  /* [stride]: which wire's law a point has */
   const TbLaw *wire_laws, *slot_laws;
-  const double *b, *y;     /* [stride + TB_SLOTS] */
-  double *s;               /* out */
-  double *force, *product; /* f and M f: the last sample's on entry, this one's on return */
+  uint32_t stretch_count;  /* heads whose stretching makes M smaller: M - r^T W r, see stretch.h */
+  double *stretch_rows[2]; /* r, [stride + TB_SLOTS] each */
+  double stretch_weight[2][2]; /* W */
+  const double *b, *y;         /* [stride + TB_SLOTS] */
+  double *s;                   /* out */
+  double *force, *product;     /* f and M f: the last sample's on entry, this one's on return */
   /* Scratch, the same length. */
   double *previous, *slope, *residual, *scaled, *work;
   double *direction, *turned, *weight, *right, *solution; /* of the touching rows alone */
@@ -60,6 +63,9 @@ TbSolveOutcome tb_solve(TbSolve *solve);
 
 /* out = M x; the rest load is computed by this too, so that it cancels to the bit. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *out);
+
+/* out -= r^T W r x, what the stretching of the heads takes from M x. */
+void tb_solve_stretch(const TbSolve *solve, const double *x, double *out);
 
 /* The law of a row. */
 static inline const TbLaw *tb_solve_law(const TbSolve *solve, uint32_t row) {

@@ -35,6 +35,11 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_groups = place(&total, TB_HIGH_GROUPS);
   layout->high_force = place(&total, model->high.padded);
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    layout->stretch_y[h] = place(&total, modes);
+    layout->stretch_pull[h] = place(&total, modes);
+    layout->stretch_rows[h] = place(&total, rows);
+  }
   layout->fold = place(&total, tb_projection_scratch(&model->projection));
   layout->modal = place(&total, modes);
   layout->coupling = place(&total, TB_SLOTS * rows);
@@ -117,6 +122,11 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                          .right = at(state, l->right),
                          .solution = at(state, l->solution),
                          .active = (uint32_t *)(void *)at(state, l->active)};
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    view.stretch_y[h] = at(state, l->stretch_y[h]);
+    view.stretch_pull[h] = at(state, l->stretch_pull[h]);
+    view.solve.stretch_rows[h] = at(state, l->stretch_rows[h]);
+  }
   view_phases(&view);
   return view;
 }

@@ -56,6 +56,7 @@ typedef struct TbState {
   uint32_t slot_mask;
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
+  double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see treble.h */
   TbLive live[TB_LIVE_COUNT];
   TbWireCoefficients wires[TABOR_MAX_WIRES];
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
@@ -80,6 +81,8 @@ typedef struct TbView {
   double *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
   double *fold, *modal; /* scratch of the projection */
   double *high_drive, *high_groups, *high_force;
+  double *stretch_y[2], *stretch_pull[2]; /* [padded]: see stretch.h */
+  double stretch_s2[2][2], stretch_free[2];
   double *coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;

@@ -8,6 +8,8 @@
 #include "guard.h"
 #include "live.h"
 #include "slots.h"
+#include "stretch.h"
+#include "treble.h"
 
 /* Where head and wires would be without contact forces, into view->next. */
 static void free_motion(TbView *view) {
@@ -173,18 +175,22 @@ static void listen(TbView *view, double *pressure) {
                                              view->now.q, view->last.q) +
                      model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
                                              view->now.high, view->last.high);
+    const double heard = tb_treble(view->state->treble[mic], p);
     pressure[mic] =
-      delayed(view, mic, p) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+      delayed(view, mic, heard) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
   }
 }
 
 void tb_step(TbView *view, double *pressure) {
   tb_live_step(view);
   free_motion(view);
+  tb_stretch_free(view);
   free_penetration(view);
+  tb_stretch_rest_load(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   respond(view);
+  tb_stretch_respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (!shortened && outcome.contact) book_contacts(view, &outcome);
   book_losses(view);
@@ -245,6 +251,7 @@ static void fall_asleep(TbView *view) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
+  memset(view->state->treble, 0, sizeof view->state->treble);
   clear_high(view);
   view->state->asleep = 1;
 }

@@ -198,6 +198,7 @@ static void carry_sound(const TbView *from, TbView *to) {
     if (from->model->mics[mic].delay != to->model->mics[mic].delay) continue;
     memcpy(to->delay[mic], from->delay[mic], (to->model->mics[mic].delay + 1u) * sizeof(double));
     to->state->delay_at[mic] = from->state->delay_at[mic];
+    memcpy(to->state->treble[mic], from->state->treble[mic], sizeof to->state->treble[mic]);
   }
 }
 

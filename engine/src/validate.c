@@ -162,7 +162,8 @@ static TaborStatus check_mic(const TaborDrumDef *def, uint32_t index, TaborError
   if (encloses && mic->radius < def->shell.radius && mic->height < 0 && mic->height > -depth) {
     return refuse_height(def, index, "inside the shell, which ends", error);
   }
-  const double least = tb_param_by_id(TB_PARAM_MIC_HEIGHT)->least;
+  const double rounding = 1e-9; /* -0.15 m is 0.01 m below a shell of 0.14 m */
+  const double least = tb_param_by_id(TB_PARAM_MIC_HEIGHT)->least * (1 - rounding);
   if (two_headed && fabs(mic->height + depth) < least) {
     return refuse_height(def, index, "within 0.01 m of the resonant head's plane,", error);
   }

@@ -121,11 +121,9 @@ typedef enum TaborStrikerKind {
 
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
-  double depth;  /**< from the batter head down to the resonant one or to the bottom of a closed
-                          drum [m], 0.01 to 1.5, default 0.14; open and baffled: without effect */
-  uint32_t
-    boundary; /**< a TaborBoundary, default open, which it must be on a two-headed drum: there
-                          the shell encloses the air between the heads */
+  double depth;  /**< of the air below the batter head, down to the resonant head or the bottom of
+                          a closed drum [m], 0.01 to 1.5, default 0.14; otherwise without effect */
+  uint32_t boundary; /**< a TaborBoundary, default open, which it has to be on a two-headed drum */
 } TaborShellDef;
 
 /**
@@ -208,7 +206,9 @@ typedef struct TaborMicDef {
   char name[TABOR_NAME_SIZE];
   double radius; /**< distance from the axis [m], 0 to 10, default 0.05 */
   double angle;  /**< [deg], -360 to 360, default 90 */
-  double height; /**< above the head, negative below [m], 0.01 to 10 in size, default 0.10 */
+  double height; /**< above the batter head, negative below [m], 0.01 to 10 in size, default 0.10;
+                      not inside a closed or two-headed shell, nor within 0.01 of a resonant head's
+                      plane */
   double gain;   /**< [1], 0 to 100, default 1 */
 } TaborMicDef;
 
@@ -371,7 +371,6 @@ typedef struct TaborModelInfo {
   size_t model_bytes, drum_bytes;
 } TaborModelInfo;
 
-/** One mode of the head with its air. */
 /** What a mode moves most. */
 typedef enum TaborModePart {
   TABOR_PART_BATTER,   /**< the batter head, with over 90 % of the heads' energy */
@@ -380,11 +379,12 @@ typedef enum TaborModePart {
   TABOR_PART_CAVITY    /**< the air between them, with over half of all kinetic energy */
 } TaborModePart;
 
+/** One mode of the heads with their air. */
 typedef struct TaborModeInfo {
-  uint32_t m, n;         /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
+  uint32_t m, n;     /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
                               function that moves most */
-  double frequency;      /**< [Hz] */
-  double decay_rate;     /**< of the amplitude [1/s] */
+  double frequency;  /**< [Hz] */
+  double decay_rate; /**< of the amplitude [1/s] */
   double radiation_rate; /**< the part of it that leaves as sound [1/s] */
   uint32_t multiplicity; /**< 1, or 2 with a sine copy */
   TaborModePart part;

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT */
+#include "stretch.h"
+
+#include "bessel.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- set-up --------------------------------------------------------------------------------- */
+
+/* Int |grad w|^2 dA of one mode on head `which`, of its cosine as of its sine copy:
+ * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2. */
+static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode *mode) {
+  const TbHeadOrder *order = &head->orders[mode->m];
+  const double *v = order->vectors[which] + (size_t)mode->place * order->zero_count;
+  const double azimuth = mode->m ? PI : 2.0 * PI;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < order->zero_count; i++) {
+    const double slope = order->zeros[i] * tb_bessel_j(mode->m + 1, order->zeros[i]);
+    sum += v[i] * v[i] * slope * slope;
+  }
+  return 0.5 * azimuth * sum;
+}
+
+/* Higher modes hardly stretch a head: up to this many times the lowest frequency they count. */
+static const double TOP = 12.0;
+
+/* Each group lists its modes by frequency, so those that count stand at its beginning. */
+static void prepare_ranges(TaborModel *model) {
+  const TbModes *modes = &model->modes;
+  TbStretch *stretch = &model->stretch;
+  const double top = TOP * model->head.modes[0].omega;
+  for (uint32_t group = 0; group <= modes->groups; group++) {
+    const uint32_t end = group < modes->groups ? modes->group[group + 1] : modes->padded;
+    uint32_t i = modes->group[group];
+    stretch->from[group] = i;
+    while (i < end && modes->row[i] != TB_NO_MODE && model->head.modes[modes->row[i]].omega < top) {
+      i++;
+    }
+    stretch->size[group] = tb_pad(i - modes->group[group]);
+  }
+}
+
+static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
+  for (uint32_t group = 0; group <= model->modes.groups; group++) {
+    const uint32_t from = model->stretch.from[group];
+    for (uint32_t i = from; i < from + model->stretch.size[group]; i++) {
+      const uint32_t row = model->modes.row[i];
+      if (row != TB_NO_MODE) gain[i] = slope_square(&model->head, which, &model->head.modes[row]);
+    }
+  }
+}
+
+TaborStatus tb_stretch_prepare(TaborModel *model) {
+  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const double area = PI * model->head.radius * model->head.radius;
+  TbStretch *stretch = &model->stretch;
+  prepare_ranges(model);
+  for (uint32_t h = 0; h < model->head.heads; h++) {
+    if (heads[h]->stretch_stiffness == 0.0) continue;
+    double *gain = tb_arena_doubles(&model->arena, model->modes.padded);
+    if (!gain) return TABOR_ERROR_MEMORY;
+    fill_gain(model, h, gain);
+    stretch->gain[stretch->count] = gain;
+    stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
+  }
+  return TABOR_OK;
+}
+
+/* ---- step ----------------------------------------------------------------------------------- */
+
+/* S2 = (1 + A P/2)^-1 for symmetric A = Y^T g Y. */
+static void invert(uint32_t count, double a[2][2], const double *factor, double s2[2][2]) {
+  double n[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
+  for (uint32_t h = 0; h < count; h++) {
+    for (uint32_t l = 0; l < count; l++) n[h][l] += 0.5 * a[h][l] * factor[l];
+  }
+  const double determinant = n[0][0] * n[1][1] - n[0][1] * n[1][0];
+  s2[0][0] = n[1][1] / determinant;
+  s2[0][1] = -n[0][1] / determinant;
+  s2[1][0] = -n[1][0] / determinant;
+  s2[1][1] = n[0][0] / determinant;
+}
+
+/* Sum x y over the modes that count. */
+static double dot(const TaborModel *model, const double *x, const double *y) {
+  double sum = 0.0;
+  for (uint32_t group = 0; group <= model->modes.groups; group++) {
+    const uint32_t from = model->stretch.from[group];
+    sum += model->kernels->dot(model->stretch.size[group], x + from, y + from);
+  }
+  return sum;
+}
+
+/* y = G q, and what a unit of theta takes from the modes, g y P. */
+static void prepare_shapes(TbView *view) {
+  const TbStretch *stretch = &view->model->stretch;
+  const double *gains = view->model->modes.g, *q = view->now.q;
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    double *y = view->stretch_y[h], *pull = view->stretch_pull[h];
+    for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group], to = from + stretch->size[group];
+      for (uint32_t i = from; i < to; i++) {
+        y[i] = stretch->gain[h][i] * q[i];
+        pull[i] = gains[i] * y[i] * stretch->factor[h];
+      }
+    }
+  }
+}
+
+/* theta = S2 t/2; takes its pull from next.q. */
+static void apply(TbView *view, const double t[2]) {
+  const TaborModel *model = view->model;
+  const TbStretch *stretch = &model->stretch;
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    const double theta = 0.5 * (view->stretch_s2[h][0] * t[0] + view->stretch_s2[h][1] * t[1]);
+    for (uint32_t group = 0; group <= model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group];
+      model->kernels->add_scaled(stretch->size[group], view->next.q + from, -theta,
+                                 view->stretch_pull[h] + from);
+    }
+  }
+}
+
+/* r = Y^T g Phi at every contact: wire points with their side's sign, then strikers and hands. */
+static void prepare_rows(TbView *view) {
+  const TaborModel *model = view->model;
+  const uint32_t stride = model->wires.stride;
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    double *r = view->solve.stretch_rows[h];
+    tb_project(&model->projection, model->kernels, view->stretch_pull[h], view->fold, r);
+    const double scale = model->wires.side / model->stretch.factor[h];
+    for (uint32_t row = 0; row < stride; row++) r[row] *= scale;
+    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+      r[stride + slot] = 0.0;
+      if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
+      r[stride + slot] = dot(model, tb_slot_drive(view, slot), view->stretch_y[h]);
+    }
+  }
+}
+
+void tb_stretch_free(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbStretch *stretch = &model->stretch;
+  view->solve.stretch_count = stretch->count;
+  if (stretch->count == 0) return;
+  prepare_shapes(view);
+  double a[2][2] = {{0.0}}, t[2] = {0.0};
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    for (uint32_t l = 0; l < stretch->count; l++) {
+      a[h][l] = dot(model, view->stretch_y[h], view->stretch_pull[l]) / stretch->factor[l];
+    }
+    t[h] =
+      dot(model, view->stretch_y[h], view->next.q) + dot(model, view->stretch_y[h], view->last.q);
+  }
+  invert(stretch->count, a, stretch->factor, view->stretch_s2);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    for (uint32_t l = 0; l < stretch->count; l++) {
+      view->solve.stretch_weight[h][l] = 0.5 * stretch->factor[h] * view->stretch_s2[h][l];
+    }
+  }
+  apply(view, t);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    view->stretch_free[h] = dot(model, view->stretch_y[h], view->next.q);
+  }
+  prepare_rows(view);
+}
+
+void tb_stretch_rest_load(TbView *view) {
+  const TbSolve *solve = &view->solve;
+  if (solve->stretch_count == 0 || view->model->wires.row_count == 0) return;
+  tb_solve_stretch(solve, view->model->rest.force, view->b);
+}
+
+void tb_stretch_respond(TbView *view) {
+  const TaborModel *model = view->model;
+  if (model->stretch.count == 0) return;
+  double t[2] = {0.0};
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    t[h] = dot(model, view->stretch_y[h], view->next.q) - view->stretch_free[h];
+  }
+  apply(view, t);
+  view->solve.stretch_count = 0; /* it belongs to this sample alone */
+}
+
+double tb_stretch_energy(const TbView *view, const double *next, const double *now) {
+  const TbStretch *stretch = &view->model->stretch;
+  double sum = 0.0;
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    double square = 0.0;
+    for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
+      const uint32_t from = stretch->from[group], to = from + stretch->size[group];
+      for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];
+    }
+    sum += 0.25 * stretch->factor[h] * square * square;
+  }
+  return sum;
+}

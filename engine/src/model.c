@@ -55,7 +55,8 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
                          double *drive) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
-  tb_highband_drive(&model->high, radius, sine, cosine, model->high_patches[striker], drive);
+  tb_highband_drive(&model->high, TABOR_HEAD_BATTER, radius, sine, cosine,
+                    model->high_patches[striker], drive);
 }
 
 /* ---- contacts ------------------------------------------------------------------------------- */

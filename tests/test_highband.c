@@ -162,7 +162,7 @@ static void an_open_edge_radiates_a_fixed_part(void **state) {
         const double one = 1.0, x = 0.31 * lists[here][i];
         assert_true(tb_air_order_prepare(&order, &arena, m, &lists[here][i], 1));
         assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, &one, x, points, 3, &load, o));
-        assert_true(tb_air_slow(&order, &arena, x, points, 3, &resistance, b));
+        assert_true(tb_air_slow(&order, &arena, true, x, points, 3, &resistance, b));
         tb_arena_release(&arena);
         const double unit = 1.0 / pow(tb_bessel_j(m + 1, lists[here][i]), 2.0);
         for (int p = 0; p < 3; p++) {
@@ -193,7 +193,7 @@ static void slow_modes_radiate_as_others_do(void **state) {
   double a[2], b[2], resistance;
   assert_true(tb_air_order_prepare(&order, &arena, 0, &zero, 1));
   assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, &one, 5.0, &point, 1, &load, a));
-  assert_true(tb_air_slow(&order, &arena, 5.0, &point, 1, &resistance, b));
+  assert_true(tb_air_slow(&order, &arena, true, 5.0, &point, 1, &resistance, b));
   assert_true(fabs(load.resistance / resistance - 1.0) < 1e-4);
   assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-4 * hypot(a[0], a[1]));
   tb_arena_release(&arena);

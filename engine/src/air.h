@@ -80,10 +80,11 @@ bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *u
                       const double *lower, double depth, double x, const TbAirPoint *points,
                       uint32_t point_count, double *resistance, double *fields);
 
-/* Both sides' resistance, and the fields, of one baffled Bessel function that moves slower than sound:
- * what tb_air_load() gives, without the mass and to four digits only. `order` has one zero and needs no
- * expansion. */
-bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, double x, const TbAirPoint *points,
-                 uint32_t point_count, double *resistance, double *fields);
+/* Resistance and fields of one baffled Bessel function, to four digits: what tb_air_load() gives with air
+ * on `both_sides`; else one side's resistance and a field that is even in the height. `order` has one zero
+ * and needs no expansion. */
+bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, bool both_sides, double x,
+                 const TbAirPoint *points, uint32_t point_count, double *resistance,
+                 double *fields);
 
 #endif

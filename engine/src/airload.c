@@ -233,18 +233,19 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, &source, 1, fields);
 }
 
-bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, double x, const TbAirPoint *points,
-                 uint32_t point_count, double *resistance, double *fields) {
+bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, bool both_sides, double x,
+                 const TbAirPoint *points, uint32_t point_count, double *resistance,
+                 double *fields) {
   const double one = 1.0;
   TbAirPlan plan = plan_of(order, x, points, point_count, COARSE);
-  TbAirSource source = {.v = &one, .up = 1.0, .baffled = 1.0, .mirrored = true};
+  TbAirSource source = {.v = &one, .up = 1.0, .baffled = 1.0, .mirrored = both_sides};
   plan.zero = order->zeros[0];
   tb_air_plan_fields(&plan, &source, 1);
   TbAirNodes nodes;
   if (!nodes_for(&nodes, &plan, scratch, 0.0) || !transform(&plan, scratch, &nodes, &source)) {
     return false;
   }
-  *resistance = 2.0 * radiated(&nodes, source.w);
+  *resistance = (both_sides ? 2.0 : 1.0) * radiated(&nodes, source.w);
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, &source, 1, fields);
 }
 

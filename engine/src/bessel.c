@@ -85,24 +85,38 @@ void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]) {
   }
 }
 
-double tb_bessel_j(uint32_t m, double x) {
-  const uint32_t start = miller_start(m, x);
-  if (x <= 1e-30) return m == 0 ? 1.0 : 0.0;
-  double above = 0.0, here = 1e-200, sum = 0.0, wanted = 0.0;
+/* J_m and J_{m+1}. */
+static void bessel_pair(uint32_t m, double x, double j[2]) {
+  const uint32_t start = miller_start(m + 1, x);
+  const double twice_inverse = 2.0 / x;
+  double above = 0.0, here = 1e-200, sum = 0.0;
+  j[0] = j[1] = 0.0;
   for (uint32_t l = start; l > 0; l--) {
     if (l % 2 == 0) sum += 2.0 * here;
-    const double next = 2.0 * (double)l / x * here - above;
+    const double next = (double)l * twice_inverse * here - above;
     above = here;
     here = next;
-    if (l - 1 == m) wanted = here;
+    if (l - 1 == m) {
+      j[0] = here;
+      j[1] = above;
+    }
     if (here > 1e100 || here < -1e100) {
       above *= 1e-150;
       here *= 1e-150;
       sum *= 1e-150;
-      wanted *= 1e-150;
+      j[0] *= 1e-150;
+      j[1] *= 1e-150;
     }
   }
-  return wanted / (sum + here);
+  j[0] /= sum + here;
+  j[1] /= sum + here;
+}
+
+double tb_bessel_j(uint32_t m, double x) {
+  if (x <= 1e-30) return m == 0 ? 1.0 : 0.0;
+  double j[2];
+  bessel_pair(m, x, j);
+  return j[0];
 }
 
 /* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
@@ -177,23 +191,25 @@ void tb_bessel_whole8(const double x[8], uint32_t count, double *j) {
   }
 }
 
-/* The one zero of J_m between lo and hi: Newton's step where it stays inside, else halving. */
-static double refine_zero(uint32_t m, double lo, double hi) {
-  const double sign_lo = tb_bessel_j(m, lo);
+/* The one zero of J_m between lo and hi, where it is positive at lo or at hi: Halley's step, which squares
+ * and more, where it stays inside, else halving. J_m'' comes from Bessel's equation. */
+static double refine_zero(uint32_t m, double lo, double hi, bool falling) {
+  const double order = (double)m;
   double x = 0.5 * (lo + hi);
   for (int i = 0; i < 100; i++) {
-    const double value = tb_bessel_j(m, x);
-    if ((value > 0.0) == (sign_lo > 0.0)) {
+    double j[2];
+    bessel_pair(m, x, j);
+    if ((j[0] > 0.0) == falling) {
       lo = x;
     } else {
       hi = x;
     }
-    const double slope = (double)m / x * value - tb_bessel_j(m + 1, x);
-    double next = x - value / slope;
-    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-    const double step = fabs(next - x);
-    x = next;
-    if (step <= 1e-15 * x) break;
+    const double slope = order / x * j[0] - j[1];
+    const double bend = -slope / x - (1.0 - order * order / (x * x)) * j[0];
+    double next = x - j[0] / (slope - 0.5 * j[0] * bend / slope);
+    const double step = magnitude(next - x);
+    if (step <= 1e-7 * x) return next; /* its cube is nothing */
+    x = next > lo && next < hi ? next : 0.5 * (lo + hi);
   }
   return x;
 }
@@ -204,23 +220,22 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
   for (uint32_t n = 1;; n++) {
     const double b = ((double)n - 0.25) * PI;
     const double guess = b + 1.0 / (8.0 * b) - 31.0 / (384.0 * b * b * b);
-    const double zero = refine_zero(0, guess - 0.3, guess + 0.3);
+    const double zero = refine_zero(0, guess - 0.3, guess + 0.3, n % 2 == 1);
     if (zero >= top || count == room) return count;
     zeros[count++] = zero;
   }
 }
 
-/* Zeros interlace: j_{m-1,n} < j_{m,n} < j_{m-1,n+1} ([DLMF] 10.21(i)). */
+/* Zeros interlace: j_{m-1,n} < j_{m,n} < j_{m-1,n+1} ([DLMF] 10.21(i)), and J_m is positive at j_{m-1,1},
+ * negative at j_{m-1,2} and so on. */
 uint32_t tb_bessel_zeros(uint32_t m, double top, const double *below, uint32_t below_count,
                          double *zeros, uint32_t room) {
   if (m == 0) return zeros_of_order_0(top, zeros, room);
   uint32_t count = 0;
   for (uint32_t n = 0; n < below_count && count < room; n++) {
-    const double lo = below[n];
-    const double hi = n + 1 < below_count ? below[n + 1] : top;
-    const bool crosses = (tb_bessel_j(m, lo) > 0.0) != (tb_bessel_j(m, hi) > 0.0);
-    if (!crosses) break;
-    zeros[count++] = refine_zero(m, lo, hi);
+    const bool falling = n % 2 == 0, last = n + 1 == below_count;
+    if (last && (tb_bessel_j(m, top) > 0.0) == falling) break;
+    zeros[count++] = refine_zero(m, below[n], last ? top : below[n + 1], falling);
   }
   return count;
 }

@@ -2,254 +2,25 @@
 #include "highband.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "bessel.h"
+#include "highmodes.h"
 #include "mics.h"
 #include "model.h"
-#include "power.h"
 
-static const double PI = 3.14159265358979323846;
-static const double KEPT = 0.999; /* of each band's energy */
-static const double AIR_REACH =
-  2.0; /* the air's integrals end below this many times the top zero */
-static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
-
-/* One Bessel function, cosine and sine copies together. */
-typedef struct Candidate {
-  uint32_t head, m, band;
-  double zero, slope, omega, decay_rate, radiation_rate, scale;
-  double loudness; /* the largest over microphones */
-  double fields[2 * TABOR_MAX_MICS];
-} Candidate;
-
-/* What the edge and the coupling of modes by the air make of a Bessel function's baffled radiation:
- * pressure per microphone, and resistance. */
-typedef struct EdgeFactors {
-  double field[TABOR_MAX_MICS], resistance;
-} EdgeFactors;
-
-typedef struct Builder {
-  const TaborModel *model;
-  TbArena *scratch;
-  uint32_t head; /* whose modes are being collected */
-  const TaborHeadDef *plate;
-  EdgeFactors edge;
-  TbAirPoint points[TABOR_MAX_MICS];
-  TbBesselTable table;
-  double top; /* [rad/s] */
-  Candidate *candidates;
-  uint32_t count, room;
-} Builder;
-
-/* Mass per area of head and air, one fixed-point pass from the head alone. */
-static double frequency(const TaborDrumDef *def, const TaborHeadDef *plate, double wavenumber,
-                        double *mass) {
-  const double k2 = wavenumber * wavenumber;
-  const double stiffness = plate->tension * k2 + plate->bending_stiffness * k2 * k2;
-  *mass = plate->surface_density;
-  double omega = sqrt(stiffness / *mass);
-  for (int pass = 0; pass < 3 && def->air.density > 0.0; pass++) {
-    const double slowness = omega / (def->air.sound_speed * wavenumber);
-    if (slowness >= 0.98) break; /* as fast as sound: no mass, all radiation */
-    *mass = plate->surface_density +
-            2.0 * def->air.density / (wavenumber * sqrt(1.0 - slowness * slowness));
-    omega = sqrt(stiffness / *mass);
+static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
+  for (uint32_t i = 0; i < chosen->count; i++) {
+    band->size[chosen->modes[i].head] += chosen->modes[i].m ? 2 : 1;
   }
-  return omega;
-}
-
-/* True if no microphone is far enough from the axis to hear order m at all. */
-static bool inaudible(const Builder *b, uint32_t m, double x, double zero) {
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const double top = fmin(4.0 * fmax(x, zero), 10.0 / fabs(b->points[p].height));
-    const double reach = sqrt(x * x + top * top) * b->points[p].radius;
-    if ((double)m < reach + 2.5 * cbrt(reach) + 5.0) return false;
+  for (uint32_t h = 0; h < TB_HEADS; h++) {
+    band->begin[h + 1] = band->begin[h] + tb_pad(band->size[h]);
   }
-  return true;
-}
-
-/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. */
-static bool radiate(const Builder *b, uint32_t m, double zero, Candidate *c) {
-  const TaborDrumDef *def = &b->model->def;
-  const double radius = def->shell.radius, wavenumber = zero / radius;
-  double mass, resistance;
-  *c = (Candidate){
-    .head = b->head, .m = m, .zero = zero, .omega = frequency(def, b->plate, wavenumber, &mass)};
-  c->slope = tb_bessel_j(m + 1, zero);
-  const TbAirOrder order = {
-    .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
-  TbArena scratch;
-  tb_arena_prepare(&scratch, &b->scratch->allocator);
-  const bool done = tb_air_slow(&order, &scratch, c->omega * radius / def->air.sound_speed,
-                                b->points, def->mic_count, &resistance, c->fields);
-  tb_arena_release(&scratch);
-  if (!done) return false;
-  const double norm = (m ? PI : 2.0 * PI) * radius * radius * 0.5 * c->slope * c->slope;
-  c->scale = 1.0 / sqrt(mass * norm);
-  const double outward = b->head == TABOR_HEAD_BATTER ? c->scale : -c->scale;
-  for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= outward;
-  c->decay_rate = 0.5 * b->plate->surface_density / mass *
-                  (b->plate->damping_0 + b->plate->damping_1 * wavenumber * wavenumber);
-  c->radiation_rate =
-    def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
-  return true;
-}
-
-/* The largest energy that a unit force brings to a microphone. */
-static double loudness(const Builder *b, const Candidate *c) {
-  const double turn = c->omega * b->model->time_step;
-  double loudest = 0.0;
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const double gain =
-      c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * p], c->fields[2 * p + 1]);
-    loudest = fmax(loudest, gain * gain / (4.0 * fmax(c->decay_rate, 1e-3)));
-  }
-  return loudest;
-}
-
-static bool add_candidate(Builder *b, uint32_t m, double zero) {
-  const TaborDrumDef *def = &b->model->def;
-  double mass;
-  const double omega = frequency(def, b->plate, zero / def->shell.radius, &mass);
-  const double x = omega * def->shell.radius / def->air.sound_speed;
-  if (omega > b->top || b->count == b->room || inaudible(b, m, x, zero)) return true;
-  Candidate *c = &b->candidates[b->count];
-  if (!radiate(b, m, zero, c)) return false;
-  b->count++;
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    c->fields[2 * p] *= b->edge.field[p];
-    c->fields[2 * p + 1] *= b->edge.field[p];
-  }
-  c->decay_rate += b->edge.resistance * c->radiation_rate;
-  if (!def->quality.losses) c->decay_rate = 0.0;
-  c->loudness = loudness(b, c);
-  c->band = (uint32_t)(6.0 * log2(omega / (2.0 * PI * 20.0)));
-  return true;
-}
-
-static double square_of(const double *complex_number) {
-  return complex_number[0] * complex_number[0] + complex_number[1] * complex_number[1];
-}
-
-/* Two-way modes that move this head alone, as far as there are two. */
-static bool belongs(const Builder *b, const TbHeadMode *mode) {
-  const uint32_t own = b->head == TABOR_HEAD_BATTER ? TABOR_PART_BATTER : TABOR_PART_RESONANT;
-  return b->model->head.heads == 1 || mode->part == own;
-}
-
-/* The upper two-way modes of the low orders, as they radiate, against the same as Bessel functions. */
-static bool measure_edge(Builder *b) {
-  const TaborModel *model = b->model;
-  const uint32_t mics = model->def.mic_count;
-  double real[TABOR_MAX_MICS] = {0.0}, simple[TABOR_MAX_MICS] = {0.0};
-  double real_rate = 0.0, simple_rate = 0.0;
-  for (uint32_t m = 0; m < model->head.order_count && m < 6; m++) {
-    const TbHeadOrder *order = &model->head.orders[m];
-    for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
-      const TbHeadMode *mode = &model->head.modes[order->rows[k]];
-      Candidate c;
-      if (!belongs(b, mode)) continue;
-      if (!radiate(b, m, order->zeros[mode->n - 1], &c)) return false;
-      for (uint32_t p = 0; p < mics; p++) {
-        real[p] += square_of(mode->fields + 2 * p);
-        simple[p] += square_of(c.fields + 2 * p);
-      }
-      real_rate += mode->radiation_rate;
-      simple_rate += c.radiation_rate;
-    }
-  }
-  b->edge.resistance = simple_rate > 0.0 ? real_rate / simple_rate : 1.0;
-  for (uint32_t p = 0; p < mics; p++) {
-    b->edge.field[p] = simple[p] > 0.0 ? sqrt(real[p] / simple[p]) : 1.0;
-  }
-  return true;
-}
-
-/* The zero at which modes reach the top of the band. */
-static double top_zero(const Builder *b) {
-  const TaborDrumDef *def = &b->model->def;
-  double lo = 0.5, hi = TOP_ZERO, mass;
-  for (int i = 0; i < 40; i++) {
-    const double middle = 0.5 * (lo + hi);
-    if (frequency(def, b->plate, middle / def->shell.radius, &mass) < b->top) {
-      lo = middle;
-    } else {
-      hi = middle;
-    }
-  }
-  return hi;
-}
-
-/* Two-way modes of one order: those of its functions that lie in the two-way band. */
-static uint32_t two_way(const Builder *b, uint32_t m, const double *zeros, uint32_t count) {
-  const TbHead *head = &b->model->head;
-  if (head->heads == 1) return m < head->order_count ? head->orders[m].mode_count : 0;
-  double mass;
-  uint32_t n = 0;
-  while (n < count && frequency(&b->model->def, b->plate, zeros[n] / head->radius, &mass) <
-                        2.0 * PI * head->bandwidth) {
-    n++;
-  }
-  return n;
-}
-
-/* All Bessel functions above the two-way modes of their order, up to the last order that is heard. */
-static bool collect(Builder *b, double top) {
-  const TbHead *head = &b->model->head;
-  const double x = b->top * head->radius / b->model->def.air.sound_speed;
-  double lists[2][96];
-  uint32_t counts[2] = {0, 0};
-  for (uint32_t m = 0; m < TB_MAX_ORDERS - 2 && !inaudible(b, m, x, top); m++) {
-    const uint32_t here = m % 2, last = 1 - here;
-    counts[here] = tb_bessel_zeros(m, top, lists[last], counts[last], lists[here], 96);
-    for (uint32_t n = two_way(b, m, lists[here], counts[here]); n < counts[here]; n++) {
-      if (!add_candidate(b, m, lists[here][n])) return false;
-    }
-  }
-  return true;
-}
-
-static int louder(const void *x, const void *y) {
-  const Candidate *a = x, *b = y;
-  if (a->head != b->head) return a->head < b->head ? -1 : 1;
-  if (a->band != b->band) return a->band < b->band ? -1 : 1;
-  if (a->loudness != b->loudness) return a->loudness > b->loudness ? -1 : 1;
-  return a->zero < b->zero ? -1 : a->zero > b->zero;
-}
-
-static bool same_band(const Candidate *a, const Candidate *b) {
-  return a->head == b->head && a->band == b->band;
-}
-
-/* Keeps the loudest of each head's sixth of an octave, in place; counts modes, copies included. */
-static void thin(Builder *b, TbHighBand *band) {
-  qsort(b->candidates, b->count, sizeof *b->candidates, louder);
-  uint32_t kept = 0;
-  for (uint32_t from = 0, to; from < b->count; from = to) {
-    double total = 0.0, sum = 0.0;
-    for (to = from; to < b->count && same_band(&b->candidates[to], &b->candidates[from]); to++) {
-      total += b->candidates[to].loudness;
-    }
-    uint32_t *modes = &band->size[b->candidates[from].head];
-    for (uint32_t i = from; i < to && sum < KEPT * total; i++) {
-      const uint32_t copies = b->candidates[i].m ? 2 : 1;
-      if (*modes + copies > TB_HIGH_MOST) break;
-      sum += b->candidates[i].loudness;
-      *modes += copies;
-      b->candidates[kept++] = b->candidates[i];
-    }
-  }
-  b->count = kept;
+  band->candidates = chosen->candidates;
+  band->count = chosen->copies;
+  band->padded = band->begin[TB_HEADS];
 }
 
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
-  for (uint32_t h = 0; h < TB_HEADS; h++) {
-    band->count += band->size[h];
-    band->begin[h + 1] = band->begin[h] + tb_pad(band->size[h]);
-  }
-  band->padded = band->begin[TB_HEADS];
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
   band->sine = tb_arena_take(arena, band->padded, sizeof *band->sine);
   double **arrays[] = {&band->zero, &band->scale, &band->a, &band->b, &band->g, &band->stiffness};
@@ -263,9 +34,8 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
   return !arena->failed;
 }
 
-static void fill_mode(TbHighBand *band, uint32_t i, const Builder *b, const Candidate *c,
+static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, const TbHighMode *c,
                       bool sine) {
-  const TaborModel *model = b->model;
   const TbPole pole = tb_pole(c->omega, c->decay_rate, model->time_step);
   band->order[i] = c->m;
   if (c->m >= band->orders) band->orders = c->m + 1;
@@ -287,9 +57,9 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
                            const TbWires *wires) {
   double x[TB_HIGH_GROUPS] = {0.0}, y[TB_HIGH_GROUPS] = {0.0};
   uint32_t members[TB_HIGH_GROUPS] = {0};
-  const uint32_t begin = band->begin[wires->head], end = band->begin[wires->head + 1];
+  const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
   band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
-  band->push = tb_arena_doubles(arena, (size_t)(end - begin) * TB_HIGH_GROUPS);
+  band->push = tb_arena_doubles(arena, (size_t)size * TB_HIGH_GROUPS);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   for (uint32_t row = 0; row < wires->row_count; row++) {
@@ -306,43 +76,12 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     const double r = hypot(mx, my);
     tb_highband_drive(band, wires->head, r, r > 0.0 ? my / r : 0.0, r > 0.0 ? mx / r : 1.0, NULL,
                       drive);
-    for (uint32_t i = 0; i < end - begin; i++) {
+    for (uint32_t i = 0; i < size; i++) {
       band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] =
         wires->side * drive[begin + i];
     }
   }
   return true;
-}
-
-/* Adds one head's candidates; microphones stand at their outward height from it. */
-static bool collect_head(Builder *b, uint32_t head) {
-  const TaborDrumDef *def = &b->model->def;
-  b->head = head;
-  b->plate = head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    const double height =
-      head == TABOR_HEAD_BATTER ? def->mic[p].height : -(def->mic[p].height + def->shell.depth);
-    b->points[p] = (TbAirPoint){def->mic[p].radius / def->shell.radius, height / def->shell.radius};
-  }
-  TbArena tables, *scratch = b->scratch;
-  tb_arena_prepare(&tables, &scratch->allocator);
-  b->scratch = &tables;
-  const double zero = top_zero(b);
-  const bool done =
-    tb_bessel_table_prepare(&b->table, &tables, (uint32_t)zero + 1u, AIR_REACH * zero) &&
-    measure_edge(b) && collect(b, zero);
-  tb_arena_release(&tables);
-  b->scratch = scratch;
-  return done;
-}
-
-static void fill_modes(TbHighBand *band, const Builder *b) {
-  uint32_t next[TB_HEADS] = {band->begin[0], band->begin[1]};
-  for (uint32_t i = 0; i < b->count; i++) {
-    const Candidate *c = &b->candidates[i];
-    fill_mode(band, next[c->head]++, b, c, false);
-    if (c->m) fill_mode(band, next[c->head]++, b, c, true);
-  }
 }
 
 TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborModel *model,
@@ -351,16 +90,18 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  Builder b = {.model = model, .scratch = &scratch, .top = 2.0 * PI * top, .room = 16384};
-  b.candidates = tb_arena_take(&scratch, b.room, sizeof *b.candidates);
-  bool done = !scratch.failed;
-  for (uint32_t h = 0; done && h < model->head.heads; h++) done = collect_head(&b, h);
+  TbHighModes chosen;
+  bool done = tb_high_modes_choose(&chosen, &scratch, model, top, TB_HIGH_MOST);
   if (done) {
-    band->candidates = b.count;
-    thin(&b, band);
+    count_modes(band, &chosen);
     done = allocate(band, arena, model->def.mic_count);
   }
-  if (done) fill_modes(band, &b);
+  uint32_t next[TB_HEADS] = {band->begin[0], band->begin[1]};
+  for (uint32_t i = 0; done && i < chosen.count; i++) {
+    const TbHighMode *mode = &chosen.modes[i];
+    fill_mode(band, next[mode->head]++, model, mode, false);
+    if (mode->m) fill_mode(band, next[mode->head]++, model, mode, true);
+  }
   done = done && prepare_groups(band, arena, &scratch, &model->wires);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
@@ -388,6 +129,7 @@ void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, do
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_angular_factors(band->orders, sin_angle, cos_angle, c, s);
   const uint32_t end = band->begin[which] + band->size[which];
+  for (uint32_t i = end; i < band->begin[which + 1]; i++) drive[i] = 0.0;
   for (uint32_t from = band->begin[which]; from < end;) {
     uint32_t index[8], m[8] = {0};
     double x[8] = {0.0}, j[8];
@@ -404,5 +146,4 @@ void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, do
       if (m[l]) drive[i + 1] = shape * s[m[l]];
     }
   }
-  for (uint32_t i = end; i < band->begin[which + 1]; i++) drive[i] = 0.0;
 }

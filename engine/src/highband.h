@@ -3,16 +3,16 @@
  * not fed back to the contacts, which hardly feel them.
  *
  * Up there the modes are too many to keep, and most are silent: they are slower than sound and radiate
- * from the edge alone. So each Bessel function counts as a mode of its own, with the air's mass
+ * from the edge alone. So each Bessel function of either head counts as a mode of its own (what lies
+ * between the heads does not couple them any more), with the air's mass
  * 2 rho0/(K sqrt(1 - (k0/K)^2)) per area, K = z/R (a plane wave slower than sound on both sides), and its
- * baffled radiation, times one factor per microphone and one for the resistance. These stand for the
+ * baffled radiation (of its outer side, on a drum with a cavity), times one factor per microphone and one
+ * for the resistance, of each head. These stand for the
  * edge and for the coupling of modes by the air, which depend on the place and hardly on the frequency
  * (an open edge: 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20
  * to 108, tests/test_highband.c), so they are measured on the upper two-way modes. Per sixth of an
  * octave the modes are sorted by the energy that they can bring to a microphone,
- * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there.
- *
- * Of two heads each has its own modes: up there the air between them no longer couples them.
+ * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head.
  *
  * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each
  * group pushing at its middle. */
@@ -32,8 +32,8 @@ typedef struct TbHighMic {
 
 typedef struct TbHighBand {
   uint32_t count, padded; /* modes kept, sine copies counted; 0: no high band */
-  uint32_t begin[3];      /* where each head's modes begin; the last is padded */
-  uint32_t size[2];       /* ... and how many they are without padding */
+  uint32_t begin[3];      /* where each head's modes begin, padded */
+  uint32_t size[2];       /* ... and how many they are, without padding */
   uint32_t candidates;    /* Bessel functions that there were to choose from */
   uint32_t orders;        /* all angular orders are below */
   uint32_t *order;        /* [padded] angular order m */
@@ -55,8 +55,8 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const struct T
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch);
 
-/* drive[padded] = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head
- * `which` does, in that head's part alone. `patch` may be NULL. Audio-safe. */
+/* drive = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head `which`
+ * does, in that head's part of drive[padded] alone. `patch` may be NULL. Audio-safe. */
 void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
                        double cos_angle, const double *patch, double *drive);
 

@@ -13,6 +13,10 @@ bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double 
 /* Solves A x = b for symmetric positive definite A, row-major; A is destroyed, b becomes x. */
 bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *right_hand_sides);
 
+/* Cholesky's factor of a symmetric positive definite A, row-major, in its place; and A x = b with it. */
+bool tb_factor_positive(uint32_t n, double *matrix);
+bool tb_solve_factored(uint32_t n, const double *factor, double *right_hand_side);
+
 /* Solves A x = b for complex symmetric A, given as (re, im) pairs; A is destroyed, b becomes x. */
 bool tb_solve_complex(TbArena *scratch, uint32_t n, double *matrix, uint32_t columns,
                       double *right_hand_sides);

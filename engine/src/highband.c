@@ -8,11 +8,21 @@
 #include "mics.h"
 #include "model.h"
 
+static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
+  for (uint32_t i = 0; i < chosen->count; i++) {
+    band->size[chosen->modes[i].head] += chosen->modes[i].m ? 2 : 1;
+  }
+  for (uint32_t h = 0; h < TB_HEADS; h++) {
+    band->begin[h + 1] = band->begin[h] + tb_pad(band->size[h]);
+  }
+  band->candidates = chosen->candidates;
+  band->count = chosen->copies;
+  band->padded = band->begin[TB_HEADS];
+}
+
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
-  band->padded = tb_pad(band->count);
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
   band->sine = tb_arena_take(arena, band->padded, sizeof *band->sine);
-  band->head = tb_arena_take(arena, band->padded, sizeof *band->head);
   double **arrays[] = {&band->zero, &band->scale, &band->a, &band->b, &band->g, &band->stiffness};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, band->padded);
@@ -21,7 +31,6 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
     band->mics[p].u = tb_arena_doubles(arena, band->padded);
     band->mics[p].v = tb_arena_doubles(arena, band->padded);
   }
-  band->push = tb_arena_doubles(arena, (size_t)band->padded * TB_HIGH_GROUPS);
   return !arena->failed;
 }
 
@@ -31,7 +40,6 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   band->order[i] = c->m;
   if (c->m >= band->orders) band->orders = c->m + 1;
   band->sine[i] = sine;
-  band->head[i] = (uint8_t)c->head;
   band->zero[i] = c->zero;
   band->scale[i] = c->scale;
   band->a[i] = pole.a;
@@ -49,7 +57,9 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
                            const TbWires *wires) {
   double x[TB_HIGH_GROUPS] = {0.0}, y[TB_HIGH_GROUPS] = {0.0};
   uint32_t members[TB_HIGH_GROUPS] = {0};
+  const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
   band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
+  band->push = tb_arena_doubles(arena, (size_t)size * TB_HIGH_GROUPS);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   for (uint32_t row = 0; row < wires->row_count; row++) {
@@ -66,8 +76,9 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     const double r = hypot(mx, my);
     tb_highband_drive(band, wires->head, r, r > 0.0 ? my / r : 0.0, r > 0.0 ? mx / r : 1.0, NULL,
                       drive);
-    for (uint32_t i = 0; i < band->padded; i++) {
-      band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] = wires->side * drive[i];
+    for (uint32_t i = 0; i < size; i++) {
+      band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] =
+        wires->side * drive[begin + i];
     }
   }
   return true;
@@ -82,13 +93,14 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   TbHighModes chosen;
   bool done = tb_high_modes_choose(&chosen, &scratch, model, top, TB_HIGH_MOST);
   if (done) {
-    band->candidates = chosen.candidates;
-    band->count = chosen.copies;
+    count_modes(band, &chosen);
     done = allocate(band, arena, model->def.mic_count);
   }
-  for (uint32_t i = 0, next = 0; done && i < chosen.count; i++) {
-    fill_mode(band, next++, model, &chosen.modes[i], false);
-    if (chosen.modes[i].m) fill_mode(band, next++, model, &chosen.modes[i], true);
+  uint32_t next[TB_HEADS] = {band->begin[0], band->begin[1]};
+  for (uint32_t i = 0; done && i < chosen.count; i++) {
+    const TbHighMode *mode = &chosen.modes[i];
+    fill_mode(band, next[mode->head]++, model, mode, false);
+    if (mode->m) fill_mode(band, next[mode->head]++, model, mode, true);
   }
   done = done && prepare_groups(band, arena, &scratch, &model->wires);
   tb_arena_release(&scratch);
@@ -102,12 +114,12 @@ void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patc
   }
 }
 
-/* Up to eight modes of one head from `from` on, sine copies passed over; returns how many. */
-static uint32_t next_eight(const TbHighBand *band, uint32_t which, uint32_t *from,
+/* Up to eight modes from `from` on, sine copies passed over; returns how many. */
+static uint32_t next_eight(const TbHighBand *band, uint32_t *from, uint32_t end,
                            uint32_t index[8]) {
   uint32_t n = 0;
-  for (; *from < band->count && n < 8; (*from)++) {
-    if (!band->sine[*from] && band->head[*from] == which) index[n++] = *from;
+  for (; *from < end && n < 8; (*from)++) {
+    if (!band->sine[*from]) index[n++] = *from;
   }
   return n;
 }
@@ -116,11 +128,12 @@ void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, do
                        double cos_angle, const double *patch, double *drive) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_angular_factors(band->orders, sin_angle, cos_angle, c, s);
-  for (uint32_t i = 0; i < band->padded; i++) drive[i] = 0.0;
-  for (uint32_t from = 0; from < band->count;) {
+  const uint32_t end = band->begin[which] + band->size[which];
+  for (uint32_t i = end; i < band->begin[which + 1]; i++) drive[i] = 0.0;
+  for (uint32_t from = band->begin[which]; from < end;) {
     uint32_t index[8], m[8] = {0};
     double x[8] = {0.0}, j[8];
-    const uint32_t n = next_eight(band, which, &from, index);
+    const uint32_t n = next_eight(band, &from, end, index);
     for (uint32_t l = 0; l < n; l++) {
       m[l] = band->order[index[l]];
       x[l] = band->zero[index[l]] * radius / band->radius;

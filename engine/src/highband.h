@@ -32,17 +32,18 @@ typedef struct TbHighMic {
 
 typedef struct TbHighBand {
   uint32_t count, padded; /* modes kept, sine copies counted; 0: no high band */
+  uint32_t begin[3];      /* where each head's modes begin, padded */
+  uint32_t size[2];       /* ... and how many they are, without padding */
   uint32_t candidates;    /* Bessel functions that there were to choose from */
   uint32_t orders;        /* all angular orders are below */
   uint32_t *order;        /* [padded] angular order m */
   uint8_t *sine;          /* [padded]; a sine copy follows its cosine */
-  uint8_t *head;          /* [padded]: a TaborHead */
   double *zero, *scale;   /* [padded] z, and the shape's factor for unit modal mass */
   double *a, *b, *g;      /* [padded] the recursion: see modes.h */
   double *stiffness;      /* [padded] K' */
   TbHighMic mics[TABOR_MAX_MICS];
   uint8_t *row_group; /* [stride] group of each contact point */
-  double *push;       /* [padded/8][TB_HIGH_GROUPS][8]: -side g phi at the groups' middles */
+  double *push;       /* [head's modes/8][TB_HIGH_GROUPS][8]: -side g phi at the groups' middles */
   double radius;      /* of the head [m] */
 } TbHighBand;
 
@@ -54,8 +55,8 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const struct T
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch);
 
-/* drive[padded] = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head
- * `which` does. `patch` may be NULL. Audio-safe. */
+/* drive = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head `which`
+ * does, in that head's part of drive[padded] alone. `patch` may be NULL. Audio-safe. */
 void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
                        double cos_angle, const double *patch, double *drive);
 

@@ -154,14 +154,15 @@ static void drive_high(TbView *view) {
     for (uint32_t row = 0; row < model->wires.row_count; row++) {
       view->high_groups[high->row_group[row]] += force[row] - model->rest.force[row];
     }
-    kernels->multiply(high->padded / 8, TB_HIGH_GROUPS, view->high_force, high->push,
-                      view->high_groups);
-    for (uint32_t i = 0; i < high->padded; i++) view->next.high[i] += view->high_force[i];
+    const uint32_t from = high->begin[model->wires.head];
+    const uint32_t size = high->begin[model->wires.head + 1] - from;
+    kernels->multiply(size / 8, TB_HIGH_GROUPS, view->high_force, high->push, view->high_groups);
+    for (uint32_t i = 0; i < size; i++) view->next.high[from + i] += view->high_force[i];
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double push = force[model->wires.stride + i];
     if (view->state->slots[i].kind != TB_SLOT_STRIKER || push == 0.0) continue;
-    kernels->add_scaled(high->padded, view->next.high, push, tb_slot_high_drive(view, i));
+    kernels->add_scaled(high->begin[1], view->next.high, push, tb_slot_high_drive(view, i));
   }
 }
 

@@ -44,20 +44,6 @@ static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, do
   return count;
 }
 
-/* Zeros of J_m alone, by climbing from J_0. */
-static uint32_t node_zeros(TbArena *scratch, uint32_t m, double top, double **nodes) {
-  const uint32_t room = (uint32_t)(top / PI) + 4u;
-  double *lists[2] = {tb_arena_doubles(scratch, room), tb_arena_doubles(scratch, room)};
-  if (scratch->failed) return 0;
-  uint32_t count = 0;
-  for (uint32_t order = 0; order <= m; order++) {
-    const uint32_t last = count;
-    count = tb_bessel_zeros(order, top, lists[1 - order % 2], last, lists[order % 2], room);
-  }
-  *nodes = lists[m % 2];
-  return count;
-}
-
 /* ---- one order ------------------------------------------------------------------------------ */
 
 static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
@@ -87,8 +73,9 @@ bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavit
   *order = (TbCavityOrder){.m = m};
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  double *nodes = NULL;
-  const uint32_t count = node_zeros(&scratch, m, top_zero, &nodes);
+  const uint32_t room = (uint32_t)(top_zero / PI) + 4u;
+  double *nodes = tb_arena_doubles(&scratch, room);
+  const uint32_t count = nodes ? tb_bessel_zeros(m, top_zero, nodes, room) : 0;
   order->zeros = tb_arena_doubles(arena, count);
   order->norms = tb_arena_doubles(arena, count);
   order->kept = tb_arena_take(arena, count, sizeof *order->kept);

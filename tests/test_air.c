@@ -282,13 +282,15 @@ static void near_and_far_fields_meet(void **state) {
       }
       const double complex foretold = extrapolate(INSIDE, places, field, places[INSIDE]);
       const double error = cabs(foretold - field[INSIDE]) / (cabs(field[INSIDE]) + 1e-5);
-      if (error > 1e-6) print_message("m %u x %g: %.1e\n", ORDERS[o], x, error);
+      if (error > 1e-5)
+        print_message("m %u x %g boundary %d elevation %g: %.1e of %.1e\n", ORDERS[o], x, boundary,
+                      elevation, error, cabs(field[INSIDE]));
       worst = fmax(worst, error);
     }
     tb_arena_release(&arena);
   }
   print_message("largest gap at two radii %.1e\n", worst);
-  assert_true(worst < 1e-6);
+  assert_true(worst < 1e-5); /* continuing eight points by a step multiplies their errors by 255 */
 }
 
 /* The memory of a field holds its nodes: a distant point needs no more of them than one at three radii. */

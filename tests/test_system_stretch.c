@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Heads that stretch: the frequency rises with amplitude as Duffing's oscillator has it, energy stays. */
+/* Heads that stretch: the frequency rises with amplitude as Duffing's oscillator has it, energy stays.
+ *
+ * usage: test_system_stretch [brief]: one mode at one amplitude. */
 #include "physics.h"
 
 #include "drum.h"
@@ -7,6 +9,7 @@
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 192000.0;
+static bool brief;
 
 static TaborDrumDef one_head(double stretch) {
   TaborDrumDef def = physics_preset("frame-drum");
@@ -56,7 +59,9 @@ static void one_mode_swings_like_duffings_oscillator(void **state) {
       const double expected = 1.0 + 3.0 * e / 8.0 - 21.0 * e * e / 256.0;
       print_message("(%u,%u) e %.2f: %.5f, expected %.5f\n", mode->m, mode->n, e, ratio, expected);
       assert_true(fabs(ratio - expected) < 2e-4 + 0.1 * e * e * e);
+      if (brief) break;
     }
+    if (brief) break;
   }
   tabor_model_release(model);
 }
@@ -105,7 +110,8 @@ static void a_struck_drum_that_stretches_keeps_its_energy(void **state) {
   tabor_model_release(model);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_mode_swings_like_duffings_oscillator),
     cmocka_unit_test(the_gain_of_a_mode_is_its_wavenumber_squared),

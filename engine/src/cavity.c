@@ -50,12 +50,22 @@ static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
   return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
+/* An order has a dozen coordinates on any snare drum; a deep shell under a tense head would have thousands. */
+static const uint32_t MOST_COORDINATES = 128;
+
+static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
   uint32_t total = 0;
   for (uint32_t p = 0; p < order->radial_count; p++) {
+    order->kept[p] = 0;
     while (mode_omega(cavity, order->zeros[p], order->kept[p]) < top) order->kept[p]++;
     total += order->kept[p];
   }
+  return total;
+}
+
+static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
+  uint32_t total = keep_below(order, cavity, top);
+  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.9);
   order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {

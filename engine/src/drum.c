@@ -157,7 +157,7 @@ void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {
 
 static double wires_force(const TbView *view) {
   double sum = 0.0;
-  for (uint32_t row = 0; row < view->model->wires.row_count; row++) sum += view->solve.force[row];
+  for (uint32_t row = 0; row < view->model->wires.stride; row++) sum += view->solve.force[row];
   return sum;
 }
 

@@ -61,7 +61,8 @@ static double contact_energy(const TbView *view, uint32_t row, double eta) {
 
 static double contacts_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   double sum = 0.0;
-  for (uint32_t row = 0; row < view->model->wires.row_count; row++) {
+  for (uint32_t row = 0; row < view->model->wires.stride; row++) {
+    if (view->model->wires.real[row] == 0.0) continue;
     sum += contact_energy(view, row, next->eta[row]) + contact_energy(view, row, now->eta[row]);
   }
   return 0.5 * sum;
@@ -124,9 +125,11 @@ TbLosses tb_losses(const TbView *view) {
         .first;
   }
   for (uint32_t w = 0; w < model->wires.count; w++) {
-    const TbWire *wire = &model->wires.wires[w];
-    losses.wires += tb_wire_loss(wire, &view->state->wires[w], model->time_step,
-                                 view->next.v + wire->first_node, view->last.v + wire->first_node);
+    const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
+    const TbPair sums =
+      model->kernels->wire_losses(model->wires.lanes, view->next.v + at, view->last.v + at);
+    losses.wires +=
+      tb_wire_loss(&model->wires.wires[w], &view->state->wires[w], model->time_step, sums);
   }
   return losses;
 }

@@ -4,20 +4,30 @@
  * With y the contact forces, eta = eta0 - C y, C the static compliance of head and wires at the contact
  * points and eta0 the penetration without contact. The potential y^T C y/2 + Sum V(eta0 - C y) is
  * convex; Newton's step on it solves (I + D C) delta = f(eta) - y, D = V'', which is
- * delta = rho - D^(1/2) w, (I + D^(1/2) C D^(1/2)) w = D^(1/2) C rho, rho = f - y. */
+ * delta = rho - D^(1/2) w, (I + D^(1/2) C D^(1/2)) w = D^(1/2) C rho, rho = f - y.
+ *
+ * C is a block per wire plus the head's part, which goes through the grid of bed.h. The wires' part
+ * alone is solved directly and preconditions conjugate gradients for all: the head is about as stiff as
+ * the bed, so a few steps suffice. */
 #include <math.h>
+#include <string.h>
 
 #include "bessel.h"
 #include "linear.h"
-#include "model.h"
+#include "state.h"
 
 static const double PI = 3.14159265358979323846;
 
+/* Vectors by rows; those that stand for nothing stay 0. */
 typedef struct Statics {
-  uint32_t n;         /* contact points */
-  double *compliance; /* C, [n][n] */
-  double *eta0;       /* [n] */
-  double *weight;     /* [padded]: gravity on each mode [N] */
+  uint32_t n;                             /* rows */
+  TbCompliance head;                      /* under constant forces */
+  double *wires[TABOR_MAX_WIRES];         /* compliance of each wire, [row_count][row_count] */
+  double *factors[TABOR_MAX_WIRES];       /* of I + D^(1/2) C D^(1/2) with the wire alone */
+  double *responses[TABOR_MAX_WIRES];     /* see wire_responses() */
+  double *eta0;                           /* [n] */
+  double *weight;                         /* [padded]: gravity on each mode [N] */
+  double *grid, *answer, *fold, *yielded; /* scratch */
 } Statics;
 
 /* Weight of the heads on each mode: -Sum rho g Int phi dA, which only m = 0 has. */
@@ -67,43 +77,50 @@ static bool wire_responses(const TbWires *wires, const TbWire *wire, TbArena *sc
   return tb_solve_positive(n, matrix, columns, responses);
 }
 
-/* Displacement of every contact point under modal forces F: phi F/K'. `modal` is used up. */
-static void head_response(const TaborModel *model, double *modal, double *fold, double *rows) {
-  for (uint32_t i = 0; i < model->modes.group[model->modes.groups]; i++) {
-    modal[i] = model->modes.row[i] == TB_NO_MODE ? 0.0 : modal[i] / model->modes.stiffness[i];
+/* The head's part of C, and of eta0 under its own weight. */
+static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Statics *s) {
+  const TbModes *modes = &model->modes;
+  const TbBed *bed = &model->projection.bed;
+  double *gain = tb_arena_doubles(scratch, modes->padded);
+  double *sag = tb_arena_doubles(scratch, modes->padded);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    gain[i] = modes->row[i] == TB_NO_MODE ? 0.0 : 1.0 / modes->stiffness[i];
+    sag[i] = gain[i] * s->weight[i];
   }
-  tb_project(&model->projection, model->kernels, modal, fold, rows);
+  tb_project(&model->projection, model->kernels, sag, s->grid);
+  tb_bed_expand(bed, model->kernels, &bed->all, s->grid, s->fold, s->eta0);
+  for (uint32_t a = 0; a < s->n; a++) s->eta0[a] *= model->wires.real[a] * model->wires.side;
+  return tb_compliance_prepare(&s->head, scratch, &model->projection, gain);
 }
 
-/* The head's part of C and, under its own weight, of eta0. */
-static bool head_statics(const TaborModel *model, TbArena *scratch, Statics *s) {
-  double *force = tb_arena_doubles(scratch, model->wires.stride);
-  double *rows = tb_arena_doubles(scratch, model->wires.stride);
-  double *modal = tb_arena_doubles(scratch, model->modes.padded);
-  double *fold = tb_arena_doubles(scratch, tb_projection_scratch(&model->projection));
-  if (scratch->failed) return false;
-  for (uint32_t i = 0; i < model->modes.padded; i++) modal[i] = s->weight[i];
-  head_response(model, modal, fold, rows);
-  for (uint32_t a = 0; a < s->n; a++) s->eta0[a] = model->wires.side * rows[a];
-  for (uint32_t a = 0; a < s->n; a++) {
-    force[a] = 1.0;
-    tb_project_forces(&model->projection, model->kernels, force, fold, modal);
-    force[a] = 0.0;
-    head_response(model, modal, fold, rows);
-    for (uint32_t b = 0; b < s->n; b++) s->compliance[a * s->n + b] = rows[b];
+/* out = C y */
+static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
+  const TbBed *bed = &model->projection.bed;
+  tb_bed_contract(bed, model->kernels, &bed->all, y, s->fold, s->grid);
+  tb_compliance_apply(&s->head, model->kernels, s->grid, s->answer);
+  tb_bed_expand(bed, model->kernels, &bed->all, s->answer, s->fold, out);
+  for (uint32_t a = 0; a < s->n; a++) out[a] *= model->wires.real[a];
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    for (uint32_t a = 0; a < wire->row_count; a++) {
+      const double *row = s->wires[w] + (size_t)a * wire->row_count;
+      double sum = 0.0;
+      for (uint32_t b = 0; b < wire->row_count; b++) sum += row[b] * y[wire->first_row + b];
+      out[wire->first_row + a] += sum;
+    }
   }
-  return true;
 }
 
 static double total_potential(const TaborModel *model, const Statics *s, const double *y,
                               double *eta) {
   double sum = 0.0;
+  yield(model, s, y, s->yielded);
   for (uint32_t a = 0; a < s->n; a++) {
-    double yielded = 0.0;
-    for (uint32_t b = 0; b < s->n; b++) yielded += s->compliance[a * s->n + b] * y[b];
-    eta[a] = s->eta0[a] - yielded;
-    sum +=
-      0.5 * y[a] * yielded + tb_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
+    if (model->wires.real[a] == 0.0) continue;
+    eta[a] = s->eta0[a] - s->yielded[a];
+    sum += 0.5 * y[a] * s->yielded[a] +
+           tb_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
   }
   return sum;
 }
@@ -113,6 +130,7 @@ static double imbalance(const TaborModel *model, const Statics *s, const double 
                         const double *eta, double *rho, double *root) {
   double largest = 0.0;
   for (uint32_t a = 0; a < s->n; a++) {
+    if (model->wires.real[a] == 0.0) continue;
     const TbLaw *law = &model->wires.laws[model->wires.row_wire[a]];
     rho[a] = tb_law_static_force(law, eta[a]) - y[a];
     root[a] = sqrt(tb_law_curvature(law, eta[a]));
@@ -121,37 +139,95 @@ static double imbalance(const TaborModel *model, const Statics *s, const double 
   return largest;
 }
 
-static bool newton_direction(const Statics *s, const double *rho, const double *root,
-                             double *matrix, double *delta) {
-  const uint32_t n = s->n;
-  for (uint32_t a = 0; a < n; a++) {
-    double sum = 0.0;
-    for (uint32_t b = 0; b < n; b++) {
-      const double c = s->compliance[a * n + b];
-      sum += c * rho[b];
-      matrix[a * n + b] = root[a] * c * root[b] + (a == b ? 1.0 : 0.0);
+static bool factor_wires(const TaborModel *model, Statics *s, const double *root) {
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    const uint32_t n = wire->row_count;
+    const double *part = root + wire->first_row;
+    for (uint32_t a = 0; a < n; a++) {
+      for (uint32_t b = 0; b < n; b++) {
+        s->factors[w][a * n + b] =
+          part[a] * s->wires[w][a * n + b] * part[b] + (a == b ? 1.0 : 0.0);
+      }
     }
-    delta[a] = root[a] * sum;
+    if (!tb_factor_positive(n, s->factors[w])) return false;
   }
-  if (!tb_solve_positive(n, matrix, 1, delta)) return false;
-  for (uint32_t a = 0; a < n; a++) delta[a] = rho[a] - root[a] * delta[a];
+  return true;
+}
+
+static bool precondition(const TaborModel *model, const Statics *s, const double *r, double *z) {
+  for (uint32_t a = 0; a < s->n; a++) z[a] = r[a];
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    const TbWire *wire = &model->wires.wires[w];
+    if (!tb_solve_with_factor(wire->row_count, s->factors[w], z + wire->first_row)) return false;
+  }
+  return true;
+}
+
+static double dot(uint32_t n, const double *x, const double *y) {
+  double sum = 0.0;
+  for (uint32_t i = 0; i < n; i++) sum += x[i] * y[i];
+  return sum;
+}
+
+/* Scratch of one linear solve, [n] each. */
+typedef struct Inner {
+  double *r, *z, *d, *md, *turned;
+} Inner;
+
+/* Solves (I + R C R) w = r, R = diag(root); r is used up. */
+static bool solve_direction(const TaborModel *model, Statics *s, const double *root, Inner *in,
+                            double *w) {
+  const uint32_t n = s->n;
+  for (uint32_t a = 0; a < n; a++) w[a] = 0.0;
+  if (!factor_wires(model, s, root) || !precondition(model, s, in->r, in->z)) return false;
+  memcpy(in->d, in->z, n * sizeof *in->d);
+  double square = dot(n, in->r, in->z);
+  const double enough = 1e-24 * square;
+  for (uint32_t i = 0; i < 500 && square > enough; i++) {
+    for (uint32_t a = 0; a < n; a++) in->turned[a] = root[a] * in->d[a];
+    yield(model, s, in->turned, in->md);
+    for (uint32_t a = 0; a < n; a++) in->md[a] = in->d[a] + root[a] * in->md[a];
+    const double step = square / dot(n, in->d, in->md);
+    for (uint32_t a = 0; a < n; a++) {
+      w[a] += step * in->d[a];
+      in->r[a] -= step * in->md[a];
+    }
+    if (!precondition(model, s, in->r, in->z)) return false;
+    const double next = dot(n, in->r, in->z);
+    for (uint32_t a = 0; a < n; a++) in->d[a] = in->z[a] + next / square * in->d[a];
+    square = next;
+  }
+  return true;
+}
+
+static bool newton_direction(const TaborModel *model, Statics *s, const double *rho,
+                             const double *root, Inner *in, double *delta) {
+  yield(model, s, rho, s->yielded);
+  for (uint32_t a = 0; a < s->n; a++) in->r[a] = root[a] * s->yielded[a];
+  if (!solve_direction(model, s, root, in, delta)) return false;
+  for (uint32_t a = 0; a < s->n; a++) delta[a] = rho[a] - root[a] * delta[a];
   return true;
 }
 
 /* Contact forces at rest into y, penetrations into eta. */
-static TaborStatus balance(const TaborModel *model, TbArena *scratch, const Statics *s, double *y,
+static TaborStatus balance(const TaborModel *model, TbArena *scratch, Statics *s, double *y,
                            double *eta) {
   const uint32_t n = s->n;
+  Inner in = {.r = tb_arena_doubles(scratch, n),
+              .z = tb_arena_doubles(scratch, n),
+              .d = tb_arena_doubles(scratch, n),
+              .md = tb_arena_doubles(scratch, n),
+              .turned = tb_arena_doubles(scratch, n)};
   double *rho = tb_arena_doubles(scratch, n), *root = tb_arena_doubles(scratch, n);
   double *delta = tb_arena_doubles(scratch, n), *trial = tb_arena_doubles(scratch, n);
-  double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
   double potential = total_potential(model, s, y, eta);
   for (int i = 0; i < 200; i++) {
     double scale = 1e-12;
     for (uint32_t a = 0; a < n; a++) scale = fmax(scale, fabs(y[a]));
     if (imbalance(model, s, y, eta, rho, root) <= 1e-13 * scale) return TABOR_OK;
-    if (!newton_direction(s, rho, root, matrix, delta)) return TABOR_ERROR_NUMERICS;
+    if (!newton_direction(model, s, rho, root, &in, delta)) return TABOR_ERROR_NUMERICS;
     double step = 1.0, next = potential;
     for (; step > 1e-9; step *= 0.5) {
       for (uint32_t a = 0; a < n; a++) trial[a] = y[a] + step * delta[a];
@@ -168,32 +244,31 @@ static TaborStatus balance(const TaborModel *model, TbArena *scratch, const Stat
   return TABOR_OK; /* a rest state off by rounding only shifts the datum: see model.h */
 }
 
-/* Wires one after the other: their part of C and eta0, and afterwards their shape at rest. */
-static TaborStatus wires_statics(const TaborModel *model, TbArena *scratch, Statics *s,
-                                 double **responses) {
-  for (uint32_t w = 0; w < model->wires.count; w++) {
-    const TbWire *wire = &model->wires.wires[w];
-    const uint32_t n = wire->cells - 1;
-    responses[w] = tb_arena_doubles(scratch, (size_t)(wire->row_count + 1) * n);
-    if (!responses[w]) return TABOR_ERROR_MEMORY;
-    if (!wire_responses(&model->wires, wire, scratch, responses[w])) {
-      return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
-    }
-    for (uint32_t a = 0; a < wire->row_count; a++) {
-      const uint32_t row = wire->first_row + a, node = wire->row_node + a - 1;
-      s->eta0[row] -= responses[w][wire->row_count * n + node] + model->rest.offset[w];
-      for (uint32_t b = 0; b < wire->row_count; b++) {
-        s->compliance[row * s->n + wire->first_row + b] += responses[w][b * n + node];
-      }
-    }
+/* One wire's part of C and eta0. */
+static TaborStatus wire_statics(const TaborModel *model, TbArena *scratch, Statics *s, uint32_t w) {
+  const TbWire *wire = &model->wires.wires[w];
+  const uint32_t n = wire->cells - 1, rows = wire->row_count;
+  s->responses[w] = tb_arena_doubles(scratch, (size_t)(rows + 1) * n);
+  s->wires[w] = tb_arena_doubles(scratch, (size_t)rows * rows);
+  s->factors[w] = tb_arena_doubles(scratch, (size_t)rows * rows);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  if (!wire_responses(&model->wires, wire, scratch, s->responses[w])) {
+    return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
+  }
+  for (uint32_t a = 0; a < rows; a++) {
+    const uint32_t node = wire->row_node + a - 1;
+    s->eta0[wire->first_row + a] -= s->responses[w][rows * n + node] + model->rest.offset[w];
+    for (uint32_t b = 0; b < rows; b++) s->wires[w][a * rows + b] = s->responses[w][b * n + node];
   }
   return TABOR_OK;
 }
 
-static void rest_head(TaborModel *model, const Statics *s, double *modal, double *fold) {
+static void rest_head(TaborModel *model, const Statics *s, double *modal) {
   const TbModes *modes = &model->modes;
+  const TbBed *bed = &model->projection.bed;
   TbRest *rest = &model->rest;
-  tb_project_forces(&model->projection, model->kernels, rest->force, fold, modal);
+  tb_bed_contract(bed, model->kernels, &bed->all, rest->force, s->fold, rest->grid);
+  tb_project_forces(&model->projection, model->kernels, rest->grid, modal);
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
     const double contact = i < modes->group[modes->groups] ? model->wires.side * modal[i] : 0.0;
@@ -202,7 +277,7 @@ static void rest_head(TaborModel *model, const Statics *s, double *modal, double
   }
 }
 
-static void rest_wires(TaborModel *model, double **responses) {
+static void rest_wires(TaborModel *model, double *const *responses) {
   TbRest *rest = &model->rest;
   const TbWires *wires = &model->wires;
   for (uint32_t w = 0; w < wires->count; w++) {
@@ -219,6 +294,31 @@ static void rest_wires(TaborModel *model, double **responses) {
   }
 }
 
+static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
+  const TbBed *bed = &model->projection.bed;
+  *s = (Statics){.n = model->wires.stride};
+  s->eta0 = tb_arena_doubles(scratch, s->n);
+  s->yielded = tb_arena_doubles(scratch, s->n);
+  s->weight = tb_arena_doubles(scratch, model->modes.padded);
+  s->grid = tb_arena_doubles(scratch, bed->size);
+  s->answer = tb_arena_doubles(scratch, bed->size);
+  s->fold = tb_arena_doubles(scratch, tb_bed_scratch(bed));
+  return !scratch->failed;
+}
+
+/* The forces as the step will compute them, so that they cancel to the bit. */
+static void settle(TaborModel *model, double *zero, double *ignored) {
+  const TbWires *wires = &model->wires;
+  TbRest *rest = &model->rest;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) rest->eta[row] = TB_NOTHING;
+  }
+  for (uint32_t row = 0; row < wires->stride; row += 8) {
+    tb_law_forces(&wires->laws[wires->row_wire[row]], model->kernels, rest->eta + row, zero + row,
+                  rest->force + row, ignored + row, ignored + row);
+  }
+}
+
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   const TbWires *wires = &model->wires;
   TbRest *rest = &model->rest;
@@ -226,26 +326,21 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
     rest->offset[w] =
       wires->wires[w].rest_offset + (1.0 - model->def.wires.strainer) * wires->strainer_travel;
   }
-  Statics s = {.n = wires->row_count};
-  s.compliance = tb_arena_doubles(scratch, (size_t)s.n * s.n);
-  s.eta0 = tb_arena_doubles(scratch, s.n);
-  s.weight = tb_arena_doubles(scratch, model->modes.padded);
-  double **responses = tb_arena_take(scratch, wires->count, sizeof *responses);
-  double *y = tb_arena_doubles(scratch, s.n);
+  Statics s;
+  if (!allocate(model, scratch, &s)) return TABOR_ERROR_MEMORY;
+  double *y = tb_arena_doubles(scratch, s.n), *zero = tb_arena_doubles(scratch, s.n);
   double *modal = tb_arena_doubles(scratch, model->modes.padded);
-  double *fold = tb_arena_doubles(scratch, tb_projection_scratch(&model->projection));
   if (scratch->failed) return TABOR_ERROR_MEMORY;
 
   weigh_head(model, s.weight);
-  if (!head_statics(model, scratch, &s)) return TABOR_ERROR_MEMORY;
-  TaborStatus status = wires_statics(model, scratch, &s, responses);
+  TaborStatus status = head_statics(model, scratch, &s);
+  for (uint32_t w = 0; w < wires->count && status == TABOR_OK; w++) {
+    status = wire_statics(model, scratch, &s, w);
+  }
   if (status == TABOR_OK) status = balance(model, scratch, &s, y, rest->eta);
   if (status != TABOR_OK) return status;
-  /* The force as the step will compute it, so that it cancels to the bit. */
-  for (uint32_t a = 0; a < s.n; a++) {
-    rest->force[a] = tb_law_force(&wires->laws[wires->row_wire[a]], rest->eta[a], 0.0).force;
-  }
-  rest_head(model, &s, modal, fold);
-  rest_wires(model, responses);
+  settle(model, zero, s.yielded);
+  rest_head(model, &s, modal);
+  rest_wires(model, s.responses);
   return TABOR_OK;
 }

@@ -62,7 +62,8 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
   band->push = tb_arena_doubles(arena, (size_t)size * TB_HIGH_GROUPS);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
-  for (uint32_t row = 0; row < wires->row_count; row++) {
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) continue;
     const double place = 0.5 + 0.5 * wires->row_x[row] / band->radius;
     const uint32_t group = (uint32_t)fmin(place * TB_HIGH_GROUPS, TB_HIGH_GROUPS - 1.0);
     band->row_group[row] = (uint8_t)group;

@@ -2,6 +2,10 @@
 /* Compiled once per instruction set, with TB_KERNELS naming the table it fills. */
 #include "kernels.h"
 
+#include <math.h>
+
+#include "law.h"
+
 /* Eight lanes in as many registers as the instruction set needs for them. */
 #if defined(__AVX2__)
 #  define WIDTH 4
@@ -9,54 +13,119 @@
 #  define WIDTH 2
 #endif
 #define PARTS (8 / WIDTH)
+/* Lanes live in registers only where no call stands between. */
+#define INLINE inline __attribute__((always_inline))
 
 typedef double Vector __attribute__((vector_size(8 * WIDTH), may_alias));
+
+typedef double Unaligned __attribute__((vector_size(8 * WIDTH), may_alias, aligned(8)));
+typedef int64_t Bits __attribute__((vector_size(8 * WIDTH)));
 
 typedef struct Lanes {
   Vector part[PARTS];
 } Lanes;
 
-static inline Lanes load(const double *p) {
+/* All ones where true. */
+typedef struct Mask {
+  Bits part[PARTS];
+} Mask;
+
+static INLINE Lanes load(const double *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = ((const Vector *)(const void *)p)[i];
   return x;
 }
 
-static inline void store(double *p, Lanes x) {
+static INLINE void store(double *p, Lanes x) {
   for (int i = 0; i < PARTS; i++) ((Vector *)(void *)p)[i] = x.part[i];
 }
 
-static inline Lanes zero(void) {
+static INLINE Lanes zero(void) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = (Vector){0.0};
   return x;
 }
 
-static inline Lanes add(Lanes x, Lanes y) {
+static INLINE Lanes add(Lanes x, Lanes y) {
   for (int i = 0; i < PARTS; i++) x.part[i] += y.part[i];
   return x;
 }
 
-static inline Lanes subtract(Lanes x, Lanes y) {
+static INLINE Lanes subtract(Lanes x, Lanes y) {
   for (int i = 0; i < PARTS; i++) x.part[i] -= y.part[i];
   return x;
 }
 
-static inline Lanes multiply_lanes(Lanes x, Lanes y) {
+static INLINE Lanes multiply_lanes(Lanes x, Lanes y) {
   for (int i = 0; i < PARTS; i++) x.part[i] *= y.part[i];
   return x;
 }
 
-static inline Lanes scale(Lanes x, double factor) {
+static INLINE Lanes scale(Lanes x, double factor) {
   for (int i = 0; i < PARTS; i++) x.part[i] *= factor;
   return x;
 }
 
-static inline double join(Lanes x) {
+static INLINE double join(Lanes x) {
   double s[8] __attribute__((aligned(64)));
   store(s, x);
   return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
+
+static INLINE Lanes load_unaligned(const double *p) {
+  Lanes x;
+  for (int i = 0; i < PARTS; i++) x.part[i] = ((const Unaligned *)(const void *)p)[i];
+  return x;
+}
+
+static INLINE void store_unaligned(double *p, Lanes x) {
+  for (int i = 0; i < PARTS; i++) ((Unaligned *)(void *)p)[i] = x.part[i];
+}
+
+static INLINE Lanes all(double value) {
+  Lanes x = zero();
+  for (int i = 0; i < PARTS; i++) x.part[i] += value;
+  return x;
+}
+
+static INLINE Lanes divide(Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) x.part[i] /= y.part[i];
+  return x;
+}
+
+static INLINE Lanes root(Lanes x) {
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < WIDTH; j++) x.part[i][j] = sqrt(x.part[i][j]);
+  }
+  return x;
+}
+
+static INLINE Mask greater(Lanes x, Lanes y) {
+  Mask m;
+  for (int i = 0; i < PARTS; i++) m.part[i] = x.part[i] > y.part[i];
+  return m;
+}
+
+static INLINE Mask both(Mask a, Mask b) {
+  for (int i = 0; i < PARTS; i++) a.part[i] &= b.part[i];
+  return a;
+}
+
+static INLINE Mask either(Mask a, Mask b) {
+  for (int i = 0; i < PARTS; i++) a.part[i] |= b.part[i];
+  return a;
+}
+
+static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) {
+    x.part[i] = (Vector)((m.part[i] & (Bits)x.part[i]) | (~m.part[i] & (Bits)y.part[i]));
+  }
+  return x;
+}
+
+static INLINE Lanes larger(Lanes x, Lanes y) { return pick(greater(x, y), x, y); }
+static INLINE Lanes smaller(Lanes x, Lanes y) { return pick(greater(x, y), y, x); }
+static INLINE Lanes size_of(Lanes x) { return larger(x, subtract(zero(), x)); }
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {
@@ -83,11 +152,24 @@ static void multiply_four(uint32_t n, double *out, const double *matrix, const d
   store(out + 24, s3);
 }
 
+static void multiply_two(uint32_t n, double *out, const double *matrix, const double *x) {
+  const uint64_t block = 8u * (uint64_t)n;
+  Lanes s0 = zero(), s1 = zero();
+  for (uint32_t i = 0; i < n; i++) {
+    const double *m = matrix + 8u * (uint64_t)i;
+    s0 = add(s0, scale(load(m), x[i]));
+    s1 = add(s1, scale(load(m + block), x[i]));
+  }
+  store_unaligned(out, s0);
+  store_unaligned(out + 8, s1);
+}
+
 static void multiply(uint32_t blocks, uint32_t n, double *out, const double *matrix,
                      const double *x) {
   const uint64_t block = 8u * (uint64_t)n;
   uint32_t b = 0;
   for (; b + 4 <= blocks; b += 4) multiply_four(n, out + 8 * b, matrix + b * block, x);
+  for (; b + 2 <= blocks; b += 2) multiply_two(n, out + 8 * b, matrix + b * block, x);
   for (; b < blocks; b++) {
     Lanes sum = zero();
     for (uint32_t i = 0; i < n; i++) {
@@ -137,4 +219,246 @@ static TbPair losses(uint32_t n, const double *u, const double *v, const double 
   return (TbPair){join(first), join(second)};
 }
 
-const TbKernels TB_KERNELS = {two_step, multiply, dot, add_scaled, add_product, readout, losses};
+/* ---- the bed -------------------------------------------------------------------------------- */
+
+static void gather_lines(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
+                         const uint32_t *at, const double *across, const double *x, double *lines) {
+  for (uint32_t l = 0; l < line_stride; l += 4) {
+    Lanes s0 = zero(), s1 = zero(), s2 = zero(), s3 = zero();
+    for (uint32_t k = 0; k < count; k++) {
+      const double *c = across + (uint64_t)wire[k] * line_stride + l;
+      const Lanes v = load(x + at[k]);
+      s0 = add(s0, scale(v, c[0]));
+      s1 = add(s1, scale(v, c[1]));
+      s2 = add(s2, scale(v, c[2]));
+      s3 = add(s3, scale(v, c[3]));
+    }
+    double *to = lines + (uint64_t)l * lanes;
+    store(to, s0);
+    store(to + lanes, s1);
+    store(to + 2 * (uint64_t)lanes, s2);
+    store(to + 3 * (uint64_t)lanes, s3);
+  }
+}
+
+static INLINE void spread_to(uint32_t line_stride, uint32_t lanes, const double *c,
+                             const double *lines, double *x) {
+  Lanes sum = zero();
+  for (uint32_t l = 0; l < line_stride; l++) {
+    sum = add(sum, scale(load(lines + (uint64_t)l * lanes), c[l]));
+  }
+  store(x, sum);
+}
+
+static void spread_lines(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
+                         const uint32_t *at, const double *across, const double *lines, double *x) {
+  for (uint32_t k = 0; k < count; k++) {
+    spread_to(line_stride, lanes, across + (uint64_t)wire[k] * line_stride, lines, x + at[k]);
+  }
+}
+
+/* ---- wires ---------------------------------------------------------------------------------- */
+
+static INLINE Lanes second_difference(const double *v) {
+  const Lanes middle = load(v);
+  return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
+}
+
+static void wire_step(uint32_t n, const double *c, const double *inner, const double *now,
+                      const double *last, double *bend, double *bend_last, double *next) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes inside = load(inner + i);
+    store(bend + i, multiply_lanes(inside, second_difference(now + i)));
+    store(bend_last + i, multiply_lanes(inside, second_difference(last + i)));
+  }
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes curve = load(bend + i);
+    Lanes push = scale(curve, c[2]);
+    push = subtract(push, scale(second_difference(bend + i), c[3]));
+    push = add(push, scale(subtract(curve, load(bend_last + i)), c[4]));
+    const Lanes coast = subtract(scale(load(now + i), 2.0), scale(load(last + i), c[1]));
+    store(next + i, multiply_lanes(load(inner + i), scale(add(coast, push), c[0])));
+  }
+}
+
+static TbPair wire_losses(uint32_t n, const double *next, const double *last) {
+  Lanes first = zero(), second = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes step = subtract(load(next + i), load(last + i));
+    const Lanes slope =
+      subtract(step, subtract(load_unaligned(next + i - 1), load_unaligned(last + i - 1)));
+    first = add(first, multiply_lanes(step, step));
+    second = add(second, multiply_lanes(slope, slope));
+  }
+  return (TbPair){join(first), join(second)};
+}
+
+/* ---- contacts ------------------------------------------------------------------------------- */
+
+/* eta^(power/2) for eta >= 0 */
+static INLINE Lanes raise(uint32_t power, Lanes eta) {
+  if (power == 2) return eta;
+  return multiply_lanes(eta, power == 3 ? root(eta) : eta);
+}
+
+/* Mean of eta^(power/2) over (x, y), both >= 0. */
+static INLINE Lanes mean_power(uint32_t power, Lanes x, Lanes y) {
+  if (power == 2) return scale(add(x, y), 0.5);
+  const Lanes square = add(add(multiply_lanes(x, x), multiply_lanes(x, y)), multiply_lanes(y, y));
+  if (power == 4) return scale(square, 1.0 / 3.0);
+  const Lanes p = root(x), q = root(y), sum = add(p, q);
+  const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), add(x, y)));
+  return divide(scale(quartic, 0.4), pick(greater(sum, zero()), sum, all(1.0)));
+}
+
+typedef struct Knee {
+  Lanes at, force, slope;
+} Knee;
+
+/* V' */
+static INLINE Lanes static_force(const TbLaw *law, uint32_t power, Knee knee, Lanes eta) {
+  const Lanes inside = scale(raise(power, smaller(larger(eta, zero()), knee.at)), law->stiffness);
+  const Lanes beyond = add(knee.force, multiply_lanes(knee.slope, subtract(eta, knee.at)));
+  return pick(greater(eta, knee.at), beyond, inside);
+}
+
+/* V'' */
+static INLINE Lanes curvature(const TbLaw *law, uint32_t power, Knee knee, Lanes eta) {
+  const Lanes touching = larger(eta, zero());
+  Lanes inside = all(law->stiffness);
+  if (power == 3) inside = scale(root(touching), 1.5 * law->stiffness);
+  if (power == 4) inside = scale(touching, 2.0 * law->stiffness);
+  inside = pick(greater(eta, zero()), inside, zero());
+  return pick(greater(eta, knee.at), knee.slope, inside);
+}
+
+/* Mean of V' between lo and hi: of one piece directly, so that equal ends need no division. */
+static INLINE Lanes mean_force(const TbLaw *law, uint32_t power, Knee knee, Lanes lo, Lanes hi) {
+  const Lanes from = larger(lo, zero()), top = smaller(hi, knee.at);
+  const Lanes power_top = larger(top, zero()), power_from = smaller(from, power_top);
+  const Lanes power_mean = scale(mean_power(power, power_from, power_top), law->stiffness);
+  const Lanes start = larger(from, knee.at), end = larger(hi, start);
+  const Lanes middle = subtract(scale(add(start, end), 0.5), knee.at);
+  const Lanes line_mean = add(knee.force, multiply_lanes(knee.slope, middle));
+  const Lanes work = add(multiply_lanes(subtract(power_top, power_from), power_mean),
+                         multiply_lanes(subtract(end, start), line_mean));
+  const Lanes length = subtract(hi, lo);
+  const Lanes mixed = divide(work, pick(greater(length, zero()), length, all(1.0)));
+  const Mask in_line = greater(lo, knee.at), above = greater(zero(), lo),
+             over = greater(hi, knee.at);
+  return pick(in_line, line_mean, pick(either(above, over), mixed, power_mean));
+}
+
+static void law_lanes(const TbLaw *law, uint32_t power, const double *y_at, const double *s_at,
+                      double *force_at, double *slope_at, double *mean_at) {
+  const double beyond = law->limit < 1e30 ? law->limit_slope : 0.0; /* may be infinite if unused */
+  const Knee knee = {all(law->limit), all(law->limit_force), all(beyond)};
+  const Lanes y = load(y_at), s = load(s_at), x = add(y, s);
+  const Lanes mean = mean_force(law, power, knee, smaller(x, y), larger(x, y));
+  const Mask small =
+    greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s)); /* V''/2 instead of 0/0 */
+  const Lanes divisor = pick(small, all(1.0), pick(greater(size_of(s), zero()), s, all(1.0)));
+  const Lanes quotient = divide(subtract(static_force(law, power, knee, x), mean), divisor);
+  const Lanes bend = scale(curvature(law, power, knee, add(y, scale(s, 0.5))), 0.5);
+  const Lanes slope = pick(small, bend, larger(quotient, zero()));
+  const Lanes factor = add(all(1.0), scale(s, law->loss));
+  const Mask touching = either(greater(y, zero()), greater(x, zero()));
+  const Mask pushing = both(touching, greater(factor, zero()));
+  store(mean_at, pick(touching, mean, zero()));
+  store(force_at, pick(pushing, multiply_lanes(mean, factor), zero()));
+  store(slope_at,
+        pick(pushing, add(multiply_lanes(slope, factor), scale(mean, law->loss)), zero()));
+}
+
+static void law_of(const TbLaw *law, uint32_t power, const double *y, const double *s,
+                   double *force, double *slope, double *mean) {
+  switch (power) { /* one copy of the code for each */
+  case 2: law_lanes(law, 2, y, s, force, slope, mean); break;
+  case 3: law_lanes(law, 3, y, s, force, slope, mean); break;
+  default: law_lanes(law, 4, y, s, force, slope, mean); break;
+  }
+}
+
+static uint32_t mark(uint32_t blocks, const double *y, const double *s, const double *f,
+                     uint8_t *touch) {
+  uint32_t count = 0;
+  for (uint32_t b = 0; b < blocks; b++) {
+    const Lanes before = load(y + 8 * b), after = add(before, load(s + 8 * b));
+    const Lanes force = load(f + 8 * b);
+    const Lanes most = larger(larger(before, after), size_of(force));
+    const Mask m = greater(most, zero());
+    Bits any = m.part[0];
+    for (int i = 1; i < PARTS; i++) any |= m.part[i];
+    int64_t found = 0;
+    for (int i = 0; i < WIDTH; i++) found |= any[i];
+    touch[b] |= found != 0;
+    count += touch[b];
+  }
+  return count;
+}
+
+static void penetrate(uint32_t n, double side, double shift, const double *w, const double *v,
+                      const double *rest, const double *last, const double *load_at, double *b) {
+  const Lanes shifted = all(shift);
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
+    const Lanes eta = add(add(deviation, load(rest + i)), shifted);
+    store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));
+  }
+}
+
+static void respond(uint32_t n, const double *own, const double *f, const double *w,
+                    const double *b, double *product, double *s) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes yielded = add(multiply_lanes(load(own + i), load(f + i)), load(w + i));
+    store(product + i, yielded);
+    store(s + i, subtract(load(b + i), yielded));
+  }
+}
+
+static void move(uint32_t n, const double *own, const double *f, const double *rest,
+                 const double *last, const double *s, double *v, double *eta) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes change = subtract(load(f + i), load(rest + i));
+    store(v + i, add(load(v + i), multiply_lanes(load(own + i), change)));
+    store(eta + i, add(load(last + i), load(s + i)));
+  }
+}
+
+/* ---- conjugate gradients -------------------------------------------------------------------- */
+
+static void product(uint32_t n, double *out, const double *x, const double *y) {
+  for (uint32_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
+}
+
+static double turn(uint32_t n, double *out, const double *d, const double *w, const double *m) {
+  Lanes sum = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes direction = load(d + i);
+    const Lanes turned = add(direction, multiply_lanes(load(w + i), load(m + i)));
+    store(out + i, turned);
+    sum = add(sum, multiply_lanes(direction, turned));
+  }
+  return join(sum);
+}
+
+static double advance(uint32_t n, double t, double *p, const double *d, double *r,
+                      const double *m) {
+  Lanes sum = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    store(p + i, add(load(p + i), scale(load(d + i), t)));
+    const Lanes left = subtract(load(r + i), scale(load(m + i), t));
+    store(r + i, left);
+    sum = add(sum, multiply_lanes(left, left));
+  }
+  return join(sum);
+}
+
+static void redirect(uint32_t n, double t, double *d, const double *r) {
+  for (uint32_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
+}
+
+const TbKernels TB_KERNELS = {two_step,    multiply, dot,          add_scaled,   add_product,
+                              readout,     losses,   gather_lines, spread_lines, wire_step,
+                              wire_losses, law_of,   mark,         penetrate,    respond,
+                              move,        product,  turn,         advance,      redirect};

@@ -9,6 +9,8 @@
 
 #include <stdint.h>
 
+struct TbLaw;
+
 typedef struct TbPair {
   double first, second;
 } TbPair;
@@ -31,6 +33,47 @@ typedef struct TbKernels {
   /* Sum u d^2 and Sum v d^2, d = next - last */
   TbPair (*losses)(uint32_t n, const double *u, const double *v, const double *next,
                    const double *last);
+
+  /* The bed (bed.h): 8 lanes of `count` wires, block k at x[at[k]], against lines of `lanes` doubles.
+   * line_stride is a multiple of 4.
+   * lines[l][0..7] = Sum_k across[wire[k]][l] x_k */
+  void (*gather_lines)(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
+                       const uint32_t *at, const double *across, const double *x, double *lines);
+  /* x_k = Sum_l across[wire[k]][l] lines[l][0..7] */
+  void (*spread_lines)(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
+                       const uint32_t *at, const double *across, const double *lines, double *x);
+
+  /* Wires (wires.h): v at n lanes, readable one lane before and after; inner is 1 at inner nodes, else
+   * 0. c = {gain, keep, stretch, bend, diffuse}; `bend` and `bend_last` are scratch, readable one lane
+   * before and after. */
+  void (*wire_step)(uint32_t n, const double *c, const double *inner, const double *now,
+                    const double *last, double *bend, double *bend_last, double *next);
+  /* Sum d^2 and Sum (d[i] - d[i-1])^2, d = next - last */
+  TbPair (*wire_losses)(uint32_t n, const double *next, const double *last);
+
+  /* Contacts (solve.h), law.h's formulas for an exponent of 1, 3/2 or 2 (power 2, 3 or 4), in 8 lanes:
+   * force and slope at s, and the mean of V' between y and y + s. */
+  void (*law)(const struct TbLaw *law, uint32_t power, const double *y, const double *s,
+              double *force, double *slope, double *mean);
+  /* touch[b] |= 1 where one of 8 lanes has y > 0, y + s > 0 or f != 0; the number of such blocks */
+  uint32_t (*mark)(uint32_t blocks, const double *y, const double *s, const double *f,
+                   uint8_t *touch);
+  /* eta = (side w - v) + rest + shift, b = (eta - last) + load */
+  void (*penetrate)(uint32_t n, double side, double shift, const double *w, const double *v,
+                    const double *rest, const double *last, const double *load, double *b);
+  /* product = own f + w, s = b - product */
+  void (*respond)(uint32_t n, const double *own, const double *f, const double *w, const double *b,
+                  double *product, double *s);
+  /* v += own (f - rest), eta = last + s */
+  void (*move)(uint32_t n, const double *own, const double *f, const double *rest,
+               const double *last, const double *s, double *v, double *eta);
+
+  /* Conjugate gradients: out = x y; out = d + w m, returns Sum d out; p += t d, r -= t m, returns
+   * Sum r r; d = r + t d. */
+  void (*product)(uint32_t n, double *out, const double *x, const double *y);
+  double (*turn)(uint32_t n, double *out, const double *d, const double *w, const double *m);
+  double (*advance)(uint32_t n, double t, double *p, const double *d, double *r, const double *m);
+  void (*redirect)(uint32_t n, double t, double *d, const double *r);
 } TbKernels;
 
 extern const TbKernels tb_kernels_baseline;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "kernels.h"
 #include "power.h"
 
 /* eta^a for eta >= 0. */
@@ -154,12 +155,13 @@ static double gradient_slope(const TbLaw *law, double y, double s, double mean) 
 }
 
 TbLawResult tb_law_force(const TbLaw *law, double y, double s) {
-  if (law->kind == TB_LAW_DAMPER) return (TbLawResult){law->loss * s, law->loss};
-  if (y <= 0.0 && y + s <= 0.0) return (TbLawResult){0.0, 0.0};
+  if (law->kind == TB_LAW_DAMPER) return (TbLawResult){law->loss * s, law->loss, 0.0};
+  if (y <= 0.0 && y + s <= 0.0) return (TbLawResult){0.0, 0.0, 0.0};
   const double mean = gradient(law, y, s);
   const double factor = 1.0 + law->loss * s;
-  if (factor <= 0.0) return (TbLawResult){0.0, 0.0};
-  return (TbLawResult){mean * factor, gradient_slope(law, y, s, mean) * factor + mean * law->loss};
+  if (factor <= 0.0) return (TbLawResult){0.0, 0.0, mean};
+  return (TbLawResult){mean * factor, gradient_slope(law, y, s, mean) * factor + mean * law->loss,
+                       mean};
 }
 
 double tb_law_loss(const TbLaw *law, double y, double s) {
@@ -169,10 +171,27 @@ double tb_law_loss(const TbLaw *law, double y, double s) {
   return 0.5 * work_of(law, y, s) * (factor > 0.0 ? law->loss * s : -1.0);
 }
 
-/* f s = DV factor, so (f s - DV)/2 = f s (1 - 1/factor)/2; a factor near 0 would cancel. */
-double tb_law_loss_of(const TbLaw *law, double y, double s, double force) {
-  if (law->kind == TB_LAW_DAMPER || force == 0.0) return tb_law_loss(law, y, s);
-  const double pace = law->loss * s;
-  if (pace < -0.5) return tb_law_loss(law, y, s);
-  return 0.5 * force * s * pace / (1.0 + pace);
+/* Twice the exponent where the kernels have a formula for it, else 0. */
+static uint32_t power_of(const TbLaw *law) {
+  switch (law->kind) {
+  case TB_LAW_LINEAR: return 2;
+  case TB_LAW_THREE_HALF: return 3;
+  case TB_LAW_SQUARE: return 4;
+  default: return 0;
+  }
+}
+
+void tb_law_forces(const TbLaw *law, const TbKernels *kernels, const double *y, const double *s,
+                   double *force, double *slope, double *mean) {
+  const uint32_t power = power_of(law);
+  if (power) {
+    kernels->law(law, power, y, s, force, slope, mean);
+    return;
+  }
+  for (uint32_t i = 0; i < 8; i++) {
+    const TbLawResult result = tb_law_force(law, y[i], s[i]);
+    force[i] = result.force;
+    slope[i] = result.slope;
+    mean[i] = result.mean;
+  }
 }

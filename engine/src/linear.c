@@ -27,6 +27,17 @@ bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *rig
                             right_hand_sides, size) == 0;
 }
 
+bool tb_factor_positive(uint32_t n, double *matrix) {
+  const lapack_int size = (lapack_int)n;
+  return n == 0 || LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', size, matrix, size) == 0;
+}
+
+bool tb_solve_with_factor(uint32_t n, const double *factor, double *right_hand_side) {
+  const lapack_int size = (lapack_int)n;
+  return n == 0 || LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', size, 1, factor, size,
+                                       right_hand_side, size) == 0;
+}
+
 /* Column `from` of A, below its diagonal. */
 static void take_column(uint32_t n, uint32_t from, const double *a, double *column) {
   for (uint32_t i = from + 1; i < n; i++) column[i] = a[(size_t)i * n + from];

@@ -13,6 +13,10 @@ bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double 
 /* Solves A x = b for symmetric positive definite A, row-major; A is destroyed, b becomes x. */
 bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *right_hand_sides);
 
+/* Cholesky's factor of a symmetric positive definite A, row-major, in its place; and A x = b with it. */
+bool tb_factor_positive(uint32_t n, double *matrix);
+bool tb_solve_with_factor(uint32_t n, const double *factor, double *right_hand_side);
+
 /* A = L D L^T for a complex symmetric A whose real part is positive definite and whose imaginary part is
  * semidefinite: then no pivot is small and none need be exchanged [Higham1998]. Lower triangles, row-major,
  * become L (its unit diagonal left out) and D. False if memory ran out or A is singular. */

@@ -55,12 +55,12 @@ static void apply_wire(TbView *view, uint32_t w) {
 void tb_live_apply(TbView *view) {
   const TbWires *wires = &view->model->wires;
   for (uint32_t w = 0; w < wires->count; w++) apply_wire(view, w);
-  for (uint32_t row = 0; row < wires->row_count; row++) {
-    view->own[row] = view->state->wires[wires->row_wire[row]].compliance;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    view->own[row] = wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
   }
   view->solve.slot_mask = view->state->slot_mask;
-  tb_solve_product(&view->solve, view->model->rest.force, view->rest_load);
-  tb_solve_product(&view->solve, view->solve.force, view->solve.product);
+  tb_solve_product(&view->solve, view->model->rest.force, view->change, view->rest_load);
+  tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
 }
 
 void tb_live_definition(const TaborModel *model, TbLive *live) {

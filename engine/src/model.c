@@ -16,14 +16,16 @@ static const double PI = 3.14159265358979323846;
 typedef struct Level {
   double bandwidth, top; /* two-way, and with the high band [Hz] */
   uint32_t newton_cap, inner_cap, wire_cells;
+  double tolerance, inner_tolerance; /* of the contact solve */
+  double grid_tolerance;             /* of the grid under the wires */
 } Level;
 
 static Level level_of(uint32_t quality) {
   switch (quality) {
-  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32};
-  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64};
-  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256};
-  default: return (Level){8000.0, 16000.0, 8, 24, 128};
+  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 1e-2, 3e-3, 1e-2};
+  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64, 1e-3, 3e-4, 1e-3};
+  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128, 0.0, 1e-7, 1e-5};
   }
 }
 
@@ -61,29 +63,11 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
 
 /* ---- contacts ------------------------------------------------------------------------------- */
 
-/* Column a is what the head does one step after a unit force at point a. */
+/* What the head does one step after a force. */
 static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
-  const uint32_t n = model->wires.row_count, stride = model->wires.stride;
-  const TbModes *modes = &model->modes;
-  model->compliance = tb_arena_doubles(&model->arena, (size_t)n * stride);
-  double *force = tb_arena_doubles(scratch, stride);
-  double *modal = tb_arena_doubles(scratch, modes->padded);
-  double *fold = tb_arena_doubles(scratch, tb_projection_scratch(&model->projection));
-  if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t a = 0; a < n; a++) {
-    force[a] = 1.0;
-    tb_project_forces(&model->projection, model->kernels, force, fold, modal);
-    force[a] = 0.0;
-    for (uint32_t i = 0; i < modes->group[modes->groups]; i++) modal[i] *= modes->g[i];
-    tb_project(&model->projection, model->kernels, modal, fold,
-               model->compliance + (size_t)a * stride);
-  }
-  for (uint32_t a = 0; a < n; a++) { /* symmetric to the bit */
-    for (uint32_t b = 0; b < a; b++) {
-      model->compliance[(size_t)a * stride + b] = model->compliance[(size_t)b * stride + a];
-    }
-  }
-  return TABOR_OK;
+  (void)scratch;
+  return tb_compliance_prepare(&model->compliance, &model->arena, &model->projection,
+                               model->modes.g);
 }
 
 static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
@@ -99,24 +83,43 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   return TABOR_OK;
 }
 
+/* Room for a unit force's way through the head. */
+typedef struct Probe {
+  double *force, *grid, *answer, *fold;
+} Probe;
+
+/* Displacement of the head at a contact point one step after a unit force there. */
+static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
+  const TbBed *bed = &model->projection.bed;
+  probe->force[row] = 1.0;
+  tb_bed_contract(bed, model->kernels, &bed->all, probe->force, probe->fold, probe->grid);
+  probe->force[row] = 0.0;
+  tb_compliance_apply(&model->compliance, model->kernels, probe->grid, probe->answer);
+  return model->kernels->dot(bed->size, probe->grid, probe->answer);
+}
+
 /* Wire contacts are per length: a node carries K h. */
-static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
-  (void)scratch;
+static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
   const TbWires *wires = &model->wires;
-  for (uint32_t w = 0; w < wires->count; w++) {
-    const TbWire *wire = &wires->wires[w];
-    TbWireCoefficients c;
-    tb_wire_coefficients(wire, model->time_step, wire->tension, wire->damping_0, wire->damping_1,
-                         &c);
-    double head = 0.0;
-    for (uint32_t i = 0; i < wire->row_count; i++) {
-      const uint32_t row = wire->first_row + i;
-      head = fmax(head, model->compliance[(size_t)row * wires->stride + row]);
-    }
-    const double limit = TB_SLOPE_LIMIT / (c.compliance + head);
-    tb_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing, wire->contact_exponent,
-                   wire->contact_loss, model->time_step, limit);
+  const TbWire *wire = &wires->wires[w];
+  TbWireCoefficients c;
+  tb_wire_coefficients(wire, model->time_step, wire->tension, wire->damping_0, wire->damping_1, &c);
+  double head = 0.0;
+  for (uint32_t i = 0; i < wire->row_count; i++) {
+    head = fmax(head, head_compliance(model, probe, wire->first_row + i));
   }
+  tb_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing, wire->contact_exponent,
+                 wire->contact_loss, model->time_step, TB_SLOPE_LIMIT / (c.compliance + head));
+}
+
+static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
+  const TbBed *bed = &model->projection.bed;
+  const Probe probe = {.force = tb_arena_doubles(scratch, model->wires.stride),
+                       .grid = tb_arena_doubles(scratch, bed->size),
+                       .answer = tb_arena_doubles(scratch, bed->size),
+                       .fold = tb_arena_doubles(scratch, tb_bed_scratch(bed))};
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
   return TABOR_OK;
 }
 
@@ -126,7 +129,7 @@ static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
     tb_modes_prepare(&model->modes, &model->arena, &model->head, &model->wires, model->time_step);
   if (status != TABOR_OK) return status;
   return tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
-                               &model->wires);
+                               &model->wires, model->grid_tolerance);
 }
 
 static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
@@ -163,6 +166,7 @@ static TaborStatus allocate_rest(TaborModel *model, TbArena *scratch) {
   rest->bend = tb_arena_doubles(&model->arena, model->wires.node_count);
   rest->eta = tb_arena_doubles(&model->arena, model->wires.stride);
   rest->force = tb_arena_doubles(&model->arena, model->wires.stride + TB_SLOTS);
+  rest->grid = tb_arena_doubles(&model->arena, model->projection.bed.size);
   rest->offset = tb_arena_doubles(&model->arena, model->wires.count);
   return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
 }
@@ -178,10 +182,10 @@ static uint64_t fingerprint(const TaborModel *model) {
   uint64_t hash = 14695981039346656037u;
   hash = hash_bytes(hash, &model->sample_rate, sizeof model->sample_rate);
   hash = hash_bytes(hash, &model->modes.count, sizeof model->modes.count);
-  hash = hash_bytes(hash, &model->wires.row_count, sizeof model->wires.row_count);
+  hash = hash_bytes(hash, &model->wires.stride, sizeof model->wires.stride);
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
-  hash = hash_bytes(hash, model->rest.force, model->wires.row_count * sizeof *model->rest.force);
+  hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   return hash;
 }
 
@@ -280,6 +284,9 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   const Level level = resolve_level(def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;
+  model->tolerance = level.tolerance;
+  model->inner_tolerance = level.inner_tolerance;
+  model->grid_tolerance = level.grid_tolerance;
   model->top = level.top;
 
   TbArena scratch;
@@ -323,7 +330,7 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .high_mode_count = model->high.count,
     .newton_cap = model->newton_cap,
     .wire_count = model->wires.count,
-    .contact_points = model->wires.row_count,
+    .contact_points = model->wires.contact_points,
     .mic_count = model->def.mic_count,
     .model_bytes = model->arena.bytes + sizeof *model,
     .drum_bytes = tb_state_bytes(model),

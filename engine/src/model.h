@@ -9,7 +9,6 @@
 #include <stdatomic.h>
 
 #include "highband.h"
-#include "projection.h"
 #include "solve.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
@@ -29,6 +28,7 @@ typedef struct TbRest {
   double *bend;   /* [node_count] their second differences [m] */
   double *eta;    /* [stride] penetration [m] */
   double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the slots */
+  double *grid;   /* [bed size] the same on the grid under the wires */
   double *offset; /* [wires] of the ends [m] */
   double head;    /* height of the centre of the head that has the wires [m] */
 } TbRest;
@@ -36,8 +36,8 @@ typedef struct TbRest {
 /* What the heads' stretching needs, see stretch.h. */
 typedef struct TbStretch {
   uint32_t count;   /* heads that stretch */
-  uint32_t from[4]; /* where the modes that count begin in each group (modes.h), */
-  uint32_t size[4]; /* ... and how many they are, a multiple of 8 */
+  uint32_t from[5]; /* where the modes that count begin in each group (modes.h), */
+  uint32_t size[5]; /* ... and how many they are, a multiple of 8 */
   double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
 } TbStretch;
@@ -45,11 +45,13 @@ typedef struct TbStretch {
 /* Where the arrays of a drum's state lie, in bytes from its start. */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend, bend_last;
-  size_t eta_free, rest_load, own, force, b, s;
-  size_t product, previous, slope, residual, scaled, work;
-  size_t direction, turned, weight, right, solution, active;
-  size_t high[3], high_drive, high_groups, high_force, stretch_y[2], stretch_pull[2],
-    stretch_rows[2], fold, modal, coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+  size_t head, rest_load, own, b, s, force, product; /* by rows */
+  size_t previous, previous_product, row_y, row_s, law_force, slope, mean, residual, direction,
+    turned, weight, solution, work;
+  size_t grid, change, response, pushed, answer, scratch; /* by points of the grid */
+  size_t touch, row, block_begin, block_wire, block_at;
+  size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
+    stretch_grid[2], coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 
@@ -61,6 +63,8 @@ struct TaborModel {
   double sample_rate, time_step; /* [Hz], k [s] */
   double top;                    /* of the high band [Hz] */
   uint32_t newton_cap, inner_cap;
+  double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
+  double grid_tolerance;             /* see projection.h */
   const TbKernels *kernels;
   TbHead head;
   TbWires wires;
@@ -70,8 +74,8 @@ struct TaborModel {
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbRest rest;
   TbProjection projection;
+  TbCompliance compliance; /* of the head over one step */
   TbStretch stretch;
-  double *compliance; /* [row_count][stride]: of the head over one step, between contact points */
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *center; /* [padded]: shape at the centre of the head that has the wires */
   TbLayout layout;

@@ -72,31 +72,51 @@ static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
   return true;
 }
 
-/* felt[i]: some contact point moves with listed mode i. */
-static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
-                      const TbWires *wires, uint8_t *felt) {
+/* A mode is felt if it moves some contact point by more than this part of what the most felt one does:
+ * its compliance is then 1e-8 of that one's. */
+static const double FELT = 1e-4;
+
+/* most[i]: largest shape of listed mode i over the contact points. */
+static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *head,
+                           const TbWires *wires, double *most) {
   double *radial = tb_arena_doubles(scratch, head->row_count);
   double *shape = tb_arena_doubles(scratch, list->padded);
   if (scratch->failed) return false;
-  for (uint32_t a = 0; a < wires->row_count; a++) {
-    const double x = wires->row_x[a], y = wires->row_y[a], r = sqrt(x * x + y * y);
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    const bool image = (wires->mirrored && row % wires->lanes > wires->middle) ||
+                       (wires->balanced && row / wires->lanes > wires->count / 2);
+    if (image || wires->real[row] == 0.0) continue;
+    const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
     tb_modes_shape(list, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
                    radial, shape);
-    for (uint32_t i = 0; i < list->count; i++) felt[i] |= shape[i] != 0.0;
+    for (uint32_t i = 0; i < list->count; i++) most[i] = fmax(most[i], fabs(shape[i]));
   }
   return true;
 }
 
-/* Under x -> -x, theta -> pi - theta: cos(m theta) is even for even m, sin(m theta) for odd m. */
-static bool is_even(const TbHead *head, uint32_t row, bool sine) {
-  return (head->modes[row].m % 2 == 0) != sine;
+static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
+                      const TbWires *wires, uint8_t *felt) {
+  double *most = tb_arena_doubles(scratch, list->padded);
+  if (scratch->failed || !largest_shapes(list, scratch, head, wires, most)) return false;
+  double largest = 0.0;
+  for (uint32_t i = 0; i < list->count; i++) largest = fmax(largest, most[i]);
+  for (uint32_t i = 0; i < list->count; i++) felt[i] = most[i] > FELT * largest;
+  return true;
 }
 
-/* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. */
-static uint32_t group_of(const TbModes *list, const TbHead *head, uint32_t i, bool felt,
-                         uint32_t groups) {
-  if (!felt) return groups;
-  return groups == 2 && !is_even(head, list->row[i], list->sine[i]) ? 1 : 0;
+/* Under x -> -x, theta -> pi - theta: cos(m theta) is even for even m, sin(m theta) for odd m. */
+static bool is_odd_along(const TbHead *head, uint32_t row, bool sine) {
+  return (head->modes[row].m % 2 == 0) == sine;
+}
+
+/* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. Under y -> -y, theta ->
+ * -theta, the cosines are even. */
+static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbHead *head, uint32_t i,
+                         bool felt) {
+  if (!felt) return modes->groups;
+  const bool along = modes->halves == 2 && is_odd_along(head, list->row[i], list->sine[i]);
+  const bool across = modes->quarters == 2 && list->sine[i];
+  return (along ? modes->quarters : 0u) + (across ? 1u : 0u);
 }
 
 static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, const TbHead *head,
@@ -110,7 +130,7 @@ static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, con
   for (uint32_t group = 0; group <= modes->groups; group++) {
     modes->group[group] = next;
     for (uint32_t i = 0; i < list->count; i++) {
-      if (group_of(list, head, i, felt[i], modes->groups) != group) continue;
+      if (group_of(modes, list, head, i, felt[i]) != group) continue;
       modes->row[next] = list->row[i];
       modes->sine[next++] = list->sine[i];
     }
@@ -150,7 +170,8 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, double time_step) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  *modes = (TbModes){.groups = wires->mirrored ? 2 : 1};
+  *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
+  modes->groups = modes->halves * modes->quarters;
   TbModes list;
   uint8_t *felt = tb_arena_take(&scratch, TB_MAX_MODES, sizeof *felt);
   const bool done = felt && list_modes(&list, &scratch, head) &&

@@ -13,21 +13,23 @@
 
 #define TB_NO_MODE UINT32_MAX
 
-/* Modes that some wire feels come first: those whose shape is even under the mirror across the wires'
- * middle, then the odd ones, each group padded with silent modes to 8; the others follow. Wires
- * without that symmetry have one group. */
+/* Modes that some wire feels come first, in groups of one symmetry each: those whose shape is even under
+ * the mirror x -> -x across the wires' middles before the odd ones, and in each half those even under
+ * y -> -y before the odd ones. Groups are padded with silent modes to 8; the modes that no wire feels
+ * follow. Wires that lack a symmetry have half the groups. */
 typedef struct TbModes {
-  uint32_t count, padded; /* modes, sine copies counted; with padding */
-  uint32_t groups;        /* 1 or 2 */
-  uint32_t group[3];      /* first mode of each group; coupled modes end at group[groups] */
-  uint32_t *row;          /* [padded]: of head.modes, or TB_NO_MODE for padding */
-  uint8_t *sine;          /* [padded]: 1 for sin(m theta) */
-  double *a, *b, *g;      /* [padded], as are all below */
-  double *stiffness;      /* K' */
-  double *loss_head, *loss_air,
-    *loss_shell; /* tanh(sk)/(2k^2) by origin: head, sound, cavity walls */
-  bool walls;    /* some loss_shell is not 0 */
-  double *pull;  /* -side g: what a wire's contact force does to a mode */
+  uint32_t count, padded;        /* modes, sine copies counted; with padding */
+  uint32_t halves, quarters;     /* groups under x -> -x, and under y -> -y: 1 or 2 each */
+  uint32_t groups;               /* halves * quarters */
+  uint32_t group[5];             /* first mode of each group; coupled modes end at group[groups] */
+  uint32_t *row;                 /* [padded]: of head.modes, or TB_NO_MODE for padding */
+  uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
+  double *a, *b, *g;             /* [padded], as are all below */
+  double *stiffness;             /* K' */
+  double *loss_head;             /* tanh(sk)/(2k^2) by origin: the heads, */
+  double *loss_air, *loss_shell; /* ... sound, the cavity's walls */
+  bool walls;                    /* some loss_shell is not 0 */
+  double *pull;                  /* -side g: what a wire's contact force does to a mode */
 } TbModes;
 
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */

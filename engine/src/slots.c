@@ -15,17 +15,17 @@ static bool in_play(const TbView *view, uint32_t slot) {
 }
 
 /* How the head yields at this slot to forces everywhere, over one step: its shape, what a unit force
- * does to the modes, and the compliance to every wire point and every other slot. */
+ * does to the modes, and the compliance to the grid under the wires and to every other slot. */
 static void couple(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
   const TbKernels *kernels = model->kernels;
-  const uint32_t stride = model->wires.stride;
+  const uint32_t size = model->projection.bed.size;
   const double *shape = tb_slot_shape(view, slot);
   double *drive = tb_slot_drive(view, slot), *coupling = tb_slot_coupling(view, slot);
   for (uint32_t i = 0; i < modes->padded; i++) drive[i] = modes->g[i] * shape[i];
-  tb_project(&model->projection, kernels, drive, view->fold, coupling);
-  for (uint32_t row = 0; row < stride; row++) coupling[row] *= model->wires.side;
+  tb_project(&model->projection, kernels, drive, coupling);
+  for (uint32_t point = 0; point < size; point++) coupling[point] *= model->wires.side;
   for (uint32_t other = 0; other < TB_SLOTS; other++) {
     /* The lower slot's drive on the higher one's shape: the same bits whoever came first. */
     const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
@@ -33,8 +33,8 @@ static void couple(TbView *view, uint32_t slot) {
       in_play(view, other) || other == slot
         ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high))
         : 0.0;
-    coupling[stride + other] = value;
-    tb_slot_coupling(view, other)[stride + slot] = value;
+    view->slot_coupling[slot * TB_SLOTS + other] = value;
+    view->slot_coupling[other * TB_SLOTS + slot] = value;
   }
 }
 
@@ -60,7 +60,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   view->own[row] = compliance;
   tb_law_prepare(law, def->contact_stiffness, def->contact_exponent,
                  model->def.quality.losses ? def->contact_loss : 0.0, k,
-                 TB_SLOPE_LIMIT / (compliance + tb_slot_coupling(view, slot)[row]));
+                 TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
 }
 
 static double head_at(const TbView *view, uint32_t slot, const double *q) {
@@ -93,8 +93,10 @@ static void clear_row(TbView *view, uint32_t slot) {
     phases[i]->z[slot] = 0.0;
     phases[i]->eta[row] = TB_NOTHING;
   }
-  memset(tb_slot_coupling(view, slot), 0, (stride + TB_SLOTS) * sizeof(double));
-  for (uint32_t i = 0; i < TB_SLOTS; i++) tb_slot_coupling(view, i)[row] = 0.0;
+  memset(tb_slot_coupling(view, slot), 0, view->model->projection.bed.size * sizeof(double));
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
+  }
   view->own[row] = view->b[row] = view->solve.force[row] = 0.0;
 }
 

@@ -7,8 +7,9 @@
 /* Newton has converged when the residual is rounding noise of what it is a difference of. */
 static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
-/* Inner solves stop here; the outer steps then still converge almost quadratically. */
-static const double INNER_TOLERANCE = 1e-7;
+/* A balance is exact to this part of the work that makes it up. */
+static const double BALANCE_TOLERANCE = 1e-14;
+static const uint32_t MOST_BALANCE_STEPS = 8;
 
 static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLOTS; }
 
@@ -16,35 +17,389 @@ static bool in_play(const TbSolve *solve, uint32_t slot) { return solve->slot_ma
 
 /* ---- M x ------------------------------------------------------------------------------------ */
 
-void tb_solve_stretch(const TbSolve *solve, const double *x, double *out) {
+void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *slots,
+                      double *answer, double *out) {
+  const uint32_t size = solve->bed->size;
   double along[2] = {0.0, 0.0};
   for (uint32_t h = 0; h < solve->stretch_count; h++) {
-    along[h] = solve->kernels->dot(total_rows(solve), solve->stretch_rows[h], x);
+    along[h] = solve->kernels->dot(size, solve->stretch_grid[h], pushed) +
+               solve->kernels->dot(TB_SLOTS, solve->stretch_slots[h], slots);
   }
   for (uint32_t h = 0; h < solve->stretch_count; h++) {
-    const double pull =
-      solve->stretch_weight[h][0] * along[0] + solve->stretch_weight[h][1] * along[1];
-    solve->kernels->add_scaled(total_rows(solve), out, -pull, solve->stretch_rows[h]);
+    const double *w = solve->stretch_weight[h];
+    const double pull = -(w[0] * along[0] + w[1] * along[1]);
+    solve->kernels->add_scaled(size, answer, pull, solve->stretch_grid[h]);
+    solve->kernels->add_scaled(TB_SLOTS, out, pull, solve->stretch_slots[h]);
   }
 }
 
-void tb_solve_product(const TbSolve *solve, const double *x, double *out) {
-  const uint32_t stride = solve->stride, total = total_rows(solve);
-  for (uint32_t i = 0; i < total; i++) out[i] = solve->own[i] * x[i];
-  for (uint32_t row = 0; row < solve->wire_rows; row++) {
-    if (x[row] == 0.0) continue;
-    solve->kernels->add_scaled(stride, out, x[row], solve->compliance + (uint64_t)row * stride);
+/* What forces on the grid (`pushed`) and at the slots do to the head: `answer` on the grid, out[] at
+ * the slots. */
+static void push_head(const TbSolve *solve, const double *pushed, const double *slots,
+                      double *answer, double *out) {
+  const uint32_t size = solve->bed->size;
+  tb_compliance_apply(solve->compliance, solve->kernels, pushed, answer);
+  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+    out[slot] = 0.0;
+    if (!in_play(solve, slot)) continue;
+    const double *coupling = solve->coupling + (uint64_t)slot * size;
+    out[slot] = solve->kernels->dot(size, coupling, pushed);
+    for (uint32_t other = 0; other < TB_SLOTS; other++) {
+      out[slot] += solve->slot_coupling[slot * TB_SLOTS + other] * slots[other];
+    }
+    if (slots[slot] != 0.0) solve->kernels->add_scaled(size, answer, slots[slot], coupling);
   }
+  tb_solve_stretch(solve, pushed, slots, answer, out);
+}
+
+/* Over all rows: product = own f + (the head's motion `response`, and at the slots `slots`). */
+static void expand_response(const TbSolve *solve, const double *f, const double *response,
+                            const double *slots, double *product) {
+  tb_bed_expand(solve->bed, solve->kernels, &solve->bed->all, response, solve->scratch, product);
+  memcpy(product + solve->stride, slots, TB_SLOTS * sizeof *slots);
+  solve->kernels->add_product(total_rows(solve), product, solve->own, f);
+}
+
+void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out) {
+  _Alignas(64) double slots[TB_SLOTS];
+  tb_bed_contract(solve->bed, solve->kernels, &solve->bed->all, x, solve->scratch, grid);
+  push_head(solve, grid, x + solve->stride, solve->answer, slots);
+  expand_response(solve, x, solve->answer, slots, out);
+}
+
+/* out = M x over the n listed blocks and the slots behind them; leaves the head's part in `answer`
+ * and slots[]. */
+static void listed_product(TbSolve *solve, uint32_t n, const double *x, double *slots,
+                           double *out) {
+  tb_bed_contract(solve->bed, solve->kernels, &solve->blocks, x, solve->scratch, solve->pushed);
+  push_head(solve, solve->pushed, x + 8 * n, solve->answer, slots);
+  tb_bed_expand(solve->bed, solve->kernels, &solve->blocks, solve->answer, solve->scratch, out);
+  memcpy(out + 8 * n, slots, TB_SLOTS * sizeof *slots);
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    solve->kernels->add_product(8, out + 8 * k, solve->own + solve->row[k], x + 8 * k);
+  }
+}
+
+/* ---- rows that matter ----------------------------------------------------------------------- */
+
+/* Lists the blocks that touched so far, touch at s, or carry a force, by their lanes; the slots come
+ * last. Returns the number of blocks without them. */
+static uint32_t list_blocks(TbSolve *solve) {
+  const TbBed *bed = solve->bed;
+  const uint32_t blocks = bed->lanes / 8;
+  TbBlocks *list = &solve->blocks;
+  const uint32_t found =
+    solve->kernels->mark(solve->stride / 8, solve->y, solve->s, solve->force, solve->touch);
+  uint32_t n = 0;
+  for (uint32_t b = 0; b < blocks; b++) {
+    list->begin[b] = n;
+    if (n == found) continue;
+    for (uint32_t w = 0; w < bed->wires; w++) {
+      if (!solve->touch[w * blocks + b]) continue;
+      list->wire[n] = w;
+      list->at[n] = 8 * n;
+      solve->row[n++] = w * bed->lanes + 8 * b;
+    }
+  }
+  list->begin[blocks] = n;
+  for (uint32_t k = 0; k < TB_SLOT_BLOCKS; k++) solve->row[n + k] = solve->stride + 8 * k;
+  return n;
+}
+
+static void slot_laws(TbSolve *solve, uint32_t at) {
+  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+    TbLawResult law = {0.0, 0.0, 0.0};
+    if (in_play(solve, slot)) {
+      law = tb_law_force(&solve->slot_laws[slot], solve->row_y[at + slot], solve->row_s[at + slot]);
+    }
+    solve->law_force[at + slot] = law.force;
+    solve->slope[at + slot] = law.slope;
+    solve->mean[at + slot] = law.mean;
+  }
+}
+
+/* Forces, slopes and means of the laws at row_y and row_s. */
+static void apply_laws(TbSolve *solve, uint32_t n) {
+  for (uint32_t k = 0; k < n; k++) {
+    const uint32_t at = 8 * k;
+    tb_law_forces(&solve->wire_laws[solve->blocks.wire[k]], solve->kernels, solve->row_y + at,
+                  solve->row_s + at, solve->law_force + at, solve->slope + at, solve->mean + at);
+  }
+  slot_laws(solve, 8 * n);
+}
+
+static void gather(const TbSolve *solve, uint32_t n, const double *rows, double *listed) {
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    memcpy(listed + 8 * k, rows + solve->row[k], 8 * sizeof *rows);
+  }
+}
+
+/* The laws at s; returns the largest difference from the forces that led there. */
+static double evaluate(TbSolve *solve, uint32_t *n) {
+  *n = list_blocks(solve);
+  gather(solve, *n, solve->y, solve->row_y);
+  gather(solve, *n, solve->s, solve->row_s);
+  apply_laws(solve, *n);
+  double most[8] = {0.0};
+  for (uint32_t k = 0; k < *n + TB_SLOT_BLOCKS; k++) {
+    for (uint32_t l = 0; l < 8; l++) {
+      const double miss = fabs(solve->law_force[8 * k + l] - solve->force[solve->row[k] + l]);
+      most[l] = miss > most[l] ? miss : most[l];
+    }
+  }
+  double largest = 0.0;
+  for (uint32_t l = 0; l < 8; l++) largest = most[l] > largest ? most[l] : largest;
+  return largest;
+}
+
+static uint32_t count_touching(const TbSolve *solve, uint32_t n) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) count += solve->slope[i] > 0.0;
+  return count;
+}
+
+/* ---- one Newton step ------------------------------------------------------------------------ */
+
+/* r = s + M f - b with the laws' forces, whose response is left in `response` and slots[]; returns
+ * max |r|. */
+static double find_residual(TbSolve *solve, uint32_t n, double *slots) {
+  listed_product(solve, n, solve->law_force, slots, solve->residual);
+  memcpy(solve->response, solve->answer, solve->bed->size * sizeof *solve->response);
+  double largest = 0.0;
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    for (uint32_t l = 0; l < 8; l++) {
+      const uint32_t row = solve->row[k] + l;
+      const double r = solve->residual[8 * k + l] + (solve->s[row] - solve->b[row]);
+      solve->residual[8 * k + l] = r;
+      largest = fabs(r) > largest ? fabs(r) : largest;
+    }
+  }
+  return largest;
+}
+
+/* Solves (I + W M W) p = right, given in `residual`, over the listed rows by conjugate gradients from
+ * p = 0, W = diag(weight), into `solution`; adds the head's motion under W p to `response` and slots[].
+ */
+static void solve_inner(TbSolve *solve, uint32_t n, double *slots) {
+  const TbKernels *kernels = solve->kernels;
+  const uint32_t length = 8 * n + TB_SLOTS;
+  double *right = solve->residual, *d = solve->direction;
+  _Alignas(64) double step_slots[TB_SLOTS];
+  memset(solve->solution, 0, length * sizeof(double));
+  memcpy(d, right, length * sizeof(double));
+  double square = kernels->dot(length, right, right);
+  const double enough = square * solve->inner_tolerance * solve->inner_tolerance;
+  for (uint32_t i = 0; i < solve->inner_cap && square > enough; i++) {
+    kernels->product(length, solve->work, solve->weight, d);
+    listed_product(solve, n, solve->work, step_slots, solve->turned);
+    const double bend = kernels->turn(length, solve->turned, d, solve->weight, solve->turned);
+    const double step = square / bend;
+    const double next = kernels->advance(length, step, solve->solution, d, right, solve->turned);
+    kernels->add_scaled(solve->bed->size, solve->response, step, solve->answer);
+    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) slots[slot] += step * step_slots[slot];
+    kernels->redirect(length, next / square, d, right);
+    square = next;
+  }
+}
+
+/* s = b - M f from `response` and slots[], over all rows. */
+static void follow(TbSolve *solve, const double *slots) {
+  expand_response(solve, solve->force, solve->response, slots, solve->product);
+  const uint32_t total = total_rows(solve);
+  for (uint32_t i = 0; i < total; i++) solve->s[i] = solve->b[i] - solve->product[i];
+}
+
+/* force = law_force + weight solution, and s with it. */
+static void take_forces(TbSolve *solve, uint32_t n, bool solved, const double *slots) {
+  if (solved) {
+    solve->kernels->add_product(8 * n + TB_SLOTS, solve->law_force, solve->weight, solve->solution);
+  }
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    memcpy(solve->force + solve->row[k], solve->law_force + 8 * k, 8 * sizeof(double));
+  }
+  follow(solve, slots);
+}
+
+static void newton_step(TbSolve *solve, uint32_t n, double *slots) {
+  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
+    solve->weight[i] = sqrt(solve->slope[i]);
+    solve->residual[i] *= -solve->weight[i];
+  }
+  solve_inner(solve, n, slots);
+  take_forces(solve, n, true, slots);
+}
+
+/* ---- the balance ---------------------------------------------------------------------------- */
+
+/* Sum s (f(s) - f~), its derivative in t, and Sum |s f~|, at f~ + t g and s - t M g. */
+typedef struct Balance {
+  double value, derivative, scale;
+} Balance;
+
+static Balance balance_at(TbSolve *solve, uint32_t n, double t) {
+  Balance h = {0.0, 0.0, 0.0};
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    for (uint32_t l = 0; l < 8; l++) {
+      const uint32_t i = 8 * k + l, row = solve->row[k] + l;
+      const double g = solve->force[row] - solve->previous[row];
+      const double mg = solve->product[row] - solve->previous_product[row];
+      const double f = solve->force[row] + t * g, s = solve->row_s[i];
+      const double miss = solve->law_force[i] - f;
+      h.value += s * miss;
+      h.derivative -= mg * miss + s * (solve->slope[i] * mg + g);
+      h.scale += fabs(s * f);
+    }
+  }
+  return h;
+}
+
+static void laws_at(TbSolve *solve, uint32_t n, double t) {
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    for (uint32_t l = 0; l < 8; l++) {
+      const uint32_t row = solve->row[k] + l;
+      solve->row_s[8 * k + l] =
+        solve->s[row] - t * (solve->product[row] - solve->previous_product[row]);
+    }
+  }
+  apply_laws(solve, n);
+}
+
+/* force += t g, and what follows from it, over all rows. */
+static void move_forces(TbSolve *solve, double t) {
+  for (uint32_t i = 0; i < total_rows(solve); i++) {
+    solve->force[i] += t * (solve->force[i] - solve->previous[i]);
+    solve->product[i] += t * (solve->product[i] - solve->previous_product[i]);
+    solve->s[i] = solve->b[i] - solve->product[i];
+  }
+}
+
+/* Moves the forces to where their work is what the laws say; false if that is further than `reach`
+ * away. The laws have just been evaluated at s. */
+static bool balance(TbSolve *solve, uint32_t n, double reach) {
+  double t = 0.0;
+  Balance h = balance_at(solve, n, t);
+  for (uint32_t i = 0; fabs(h.value) > BALANCE_TOLERANCE * h.scale; i++) {
+    if (i == MOST_BALANCE_STEPS) return false;
+    t -= h.value / h.derivative;
+    if (!(fabs(t) <= reach)) return false;
+    laws_at(solve, n, t);
+    h = balance_at(solve, n, t);
+  }
+  if (t != 0.0) move_forces(solve, t);
+  return true;
+}
+
+/* What the laws lose in a step, with the values of the last evaluation. */
+static void book_losses(const TbSolve *solve, uint32_t n, TbSolveOutcome *outcome) {
+  double sum[8] = {0.0};
+  for (uint32_t i = 0; i < 8 * n; i += 8) {
+    for (uint32_t l = 0; l < 8; l++) {
+      sum[l] += solve->row_s[i + l] * (solve->law_force[i + l] - solve->mean[i + l]);
+    }
+  }
+  double contact = 0.0, damper = 0.0;
+  for (uint32_t l = 0; l < 8; l++) contact += sum[l];
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     if (!in_play(solve, slot)) continue;
-    const double *coupling = solve->coupling + (uint64_t)slot * total;
-    out[stride + slot] += solve->kernels->dot(stride, coupling, x);
-    if (x[stride + slot] != 0.0) solve->kernels->add_scaled(total, out, x[stride + slot], coupling);
+    const uint32_t i = 8 * n + slot;
+    const bool hand = solve->slot_laws[slot].kind == TB_LAW_DAMPER;
+    *(hand ? &damper : &contact) += solve->row_s[i] * (solve->law_force[i] - solve->mean[i]);
   }
-  tb_solve_stretch(solve, x, out);
+  outcome->contact_loss = 0.5 * contact;
+  outcome->damper_loss = 0.5 * damper;
 }
 
-/* ---- one evaluation ------------------------------------------------------------------------- */
+/* ---- the majorant --------------------------------------------------------------------------- */
+
+/* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp. */
+static double majorant_curvature(const TbLaw *law, double y, double b, double free) {
+  double sp = free > 0.0 ? free : 0.0;
+  if (b > sp) sp = 0.5 * (sp + b);
+  const double size = fabs(y) > sp ? fabs(y) : sp;
+  if (sp <= 1e-9 * size) return tb_law_curvature(law, y);
+  const double bend = tb_law_work(law, y, sp) - tb_law_static_force(law, y) * sp;
+  return bend > 0.0 ? 2.0 * bend / (sp * sp) : 0.0;
+}
+
+static const TbLaw *law_of(const TbSolve *solve, uint32_t k, uint32_t lane) {
+  if (solve->row[k] >= solve->stride)
+    return &solve->slot_laws[solve->row[k] - solve->stride + lane];
+  return &solve->wire_laws[solve->blocks.wire[k]];
+}
+
+/* Force at s = 0 and half the curvature of every listed row's majorant. */
+static void prepare_majorants(TbSolve *solve, uint32_t n) {
+  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
+    const uint32_t row = solve->row[i / 8] + i % 8;
+    solve->law_force[i] = solve->slope[i] = 0.0;
+    if (i >= 8 * n && !in_play(solve, i - 8 * n)) continue;
+    const TbLaw *law = law_of(solve, i / 8, i % 8);
+    const double y = solve->y[row], b = solve->b[row];
+    solve->law_force[i] = tb_law_static_force(law, y);
+    solve->slope[i] = law->kind == TB_LAW_DAMPER
+                        ? law->loss
+                        : 0.5 * majorant_curvature(law, y, b, b - solve->previous_product[row]);
+  }
+}
+
+/* Work still to be found for the growth of the potential: > 0 means energy was created; and what the
+ * laws lose at s. */
+static Balance majorant_work(TbSolve *solve, uint32_t n, double *contact, double *damper) {
+  Balance h = {0.0, 0.0, 0.0};
+  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
+    if (i >= 8 * n && !in_play(solve, i - 8 * n)) continue;
+    const TbLaw *law = law_of(solve, i / 8, i % 8);
+    const uint32_t row = solve->row[i / 8] + i % 8;
+    const double work = solve->force[row] * solve->s[row];
+    h.value += tb_law_work(law, solve->y[row], solve->s[row]) - work;
+    h.scale += fabs(work);
+    *(law->kind == TB_LAW_DAMPER ? damper : contact) +=
+      tb_law_loss(law, solve->y[row], solve->s[row]);
+  }
+  return h;
+}
+
+/* Lists what could touch without forces, or with the last ones. */
+static uint32_t list_candidates(TbSolve *solve) {
+  for (uint32_t i = 0; i < total_rows(solve); i++) {
+    const double with = solve->b[i] - solve->previous_product[i];
+    solve->s[i] = with > solve->b[i] ? with : solve->b[i];
+  }
+  return list_blocks(solve);
+}
+
+static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
+  _Alignas(64) double slots[TB_SLOTS];
+  uint32_t n = list_candidates(solve);
+  prepare_majorants(solve, n);
+  memset(solve->force, 0, total_rows(solve) * sizeof(double));
+  memset(solve->s, 0, total_rows(solve) * sizeof(double));
+  find_residual(solve, n, slots);
+  newton_step(solve, n, slots);
+  /* f = V'(y) + C s/2 at the s of that solution; all rows that touch there must be listed. */
+  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
+    for (uint32_t l = 0; l < 8; l++) {
+      const uint32_t row = solve->row[k] + l;
+      if (k >= n && !in_play(solve, row - solve->stride)) continue;
+      const TbLaw *law = law_of(solve, k, l);
+      solve->force[row] =
+        tb_law_static_force(law, solve->y[row]) + solve->slope[8 * k + l] * solve->s[row];
+    }
+  }
+  tb_solve_product(solve, solve->force, solve->grid, solve->product);
+  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
+  n = list_blocks(solve);
+  double contact = 0.0, damper = 0.0;
+  const Balance h = majorant_work(solve, n, &contact, &damper);
+  if (h.value > BALANCE_TOLERANCE * h.scale) outcome->excess = h.value;
+  /* The laws' losses count as far as the work done covers them. */
+  const double lost = contact + damper, covered = h.value < 0.0 ? -0.5 * h.value : 0.0;
+  const double part = lost > covered ? covered / lost : 1.0;
+  outcome->contact_loss = part * contact;
+  outcome->damper_loss = part * damper;
+}
+
+/* ---- the solve ------------------------------------------------------------------------------ */
 
 static double largest_magnitude(uint32_t n, const double *x) {
   double most[8] = {0.0};
@@ -59,272 +414,89 @@ static double largest_magnitude(uint32_t n, const double *x) {
   return largest;
 }
 
-static bool could_touch(const TbSolve *solve) {
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-    if (in_play(solve, slot) && solve->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
-  }
-  for (uint32_t row = 0; row < total_rows(solve); row++) {
-    if (solve->y[row] > 0.0 || solve->y[row] + solve->b[row] > 0.0) return true;
-  }
-  return false;
-}
-
-static void evaluate_row(TbSolve *solve, uint32_t row, uint32_t *touching) {
-  const TbLawResult law = tb_law_force(tb_solve_law(solve, row), solve->y[row], solve->s[row]);
-  solve->force[row] = law.force;
-  solve->slope[row] = law.slope;
-  if (law.slope > 0.0) solve->active[(*touching)++] = row;
-}
-
-/* Forces and slopes at s, the touching rows, M f, and r = s + M f - b; returns max |r|. */
-static double evaluate(TbSolve *solve, uint32_t *touching) {
-  *touching = 0;
-  for (uint32_t row = 0; row < solve->wire_rows; row++) {
-    if (solve->y[row] <= 0.0 && solve->y[row] + solve->s[row] <= 0.0) {
-      solve->force[row] = 0.0;
-    } else {
-      evaluate_row(solve, row, touching);
-    }
-  }
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-    if (in_play(solve, slot)) evaluate_row(solve, solve->stride + slot, touching);
-  }
-  tb_solve_product(solve, solve->force, solve->product);
-  const uint32_t total = total_rows(solve);
-  for (uint32_t i = 0; i < total; i++) {
-    solve->residual[i] = solve->s[i] + solve->product[i] - solve->b[i];
-  }
-  return largest_magnitude(total, solve->residual);
-}
-
-/* ---- linear solves -------------------------------------------------------------------------- */
-
-static void active_stretch(const TbSolve *solve, uint32_t n, const double *x, double *out) {
-  double along[2] = {0.0, 0.0};
-  for (uint32_t h = 0; h < solve->stretch_count; h++) {
-    for (uint32_t i = 0; i < n; i++) along[h] += solve->stretch_rows[h][solve->active[i]] * x[i];
-  }
-  for (uint32_t h = 0; h < solve->stretch_count; h++) {
-    const double pull =
-      solve->stretch_weight[h][0] * along[0] + solve->stretch_weight[h][1] * along[1];
-    for (uint32_t i = 0; i < n; i++) out[i] -= pull * solve->stretch_rows[h][solve->active[i]];
-  }
-}
-
-/* out = M x over the first n active rows alone; wire points come before slots. */
-static void active_product(const TbSolve *solve, uint32_t n, const double *x, double *out) {
-  const uint32_t stride = solve->stride, total = total_rows(solve);
-  const uint32_t *active = solve->active;
-  uint32_t wires = n;
-  while (wires > 0 && active[wires - 1] >= stride) wires--;
-  for (uint32_t i = 0; i < n; i++) out[i] = solve->own[active[i]] * x[i];
-  for (uint32_t j = 0; j < wires; j++) {
-    const double *column = solve->compliance + (uint64_t)active[j] * stride;
-    for (uint32_t i = 0; i < wires; i++) out[i] += column[active[i]] * x[j];
-  }
-  for (uint32_t j = wires; j < n; j++) {
-    const double *column = solve->coupling + (uint64_t)(active[j] - stride) * total;
-    for (uint32_t i = 0; i < wires; i++) {
-      out[i] += column[active[i]] * x[j];
-      out[j] += column[active[i]] * x[i];
-    }
-    for (uint32_t i = wires; i < n; i++) out[i] += column[active[i]] * x[j];
-  }
-  active_stretch(solve, n, x, out);
-}
-
-/* Solves (I + W M W) p = right over the first n active rows by conjugate gradients from p = 0, W =
- * diag(weight). On return `scaled` holds W p, spread over all rows; `right` is used up. */
-static void solve_inner(TbSolve *solve, uint32_t n) {
-  double *d = solve->direction, *md = solve->turned, *right = solve->right;
-  double *p = solve->solution, *wd = solve->work;
-  const double *weight = solve->weight;
-  double square = 0.0;
-  for (uint32_t i = 0; i < n; i++) {
-    p[i] = 0.0;
-    d[i] = right[i];
-    square += right[i] * right[i];
-  }
-  const double enough = square * INNER_TOLERANCE * INNER_TOLERANCE;
-  for (uint32_t k = 0; k < solve->inner_cap && square > enough; k++) {
-    for (uint32_t i = 0; i < n; i++) wd[i] = weight[i] * d[i];
-    active_product(solve, n, wd, md);
-    double bend = 0.0;
-    for (uint32_t i = 0; i < n; i++) {
-      md[i] = d[i] + weight[i] * md[i];
-      bend += d[i] * md[i];
-    }
-    const double step = square / bend;
-    double next = 0.0;
-    for (uint32_t i = 0; i < n; i++) {
-      p[i] += step * d[i];
-      right[i] -= step * md[i];
-      next += right[i] * right[i];
-    }
-    const double turn = next / square;
-    square = next;
-    for (uint32_t i = 0; i < n; i++) d[i] = right[i] + turn * d[i];
-  }
-  for (uint32_t i = 0; i < total_rows(solve); i++) solve->scaled[i] = 0.0;
-  for (uint32_t i = 0; i < n; i++) solve->scaled[solve->active[i]] = weight[i] * p[i];
-}
-
-static void newton_step(TbSolve *solve, uint32_t touching) {
-  for (uint32_t i = 0; i < touching; i++) {
-    const uint32_t row = solve->active[i];
-    solve->weight[i] = sqrt(solve->slope[row]);
-    solve->right[i] = -solve->weight[i] * solve->residual[row];
-  }
-  solve_inner(solve, touching);
-  tb_solve_product(solve, solve->scaled, solve->work);
-  for (uint32_t i = 0; i < total_rows(solve); i++) {
-    solve->s[i] -= solve->residual[i] + solve->work[i];
-  }
-}
-
-/* ---- remedies ------------------------------------------------------------------------------- */
-
-/* h(gamma) and its derivative; leaves s = b - gamma M f. `product` holds M f. */
-typedef struct WorkBalance {
-  double value, derivative, scale;
-} WorkBalance;
-
-static void add_balance(TbSolve *solve, uint32_t row, double gamma, WorkBalance *h) {
-  const TbLaw *law = tb_solve_law(solve, row);
-  const double f = solve->force[row], mf = solve->product[row];
-  const double s = solve->b[row] - gamma * mf;
-  solve->s[row] = s;
-  h->value += tb_law_work(law, solve->y[row], s) - gamma * f * s;
-  h->derivative += -tb_law_static_force(law, solve->y[row] + s) * mf - f * s + gamma * f * mf;
-  h->scale += fabs(f * s);
-}
-
-static WorkBalance work_balance(TbSolve *solve, double gamma) {
-  WorkBalance h = {0.0, 0.0, 0.0};
-  for (uint32_t row = 0; row < solve->wire_rows; row++) add_balance(solve, row, gamma, &h);
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-    if (in_play(solve, slot)) add_balance(solve, solve->stride + slot, gamma, &h);
-  }
-  return h;
-}
-
-static double balance_tolerance(WorkBalance h) { return 1e-15 * h.scale; }
-
-/* Scales the forces by the gamma nearest 1 that creates no energy; false if there is none. Newton's
- * steps on a convex function approach its zero from outside and never pass it. */
-static bool correct_work(TbSolve *solve, TbSolveOutcome *outcome) {
-  double gamma = 1.0;
-  WorkBalance h = work_balance(solve, gamma);
-  const double side = h.derivative;
-  for (uint32_t i = 0; i < 24 && h.value > balance_tolerance(h); i++) {
-    if (h.derivative == 0.0 || (h.derivative > 0.0) != (side > 0.0)) return false;
-    gamma -= (h.value + 0.5 * balance_tolerance(h)) / h.derivative;
-    if (!(gamma >= 0.0 && gamma < 16.0)) return false;
-    h = work_balance(solve, gamma);
-  }
-  if (h.value > balance_tolerance(h)) return false;
-  if (gamma == 1.0) return true;
-  outcome->corrected = true;
-  for (uint32_t i = 0; i < total_rows(solve); i++) {
-    solve->force[i] *= gamma;
-    solve->product[i] *= gamma;
-  }
-  return true;
-}
-
-/* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp. */
-static double majorant_curvature(const TbLaw *law, double y, double b, double free) {
-  double sp = free > 0.0 ? free : 0.0;
-  if (b > sp) sp = 0.5 * (sp + b);
-  const double size = fabs(y) > sp ? fabs(y) : sp;
-  if (sp <= 1e-9 * size) return tb_law_curvature(law, y);
-  const double bend = tb_law_work(law, y, sp) - tb_law_static_force(law, y) * sp;
-  return bend > 0.0 ? 2.0 * bend / (sp * sp) : 0.0;
-}
-
-/* Force at s = 0 and half the curvature of one row's majorant; `work` holds M times the last forces. */
-static void prepare_majorant(TbSolve *solve, uint32_t row, uint32_t *count) {
-  const TbLaw *law = tb_solve_law(solve, row);
-  const double y = solve->y[row], b = solve->b[row];
-  solve->force[row] = tb_law_static_force(law, y);
-  solve->slope[row] = law->kind == TB_LAW_DAMPER
-                        ? law->loss
-                        : 0.5 * majorant_curvature(law, y, b, b - solve->work[row]);
-  if (solve->slope[row] > 0.0) solve->active[(*count)++] = row;
-}
-
-/* `previous` holds the last sample's forces on entry. */
-static void majorant_step(TbSolve *solve) {
-  uint32_t count = 0;
-  tb_solve_product(solve, solve->previous, solve->work);
-  for (uint32_t row = 0; row < solve->wire_rows; row++) prepare_majorant(solve, row, &count);
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-    if (in_play(solve, slot)) prepare_majorant(solve, solve->stride + slot, &count);
-  }
-  tb_solve_product(solve, solve->force, solve->product);
-  for (uint32_t i = 0; i < count; i++) {
-    const uint32_t row = solve->active[i];
-    solve->weight[i] = sqrt(solve->slope[row]);
-    solve->right[i] = solve->weight[i] * (solve->b[row] - solve->product[row]);
-  }
-  solve_inner(solve, count);
-  tb_solve_product(solve, solve->scaled, solve->work);
-  for (uint32_t i = 0; i < count; i++) {
-    const uint32_t row = solve->active[i];
-    const double s = solve->b[row] - solve->product[row] - solve->work[row];
-    solve->force[row] += solve->slope[row] * s;
-  }
-  tb_solve_product(solve, solve->force, solve->product);
-}
-
-static void remedy(TbSolve *solve, TbSolveOutcome *outcome) {
-  outcome->capped = true;
-  if (correct_work(solve, outcome)) return;
-  outcome->fallback = true;
-  majorant_step(solve);
-  const WorkBalance h = work_balance(solve, 1.0);
-  if (h.value > balance_tolerance(h)) outcome->excess = h.value;
-}
-
-/* ---- the solve ------------------------------------------------------------------------------ */
-
-static double tolerance(const TbSolve *solve) {
+static double noise(const TbSolve *solve, uint32_t n) {
   double depth = 0.0;
-  for (uint32_t i = 0; i < total_rows(solve); i++) {
-    depth = solve->y[i] > depth ? solve->y[i] : depth;
+  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
+    depth = solve->row_y[i] > depth ? solve->row_y[i] : depth;
   }
   return RELATIVE_TOLERANCE * largest_magnitude(total_rows(solve), solve->b) +
          PENETRATION_TOLERANCE * depth;
 }
 
-/* s = b - M f over all rows, those of the padding included. */
-static void respond(TbSolve *solve) {
-  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
+static bool anything_acts(const TbSolve *solve) {
+  if (solve->slot_mask) {
+    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+      const uint32_t row = solve->stride + slot;
+      if (in_play(solve, slot) && solve->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
+      if (solve->y[row] > 0.0 || solve->y[row] + solve->b[row] > 0.0) return true;
+      if (solve->force[row] != 0.0) return true;
+    }
+  }
+  return solve->kernels->mark(solve->stride / 8, solve->y, solve->b, solve->force, solve->touch) >
+         0;
+}
+
+static void come_to_rest(TbSolve *solve) {
+  const size_t bytes = total_rows(solve) * sizeof(double);
+  memset(solve->force, 0, bytes);
+  memset(solve->product, 0, bytes);
+  memset(solve->grid, 0, solve->bed->size * sizeof(double));
+  memcpy(solve->s, solve->b, bytes);
+}
+
+/* Newton's iteration; true if it came to its end, with forces, product and s set. */
+static bool iterate(TbSolve *solve, TbSolveOutcome *outcome, uint32_t *n) {
+  _Alignas(64) double slots[TB_SLOTS];
+  double first = 0.0;
+  for (;;) {
+    const double miss = evaluate(solve, n);
+    if (miss == 0.0) return true;
+    if (outcome->iterations == 0) first = miss;
+    const bool near = outcome->iterations > 0 && miss <= solve->tolerance * first;
+    if (near && balance(solve, *n, 0.1)) return true;
+    if (solve->tolerance > 0.0 && outcome->iterations == solve->cap) return false;
+    const double error = find_residual(solve, *n, slots);
+    if (error <= noise(solve, *n)) {
+      take_forces(solve, *n, false, slots);
+      return true;
+    }
+    if (outcome->iterations == solve->cap) return false;
+    newton_step(solve, *n, slots);
+    outcome->iterations++;
+  }
+}
+
+static void remedy(TbSolve *solve, uint32_t n, TbSolveOutcome *outcome) {
+  outcome->capped = true;
+  if (balance(solve, n, 0.5)) {
+    outcome->corrected = true;
+    book_losses(solve, n, outcome);
+    return;
+  }
+  outcome->fallback = true;
+  majorant_step(solve, outcome);
 }
 
 TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
   const size_t bytes = total_rows(solve) * sizeof(double);
-  if (!could_touch(solve)) {
-    memset(solve->force, 0, bytes);
-    memset(solve->product, 0, bytes);
-    memcpy(solve->s, solve->b, bytes);
+  memset(solve->touch, 0, solve->stride / 8);
+  if (!anything_acts(solve)) {
+    come_to_rest(solve);
     return outcome;
   }
   outcome.contact = true;
   memcpy(solve->previous, solve->force, bytes);
-  respond(solve);
-  const double enough = tolerance(solve);
-  double error = evaluate(solve, &outcome.touching);
-  while (!(error <= enough) && outcome.iterations < solve->cap) {
-    newton_step(solve, outcome.touching);
-    outcome.iterations++;
-    error = evaluate(solve, &outcome.touching);
-  }
-  if (error <= enough) {
-    respond(solve);
+  memcpy(solve->previous_product, solve->product, bytes);
+  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
+  uint32_t n = 0;
+  if (iterate(solve, &outcome, &n)) {
+    book_losses(solve, n, &outcome);
   } else {
-    remedy(solve, &outcome);
+    remedy(solve, n, &outcome);
   }
+  outcome.touching = count_touching(solve, n);
+  const TbBlocks rows = {solve->blocks.begin, solve->blocks.wire, solve->row};
+  tb_bed_contract(solve->bed, solve->kernels, &rows, solve->force, solve->scratch, solve->grid);
   return outcome;
 }

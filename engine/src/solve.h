@@ -3,17 +3,21 @@
  *
  * s is the change of penetration over two steps, b what it would be without contact forces (with the
  * rest load M f_rest added), M the compliance over one step [m/N]: diagonal for what wires and
- * strikers yield themselves, plus the head's, which couples every point to every other. M is
- * symmetric positive definite and f grows with s, so there is one solution.
+ * strikers yield themselves, plus the head's, which couples every point to every other through the
+ * grid of bed.h. M is symmetric positive definite and f grows with s, so there is one solution.
  *
- * Newton: delta = -r - M D^(1/2) p with (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r over the points of
- * slope D > 0, by conjugate gradients; check: (I + M D) delta = -r.
+ * Newton from a pair s, f~ with s = b - M f~ (at first f~ are the last sample's forces): with f = f(s),
+ * r = M (f - f~) and slopes D, solve (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r by conjugate gradients;
+ * then f~ = f + D^(1/2) p, s = b - M f~. Products with M go over touching blocks of 8 rows alone.
+ *
+ * With `tolerance` 0 this goes on until r is rounding noise, and the forces are the laws' own. Else
+ * it ends when f(s) - f~ has fallen to that part of what it was at first, and f~ is moved along its
+ * change since the last sample, f~ + t g, to where the contacts take exactly the work that their laws
+ * say at s: Sum s (f(s) - f~) = 0 ("balance"). So energy is exact however early the iteration ends.
  *
  * A cap may never create energy. Where Newton has not converged,
- * 1. the forces are scaled by the gamma nearest 1 for which the contacts' potential grows by no more
- *    than the work done on them: h(gamma) = DV(b - gamma M f) - gamma f.(b - gamma M f) <= 0, convex
- *    in gamma;
- * 2. where no gamma does, one linear step over parabolas that lie above the potential ("majorant"),
+ * 1. the forces are balanced in the same way;
+ * 2. where no t does, one linear step over parabolas that lie above the potential ("majorant"),
  *    f = V'(y) + C s/2;
  * 3. `excess`, the energy that the outcome would still create, is reported, and the drum shortens the
  *    step (guard.h).
@@ -21,56 +25,64 @@
 #ifndef TB_SOLVE_H
 #define TB_SOLVE_H
 
-#include "kernels.h"
+#include "compliance.h"
 #include "law.h"
 #include "tabor/tabor.h"
 
-/* Strikers and hands, then a muffler for each head; a multiple of 8. */
+/* Strikers and hands, then a muffler for each head; blocks of 8. */
 #define TB_SLOTS 16u
+#define TB_SLOT_BLOCKS (TB_SLOTS / 8u)
 
-/* Rows 0 .. stride-1 are wire points (those from `wire_rows` on are padding), the TB_SLOTS rows after
- * them are strikers, hands and mufflers, of which `slot_mask` tells the ones in play. Rows that stand for nothing
- * have b = 0, y < 0 and no force, and their compliances are 0: loops may run over them. */
+/* Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of
+ * which `slot_mask` tells the ones in play. Rows that stand for nothing have y far below 0 and no force:
+ * loops may run over them. */
 typedef struct TbSolve {
   const TbKernels *kernels;
-  uint32_t wire_rows, stride, slot_mask;
+  const TbBed *bed;
+  const TbCompliance *compliance; /* the head's, between points of the grid */
+  uint32_t stride, slot_mask;
   uint32_t cap, inner_cap;
-  const double *compliance; /* [wire_rows][stride]: the head's, between wire points */
-  const double *coupling;   /* [TB_SLOTS][stride + TB_SLOTS]: the head's, of each slot */
-  const double *own;        /* [stride + TB_SLOTS]: the wires' and strikers' */
-  const uint8_t *row_wire;  /* [stride]: which wire's law a point has */
+  double tolerance, inner_tolerance;
+  const double *coupling;      /* [TB_SLOTS][bed size]: the head's at the grid, of each slot */
+  const double *slot_coupling; /* [TB_SLOTS][TB_SLOTS] */
+  const double *own;           /* [stride + TB_SLOTS]: the wires' and strikers' */
   const TbLaw *wire_laws, *slot_laws;
-  uint32_t stretch_count;  /* heads whose stretching makes M smaller: M - r^T W r, see stretch.h */
-  double *stretch_rows[2]; /* r, [stride + TB_SLOTS] each */
-  double stretch_weight[2][2]; /* W */
-  const double *b, *y;         /* [stride + TB_SLOTS] */
-  double *s;                   /* out */
-  double *force, *product;     /* f and M f: the last sample's on entry, this one's on return */
-  /* Scratch, the same length. */
-  double *previous, *slope, *residual, *scaled, *work;
-  double *direction, *turned, *weight, *right, *solution; /* of the touching rows alone */
-  uint32_t *active;
+  /* Heads whose stretching makes M smaller, M - r^T W r (stretch.h); r on the grid and at the slots. */
+  uint32_t stretch_count;
+  double *stretch_grid[2], stretch_weight[2][2];
+  _Alignas(64) double stretch_slots[2][TB_SLOTS];
+  const double *b, *y;     /* [stride + TB_SLOTS] */
+  double *s;               /* out */
+  double *force, *product; /* f and M f: the last sample's on entry, this one's on return */
+  double *grid;            /* [bed size]: f on the grid, of this sample's forces on return */
+  /* Scratch: [stride + TB_SLOTS] */
+  double *previous, *previous_product;
+  double *row_y, *row_s, *law_force, *slope, *mean; /* of the blocks, as are all below */
+  double *residual, *direction, *turned, *weight, *solution, *work;
+  /* [bed size] */
+  double *response, *pushed, *answer;
+  double *scratch; /* [tb_bed_scratch] */
+  uint8_t *touch;  /* [stride/8] */
+  uint32_t *row;   /* [stride/8 + TB_SLOT_BLOCKS]: first row of each block */
+  TbBlocks blocks;
 } TbSolve;
 
 typedef struct TbSolveOutcome {
   uint32_t iterations, touching;
   bool contact; /* false: nothing could touch and all forces are zero */
   bool capped, corrected, fallback;
+  double contact_loss, damper_loss; /* of the laws, per step [J] */
   double excess; /* energy that these forces would create [J], 0 unless both remedies failed */
 } TbSolveOutcome;
 
 TbSolveOutcome tb_solve(TbSolve *solve);
 
-/* out = M x; the rest load is computed by this too, so that it cancels to the bit. */
-void tb_solve_product(const TbSolve *solve, const double *x, double *out);
+/* out = M x; the rest load is computed by this too, so that it cancels to the bit. `grid` receives x
+ * on the grid. */
+void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
 
-/* out -= r^T W r x, what the stretching of the heads takes from M x. */
-void tb_solve_stretch(const TbSolve *solve, const double *x, double *out);
-
-/* The law of a row. */
-static inline const TbLaw *tb_solve_law(const TbSolve *solve, uint32_t row) {
-  return row < solve->stride ? &solve->wire_laws[solve->row_wire[row]]
-                             : &solve->slot_laws[row - solve->stride];
-}
+/* What the stretching of the heads takes from their answer to forces on the grid and at the slots. */
+void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *slots,
+                      double *answer, double *out);
 
 #endif

@@ -14,6 +14,7 @@ static size_t place(size_t *total, size_t count) {
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   const size_t modes = model->modes.padded, nodes = model->wires.node_count;
   const size_t rows = model->wires.stride + TB_SLOTS;
+  const TbBed *bed = &model->projection.bed;
   *layout = (TbLayout){0};
   size_t total = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
   for (int phase = 0; phase < 3; phase++) {
@@ -23,26 +24,37 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   }
   layout->bend = place(&total, nodes);
   layout->bend_last = place(&total, nodes);
-  size_t *const row_arrays[] = {
-    &layout->eta_free, &layout->rest_load, &layout->own,       &layout->force,  &layout->product,
-    &layout->b,        &layout->s,         &layout->previous,  &layout->slope,  &layout->residual,
-    &layout->scaled,   &layout->work,      &layout->direction, &layout->turned, &layout->weight,
-    &layout->right,    &layout->solution,  &layout->active};
+  size_t *const row_arrays[] = {&layout->head,      &layout->rest_load, &layout->own,
+                                &layout->b,         &layout->s,         &layout->force,
+                                &layout->product,   &layout->previous,  &layout->previous_product,
+                                &layout->row_y,     &layout->row_s,     &layout->law_force,
+                                &layout->slope,     &layout->mean,      &layout->residual,
+                                &layout->direction, &layout->turned,    &layout->weight,
+                                &layout->solution,  &layout->work};
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
+  size_t *const grid_arrays[] = {&layout->grid, &layout->change, &layout->response, &layout->pushed,
+                                 &layout->answer};
+  for (size_t i = 0; i < sizeof grid_arrays / sizeof *grid_arrays; i++) {
+    *grid_arrays[i] = place(&total, bed->size);
+  }
+  layout->scratch = place(&total, tb_bed_scratch(bed));
+  size_t *const lists[] = {&layout->touch, &layout->row, &layout->block_begin, &layout->block_wire,
+                           &layout->block_at};
+  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) *lists[i] = place(&total, rows / 8 + 1);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_groups = place(&total, TB_HIGH_GROUPS);
   layout->high_force = place(&total, model->high.padded);
+  layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_y[h] = place(&total, modes);
     layout->stretch_pull[h] = place(&total, modes);
-    layout->stretch_rows[h] = place(&total, rows);
+    layout->stretch_grid[h] = place(&total, bed->size);
   }
-  layout->fold = place(&total, tb_projection_scratch(&model->projection));
-  layout->modal = place(&total, modes);
-  layout->coupling = place(&total, TB_SLOTS * rows);
+  layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
+  layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
   layout->shape = place(&total, TB_SLOTS * modes);
   layout->drive = place(&total, TB_SLOTS * modes);
   layout->radial = place(&total, model->head.row_count);
@@ -72,60 +84,80 @@ static void view_phases(TbView *view) {
   view->solve.y = view->last.eta;
 }
 
+static TbSolve solve_at(TbState *state, const TaborModel *model) {
+  const TbLayout *l = &model->layout;
+  return (TbSolve){.kernels = model->kernels,
+                   .bed = &model->projection.bed,
+                   .compliance = &model->compliance,
+                   .stride = model->wires.stride,
+                   .slot_mask = state->slot_mask,
+                   .cap = model->newton_cap,
+                   .inner_cap = model->inner_cap,
+                   .tolerance = model->tolerance,
+                   .inner_tolerance = model->inner_tolerance,
+                   .coupling = at(state, l->coupling),
+                   .slot_coupling = at(state, l->slot_coupling),
+                   .own = at(state, l->own),
+                   .wire_laws = model->wires.laws,
+                   .slot_laws = state->slot_laws,
+                   .b = at(state, l->b),
+                   .s = at(state, l->s),
+                   .force = at(state, l->force),
+                   .product = at(state, l->product),
+                   .grid = at(state, l->grid),
+                   .previous = at(state, l->previous),
+                   .previous_product = at(state, l->previous_product),
+                   .row_y = at(state, l->row_y),
+                   .row_s = at(state, l->row_s),
+                   .law_force = at(state, l->law_force),
+                   .slope = at(state, l->slope),
+                   .mean = at(state, l->mean),
+                   .residual = at(state, l->residual),
+                   .direction = at(state, l->direction),
+                   .turned = at(state, l->turned),
+                   .weight = at(state, l->weight),
+                   .solution = at(state, l->solution),
+                   .work = at(state, l->work),
+                   .response = at(state, l->response),
+                   .pushed = at(state, l->pushed),
+                   .answer = at(state, l->answer),
+                   .scratch = at(state, l->scratch),
+                   .touch = (uint8_t *)at(state, l->touch),
+                   .row = (uint32_t *)(void *)at(state, l->row),
+                   .blocks = {.begin = (uint32_t *)(void *)at(state, l->block_begin),
+                              .wire = (uint32_t *)(void *)at(state, l->block_wire),
+                              .at = (uint32_t *)(void *)at(state, l->block_at)}};
+}
+
 TbView tb_view(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
   TbView view = {.model = model,
                  .state = state,
                  .bend = at(state, l->bend),
                  .bend_last = at(state, l->bend_last),
-                 .eta_free = at(state, l->eta_free),
+                 .head = at(state, l->head),
                  .rest_load = at(state, l->rest_load),
                  .own = at(state, l->own),
                  .b = at(state, l->b),
                  .s = at(state, l->s),
-                 .fold = at(state, l->fold),
+                 .change = at(state, l->change),
                  .modal = at(state, l->modal),
                  .high_drive = at(state, l->high_drive),
                  .high_groups = at(state, l->high_groups),
                  .high_force = at(state, l->high_force),
                  .coupling = at(state, l->coupling),
+                 .slot_coupling = at(state, l->slot_coupling),
                  .shape = at(state, l->shape),
                  .drive = at(state, l->drive),
-                 .radial = at(state, l->radial)};
+                 .radial = at(state, l->radial),
+                 .solve = solve_at(state, model)};
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     view.delay[mic] = at(state, l->delay[mic]);
   }
-  view.solve = (TbSolve){.kernels = model->kernels,
-                         .wire_rows = model->wires.row_count,
-                         .stride = model->wires.stride,
-                         .slot_mask = state->slot_mask,
-                         .cap = model->newton_cap,
-                         .inner_cap = model->inner_cap,
-                         .compliance = model->compliance,
-                         .coupling = view.coupling,
-                         .own = view.own,
-                         .row_wire = model->wires.row_wire,
-                         .wire_laws = model->wires.laws,
-                         .slot_laws = state->slot_laws,
-                         .b = view.b,
-                         .s = view.s,
-                         .force = at(state, l->force),
-                         .product = at(state, l->product),
-                         .previous = at(state, l->previous),
-                         .slope = at(state, l->slope),
-                         .residual = at(state, l->residual),
-                         .scaled = at(state, l->scaled),
-                         .work = at(state, l->work),
-                         .direction = at(state, l->direction),
-                         .turned = at(state, l->turned),
-                         .weight = at(state, l->weight),
-                         .right = at(state, l->right),
-                         .solution = at(state, l->solution),
-                         .active = (uint32_t *)(void *)at(state, l->active)};
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_y[h] = at(state, l->stretch_y[h]);
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
-    view.solve.stretch_rows[h] = at(state, l->stretch_rows[h]);
+    view.solve.stretch_grid[h] = at(state, l->stretch_grid[h]);
   }
   view_phases(&view);
   return view;
@@ -143,7 +175,7 @@ void tb_state_reset(TbState *state, const TaborModel *model) {
   TbView view = tb_view(state, model);
   const TbWires *wires = &model->wires;
   for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {
-    const bool real = row < wires->row_count;
+    const bool real = row < wires->stride;
     const double eta = real ? model->rest.eta[row] : TB_NOTHING;
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
     view.solve.force[row] = real ? model->rest.force[row] : 0.0;

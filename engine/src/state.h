@@ -26,7 +26,7 @@ typedef struct TbLive {
 } TbLive;
 
 /* Penetration of a row that stands for nothing: see TbSolve [m]. */
-#define TB_NOTHING (-1.0)
+#define TB_NOTHING (-1e3)
 
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
@@ -78,12 +78,12 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *bend, *bend_last, *eta_free, *rest_load, *own, *b, *s;
-  double *fold, *modal; /* scratch of the projection */
+  double *bend, *bend_last, *head, *rest_load, *own, *b, *s;
+  double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   double *high_drive, *high_groups, *high_force;
   double *stretch_y[2], *stretch_pull[2]; /* [padded]: see stretch.h */
   double stretch_s2[2][2], stretch_free[2];
-  double *coupling, *shape, *drive, *radial;
+  double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;
 } TbView;
@@ -109,7 +109,7 @@ static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
   return view->high_drive + (size_t)slot * view->model->high.padded;
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
-  return view->coupling + (size_t)slot * (view->model->wires.stride + TB_SLOTS);
+  return view->coupling + (size_t)slot * view->model->projection.bed.size;
 }
 
 #endif

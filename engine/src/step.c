@@ -11,24 +11,29 @@
 #include "stretch.h"
 #include "treble.h"
 
+static void free_wire(TbView *view, uint32_t w) {
+  const TaborModel *model = view->model;
+  const TbWire *wire = &model->wires.wires[w];
+  const TbWireCoefficients *c = &view->state->wires[w];
+  const uint32_t row = w * model->wires.lanes, at = row + TB_WIRE_FRONT;
+  double five[5];
+  tb_wire_step_coefficients(c, five);
+  model->kernels->wire_step(model->wires.lanes, five, model->wires.inner + row, view->now.v + at,
+                            view->last.v + at, view->bend + at, view->bend_last + at,
+                            view->next.v + at);
+  if (c->tension == wire->tension) return;
+  /* The shape at rest is bent: a tension other than the rest's pulls it. */
+  const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
+  model->kernels->add_scaled(model->wires.lanes, view->next.v + at, pull, model->rest.bend + at);
+}
+
 /* Where head and wires would be without contact forces, into view->next. */
 static void free_motion(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
   model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
                            view->last.q);
-  for (uint32_t w = 0; w < model->wires.count; w++) {
-    const TbWire *wire = &model->wires.wires[w];
-    const TbWireCoefficients *c = &view->state->wires[w];
-    const uint32_t at = wire->first_node;
-    tb_wire_free(wire, c, view->now.v + at, view->last.v + at, view->next.v + at, view->bend + at,
-                 view->bend_last + at);
-    if (c->tension == wire->tension) continue;
-    /* The shape at rest is bent: a tension other than the rest's pulls it. */
-    const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
-    for (uint32_t i = 1; i < wire->cells; i++)
-      view->next.v[at + i] += pull * model->rest.bend[at + i];
-  }
+  for (uint32_t w = 0; w < model->wires.count; w++) free_wire(view, w);
 }
 
 /* b = change of penetration over two steps without contact forces, with the rest load. */
@@ -36,21 +41,24 @@ static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   const TbKernels *kernels = model->kernels;
-  const uint32_t stride = wires->stride;
-  double *eta = view->eta_free;
-  tb_project(&model->projection, kernels, view->next.q, view->fold, eta);
-  for (uint32_t row = 0; row < wires->row_count; row++) {
-    const double deviation = wires->side * eta[row] - view->next.v[wires->row_node[row]];
-    eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
-    view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
+  const TbBed *bed = &model->projection.bed;
+  _Alignas(64) double slots[TB_SLOTS];
+  tb_project(&model->projection, kernels, view->next.q, view->change);
+  tb_stretch_rest_load(view, slots);
+  tb_bed_expand(bed, kernels, &bed->all, view->change, view->solve.scratch, view->head);
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const uint32_t at = w * wires->lanes;
+    kernels->penetrate(wires->lanes, wires->side, view->state->shift[w], view->head + at,
+                       view->next.v + at + TB_WIRE_FRONT, model->rest.eta + at, view->last.eta + at,
+                       view->rest_load + at, view->b + at);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
-    const uint32_t row = stride + i;
+    const uint32_t row = wires->stride + i;
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
     const bool striker = view->state->slots[i].kind == TB_SLOT_STRIKER;
-    eta[row] = striker ? head - tb_slots_free_height(view, i) : head;
-    view->b[row] = (eta[row] - view->last.eta[row]) + view->rest_load[row];
+    const double eta = striker ? head - tb_slots_free_height(view, i) : head;
+    view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
 }
 
@@ -62,14 +70,12 @@ static void respond(TbView *view) {
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = wires->stride;
   const double *force = view->solve.force;
-  double *change = view->solve.work; /* forces counted from rest */
-  for (uint32_t row = 0; row < stride; row++) change[row] = 0.0;
-  for (uint32_t row = 0; row < wires->row_count; row++) {
-    change[row] = force[row] - model->rest.force[row];
-    view->next.v[wires->row_node[row]] += view->own[row] * change[row];
-    view->next.eta[row] = view->last.eta[row] + view->s[row];
+  kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
+                view->next.v + TB_WIRE_FRONT, view->next.eta);
+  for (uint32_t i = 0; i < model->projection.bed.size; i++) {
+    view->change[i] = view->solve.grid[i] - model->rest.grid[i];
   }
-  tb_project_forces(&model->projection, kernels, change, view->fold, view->modal);
+  tb_project_forces(&model->projection, kernels, view->change, view->modal);
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
@@ -80,33 +86,6 @@ static void respond(TbView *view) {
     view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
-}
-
-/* What the contacts' own laws lose at s, hands apart. Where Newton has not converged the forces are
- * not quite the laws', and the laws' losses count only as far as the work done really covers them. */
-static void book_contacts(TbView *view, const TbSolveOutcome *outcome) {
-  const TbSolve *solve = &view->solve;
-  double contact = 0.0, damper = 0.0, covered = 0.0;
-  for (uint32_t row = 0; row < solve->stride + TB_SLOTS; row++) {
-    const double y = view->last.eta[row], s = view->s[row], force = solve->force[row];
-    const bool real = row < solve->stride
-                        ? row < solve->wire_rows
-                        : view->state->slots[row - solve->stride].kind != TB_SLOT_FREE;
-    if (!real || (force == 0.0 && y <= 0.0 && y + s <= 0.0)) continue;
-    const TbLaw *law = tb_solve_law(solve, row);
-    double *sum = law->kind == TB_LAW_DAMPER ? &damper : &contact;
-    if (!outcome->capped) {
-      *sum += tb_law_loss_of(law, y, s, force);
-    } else {
-      *sum += tb_law_loss(law, y, s);
-      covered += 0.5 * (force * s - tb_law_work(law, y, s));
-    }
-  }
-  const double lost = contact + damper;
-  double part = 1.0;
-  if (outcome->capped && lost > covered) part = covered > 0.0 ? covered / lost : 0.0;
-  view->state->sums.contact_loss += part * contact;
-  view->state->sums.damper_loss += part * damper;
 }
 
 static void book_losses(TbView *view) {
@@ -149,9 +128,9 @@ static void drive_high(TbView *view) {
   kernels->two_step(high->padded, view->next.high, high->a, view->now.high, high->b,
                     view->last.high);
   const double *force = view->solve.force;
-  if (model->wires.row_count > 0) {
+  if (model->wires.count > 0) {
     for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
-    for (uint32_t row = 0; row < model->wires.row_count; row++) {
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->high_groups[high->row_group[row]] += force[row] - model->rest.force[row];
     }
     const uint32_t from = high->begin[model->wires.head];
@@ -187,13 +166,15 @@ void tb_step(TbView *view, double *pressure) {
   free_motion(view);
   tb_stretch_free(view);
   free_penetration(view);
-  tb_stretch_rest_load(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   respond(view);
   tb_stretch_respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
-  if (!shortened && outcome.contact) book_contacts(view, &outcome);
+  if (!shortened) {
+    view->state->sums.contact_loss += outcome.contact_loss;
+    view->state->sums.damper_loss += outcome.damper_loss;
+  }
   book_losses(view);
   drive_high(view);
   listen(view, pressure);
@@ -236,14 +217,14 @@ static void fall_asleep(TbView *view) {
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
-    for (uint32_t row = 0; row < model->wires.row_count; row++) {
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
       view->solve.force[row] = model->rest.force[row];
     }
     for (uint32_t i = 0; i < TB_SLOTS; i++) {
       if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
     }
-    tb_solve_product(&view->solve, view->solve.force, view->solve.product);
+    tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
   }
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));

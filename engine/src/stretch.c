@@ -121,19 +121,20 @@ static void apply(TbView *view, const double t[2]) {
   }
 }
 
-/* r = Y^T g Phi at every contact: wire points with their side's sign, then strikers and hands. */
+/* r = Y^T g Phi, Phi signed as penetrations are: on the grid under the wires, and at the slots. */
 static void prepare_rows(TbView *view) {
   const TaborModel *model = view->model;
-  const uint32_t stride = model->wires.stride;
+  const uint32_t size = model->projection.bed.size;
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    double *r = view->solve.stretch_rows[h];
-    tb_project(&model->projection, model->kernels, view->stretch_pull[h], view->fold, r);
+    double *grid = view->solve.stretch_grid[h];
+    tb_project(&model->projection, model->kernels, view->stretch_pull[h], grid);
     const double scale = model->wires.side / model->stretch.factor[h];
-    for (uint32_t row = 0; row < stride; row++) r[row] *= scale;
+    for (uint32_t i = 0; i < size; i++) grid[i] *= scale;
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-      r[stride + slot] = 0.0;
+      double *r = &view->solve.stretch_slots[h][slot];
+      *r = 0.0;
       if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-      r[stride + slot] = dot(model, tb_slot_drive(view, slot), view->stretch_y[h]);
+      *r = dot(model, tb_slot_drive(view, slot), view->stretch_y[h]);
     }
   }
 }
@@ -165,10 +166,16 @@ void tb_stretch_free(TbView *view) {
   prepare_rows(view);
 }
 
-void tb_stretch_rest_load(TbView *view) {
-  const TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->model->wires.row_count == 0) return;
-  tb_solve_stretch(solve, view->model->rest.force, view->b);
+void tb_stretch_rest_load(TbView *view, double *slots) {
+  static const _Alignas(64) double none[TB_SLOTS] = {0.0};
+  const TaborModel *model = view->model;
+  TbSolve *solve = &view->solve;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
+  if (solve->stretch_count == 0 || model->wires.count == 0) return;
+  const uint32_t size = model->projection.bed.size;
+  for (uint32_t i = 0; i < size; i++) solve->answer[i] = 0.0;
+  tb_solve_stretch(solve, model->rest.grid, none, solve->answer, slots);
+  model->kernels->add_scaled(size, view->change, model->wires.side, solve->answer);
 }
 
 void tb_stretch_respond(TbView *view) {

@@ -25,8 +25,9 @@ TaborStatus tb_stretch_prepare(TaborModel *model);
 
 /* After the modes' free motion, before the contacts: adds the force, prepares r and W. */
 void tb_stretch_free(TbView *view);
-/* Once b is known: what the forces at rest do to it, since M f_rest knows nothing of the stretch. */
-void tb_stretch_rest_load(TbView *view);
+/* What the forces at rest do beyond M f_rest, which knows nothing of the stretch: adds it to the head's
+ * motion on the grid (view->change), and slots[TB_SLOTS] receives it for the strikers' b. */
+void tb_stretch_rest_load(TbView *view, double *slots);
 /* After the contacts have moved the modes: adds their part of theta. */
 void tb_stretch_respond(TbView *view);
 /* Energy stored between two instants [J]. */

@@ -133,12 +133,13 @@ static void carry_live(const TbView *from, TbView *to) {
 static void eta_of_wires(TbView *view, TbPhase *phase) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
-  tb_project(&model->projection, model->kernels, phase->q, view->fold, phase->eta);
-  for (uint32_t row = 0; row < wires->row_count; row++) {
-    const double deviation = wires->side * phase->eta[row] - phase->v[wires->row_node[row]];
+  const TbBed *bed = &model->projection.bed;
+  tb_project(&model->projection, model->kernels, phase->q, view->change);
+  tb_bed_expand(bed, model->kernels, &bed->all, view->change, view->solve.scratch, phase->eta);
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
     phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
   }
-  for (uint32_t row = wires->row_count; row < wires->stride; row++) phase->eta[row] = TB_NOTHING;
 }
 
 /* Penetrations follow from displacements; where nothing changed they are the same to the bit. */

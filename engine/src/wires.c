@@ -71,6 +71,26 @@ static TaborStatus wire_prepare(TbWire *wire, const TaborDrumDef *def, uint32_t 
                         "length of %g m is below four steps of %g m",
                         (unsigned)(index + 1), own.length, spacing);
   }
+  return TABOR_OK;
+}
+
+/* Wires of one length get the grid that suits all of them, so that their nodes lie side by side. */
+static void align(TbWires *wires) {
+  uint32_t fewest[TABOR_MAX_WIRES];
+  for (uint32_t w = 0; w < wires->count; w++) {
+    fewest[w] = wires->wires[w].cells;
+    for (uint32_t other = 0; other < wires->count; other++) {
+      const TbWire *o = &wires->wires[other];
+      if (o->length == wires->wires[w].length && o->cells < fewest[w]) fewest[w] = o->cells;
+    }
+  }
+  for (uint32_t w = 0; w < wires->count; w++) wires->wires[w].cells = fewest[w];
+}
+
+/* Nodes and contact points of a wire with its number of cells. */
+static void lay(TbWire *wire, const TaborDrumDef *def, uint32_t index) {
+  TaborWireDef own;
+  tb_wire_resolve(def, index, &own);
   wire->spacing = wire->length / (double)wire->cells;
   place(wire, def, &own);
   double x, y;
@@ -79,27 +99,55 @@ static TaborStatus wire_prepare(TbWire *wire, const TaborDrumDef *def, uint32_t 
     if (wire->row_count == 0) wire->row_node = node;
     wire->row_count++; /* a chord crosses the disc once: consecutive nodes */
   }
-  return TABOR_OK;
+}
+
+/* Lane of a wire's node 1. */
+static uint32_t first_lane(const TbWires *wires, const TbWire *wire) {
+  return wires->middle + 1u - wire->cells / 2;
+}
+
+static void wire_rows(TbWires *wires, uint32_t w, double radius) {
+  TbWire *wire = &wires->wires[w];
+  const uint32_t first = w * wires->lanes + first_lane(wires, wire);
+  wire->first_node = first + TB_WIRE_FRONT - 1u;
+  wire->first_row = first + wire->row_node - 1u;
+  for (uint32_t lane = 0; lane < wires->lanes; lane++) {
+    const uint32_t row = w * wires->lanes + lane, node = row - first + 1u; /* wraps below node 0 */
+    wires->row_wire[row] = (uint8_t)w;
+    const double steps = (double)lane - (double)wires->middle;
+    wires->row_x[row] = wire->x + steps * wire->dx;
+    wires->row_y[row] = wire->y + steps * wire->dy;
+    if (node == 0 || node >= wire->cells) continue;
+    double x, y;
+    wires->inner[row] = 1.0;
+    wires->real[row] = node_place(wire, node, radius, &x, &y) ? 1.0 : 0.0;
+  }
 }
 
 static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
-  wires->stride = tb_pad(wires->row_count);
-  wires->node_count = tb_pad(wires->node_count);
+  wires->stride = wires->count * wires->lanes;
+  wires->node_count = wires->stride + 2u * TB_WIRE_FRONT;
   wires->row_wire = tb_arena_take(arena, wires->stride, sizeof *wires->row_wire);
-  wires->row_node = tb_arena_take(arena, wires->stride, sizeof *wires->row_node);
-  wires->row_x = tb_arena_doubles(arena, wires->stride);
-  wires->row_y = tb_arena_doubles(arena, wires->stride);
-  if (arena->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t w = 0; w < wires->count; w++) {
-    const TbWire *wire = &wires->wires[w];
-    for (uint32_t i = 0; i < wire->row_count; i++) {
-      const uint32_t row = wire->first_row + i, node = wire->row_node + i;
-      wires->row_wire[row] = (uint8_t)w;
-      wires->row_node[row] = wire->first_node + node;
-      node_place(wire, node, radius, &wires->row_x[row], &wires->row_y[row]);
-    }
+  double **arrays[] = {&wires->inner, &wires->real, &wires->row_x, &wires->row_y};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+    *arrays[i] = tb_arena_doubles(arena, wires->stride);
   }
+  if (arena->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t w = 0; w < wires->count; w++) wire_rows(wires, w, radius);
   return TABOR_OK;
+}
+
+static void find_symmetries(TbWires *wires) {
+  wires->mirrored = wires->aligned = wires->balanced = true;
+  const TbWire *first = wires->wires;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w], *image = &wires->wires[wires->count - 1 - w];
+    wires->mirrored = wires->mirrored && wire->dy == 0.0 && wire->x == 0.0;
+    wires->aligned = wires->aligned && wire->cells == first->cells && wire->dx == first->dx;
+    wires->balanced = wires->balanced && fabs(wire->y + image->y) <= 1e-12;
+  }
+  wires->aligned = wires->aligned && wires->mirrored;
+  wires->balanced = wires->balanced && wires->aligned && wires->count > 1;
 }
 
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
@@ -109,21 +157,25 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
                      .count = def->wires.count,
                      .side = above ? 1.0 : -1.0,
                      .gravity = above ? -def->air.gravity : def->air.gravity,
-                     .strainer_travel = def->wires.strainer_travel,
-                     .mirrored = true};
+                     .strainer_travel = def->wires.strainer_travel};
   wires->wires = tb_arena_take(arena, wires->count, sizeof *wires->wires);
   wires->laws = tb_arena_take(arena, wires->count, sizeof *wires->laws);
   if (arena->failed) return TABOR_ERROR_MEMORY;
+  uint32_t cells = 0;
   for (uint32_t w = 0; w < wires->count; w++) {
     TbWire *wire = &wires->wires[w];
     const TaborStatus status = wire_prepare(wire, def, w, time_step, most_cells, error);
     if (status != TABOR_OK) return status;
-    wire->first_node = wires->node_count;
-    wire->first_row = wires->row_count;
-    wires->node_count += wire->cells + 1;
-    wires->row_count += wire->row_count;
-    wires->mirrored = wires->mirrored && wire->dy == 0.0 && wire->x == 0.0;
+    if (wire->cells > cells) cells = wire->cells;
   }
+  align(wires);
+  for (uint32_t w = 0; w < wires->count; w++) {
+    lay(&wires->wires[w], def, w);
+    wires->contact_points += wires->wires[w].row_count;
+  }
+  wires->lanes = tb_pad(cells);
+  wires->middle = cells ? cells / 2 - 1u : 0;
+  find_symmetries(wires);
   return rows_prepare(wires, arena, def->shell.radius);
 }
 
@@ -144,25 +196,12 @@ void tb_wire_coefficients(const TbWire *wire, double k, double tension, double d
   };
 }
 
-/* Second differences, 0 at the hinged ends. */
-static void second_difference(uint32_t cells, const double *restrict v, double *restrict out) {
-  out[0] = out[cells] = 0.0;
-  for (uint32_t i = 1; i < cells; i++) out[i] = (v[i - 1] - v[i]) + (v[i + 1] - v[i]);
-}
-
-void tb_wire_free(const TbWire *wire, const TbWireCoefficients *c, const double *restrict now,
-                  const double *restrict last, double *restrict free, double *restrict bend,
-                  double *restrict bend_last) {
-  const uint32_t cells = wire->cells;
-  second_difference(cells, now, bend);
-  second_difference(cells, last, bend_last);
-  free[0] = free[cells] = 0.0;
-  for (uint32_t i = 1; i < cells; i++) {
-    const double fourth = (bend[i - 1] - bend[i]) + (bend[i + 1] - bend[i]);
-    const double force =
-      c->stretch * bend[i] - c->bend * fourth + c->diffuse * (bend[i] - bend_last[i]);
-    free[i] = c->gain * (2.0 * now[i] - c->keep * last[i] + force);
-  }
+void tb_wire_step_coefficients(const TbWireCoefficients *c, double *five) {
+  five[0] = c->gain;
+  five[1] = c->keep;
+  five[2] = c->stretch;
+  five[3] = c->bend;
+  five[4] = c->diffuse;
 }
 
 double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k, const double *next,
@@ -186,14 +225,8 @@ double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k,
          0.25 * c->damping_1 * mu * k / h * diffuse;
 }
 
-double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double k, const double *next,
-                    const double *last) {
-  double plain = 0.0, sloped = 0.0;
-  for (uint32_t i = 0; i < wire->cells; i++) {
-    const double v = next[i] - last[i], w = next[i + 1] - last[i + 1];
-    plain += v * v;
-    sloped += (w - v) * (w - v);
-  }
+double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double k, TbPair sums) {
   const double scale = wire->mass_per_length / (4.0 * k);
-  return scale * (c->damping_0 * wire->spacing * plain + c->damping_1 / wire->spacing * sloped);
+  return scale *
+         (c->damping_0 * wire->spacing * sums.first + c->damping_1 / wire->spacing * sums.second);
 }

@@ -17,6 +17,7 @@
 #define TB_WIRES_H
 
 #include "arena.h"
+#include "kernels.h"
 #include "law.h"
 
 /* Live values reach this many times the definition's before the grid must be rebuilt. */
@@ -40,16 +41,26 @@ typedef struct TbWire {
   bool own_tension, own_damping_0, own_damping_1, own_rest_offset; /* do not follow [wires] */
 } TbWire;
 
+/* Each wire has `lanes` rows, one per inner node, the middle node of every wire in the same lane; at
+ * least one lane is left over, so that a zero end lies between neighbours. Row r is node r +
+ * TB_WIRE_FRONT. Rows without a node, or with one beside the head, stand for nothing. */
+#define TB_WIRE_FRONT 8u
+
 typedef struct TbWires {
-  uint32_t head;              /* a TaborHead */
-  uint32_t count, node_count; /* nodes of all wires, padded */
-  uint32_t row_count, stride; /* contact points; padded */
-  bool mirrored;              /* every wire is its own image under x -> -x */
+  uint32_t head;           /* a TaborHead */
+  uint32_t count, lanes;   /* lanes: a multiple of 8 */
+  uint32_t stride;         /* rows: count * lanes */
+  uint32_t node_count;     /* with the zeros before the first and after the last row */
+  uint32_t contact_points; /* rows that stand for something */
+  uint32_t middle;         /* lane of every wire's middle node */
+  bool mirrored;           /* every wire is its own image under x -> -x */
+  bool aligned;            /* and equal lanes have equal x */
+  bool balanced;           /* and wire w is the image of wire count-1-w under y -> -y */
   TbWire *wires;
   TbLaw *laws;            /* [count] */
   uint8_t *row_wire;      /* [stride] */
-  uint32_t *row_node;     /* [stride]: node among all nodes */
-  double *row_x, *row_y;  /* [stride]: place on the head, +x along wires.angle [m] */
+  double *inner, *real;   /* [stride]: 1 for an inner node, and for one over the head, else 0 */
+  double *row_x, *row_y;  /* [stride]: place, +x along wires.angle [m] */
   double side;            /* +1 above the head, -1 below */
   double gravity;         /* outward acceleration [m/s2]: -g above, +g below */
   double strainer_travel; /* [m] */
@@ -70,17 +81,15 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
 void tb_wire_coefficients(const TbWire *wire, double time_step, double tension, double damping_0,
                           double damping_1, TbWireCoefficients *coefficients);
 
-/* v+ without contact forces: free[] from now[] and last[], all [N + 1] with their zero ends. `bend`,
- * `bend_last` are scratch of the same length. `push` [N + 1] is added (NULL for none) [m]. */
-void tb_wire_free(const TbWire *wire, const TbWireCoefficients *c, const double *now,
-                  const double *last, double *free, double *bend, double *bend_last);
+/* Coefficients in the order in which TbKernels.wire_step takes them. */
+void tb_wire_step_coefficients(const TbWireCoefficients *c, double *five);
 
 /* Energy [J] stored between two successive states of one wire. */
 double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double time_step,
                       const double *next, const double *now);
 
-/* Energy [J] lost in the step from last to next. */
-double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double time_step,
-                    const double *next, const double *last);
+/* Energy [J] lost in a step: Sum (v+ - v-)^2 and Sum (d(v+ - v-))^2 as TbKernels.wire_losses gives
+ * them. */
+double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double time_step, TbPair sums);
 
 #endif

@@ -7,7 +7,16 @@ set(TABOR_PRESETS
     frame-drum
     bodhran-piano-string
     bodhran-d-string
-    bodhran-d-string-tensioned)
+    bodhran-d-string-tensioned
+    snare-14x5.5
+    snare-14x5.5-off
+    snare-14x6.5-loose
+    piccolo-13x3.5
+    marching-14x12
+    tom-12
+    floor-tom-16
+    bass-drum-22
+    timpani-26)
 
 list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VARIABLE TABOR_PRESET_FILES)
 list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")

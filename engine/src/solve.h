@@ -55,9 +55,9 @@ typedef struct TbSolve {
   double *residual, *direction, *turned, *weight, *solution, *work;
   /* [bed size] */
   double *response, *pushed, *answer;
-  double *scratch; /* [tb_bed_scratch] */
-  uint8_t *touch;  /* [stride/8] */
-  uint32_t *row;   /* [stride/8]: first row of each block */
+  double *scratch;      /* [tb_bed_scratch] */
+  uint8_t *touch;       /* [stride/8] */
+  uint32_t *row, *wire; /* [stride/8 + 1]: first row of each listed block, and its wire */
   TbBlocks blocks;
 } TbSolve;
 

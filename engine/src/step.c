@@ -58,8 +58,9 @@ static void free_penetration(TbView *view) {
   }
 }
 
-/* Adds what the contact forces do to the free motion in view->next. */
-static void respond(TbView *view) {
+/* Adds what the contact forces do to the free motion in view->next; `unchanged` if they are those of the
+ * last step. */
+static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   const TbModes *modes = &model->modes;
@@ -68,10 +69,12 @@ static void respond(TbView *view) {
   const double *force = view->solve.force;
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
-  for (uint32_t i = 0; i < model->projection.bed.size; i++) {
-    view->change[i] = view->solve.grid[i] - model->rest.grid[i];
+  if (!unchanged) {
+    for (uint32_t i = 0; i < model->projection.bed.size; i++) {
+      view->change[i] = view->solve.grid[i] - model->rest.grid[i];
+    }
+    tb_project_forces(&model->projection, kernels, view->change, view->modal);
   }
-  tb_project_forces(&model->projection, kernels, view->change, view->modal);
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
@@ -114,8 +117,20 @@ static double delayed(TbView *view, uint32_t mic, double value) {
   return view->delay[mic][*at];
 }
 
+/* What the wires' forces do to the high band. */
+static void gather_high(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbHighBand *high = &model->high;
+  for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
+  for (uint32_t row = 0; row < model->wires.stride; row++) {
+    view->high_groups[high->row_group[row]] += view->solve.force[row] - model->rest.force[row];
+  }
+  model->kernels->multiply(high->padded / 8, TB_HIGH_GROUPS, view->high_force, high->push,
+                           view->high_groups);
+}
+
 /* The high band hears the contact forces, counted from rest; it does not answer. */
-static void drive_high(TbView *view) {
+static void drive_high(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbHighBand *high = &model->high;
   const TbKernels *kernels = model->kernels;
@@ -124,13 +139,8 @@ static void drive_high(TbView *view) {
                     view->last.high);
   const double *force = view->solve.force;
   if (model->wires.count > 0) {
-    for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      view->high_groups[high->row_group[row]] += force[row] - model->rest.force[row];
-    }
-    kernels->multiply(high->padded / 8, TB_HIGH_GROUPS, view->high_force, high->push,
-                      view->high_groups);
-    for (uint32_t i = 0; i < high->padded; i++) view->next.high[i] += view->high_force[i];
+    if (!unchanged) gather_high(view);
+    kernels->add_scaled(high->padded, view->next.high, 1.0, view->high_force);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double push = force[model->wires.stride + i];
@@ -160,14 +170,16 @@ void tb_step(TbView *view, double *pressure) {
   free_penetration(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
-  respond(view);
+  const bool unchanged = !outcome.contact && view->state->airborne;
+  respond(view, unchanged);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (!shortened) {
     view->state->sums.contact_loss += outcome.contact_loss;
     view->state->sums.damper_loss += outcome.damper_loss;
   }
   book_losses(view);
-  drive_high(view);
+  drive_high(view, unchanged);
+  view->state->airborne = !outcome.contact;
   listen(view, pressure);
   view->state->clock++;
   tb_view_rotate(view);

@@ -109,42 +109,39 @@ static double remainder_of(const Samples *s, const double *weight, const double 
   return worst;
 }
 
-/* The fewest orthonormal components, basis[component][length], that leave at most `error` of any
- * weighted sample; at most `most` of them. weight[] > 0. */
-static bool principal_components(TbArena *arena, const Samples *s, const double *weight,
-                                 double error, uint32_t most, double *basis, uint32_t *components) {
+/* All n orthonormal components, largest first, basis[component][n]. */
+static bool all_components(TbArena *scratch, const Samples *s, const double *weight,
+                           double *basis) {
   const uint32_t n = s->length;
-  TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
-  double *matrix = tb_arena_doubles(&scratch, (size_t)n * n);
-  double *unit = tb_arena_doubles(&scratch, (size_t)n * n);
-  double *values = tb_arena_doubles(&scratch, n),
-         *vectors = tb_arena_doubles(&scratch, (size_t)n * n);
-  bool done = !scratch.failed;
-  if (done) {
-    gram(s, weight, matrix);
-    for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
-    done = tb_eigen_symmetric(&scratch, n, matrix, unit, values, vectors);
+  double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
+  double *unit = tb_arena_doubles(scratch, (size_t)n * n);
+  double *values = tb_arena_doubles(scratch, n);
+  double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
+  if (scratch->failed) return false;
+  gram(s, weight, matrix);
+  for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
+  if (!tb_eigen_symmetric(scratch, n, matrix, unit, values, vectors)) return false;
+  for (uint32_t c = 0; c < n; c++) {
+    memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
   }
-  uint32_t count = 0;
-  if (done) {
-    for (uint32_t c = 0; c < n; c++) { /* largest first */
-      memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
+  return true;
+}
+
+/* The fewest components that leave at most `error` of any sample; at most `most`. weight[] > 0. */
+static bool principal_components(TbArena *scratch, const Samples *s, const double *weight,
+                                 double error, uint32_t most, double *basis, uint32_t *components) {
+  if (!all_components(scratch, s, weight, basis)) return false;
+  uint32_t low = 0, high = most;
+  while (low < high) { /* the remainder falls with their number */
+    const uint32_t count = (low + high) / 2;
+    if (remainder_of(s, weight, basis, count) <= error) {
+      high = count;
+    } else {
+      low = count + 1;
     }
-    uint32_t low = 0, high = most;
-    while (low < high) { /* the remainder falls with their number */
-      count = (low + high) / 2;
-      if (remainder_of(s, weight, basis, count) <= error) {
-        high = count;
-      } else {
-        low = count + 1;
-      }
-    }
-    count = low;
   }
-  *components = count;
-  tb_arena_release(&scratch);
-  return done;
+  *components = low;
+  return true;
 }
 
 /* ---- across --------------------------------------------------------------------------------- */

@@ -124,8 +124,25 @@ static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
   return x;
 }
 
-static INLINE Lanes larger(Lanes x, Lanes y) { return pick(greater(x, y), x, y); }
-static INLINE Lanes smaller(Lanes x, Lanes y) { return pick(greater(x, y), y, x); }
+/* Lane by lane, so that the compiler finds its one instruction for it. */
+static INLINE Lanes larger(Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < WIDTH; j++) {
+      x.part[i][j] = x.part[i][j] > y.part[i][j] ? x.part[i][j] : y.part[i][j];
+    }
+  }
+  return x;
+}
+
+static INLINE Lanes smaller(Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < WIDTH; j++) {
+      x.part[i][j] = x.part[i][j] < y.part[i][j] ? x.part[i][j] : y.part[i][j];
+    }
+  }
+  return x;
+}
+
 static INLINE Lanes size_of(Lanes x) { return larger(x, subtract(zero(), x)); }
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
@@ -374,7 +391,7 @@ typedef struct Secant {
   Lanes mean, rise; /* DV/s, and its derivative in s */
 } Secant;
 
-/* V' jumps to a line at the knee: for blocks with a lane beyond it. */
+/* For blocks with a lane beyond the knee, where V' goes on as a line. */
 static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Knee knee, Lanes y, Lanes s,
                                       Lanes x) {
   const Lanes mean = mean_force(law, power, knee, smaller(x, y), larger(x, y));
@@ -519,15 +536,6 @@ static void penetrate(uint32_t n, double side, double shift, const double *w, co
   }
 }
 
-static void respond(uint32_t n, const double *own, const double *f, const double *w,
-                    const double *b, double *product, double *s) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes yielded = add(multiply_lanes(load(own + i), load(f + i)), load(w + i));
-    store(product + i, yielded);
-    store(s + i, subtract(load(b + i), yielded));
-  }
-}
-
 static void move(uint32_t n, const double *own, const double *f, const double *rest,
                  const double *last, const double *s, double *v, double *eta) {
   for (uint32_t i = 0; i < n; i += 8) {
@@ -591,7 +599,6 @@ const TbKernels TB_KERNELS = {
   .balance = balance,
   .mark = mark,
   .penetrate = penetrate,
-  .respond = respond,
   .move = move,
   .product = product,
   .turn = turn,

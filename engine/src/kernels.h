@@ -80,9 +80,6 @@ typedef struct TbKernels {
   /* eta = (side w - v) + rest + shift, b = (eta - last) + load */
   void (*penetrate)(uint32_t n, double side, double shift, const double *w, const double *v,
                     const double *rest, const double *last, const double *load, double *b);
-  /* product = own f + w, s = b - product */
-  void (*respond)(uint32_t n, const double *own, const double *f, const double *w, const double *b,
-                  double *product, double *s);
   /* v += own (f - rest), eta = last + s */
   void (*move)(uint32_t n, const double *own, const double *f, const double *rest,
                const double *last, const double *s, double *v, double *eta);

@@ -52,7 +52,8 @@ typedef struct TbLayout {
   size_t grid, change, response, pushed, answer, scratch; /* by points of the grid */
   size_t touch, row, wire, block_begin, block_wire, block_at, block_image;
   size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
-    stretch_grid[2], coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+    stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
+    delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 

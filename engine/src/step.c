@@ -193,6 +193,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   free_motion(view);
   tb_stretch_free(view);
   free_penetration(view);
+  tb_stretch_renew(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   const bool unchanged = !outcome.contact && view->state->airborne;
@@ -254,6 +255,7 @@ static void fall_asleep(TbView *view) {
       if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
     }
     tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
+    tb_stretch_clear(view);
   }
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));

@@ -202,6 +202,23 @@ void tb_stretch_rest_load(TbView *view, double *slots) {
   model->kernels->add_scaled(size, view->change, model->wires.side, solve->answer);
 }
 
+static void take_stretch(TbView *view, double *carry) {
+  const TbSolve *solve = &view->solve;
+  tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry,
+                   carry + solve->bed->size);
+}
+
+void tb_stretch_renew(TbView *view) {
+  TbSolve *solve = &view->solve;
+  if (solve->stretch_count == 0 || view->state->airborne) return;
+  const uint32_t size = solve->bed->size;
+  double *carry = view->stretch_carry, *rows = solve->work;
+  take_stretch(view, carry);
+  tb_bed_expand(solve->bed, solve->kernels, &solve->bed->all, carry, solve->scratch, rows);
+  solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
+  solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
+}
+
 void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
   if (model->stretch.count == 0) return;
@@ -210,7 +227,16 @@ void tb_stretch_respond(TbView *view) {
     t[h] = dot(model, view->stretch_y[h], view->next.q) - view->stretch_free[h];
   }
   apply(view, t);
+  tb_stretch_clear(view);
+  take_stretch(view, view->stretch_carry);
+  const uint32_t size = model->projection.bed.size + TB_SLOTS;
+  for (uint32_t i = 0; i < size; i++) view->stretch_carry[i] = -view->stretch_carry[i];
   view->solve.stretch_count = 0; /* it belongs to this sample alone */
+}
+
+void tb_stretch_clear(TbView *view) {
+  memset(view->stretch_carry, 0,
+         (view->model->projection.bed.size + TB_SLOTS) * sizeof *view->stretch_carry);
 }
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {

@@ -28,8 +28,13 @@ void tb_stretch_free(TbView *view);
 /* What the forces at rest do beyond M f_rest, which knows nothing of the stretch: adds it to the head's
  * motion on the grid (view->change), and slots[TB_SLOTS] receives it for the strikers' b. */
 void tb_stretch_rest_load(TbView *view, double *slots);
+/* Before the solve: the last forces' response M f, which the solve starts from and moves along, with the
+ * stretch of this sample instead of the last one's. */
+void tb_stretch_renew(TbView *view);
 /* After the contacts have moved the modes: adds their part of theta. */
 void tb_stretch_respond(TbView *view);
+/* When `product` has been computed anew, without any stretch. */
+void tb_stretch_clear(TbView *view);
 /* Energy stored between two instants [J]. */
 double tb_stretch_energy(const TbView *view, const double *next, const double *now);
 

@@ -182,7 +182,10 @@ static void carry_slots(const TbView *from, TbView *to) {
     }
   }
   tb_live_apply(to);
-  if (same) memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
+  if (!same) return;
+  const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
+  memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
+  memcpy(to->stretch_carry, from->stretch_carry, carried);
 }
 
 /* Modes of the high band are chosen anew in every model: only the same model's go on. */

@@ -25,7 +25,7 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
   case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64, 3e-2, 3e-2, 1e-2};
   case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
-  default: return (Level){8000.0, 16000.0, 8, 24, 128, 0.0, 1e-7, 1e-5};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 1e-4, 1e-3};
   }
 }
 
@@ -37,7 +37,7 @@ static const double TOP_OF_HEARING = 0.42;
 
 /* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
  * than half the head's shortest wavelength. */
-static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {32, 32, 24, 64, 128};
+static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {32, 32, 24, 48, 128};
 
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);

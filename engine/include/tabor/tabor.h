@@ -523,8 +523,9 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  *
  * @param events  @p count events, sorted by frame; may be NULL when count is 0.
  * @param outputs outputs[mic][frame], one pointer per microphone of the definition, in its order;
- *                planar, 1.0 = full_scale, overwritten. A NULL channel is skipped; @p outputs
- *                itself may be NULL. Channels beyond the model's after a swap are the caller's.
+ *                planar, 1.0 = full_scale, overwritten. A NULL channel is not computed: heard again,
+ *                it begins with what happens then, without what was under way to the microphone.
+ *                @p outputs itself may be NULL. Channels beyond the model's after a swap are the caller's.
  *
  * Output does not depend on how frames are divided into blocks. Latency is 0: what a microphone
  * hears late is the travel time of sound. The caller's floating-point mode is saved and restored.

@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "bessel.h"
+#include "besseltable.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -64,9 +65,9 @@ static void half_orders_have_their_closed_forms(void **state) {
 static void zeros_are_the_published_ones(void **state) {
   (void)state;
   double order_0[40], order_1[40], order_2[40];
-  const uint32_t n0 = tb_bessel_zeros(0, 60.0, NULL, 0, order_0, 40);
-  const uint32_t n1 = tb_bessel_zeros(1, 60.0, order_0, n0, order_1, 40);
-  const uint32_t n2 = tb_bessel_zeros(2, 60.0, order_1, n1, order_2, 40);
+  const uint32_t n0 = tb_bessel_zeros(0, 60.0, order_0, 40);
+  const uint32_t n1 = tb_bessel_zeros(1, 60.0, order_1, 40);
+  const uint32_t n2 = tb_bessel_zeros(2, 60.0, order_2, 40);
   assert_int_equal(n0, 19);
   assert_int_equal(n1, 18);
   assert_int_equal(n2, 18);
@@ -78,12 +79,62 @@ static void zeros_are_the_published_ones(void **state) {
   assert_true(fabs(order_2[0] - 5.135622301840683) < 1e-14);
 }
 
+/* Zeros of neighbouring orders interlace ([DLMF] 10.21(i)): none is missing, none is there twice. */
+static void zeros_interlace(void **state) {
+  (void)state;
+  enum { ROOM = 96 };
+  double lists[2][ROOM];
+  uint32_t last = 0;
+  for (uint32_t m = 0; m < 250; m++) {
+    double *zeros = lists[m % 2], *below = lists[1 - m % 2];
+    const uint32_t count = tb_bessel_zeros(m, 240.0, zeros, ROOM);
+    for (uint32_t i = 0; i < count; i++) {
+      assert_true(fabs(tb_bessel_j(m, zeros[i])) < 1e-13);
+      if (m == 0) continue;
+      assert_true(zeros[i] > below[i]);
+      if (i + 1 < last) assert_true(zeros[i] < below[i + 1]);
+    }
+    if (m) assert_true(count == last || count + 1 == last);
+    last = count;
+  }
+  assert_int_equal(last, 0);
+}
+
+static void table_gives_what_it_was_made_from(void **state) {
+  (void)state;
+  const TaborAllocator system = tb_allocator_resolve(NULL);
+  TbArena arena;
+  tb_arena_prepare(&arena, &system);
+  TbBesselTable table;
+  assert_true(tb_bessel_table_prepare(&table, &arena, 60, 100.0));
+  double worst = 0.0, beyond = 0.0;
+  for (uint32_t m = 0; m < 64; m += 3) {
+    for (double base = 0.0; base < 120.0; base += 0.83) {
+      double x[8], j[8];
+      for (int i = 0; i < 8; i++) x[i] = base + 0.017 * i;
+      tb_bessel_table_values(&table, m, 8, 1.25, x, j);
+      const bool inside = m < 60 && 1.25 * x[7] < 100.0;
+      for (int i = 0; i < 8; i++) {
+        const double error = fabs(j[i] - tb_bessel_j(m, 1.25 * x[i]));
+        if (inside) worst = fmax(worst, error);
+        if (!inside) beyond = fmax(beyond, error);
+      }
+    }
+  }
+  print_message("table: %.1e, beyond it %.1e\n", worst, beyond);
+  assert_true(worst < 3e-11); /* besseltable.h */
+  assert_true(beyond < 1e-14);
+  tb_arena_release(&arena);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(whole_orders_agree_with_libm),
     cmocka_unit_test(lanes_agree_with_single_values),
     cmocka_unit_test(half_orders_have_their_closed_forms),
     cmocka_unit_test(zeros_are_the_published_ones),
+    cmocka_unit_test(zeros_interlace),
+    cmocka_unit_test(table_gives_what_it_was_made_from),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

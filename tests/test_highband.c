@@ -145,26 +145,23 @@ static void an_open_edge_radiates_a_fixed_part(void **state) {
   double ratio[3][3];
   for (int range = 0; range < 3; range++) {
     double open[3] = {0.0}, baffled[3] = {0.0};
-    double lists[2][64];
-    uint32_t counts[2] = {0, 0};
     for (uint32_t m = 0; m < 14; m++) {
-      const uint32_t here = m % 2;
-      counts[here] =
-        tb_bessel_zeros(m, TO[range], lists[1 - here], counts[1 - here], lists[here], 64);
-      for (uint32_t i = 0; i < counts[here]; i++) {
-        if (lists[here][i] < FROM[range]) continue;
+      double zeros[64];
+      const uint32_t count = tb_bessel_zeros(m, TO[range], zeros, 64);
+      for (uint32_t i = 0; i < count; i++) {
+        if (zeros[i] < FROM[range]) continue;
         const TaborAllocator system = tb_allocator_resolve(NULL);
         TbArena arena;
         tb_arena_prepare(&arena, &system);
         TbAirOrder order;
         TbAirLoad load;
         double o[6], b[6], resistance;
-        const double one = 1.0, x = 0.31 * lists[here][i];
-        assert_true(tb_air_order_prepare(&order, &arena, m, &lists[here][i], 1));
+        const double one = 1.0, x = 0.31 * zeros[i];
+        assert_true(tb_air_order_prepare(&order, &arena, m, &zeros[i], 1));
         assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, &one, x, points, 3, &load, o));
         assert_true(tb_air_slow(&order, &arena, true, x, points, 3, &resistance, b));
         tb_arena_release(&arena);
-        const double unit = 1.0 / pow(tb_bessel_j(m + 1, lists[here][i]), 2.0);
+        const double unit = 1.0 / pow(tb_bessel_j(m + 1, zeros[i]), 2.0);
         for (int p = 0; p < 3; p++) {
           open[p] += unit * (o[2 * p] * o[2 * p] + o[2 * p + 1] * o[2 * p + 1]);
           baffled[p] += unit * (b[2 * p] * b[2 * p] + b[2 * p + 1] * b[2 * p + 1]);

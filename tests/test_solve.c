@@ -21,8 +21,9 @@ typedef struct Problem {
   uint32_t n;
   _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[MOST * LANES + 64];
   double coupling[TB_SLOTS * STRIDE], slot_coupling[TB_SLOTS * TB_SLOTS];
-  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[18][ROWS];
-  uint32_t begin[2][2], wire[2][MOST], at[2][MOST], row[MOST + TB_SLOT_BLOCKS];
+  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[17][ROWS];
+  uint32_t begin[2][2], wire[2][MOST], at[2][MOST], image[MOST], row[MOST + TB_SLOT_BLOCKS],
+    wires[MOST + TB_SLOT_BLOCKS];
   uint8_t touch[MOST];
   TbLaw laws[MOST], slot_laws[TB_SLOTS];
   TbBed bed;
@@ -50,13 +51,12 @@ static void clear(Problem *p) {
                    .quarters = 1,
                    .half = LANES,
                    .lines = MOST,
-                   .line_stride = MOST,
                    .first_line = {0, MOST, MOST},
                    .columns = {LANES, LANES},
                    .across = p->across,
                    .first = {0, STRIDE},
                    .size = STRIDE,
-                   .all = {p->begin[0], p->wire[0], p->at[0]}};
+                   .all = {p->begin[0], p->wire[0], p->at[0], p->at[0]}};
   p->compliance = (TbCompliance){.classes = 1, .first = {0, STRIDE}, .matrix = {p->matrix}};
 }
 
@@ -97,10 +97,11 @@ static TbSolve solver(Problem *p, uint32_t cap, double tolerance) {
                    .response = p->scratch[14],
                    .pushed = p->scratch[15],
                    .answer = p->scratch[16],
-                   .scratch = p->scratch[17],
+                   .scratch = p->fold,
                    .touch = p->touch,
                    .row = p->row,
-                   .blocks = {p->begin[1], p->wire[1], p->at[1]}};
+                   .wire = p->wires,
+                   .blocks = {p->begin[1], p->wire[1], p->at[1], p->image}};
 }
 
 static void load_problem(Problem *p, const json_t *entry) {

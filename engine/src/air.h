@@ -25,7 +25,8 @@
  *   resistance, from the far fields W and i x cos t P of those two:
  *   r = (x^2/2) Int_0^{pi/2} [W_1^2 + W_2^2 + 2 W_1 W_2 cos(x d cos t)
  *       + x^2 cos^2 t (|P_1|^2 + |P_2|^2 - 2 Re(P_1 P_2*) cos(x d cos t))] sin t dt, d the depth.
- * That is (r_b + r_o/2)/2 of each head and (r_b - r_o/2)/2 between them, never negative. Limits: two heads
+ * That is (r_b + r_o/2)/2 of each head and (r_b - r_o/2)/2 between them, never negative. (The far fields'
+ * products of W of one head and P of the other, with sin(x d cos t), are left out.) Limits: two heads
  * at the same place that move outwards alike cancel as dipoles and give both sides of a baffled head; a
  * head alone and slow gives a quarter of those, the monopole of free space.
  *

@@ -13,7 +13,28 @@ static double outward_height(const TbAirSource *source, TbAirPoint point) {
   return source->up * (point.height - source->plane);
 }
 
+/* Where W has faded. */
+static double smooth_top(const TbAirPlan *plan) {
+  const double beyond = fmax(plan->x, plan->zero);
+  return plan->precision.digits > 8.0 ? fmax(60.0, 4.0 * beyond) : 1.5 * beyond + 10.0;
+}
+
 static bool is_far(double radius, double height) { return hypot(radius, height) >= FAR; }
+
+double tb_air_heard_to(double reach, double digits) {
+  return reach + 0.25 * digits * (2.5 * cbrt(reach) + 5.0);
+}
+
+/* A near point hears the wavenumbers that reach it, J_m(k) J_m(k r) of them; a far one what radiates, and
+ * what has not fallen like s^-m yet. */
+static bool is_heard(const TbAirPlan *plan, double radius, double height) {
+  const double m = (double)plan->order->m, digits = plan->precision.digits;
+  if (is_far(radius, height)) {
+    return m * log(hypot(radius, height)) < DECADE * digits || m < tb_air_heard_to(plan->x, digits);
+  }
+  const double top = fmin(smooth_top(plan), DECADE * digits / height);
+  return m < tb_air_heard_to(hypot(plan->x, top) * fmin(1.0, radius), digits);
+}
 
 /* Beyond both x and m the terms fall at least like s^-n, and as J_n does past its turning point. */
 static uint32_t degrees_for(const TbAirPlan *plan, double nearest) {
@@ -29,6 +50,7 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
     for (uint32_t s = 0; s < source_count; s++) {
       const double radius = plan->points[p].radius;
       const double height = fabs(outward_height(&sources[s], plan->points[p]));
+      if (!is_heard(plan, radius, height)) continue;
       if (is_far(radius, height)) {
         nearest = fmin(nearest, hypot(radius, height));
       } else {
@@ -37,9 +59,8 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
       }
     }
   }
-  const double beyond = fmax(plan->x, plan->zero);
-  const double smooth = plan->precision.digits > 6.0 ? fmax(60.0, 4.0 * beyond) : 1.5 * beyond + 10;
-  plan->top = plan->stretch > 0.0 ? fmin(smooth, plan->precision.digits * DECADE / lowest) : 0.0;
+  plan->top =
+    plan->stretch > 0.0 ? fmin(smooth_top(plan), plan->precision.digits * DECADE / lowest) : 0.0;
   plan->degrees = isfinite(nearest) ? degrees_for(plan, nearest) : 0;
 }
 
@@ -100,7 +121,7 @@ static bool add_near_points(const TbAirPlan *plan, TbArena *scratch, const TbAir
     bool known = false;
     for (uint32_t s = 0; s < source_count; s++) {
       const double height = outward_height(&sources[s], plan->points[p]);
-      if (is_far(radius, height)) continue;
+      if (is_far(radius, height) || !is_heard(plan, radius, fabs(height))) continue;
       if (!known) {
         tb_bessel_table_values(plan->order->table, plan->order->m, nodes->count, radius,
                                nodes->kappa, j);
@@ -119,7 +140,7 @@ static bool add_far_points(const TbAirPlan *plan, TbArena *scratch, const TbAirN
   for (uint32_t p = 0; p < plan->point_count; p++) {
     const double radius = plan->points[p].radius;
     const double height = outward_height(source, plan->points[p]);
-    if (!is_far(radius, height)) continue;
+    if (!is_far(radius, height) || !is_heard(plan, radius, fabs(height))) continue;
     double field[2];
     tb_air_waves_at(&waves, radius, height, field);
     const double sign = source->mirrored && height < 0.0 ? -1.0 : 1.0;

@@ -46,6 +46,10 @@ typedef struct TbAirPlan {
   uint32_t degrees;    /* spherical waves up to here; 0: no point is far */
 } TbAirPlan;
 
+/* Orders m above this are nothing to these digits where J_m's argument ends at `reach`. */
+double tb_air_heard_to(double reach, double digits);
+
+/* Points that hear nothing of this order are left out. */
 void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t source_count);
 
 /* Radians that the nodes below x must resolve. */

@@ -58,10 +58,12 @@ void tb_air_transform(const TbAirOrder *order, const TbAirNodes *nodes, const do
                       double *w) {
   const uint32_t count = nodes->count;
   const double *restrict kappa = nodes->kappa;
+  double largest = 0.0;
+  for (uint32_t i = 0; i < order->count; i++) largest = fmax(largest, fabs(v[i]));
   for (uint32_t q = 0; q < count; q++) w[q] = 0.0;
   for (uint32_t i = 0; i < order->count; i++) {
     const double z = order->zeros[i], size = v[i] * z * order->slopes[i];
-    if (v[i] == 0.0) continue;
+    if (fabs(v[i]) < 1e-13 * largest) continue;
     for (uint32_t q = 0; q < count; q++) {
       const double below = z - kappa[q];
       const double gap = fabs(below) < NEAR_ZERO ? 1.0 : below;

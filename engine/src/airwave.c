@@ -9,10 +9,11 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Rounding in c_n comes back times h_n(x s), s >= 2: up to 1e4 for the degrees that ten digits take from
- * x = 20 on, and for those of four digits from x = 4 on. */
+/* Rounding in c_n comes back times h_n(x s), s >= 2, which stays below 1e4 for the degrees that so many
+ * digits take from here on: x = 22 for 10.5 digits, x = 3.2 for four. */
 bool tb_air_waves_project(const TbAirPlan *plan) {
-  return plan->x > (plan->precision.digits > 6.0 ? 20.0 : 4.0);
+  const double digits = plan->precision.digits;
+  return plan->x > 0.2 * digits * digits;
 }
 
 /* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m ------------------- */

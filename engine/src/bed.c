@@ -59,8 +59,9 @@ void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const TbBlocks 
   double *lines = scratch + 3 * bed->half + 8;
   for (uint32_t b = 0; b < bed->lanes / 8; b++) {
     const uint32_t k = blocks->begin[b];
-    kernels->gather_lines(bed->line_stride, bed->lanes, blocks->begin[b + 1] - k, blocks->wire + k,
-                          blocks->at + k, bed->across, f, lines + 8 * b);
+    kernels->gather_lines(bed->first_line[1], bed->lines, bed->lanes, blocks->begin[b + 1] - k,
+                          blocks->wire + k, blocks->at + k, blocks->image + k, bed->across, f,
+                          lines + 8 * b);
   }
   for (uint32_t line = 0; line < bed->lines; line++) {
     contract_line(bed, kernels, line, lines + line * bed->lanes, scratch, grid);
@@ -95,7 +96,8 @@ void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const TbBlocks *b
   }
   for (uint32_t b = 0; b < bed->lanes / 8; b++) {
     const uint32_t k = blocks->begin[b];
-    kernels->spread_lines(bed->line_stride, bed->lanes, blocks->begin[b + 1] - k, blocks->wire + k,
-                          blocks->at + k, bed->across, lines + 8 * b, w);
+    kernels->spread_lines(bed->first_line[1], bed->lines, bed->lanes, blocks->begin[b + 1] - k,
+                          blocks->wire + k, blocks->at + k, blocks->image + k, bed->across,
+                          lines + 8 * b, w);
   }
 }

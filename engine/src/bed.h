@@ -21,28 +21,35 @@
 #include "kernels.h"
 #include "wires.h"
 
-/* Blocks of 8 lanes of single wires, those of equal lanes together: block k, of wire[k], begins at
- * x[at[k]] in a vector; those of the lanes 8 b .. 8 b + 7 are begin[b] .. begin[b + 1] - 1. */
+/* Blocks of 8 lanes, those of equal lanes together: block k, of wire[k], begins at x[at[k]] in a
+ * vector, that of the wire's mirror image across at x[image[k]]; the two are equal for a wire that is its
+ * own image, and for all without that symmetry. Blocks of the lanes 8 b .. 8 b + 7 are begin[b] ..
+ * begin[b + 1] - 1. */
 typedef struct TbBlocks {
   uint32_t *begin; /* [lanes/8 + 1] */
-  uint32_t *wire, *at;
+  uint32_t *wire, *at, *image;
 } TbBlocks;
 
 typedef struct TbBed {
   uint32_t wires, lanes, middle;
-  uint32_t halves, quarters;   /* symmetries, as in TbModes */
-  uint32_t half;               /* folded lanes, padded; all lanes without symmetry */
-  uint32_t lines, line_stride; /* shapes across, and padded to 4 */
-  uint32_t first_line[3];      /* lines of each class across */
-  uint32_t columns[2];         /* points per line of each class along */
-  bool thinned;                /* `squeeze` and `spread` are used */
-  double *across;              /* [wires][line_stride] */
-  double *squeeze[2];          /* [columns/8][half][8], transposed `along` of each class */
-  double *spread[2];           /* [half/8][columns][8] */
-  uint32_t first[5];           /* where each class begins in a grid vector, and its size */
+  uint32_t halves, quarters; /* symmetries, as in TbModes */
+  uint32_t half;             /* folded lanes, padded; all lanes without symmetry */
+  uint32_t lines;            /* shapes across */
+  uint32_t first_line[3];    /* lines of each class across */
+  uint32_t columns[2];       /* points per line of each class along */
+  bool thinned;              /* `squeeze` and `spread` are used */
+  double *across;            /* [wires][lines] */
+  double *squeeze[2];        /* [columns/8][half][8], transposed `along` of each class */
+  double *spread[2];         /* [half/8][columns][8] */
+  uint32_t first[5];         /* where each class begins in a grid vector, and its size */
   uint32_t size;
   TbBlocks all; /* of a vector over all rows */
 } TbBed;
+
+/* Wires that are listed in TbBlocks, the others being their images. */
+static inline uint32_t tb_bed_listed(const TbBed *bed) {
+  return bed->quarters == 2 ? (bed->wires + 1u) / 2u : bed->wires;
+}
 
 static inline uint32_t tb_bed_class(const TbBed *bed, uint32_t along, uint32_t across) {
   return along * bed->quarters + across;
@@ -50,7 +57,7 @@ static inline uint32_t tb_bed_class(const TbBed *bed, uint32_t along, uint32_t a
 
 /* Doubles of scratch that the functions below need. */
 static inline uint32_t tb_bed_scratch(const TbBed *bed) {
-  return bed->line_stride * bed->lanes + 3u * bed->half + 8u;
+  return bed->lines * bed->lanes + 3u * bed->half + 8u;
 }
 
 /* C from forces f, the blocks alone. Audio-safe, as are all here. */

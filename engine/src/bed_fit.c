@@ -109,42 +109,39 @@ static double remainder_of(const Samples *s, const double *weight, const double 
   return worst;
 }
 
-/* The fewest orthonormal components, basis[component][length], that leave at most `error` of any
- * weighted sample; at most `most` of them. weight[] > 0. */
-static bool principal_components(TbArena *arena, const Samples *s, const double *weight,
-                                 double error, uint32_t most, double *basis, uint32_t *components) {
+/* All n orthonormal components, largest first, basis[component][n]. */
+static bool all_components(TbArena *scratch, const Samples *s, const double *weight,
+                           double *basis) {
   const uint32_t n = s->length;
-  TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
-  double *matrix = tb_arena_doubles(&scratch, (size_t)n * n);
-  double *unit = tb_arena_doubles(&scratch, (size_t)n * n);
-  double *values = tb_arena_doubles(&scratch, n),
-         *vectors = tb_arena_doubles(&scratch, (size_t)n * n);
-  bool done = !scratch.failed;
-  if (done) {
-    gram(s, weight, matrix);
-    for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
-    done = tb_eigen_symmetric(&scratch, n, matrix, unit, values, vectors);
+  double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
+  double *unit = tb_arena_doubles(scratch, (size_t)n * n);
+  double *values = tb_arena_doubles(scratch, n);
+  double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
+  if (scratch->failed) return false;
+  gram(s, weight, matrix);
+  for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
+  if (!tb_eigen_symmetric(scratch, n, matrix, unit, values, vectors)) return false;
+  for (uint32_t c = 0; c < n; c++) {
+    memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
   }
-  uint32_t count = 0;
-  if (done) {
-    for (uint32_t c = 0; c < n; c++) { /* largest first */
-      memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
+  return true;
+}
+
+/* The fewest components that leave at most `error` of any sample; at most `most`. weight[] > 0. */
+static bool principal_components(TbArena *scratch, const Samples *s, const double *weight,
+                                 double error, uint32_t most, double *basis, uint32_t *components) {
+  if (!all_components(scratch, s, weight, basis)) return false;
+  uint32_t low = 0, high = most;
+  while (low < high) { /* the remainder falls with their number */
+    const uint32_t count = (low + high) / 2;
+    if (remainder_of(s, weight, basis, count) <= error) {
+      high = count;
+    } else {
+      low = count + 1;
     }
-    uint32_t low = 0, high = most;
-    while (low < high) { /* the remainder falls with their number */
-      count = (low + high) / 2;
-      if (remainder_of(s, weight, basis, count) <= error) {
-        high = count;
-      } else {
-        low = count + 1;
-      }
-    }
-    count = low;
   }
-  *components = count;
-  tb_arena_release(&scratch);
-  return done;
+  *components = low;
+  return true;
 }
 
 /* ---- across --------------------------------------------------------------------------------- */
@@ -215,12 +212,15 @@ static bool fit_across(Fit *fit) {
     }
   }
   if (bed->quarters == 1 && (bed->lines == 0 || bed->lines == n)) each_wire_its_line(bed, basis);
-  bed->line_stride = (bed->lines + 3u) & ~3u;
-  bed->across = tb_arena_doubles(fit->arena, (size_t)n * bed->line_stride);
+  bed->across = tb_arena_doubles(fit->arena, (size_t)n * bed->lines);
   if (fit->arena->failed) return false;
   for (uint32_t w = 0; w < n; w++) {
     for (uint32_t l = 0; l < bed->lines; l++) {
-      bed->across[w * bed->line_stride + l] = basis[l * n + w];
+      /* Images to the bit: what the eigenvectors are up to rounding. */
+      const double image =
+        l < bed->first_line[1] ? basis[l * n + n - 1 - w] : -basis[l * n + n - 1 - w];
+      const double own = basis[l * n + w];
+      bed->across[w * bed->lines + l] = bed->quarters == 2 ? 0.5 * (own + image) : own;
     }
   }
   return true;
@@ -240,7 +240,7 @@ static void shapes_on_lines(Fit *fit) {
       const double *from = fit->shapes + (size_t)i * fit->stride;
       for (uint32_t l = 0; l < lines_of_class(bed, across); l++) {
         for (uint32_t w = 0; w < bed->wires; w++) {
-          const double part = bed->across[w * bed->line_stride + bed->first_line[across] + l];
+          const double part = bed->across[w * bed->lines + bed->first_line[across] + l];
           for (uint32_t j = 0; j < bed->half; j++) {
             to[l * bed->half + j] += part * from[w * bed->half + j];
           }
@@ -369,16 +369,22 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
 }
 
 static bool list_blocks(TbBed *bed, TbArena *arena) {
-  const uint32_t blocks = bed->lanes / 8, count = blocks * bed->wires;
-  bed->all.begin = tb_arena_take(arena, blocks + 1u, sizeof *bed->all.begin);
-  bed->all.wire = tb_arena_take(arena, count, sizeof *bed->all.wire);
-  bed->all.at = tb_arena_take(arena, count, sizeof *bed->all.at);
+  const uint32_t listed = tb_bed_listed(bed);
+  const uint32_t blocks = bed->lanes / 8, count = blocks * listed;
+  TbBlocks *all = &bed->all;
+  all->begin = tb_arena_take(arena, blocks + 1u, sizeof *all->begin);
+  all->wire = tb_arena_take(arena, count, sizeof *all->wire);
+  all->at = tb_arena_take(arena, count, sizeof *all->at);
+  all->image = tb_arena_take(arena, count, sizeof *all->image);
   if (arena->failed) return false;
   for (uint32_t k = 0; k < count; k++) {
-    bed->all.wire[k] = k % bed->wires;
-    bed->all.at[k] = k % bed->wires * bed->lanes + k / bed->wires * 8u;
+    const uint32_t wire = k % listed, lane = k / listed * 8u;
+    const uint32_t image = bed->quarters == 2 ? bed->wires - 1u - wire : wire;
+    all->wire[k] = wire;
+    all->at[k] = wire * bed->lanes + lane;
+    all->image[k] = image * bed->lanes + lane;
   }
-  for (uint32_t b = 0; b <= blocks; b++) bed->all.begin[b] = b * bed->wires;
+  for (uint32_t b = 0; b <= blocks; b++) all->begin[b] = b * listed;
   return true;
 }
 

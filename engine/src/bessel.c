@@ -226,16 +226,19 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
   }
 }
 
-/* Zeros interlace: j_{m-1,n} < j_{m,n} < j_{m-1,n+1} ([DLMF] 10.21(i)), and J_m is positive at j_{m-1,1},
- * negative at j_{m-1,2} and so on. */
-uint32_t tb_bessel_zeros(uint32_t m, double top, const double *below, uint32_t below_count,
-                         double *zeros, uint32_t room) {
+/* The first zero lies between m + 1.8557571 m^(1/3) and 1.0331503 m^(-1/3) more [QuWong1999]. u = sqrt(x) J_m
+ * satisfies u'' + (1 - (m^2 - 1/4)/x^2) u = 0, so from a zero z the next is at least pi away and at most pi
+ * over the root of that factor at z (Sturm). */
+uint32_t tb_bessel_zeros(uint32_t m, double top, double *zeros, uint32_t room) {
   if (m == 0) return zeros_of_order_0(top, zeros, room);
-  uint32_t count = 0;
-  for (uint32_t n = 0; n < below_count && count < room; n++) {
-    const bool falling = n % 2 == 0, last = n + 1 == below_count;
-    if (last && (tb_bessel_j(m, top) > 0.0) == falling) break;
-    zeros[count++] = refine_zero(m, below[n], last ? top : below[n + 1], falling);
+  const double order = (double)m, root = cbrt(order);
+  double lo = order + 1.8557570 * root, hi = lo + 1.0331505 / root;
+  for (uint32_t count = 0;; count++) {
+    if (lo >= top || count == room) return count;
+    const double zero = refine_zero(m, lo, hi, count % 2 == 0);
+    if (zero >= top) return count;
+    zeros[count] = zero;
+    lo = zero + PI;
+    hi = zero + PI / sqrt(1.0 - (order * order - 0.25) / (zero * zero));
   }
-  return count;
 }

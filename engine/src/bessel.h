@@ -28,9 +28,7 @@ void tb_bessel_whole8(const double x[8], uint32_t count, double *j);
 /* The order above which J(x) is nothing in double precision. */
 uint32_t tb_bessel_reach(double x);
 
-/* Zeros of J_m below `top`, ascending. `below` holds those of J_{m-1} (unused for m = 0).
- * Returns how many; writes at most `room`. */
-uint32_t tb_bessel_zeros(uint32_t m, double top, const double *below, uint32_t below_count,
-                         double *zeros, uint32_t room);
+/* Zeros of J_m below `top`, ascending; at most `room`. Returns how many. Set-up only. */
+uint32_t tb_bessel_zeros(uint32_t m, double top, double *zeros, uint32_t room);
 
 #endif

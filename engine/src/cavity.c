@@ -44,32 +44,28 @@ static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, do
   return count;
 }
 
-/* Zeros of J_m alone, by climbing from J_0. */
-static uint32_t node_zeros(TbArena *scratch, uint32_t m, double top, double **nodes) {
-  const uint32_t room = (uint32_t)(top / PI) + 4u;
-  double *lists[2] = {tb_arena_doubles(scratch, room), tb_arena_doubles(scratch, room)};
-  if (scratch->failed) return 0;
-  uint32_t count = 0;
-  for (uint32_t order = 0; order <= m; order++) {
-    const uint32_t last = count;
-    count = tb_bessel_zeros(order, top, lists[1 - order % 2], last, lists[order % 2], room);
-  }
-  *nodes = lists[m % 2];
-  return count;
-}
-
 /* ---- one order ------------------------------------------------------------------------------ */
 
 static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
   return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
+/* An order has a dozen coordinates on any snare drum; a deep shell under a tense head would have thousands. */
+static const uint32_t MOST_COORDINATES = 128;
+
+static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
   uint32_t total = 0;
   for (uint32_t p = 0; p < order->radial_count; p++) {
+    order->kept[p] = 0;
     while (mode_omega(cavity, order->zeros[p], order->kept[p]) < top) order->kept[p]++;
     total += order->kept[p];
   }
+  return total;
+}
+
+static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
+  uint32_t total = keep_below(order, cavity, top);
+  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.9);
   order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {
@@ -87,8 +83,9 @@ bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavit
   *order = (TbCavityOrder){.m = m};
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  double *nodes = NULL;
-  const uint32_t count = node_zeros(&scratch, m, top_zero, &nodes);
+  const uint32_t room = (uint32_t)(top_zero / PI) + 4u;
+  double *nodes = tb_arena_doubles(&scratch, room);
+  const uint32_t count = nodes ? tb_bessel_zeros(m, top_zero, nodes, room) : 0;
   order->zeros = tb_arena_doubles(arena, count);
   order->norms = tb_arena_doubles(arena, count);
   order->kept = tb_arena_take(arena, count, sizeof *order->kept);

@@ -89,19 +89,16 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 
-/* All orders, each from the zeros of the one before. */
 static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                                 const TbBesselTable *table, double basis_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
-    const TbHeadOrder *last = m ? &head->orders[m - 1] : NULL;
     order->m = m;
     order->first_zero = head->zero_count;
     order->zeros = tb_arena_doubles(arena, room);
     if (arena->failed) return TABOR_ERROR_MEMORY;
-    order->zero_count = tb_bessel_zeros(m, basis_top, last ? last->zeros : NULL,
-                                        last ? last->zero_count : 0, order->zeros, room);
+    order->zero_count = tb_bessel_zeros(m, basis_top, order->zeros, room);
     if (order->zero_count == 0) break;
     const TaborStatus status = build_order(head, arena, def, table, order);
     if (status != TABOR_OK) return status;

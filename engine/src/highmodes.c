@@ -215,15 +215,12 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
 /* All Bessel functions above the two-way modes of their order, up to the last order that is heard. */
 static bool collect(Builder *b, uint32_t head) {
   const Side *side = &b->sides[head];
-  double lists[2][MOST_ZEROS];
-  uint32_t counts[2] = {0, 0};
+  double zeros[MOST_ZEROS];
   for (uint32_t m = 0; m < TB_MAX_ORDERS - 2; m++) {
     if (inaudible(b, side, m, x_at(b, b->top), side->top_zero)) break;
-    const uint32_t here = m % 2, last = 1 - here;
-    counts[here] =
-      tb_bessel_zeros(m, side->top_zero, lists[last], counts[last], lists[here], MOST_ZEROS);
-    for (uint32_t n = taken(b, head, m, lists[here], counts[here]); n < counts[here]; n++) {
-      if (!add_candidate(b, head, m, lists[here][n])) return false;
+    const uint32_t count = tb_bessel_zeros(m, side->top_zero, zeros, MOST_ZEROS);
+    for (uint32_t n = taken(b, head, m, zeros, count); n < count; n++) {
+      if (!add_candidate(b, head, m, zeros[n])) return false;
     }
   }
   return true;

@@ -3,6 +3,7 @@
 #include "kernels.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "law.h"
 
@@ -123,8 +124,25 @@ static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
   return x;
 }
 
-static INLINE Lanes larger(Lanes x, Lanes y) { return pick(greater(x, y), x, y); }
-static INLINE Lanes smaller(Lanes x, Lanes y) { return pick(greater(x, y), y, x); }
+/* Lane by lane, so that the compiler finds its one instruction for it. */
+static INLINE Lanes larger(Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < WIDTH; j++) {
+      x.part[i][j] = x.part[i][j] > y.part[i][j] ? x.part[i][j] : y.part[i][j];
+    }
+  }
+  return x;
+}
+
+static INLINE Lanes smaller(Lanes x, Lanes y) {
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < WIDTH; j++) {
+      x.part[i][j] = x.part[i][j] < y.part[i][j] ? x.part[i][j] : y.part[i][j];
+    }
+  }
+  return x;
+}
+
 static INLINE Lanes size_of(Lanes x) { return larger(x, subtract(zero(), x)); }
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
@@ -221,39 +239,59 @@ static TbPair losses(uint32_t n, const double *u, const double *v, const double 
 
 /* ---- the bed -------------------------------------------------------------------------------- */
 
-static void gather_lines(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
-                         const uint32_t *at, const double *across, const double *x, double *lines) {
-  for (uint32_t l = 0; l < line_stride; l += 4) {
-    Lanes s0 = zero(), s1 = zero(), s2 = zero(), s3 = zero();
-    for (uint32_t k = 0; k < count; k++) {
-      const double *c = across + (uint64_t)wire[k] * line_stride + l;
-      const Lanes v = load(x + at[k]);
-      s0 = add(s0, scale(v, c[0]));
-      s1 = add(s1, scale(v, c[1]));
-      s2 = add(s2, scale(v, c[2]));
-      s3 = add(s3, scale(v, c[3]));
-    }
-    double *to = lines + (uint64_t)l * lanes;
-    store(to, s0);
-    store(to + lanes, s1);
-    store(to + 2 * (uint64_t)lanes, s2);
-    store(to + 3 * (uint64_t)lanes, s3);
-  }
-}
-
-static INLINE void spread_to(uint32_t line_stride, uint32_t lanes, const double *c,
-                             const double *lines, double *x) {
-  Lanes sum = zero();
-  for (uint32_t l = 0; l < line_stride; l++) {
-    sum = add(sum, scale(load(lines + (uint64_t)l * lanes), c[l]));
-  }
-  store(x, sum);
-}
-
-static void spread_lines(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
-                         const uint32_t *at, const double *across, const double *lines, double *x) {
+/* Up to four lines at once, `n` of them known when compiled. */
+static INLINE void gather_some(uint32_t n, bool odd, uint32_t lines, uint32_t lanes, uint32_t count,
+                               const uint32_t *wire, const uint32_t *at, const uint32_t *image,
+                               const double *across, const double *x, double *to) {
+  Lanes sum[4] = {zero(), zero(), zero(), zero()};
   for (uint32_t k = 0; k < count; k++) {
-    spread_to(line_stride, lanes, across + (uint64_t)wire[k] * line_stride, lines, x + at[k]);
+    const double *c = across + (uint64_t)wire[k] * lines;
+    Lanes v = load(x + at[k]);
+    if (at[k] != image[k]) {
+      v = odd ? subtract(v, load(x + image[k])) : add(v, load(x + image[k]));
+    }
+    for (uint32_t l = 0; l < n; l++) sum[l] = add(sum[l], scale(v, c[l]));
+  }
+  for (uint32_t l = 0; l < n; l++) store(to + (uint64_t)l * lanes, sum[l]);
+}
+
+static INLINE void gather_parity(bool odd, uint32_t first, uint32_t end, uint32_t lines,
+                                 uint32_t lanes, uint32_t count, const uint32_t *wire,
+                                 const uint32_t *at, const uint32_t *image, const double *across,
+                                 const double *x, double *to) {
+  for (uint32_t l = first; l < end;) {
+    const uint32_t n = end - l < 4 ? end - l : 4;
+    const double *c = across + l;
+    double *out = to + (uint64_t)l * lanes;
+    switch (n) {
+    case 1: gather_some(1, odd, lines, lanes, count, wire, at, image, c, x, out); break;
+    case 2: gather_some(2, odd, lines, lanes, count, wire, at, image, c, x, out); break;
+    case 3: gather_some(3, odd, lines, lanes, count, wire, at, image, c, x, out); break;
+    default: gather_some(4, odd, lines, lanes, count, wire, at, image, c, x, out); break;
+    }
+    l += n;
+  }
+}
+
+static void gather_lines(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
+                         const uint32_t *wire, const uint32_t *at, const uint32_t *image,
+                         const double *across, const double *x, double *to) {
+  gather_parity(false, 0, even, lines, lanes, count, wire, at, image, across, x, to);
+  gather_parity(true, even, lines, lines, lanes, count, wire, at, image, across, x, to);
+}
+
+static void spread_lines(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
+                         const uint32_t *wire, const uint32_t *at, const uint32_t *image,
+                         const double *across, const double *from, double *x) {
+  for (uint32_t k = 0; k < count; k++) {
+    const double *c = across + (uint64_t)wire[k] * lines;
+    Lanes s = zero(), d = zero();
+    for (uint32_t l = 0; l < even; l++) s = add(s, scale(load(from + (uint64_t)l * lanes), c[l]));
+    for (uint32_t l = even; l < lines; l++) {
+      d = add(d, scale(load(from + (uint64_t)l * lanes), c[l]));
+    }
+    store(x + image[k], subtract(s, d));
+    store(x + at[k], add(s, d));
   }
 }
 
@@ -349,25 +387,78 @@ static INLINE Lanes mean_force(const TbLaw *law, uint32_t power, Knee knee, Lane
   return pick(in_line, line_mean, pick(either(above, over), mixed, power_mean));
 }
 
-static void law_lanes(const TbLaw *law, uint32_t power, const double *y_at, const double *s_at,
-                      double *force_at, double *slope_at, double *mean_at) {
-  const double beyond = law->limit < 1e30 ? law->limit_slope : 0.0; /* may be infinite if unused */
-  const Knee knee = {all(law->limit), all(law->limit_force), all(beyond)};
-  const Lanes y = load(y_at), s = load(s_at), x = add(y, s);
+typedef struct Secant {
+  Lanes mean, rise; /* DV/s, and its derivative in s */
+} Secant;
+
+/* For blocks with a lane beyond the knee, where V' goes on as a line. */
+static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Knee knee, Lanes y, Lanes s,
+                                      Lanes x) {
   const Lanes mean = mean_force(law, power, knee, smaller(x, y), larger(x, y));
-  const Mask small =
-    greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s)); /* V''/2 instead of 0/0 */
-  const Lanes divisor = pick(small, all(1.0), pick(greater(size_of(s), zero()), s, all(1.0)));
+  const Mask small = greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s));
+  const Lanes divisor = pick(greater(size_of(s), zero()), s, all(1.0));
   const Lanes quotient = divide(subtract(static_force(law, power, knee, x), mean), divisor);
   const Lanes bend = scale(curvature(law, power, knee, add(y, scale(s, 0.5))), 0.5);
-  const Lanes slope = pick(small, bend, larger(quotient, zero()));
+  return (Secant){mean, pick(small, bend, larger(quotient, zero()))};
+}
+
+/* Below the knee, from the roots of both ends alone. */
+static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Lanes y, Lanes s, Lanes x) {
+  const Lanes from = larger(smaller(x, y), zero()), top = larger(larger(x, y), zero());
+  const Lanes p = power == 3 ? root(from) : from, q = power == 3 ? root(top) : top;
+  const Lanes sum = add(from, top), product = multiply_lanes(from, top);
+  Lanes inside = scale(sum, 0.5 * law->stiffness), bend = all(0.5 * law->stiffness);
+  if (power != 2) {
+    const Lanes square = subtract(multiply_lanes(sum, sum), product);
+    const Lanes roots = add(p, q), safe = pick(greater(roots, zero()), roots, all(1.0));
+    inside = scale(square, law->stiffness / 3.0);
+    bend = scale(sum, 0.5 * law->stiffness);
+    if (power == 3) {
+      const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), sum));
+      inside = divide(scale(quartic, 0.4 * law->stiffness), safe);
+      bend = scale(roots, 0.375 * law->stiffness);
+    }
+  }
+  const Lanes per_s = divide(all(1.0), pick(greater(size_of(s), zero()), s, all(1.0)));
+  /* An interval that begins in the air: the work over its length. */
+  const Lanes part = multiply_lanes(inside, multiply_lanes(subtract(top, from), size_of(per_s)));
+  const Mask air = greater(zero(), smaller(x, y));
+  const Lanes mean = pick(air, part, inside);
+  const Lanes end = larger(x, zero());
+  Lanes force = scale(end, law->stiffness);
+  if (power == 4) force = multiply_lanes(force, end);
+  if (power == 3) force = multiply_lanes(force, pick(greater(x, y), q, p));
+  const Mask small = greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s));
+  const Lanes quotient = larger(multiply_lanes(subtract(force, mean), per_s), zero());
+  return (Secant){mean, pick(small, bend, quotient)};
+}
+
+static INLINE bool any(Mask m) {
+  Bits bits = m.part[0];
+  for (int i = 1; i < PARTS; i++) bits |= m.part[i];
+  int64_t found = 0;
+  for (int i = 0; i < WIDTH; i++) found |= bits[i];
+  return found != 0;
+}
+
+static INLINE void law_lanes(const TbLaw *law, uint32_t power, const double *y_at,
+                             const double *s_at, double *force_at, double *slope_at,
+                             double *mean_at) {
+  const Lanes y = load(y_at), s = load(s_at), x = add(y, s);
+  Secant secant;
+  if (any(greater(larger(x, y), all(law->limit)))) {
+    const Knee knee = {all(law->limit), all(law->limit_force), all(law->limit_slope)};
+    secant = secant_over_knee(law, power, knee, y, s, x);
+  } else {
+    secant = secant_of_power(law, power, y, s, x);
+  }
   const Lanes factor = add(all(1.0), scale(s, law->loss));
   const Mask touching = either(greater(y, zero()), greater(x, zero()));
   const Mask pushing = both(touching, greater(factor, zero()));
-  store(mean_at, pick(touching, mean, zero()));
-  store(force_at, pick(pushing, multiply_lanes(mean, factor), zero()));
-  store(slope_at,
-        pick(pushing, add(multiply_lanes(slope, factor), scale(mean, law->loss)), zero()));
+  const Lanes slope = add(multiply_lanes(secant.rise, factor), scale(secant.mean, law->loss));
+  store(mean_at, pick(touching, secant.mean, zero()));
+  store(force_at, pick(pushing, multiply_lanes(secant.mean, factor), zero()));
+  store(slope_at, pick(pushing, slope, zero()));
 }
 
 static void law_of(const TbLaw *law, uint32_t power, const double *y, const double *s,
@@ -379,6 +470,48 @@ static void law_of(const TbLaw *law, uint32_t power, const double *y, const doub
   }
 }
 
+static void gather(uint32_t count, const uint32_t *rows, const double *from, double *to) {
+  for (uint32_t k = 0; k < count; k++) store(to + 8 * k, load(from + rows[k]));
+}
+
+static void add_own(uint32_t count, const uint32_t *rows, const double *own, const double *x,
+                    double *out) {
+  for (uint32_t k = 0; k < count; k++) {
+    store(out + 8 * k,
+          add(load(out + 8 * k), multiply_lanes(load(own + rows[k]), load(x + 8 * k))));
+  }
+}
+
+static void miss(const double *x, const double *y, double *most) {
+  store(most, larger(load(most), size_of(subtract(load(x), load(y)))));
+}
+
+static void residual(const double *s, const double *b, double *r, double *most) {
+  const Lanes left = add(load(r), subtract(load(s), load(b)));
+  store(r, left);
+  store(most, larger(load(most), size_of(left)));
+}
+
+static void weigh(uint32_t n, const double *slope, double *weight, double *r) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes w = root(load(slope + i));
+    store(weight + i, w);
+    store(r + i, subtract(zero(), multiply_lanes(w, load(r + i))));
+  }
+}
+
+static void balance(double t, const double *s_at, const double *law, const double *slope,
+                    const double *f_at, const double *f_last, const double *p, const double *p_last,
+                    double *sum) {
+  const Lanes s = load(s_at), f = load(f_at), g = subtract(f, load(f_last));
+  const Lanes m = subtract(load(p), load(p_last)), moved = add(f, scale(g, t));
+  const Lanes left = subtract(load(law), moved);
+  const Lanes bend = multiply_lanes(s, add(multiply_lanes(load(slope), m), g));
+  store(sum, add(load(sum), multiply_lanes(s, left)));
+  store(sum + 8, subtract(load(sum + 8), add(multiply_lanes(m, left), bend)));
+  store(sum + 16, add(load(sum + 16), size_of(multiply_lanes(s, moved))));
+}
+
 static uint32_t mark(uint32_t blocks, const double *y, const double *s, const double *f,
                      uint8_t *touch) {
   uint32_t count = 0;
@@ -387,11 +520,7 @@ static uint32_t mark(uint32_t blocks, const double *y, const double *s, const do
     const Lanes force = load(f + 8 * b);
     const Lanes most = larger(larger(before, after), size_of(force));
     const Mask m = greater(most, zero());
-    Bits any = m.part[0];
-    for (int i = 1; i < PARTS; i++) any |= m.part[i];
-    int64_t found = 0;
-    for (int i = 0; i < WIDTH; i++) found |= any[i];
-    touch[b] |= found != 0;
+    touch[b] |= any(m);
     count += touch[b];
   }
   return count;
@@ -404,15 +533,6 @@ static void penetrate(uint32_t n, double side, double shift, const double *w, co
     const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
     const Lanes eta = add(add(deviation, load(rest + i)), shifted);
     store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));
-  }
-}
-
-static void respond(uint32_t n, const double *own, const double *f, const double *w,
-                    const double *b, double *product, double *s) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes yielded = add(multiply_lanes(load(own + i), load(f + i)), load(w + i));
-    store(product + i, yielded);
-    store(s + i, subtract(load(b + i), yielded));
   }
 }
 
@@ -458,7 +578,30 @@ static void redirect(uint32_t n, double t, double *d, const double *r) {
   for (uint32_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 
-const TbKernels TB_KERNELS = {two_step,    multiply, dot,          add_scaled,   add_product,
-                              readout,     losses,   gather_lines, spread_lines, wire_step,
-                              wire_losses, law_of,   mark,         penetrate,    respond,
-                              move,        product,  turn,         advance,      redirect};
+const TbKernels TB_KERNELS = {
+  .two_step = two_step,
+  .multiply = multiply,
+  .dot = dot,
+  .add_scaled = add_scaled,
+  .add_product = add_product,
+  .readout = readout,
+  .losses = losses,
+  .gather_lines = gather_lines,
+  .spread_lines = spread_lines,
+  .wire_step = wire_step,
+  .wire_losses = wire_losses,
+  .law = law_of,
+  .gather = gather,
+  .add_own = add_own,
+  .miss = miss,
+  .residual = residual,
+  .weigh = weigh,
+  .balance = balance,
+  .mark = mark,
+  .penetrate = penetrate,
+  .move = move,
+  .product = product,
+  .turn = turn,
+  .advance = advance,
+  .redirect = redirect,
+};

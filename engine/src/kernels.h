@@ -34,14 +34,16 @@ typedef struct TbKernels {
   TbPair (*losses)(uint32_t n, const double *u, const double *v, const double *next,
                    const double *last);
 
-  /* The bed (bed.h): 8 lanes of `count` wires, block k at x[at[k]], against lines of `lanes` doubles.
-   * line_stride is a multiple of 4.
-   * lines[l][0..7] = Sum_k across[wire[k]][l] x_k */
-  void (*gather_lines)(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
-                       const uint32_t *at, const double *across, const double *x, double *lines);
-  /* x_k = Sum_l across[wire[k]][l] lines[l][0..7] */
-  void (*spread_lines)(uint32_t line_stride, uint32_t lanes, uint32_t count, const uint32_t *wire,
-                       const uint32_t *at, const double *across, const double *lines, double *x);
+  /* The bed (bed.h): `count` blocks of 8 lanes at x[at[k]] with their images at x[image[k]], against
+   * `lines` of `lanes` doubles, the first `even` of them even under the exchange of the two.
+   * lines[l][0..7] = Sum_k across[wire[k]][l] (x_k +- x_image) */
+  void (*gather_lines)(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
+                       const uint32_t *wire, const uint32_t *at, const uint32_t *image,
+                       const double *across, const double *x, double *to);
+  /* x_k, x_image = Sum_even across[wire[k]][l] lines[l][0..7] +- Sum_odd */
+  void (*spread_lines)(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
+                       const uint32_t *wire, const uint32_t *at, const uint32_t *image,
+                       const double *across, const double *from, double *x);
 
   /* Wires (wires.h): v at n lanes, readable one lane before and after; inner is 1 at inner nodes, else
    * 0. c = {gain, keep, stretch, bend, diffuse}; `bend` and `bend_last` are scratch, readable one lane
@@ -55,15 +57,29 @@ typedef struct TbKernels {
    * force and slope at s, and the mean of V' between y and y + s. */
   void (*law)(const struct TbLaw *law, uint32_t power, const double *y, const double *s,
               double *force, double *slope, double *mean);
+  /* Blocks of 8 rows, of which block k begins at rows[k]: to_k = from[rows[k]], and
+   * out_k += own[rows[k]] x_k */
+  void (*gather)(uint32_t count, const uint32_t *rows, const double *from, double *to);
+  void (*add_own)(uint32_t count, const uint32_t *rows, const double *own, const double *x,
+                  double *out);
+  /* Largest |x - y| in 8 lanes, or `most` if that is larger, lane by lane into most[8]. */
+  void (*miss)(const double *x, const double *y, double *most);
+  /* r = r + (s - b) in 8 lanes, |r| as above. */
+  void (*residual)(const double *s, const double *b, double *r, double *most);
+  /* weight = sqrt(slope), r = -weight r */
+  void (*weigh)(uint32_t n, const double *slope, double *weight, double *r);
+  /* In 8 lanes, with g = f - f_last, m = p - p_last: f + t g against the law's force at s - what
+   * TbSolve calls balance: sum[0..7] += s (law - f'), sum[8..] -= m (law - f') + s (slope m + g),
+   * sum[16..] += |s f'|. */
+  void (*balance)(double t, const double *s, const double *law, const double *slope,
+                  const double *f, const double *f_last, const double *p, const double *p_last,
+                  double *sum);
   /* touch[b] |= 1 where one of 8 lanes has y > 0, y + s > 0 or f != 0; the number of such blocks */
   uint32_t (*mark)(uint32_t blocks, const double *y, const double *s, const double *f,
                    uint8_t *touch);
   /* eta = (side w - v) + rest + shift, b = (eta - last) + load */
   void (*penetrate)(uint32_t n, double side, double shift, const double *w, const double *v,
                     const double *rest, const double *last, const double *load, double *b);
-  /* product = own f + w, s = b - product */
-  void (*respond)(uint32_t n, const double *own, const double *f, const double *w, const double *b,
-                  double *product, double *s);
   /* v += own (f - rest), eta = last + s */
   void (*move)(uint32_t n, const double *own, const double *f, const double *rest,
                const double *last, const double *s, double *v, double *eta);

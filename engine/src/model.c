@@ -22,8 +22,8 @@ typedef struct Level {
 
 static Level level_of(uint32_t quality) {
   switch (quality) {
-  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 1e-2, 3e-3, 1e-2};
-  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64, 1e-3, 3e-4, 1e-3};
+  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
+  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 4, 6, 64, 1e-2, 3e-3, 1e-3};
   case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
   default: return (Level){8000.0, 16000.0, 8, 24, 128, 0.0, 1e-7, 1e-5};
   }
@@ -35,10 +35,14 @@ static const double TOP_OF_RATE = 0.2;
 /* The one-way band needs no more than that its modes be told apart from their images. */
 static const double TOP_OF_HEARING = 0.42;
 
+/* Many wires share their points: half as many each, but no fewer than LEAST_CELLS. */
+static const uint32_t MANY_WIRES = 8, LEAST_CELLS = 32;
+
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);
   if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
   if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
+  if (def->wires.count > MANY_WIRES && level.wire_cells > LEAST_CELLS) level.wire_cells /= 2;
   if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
   if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * rate);

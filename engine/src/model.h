@@ -49,7 +49,7 @@ typedef struct TbLayout {
   size_t previous, previous_product, row_y, row_s, law_force, slope, mean, residual, direction,
     turned, weight, solution, work;
   size_t grid, change, response, pushed, answer, scratch; /* by points of the grid */
-  size_t touch, row, block_begin, block_wire, block_at;
+  size_t touch, row, wire, block_begin, block_wire, block_at, block_image;
   size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
     stretch_grid[2], coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;

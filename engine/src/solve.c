@@ -8,7 +8,7 @@
 static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
 /* A balance is exact to this part of the work that makes it up. */
-static const double BALANCE_TOLERANCE = 1e-14;
+static const double BALANCE_TOLERANCE = 1e-11;
 static const uint32_t MOST_BALANCE_STEPS = 8;
 
 static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLOTS; }
@@ -75,33 +75,48 @@ static void listed_product(TbSolve *solve, uint32_t n, const double *x, double *
   push_head(solve, solve->pushed, x + 8 * n, solve->answer, slots);
   tb_bed_expand(solve->bed, solve->kernels, &solve->blocks, solve->answer, solve->scratch, out);
   memcpy(out + 8 * n, slots, TB_SLOTS * sizeof *slots);
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    solve->kernels->add_product(8, out + 8 * k, solve->own + solve->row[k], x + 8 * k);
-  }
+  solve->kernels->add_own(n + TB_SLOT_BLOCKS, solve->row, solve->own, x, out);
+}
+
+static double largest_of(const double *eight) {
+  double largest = 0.0;
+  for (uint32_t l = 0; l < 8; l++) largest = eight[l] > largest ? eight[l] : largest;
+  return largest;
 }
 
 /* ---- rows that matter ----------------------------------------------------------------------- */
+
+static uint32_t touched_blocks(TbSolve *solve) {
+  return solve->kernels->mark(solve->stride / 8, solve->y, solve->s, solve->force, solve->touch);
+}
 
 /* Lists the blocks that touched so far, touch at s, or carry a force, by their lanes; the slots come
  * last. Returns the number of blocks without them. */
 static uint32_t list_blocks(TbSolve *solve) {
   const TbBed *bed = solve->bed;
-  const uint32_t blocks = bed->lanes / 8;
+  const uint32_t blocks = bed->lanes / 8, listed = tb_bed_listed(bed);
   TbBlocks *list = &solve->blocks;
-  const uint32_t found =
-    solve->kernels->mark(solve->stride / 8, solve->y, solve->s, solve->force, solve->touch);
-  uint32_t n = 0;
+  const uint8_t *touch = solve->touch;
+  touched_blocks(solve);
+  uint32_t n = 0, count = 0;
   for (uint32_t b = 0; b < blocks; b++) {
-    list->begin[b] = n;
-    if (n == found) continue;
-    for (uint32_t w = 0; w < bed->wires; w++) {
-      if (!solve->touch[w * blocks + b]) continue;
-      list->wire[n] = w;
-      list->at[n] = 8 * n;
+    list->begin[b] = count;
+    for (uint32_t w = 0; w < listed; w++) {
+      const uint32_t image = bed->quarters == 2 ? bed->wires - 1 - w : w;
+      if (!(touch[w * blocks + b] | touch[image * blocks + b])) continue;
+      list->wire[count] = w;
+      list->at[count] = list->image[count] = 8 * n;
+      solve->wire[n] = w;
       solve->row[n++] = w * bed->lanes + 8 * b;
+      if (image != w) {
+        list->image[count] = 8 * n;
+        solve->wire[n] = image;
+        solve->row[n++] = image * bed->lanes + 8 * b;
+      }
+      count++;
     }
   }
-  list->begin[blocks] = n;
+  list->begin[blocks] = count;
   for (uint32_t k = 0; k < TB_SLOT_BLOCKS; k++) solve->row[n + k] = solve->stride + 8 * k;
   return n;
 }
@@ -122,16 +137,14 @@ static void slot_laws(TbSolve *solve, uint32_t at) {
 static void apply_laws(TbSolve *solve, uint32_t n) {
   for (uint32_t k = 0; k < n; k++) {
     const uint32_t at = 8 * k;
-    tb_law_forces(&solve->wire_laws[solve->blocks.wire[k]], solve->kernels, solve->row_y + at,
+    tb_law_forces(&solve->wire_laws[solve->wire[k]], solve->kernels, solve->row_y + at,
                   solve->row_s + at, solve->law_force + at, solve->slope + at, solve->mean + at);
   }
   slot_laws(solve, 8 * n);
 }
 
 static void gather(const TbSolve *solve, uint32_t n, const double *rows, double *listed) {
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    memcpy(listed + 8 * k, rows + solve->row[k], 8 * sizeof *rows);
-  }
+  solve->kernels->gather(n + TB_SLOT_BLOCKS, solve->row, rows, listed);
 }
 
 /* The laws at s; returns the largest difference from the forces that led there. */
@@ -140,16 +153,11 @@ static double evaluate(TbSolve *solve, uint32_t *n) {
   gather(solve, *n, solve->y, solve->row_y);
   gather(solve, *n, solve->s, solve->row_s);
   apply_laws(solve, *n);
-  double most[8] = {0.0};
+  _Alignas(TB_ALIGNMENT) double most[8] = {0.0};
   for (uint32_t k = 0; k < *n + TB_SLOT_BLOCKS; k++) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const double miss = fabs(solve->law_force[8 * k + l] - solve->force[solve->row[k] + l]);
-      most[l] = miss > most[l] ? miss : most[l];
-    }
+    solve->kernels->miss(solve->law_force + 8 * k, solve->force + solve->row[k], most);
   }
-  double largest = 0.0;
-  for (uint32_t l = 0; l < 8; l++) largest = most[l] > largest ? most[l] : largest;
-  return largest;
+  return largest_of(most);
 }
 
 static uint32_t count_touching(const TbSolve *solve, uint32_t n) {
@@ -165,16 +173,12 @@ static uint32_t count_touching(const TbSolve *solve, uint32_t n) {
 static double find_residual(TbSolve *solve, uint32_t n, double *slots) {
   listed_product(solve, n, solve->law_force, slots, solve->residual);
   memcpy(solve->response, solve->answer, solve->bed->size * sizeof *solve->response);
-  double largest = 0.0;
+  _Alignas(TB_ALIGNMENT) double most[8] = {0.0};
   for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const uint32_t row = solve->row[k] + l;
-      const double r = solve->residual[8 * k + l] + (solve->s[row] - solve->b[row]);
-      solve->residual[8 * k + l] = r;
-      largest = fabs(r) > largest ? fabs(r) : largest;
-    }
+    const uint32_t row = solve->row[k];
+    solve->kernels->residual(solve->s + row, solve->b + row, solve->residual + 8 * k, most);
   }
-  return largest;
+  return largest_of(most);
 }
 
 /* Solves (I + W M W) p = right, given in `residual`, over the listed rows by conjugate gradients from
@@ -205,8 +209,7 @@ static void solve_inner(TbSolve *solve, uint32_t n, double *slots) {
 /* s = b - M f from `response` and slots[], over all rows. */
 static void follow(TbSolve *solve, const double *slots) {
   expand_response(solve, solve->force, solve->response, slots, solve->product);
-  const uint32_t total = total_rows(solve);
-  for (uint32_t i = 0; i < total; i++) solve->s[i] = solve->b[i] - solve->product[i];
+  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
 }
 
 /* force = law_force + weight solution, and s with it. */
@@ -221,10 +224,7 @@ static void take_forces(TbSolve *solve, uint32_t n, bool solved, const double *s
 }
 
 static void newton_step(TbSolve *solve, uint32_t n, double *slots) {
-  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
-    solve->weight[i] = sqrt(solve->slope[i]);
-    solve->residual[i] *= -solve->weight[i];
-  }
+  solve->kernels->weigh(8 * n + TB_SLOTS, solve->slope, solve->weight, solve->residual);
   solve_inner(solve, n, slots);
   take_forces(solve, n, true, slots);
 }
@@ -236,21 +236,20 @@ typedef struct Balance {
   double value, derivative, scale;
 } Balance;
 
+static double sum_of(const double *eight) {
+  return ((eight[0] + eight[4]) + (eight[2] + eight[6])) +
+         ((eight[1] + eight[5]) + (eight[3] + eight[7]));
+}
+
 static Balance balance_at(TbSolve *solve, uint32_t n, double t) {
-  Balance h = {0.0, 0.0, 0.0};
+  _Alignas(TB_ALIGNMENT) double sum[24] = {0.0};
   for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const uint32_t i = 8 * k + l, row = solve->row[k] + l;
-      const double g = solve->force[row] - solve->previous[row];
-      const double mg = solve->product[row] - solve->previous_product[row];
-      const double f = solve->force[row] + t * g, s = solve->row_s[i];
-      const double miss = solve->law_force[i] - f;
-      h.value += s * miss;
-      h.derivative -= mg * miss + s * (solve->slope[i] * mg + g);
-      h.scale += fabs(s * f);
-    }
+    const uint32_t row = solve->row[k], i = 8 * k;
+    solve->kernels->balance(t, solve->row_s + i, solve->law_force + i, solve->slope + i,
+                            solve->force + row, solve->previous + row, solve->product + row,
+                            solve->previous_product + row, sum);
   }
-  return h;
+  return (Balance){sum_of(sum), sum_of(sum + 8), sum_of(sum + 16)};
 }
 
 static void laws_at(TbSolve *solve, uint32_t n, double t) {
@@ -285,8 +284,10 @@ static bool balance(TbSolve *solve, uint32_t n, double reach) {
     laws_at(solve, n, t);
     h = balance_at(solve, n, t);
   }
-  if (t != 0.0) move_forces(solve, t);
-  return true;
+  if (t == 0.0) return true;
+  const uint32_t touched = touched_blocks(solve);
+  move_forces(solve, t);
+  return touched_blocks(solve) == touched; /* else something else touches now, and was left out */
 }
 
 /* What the laws lose in a step, with the values of the last evaluation. */
@@ -322,9 +323,10 @@ static double majorant_curvature(const TbLaw *law, double y, double b, double fr
 }
 
 static const TbLaw *law_of(const TbSolve *solve, uint32_t k, uint32_t lane) {
-  if (solve->row[k] >= solve->stride)
+  if (solve->row[k] >= solve->stride) {
     return &solve->slot_laws[solve->row[k] - solve->stride + lane];
-  return &solve->wire_laws[solve->blocks.wire[k]];
+  }
+  return &solve->wire_laws[solve->wire[k]];
 }
 
 /* Force at s = 0 and half the curvature of every listed row's majorant. */
@@ -409,9 +411,7 @@ static double largest_magnitude(uint32_t n, const double *x) {
       most[l] = size > most[l] ? size : most[l];
     }
   }
-  double largest = 0.0;
-  for (uint32_t l = 0; l < 8; l++) largest = most[l] > largest ? most[l] : largest;
-  return largest;
+  return largest_of(most);
 }
 
 static double noise(const TbSolve *solve, uint32_t n) {
@@ -496,7 +496,8 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
     remedy(solve, n, &outcome);
   }
   outcome.touching = count_touching(solve, n);
-  const TbBlocks rows = {solve->blocks.begin, solve->blocks.wire, solve->row};
-  tb_bed_contract(solve->bed, solve->kernels, &rows, solve->force, solve->scratch, solve->grid);
+  gather(solve, n, solve->force, solve->work);
+  tb_bed_contract(solve->bed, solve->kernels, &solve->blocks, solve->work, solve->scratch,
+                  solve->grid);
   return outcome;
 }

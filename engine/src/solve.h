@@ -63,7 +63,8 @@ typedef struct TbSolve {
   double *response, *pushed, *answer;
   double *scratch; /* [tb_bed_scratch] */
   uint8_t *touch;  /* [stride/8] */
-  uint32_t *row;   /* [stride/8 + TB_SLOT_BLOCKS]: first row of each block */
+  uint32_t *row,
+    *wire; /* [stride/8 + TB_SLOT_BLOCKS]: first row of each listed block, and its wire */
   TbBlocks blocks;
 } TbSolve;
 

@@ -40,8 +40,9 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     *grid_arrays[i] = place(&total, bed->size);
   }
   layout->scratch = place(&total, tb_bed_scratch(bed));
-  size_t *const lists[] = {&layout->touch, &layout->row, &layout->block_begin, &layout->block_wire,
-                           &layout->block_at};
+  size_t *const lists[] = {&layout->touch,       &layout->row,        &layout->wire,
+                           &layout->block_begin, &layout->block_wire, &layout->block_at,
+                           &layout->block_image};
   for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) *lists[i] = place(&total, rows / 8 + 1);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
@@ -124,9 +125,11 @@ static TbSolve solve_at(TbState *state, const TaborModel *model) {
                    .scratch = at(state, l->scratch),
                    .touch = (uint8_t *)at(state, l->touch),
                    .row = (uint32_t *)(void *)at(state, l->row),
+                   .wire = (uint32_t *)(void *)at(state, l->wire),
                    .blocks = {.begin = (uint32_t *)(void *)at(state, l->block_begin),
                               .wire = (uint32_t *)(void *)at(state, l->block_wire),
-                              .at = (uint32_t *)(void *)at(state, l->block_at)}};
+                              .at = (uint32_t *)(void *)at(state, l->block_at),
+                              .image = (uint32_t *)(void *)at(state, l->block_image)}};
 }
 
 TbView tb_view(TbState *state, const TaborModel *model) {

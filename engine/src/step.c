@@ -62,8 +62,9 @@ static void free_penetration(TbView *view) {
   }
 }
 
-/* Adds what the contact forces do to the free motion in view->next. */
-static void respond(TbView *view) {
+/* Adds what the contact forces do to the free motion in view->next; `unchanged` if they are those of the
+ * last step. */
+static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   const TbModes *modes = &model->modes;
@@ -72,10 +73,12 @@ static void respond(TbView *view) {
   const double *force = view->solve.force;
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
-  for (uint32_t i = 0; i < model->projection.bed.size; i++) {
-    view->change[i] = view->solve.grid[i] - model->rest.grid[i];
+  if (!unchanged) {
+    for (uint32_t i = 0; i < model->projection.bed.size; i++) {
+      view->change[i] = view->solve.grid[i] - model->rest.grid[i];
+    }
+    tb_project_forces(&model->projection, kernels, view->change, view->modal);
   }
-  tb_project_forces(&model->projection, kernels, view->change, view->modal);
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
@@ -119,8 +122,21 @@ static double delayed(TbView *view, uint32_t mic, double value) {
   return view->delay[mic][*at];
 }
 
+/* What the wires' forces do to the high band. */
+static void gather_high(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbHighBand *high = &model->high;
+  for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
+  for (uint32_t row = 0; row < model->wires.stride; row++) {
+    view->high_groups[high->row_group[row]] += view->solve.force[row] - model->rest.force[row];
+  }
+  const uint32_t size = high->begin[model->wires.head + 1] - high->begin[model->wires.head];
+  model->kernels->multiply(size / 8, TB_HIGH_GROUPS, view->high_force, high->push,
+                           view->high_groups);
+}
+
 /* The high band hears the contact forces, counted from rest; it does not answer. */
-static void drive_high(TbView *view) {
+static void drive_high(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbHighBand *high = &model->high;
   const TbKernels *kernels = model->kernels;
@@ -129,14 +145,10 @@ static void drive_high(TbView *view) {
                     view->last.high);
   const double *force = view->solve.force;
   if (model->wires.count > 0) {
-    for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      view->high_groups[high->row_group[row]] += force[row] - model->rest.force[row];
-    }
+    if (!unchanged) gather_high(view);
     const uint32_t from = high->begin[model->wires.head];
-    const uint32_t size = high->begin[model->wires.head + 1] - from;
-    kernels->multiply(size / 8, TB_HIGH_GROUPS, view->high_force, high->push, view->high_groups);
-    for (uint32_t i = 0; i < size; i++) view->next.high[from + i] += view->high_force[i];
+    kernels->add_scaled(high->begin[model->wires.head + 1] - from, view->next.high + from, 1.0,
+                        view->high_force);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double push = force[model->wires.stride + i];
@@ -168,7 +180,8 @@ void tb_step(TbView *view, double *pressure) {
   free_penetration(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
-  respond(view);
+  const bool unchanged = !outcome.contact && view->state->airborne;
+  respond(view, unchanged);
   tb_stretch_respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (!shortened) {
@@ -176,7 +189,8 @@ void tb_step(TbView *view, double *pressure) {
     view->state->sums.damper_loss += outcome.damper_loss;
   }
   book_losses(view);
-  drive_high(view);
+  drive_high(view, unchanged);
+  view->state->airborne = !outcome.contact;
   listen(view, pressure);
   view->state->clock++;
   tb_view_rotate(view);

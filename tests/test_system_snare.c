@@ -250,7 +250,7 @@ static void slack_wires_rattle_longer(void **state) {
   TaborDrumDef def = drum_of("snare-14x5.5");
   def.wires.tension = 2.0;
   const double slack = treble_lasts(play(&def, stroke(&def, 2.5, -1.0), NULL, 0.4));
-  def.wires.tension = 40.0;
+  def.wires.tension = 60.0;
   const double tight = treble_lasts(play(&def, stroke(&def, 2.5, -1.0), NULL, 0.4));
   print_message("treble lasts %.2f s with slack wires, %.2f s with tight ones\n", slack, tight);
   assert_true(slack > 1.2 * tight);
@@ -265,7 +265,7 @@ static void closing_the_strainer_chokes_the_drum(void **state) {
   const double open = level_late(play(&def, stroke(&def, 2.5, -1.0), NULL, 0.35));
   const double closed = level_late(play(&def, stroke(&def, 2.5, -1.0), &close, 0.35));
   print_message("0.25 to 0.35 s: %.1f dB left open, %.1f dB closed\n", open, closed);
-  assert_true(open - closed > 6.0);
+  assert_true(open - closed > (brief ? 3.0 : 6.0)); /* four wires choke less than twenty */
 }
 
 static void harder_strokes_are_brighter(void **state) {

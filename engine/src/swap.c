@@ -250,11 +250,11 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
   return true;
 }
 
-void tb_swap_fade(TaborDrum *drum, double *pressure, uint32_t mics) {
+void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure, uint32_t mics) {
   TaborSwap *swap = drum->fading;
   TbView view = tb_view(swap->state, swap->old_model);
   double ringing[TABOR_MAX_MICS] = {0.0};
-  tb_step(&view, ringing);
+  tb_step(&view, heard, ringing);
   const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
   const uint32_t shared =
     mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;

@@ -25,8 +25,10 @@ static Outcome open_stream(Reader *reader, const char *name) {
   SF_INFO info = {0};
   const bool standard = strcmp(name, "-") == 0;
   struct stat status;
-  if ((standard ? fstat(STDIN_FILENO, &status) : stat(name, &status)) == 0 &&
-      S_ISDIR(status.st_mode)) {
+  if ((standard ? fstat(STDIN_FILENO, &status) : stat(name, &status)) != 0) {
+    return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode)) {
     return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
   }
   errno = 0;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Preset files as users write, cut and damage them.
 
+docs=$(cd "$(dirname "$0")/../docs" && pwd)
 . "$(dirname "$0")/host_checks.sh"
 
 done_quietly show
@@ -161,6 +162,8 @@ done_quietly render bare.ini -q --quality draft --duration 0.02 --format float -
 bad "bad.ini:[0-9]*: unknown key 'resonant.tensoin'; did you mean 'resonant.tension'"
 { cat two.ini && printf 'surface_density = 9\n'; } >bad.ini
 bad "surface_density = 9 is outside"
+sed -n '/^```ini$/,/^```$/{/^```/!p}' "$docs/presets.md" >manual.ini
+done_quietly render manual.ini -q --quality draft --duration 0.02 --format float -o manual.wav
 cp good.ini guarded.ini
 refused "overwrite the preset" render guarded.ini -q --trace guarded.ini
 

@@ -29,12 +29,12 @@ check "version" grep -qE '^tabor [0-9]+\.[0-9]+\.[0-9]+$' "$out"
 version=$(cut -d ' ' -f 2 "$out")
 done_quietly --version --json
 same "version as JSON" "$version" "$(json version)"
+done_quietly help render
+check "help of a command" grep -q '^Usage: tabor render' "$out"
 done_quietly help
 cp "$out" help
 done_quietly --help
 check "help is --help" cmp -s help "$out"
-done_quietly help render
-check "help of a command" grep -q '^Usage: tabor render' "$out"
 for command in render presets show modes bench analyze; do
   check "help names $command" grep -q "^  $command " "$out"
   same "$command --version" "tabor $version" "$("$TABOR" $command --version)"
@@ -135,6 +135,7 @@ same "keys of energy" "injected control stored head_loss wire_loss contact_loss 
 shell_loss radiated removed residual" "$(json energy.keys)"
 same "facts" "tabor 44100 22050 2 facts.wav" \
   "$(json preset) $(json rate) $(json frames) $(json channels) $(json output)"
+same "no trace" null "$(json trace)"
 described facts.wav "wav pcm24 44100 2 22050"
 holds "peak" "($(json peak) - $("$INSPECT" peak facts.wav))^2 < 1e-12"
 holds "real time" "$(json real_time_factor) > 0"
@@ -148,7 +149,6 @@ run render "${quick[@]}" --duration 0.05 -o talk.wav
 same "status" 0 "$status"
 check "a line about it" grep -q '^talk.wav: tabor, 0.05 s, 48000 Hz, 1 channel, peak ' "$err"
 same "nothing else" "1 0" "$(wc -l <"$err") $(wc -c <"$out")"
-same "no trace" null "$(json trace)"
 run render "${quick[@]}" --duration 0.05 -v -o talk.wav
 check "more" grep -q 'energy in J' "$err"
 check "one wire is no wires" grep -q ', 1 wire with ' "$err"

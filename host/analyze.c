@@ -101,19 +101,20 @@ static Outcome find_partials(Analysis *analysis) {
   const Recording *const recording = &analysis->recording;
   const size_t onset = find_onset(recording->samples, recording->count);
   if (onset == recording->count) {
-    warn("'%s' is silent", analysis->file);
+    warn(INPUT " is silent", INPUT_OF(analysis->file));
     return OUTCOME_OK;
   }
   const size_t left = recording->count - onset, least = partials_least_samples(recording->rate);
   analysis->search.rate = recording->rate;
   if (left < least) {
-    return fail("'%s' is too short: %.3f s from its onset on; needed: %.3f s", analysis->file,
-                (double)left / recording->rate, (double)least / recording->rate);
+    return fail(INPUT " is too short: %.3f s from its onset on; needed: %.3f s",
+                INPUT_OF(analysis->file), (double)left / recording->rate,
+                (double)least / recording->rate);
   }
   const Outcome outcome =
     partials_find(&analysis->search, recording->samples + onset, left, &analysis->partials);
   if (outcome == OUTCOME_OK && analysis->partials.count == 0) {
-    warn("'%s' has no partial that stands out", analysis->file);
+    warn(INPUT " has no partial that stands out", INPUT_OF(analysis->file));
   }
   return outcome;
 }

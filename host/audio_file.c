@@ -18,7 +18,9 @@ bool audio_container(const char *name, AudioContainer *container) {
     AudioContainer container;
   } known[] = {{".wav", AUDIO_WAV}, {".flac", AUDIO_FLAC}, {".au", AUDIO_AU}};
   const char *const slash = strrchr(name, '/');
-  const char *const extension = strrchr(slash ? slash : name, '.');
+  const char *const base = slash ? slash + 1 : name;
+  const char *const extension = strrchr(base, '.');
+  if (extension == base) return false; /* ".wav" is a hidden file without an extension */
   for (size_t i = 0; extension && i < sizeof known / sizeof known[0]; i++) {
     if (strcasecmp(extension, known[i].extension) == 0) {
       *container = known[i].container;
@@ -66,6 +68,10 @@ double audio_largest(AudioEncoding encoding) {
   if (encoding == AUDIO_FLOAT) return INFINITY;
   const double steps = full_scale_steps(encoding);
   return (steps - 1) / steps;
+}
+
+double audio_least(AudioEncoding encoding) {
+  return encoding == AUDIO_FLOAT ? 0 : 0.5 / full_scale_steps(encoding);
 }
 
 /* ---- writing ---- */

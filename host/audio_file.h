@@ -45,6 +45,9 @@ Outcome audio_format_check(const AudioFormat *format);
 /** Largest sample that the encoding holds (1 is full scale; infinite for float). */
 double audio_largest(AudioEncoding encoding);
 
+/** Half of the encoding's step: what is smaller becomes zero (0 for float). */
+double audio_least(AudioEncoding encoding);
+
 /** Starts the file. Free with audio_file_free(), whatever the outcome. */
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
 /** Appends @p frames frames, interleaved; integer encodings round and saturate. */

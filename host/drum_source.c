@@ -18,14 +18,16 @@ bool preset_is_file(const char *preset) {
   return strchr(preset, '/') || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
 }
 
-/* A PresetPairFn: one "key = value" of a preset file into the definition. */
+/* A PresetPairFn: a section or a "key = value" of a preset file into the definition. */
 static bool set_pair(void *def, const char *section, const char *key, const char *value,
                      unsigned line, char *message, size_t size) {
   (void)line;
   char full[2 * TABOR_NAME_SIZE + 256];
-  (void)snprintf(full, sizeof full, "%s.%s", section, key);
+  (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
   TaborError error;
-  if (tabor_drum_def_set(def, full, value, &error) == TABOR_OK) return true;
+  const TaborStatus status = key ? tabor_drum_def_set(def, full, value, &error)
+                                 : tabor_drum_def_section(def, section, &error);
+  if (status == TABOR_OK) return true;
   (void)snprintf(message, size, "%s", error.message);
   return false;
 }
@@ -44,7 +46,10 @@ static Outcome load_file(const char *path, TaborDrumDef *def) {
 static Outcome load_builtin(const char *name, TaborDrumDef *def) {
   TaborError error;
   if (tabor_drum_def_preset(def, name, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
+  if (error.status != TABOR_ERROR_NAME || strstr(error.message, "did you mean")) {
+    return report_engine_error(&error);
+  }
+  return refuse("%s; 'tabor presets' lists them, and files end in .ini", error.message);
 }
 
 const char *drum_mic_name(const void *def, size_t index) {
@@ -72,11 +77,11 @@ static Outcome check_member(const struct Family *family, const char *key, const 
   const size_t prefix = strlen(family->prefix);
   const char *const dot = strrchr(key, '.');
   if (strncmp(key, family->prefix, prefix) != 0 || dot < key + prefix) return OUTCOME_OK;
-  char name[2 * TABOR_NAME_SIZE], hint[96];
+  char name[2 * TABOR_NAME_SIZE], hint[512];
   memcpy(name, key + prefix, (size_t)(dot - key) - prefix);
   name[(size_t)(dot - key) - prefix] = '\0';
   if (family->find(def, name) >= 0) return OUTCOME_OK;
-  suggest_hint(hint, sizeof hint, name, family->prefix, family->name_at, def);
+  suggest_choice(hint, sizeof hint, name, family->prefix, family->name_at, def);
   return refuse("--set '%.80s': the drum has no %s '%.63s'%s", key, family->what, name, hint);
 }
 
@@ -116,7 +121,9 @@ Outcome drum_load(const Arguments *arguments, TaborDrumDef *def) {
   if (outcome != OUTCOME_OK) return outcome;
   TaborError error;
   if (tabor_drum_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
+  if (!preset_is_file(preset)) return report_engine_error(&error);
+  return refuse("%s%s: %s", preset, arguments_has(arguments, "set") ? " with --set" : "",
+                error.message);
 }
 
 static const char *const quality_names[] = {"draft", "live", "studio", "reference", NULL};

@@ -37,6 +37,13 @@ static bool write_pair(void *context, const char *section, const char *key, cons
   Writer *const writer = context;
   char full[128];
   (void)line;
+  writer->pair_count++;
+  if (!key) {
+    fputs("  {", writer->out);
+    write_string(writer->out, section);
+    fputs(", NULL},\n", writer->out);
+    return true;
+  }
   if (snprintf(full, sizeof full, "%s.%s", section, key) >= (int)sizeof full) {
     (void)snprintf(message, size, "the key '%s' is too long", key);
     return false;
@@ -49,7 +56,6 @@ static bool write_pair(void *context, const char *section, const char *key, cons
   fputs(", ", writer->out);
   write_string(writer->out, value);
   fputs("},\n", writer->out);
-  writer->pair_count++;
   return true;
 }
 
@@ -92,7 +98,9 @@ static void write_row(FILE *out, const char *path, unsigned index, const Writer 
 static bool write_table(FILE *out, char **paths, unsigned count) {
   Writer *const writers = calloc(count, sizeof *writers);
   bool good = writers != NULL;
-  fputs("/* Written by embed-presets from the files of presets/. */\n#include \"preset.h\"\n", out);
+  fputs("/* Written by embed-presets from the files of presets/. */\n#include "
+        "\"preset.h\"\n#include <stddef.h>\n",
+        out);
   for (unsigned i = 0; good && i < count; i++) good = write_preset(out, paths[i], i, &writers[i]);
   fputs("\nconst TbPreset tb_presets[] = {\n", out);
   for (unsigned i = 0; good && i < count; i++) write_row(out, paths[i], i, &writers[i]);

@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF"
 
 /* A file while it is being read. */
 typedef struct Reader {
-  const char *name; /* for messages */
+  const char *name; /* "-": the standard input */
   char *text;       /* all of it, terminated */
   size_t length;
   unsigned line;
@@ -34,16 +35,21 @@ static Outcome read_stream(Reader *reader, FILE *stream) {
     reader->text = text;
     reader->length += fread(text + reader->length, 1, capacity - reader->length, stream);
   }
-  if (ferror(stream)) return fail("cannot read '%s': %s", reader->name, strerror(errno));
+  if (ferror(stream)) {
+    if (errno == EISDIR)
+      return fail("cannot read " INPUT ": it is a folder", INPUT_OF(reader->name));
+    return fail("cannot read " INPUT ": %s", INPUT_OF(reader->name), strerror(errno));
+  }
   reader->text[reader->length] = '\0';
   if (reader->length <= EVENTS_FILE_LIMIT) return OUTCOME_OK;
-  return refuse("%.200s: the file is larger than %d bytes", reader->name, EVENTS_FILE_LIMIT);
+  return refuse("%s: the file is larger than %d bytes", input_name(reader->name),
+                EVENTS_FILE_LIMIT);
 }
 
 static Outcome read_bytes(Reader *reader, const char *name) {
   if (strcmp(name, "-") == 0) return read_stream(reader, stdin);
   FILE *const stream = fopen(name, "rb");
-  if (!stream) return fail("cannot read '%s': %s", name, strerror(errno));
+  if (!stream) return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
   const Outcome outcome = read_stream(reader, stream);
   (void)fclose(stream);
   return outcome;
@@ -142,7 +148,12 @@ static bool is_empty(const char *line) {
 }
 
 static Outcome read_line(Reader *reader, char *line) {
-  (void)snprintf(reader->where, sizeof reader->where, "%.200s:%u:", reader->name, reader->line);
+  /* of a long path its end */
+  const char *const name = input_name(reader->name);
+  const size_t length = strlen(name);
+  const bool cut = length > LONGEST_PLACE;
+  (void)snprintf(reader->where, sizeof reader->where, "%s%s:%u:", cut ? "..." : "",
+                 cut ? name + length - LONGEST_PLACE : name, reader->line);
   if (is_empty(line)) return OUTCOME_OK;
   return reader->column_count > 0 ? read_row(reader, line) : read_header(reader, line);
 }
@@ -158,7 +169,7 @@ static char *end_line(char *line) {
 
 static Outcome read_lines(Reader *reader) {
   if (strlen(reader->text) < reader->length) {
-    return refuse("%.200s: not a text: it holds a NUL", reader->name);
+    return refuse("%s: not a text: it holds a NUL", input_name(reader->name));
   }
   char *line = reader->text;
   if (strncmp(line, BYTE_ORDER_MARK, 3) == 0) line += 3;
@@ -170,15 +181,14 @@ static Outcome read_lines(Reader *reader) {
     line = next;
   }
   if (outcome == OUTCOME_OK && reader->strokes->count == before) {
-    return refuse("%.200s: the file holds no stroke", reader->name);
+    return refuse("%s: the file holds no stroke", input_name(reader->name));
   }
   return outcome;
 }
 
 Outcome events_file_read(const char *name, const TaborDrumDef *def, Strokes *strokes) {
   if (!*name) return refuse("--events needs the name of a file");
-  Reader reader = {
-    .name = strcmp(name, "-") == 0 ? "standard input" : name, .def = def, .strokes = strokes};
+  Reader reader = {.name = name, .def = def, .strokes = strokes};
   Outcome outcome = read_bytes(&reader, name);
   if (outcome == OUTCOME_OK && reader.text) outcome = read_lines(&reader);
   free(reader.text);

@@ -7,7 +7,7 @@
 
 #define GUARDS (TABOR_MAX_MICS + 1) /* a sound for each microphone, and the trace */
 
-static const int fatal_signals[] = {SIGHUP, SIGINT, SIGTERM, SIGXCPU};
+static const int fatal_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
 #define FATAL_SIGNALS (sizeof fatal_signals / sizeof fatal_signals[0])
 
 /* The only globals of the program: a handler has no other way to know. Changed under hold only. */

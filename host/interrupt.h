@@ -9,7 +9,7 @@
 #include <signal.h>
 
 /**
- * From now on SIGINT, SIGTERM and their like remove the guarded files and end the program with
+ * From now on SIGINT, SIGQUIT, SIGTERM and their like remove the guarded files and end the program with
  * 128 + signal (130, 143); SIGPIPE and SIGXFSZ become errors of the write that caused them.
  */
 void interrupt_install(void);

@@ -95,13 +95,32 @@ static Outcome print_help_or_run(const Command *command, const Arguments *argume
   return command->run(arguments);
 }
 
+static Outcome unknown_command(const char *name) {
+  char hint[160];
+  suggest_choice(hint, sizeof hint, name, "", command_name_at, commands);
+  return refuse("unknown command '%.80s'%s", name, hint);
+}
+
+/* 'tabor help' and 'tabor help render' are what 'tabor --help' and 'tabor render --help' are. */
+static Outcome run_help(int argc, char *const *argv) {
+  const bool top = argc <= 2 || argv[2][0] == '-';
+  const Command *const command = top ? NULL : find_command(argv[2]);
+  if (argc > 3) return refuse("unexpected argument '%.80s'", argv[3]);
+  if (!top && !command) return unknown_command(argv[2]);
+  if (command) {
+    print_help(command);
+  } else {
+    print_top_help();
+  }
+  return OUTCOME_OK;
+}
+
 static Outcome run(int argc, char *const *argv) {
   const Command *command = &top_command;
+  if (argc > 1 && strcmp(argv[1], "help") == 0) return run_help(argc, argv);
   if (argc > 1 && argv[1][0] != '-') {
     command = find_command(argv[1]);
-    char hint[96];
-    suggest_hint(hint, sizeof hint, argv[1], "", command_name_at, commands);
-    if (!command) return refuse("unknown command '%.80s'%s", argv[1], hint);
+    if (!command) return unknown_command(argv[1]);
     argc--;
     argv++;
   }

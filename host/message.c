@@ -4,7 +4,10 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#define LONGEST_LINE 1000 /* bytes */
 
 /* User input appears in messages: without this a line feed in it would make two lines of one. */
 static void replace_controls(char *text) {
@@ -13,11 +16,38 @@ static void replace_controls(char *text) {
   }
 }
 
-static void say(const char *prefix, const char *format, va_list arguments) {
-  char line[1024];
-  (void)vsnprintf(line, sizeof line, format, arguments);
+/* Start of the first whole character at or behind @p text, which may lie within one of UTF-8. */
+static const char *whole(const char *text) {
+  while (((unsigned char)*text & 0xC0u) == 0x80u) text++;
+  return text;
+}
+
+/* A path can be as long as it likes: the middle goes, so that the reason at the end is seen. */
+static void print(const char *prefix, char *line) {
+  const size_t length = strlen(line);
   replace_controls(line);
-  (void)fprintf(stderr, "%s%s\n", prefix, line);
+  if (length <= LONGEST_LINE) {
+    (void)fprintf(stderr, "%s%s\n", prefix, line);
+    return;
+  }
+  const char *const head = whole(line + LONGEST_LINE / 2);
+  const char *const tail = whole(line + length - LONGEST_LINE / 2);
+  (void)fprintf(stderr, "%s%.*s...%s\n", prefix, (int)(head - line), line, tail);
+}
+
+static void say(const char *prefix, const char *format, va_list arguments) {
+  va_list again;
+  va_copy(again, arguments);
+  const int length = vsnprintf(NULL, 0, format, arguments);
+  char *const line = length < 0 ? NULL : malloc((size_t)length + 1);
+  if (line) {
+    (void)vsnprintf(line, (size_t)length + 1, format, again);
+    print(prefix, line);
+  } else {
+    (void)fprintf(stderr, "%s%s\n", prefix, format); /* better than nothing */
+  }
+  free(line);
+  va_end(again);
 }
 
 Outcome refuse(const char *format, ...) {
@@ -58,6 +88,12 @@ Outcome report_engine_error(const TaborError *error) {
   }
   return fail("%s", error->message);
 }
+
+const char *input_name(const char *name) {
+  return strcmp(name, "-") == 0 ? "standard input" : name;
+}
+
+const char *input_quote(const char *name) { return strcmp(name, "-") == 0 ? "" : "'"; }
 
 void warn(const char *format, ...) {
   va_list arguments;

@@ -41,4 +41,12 @@ PRINTF_LIKE void warn(const char *format, ...);
 /** Something the user may like to know. */
 PRINTF_LIKE void note(const char *format, ...);
 
+/** "standard input" for "-", any other name as it is. */
+const char *input_name(const char *name);
+/** The quote that goes around input_name(): none around the standard input. */
+const char *input_quote(const char *name);
+/** An input file in a message: "cannot read " INPUT with the arguments INPUT_OF(name). */
+#define INPUT "%s%s%s"
+#define INPUT_OF(name) input_quote(name), input_name(name), input_quote(name)
+
 #endif

@@ -9,7 +9,6 @@
 const Option common_options[] = {
   {"json", 0, NULL, "print facts as JSON on standard output"},
   {"quiet", 'q', NULL, "print nothing but errors and warnings"},
-  {"verbose", 'v', NULL, "print more about what was done"},
   {"help", 'h', NULL, "print this help and do nothing else"},
   {"version", 0, NULL, "print the version and do nothing else"},
   {0},

@@ -263,22 +263,52 @@ Outcome output_complete(OutputFile *file) {
   return output_failure(file);
 }
 
-static Outcome deliver(OutputFile *file) {
+/* Gives the file that is about to be replaced a second name, ".tabor-XXXXXX~", from which it could
+ * come back. False if there is one and it cannot be kept. */
+static bool set_aside(OutputFile *file) {
+  struct stat status;
+  const bool is_there = lstat(file->target, &status) == 0 && !S_ISDIR(status.st_mode);
+  if (!is_there || file->keep_existing) return true;
+  file->set_aside = join(file->temporary, strlen(file->temporary), "~");
+  if (!file->set_aside) return false;
+  if (link(file->target, file->set_aside) == 0) return true;
+  /* a file system without hard links, or a file of someone else */
+  if (errno != EEXIST && rename(file->target, file->set_aside) == 0) return true;
+  free(file->set_aside);
+  file->set_aside = NULL;
+  return false;
+}
+
+static Outcome deliver(OutputFile *file, bool is_alone) {
   if (file->kind != OUTPUT_REPLACED) return OUTCOME_OK;
-  file->delivered = put_in_place(file);
+  file->delivered = (is_alone || set_aside(file)) && put_in_place(file);
   return file->delivered ? OUTCOME_OK : output_failure(file);
 }
 
+static void drop_older(OutputFile *file) {
+  if (file->set_aside) (void)unlink(file->set_aside);
+  free(file->set_aside);
+  file->set_aside = NULL;
+}
+
+/* rename() does nothing where both names still belong to one file: hence drop_older(). */
 static void withdraw(OutputFile *file) {
-  if (file->delivered && !file->exists) (void)unlink(file->target);
+  if (file->set_aside) {
+    (void)rename(file->set_aside, file->target);
+  } else if (file->delivered) {
+    (void)unlink(file->target);
+  }
 }
 
 Outcome output_deliver(OutputFile *const *files, size_t count) {
   sigset_t before;
   interrupt_hold(&before);
   Outcome outcome = OUTCOME_OK;
-  for (size_t i = 0; i < count && outcome == OUTCOME_OK; i++) outcome = deliver(files[i]);
+  for (size_t i = 0; i < count && outcome == OUTCOME_OK; i++) {
+    outcome = deliver(files[i], count == 1);
+  }
   for (size_t i = 0; i < count && outcome != OUTCOME_OK; i++) withdraw(files[i]);
+  for (size_t i = 0; i < count; i++) drop_older(files[i]);
   interrupt_resume(&before);
   return outcome;
 }

@@ -34,6 +34,7 @@ typedef struct OutputFile {
   struct stat status;
   char *target;    /**< name with links followed; NULL for the standard output */
   char *temporary; /**< name of the file written beside, or NULL */
+  char *set_aside; /**< name of the older file while others are delivered, or NULL */
   bool delivered;  /**< has its name */
   int descriptor;  /**< where to write, or -1 */
   int destination; /**< pipe or device that the gathered bytes go to, or -1 */
@@ -61,7 +62,7 @@ Outcome output_failure(const OutputFile *file);
 Outcome output_complete(OutputFile *file);
 /**
  * Gives @p count completed files their names, in one go as far as signals are concerned. If one
- * cannot get its name, those that were new disappear again.
+ * cannot get its name, the others are taken away again and older files of their names come back.
  */
 Outcome output_deliver(OutputFile *const *files, size_t count);
 /** Removes what is not delivered, and frees. */

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <ini.h>
+#include <limits.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -13,8 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* What inih 55 keeps, without its terminators and line ends. */
-#define LINE_LIMIT 198
+/* What inih 55 keeps of a section or key, without its terminator. */
 #define WORD_LIMIT 49
 
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF"
@@ -44,8 +44,8 @@ typedef struct Reader {
   Section sections[PRESET_FILE_LIMIT / 4 + 1]; /* "[a]\n" */
   Pair pairs[PRESET_FILE_LIMIT / 3 + 1];       /* "a=\n" */
   size_t length, section_count, pair_count;
-  size_t pairs_given; /* to the caller */
-  bool refused;       /* by the caller */
+  size_t sections_given, pairs_given; /* to the caller */
+  bool refused;                       /* by the caller */
   PresetPairFn *pair;
   void *context;
 } Reader;
@@ -277,8 +277,8 @@ static bool check_lines(Reader *reader) {
     const char *line_end = memchr(start, '\n', (size_t)(end - start));
     const char *const next = line_end ? line_end + 1 : end;
     if (!line_end) line_end = end;
-    if (line_end - start > LINE_LIMIT) {
-      return refuse_line(reader, line, "the line is longer than %d bytes", LINE_LIMIT);
+    if (line_end - start > PRESET_LINE_LIMIT) {
+      return refuse_line(reader, line, "the line is longer than %d bytes", PRESET_LINE_LIMIT);
     }
     if (line_end > start && line_end[-1] == '\r') line_end--;
     if (!check_line(reader, line, (Span){start, line_end})) return false;
@@ -300,13 +300,35 @@ static bool check_file(Reader *reader) {
   }
   drop_byte_order_mark(reader);
   if (!check_characters(reader) || !check_lines(reader)) return false;
-  return reader->pair_count > 0 || refuse_line(reader, 0, "the file holds no key");
+  return reader->section_count > 0 || refuse_line(reader, 0, "the file holds no section");
 }
 
 /* Parsing ------------------------------------------------------------------------------------- */
 
 static bool is_text(const Reader *reader, size_t start, size_t length, const char *text) {
   return strlen(text) == length && memcmp(reader->text + start, text, length) == 0;
+}
+
+/* Gives the caller a pair or, without key and value, a section. */
+static bool give(Reader *reader, unsigned line, const char *section, const char *key,
+                 const char *value) {
+  char reason[512] = "refused";
+  if (reader->pair(reader->context, section, key, value, line, reason, sizeof reason)) return true;
+  reader->refused = true;
+  return refuse_line(reader, line, "%s", reason);
+}
+
+/* Sections that begin before @p line. inih tells of a section only by its pairs. */
+static bool give_sections(Reader *reader, unsigned line) {
+  while (reader->sections_given < reader->section_count) {
+    const Section *const section = &reader->sections[reader->sections_given];
+    if (section->line >= line) break;
+    char name[WORD_LIMIT + 1] = "";
+    memcpy(name, reader->text + section->start, section->length);
+    reader->sections_given++;
+    if (!give(reader, section->line, name, NULL, NULL)) return false;
+  }
+  return true;
 }
 
 /* Called by inih, which goes on after an error: whatever follows it is passed over. */
@@ -322,18 +344,14 @@ static int take_pair(void *user, const char *section, const char *key, const cha
     return 0;
   }
   reader->pairs_given++;
-  char reason[512] = "refused";
-  if (reader->pair(reader->context, section, key, value, pair.line, reason, sizeof reason))
-    return 1;
-  reader->refused = true;
-  (void)refuse_line(reader, pair.line, "%s", reason);
-  return 0;
+  return give_sections(reader, pair.line) && give(reader, pair.line, section, key, value);
 }
 
 static bool parse(Reader *reader) {
   const int line = ini_parse_string(reader->text, take_pair, reader);
   if (reader->refused) return false;
-  if (line == 0 && reader->pairs_given == reader->pair_count) return true;
+  if (line == 0 && reader->pairs_given == reader->pair_count)
+    return give_sections(reader, UINT_MAX);
   return refuse_line(reader, line > 0 ? (unsigned)line : 0, "inih cannot take the file apart");
 }
 

@@ -6,13 +6,14 @@
 #include <sndfile.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define CHUNK 16384 /* samples read at once */
 
 /* A file while it is being read. */
 typedef struct Reader {
-  const char *name; /* for messages */
+  const char *name; /* "-": the standard input */
   SNDFILE *stream;
   const RecordingPart *part;
   uint64_t first, end; /* frames of the part */
@@ -22,14 +23,24 @@ typedef struct Reader {
 
 static Outcome open_stream(Reader *reader, const char *name) {
   SF_INFO info = {0};
+  const bool standard = strcmp(name, "-") == 0;
+  struct stat status;
+  if ((standard ? fstat(STDIN_FILENO, &status) : stat(name, &status)) != 0) {
+    return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode)) {
+    return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
+  }
   errno = 0;
-  reader->stream = strcmp(name, "-") == 0 ? sf_open_fd(STDIN_FILENO, SFM_READ, &info, SF_FALSE)
-                                          : sf_open(name, SFM_READ, &info);
+  reader->stream =
+    standard ? sf_open_fd(STDIN_FILENO, SFM_READ, &info, SF_FALSE) : sf_open(name, SFM_READ, &info);
   if (!reader->stream) {
     const bool system = sf_error(NULL) == SF_ERR_SYSTEM && errno != 0;
-    return fail("cannot read '%s': %s", reader->name, system ? strerror(errno) : sf_strerror(NULL));
+    return fail("cannot read " INPUT ": %s", INPUT_OF(reader->name),
+                system ? strerror(errno) : sf_strerror(NULL));
   }
-  if (info.channels > CHUNK) return fail("cannot read '%s': too many channels", reader->name);
+  if (info.channels > CHUNK)
+    return fail("cannot read " INPUT ": too many channels", INPUT_OF(reader->name));
   reader->recording->rate = (uint32_t)info.samplerate;
   reader->recording->channels = (uint32_t)info.channels;
   return OUTCOME_OK;
@@ -39,8 +50,8 @@ static Outcome choose_part(Reader *reader) {
   const RecordingPart *const part = reader->part;
   const Recording *const recording = reader->recording;
   if (part->channel > recording->channels) {
-    return refuse("--channel '%u': '%s' has %u", (unsigned)part->channel, reader->name,
-                  (unsigned)recording->channels);
+    return refuse("--channel '%u': " INPUT " has %u", (unsigned)part->channel,
+                  INPUT_OF(reader->name), (unsigned)recording->channels);
   }
   reader->first = (uint64_t)llround(part->from * recording->rate);
   reader->end = isfinite(part->to) ? (uint64_t)llround(part->to * recording->rate) : UINT64_MAX;
@@ -49,10 +60,11 @@ static Outcome choose_part(Reader *reader) {
 
 static Outcome keep_sample(Reader *reader, double sample) {
   Recording *const recording = reader->recording;
-  if (!isfinite(sample)) return fail("'%s' holds samples that are not finite", reader->name);
+  if (!isfinite(sample))
+    return fail(INPUT " holds samples that are not finite", INPUT_OF(reader->name));
   if (recording->count >= (size_t)(RECORDING_LONGEST * recording->rate)) {
-    return refuse("'%s' is too long; take at most %.0f s of it with --from and --to", reader->name,
-                  RECORDING_LONGEST);
+    return refuse(INPUT " is too long; take at most %.0f s of it with --from and --to",
+                  INPUT_OF(reader->name), RECORDING_LONGEST);
   }
   if (recording->count == recording->capacity) {
     const size_t capacity = recording->capacity ? 2 * recording->capacity : 65536;
@@ -80,7 +92,7 @@ static Outcome read_chunks(Reader *reader) {
     }
   }
   if (outcome == OUTCOME_OK && sf_error(reader->stream) != 0) {
-    return fail("cannot read '%s': %s", reader->name, sf_strerror(reader->stream));
+    return fail("cannot read " INPUT ": %s", INPUT_OF(reader->name), sf_strerror(reader->stream));
   }
   return outcome;
 }
@@ -89,15 +101,15 @@ static Outcome check_part(const Reader *reader) {
   const Recording *const recording = reader->recording;
   if (recording->count > 0 || reader->first < recording->frames || reader->first == 0)
     return OUTCOME_OK;
-  return refuse("--from '%.10g': '%s' is %.10g s long", reader->part->from, reader->name,
-                (double)recording->frames / recording->rate);
+  return refuse("--from '%.10g': " INPUT " is %.10g s long", reader->part->from,
+                INPUT_OF(reader->name), (double)recording->frames / recording->rate);
 }
 
 Outcome recording_read(const char *name, const RecordingPart *part, Recording *recording) {
   *recording = (Recording){0};
   Reader *const reader = calloc(1, sizeof *reader);
   if (!reader) return fail_memory();
-  reader->name = strcmp(name, "-") == 0 ? "standard input" : name;
+  reader->name = name;
   reader->part = part;
   reader->recording = recording;
   Outcome outcome = open_stream(reader, name);

@@ -143,6 +143,15 @@ static Outcome deliver_files(Rendering *rendering) {
   return outcome == OUTCOME_OK ? output_deliver(outputs, count) : outcome;
 }
 
+/* A length that was asked for needs no comment. */
+static void note_cut(const Rendering *rendering) {
+  const RenderRequest *const request = &rendering->request;
+  if (!rendering->ring_out.sounding || request->frames > 0 || request->quiet) return;
+  note(
+    "the drum still sounds where the file ends, %g s after the last stroke; --duration gives more",
+    RING_OUT_MOST_TIME);
+}
+
 static Outcome render(const Arguments *arguments, Rendering *rendering) {
   Outcome outcome = render_request_read(arguments, &rendering->request);
   if (outcome != OUTCOME_OK) return outcome;
@@ -153,6 +162,7 @@ static Outcome render(const Arguments *arguments, Rendering *rendering) {
   if (outcome == OUTCOME_OK) outcome = play(rendering);
   if (outcome == OUTCOME_OK && rendering->request.normalize) outcome = write_normalized(rendering);
   if (outcome == OUTCOME_OK) outcome = deliver_files(rendering);
+  if (outcome == OUTCOME_OK) note_cut(rendering);
   if (outcome == OUTCOME_OK) outcome = render_report(&rendering->session);
   return outcome;
 }
@@ -185,7 +195,8 @@ static const char notes[] =
   "  0,2.5,30%,stick\n"
   "  0.5,1,,\n"
   "Any of the fields above, midi too, in any order; empty fields are the preset's. Lines may come\n"
-  "in any order of time; those that begin with '#' are comments. --strike adds to them.\n"
+  "in any order of time; those that begin with '#' are comments. Further --events and --strike\n"
+  "add to them.\n"
   "\n"
   "PRESET is a name that 'tabor presets' lists, or a file:\n"
   "with a '/' in it, or ending in .ini. 'tabor show' lists the keys for --set.\n";

@@ -4,13 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "drum_source.h"
 
 /* ---- one sound file ---- */
 
 static Outcome refuse_extension(const char *name) {
-  return refuse("-o '%s': the name must end in .wav, .flac or .au", name);
+  return refuse("-o '%s': the name must end in .wav, .flac or .au, with something before it", name);
 }
 
 /* The extension decides; what is no regular file, as /dev/full, may do without and gets AU. */
@@ -26,8 +27,10 @@ static Outcome plan_single(const Arguments *arguments, const char *name, RenderR
   Outcome outcome = output_plan(output, name, arguments_has(arguments, "no-overwrite"));
   if (outcome == OUTCOME_OK) outcome = choose_container(output, &request->audio.container);
   if (outcome != OUTCOME_OK) return outcome;
-  if (request->json && strcmp(output->name, "-") == 0) {
-    return refuse("--json and -o -: both would go to standard output");
+  if (strcmp(output->name, "-") != 0) return OUTCOME_OK;
+  if (request->json) return refuse("--json and -o -: both would go to standard output");
+  if (isatty(STDOUT_FILENO)) {
+    return refuse("-o -: standard output is a terminal; send it to a pipe or a file");
   }
   return OUTCOME_OK;
 }
@@ -86,7 +89,9 @@ static Outcome plan_sounds(const Arguments *arguments, RenderRequest *request) {
 static Outcome plan_trace(const Arguments *arguments, RenderRequest *request) {
   const char *const name = arguments_value(arguments, "trace");
   if (!name) return OUTCOME_OK;
-  if (!*name || strcmp(name, "-") == 0) return refuse("--trace needs the name of a file");
+  if (!*name || strcmp(name, "-") == 0) {
+    return refuse("--trace '%s': allowed: the name of a file, as trace.csv", name);
+  }
   request->has_trace = true;
   const Outcome outcome =
     output_plan(&request->trace, name, arguments_has(arguments, "no-overwrite"));
@@ -108,10 +113,13 @@ static Outcome protect(const RenderRequest *request, const char *name, const cha
 }
 
 static Outcome protect_inputs(const Arguments *arguments, const RenderRequest *request) {
-  const char *const events = arguments_value(arguments, "events");
+  const char *events;
+  size_t position = 0;
   Outcome outcome = OUTCOME_OK;
   if (preset_is_file(request->preset)) outcome = protect(request, request->preset, "preset");
-  if (outcome == OUTCOME_OK && events) outcome = protect(request, events, "events");
+  while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
+    outcome = protect(request, events, "events");
+  }
   return outcome;
 }
 

@@ -77,12 +77,13 @@ static Outcome print_json(const Session *session, const TaborStatistics *statist
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
               (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
-  return json_print(
-    json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset),
-              "rate", (json_int_t)request->audio.rate, "frames", (json_int_t)session->position,
-              "channels", (json_int_t)request->channels, "peak", json_number(session->peak),
-              "real_time_factor", json_number(real_time_factor(session)), "newton", newton,
-              "energy", energy_json(ledger), "output", outputs_json(request)));
+  return json_print(json_pack(
+    "{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset),
+    "rate", (json_int_t)request->audio.rate, "frames", (json_int_t)session->position, "channels",
+    (json_int_t)request->channels, "peak", json_number(session->peak), "real_time_factor",
+    json_number(real_time_factor(session)), "newton", newton, "energy", energy_json(ledger),
+    "output", outputs_json(request), "trace",
+    request->has_trace ? json_text(request->trace.name) : json_null()));
 }
 
 static void note_summary(const Session *session) {
@@ -101,8 +102,13 @@ static void note_summary(const Session *session) {
 }
 
 static void warn_of_silence(const Session *session) {
-  if (session->request->normalize && session->peak == 0) {
+  const RenderRequest *const request = session->request;
+  if (request->normalize && session->peak == 0) {
     warn("the sound is silent; --normalize has nothing to amplify");
+  }
+  if (session->peak > 0 && session->peak < audio_least(request->audio.encoding)) {
+    warn("the peak of %+.1f dBFS is below half a step of the format: the file is silent",
+         decibels(session->peak));
   }
 }
 
@@ -110,8 +116,9 @@ static void note_details(const Session *session, const TaborStatistics *statisti
                          const TaborLedger *ledger) {
   TaborModelInfo info;
   tabor_model_info(tabor_drum_model(session->drum), &info);
-  note("%u modes up to %.0f Hz, %u wires with %u contact points", (unsigned)info.mode_count,
-       info.two_way_bandwidth, (unsigned)info.wire_count, (unsigned)info.contact_points);
+  note("%u modes up to %.0f Hz, %u wire%s with %u contact points", (unsigned)info.mode_count,
+       info.two_way_bandwidth, (unsigned)info.wire_count, info.wire_count == 1 ? "" : "s",
+       (unsigned)info.contact_points);
   note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
        real_time_factor(session), newton_mean(statistics), (unsigned)statistics->newton_max,
        (unsigned long long)statistics->newton_capped);

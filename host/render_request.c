@@ -27,6 +27,7 @@ const Option render_options[] = {
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
   {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
   {"trace", 0, "FILE", "also write displacements, forces and energy, a row a sample, as CSV"},
+  {"verbose", 'v', NULL, "print more about what was done"},
   {0},
 };
 
@@ -65,8 +66,8 @@ static bool has_mic(const RenderRequest *request, uint32_t mic) {
 
 static Outcome add_mic(RenderRequest *request, const char *name) {
   const int mic = tabor_drum_def_find_mic(&request->def, name);
-  char hint[96];
-  suggest_hint(hint, sizeof hint, name, "", drum_mic_name, &request->def);
+  char hint[512];
+  suggest_choice(hint, sizeof hint, name, "", drum_mic_name, &request->def);
   if (mic < 0) return refuse("--mic '%.80s': the drum has no such microphone%s", name, hint);
   if (request->split && has_mic(request, (uint32_t)mic)) {
     return refuse("--mic '%.80s': given twice, but --split makes one file of it", name);

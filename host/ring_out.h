@@ -11,11 +11,13 @@
 
 /** Frames from one look at the energy to the next; fixed, as the length depends on it. */
 #define RING_OUT_BLOCK 256
+#define RING_OUT_MOST_TIME 20.0 /**< after the last stroke [s] */
 
 typedef struct RingOut {
   uint32_t last_event;  /**< frame of the last stroke */
   uint32_t least, most; /**< frames of the whole sound; equal if the length is given */
   double loudest;       /**< stored energy at most since the last stroke [J] */
+  bool sounding;        /**< it ended at most frames without having died away */
 } RingOut;
 
 /** A sound of @p frames frames, or, if that is 0, until @p rate [Hz]'s drum has died away. */

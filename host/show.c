@@ -9,9 +9,10 @@
 #include "command.h"
 #include "drum_source.h"
 #include "json_output.h"
+#include "preset_file.h"
 
 #define LONGEST_KEY (2 * TABOR_NAME_SIZE)
-#define LONGEST_LINE 199 /* bytes that a preset file's reader takes */
+#define LINE_COLUMN 36 /* where comments begin */
 
 /* One parameter of a definition. */
 typedef struct Entry {
@@ -40,14 +41,13 @@ static size_t section_length(const char *key) {
 }
 
 /* A preset file has no way to quote, so a text that it would read differently cannot be written. */
-static bool survives_preset(const char *line, const char *value) {
+static bool survives_preset(const char *value) {
   const size_t length = strlen(value);
   if (length == 0) return true;
   for (const char *byte = value; *byte; byte++) {
     if ((unsigned char)*byte < 0x20 || *byte == 0x7f) return false;
   }
-  return strlen(line) <= LONGEST_LINE && value[0] != ' ' && value[0] != ';' &&
-         value[length - 1] != ' ' && !strstr(value, " ;");
+  return value[0] != ' ' && value[0] != ';' && value[length - 1] != ' ' && !strstr(value, " ;");
 }
 
 static void print_section(const Entry *entry, const char *previous) {
@@ -70,17 +70,23 @@ static void print_entry(const Entry *entry) {
   char line[LONGEST_KEY + TABOR_TEXT_SIZE], comment[512];
   write_line(entry, line, sizeof line);
   write_comment(entry->parameter, comment, sizeof comment);
-  if (strlen(line) + 1 + strlen(comment) > LONGEST_LINE) {
-    printf("%.*s\n%s\n", LONGEST_LINE, comment, line);
+  const size_t length = strlen(line) < LINE_COLUMN ? LINE_COLUMN : strlen(line);
+  if (length + 1 + strlen(comment) > PRESET_LINE_LIMIT) {
+    printf("%.*s\n%s\n", PRESET_LINE_LIMIT, comment, line);
   } else {
-    printf("%-36s %s\n", line, comment);
+    printf("%-*s %s\n", LINE_COLUMN, line, comment);
   }
 }
 
 static Outcome check_entry(const Entry *entry) {
   char line[LONGEST_KEY + TABOR_TEXT_SIZE];
   write_line(entry, line, sizeof line);
-  if (survives_preset(line, entry->value)) return OUTCOME_OK;
+  if (strlen(line) > PRESET_LINE_LIMIT) {
+    return refuse("%s: a preset file's lines hold %d bytes, '%s = ' with them; this text has %zu",
+                  entry->key, PRESET_LINE_LIMIT, entry->key + section_length(entry->key) + 1,
+                  strlen(entry->value));
+  }
+  if (survives_preset(entry->value)) return OUTCOME_OK;
   return refuse("%s: a preset file cannot hold this text: '%.80s'", entry->key, entry->value);
 }
 

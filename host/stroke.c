@@ -76,8 +76,8 @@ static Outcome read_angle(Stroke *stroke, const Label *label, const char *value)
 
 static Outcome read_striker(Stroke *stroke, const Label *label, const char *value) {
   const int index = tabor_drum_def_find_striker(stroke->def, value);
-  char hint[96];
-  suggest_hint(hint, sizeof hint, value, "", drum_striker_name, stroke->def);
+  char hint[512];
+  suggest_choice(hint, sizeof hint, value, "", drum_striker_name, stroke->def);
   if (index < 0) {
     return refuse("%s '%s': the drum has no such striker%s", label->text, value, hint);
   }
@@ -100,9 +100,10 @@ static Outcome read_technique(Stroke *stroke, const Label *label, const char *va
       return refuse("%s '%s': not in this version, only 'normal'", label->text, value);
     }
   }
-  char hint[96];
+  char hint[160];
   suggest_hint(hint, sizeof hint, value, "", technique_at, NULL);
-  return refuse("%s '%s': unknown%s", label->text, value, hint);
+  if (*hint) return refuse("%s '%s': unknown%s", label->text, value, hint);
+  return refuse("%s '%s': unknown; allowed: normal", label->text, value);
 }
 
 static const StrokeField fields[STROKE_FIELDS] = {
@@ -132,12 +133,12 @@ const StrokeField *stroke_field(const char *name, size_t length) {
 const char *stroke_field_name(const StrokeField *field) { return field->name; }
 
 Outcome stroke_unknown_field(const char *where, const char *kind, const char *name, size_t length) {
-  char word[32] = "", hint[96];
+  char word[32] = "", hint[160];
   if (length < sizeof word) {
     memcpy(word, name, length);
     word[length] = '\0';
   }
-  suggest_hint(hint, sizeof hint, word, "", field_name_at, NULL);
+  suggest_choice(hint, sizeof hint, word, "", field_name_at, NULL);
   return refuse("%s unknown %s '%.*s'%s", where, kind, (int)(length < 80 ? length : 80), name,
                 hint);
 }

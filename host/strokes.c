@@ -76,9 +76,12 @@ static Outcome read_options(const Arguments *arguments, const TaborDrumDef *def,
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes) {
   *strokes = (Strokes){.rate = rate};
-  const char *const file = arguments_value(arguments, "events");
+  const char *file;
+  size_t position = 0;
   Outcome outcome = read_options(arguments, def, strokes);
-  if (outcome == OUTCOME_OK && file) outcome = events_file_read(file, def, strokes);
+  while (outcome == OUTCOME_OK && (file = arguments_next(arguments, "events", &position))) {
+    outcome = events_file_read(file, def, strokes);
+  }
   if (outcome == OUTCOME_OK && strokes->count == 0) {
     const Stroke stroke = stroke_default(def, "[strike]");
     outcome = strokes_add(strokes, &stroke);

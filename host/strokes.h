@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file strokes.h
- * The strokes of a rendering, from --strike options and an events file.
+ * The strokes of a rendering, from --strike options and events files.
  */
 #ifndef TABOR_HOST_STROKES_H
 #define TABOR_HOST_STROKES_H
@@ -14,7 +14,7 @@
 #define OPTION_STRIKE                                                                              \
   { "strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)" }
 #define OPTION_EVENTS                                                                              \
-  { "events", 0, "FILE", "strokes from a CSV file, '-' for standard input; see below" }
+  { "events", 0, "FILE", "strokes from a CSV file (repeatable), '-' for standard input; see below" }
 
 /** Strike events in order of time; event.frame counts from the beginning of the sound. */
 typedef struct Strokes {
@@ -24,7 +24,7 @@ typedef struct Strokes {
 } Strokes;
 
 /**
- * Reads every --strike and the file of --events for a drum at @p rate [Hz]; without any, the
+ * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, the
  * preset's own stroke at time 0. Free with strokes_free(), whatever the outcome.
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,

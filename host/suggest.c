@@ -64,3 +64,21 @@ const char *suggest_hint(char *hint, size_t size, const char *word, const char *
   }
   return hint;
 }
+
+const char *suggest_choice(char *hint, size_t size, const char *word, const char *prefix,
+                           NameAt *name_at, const void *list) {
+  static const char dots[] = ", ...";
+  suggest_hint(hint, size, word, prefix, name_at, list);
+  if (*hint || size <= sizeof dots) return hint;
+  size_t length = 0;
+  const char *name;
+  for (size_t i = 0; (name = name_at(list, i)) != NULL; i++) {
+    const char *const before = i > 0 ? ", " : "; there are: ";
+    if (length + strlen(before) + strlen(prefix) + strlen(name) + sizeof dots > size) {
+      (void)snprintf(hint + length, size - length, "%s", dots);
+      break;
+    }
+    length += (size_t)snprintf(hint + length, size - length, "%s%s%s", before, prefix, name);
+  }
+  return hint;
+}

@@ -24,4 +24,11 @@ const char *suggest(const char *word, NameAt *name_at, const void *list);
 const char *suggest_hint(char *hint, size_t size, const char *word, const char *prefix,
                          NameAt *name_at, const void *list);
 
+/**
+ * The same or, if no name is near, "; there are: a, b, c" as far as it fits: for lists that a line
+ * can hold. Names that do not fit leave "..." behind.
+ */
+const char *suggest_choice(char *hint, size_t size, const char *word, const char *prefix,
+                           NameAt *name_at, const void *list);
+
 #endif

@@ -24,7 +24,8 @@ if [ ! -f "$commands" ]; then
   exit $((status ? status : 77))
 fi
 # Of sources compiled more than once, every command counts.
-engine_commands=$(grep '"command":' "$commands" | grep -E -- '-c [^ ]*/engine/src/[^ ]*\.c"' || true)
+# A path with a blank in it stands in quotes, which JSON writes as \".
+engine_commands=$(grep '"command":' "$commands" | grep -E -- ' -c .*/engine/src/[^/]*\.c(\\")?",?$' || true)
 if [ -z "$engine_commands" ]; then
   echo "$commands compiles no engine source" >&2
   exit 1

@@ -81,9 +81,10 @@ static void test_unknown(void **state) {
     {"Tabor", "'tabor'"},
     {"framedrum", "'frame-drum'"},
     {"bodhran", "'bodhran-"},
-    {"", "did you mean '"},
-    {"tabor.ini", "'tabor'"},
-    {"\x1b]0;x\n", "did you mean '"},
+    {"", "unknown preset ''"},
+    {"-", "unknown preset '-'"},
+    {"foo.bar", "unknown preset 'foo.bar'"},
+    {"\x1b]0;x\n", "unknown preset '?]0;x?'"},
   };
   TaborDrumDef def, before;
   tabor_drum_def_default(&def);
@@ -92,6 +93,8 @@ static void test_unknown(void **state) {
     TaborError error;
     assert_int_equal(tabor_drum_def_preset(&def, names[i].name, &error), TABOR_ERROR_NAME);
     assert_non_null(strstr(error.message, names[i].nearest));
+    const bool is_guess = strstr(error.message, "did you mean") != NULL;
+    assert_int_equal(is_guess, strncmp(names[i].nearest, "unknown", 7) != 0);
     for (const char *c = error.message; *c; c++) assert_true((unsigned char)*c >= 0x20);
     assert_memory_equal(&def, &before, sizeof def);
   }

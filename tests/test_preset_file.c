@@ -16,11 +16,13 @@
 
 #include <cmocka.h>
 
-static char folder[] = "/tmp/test_preset_file.XXXXXX";
-static char path[128];
+static char folder[1000];
+static char path[1100];
 
 static int set_up(void **state) {
   (void)state;
+  const char *const temporary = getenv("TMPDIR");
+  snprintf(folder, sizeof folder, "%s/test_preset_file.XXXXXX", temporary ? temporary : "/tmp");
   if (!mkdtemp(folder)) return -1;
   snprintf(path, sizeof path, "%s/p.ini", folder);
   return 0;
@@ -39,9 +41,10 @@ static void write_bytes(const void *bytes, size_t size) {
   assert_int_equal(fclose(file), 0);
 }
 
-/* Everything that the reader gave, as "12:section.key=value|". */
+/* Everything that the reader gave, as "12:section.key=value|", and the sections as "11:section|". */
 typedef struct Log {
   char text[4096];
+  char sections[4096];
   const char *refused; /* key at which to say no */
   unsigned calls;
 } Log;
@@ -49,6 +52,16 @@ typedef struct Log {
 static bool take(void *context, const char *section, const char *key, const char *value,
                  unsigned line, char *message, size_t size) {
   Log *const log = context;
+  if (!key) {
+    const size_t length = strlen(log->sections);
+    assert_null(value);
+    if (log->refused && strcmp(section, log->refused) == 0) {
+      snprintf(message, size, "no [%s] today", section);
+      return false;
+    }
+    snprintf(log->sections + length, sizeof log->sections - length, "%u:%s|", line, section);
+    return true;
+  }
   log->calls++;
   if (log->refused && strcmp(key, log->refused) == 0) {
     snprintf(message, size, "no '%s' today", key);
@@ -64,7 +77,7 @@ static bool take(void *context, const char *section, const char *key, const char
 
 static void accept_bytes(const char *bytes, size_t size, const char *expected) {
   Log log = {.calls = 0};
-  char message[256];
+  char message[2000];
   write_bytes(bytes, size);
   const PresetFileStatus status = preset_file_read(path, take, &log, message, sizeof message);
   if (status != PRESET_FILE_OK) fail_msg("%s", message);
@@ -79,7 +92,7 @@ static void accept(const char *text, const char *expected) {
 /* INVALID, not one pair given, and one line "path:LINE: ...part...". */
 static void refuse_bytes(const char *bytes, size_t size, unsigned line, const char *part) {
   Log log = {.calls = 0};
-  char message[256], place[160];
+  char message[2000], place[1200];
   write_bytes(bytes, size);
   const PresetFileStatus status = preset_file_read(path, take, &log, message, sizeof message);
   if (line > 0) {
@@ -129,8 +142,8 @@ static void test_last_line(void **state) {
 
 static void test_structure(void **state) {
   (void)state;
-  refuse("", 0, "holds no key");
-  refuse("; nothing\n[a]\n", 0, "holds no key");
+  refuse("", 0, "holds no section");
+  refuse("; nothing\n\n", 0, "holds no section");
   refuse("x = 1\n[a]\n", 1, "'x' stands before the first section");
   refuse("[a]\nx\n", 2, "'x' is neither");
   refuse("[a]\nx 1 ; y = 2\n", 2, "neither");
@@ -264,7 +277,7 @@ static void test_dense(void **state) {
     length += (size_t)sprintf(text + length, "[%x]\na=\n", i);
   }
   Log log = {.calls = 0};
-  char message[256];
+  char message[2000];
   write_bytes(text, length);
   assert_int_equal(preset_file_read(path, take, &log, message, sizeof message), PRESET_FILE_OK);
   assert_true(log.calls > 6000);
@@ -282,7 +295,7 @@ static void test_dense(void **state) {
 static void test_refused_pair(void **state) {
   (void)state;
   Log log = {.refused = "y"};
-  char message[256], expected[256];
+  char message[2000], expected[2000];
   const char *const text = "[a]\nx = 1\n\ny = 2\nz = 3\n";
   write_bytes(text, strlen(text));
   assert_int_equal(preset_file_read(path, take, &log, message, sizeof message),
@@ -292,9 +305,40 @@ static void test_refused_pair(void **state) {
   assert_int_equal(log.calls, 2); /* nothing after the refusal */
 }
 
+/* Sections are given, too, each before its pairs, and those without any. */
+static void test_sections(void **state) {
+  (void)state;
+  static const struct {
+    const char *text, *sections;
+  } files[] = {
+    {"[a]\nx = 1\n[b]\ny = 2\n", "1:a|3:b|"},
+    {"; c\n[a]\n[b]\n\n[c]  ; why\nx = 1\n[d]\n", "2:a|3:b|5:c|7:d|"},
+    {"[a]\n", "1:a|"},
+    {"[a]", "1:a|"},
+  };
+  for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+    Log log = {.calls = 0};
+    char message[2000];
+    write_bytes(files[i].text, strlen(files[i].text));
+    assert_int_equal(preset_file_read(path, take, &log, message, sizeof message), PRESET_FILE_OK);
+    assert_string_equal(log.sections, files[i].sections);
+  }
+  static const char *const refused[] = {"[a]\nx = 1\n[no]\n", "[a]\nx = 1\n[no]\ny = 1\n[b]\n"};
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    Log log = {.refused = "no"};
+    char message[2000], expected[2000];
+    write_bytes(refused[i], strlen(refused[i]));
+    assert_int_equal(preset_file_read(path, take, &log, message, sizeof message),
+                     PRESET_FILE_INVALID);
+    snprintf(expected, sizeof expected, "%s:3: no [no] today", path);
+    assert_string_equal(message, expected);
+    assert_string_equal(log.text, "2:a.x=1|");
+  }
+}
+
 static void unreadable(const char *name, const char *part) {
   Log log = {.calls = 0};
-  char message[256];
+  char message[2000];
   assert_int_equal(preset_file_read(name, take, &log, message, sizeof message),
                    PRESET_FILE_UNREADABLE);
   if (strncmp(message, name, strlen(name)) != 0 || !strstr(message, part)) fail_msg("%s", message);
@@ -385,7 +429,7 @@ int main(void) {
     cmocka_unit_test(test_long_words), cmocka_unit_test(test_size),
     cmocka_unit_test(test_dense),      cmocka_unit_test(test_refused_pair),
     cmocka_unit_test(test_unreadable), cmocka_unit_test(test_message_room),
-    cmocka_unit_test(test_random),
+    cmocka_unit_test(test_random),     cmocka_unit_test(test_sections),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

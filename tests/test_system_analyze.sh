@@ -137,7 +137,9 @@ refused "analyze needs a sound file" analyze
 refused "analyze needs a sound file" analyze ''
 refused "unexpected argument" analyze first.wav second.wav
 failed "cannot read 'missing.wav': No such file" analyze missing.wav
-failed "cannot read '.'" analyze .
+failed "cannot read '.': it is a folder" analyze .
+failed "cannot read standard input: " analyze - <<<"no sound"
+failed "cannot read standard input: it is a folder" analyze - <.
 failed "cannot read '/dev/null'" analyze /dev/null
 echo "no sound at all" >text.wav
 failed "cannot read 'text.wav'" analyze text.wav

@@ -80,6 +80,10 @@ render_strikes strikes.wav time=0.2,velocity=1 time=0,velocity=2 time=0.1
 printf 'velocity,time\n1,0.2\n,0.1\n' >strokes.csv
 render_events events.wav --strike time=0,velocity=2
 same_sound "with --strike" strikes.wav events.wav
+cp strikes.wav both.wav
+printf 'time,velocity\n0,2\n' >second.csv
+render_events events.wav --events second.csv
+same_sound "with a second --events" both.wav events.wav
 
 { echo time && for ((i = 0; i < 100000; i++)); do echo "0.$((i % 10))"; done; } >strokes.csv
 run render -q --quality draft --duration 1 --events strokes.csv -o many.wav
@@ -98,7 +102,7 @@ bad() {
 }
 refused "--events needs" render --events ''
 failed "missing.csv': No such file" render --events missing.csv
-failed "cannot read '.': Is a directory" render --events .
+failed "cannot read '.': it is a folder" render --events .
 if [ "$(id -u)" != 0 ]; then
   cp good.csv secret.csv
   chmod 0 secret.csv
@@ -114,6 +118,7 @@ refused "larger than 8388608 bytes" render --events /dev/zero
 { cat good.csv && printf '0,1\0,,,,,\n'; } >bad.csv
 refused "bad.csv: not a text" render --events bad.csv
 bad "bad.csv:1: unknown column 'velocty'; did you mean 'velocity'" time,velocty 0,1
+bad "bad.csv:1: unknown column 'foo'; there are: time, velocity, midi" time,foo 0,1
 bad "bad.csv:3: unknown column '0'" "" "# no header" 0,1
 bad "bad.csv:1: unknown column ''" time, 0,
 bad "bad.csv:1: unknown column 'time;velocity'" 'time;velocity' '0;1'

@@ -220,6 +220,8 @@ interrupted TERM 143 -o interrupted.wav --split --trace interrupted.csv
 interrupted INT 130 -o interrupted.wav --split --normalize
 interrupted INT 130 -o /dev/null --trace interrupted.csv
 interrupted HUP 129 -o plain.wav
+ulimit -c 0
+interrupted QUIT 131 -o plain.wav --split --trace interrupted.csv
 "$TABOR" render "${short[@]}" -o pipe.au 2>"$err" & # nobody reads
 child=$!
 sleep 0.3

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Preset files as users write, cut and damage them.
 
+docs=$(cd "$(dirname "$0")/../docs" && pwd)
 . "$(dirname "$0")/host_checks.sh"
 
 done_quietly show
@@ -99,6 +100,29 @@ done
 with "[wires]" "count = 3.5"
 bad "bad.ini"
 
+with "[foo]"
+bad "bad.ini:[0-9]*: unknown section 'foo'$"
+with "[strikr.z]"
+line=$(wc -l <bad.ini)
+bad "bad.ini:$line: unknown section 'strikr.z'; did you mean 'striker.z'"
+with "[resonnant]" "tension = 2000"
+bad "bad.ini:$((line)): unknown section 'resonnant'; did you mean 'resonant'"
+with "[striker]"
+bad "unknown section 'striker'; did you mean 'striker.NAME'"
+with "[wire.41]"
+bad "unknown section 'wire.41': wires are numbered 1 to 40"
+with "[mic.a b]"
+bad "unknown section 'mic.a b': a name has 1 to 40 letters"
+with "[mic.$(printf 'x%.0s' {1..41})]"
+bad "a name has 1 to 40 letters"
+with "[mic.1]" "[mic.2]" "[mic.3]" "[mic.4]" "[mic.5]" "[mic.6]"
+bad "bad.ini:[0-9]*: mic.6: a drum has at most 8 microphones"
+printf '[drum]\nname = nothing else\n' >bad.ini
+bad "bad.ini: the drum has 0 strikers; it needs 1 to 8"
+sed '/^\[strike\]/,$s/^radius = .*/radius = 0.5/' good.ini >bad.ini
+bad "bad.ini: strike.radius = 0.5 is beyond shell.radius"
+refused "good.ini with --set: strike.radius = 0.5" show good.ini --set strike.radius=0.5
+
 # ---- files that are right ----
 
 done_quietly show good.ini
@@ -123,10 +147,23 @@ same "a section brings the second head" "[resonant] tension = 2100 surface_densi
 cp "$out" shown.ini
 done_quietly show shown.ini
 check "and reads back" cmp -s shown.ini "$out"
+{ sed 's/^height = -.*/height = -0.3/' good.ini && printf '[mic.b]\n[resonant]\n[striker.a]\n'; } >bare.ini
+done_quietly show bare.ini
+cp "$out" shown.ini
+sed 's/^height = -.*/height = -0.3/' good.ini >keyed.ini
+printf '[mic.b]\ngain = 1\n[resonant]\ntension = 2600\n[striker.a]\nmass = 0.012\n' >>keyed.ini
+done_quietly show keyed.ini
+check "sections without a key make what sections with one make" cmp -s shown.ini "$out"
+printf '[striker.a]\n[mic.b]\n' >bare.ini
+done_quietly show bare.ini
+same "a drum of defaults" "3000" "$(sed -n 's/^tension = \([0-9]*\) .*/\1/p' "$out" | head -n 1)"
+done_quietly render bare.ini -q --quality draft --duration 0.02 --format float -o bare.wav
 { cat two.ini && printf 'tensoin = 3\n'; } >bad.ini
 bad "bad.ini:[0-9]*: unknown key 'resonant.tensoin'; did you mean 'resonant.tension'"
 { cat two.ini && printf 'surface_density = 9\n'; } >bad.ini
 bad "surface_density = 9 is outside"
+sed -n '/^```ini$/,/^```$/{/^```/!p}' "$docs/presets.md" >manual.ini
+done_quietly render manual.ini -q --quality draft --duration 0.02 --format float -o manual.wav
 cp good.ini guarded.ini
 refused "overwrite the preset" render guarded.ini -q --trace guarded.ini
 

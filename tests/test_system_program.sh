@@ -29,7 +29,12 @@ check "version" grep -qE '^tabor [0-9]+\.[0-9]+\.[0-9]+$' "$out"
 version=$(cut -d ' ' -f 2 "$out")
 done_quietly --version --json
 same "version as JSON" "$version" "$(json version)"
+done_quietly help render
+check "help of a command" grep -q '^Usage: tabor render' "$out"
+done_quietly help
+cp "$out" help
 done_quietly --help
+check "help is --help" cmp -s help "$out"
 for command in render presets show modes bench analyze; do
   check "help names $command" grep -q "^  $command " "$out"
   same "$command --version" "tabor $version" "$("$TABOR" $command --version)"
@@ -87,6 +92,16 @@ done_quietly show frame-drum --json --set resonant.damping_0=17 "${outside[@]}"
 same "a key of the second head" 1 "$(grep -c '"resonant.damping_0"' "$out")"
 refused "drum.comment" show --set 'drum.comment=one ; two'
 refused "drum.comment" show --set "drum.comment=$(printf 'x%.0s' {1..240})"
+for length in {180..188}; do # 187 and "comment = " are 197 bytes
+  done_quietly show --set "drum.comment=$(printf 'x%.0s' $(seq $length))"
+  cp "$out" shown.ini
+  done_quietly show shown.ini
+  same_bytes "a comment of $length bytes reads back" shown.ini "$out"
+done
+for length in {189..199}; do
+  refused "drum.comment: a preset file's lines hold 198 bytes.*$length$" \
+    show --set "drum.comment=$(printf 'x%.0s' $(seq $length))"
+done
 done_quietly show --json
 same "show as JSON" "name parameters" "$(json keys)"
 same "keys of a parameter" "key value unit minimum maximum live text" "$(json parameters.0.keys)"
@@ -114,12 +129,13 @@ same "no decay, no t60" null "$(json modes.0.t60)"
 # ---- the facts of a rendering ----
 
 done_quietly render "${quick[@]}" --json --duration 0.5 -o facts.wav --rate 44100 --mic top --mic top
-same "keys" "preset rate frames channels peak real_time_factor newton energy output" "$(json keys)"
+same "keys" "preset rate frames channels peak real_time_factor newton energy output trace" "$(json keys)"
 same "keys of newton" "mean max capped" "$(json newton.keys)"
 same "keys of energy" "injected control stored head_loss wire_loss contact_loss damper_loss \
 shell_loss radiated removed residual" "$(json energy.keys)"
 same "facts" "tabor 44100 22050 2 facts.wav" \
   "$(json preset) $(json rate) $(json frames) $(json channels) $(json output)"
+same "no trace" null "$(json trace)"
 described facts.wav "wav pcm24 44100 2 22050"
 holds "peak" "($(json peak) - $("$INSPECT" peak facts.wav))^2 < 1e-12"
 holds "real time" "$(json real_time_factor) > 0"
@@ -135,6 +151,9 @@ check "a line about it" grep -q '^talk.wav: tabor, 0.05 s, 48000 Hz, 1 channel, 
 same "nothing else" "1 0" "$(wc -l <"$err") $(wc -c <"$out")"
 run render "${quick[@]}" --duration 0.05 -v -o talk.wav
 check "more" grep -q 'energy in J' "$err"
+check "one wire is no wires" grep -q ', 1 wire with ' "$err"
+done_quietly render "${quick[@]}" --json --duration 0.02 -o facts.wav --trace facts.csv
+same "the trace's name" facts.csv "$(json trace)"
 run render "${quick[@]}" --duration 0.05 --json -o talk.wav
 same "JSON alone" 0 "$(wc -c <"$err")"
 
@@ -193,6 +212,17 @@ same "the same length from the last stroke on" "0" "$((($("$INSPECT" sound later
 done_quietly render -q "${quick[@]}" --set batter.damping_0=1000 --strike time=0 -o dead.wav
 holds "half a second at least" "$("$INSPECT" sound dead.wav | cut -d ' ' -f 5) >= 24000"
 
+ringing=(render frame-drum --quality draft --set air.density=0 --set batter.damping_0=0 \
+  --set batter.damping_1=0 -o ringing.wav)
+run "${ringing[@]}"
+check "what is cut off is told" grep -q '^the drum still sounds where the file ends, 20 s after' "$err"
+same "in one line" "2 0" "$(wc -l <"$err") $status"
+run "${ringing[@]}" --duration 1
+same "unless it was asked for" 1 "$(wc -l <"$err")"
+done_quietly "${ringing[@]}" -q
+run render "${quick[@]}" --set batter.damping_0=100 -o dead.wav
+same "nor where it has died away" 1 "$(wc -l <"$err")"
+
 # ---- strokes ----
 
 done_quietly show
@@ -216,6 +246,9 @@ differ "and another sound" slow.wav fast.wav
 brief metres.wav --strike "radius=$(awk "BEGIN { printf \"%.17g\", $radius / 2 }")"
 brief percent.wav --strike radius=50%
 same_bytes "50 % of the head" metres.wav percent.wav
+brief rim.wav --strike radius=100%
+brief metres.wav --set "strike.radius=$radius"
+same_bytes "on the rim" metres.wav rim.wav
 brief centre.wav --strike radius=0%
 differ "and another sound" percent.wav centre.wav
 brief named.wav --strike striker=stick,technique=normal
@@ -252,6 +285,14 @@ for encoding in pcm16 pcm24; do
 done
 brief loud.wav --format float --gain 60
 holds "float does not saturate" "$("$INSPECT" peak loud.wav) > 1.5"
+
+for encoding in pcm16 pcm24; do
+  run render "${short[@]}" --format $encoding --gain -120 --set mic.top.gain=0.1 -o lost.wav
+  same "silence is no error" "0 0" "$status $("$INSPECT" peak lost.wav)"
+  same "but told" 1 "$(grep -c 'warning: the peak of -[0-9.]* dBFS is below half a step' "$err")"
+done
+brief kept.wav --format float --gain -120
+holds "float keeps it" "$("$INSPECT" peak kept.wav) > 0"
 
 # ---- the trace ----
 

@@ -11,8 +11,12 @@ echo precious >a.wav
 
 refused "no command"
 refused "unknown command 'rendr'; did you mean 'render'" rendr
-refused "unknown command 'zzzzzzzz'$" zzzzzzzz
-refused "unknown command ''" ''
+refused "unknown command 'zzzzzzzz'; there are: render, presets, show, modes, bench, analyze$" zzzzzzzz
+refused "unknown command ''; there are: render" ''
+refused "unknown command 'hlep'" hlep
+refused "unknown command 'rendr'; did you mean 'render'" help rendr
+refused "unexpected argument 'b'" help render b
+for command in presets show modes bench analyze; do refused "unknown option '-v'" $command -v; done
 for command in render presets show modes bench; do
   refused "unknown option '--jsn'; did you mean '--json'" $command --jsn
   refused "unknown option '-x'" $command -x
@@ -82,6 +86,16 @@ for command in render show modes bench; do
 done
 refused "--mic 'tpo'.*did you mean 'top'" render --mic tpo
 refused "--mic ''" render --mic ''
+refused "--mic 'nosuch': .*; there are: top, bottom, far$" render --mic nosuch
+refused "no striker 'foo'; there are: striker.stick$" show --set striker.foo.mass=1
+refused "no microphone 'nosuch'; there are: mic.top, mic.bottom, mic.far$" show --set mic.nosuch.gain=1
+for text in nan x '' 1e; do
+  refused "batter.tension = '$text' is not a number from 100 to 20000 N/m" show --set "batter.tension=$text"
+done
+refused "unknown key 'foo.bar'$" show --set foo.bar=1
+refused "unknown key '-'$" show --set -=1
+refused "unknown preset 'foo.bar'; 'tabor presets' lists them" show foo.bar
+refused "unknown preset '-'; 'tabor presets' lists them" show -
 refused "--quality 'sudio'.*did you mean 'studio'" render --quality sudio
 refused "--quality" modes --quality ''
 refused "--format 'pcm32'.*pcm16, pcm24, float" render --format pcm32
@@ -95,6 +109,8 @@ refused "FIELD=VALUE" render --strike velocity=2,
 refused "FIELD=VALUE" render --strike ,velocity=2
 refused "unknown field 'velocty'; did you mean 'velocity'" render --strike velocty=2
 refused "unknown field ''" render --strike =2
+refused "unknown field 'foo'; there are: time, velocity, midi, radius, angle, striker, technique$" \
+  render --strike foo=2
 refused "time: given twice" render --strike time=1,time=2
 refused "given twice" render --strike velocity=1,midi=3
 refused "time '-0.1'.*allowed: 0 to 3600" render --strike time=-0.1
@@ -113,6 +129,8 @@ for midi in 0 128 1.5 -3 nan; do
 done
 refused "striker 'stik'.*did you mean 'stick'" render --strike striker=stik
 refused "striker ''" render --strike striker=
+refused "striker 'foo': the drum has no such striker; there are: stick$" render --strike striker=foo
+refused "technique 'foo': unknown; allowed: normal$" render --strike technique=foo
 for technique in rimshot cross-stick rim buzz sweep; do
   refused "technique '$technique': not in this version" render --strike technique=$technique
 done
@@ -129,8 +147,23 @@ refused ".wav, .flac or .au" render -o sound
 refused ".wav, .flac or .au" render -o sound.wav.
 refused "both would go to standard output" render -o - --json
 refused "both would go to standard output" render -o /dev/stdout --json
-refused "--trace needs" render --trace ''
-refused "--trace needs" render --trace -
+refused "--trace '': allowed: the name of a file" render --trace ''
+refused "--trace '-': allowed: the name of a file" render --trace -
+for name in .wav .flac ./.au folder/.wav; do
+  refused "-o '$name': the name must end in .wav, .flac or .au" render -o $name
+done
+refused "-o '.wav': the name must end in" render --split -o .wav
+if [ -n "$(command -v script)" ]; then # it gives the program a terminal
+  for name in - /dev/stdout; do
+    script -qec "'$TABOR' render -o $name --duration 0.01" log <"/dev/null" >"$out" 2>"$err"
+    status=$?
+    same "status where sound would go to the terminal" 2 $status
+    check "and why" grep -q 'standard output is a terminal' "$out"
+    rm -f log
+  done
+else
+  skipped=terminal
+fi
 refused "--gain and --normalize" render --gain 3 --normalize
 refused "--normalize takes no value" render --normalize=-1
 refused "--split and -o -" render --split -o -
@@ -153,6 +186,14 @@ refused "both name" render -o a.wav --trace link.csv
 mkdir folder
 ln -s folder other
 refused "both name" render -o folder/new.wav --trace other/new.wav
+
+# However long a path is, the reason is seen, in a line of bounded length.
+long=$(printf 'long/%.0s' {1..1200})
+failed "cannot write 'long/long.*\.\.\..*long/a.wav': File name too long$" render -o "${long}a.wav"
+same "a line of bounded length" 1 "$(($(wc -c <"$err") < 1100))"
+failed "cannot read '.*/a.csv': File name too long$" render --events "${long}a.csv"
+failed "cannot read '.*/a.wav': File name too long$" analyze "${long}a.wav"
+failed "long/a.ini: File name too long$" show "${long}a.ini"
 
 # A name with a line feed in it still makes one line.
 refused "unknown command" $'two\nlines'

@@ -73,9 +73,43 @@ expect_error 1 "late-far.wav.*exists"
 same "the file that came first" first "$(cat late-far.wav)"
 same "it alone" "late-far.wav " "$(files)"
 
+# What the others would replace comes back, whatever it was.
+rm -rf ./*
+mkdir old
+for mic in top bottom; do echo "old $mic" >late-$mic.wav; done
+ln late-top.wav second-name.wav
+"$TABOR" render -q --duration 5 --quality draft --split -o late.wav --trace late.csv 2>"$err" &
+child=$!
+check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
+mkdir late-far.wav
+wait $child
+status=$?
+: >"$out"
+expect_error 1 "late-far.wav.*Is a directory"
+same "older files" "old top, old bottom" "$(cat late-top.wav), $(cat late-bottom.wav)"
+check "the very same" test late-top.wav -ef second-name.wav
+same "them alone" "late-bottom.wav late-far.wav late-top.wav old second-name.wav " "$(files)"
+rmdir late-far.wav
+done_quietly render "${short[@]}" --split -o late.wav
+check "and are replaced in the end" test "$(wc -c <late-top.wav)" -gt 100
+same "with nothing left over" "late-bottom.wav late-far.wav late-top.wav old second-name.wav " "$(files)"
+
+# A trace in a folder that has gone.
+rm -rf ./*
+mkdir sub
+echo old >take.wav
+"$TABOR" render -q --duration 5 --quality draft -o take.wav --trace sub/t.csv 2>"$err" &
+child=$!
+check "rendering has begun" wait_for eval 'ls sub/.tabor-* >/dev/null 2>&1'
+mv sub gone
+wait $child
+status=$?
+expect_error 1 "sub/t.csv.*No such file"
+same "the sound stays as it was" old "$(cat take.wav)"
+
 # ---- to a peak of -1 dBFS ----
 
-rm -f ./*
+rm -rf ./*
 done_quietly render "${short[@]}" --normalize --format float -o loud.wav
 holds "-1 dBFS" "($(peak loud.wav) - 10^(-1 / 20))^2 < 1e-14"
 done_quietly render "${short[@]}" --format float -o plain.wav

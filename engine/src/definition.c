@@ -78,23 +78,41 @@ static TaborStatus check_arguments(const TaborDrumDef *def, const char *key, con
                       key ? "text" : "key");
 }
 
+/* A key or section @p text, as @p what says, whose element has a name or number that is none. */
+static TaborStatus refuse_element(TbKeyStatus status, const char *what, const char *text,
+                                  TaborError *error) {
+  if (status == TB_KEY_BAD_NUMBER) {
+    return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, 1, TABOR_MAX_WIRES,
+                        "unknown %s '%s': wires are numbered 1 to %d", what, text, TABOR_MAX_WIRES);
+  }
+  return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN,
+                      "unknown %s '%s': a name has 1 to %d letters, digits, '-' and '_'", what,
+                      text, TABOR_NAME_LENGTH);
+}
+
+static TaborStatus refuse_unknown(const char *what, const char *text, const char *nearest,
+                                  TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN, "unknown %s '%s'%s%s%s", what,
+                      text, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
+}
+
 static TaborStatus parse_key(const TaborDrumDef *def, const char *text, TbKey *key,
                              TaborError *error) {
+  const TbKeyStatus status = tb_key_parse(text, key);
+  if (status == TB_KEY_OK) return TABOR_OK;
+  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "key", text, error);
   char nearest[TB_KEY_SIZE];
-  switch (tb_key_parse(text, key)) {
-  case TB_KEY_OK: return TABOR_OK;
-  case TB_KEY_BAD_NUMBER:
-    return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, 1, TABOR_MAX_WIRES,
-                        "unknown key '%s': wires are numbered 1 to %d", text, TABOR_MAX_WIRES);
-  case TB_KEY_BAD_NAME:
-    return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN,
-                        "unknown key '%s': a name has 1 to %d letters, digits, '-' and '_'", text,
-                        TABOR_NAME_SIZE - 1);
-  case TB_KEY_UNKNOWN: break;
-  }
   tb_key_nearest(def, text, nearest);
-  return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN,
-                      "unknown key '%s'; did you mean '%s'?", text, nearest);
+  return refuse_unknown("key", text, nearest, error);
+}
+
+static TaborStatus parse_section(const char *text, TbKey *key, TaborError *error) {
+  const TbKeyStatus status = tb_section_parse(text, key);
+  if (status == TB_KEY_OK) return TABOR_OK;
+  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "section", text, error);
+  char nearest[TB_KEY_SIZE];
+  tb_section_nearest(text, nearest);
+  return refuse_unknown("section", text, nearest, error);
 }
 
 /* Index of the element that the key names; of one that is not there, where it would go. */
@@ -108,6 +126,24 @@ static uint32_t find_element(const TaborDrumDef *def, const TbKey *key, bool *is
   return *is_new ? tb_group_count(def, group) : (uint32_t)found;
 }
 
+static TaborStatus refuse_full(TbGroup group, const char *key, TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_FULL, key, NULL, NAN, NAN, "%s: a drum has at most %u %ss",
+                      key, (unsigned)tb_group_capacity(group), group_word(group));
+}
+
+TaborStatus tabor_drum_def_section(TaborDrumDef *def, const char *section, TaborError *error) {
+  TbKey parsed;
+  bool is_new;
+  TaborStatus status = check_arguments(def, section, "", error);
+  if (status == TABOR_OK) status = parse_section(section, &parsed, error);
+  if (status != TABOR_OK) return status;
+  const TbGroup group = parsed.param->group;
+  const uint32_t element = find_element(def, &parsed, &is_new);
+  if (element >= tb_group_capacity(group)) return refuse_full(group, section, error);
+  if (is_new) (void)add_element(def, group, parsed.name);
+  return tb_error_clear(error);
+}
+
 TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,
                                TaborError *error) {
   TbKey parsed;
@@ -118,11 +154,7 @@ TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *v
   bool is_new;
   const TbGroup group = parsed.param->group;
   uint32_t element = find_element(def, &parsed, &is_new);
-  if (element >= tb_group_capacity(group)) {
-    return tb_error_set(error, TABOR_ERROR_FULL, key, value, NAN, NAN,
-                        "%s: a drum has at most %u %ss", key, (unsigned)tb_group_capacity(group),
-                        group_word(group));
-  }
+  if (element >= tb_group_capacity(group)) return refuse_full(group, key, error);
   TbValue converted;
   status = tb_value_parse(parsed.param, key, value, &converted, error);
   if (status != TABOR_OK) return status;
@@ -132,7 +164,7 @@ TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *v
   return tb_error_clear(error);
 }
 
-/* The name of the group's elements that is nearest to @p name, "" without elements. */
+/* The name of the group's elements that is nearest to @p name, "" if none is near. */
 static void nearest_element(const TaborDrumDef *def, TbGroup group, const char *name,
                             char nearest[TABOR_NAME_SIZE]) {
   size_t smallest = SIZE_MAX;
@@ -141,20 +173,38 @@ static void nearest_element(const TaborDrumDef *def, TbGroup group, const char *
     char candidate[TABOR_NAME_SIZE];
     tb_element_name(def, group, i, candidate);
     const size_t distance = tb_word_distance(name, candidate);
-    if (distance >= smallest) continue;
+    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
     smallest = distance;
     memcpy(nearest, candidate, sizeof candidate);
+  }
+}
+
+/* "stick, mallet" */
+static void list_elements(const TaborDrumDef *def, TbGroup group, char list[TABOR_TEXT_SIZE]) {
+  size_t length = 0;
+  list[0] = '\0';
+  for (uint32_t i = 0; i < tb_group_count(def, group) && length < TABOR_TEXT_SIZE; i++) {
+    char name[TABOR_NAME_SIZE];
+    tb_element_name(def, group, i, name);
+    length +=
+      (size_t)snprintf(list + length, TABOR_TEXT_SIZE - length, "%s%s", i > 0 ? ", " : "", name);
   }
 }
 
 TaborStatus tb_refuse_name(const TaborDrumDef *def, bool is_mic, const char *key, const char *name,
                            TaborError *error) {
   const TbGroup group = is_mic ? TB_GROUP_MIC : TB_GROUP_STRIKER;
-  char nearest[TABOR_NAME_SIZE];
+  char nearest[TABOR_NAME_SIZE], list[TABOR_TEXT_SIZE];
   nearest_element(def, group, name, nearest);
+  if (*nearest) {
+    return tb_error_set(error, TABOR_ERROR_NAME, key, name, NAN, NAN,
+                        "%s: the drum has no %s '%s'; did you mean '%s'?", key, group_word(group),
+                        name, nearest);
+  }
+  list_elements(def, group, list);
   return tb_error_set(error, TABOR_ERROR_NAME, key, name, NAN, NAN,
-                      "%s: the drum has no %s '%s'; did you mean '%s'?", key, group_word(group),
-                      name, nearest);
+                      "%s: the drum has no %s '%s'; it has: %s", key, group_word(group), name,
+                      list);
 }
 
 static TaborStatus refuse_absent(const TaborDrumDef *def, const TbKey *parsed, const char *key,

@@ -39,23 +39,44 @@ static bool parse_wire(const char *name, uint32_t *wire) {
   return true;
 }
 
+/* The name or number of the element, once key->param is known. */
+static TbKeyStatus parse_element(const char *text, size_t length, TbKey *key) {
+  const bool is_wire = key->param->group == TB_GROUP_WIRE;
+  const TbKeyStatus bad = is_wire ? TB_KEY_BAD_NUMBER : TB_KEY_BAD_NAME;
+  char name[TABOR_NAME_SIZE] = "";
+  if (length > TABOR_NAME_LENGTH) return bad;
+  memcpy(name, text, length);
+  if (is_wire) return parse_wire(name, &key->wire) ? TB_KEY_OK : bad;
+  if (!tb_name_is_valid(name, sizeof name)) return bad;
+  memcpy(key->name, name, sizeof name);
+  return TB_KEY_OK;
+}
+
 TbKeyStatus tb_key_parse(const char *text, TbKey *key) {
   memset(key, 0, sizeof *key);
   key->param = find_row(text);
   if (!key->param) return TB_KEY_UNKNOWN;
   if (!tb_group_is_array(key->param->group)) return TB_KEY_OK;
 
-  const bool is_wire = key->param->group == TB_GROUP_WIRE;
-  const TbKeyStatus bad = is_wire ? TB_KEY_BAD_NUMBER : TB_KEY_BAD_NAME;
   const char *const middle = text + strlen(key->param->info.section);
-  const size_t length = (size_t)(middle_end(middle) - middle);
-  char name[TABOR_NAME_SIZE] = "";
-  if (length >= sizeof name) return bad;
-  memcpy(name, middle, length);
-  if (is_wire) return parse_wire(name, &key->wire) ? TB_KEY_OK : bad;
-  if (!tb_name_is_valid(name, sizeof name)) return bad;
-  memcpy(key->name, name, sizeof name);
-  return TB_KEY_OK;
+  return parse_element(middle, (size_t)(middle_end(middle) - middle), key);
+}
+
+static bool matches_section(const TbParam *param, const char *text) {
+  const char *const section = param->info.section;
+  if (!tb_group_is_array(param->group)) return strcmp(text, section) == 0;
+  return strncmp(text, section, strlen(section)) == 0; /* it ends with the dot */
+}
+
+TbKeyStatus tb_section_parse(const char *text, TbKey *key) {
+  memset(key, 0, sizeof *key);
+  for (uint32_t i = 0; i < tb_param_count && !key->param; i++) {
+    if (matches_section(&tb_params[i], text)) key->param = &tb_params[i];
+  }
+  if (!key->param) return TB_KEY_UNKNOWN;
+  if (!tb_group_is_array(key->param->group)) return TB_KEY_OK;
+  const char *const name = text + strlen(key->param->info.section);
+  return parse_element(name, strlen(name), key);
 }
 
 const TaborParameter *tabor_parameter_find(const char *key) {
@@ -140,7 +161,7 @@ typedef struct Search {
 static void consider(Search *search, const TbParam *param, const char *candidate) {
   const char *const compared = search->bare ? param->info.key : candidate;
   const size_t distance = tb_word_distance(search->wanted, compared);
-  if (distance >= search->distance) return;
+  if (distance >= search->distance || !tb_word_is_near(search->wanted, distance)) return;
   search->distance = distance;
   (void)snprintf(search->nearest, TB_KEY_SIZE, "%s", candidate);
 }
@@ -164,7 +185,7 @@ static void consider_resonant(Search *search) {
 /* Keys of strikers and microphones that the definition has not got: their name is the user's. */
 static void consider_new_names(Search *search) {
   const char *const first = strchr(search->wanted, '.'), *const last = strrchr(search->wanted, '.');
-  if (!first || last - first < 2 || last - first > TABOR_NAME_SIZE) return;
+  if (!first || last - first < 2 || last - first > TABOR_NAME_LENGTH + 1) return;
   char name[TABOR_NAME_SIZE] = "", candidate[TB_KEY_SIZE];
   memcpy(name, first + 1, (size_t)(last - first - 1));
   if (!tb_name_is_valid(name, sizeof name)) return;
@@ -183,4 +204,30 @@ void tb_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_K
   if (search.bare) return;
   consider_resonant(&search);
   consider_new_names(&search);
+}
+
+/* What stands for a section in a message: an element's name is @p element or, if that is NULL, left
+ * to the user. */
+static void write_section(const TbParam *param, const char *element, char text[TB_KEY_SIZE]) {
+  const bool is_array = tb_group_is_array(param->group);
+  if (!element) element = param->group == TB_GROUP_WIRE ? "N" : "NAME";
+  (void)snprintf(text, TB_KEY_SIZE, "%s%s", param->info.section, is_array ? element : "");
+}
+
+/* What stands before the first dot, with it, is compared where elements have names. */
+void tb_section_nearest(const char *text, char nearest[TB_KEY_SIZE]) {
+  const char *const dot = strchr(text, '.');
+  char family[TABOR_NAME_SIZE] = "";
+  if (dot && dot - text < TABOR_NAME_SIZE - 1) memcpy(family, text, (size_t)(dot - text) + 1);
+  size_t smallest = SIZE_MAX;
+  nearest[0] = '\0';
+  for (uint32_t row = 0; row < tb_param_count; row = section_end(row)) {
+    const TbParam *const param = &tb_params[row];
+    const char *const word = dot && tb_group_is_array(param->group) ? family : text;
+    const size_t distance = tb_word_distance(word, param->info.section);
+    if (distance >= smallest || !tb_word_is_near(word, distance)) continue;
+    smallest = distance;
+    write_section(param, dot && tb_name_is_valid(dot + 1, TABOR_NAME_SIZE) ? dot + 1 : NULL,
+                  nearest);
+  }
 }

@@ -14,7 +14,7 @@
 typedef enum TbKeyStatus {
   TB_KEY_OK,
   TB_KEY_UNKNOWN,   /**< no such section, or no such key in it */
-  TB_KEY_BAD_NAME,  /**< the name in the middle is none */
+  TB_KEY_BAD_NAME,  /**< the name of the striker or microphone is none */
   TB_KEY_BAD_NUMBER /**< the wire's number is none of 1 to 40 */
 } TbKeyStatus;
 
@@ -26,6 +26,9 @@ typedef struct TbKey {
 } TbKey;
 
 TbKeyStatus tb_key_parse(const char *text, TbKey *key);
+
+/** The same for a section alone, as "batter", "wire.3" and "mic.top"; param is one of its rows. */
+TbKeyStatus tb_section_parse(const char *text, TbKey *key);
 
 /** Elements of @p group that @p def has, never more than its arrays hold. All wires count; resonant
  * heads are 0 or 1. */
@@ -51,7 +54,10 @@ typedef bool TbVisit(void *context, const TbParam *param, uint32_t element);
  */
 bool tb_walk(const TaborDrumDef *def, TbVisit *visit, void *context);
 
-/** Writes the existing or possible full key that is nearest to @p text. */
+/** Writes the existing or possible full key that is nearest to @p text, "" if none is near. */
 void tb_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_KEY_SIZE]);
+
+/** The same for sections. */
+void tb_section_nearest(const char *text, char nearest[TB_KEY_SIZE]);
 
 #endif /* TABOR_SRC_KEY_H */

@@ -5,8 +5,8 @@
  * beyond the penetration c where K a c^(a-1) = G ("slope limit": stiffer contacts than one sample can
  * resolve would need more Newton iterations than there are; a = 1: K = min(K, G)).
  *
- * Over two steps, y = eta(n-1), s = eta(n+1) - y, the force is the discrete gradient with a
- * Hunt-Crossley factor [HuntCrossley1975],
+ * Over two steps, y = eta(n-1), s = eta(n+1) - y, the force is the discrete gradient [BilbaoTorin2015]
+ * with a Hunt-Crossley factor [HuntCrossley1975],
  *   f = (DV/s) max(0, 1 + lambda s/(2k)),  DV = V(y+s) - V(y),
  * which never pulls, grows with s, and loses (f s - DV)/2 >= 0 per step. DV/s is never formed as a
  * difference quotient: it is the mean of V' over the interval, piece by piece.

@@ -24,11 +24,17 @@ static const char *nearest_preset(const char *name) {
   size_t smallest = SIZE_MAX;
   for (uint32_t i = 0; i < tb_preset_count; i++) {
     const size_t distance = tb_word_distance(name, tb_presets[i].info.name);
-    if (distance >= smallest) continue;
+    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
     smallest = distance;
     nearest = tb_presets[i].info.name;
   }
   return nearest;
+}
+
+static TaborStatus refuse_preset(const char *name, TaborError *error) {
+  const char *const nearest = nearest_preset(name);
+  return tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN, "unknown preset '%s'%s%s%s",
+                      name, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
 }
 
 TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
@@ -37,15 +43,14 @@ TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborErro
                         def ? "preset's name" : "definition");
   }
   const TbPreset *const preset = find_preset(name);
-  if (!preset) {
-    return tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN,
-                        "unknown preset '%s'; did you mean '%s'?", name, nearest_preset(name));
-  }
+  if (!preset) return refuse_preset(name, error);
   TaborDrumDef read;
   tabor_drum_def_clear(&read);
   for (uint32_t i = 0; i < preset->pair_count; i++) {
     const TbPresetPair *const pair = &preset->pairs[i];
-    const TaborStatus status = tabor_drum_def_set(&read, pair->key, pair->value, error);
+    const TaborStatus status = pair->value
+                                 ? tabor_drum_def_set(&read, pair->key, pair->value, error)
+                                 : tabor_drum_def_section(&read, pair->key, error);
     if (status != TABOR_OK) return status; /* test_preset sees to it that this never happens */
   }
   *def = read;

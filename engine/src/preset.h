@@ -9,7 +9,7 @@
 
 #include "tabor/tabor.h"
 
-/** A line of a preset: "batter.tension", "3000". */
+/** A line of a preset: "batter.tension", "3000"; a section is "batter", NULL. */
 typedef struct TbPresetPair {
   const char *key, *value;
 } TbPresetPair;

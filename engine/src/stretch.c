@@ -23,14 +23,15 @@ static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode 
   return 0.5 * azimuth * sum;
 }
 
-/* Higher modes hardly stretch a head: up to this many times the lowest frequency they count. */
-static const double TOP = 6.0;
+/* Modes up to this many times the lowest frequency count. Twice as many raise a tom's peak at 12 m/s by
+ * 1.7 dB from 12 on, by 0.3 dB from 24 on. */
+static double top_of(uint32_t quality) { return quality <= TABOR_QUALITY_LIVE ? 12.0 : 24.0; }
 
 /* Each group lists its modes by frequency, so those that count stand at its beginning. */
 static void prepare_ranges(TaborModel *model) {
   const TbModes *modes = &model->modes;
   TbStretch *stretch = &model->stretch;
-  const double top = TOP * model->head.modes[0].omega;
+  const double top = top_of(model->quality) * model->head.modes[0].omega;
   for (uint32_t group = 0; group <= modes->groups; group++) {
     const uint32_t end = group < modes->groups ? modes->group[group + 1] : modes->padded;
     uint32_t i = modes->group[group];

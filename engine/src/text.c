@@ -205,3 +205,8 @@ size_t tb_word_distance(const char *word, const char *candidate) {
   const size_t distance = tb_edit_distance(word, candidate);
   return begins && distance > 1 ? 1 : distance;
 }
+
+bool tb_word_is_near(const char *word, size_t distance) {
+  const size_t length = strnlen(word, LONGEST_WORD);
+  return distance < (length < 3 ? length : length / 3 + 1);
+}

@@ -53,4 +53,7 @@ size_t tb_edit_distance(const char *a, const char *b);
 /** How far @p word is from meaning @p candidate: as above, but the start of a word is near it. */
 size_t tb_word_distance(const char *word, const char *candidate);
 
+/** True if what is @p distance from @p word may have been meant: a third of it differs at most. */
+bool tb_word_is_near(const char *word, size_t distance);
+
 #endif /* TABOR_SRC_TEXT_H */

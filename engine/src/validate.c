@@ -45,10 +45,10 @@ static TaborStatus check_names(const TaborDrumDef *def, TbGroup group, const cha
     const char *const stored = group == TB_GROUP_MIC ? def->mic[i].name : def->striker[i].name;
     char name[TABOR_NAME_SIZE];
     tb_element_name(def, group, i, name);
-    if (!tb_name_is_valid(stored, TABOR_NAME_SIZE)) {
+    if (!tb_name_is_valid(stored, TABOR_NAME_LENGTH + 1)) {
       return tb_error_set(error, TABOR_ERROR_VALUE, section, name, NAN, NAN,
                           "%s number %u: its name '%s' is not 1 to %d letters, digits, '-' and '_'",
-                          section, (unsigned)i + 1u, name, TABOR_NAME_SIZE - 1);
+                          section, (unsigned)i + 1u, name, TABOR_NAME_LENGTH);
     }
     if (tb_element_find(def, group, name) != (int)i) {
       return tb_error_set(error, TABOR_ERROR_VALUE, section, name, NAN, NAN,
@@ -81,7 +81,7 @@ static TaborStatus check_fields(const TaborDrumDef *def, TaborError *error) {
   return check.status;
 }
 
-/* A place on a head: @p radius from its centre, as @p key says. */
+/* A damper's place on a head: @p radius from its centre, as @p key says. */
 static TaborStatus check_place(const TaborDrumDef *def, const char *key, double radius,
                                TaborError *error) {
   if (radius < def->shell.radius) return TABOR_OK;
@@ -113,8 +113,13 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
 }
 
 static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
-  const TaborStatus status = check_place(def, "strike.radius", def->strike.radius, error);
-  if (status != TABOR_OK) return status;
+  if (!(def->strike.radius <= def->shell.radius)) { /* at the rim a stroke meets what cannot move */
+    char value[TB_NUMBER_SIZE];
+    tb_number_print(def->strike.radius, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "strike.radius", value, 0, def->shell.radius,
+                        "strike.radius = %s is beyond shell.radius, %g m", value,
+                        def->shell.radius);
+  }
   if (tb_strike_striker(def) >= 0) return TABOR_OK;
   return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
 }

@@ -176,8 +176,11 @@ static TaborStatus parse_number(const TbParam *param, const char *key, const cha
   const TbParse parse = tb_number_parse(text, &value->number);
   if (parse == TB_PARSE_OVERFLOW) return refuse_range(param, key, text, error);
   if (parse == TB_PARSE_OK) return tb_value_check(param, key, value, error);
+  char unit[TABOR_NAME_SIZE];
+  write_unit(param, unit);
   return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum, param->info.maximum,
-                      "%s = '%s' is not a number", key, text);
+                      "%s = '%s' is not a number from %g to %g%s", key, text, param->info.minimum,
+                      param->info.maximum, unit);
 }
 
 static TaborStatus parse_whole(const TbParam *param, const char *key, const char *text,

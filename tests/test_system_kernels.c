@@ -56,6 +56,13 @@ static void avx2_gives_the_same_bits_as_baseline(void **state) {
   compare_kernels("bodhran-d-string", TABOR_QUALITY_STUDIO, TABOR_INSTRUCTIONS_AVX2);
 }
 
+/* Where the processor lacks it, the next narrower kernels run. */
+static void avx512_gives_the_same_bits_as_baseline(void **state) {
+  (void)state;
+  compare_kernels("tabor", TABOR_QUALITY_LIVE, TABOR_INSTRUCTIONS_AVX512);
+  compare_kernels("bodhran-d-string", TABOR_QUALITY_STUDIO, TABOR_INSTRUCTIONS_AVX512);
+}
+
 static void the_automatic_choice_gives_the_same_bits_as_baseline(void **state) {
   (void)state;
   compare_kernels("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
@@ -105,6 +112,7 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(avx2_gives_the_same_bits_as_baseline),
+    cmocka_unit_test(avx512_gives_the_same_bits_as_baseline),
     cmocka_unit_test(the_automatic_choice_gives_the_same_bits_as_baseline),
     cmocka_unit_test(two_threads_on_one_model_give_what_one_gives),
   };

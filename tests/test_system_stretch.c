@@ -47,7 +47,7 @@ static void one_mode_swings_like_duffings_oscillator(void **state) {
   const TaborDrumDef def = one_head(1e6);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
   for (uint32_t i = 0; i < model->modes.padded; i += 7) {
-    if (model->modes.row[i] == TB_NO_MODE || model->modes.row[i] > 12) continue;
+    if (model->modes.row[i] == TB_NO_MODE || model->modes.row[i] > 9) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
     const double gain = model->stretch.gain[0][i];
     const double beta = model->stretch.factor[0] * gain * gain;
@@ -75,7 +75,7 @@ static void the_gain_of_a_mode_is_its_wavenumber_squared(void **state) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
-    if (mode->omega > 12.0 * model->head.modes[0].omega) continue; /* does not count */
+    if (mode->omega > 6.0 * model->head.modes[0].omega) continue; /* does not count */
     const double k = model->head.orders[mode->m].zeros[mode->n - 1] / def.shell.radius;
     assert_true(fabs(model->stretch.gain[0][i] * def.batter.surface_density / (k * k) - 1.0) <
                 1e-9);
@@ -110,12 +110,36 @@ static void a_struck_drum_that_stretches_keeps_its_energy(void **state) {
   tabor_model_release(model);
 }
 
+/* Live stops the contact solve early and moves the forces to an exact balance: along the response of the
+ * last forces, which a stretch that changes from sample to sample makes another. Hard strokes one upon the
+ * other at a low rate, where it changes most. */
+static void an_early_end_of_the_solve_knows_the_stretch(void **state) {
+  (void)state;
+  TaborDrumDef def = one_head(1e6);
+  def.quality.losses = 1;
+  TaborModel *model = physics_model(&def, 22050.0, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  TaborEvent strike = physics_strike(&def);
+  for (int i = 0; i < 12; i++) {
+    strike.velocity = 3.0 + 2.0 * i;
+    strike.radius = 0.01 * i;
+    tabor_drum_process(drum, &strike, 1, NULL, 380);
+  }
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  print_message("residual %g J of %g J\n", ledger.residual, ledger.injected);
+  assert_true(fabs(ledger.residual) < 1e-11 * ledger.injected);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
 int main(int argc, char **argv) {
   brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_mode_swings_like_duffings_oscillator),
     cmocka_unit_test(the_gain_of_a_mode_is_its_wavenumber_squared),
     cmocka_unit_test(a_struck_drum_that_stretches_keeps_its_energy),
+    cmocka_unit_test(an_early_end_of_the_solve_knows_the_stretch),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

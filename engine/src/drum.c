@@ -89,7 +89,15 @@ static void store(float *const *outputs, uint32_t mics, uint32_t frame, const do
   }
 }
 
-static void one_frame(TaborDrum *drum, TbView *view, double *pressure) {
+static uint32_t heard_mics(float *const *outputs, uint32_t mics) {
+  uint32_t heard = 0;
+  for (uint32_t mic = 0; outputs && mic < mics; mic++) {
+    heard |= (outputs[mic] ? 1u : 0u) << mic;
+  }
+  return heard;
+}
+
+static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pressure) {
   TbState *state = drum->state;
   const uint32_t mics = drum->model->def.mic_count;
   for (uint32_t mic = 0; mic < mics; mic++) pressure[mic] = 0.0;
@@ -97,10 +105,10 @@ static void one_frame(TaborDrum *drum, TbView *view, double *pressure) {
   if (state->asleep) {
     state->statistics.slept_frames++;
   } else {
-    tb_step(view, pressure);
+    tb_step(view, heard, pressure);
     if (state->clock % HOUSEKEEPING == 0) tb_step_housekeeping(view);
   }
-  if (drum->fading) tb_swap_fade(drum, pressure, mics);
+  if (drum->fading) tb_swap_fade(drum, heard, pressure, mics);
 }
 
 /* The events of frames from .. until, in order; late ones at the last frame. */
@@ -126,7 +134,7 @@ void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t coun
   if (frames == 0) act_due(drum, &view, events, count, 0, 0, true);
   for (uint32_t frame = 0; frame < frames; frame++) {
     next = act_due(drum, &view, events, count, next, frame, frame + 1 == frames);
-    one_frame(drum, &view, pressure);
+    one_frame(drum, &view, heard_mics(outputs, drum->model->def.mic_count), pressure);
     store(outputs, drum->model->def.mic_count, frame, pressure);
   }
   tb_fp_leave(mode);

@@ -36,7 +36,7 @@ struct TaborSwap {
 /* Carries out a swap event; false if it does not apply. Audio-safe. */
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap);
 /* One sample of the drum that rings out, added to pressure[]. Audio-safe. */
-void tb_swap_fade(TaborDrum *drum, double *pressure, uint32_t mics);
+void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure, uint32_t mics);
 /* Cuts the fade short. Audio-safe. */
 void tb_swap_finish(TaborDrum *drum);
 

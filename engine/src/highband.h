@@ -12,7 +12,8 @@
  * (an open edge: 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20
  * to 108, tests/test_highband.c), so they are measured on the upper two-way modes. Per sixth of an
  * octave the modes are sorted by the energy that they can bring to a microphone,
- * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head.
+ * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head, or less of every band
+ * where those were more than TB_HIGH_MOST (half of it at live); they carry the energy of those left out.
  *
  * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each
  * group pushing at its middle. */

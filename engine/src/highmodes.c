@@ -261,7 +261,22 @@ static uint32_t copies_for(const Builder *b, double part) {
   return copies;
 }
 
-/* Keeps the loudest of each band, in place: 99.9 % of its energy, less if those were too many. */
+/* Makes `count` modes from `from` on as loud as the whole band up to `end`. */
+static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t end) {
+  double total = 0.0, kept = 0.0;
+  for (uint32_t i = from; i < end; i++) {
+    total += b->candidates[i].loudness;
+    if (i < from + count) kept += b->candidates[i].loudness;
+  }
+  if (!(kept > 0.0)) return;
+  const double gain = sqrt(total / kept);
+  for (uint32_t i = from; i < from + count; i++) {
+    for (uint32_t k = 0; k < 2 * TABOR_MAX_MICS; k++) b->candidates[i].fields[k] *= gain;
+  }
+}
+
+/* Keeps the loudest of each band, in place: 99.9 % of its energy, less if those were too many; they carry
+ * what is left out. */
 static void thin(Builder *b, uint32_t most, TbHighModes *chosen) {
   qsort(b->candidates, b->count, sizeof *b->candidates, louder);
   double lost = 0.001;
@@ -270,6 +285,7 @@ static void thin(Builder *b, uint32_t most, TbHighModes *chosen) {
     .modes = b->candidates, .candidates = b->count, .copies = copies_for(b, 1.0 - lost)};
   for (uint32_t from = 0, to; from < b->count; from = to) {
     const uint32_t count = enough(b, from, 1.0 - lost, &to);
+    carry_band(b, from, count, to);
     for (uint32_t i = from; i < from + count; i++) {
       b->candidates[chosen->count++] = b->candidates[i];
     }

@@ -8,7 +8,9 @@
 #include "law.h"
 
 /* Eight lanes in as many registers as the instruction set needs for them. */
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+#  define WIDTH 8
+#elif defined(__AVX2__)
 #  define WIDTH 4
 #else
 #  define WIDTH 2
@@ -436,9 +438,13 @@ static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Lanes y, 
 static INLINE bool any(Mask m) {
   Bits bits = m.part[0];
   for (int i = 1; i < PARTS; i++) bits |= m.part[i];
+#if WIDTH == 4
+  return __builtin_ia32_movmskpd256((Vector)bits) != 0;
+#else
   int64_t found = 0;
   for (int i = 0; i < WIDTH; i++) found |= bits[i];
   return found != 0;
+#endif
 }
 
 static INLINE void law_lanes(const TbLaw *law, uint32_t power, const double *y_at,

@@ -96,5 +96,8 @@ extern const TbKernels tb_kernels_baseline;
 #ifdef TB_HAVE_AVX2
 extern const TbKernels tb_kernels_avx2;
 #endif
+#ifdef TB_HAVE_AVX512
+extern const TbKernels tb_kernels_avx512;
+#endif
 
 #endif

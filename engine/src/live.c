@@ -4,6 +4,7 @@
 #include "energy.h"
 #include "params.h"
 #include "slots.h"
+#include "stretch.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
@@ -61,6 +62,7 @@ void tb_live_apply(TbView *view) {
   view->solve.slot_mask = view->state->slot_mask;
   tb_solve_product(&view->solve, view->model->rest.force, view->change, view->rest_load);
   tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
+  tb_stretch_clear(view);
 }
 
 void tb_live_definition(const TaborModel *model, TbLive *live) {

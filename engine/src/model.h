@@ -35,11 +35,12 @@ typedef struct TbRest {
 
 /* What the heads' stretching needs, see stretch.h. */
 typedef struct TbStretch {
-  uint32_t count;   /* heads that stretch */
-  uint32_t from[5]; /* where the modes that count begin in each group (modes.h), */
-  uint32_t size[5]; /* ... and how many they are, a multiple of 8 */
-  double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
-  double factor[2]; /* S/2A [N/m3] */
+  uint32_t count;    /* heads that stretch */
+  uint32_t from[5];  /* where the modes that count begin in each group (modes.h), */
+  uint32_t size[5];  /* ... and how many they are, a multiple of 8 */
+  double *gain[2];   /* [padded] G, diagonal, of each of them [1/kg] */
+  double factor[2];  /* S/2A [N/m3] */
+  double *gather[4]; /* of each group's modes that count: see projection.h */
 } TbStretch;
 
 /* Where the arrays of a drum's state lie, in bytes from its start. */
@@ -51,7 +52,8 @@ typedef struct TbLayout {
   size_t grid, change, response, pushed, answer, scratch; /* by points of the grid */
   size_t touch, row, wire, block_begin, block_wire, block_at, block_image;
   size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
-    stretch_grid[2], coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+    stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
+    delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 
@@ -65,7 +67,8 @@ struct TaborModel {
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
-  const TbKernels *kernels;
+  TbKernels chosen;                  /* for this processor */
+  const TbKernels *kernels;          /* &chosen */
   TbHead head;
   TbWires wires;
   TbModes modes;

@@ -54,6 +54,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->stretch_pull[h] = place(&total, modes);
     layout->stretch_grid[h] = place(&total, bed->size);
   }
+  layout->stretch_carry = place(&total, bed->size + TB_SLOTS);
   layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
   layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
   layout->shape = place(&total, TB_SLOTS * modes);
@@ -157,6 +158,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     view.delay[mic] = at(state, l->delay[mic]);
   }
+  view.stretch_carry = at(state, l->stretch_carry);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_y[h] = at(state, l->stretch_y[h]);
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);

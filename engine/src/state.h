@@ -84,6 +84,7 @@ typedef struct TbView {
   double *high_drive, *high_groups, *high_force;
   double *stretch_y[2], *stretch_pull[2]; /* [padded]: see stretch.h */
   double stretch_s2[2][2], stretch_free[2];
+  double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;

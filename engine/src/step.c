@@ -126,10 +126,20 @@ static double delayed(TbView *view, uint32_t mic, double value) {
 static void gather_high(TbView *view) {
   const TaborModel *model = view->model;
   const TbHighBand *high = &model->high;
-  for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
-  for (uint32_t row = 0; row < model->wires.stride; row++) {
-    view->high_groups[high->row_group[row]] += view->solve.force[row] - model->rest.force[row];
+  const TbWires *wires = &model->wires;
+  double *change = view->solve.work;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    change[row] = view->solve.force[row] - model->rest.force[row];
   }
+  uint32_t each = wires->stride; /* rows until the groups repeat */
+  if (wires->aligned) {
+    each = wires->lanes;
+    for (uint32_t w = 1; w < wires->count; w++) {
+      model->kernels->add_scaled(each, change, 1.0, change + w * each);
+    }
+  }
+  for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
+  for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
   const uint32_t size = high->begin[model->wires.head + 1] - high->begin[model->wires.head];
   model->kernels->multiply(size / 8, TB_HIGH_GROUPS, view->high_force, high->push,
                            view->high_groups);
@@ -157,27 +167,33 @@ static void drive_high(TbView *view, bool unchanged) {
   }
 }
 
-static void listen(TbView *view, double *pressure) {
+static double pressure_at(const TbView *view, uint32_t mic) {
   const TaborModel *model = view->model;
+  const TbMic *m = &model->mics[mic];
+  const TbHighMic *high = &model->high.mics[mic];
+  return model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q, view->now.q,
+                                 view->last.q) +
+         model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
+                                 view->now.high, view->last.high);
+}
+
+/* A microphone that nobody hears hears nothing: it begins from silence when it is heard again. */
+static void listen(TbView *view, uint32_t heard, double *pressure) {
   const TbLive *live = view->state->live;
-  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    const TbMic *m = &model->mics[mic];
-    const TbHighMic *high = &model->high.mics[mic];
-    const double p = model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q,
-                                             view->now.q, view->last.q) +
-                     model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
-                                             view->now.high, view->last.high);
-    const double heard = tb_treble(view->state->treble[mic], p);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    const double p = heard >> mic & 1u ? pressure_at(view, mic) : 0.0;
+    const double whole = tb_treble(view->state->treble[mic], p);
     pressure[mic] =
-      delayed(view, mic, heard) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+      delayed(view, mic, whole) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
   }
 }
 
-void tb_step(TbView *view, double *pressure) {
+void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_step(view);
   free_motion(view);
   tb_stretch_free(view);
   free_penetration(view);
+  tb_stretch_renew(view);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   const bool unchanged = !outcome.contact && view->state->airborne;
@@ -191,7 +207,7 @@ void tb_step(TbView *view, double *pressure) {
   book_losses(view);
   drive_high(view, unchanged);
   view->state->airborne = !outcome.contact;
-  listen(view, pressure);
+  listen(view, heard, pressure);
   view->state->clock++;
   tb_view_rotate(view);
   tb_slots_retire(view);
@@ -239,6 +255,7 @@ static void fall_asleep(TbView *view) {
       if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
     }
     tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
+    tb_stretch_clear(view);
   }
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stretch.h"
 
+#include <string.h>
+
 #include "bessel.h"
 
 static const double PI = 3.14159265358979323846;
@@ -22,7 +24,7 @@ static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode 
 }
 
 /* Higher modes hardly stretch a head: up to this many times the lowest frequency they count. */
-static const double TOP = 12.0;
+static const double TOP = 6.0;
 
 /* Each group lists its modes by frequency, so those that count stand at its beginning. */
 static void prepare_ranges(TaborModel *model) {
@@ -50,11 +52,28 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
   }
 }
 
+/* The part of the projection's tables that belongs to these modes. */
+static bool copy_tables(TaborModel *model) {
+  for (uint32_t g = 0; g < model->projection.groups; g++) {
+    const TbProjectionGroup *group = &model->projection.group[g];
+    const uint32_t size = model->stretch.size[g];
+    double *table = tb_arena_doubles(&model->arena, (size_t)group->points * size);
+    if (!table) return false;
+    for (uint32_t block = 0; block < group->points / 8; block++) {
+      memcpy(table + (size_t)block * size * 8, group->gather + (size_t)block * group->modes * 8,
+             (size_t)size * 8 * sizeof *table);
+    }
+    model->stretch.gather[g] = table;
+  }
+  return true;
+}
+
 TaborStatus tb_stretch_prepare(TaborModel *model) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   const double area = PI * model->head.radius * model->head.radius;
   TbStretch *stretch = &model->stretch;
   prepare_ranges(model);
+  if (!copy_tables(model)) return TABOR_ERROR_MEMORY;
   for (uint32_t h = 0; h < model->head.heads; h++) {
     if (heads[h]->stretch_stiffness == 0.0) continue;
     double *gain = tb_arena_doubles(&model->arena, model->modes.padded);
@@ -127,7 +146,12 @@ static void prepare_rows(TbView *view) {
   const uint32_t size = model->projection.bed.size;
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     double *grid = view->solve.stretch_grid[h];
-    tb_project(&model->projection, model->kernels, view->stretch_pull[h], grid);
+    for (uint32_t g = 0; g < model->projection.groups; g++) {
+      const TbProjectionGroup *group = &model->projection.group[g];
+      model->kernels->multiply(group->points / 8, model->stretch.size[g], grid + group->first_point,
+                               model->stretch.gather[g],
+                               view->stretch_pull[h] + model->stretch.from[g]);
+    }
     const double scale = model->wires.side / model->stretch.factor[h];
     for (uint32_t i = 0; i < size; i++) grid[i] *= scale;
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
@@ -178,6 +202,23 @@ void tb_stretch_rest_load(TbView *view, double *slots) {
   model->kernels->add_scaled(size, view->change, model->wires.side, solve->answer);
 }
 
+static void take_stretch(TbView *view, double *carry) {
+  const TbSolve *solve = &view->solve;
+  tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry,
+                   carry + solve->bed->size);
+}
+
+void tb_stretch_renew(TbView *view) {
+  TbSolve *solve = &view->solve;
+  if (solve->stretch_count == 0 || view->state->airborne) return;
+  const uint32_t size = solve->bed->size;
+  double *carry = view->stretch_carry, *rows = solve->work;
+  take_stretch(view, carry);
+  tb_bed_expand(solve->bed, solve->kernels, &solve->bed->all, carry, solve->scratch, rows);
+  solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
+  solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
+}
+
 void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
   if (model->stretch.count == 0) return;
@@ -186,7 +227,16 @@ void tb_stretch_respond(TbView *view) {
     t[h] = dot(model, view->stretch_y[h], view->next.q) - view->stretch_free[h];
   }
   apply(view, t);
+  tb_stretch_clear(view);
+  take_stretch(view, view->stretch_carry);
+  const uint32_t size = model->projection.bed.size + TB_SLOTS;
+  for (uint32_t i = 0; i < size; i++) view->stretch_carry[i] = -view->stretch_carry[i];
   view->solve.stretch_count = 0; /* it belongs to this sample alone */
+}
+
+void tb_stretch_clear(TbView *view) {
+  memset(view->stretch_carry, 0,
+         (view->model->projection.bed.size + TB_SLOTS) * sizeof *view->stretch_carry);
 }
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {

@@ -4,7 +4,7 @@
  * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by S/(2A) Int |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
  * S [N/m] the sheet's stretching stiffness, A its area. G_h counts as its diagonal: the exact one couples
- * modes of one order too, which changes glides by less than a tenth. Only modes below 12 times the lowest
+ * modes of one order too, which changes glides by less than a tenth. Only modes below 6 times the lowest
  * frequency count: higher ones hardly stretch a head. q counts from rest: the sag under gravity is some
  * 0.1 mm.
  *
@@ -28,8 +28,13 @@ void tb_stretch_free(TbView *view);
 /* What the forces at rest do beyond M f_rest, which knows nothing of the stretch: adds it to the head's
  * motion on the grid (view->change), and slots[TB_SLOTS] receives it for the strikers' b. */
 void tb_stretch_rest_load(TbView *view, double *slots);
+/* Before the solve: the last forces' response M f, which the solve starts from and moves along, with the
+ * stretch of this sample instead of the last one's. */
+void tb_stretch_renew(TbView *view);
 /* After the contacts have moved the modes: adds their part of theta. */
 void tb_stretch_respond(TbView *view);
+/* When `product` has been computed anew, without any stretch. */
+void tb_stretch_clear(TbView *view);
 /* Energy stored between two instants [J]. */
 double tb_stretch_energy(const TbView *view, const double *next, const double *now);
 

@@ -182,7 +182,10 @@ static void carry_slots(const TbView *from, TbView *to) {
     }
   }
   tb_live_apply(to);
-  if (same) memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
+  if (!same) return;
+  const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
+  memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
+  memcpy(to->stretch_carry, from->stretch_carry, carried);
 }
 
 /* Modes of the high band are chosen anew in every model: only the same model's go on. */
@@ -250,11 +253,11 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
   return true;
 }
 
-void tb_swap_fade(TaborDrum *drum, double *pressure, uint32_t mics) {
+void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure, uint32_t mics) {
   TaborSwap *swap = drum->fading;
   TbView view = tb_view(swap->state, swap->old_model);
   double ringing[TABOR_MAX_MICS] = {0.0};
-  tb_step(&view, ringing);
+  tb_step(&view, heard, ringing);
   const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
   const uint32_t shared =
     mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;

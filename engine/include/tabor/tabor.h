@@ -346,7 +346,8 @@ typedef struct TaborModel TaborModel;
 typedef enum TaborInstructions {
   TABOR_INSTRUCTIONS_AUTO,     /**< the widest that the processor has */
   TABOR_INSTRUCTIONS_BASELINE, /**< what the library was compiled for */
-  TABOR_INSTRUCTIONS_AVX2      /**< or the baseline, where the processor lacks it */
+  TABOR_INSTRUCTIONS_AVX2,     /**< or the baseline, where the processor lacks it */
+  TABOR_INSTRUCTIONS_AVX512    /**< or the next narrower that the processor has */
 } TaborInstructions;
 
 /** Where memory comes from: @p allocate returns memory aligned to 64 bytes, or NULL. */

@@ -101,7 +101,7 @@ static void limiting_cases_are_exact(void **state) {
   def.wire[0].angle = 10.0;
   def.wire[2].length = 0.2;
   model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-  assert_true(worst_shape(model) < 1e-12);
+  assert_true(worst_shape(model) < 1e-7); /* single precision */
   tabor_model_release(model);
 }
 

@@ -24,6 +24,8 @@ typedef double Vector __attribute__((vector_size(8 * WIDTH), may_alias));
 typedef double Unaligned __attribute__((vector_size(8 * WIDTH), may_alias, aligned(8)));
 typedef int64_t Bits __attribute__((vector_size(8 * WIDTH)));
 
+typedef float Single __attribute__((vector_size(4 * WIDTH), may_alias));
+
 typedef struct Lanes {
   Vector part[PARTS];
 } Lanes;
@@ -36,6 +38,14 @@ typedef struct Mask {
 static INLINE Lanes load(const double *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = ((const Vector *)(const void *)p)[i];
+  return x;
+}
+
+static INLINE Lanes load_single(const float *p) {
+  Lanes x;
+  for (int i = 0; i < PARTS; i++) {
+    x.part[i] = __builtin_convertvector(((const Single *)(const void *)p)[i], Vector);
+  }
   return x;
 }
 
@@ -197,6 +207,30 @@ static void multiply(uint32_t blocks, uint32_t n, double *out, const double *mat
     }
     store(out + 8 * b, sum);
   }
+}
+
+/* `count` blocks side by side, a constant where it is called. */
+static INLINE void single_blocks(uint32_t count, uint32_t n, double *out, const float *matrix,
+                                 const double *x) {
+  const uint64_t block = 8u * (uint64_t)n;
+  Lanes sum[6];
+  for (uint32_t b = 0; b < count; b++) sum[b] = zero();
+  for (uint32_t i = 0; i < n; i++) {
+    const float *m = matrix + 8u * (uint64_t)i;
+    for (uint32_t b = 0; b < count; b++) {
+      sum[b] = add(sum[b], scale(load_single(m + b * block), x[i]));
+    }
+  }
+  for (uint32_t b = 0; b < count; b++) store(out + 8 * b, sum[b]);
+}
+
+static void multiply_single(uint32_t blocks, uint32_t n, double *out, const float *matrix,
+                            const double *x) {
+  const uint64_t block = 8u * (uint64_t)n;
+  uint32_t b = 0;
+  for (; b + 6 <= blocks; b += 6) single_blocks(6, n, out + 8 * b, matrix + b * block, x);
+  for (; b + 3 <= blocks; b += 3) single_blocks(3, n, out + 8 * b, matrix + b * block, x);
+  for (; b < blocks; b++) single_blocks(1, n, out + 8 * b, matrix + b * block, x);
 }
 
 static double dot(uint32_t n, const double *x, const double *y) {
@@ -587,6 +621,7 @@ static void redirect(uint32_t n, double t, double *d, const double *r) {
 const TbKernels TB_KERNELS = {
   .two_step = two_step,
   .multiply = multiply,
+  .multiply_single = multiply_single,
   .dot = dot,
   .add_scaled = add_scaled,
   .add_product = add_product,

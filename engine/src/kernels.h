@@ -21,6 +21,9 @@ typedef struct TbKernels {
                    const double *y);
   /* out[8 b + l] = Sum_i matrix[b][i][l] x[i], i ascending, for b < blocks, i < n */
   void (*multiply)(uint32_t blocks, uint32_t n, double *out, const double *matrix, const double *x);
+  /* The same with a matrix of single precision, summed in double. */
+  void (*multiply_single)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
+                          const double *x);
   /* Sum x y */
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */

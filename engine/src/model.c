@@ -130,11 +130,13 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  const TaborStatus status =
+  TaborStatus status =
     tb_modes_prepare(&model->modes, &model->arena, &model->head, &model->wires, model->time_step);
   if (status != TABOR_OK) return status;
-  return tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
-                               &model->wires, model->grid_tolerance);
+  status = tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
+                                 &model->wires, model->grid_tolerance);
+  if (status != TABOR_OK || model->quality > TABOR_QUALITY_LIVE) return status;
+  return tb_projection_round(&model->projection, &model->arena) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
 static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {

@@ -73,8 +73,8 @@ static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
 }
 
 /* A mode is felt if it moves some contact point by more than this part of what the most felt one does:
- * its compliance is then 1e-5 of that one's. */
-static const double FELT = 3e-3;
+ * its compliance is then 1e-4 of that one's. */
+static const double FELT = 1e-2;
 
 /* most[i]: largest shape of listed mode i over the contact points. */
 static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *head,

@@ -13,6 +13,8 @@ typedef struct TbProjectionGroup {
   uint32_t first_point, points; /* in a grid vector; a multiple of 8 */
   double *gather;               /* [points/8][modes][8]: to points */
   double *scatter;              /* [modes/8][points][8]: to modes */
+  float *gather_single;         /* the same in single precision, or NULL: */
+  float *scatter_single;        /* see tb_projection_round() */
 } TbProjectionGroup;
 
 typedef struct TbProjection {
@@ -25,6 +27,10 @@ typedef struct TbProjection {
  * contact point, and fills the tables. */
 TaborStatus tb_projection_prepare(TbProjection *projection, TbArena *arena, const TbModes *modes,
                                   const TbHead *head, const TbWires *wires, double tolerance);
+
+/* Rounds the tables to single precision, both alike, so that forces still do the work that the ledger
+ * books: half the memory to read every sample, and shapes right to 6e-8. */
+bool tb_projection_round(TbProjection *projection, TbArena *arena);
 
 /* c[bed.size] from modal displacements q[padded]. Audio-safe. */
 void tb_project(const TbProjection *projection, const TbKernels *kernels, const double *q,

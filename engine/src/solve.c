@@ -8,7 +8,7 @@
 static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
 /* A balance is exact to this part of the work that makes it up. */
-static const double BALANCE_TOLERANCE = 1e-11;
+static const double BALANCE_TOLERANCE = 3e-13;
 static const uint32_t MOST_BALANCE_STEPS = 8;
 
 static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLOTS; }

@@ -466,11 +466,14 @@ static bool iterate(TbSolve *solve, TbSolveOutcome *outcome, uint32_t *n) {
   }
 }
 
-static void remedy(TbSolve *solve, uint32_t n, TbSolveOutcome *outcome) {
+/* A balance that failed in the last iteration may have moved the forces to where more rows touch than were
+ * listed: what touches is listed anew. */
+static void remedy(TbSolve *solve, uint32_t *n, TbSolveOutcome *outcome) {
   outcome->capped = true;
-  if (balance(solve, n, 0.5)) {
+  evaluate(solve, n);
+  if (balance(solve, *n, 0.5)) {
     outcome->corrected = true;
-    book_losses(solve, n, outcome);
+    book_losses(solve, *n, outcome);
     return;
   }
   outcome->fallback = true;
@@ -493,7 +496,7 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
   if (iterate(solve, &outcome, &n)) {
     book_losses(solve, n, &outcome);
   } else {
-    remedy(solve, n, &outcome);
+    remedy(solve, &n, &outcome);
   }
   outcome.touching = count_touching(solve, n);
   gather(solve, n, solve->force, solve->work);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Heads that stretch: large deflections raise the tension, and the pitch glides down as they decay.
  *
- * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by S/(2A) Int |grad w|^2 dA,
+ * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by
+ * S/(2A) Int |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
  * S [N/m] the sheet's stretching stiffness, A its area. G_h counts as its diagonal: the exact one couples
  * modes of one order too, which changes glides by less than a tenth. Only modes below 12 times the lowest
- * frequency count, 24 times at studio and reference: higher ones hardly stretch a head. q counts from rest: the sag under gravity is some
- * 0.1 mm.
+ * frequency count, 24 times at studio and reference: higher ones hardly stretch a head. q counts from rest:
+ * the sag under gravity is some 0.1 mm.
  *
  * Over two steps, with y_h = G_h q^n and theta_h = y_h.(q+ + q-)/2,
  *   force -(S_h/2A) theta_h y_h, stored energy S_h/(8A) (q+^T G_h q^n)^2, exactly conservative.

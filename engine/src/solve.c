@@ -370,9 +370,10 @@ static uint32_t list_candidates(TbSolve *solve) {
   return list_blocks(solve);
 }
 
-static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
+/* Lists rows anew, and says in *count how many blocks there are then. */
+static void majorant_step(TbSolve *solve, uint32_t *count, TbSolveOutcome *outcome) {
   _Alignas(64) double slots[TB_SLOTS];
-  uint32_t n = list_candidates(solve);
+  const uint32_t n = list_candidates(solve);
   prepare_majorants(solve, n);
   memset(solve->force, 0, total_rows(solve) * sizeof(double));
   memset(solve->s, 0, total_rows(solve) * sizeof(double));
@@ -390,9 +391,9 @@ static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
   }
   tb_solve_product(solve, solve->force, solve->grid, solve->product);
   for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
-  n = list_blocks(solve);
+  *count = list_blocks(solve);
   double contact = 0.0, damper = 0.0;
-  const Balance h = majorant_work(solve, n, &contact, &damper);
+  const Balance h = majorant_work(solve, *count, &contact, &damper);
   if (h.value > BALANCE_TOLERANCE * h.scale) outcome->excess = h.value;
   /* The laws' losses count as far as the work done covers them. */
   const double lost = contact + damper, covered = h.value < 0.0 ? -0.5 * h.value : 0.0;
@@ -477,7 +478,7 @@ static void remedy(TbSolve *solve, uint32_t *n, TbSolveOutcome *outcome) {
     return;
   }
   outcome->fallback = true;
-  majorant_step(solve, outcome);
+  majorant_step(solve, n, outcome);
 }
 
 TbSolveOutcome tb_solve(TbSolve *solve) {

@@ -74,7 +74,6 @@ TaborStatus tb_stretch_prepare(TaborModel *model) {
   const double area = PI * model->head.radius * model->head.radius;
   TbStretch *stretch = &model->stretch;
   prepare_ranges(model);
-  if (!copy_tables(model)) return TABOR_ERROR_MEMORY;
   for (uint32_t h = 0; h < model->head.heads; h++) {
     if (heads[h]->stretch_stiffness == 0.0) continue;
     double *gain = tb_arena_doubles(&model->arena, model->modes.padded);
@@ -83,6 +82,7 @@ TaborStatus tb_stretch_prepare(TaborModel *model) {
     stretch->gain[stretch->count] = gain;
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
+  if (stretch->count > 0 && !copy_tables(model)) return TABOR_ERROR_MEMORY;
   return TABOR_OK;
 }
 

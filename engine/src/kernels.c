@@ -24,8 +24,6 @@ typedef double Vector __attribute__((vector_size(8 * WIDTH), may_alias));
 typedef double Unaligned __attribute__((vector_size(8 * WIDTH), may_alias, aligned(8)));
 typedef int64_t Bits __attribute__((vector_size(8 * WIDTH)));
 
-typedef float Single __attribute__((vector_size(4 * WIDTH), may_alias));
-
 typedef struct Lanes {
   Vector part[PARTS];
 } Lanes;
@@ -41,10 +39,11 @@ static INLINE Lanes load(const double *p) {
   return x;
 }
 
+/* Lane by lane, as in larger(). */
 static INLINE Lanes load_single(const float *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) {
-    x.part[i] = __builtin_convertvector(((const Single *)(const void *)p)[i], Vector);
+    for (int j = 0; j < WIDTH; j++) x.part[i][j] = (double)p[i * WIDTH + j];
   }
   return x;
 }
@@ -217,6 +216,7 @@ static INLINE void single_blocks(uint32_t count, uint32_t n, double *out, const 
   for (uint32_t b = 0; b < count; b++) sum[b] = zero();
   for (uint32_t i = 0; i < n; i++) {
     const float *m = matrix + 8u * (uint64_t)i;
+#pragma GCC unroll 6 /* or the sums would live in memory */
     for (uint32_t b = 0; b < count; b++) {
       sum[b] = add(sum[b], scale(load_single(m + b * block), x[i]));
     }

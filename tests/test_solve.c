@@ -21,10 +21,8 @@ typedef struct Problem {
   uint32_t n;
   _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[MOST * LANES + 64];
   double coupling[TB_SLOTS * STRIDE], slot_coupling[TB_SLOTS * TB_SLOTS];
-  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[17][ROWS];
-  uint32_t begin[2][2], wire[2][MOST], at[2][MOST], image[MOST], row[MOST + TB_SLOT_BLOCKS],
-    wires[MOST + TB_SLOT_BLOCKS];
-  uint8_t touch[MOST];
+  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS],
+    answer[STRIDE];
   TbLaw laws[MOST], slot_laws[TB_SLOTS];
   TbBed bed;
   TbCompliance compliance;
@@ -39,12 +37,7 @@ static double *compliance_at(Problem *p, uint32_t i, uint32_t j) {
 static void clear(Problem *p) {
   memset(p, 0, sizeof *p);
   for (int i = 0; i < ROWS; i++) p->y[i] = -1.0;
-  for (uint32_t i = 0; i < MOST; i++) {
-    p->across[i * MOST + i] = 1.0;
-    p->wire[0][i] = i;
-    p->at[0][i] = i * LANES;
-  }
-  p->begin[0][1] = MOST;
+  for (uint32_t i = 0; i < MOST; i++) p->across[i * MOST + i] = 1.0;
   p->bed = (TbBed){.wires = MOST,
                    .lanes = LANES,
                    .halves = 1,
@@ -55,8 +48,7 @@ static void clear(Problem *p) {
                    .columns = {LANES, LANES},
                    .across = p->across,
                    .first = {0, STRIDE},
-                   .size = STRIDE,
-                   .all = {p->begin[0], p->wire[0], p->at[0], p->at[0]}};
+                   .size = STRIDE};
   p->compliance = (TbCompliance){.classes = 1, .first = {0, STRIDE}, .matrix = {p->matrix}};
 }
 
@@ -83,25 +75,20 @@ static TbSolve solver(Problem *p, uint32_t cap, double tolerance) {
                    .grid = p->scratch[0],
                    .previous = p->scratch[1],
                    .previous_product = p->scratch[2],
-                   .row_y = p->scratch[3],
-                   .row_s = p->scratch[4],
-                   .law_force = p->scratch[5],
-                   .slope = p->scratch[6],
-                   .mean = p->scratch[7],
-                   .residual = p->scratch[8],
-                   .direction = p->scratch[9],
-                   .turned = p->scratch[10],
+                   .previous_grid = p->scratch[3],
+                   .law_force = p->scratch[4],
+                   .slope = p->scratch[5],
+                   .mean = p->scratch[6],
+                   .residual = p->scratch[7],
+                   .direction = p->scratch[8],
+                   .turned = p->scratch[9],
+                   .moved = p->scratch[10],
                    .weight = p->scratch[11],
                    .solution = p->scratch[12],
                    .work = p->scratch[13],
-                   .response = p->scratch[14],
-                   .pushed = p->scratch[15],
-                   .answer = p->scratch[16],
-                   .scratch = p->fold,
-                   .touch = p->touch,
-                   .row = p->row,
-                   .wire = p->wires,
-                   .blocks = {p->begin[1], p->wire[1], p->at[1], p->image}};
+                   .pushed = p->scratch[14],
+                   .answer = p->answer,
+                   .scratch = p->fold};
 }
 
 static void load_problem(Problem *p, const json_t *entry) {

@@ -68,7 +68,9 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
              : p->section[0] == 's' ? def->striker[0].name
                                     : def->mic[0].name,
              p->key);
-    snprintf(value, sizeof value, "%.17g", draw_value(seed, p));
+    double drawn = draw_value(seed, p);
+    if (is(p, "mic.", "height") && fabs(drawn) < 0.01) drawn = copysign(0.01, drawn);
+    snprintf(value, sizeof value, "%.17g", drawn);
     TaborError error;
     if (tabor_drum_def_set(def, key, value, &error) != TABOR_OK) fail_msg("%s", error.message);
   }

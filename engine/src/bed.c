@@ -54,15 +54,10 @@ static void contract_line(const TbBed *bed, const TbKernels *kernels, uint32_t l
   }
 }
 
-void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const TbBlocks *blocks,
-                     const double *f, double *scratch, double *grid) {
+void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const double *f, double *scratch,
+                     double *grid) {
   double *lines = scratch + 3 * bed->half + 8;
-  for (uint32_t b = 0; b < bed->lanes / 8; b++) {
-    const uint32_t k = blocks->begin[b];
-    kernels->gather_lines(bed->first_line[1], bed->lines, bed->lanes, blocks->begin[b + 1] - k,
-                          blocks->wire + k, blocks->at + k, blocks->image + k, bed->across, f,
-                          lines + 8 * b);
-  }
+  kernels->gather_lines(bed, f, lines);
   for (uint32_t line = 0; line < bed->lines; line++) {
     contract_line(bed, kernels, line, lines + line * bed->lanes, scratch, grid);
   }
@@ -86,18 +81,13 @@ static void expand_line(const TbBed *bed, const TbKernels *kernels, uint32_t lin
   }
 }
 
-void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const TbBlocks *blocks,
-                   const double *grid, double *scratch, double *w) {
+void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const double *grid, double *scratch,
+                   double *w) {
   double *lines = scratch + 3 * bed->half + 8;
   for (uint32_t line = 0; line < bed->lines; line++) {
     double *x = lines + line * bed->lanes;
     for (uint32_t j = bed->lanes - 8; j < bed->lanes; j++) x[j] = 0.0;
     expand_line(bed, kernels, line, grid, scratch, x);
   }
-  for (uint32_t b = 0; b < bed->lanes / 8; b++) {
-    const uint32_t k = blocks->begin[b];
-    kernels->spread_lines(bed->first_line[1], bed->lines, bed->lanes, blocks->begin[b + 1] - k,
-                          blocks->wire + k, blocks->at + k, blocks->image + k, bed->across,
-                          lines + 8 * b, w);
-  }
+  kernels->spread_lines(bed, lines, w);
 }

@@ -21,15 +21,6 @@
 #include "kernels.h"
 #include "wires.h"
 
-/* Blocks of 8 lanes, those of equal lanes together: block k, of wire[k], begins at x[at[k]] in a
- * vector, that of the wire's mirror image across at x[image[k]]; the two are equal for a wire that is its
- * own image, and for all without that symmetry. Blocks of the lanes 8 b .. 8 b + 7 are begin[b] ..
- * begin[b + 1] - 1. */
-typedef struct TbBlocks {
-  uint32_t *begin; /* [lanes/8 + 1] */
-  uint32_t *wire, *at, *image;
-} TbBlocks;
-
 typedef struct TbBed {
   uint32_t wires, lanes, middle;
   uint32_t halves, quarters; /* symmetries, as in TbModes */
@@ -43,13 +34,7 @@ typedef struct TbBed {
   double *spread[2];         /* [half/8][columns][8] */
   uint32_t first[5];         /* where each class begins in a grid vector, and its size */
   uint32_t size;
-  TbBlocks all; /* of a vector over all rows */
 } TbBed;
-
-/* Wires that are listed in TbBlocks, the others being their images. */
-static inline uint32_t tb_bed_listed(const TbBed *bed) {
-  return bed->quarters == 2 ? (bed->wires + 1u) / 2u : bed->wires;
-}
 
 static inline uint32_t tb_bed_class(const TbBed *bed, uint32_t along, uint32_t across) {
   return along * bed->quarters + across;
@@ -60,12 +45,12 @@ static inline uint32_t tb_bed_scratch(const TbBed *bed) {
   return bed->lines * bed->lanes + 3u * bed->half + 8u;
 }
 
-/* C from forces f, the blocks alone. Audio-safe, as are all here. */
-void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const TbBlocks *blocks,
-                     const double *f, double *scratch, double *grid);
+/* C from forces f[wires * lanes]. Audio-safe, as is the next. */
+void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const double *f, double *scratch,
+                     double *grid);
 
-/* w, in the blocks alone, from c. */
-void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const TbBlocks *blocks,
-                   const double *grid, double *scratch, double *w);
+/* w[wires * lanes] from c. */
+void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const double *grid, double *scratch,
+                   double *w);
 
 #endif

@@ -368,26 +368,6 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   return true;
 }
 
-static bool list_blocks(TbBed *bed, TbArena *arena) {
-  const uint32_t listed = tb_bed_listed(bed);
-  const uint32_t blocks = bed->lanes / 8, count = blocks * listed;
-  TbBlocks *all = &bed->all;
-  all->begin = tb_arena_take(arena, blocks + 1u, sizeof *all->begin);
-  all->wire = tb_arena_take(arena, count, sizeof *all->wire);
-  all->at = tb_arena_take(arena, count, sizeof *all->at);
-  all->image = tb_arena_take(arena, count, sizeof *all->image);
-  if (arena->failed) return false;
-  for (uint32_t k = 0; k < count; k++) {
-    const uint32_t wire = k % listed, lane = k / listed * 8u;
-    const uint32_t image = bed->quarters == 2 ? bed->wires - 1u - wire : wire;
-    all->wire[k] = wire;
-    all->at[k] = wire * bed->lanes + lane;
-    all->image[k] = image * bed->lanes + lane;
-  }
-  for (uint32_t b = 0; b <= blocks; b++) all->begin[b] = b * listed;
-  return true;
-}
-
 static void start_bed(TbBed *bed, const TbModes *modes, const TbWires *wires) {
   *bed = (TbBed){.wires = wires->count,
                  .lanes = wires->lanes,
@@ -414,7 +394,7 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
              .modes_coupled = modes->group[modes->groups],
              .stride = wires->count * p->bed.half};
   double *basis[2] = {NULL, NULL};
-  bool done = list_blocks(&p->bed, arena) && collect_shapes(&fit) && fit_across(&fit);
+  bool done = collect_shapes(&fit) && fit_across(&fit);
   if (done) shapes_on_lines(&fit);
   done = done && fit_along(&fit, basis);
   if (done) place_classes(p);

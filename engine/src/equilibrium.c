@@ -89,7 +89,7 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
     sag[i] = gain[i] * s->weight[i];
   }
   tb_project(&model->projection, model->kernels, sag, s->grid);
-  tb_bed_expand(bed, model->kernels, &bed->all, s->grid, s->fold, s->eta0);
+  tb_bed_expand(bed, model->kernels, s->grid, s->fold, s->eta0);
   for (uint32_t a = 0; a < s->n; a++) s->eta0[a] *= model->wires.real[a] * model->wires.side;
   return tb_compliance_prepare(&s->head, scratch, &model->projection, gain);
 }
@@ -97,9 +97,9 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
 /* out = C y */
 static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
   const TbBed *bed = &model->projection.bed;
-  tb_bed_contract(bed, model->kernels, &bed->all, y, s->fold, s->grid);
+  tb_bed_contract(bed, model->kernels, y, s->fold, s->grid);
   tb_compliance_apply(&s->head, model->kernels, s->grid, s->answer);
-  tb_bed_expand(bed, model->kernels, &bed->all, s->answer, s->fold, out);
+  tb_bed_expand(bed, model->kernels, s->answer, s->fold, out);
   for (uint32_t a = 0; a < s->n; a++) out[a] *= model->wires.real[a];
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
@@ -267,7 +267,7 @@ static void rest_head(TaborModel *model, const Statics *s, double *modal) {
   const TbModes *modes = &model->modes;
   const TbBed *bed = &model->projection.bed;
   TbRest *rest = &model->rest;
-  tb_bed_contract(bed, model->kernels, &bed->all, rest->force, s->fold, rest->grid);
+  tb_bed_contract(bed, model->kernels, rest->force, s->fold, rest->grid);
   tb_project_forces(&model->projection, model->kernels, rest->grid, modal);
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
@@ -313,8 +313,9 @@ static void settle(TaborModel *model, double *zero, double *ignored) {
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) rest->eta[row] = TB_NOTHING;
   }
-  for (uint32_t row = 0; row < wires->stride; row += 8) {
-    tb_law_forces(&wires->laws[wires->row_wire[row]], model->kernels, rest->eta + row, zero + row,
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const uint32_t row = w * wires->lanes;
+    tb_law_forces(&wires->laws[w], model->kernels, wires->lanes, rest->eta + row, zero + row,
                   rest->force + row, ignored + row, ignored + row);
   }
 }

@@ -2,159 +2,9 @@
 /* Compiled once per instruction set, with TB_KERNELS naming the table it fills. */
 #include "kernels.h"
 
-#include <math.h>
-#include <stdbool.h>
-
+#include "bed.h"
+#include "lanes.h"
 #include "law.h"
-
-/* Eight lanes in as many registers as the instruction set needs for them. */
-#if defined(__AVX512F__)
-#  define WIDTH 8
-#elif defined(__AVX2__)
-#  define WIDTH 4
-#else
-#  define WIDTH 2
-#endif
-#define PARTS (8 / WIDTH)
-/* Lanes live in registers only where no call stands between. */
-#define INLINE inline __attribute__((always_inline))
-
-typedef double Vector __attribute__((vector_size(8 * WIDTH), may_alias));
-
-typedef double Unaligned __attribute__((vector_size(8 * WIDTH), may_alias, aligned(8)));
-typedef int64_t Bits __attribute__((vector_size(8 * WIDTH)));
-
-typedef struct Lanes {
-  Vector part[PARTS];
-} Lanes;
-
-/* All ones where true. */
-typedef struct Mask {
-  Bits part[PARTS];
-} Mask;
-
-static INLINE Lanes load(const double *p) {
-  Lanes x;
-  for (int i = 0; i < PARTS; i++) x.part[i] = ((const Vector *)(const void *)p)[i];
-  return x;
-}
-
-/* Lane by lane, as in larger(). */
-static INLINE Lanes load_single(const float *p) {
-  Lanes x;
-  for (int i = 0; i < PARTS; i++) {
-    for (int j = 0; j < WIDTH; j++) x.part[i][j] = (double)p[i * WIDTH + j];
-  }
-  return x;
-}
-
-static INLINE void store(double *p, Lanes x) {
-  for (int i = 0; i < PARTS; i++) ((Vector *)(void *)p)[i] = x.part[i];
-}
-
-static INLINE Lanes zero(void) {
-  Lanes x;
-  for (int i = 0; i < PARTS; i++) x.part[i] = (Vector){0.0};
-  return x;
-}
-
-static INLINE Lanes add(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) x.part[i] += y.part[i];
-  return x;
-}
-
-static INLINE Lanes subtract(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) x.part[i] -= y.part[i];
-  return x;
-}
-
-static INLINE Lanes multiply_lanes(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) x.part[i] *= y.part[i];
-  return x;
-}
-
-static INLINE Lanes scale(Lanes x, double factor) {
-  for (int i = 0; i < PARTS; i++) x.part[i] *= factor;
-  return x;
-}
-
-static INLINE double join(Lanes x) {
-  double s[8] __attribute__((aligned(64)));
-  store(s, x);
-  return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
-static INLINE Lanes load_unaligned(const double *p) {
-  Lanes x;
-  for (int i = 0; i < PARTS; i++) x.part[i] = ((const Unaligned *)(const void *)p)[i];
-  return x;
-}
-
-static INLINE void store_unaligned(double *p, Lanes x) {
-  for (int i = 0; i < PARTS; i++) ((Unaligned *)(void *)p)[i] = x.part[i];
-}
-
-static INLINE Lanes all(double value) {
-  Lanes x = zero();
-  for (int i = 0; i < PARTS; i++) x.part[i] += value;
-  return x;
-}
-
-static INLINE Lanes divide(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) x.part[i] /= y.part[i];
-  return x;
-}
-
-static INLINE Lanes root(Lanes x) {
-  for (int i = 0; i < PARTS; i++) {
-    for (int j = 0; j < WIDTH; j++) x.part[i][j] = sqrt(x.part[i][j]);
-  }
-  return x;
-}
-
-static INLINE Mask greater(Lanes x, Lanes y) {
-  Mask m;
-  for (int i = 0; i < PARTS; i++) m.part[i] = x.part[i] > y.part[i];
-  return m;
-}
-
-static INLINE Mask both(Mask a, Mask b) {
-  for (int i = 0; i < PARTS; i++) a.part[i] &= b.part[i];
-  return a;
-}
-
-static INLINE Mask either(Mask a, Mask b) {
-  for (int i = 0; i < PARTS; i++) a.part[i] |= b.part[i];
-  return a;
-}
-
-static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) {
-    x.part[i] = (Vector)((m.part[i] & (Bits)x.part[i]) | (~m.part[i] & (Bits)y.part[i]));
-  }
-  return x;
-}
-
-/* Lane by lane, so that the compiler finds its one instruction for it. */
-static INLINE Lanes larger(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) {
-    for (int j = 0; j < WIDTH; j++) {
-      x.part[i][j] = x.part[i][j] > y.part[i][j] ? x.part[i][j] : y.part[i][j];
-    }
-  }
-  return x;
-}
-
-static INLINE Lanes smaller(Lanes x, Lanes y) {
-  for (int i = 0; i < PARTS; i++) {
-    for (int j = 0; j < WIDTH; j++) {
-      x.part[i][j] = x.part[i][j] < y.part[i][j] ? x.part[i][j] : y.part[i][j];
-    }
-  }
-  return x;
-}
-
-static INLINE Lanes size_of(Lanes x) { return larger(x, subtract(zero(), x)); }
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {
@@ -275,59 +125,73 @@ static TbPair losses(uint32_t n, const double *u, const double *v, const double 
 
 /* ---- the bed -------------------------------------------------------------------------------- */
 
+/* Where the mirror image of a wire stands. */
+static INLINE uint32_t image_of(const TbBed *bed, uint32_t wire) {
+  return bed->quarters == 2 ? bed->wires - 1u - wire : wire;
+}
+
+/* One of each pair. */
+static INLINE uint32_t pairs_of(const TbBed *bed) {
+  return bed->quarters == 2 ? (bed->wires + 1u) / 2u : bed->wires;
+}
+
 /* Up to four lines at once, `n` of them known when compiled. */
-static INLINE void gather_some(uint32_t n, bool odd, uint32_t lines, uint32_t lanes, uint32_t count,
-                               const uint32_t *wire, const uint32_t *at, const uint32_t *image,
-                               const double *across, const double *x, double *to) {
+static INLINE void gather_some(uint32_t n, bool odd, const TbBed *bed, uint32_t line,
+                               const double *x, double *to) {
   Lanes sum[4] = {zero(), zero(), zero(), zero()};
-  for (uint32_t k = 0; k < count; k++) {
-    const double *c = across + (uint64_t)wire[k] * lines;
-    Lanes v = load(x + at[k]);
-    if (at[k] != image[k]) {
-      v = odd ? subtract(v, load(x + image[k])) : add(v, load(x + image[k]));
+  for (uint32_t w = 0; w < pairs_of(bed); w++) {
+    const uint32_t image = image_of(bed, w);
+    const double *c = bed->across + (uint64_t)w * bed->lines + line;
+    Lanes v = load(x + (uint64_t)w * bed->lanes);
+    if (image != w) {
+      const Lanes other = load(x + (uint64_t)image * bed->lanes);
+      v = odd ? subtract(v, other) : add(v, other);
     }
     for (uint32_t l = 0; l < n; l++) sum[l] = add(sum[l], scale(v, c[l]));
   }
-  for (uint32_t l = 0; l < n; l++) store(to + (uint64_t)l * lanes, sum[l]);
+  for (uint32_t l = 0; l < n; l++) store(to + (uint64_t)(line + l) * bed->lanes, sum[l]);
 }
 
-static INLINE void gather_parity(bool odd, uint32_t first, uint32_t end, uint32_t lines,
-                                 uint32_t lanes, uint32_t count, const uint32_t *wire,
-                                 const uint32_t *at, const uint32_t *image, const double *across,
-                                 const double *x, double *to) {
-  for (uint32_t l = first; l < end;) {
-    const uint32_t n = end - l < 4 ? end - l : 4;
-    const double *c = across + l;
-    double *out = to + (uint64_t)l * lanes;
-    switch (n) {
-    case 1: gather_some(1, odd, lines, lanes, count, wire, at, image, c, x, out); break;
-    case 2: gather_some(2, odd, lines, lanes, count, wire, at, image, c, x, out); break;
-    case 3: gather_some(3, odd, lines, lanes, count, wire, at, image, c, x, out); break;
-    default: gather_some(4, odd, lines, lanes, count, wire, at, image, c, x, out); break;
+static INLINE void gather_parity(bool odd, const TbBed *bed, const double *x, double *to) {
+  const uint32_t end = odd ? bed->lines : bed->first_line[1];
+  for (uint32_t l = odd ? bed->first_line[1] : 0; l < end; l += 4) {
+    switch (end - l) {
+    case 1: gather_some(1, odd, bed, l, x, to); break;
+    case 2: gather_some(2, odd, bed, l, x, to); break;
+    case 3: gather_some(3, odd, bed, l, x, to); break;
+    default: gather_some(4, odd, bed, l, x, to); break;
     }
-    l += n;
   }
 }
 
-static void gather_lines(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
-                         const uint32_t *wire, const uint32_t *at, const uint32_t *image,
-                         const double *across, const double *x, double *to) {
-  gather_parity(false, 0, even, lines, lanes, count, wire, at, image, across, x, to);
-  gather_parity(true, even, lines, lines, lanes, count, wire, at, image, across, x, to);
+static void gather_lines(const TbBed *bed, const double *x, double *lines) {
+  for (uint32_t at = 0; at < bed->lanes; at += 8) {
+    gather_parity(false, bed, x + at, lines + at);
+    gather_parity(true, bed, x + at, lines + at);
+  }
 }
 
-static void spread_lines(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
-                         const uint32_t *wire, const uint32_t *at, const uint32_t *image,
-                         const double *across, const double *from, double *x) {
-  for (uint32_t k = 0; k < count; k++) {
-    const double *c = across + (uint64_t)wire[k] * lines;
-    Lanes s = zero(), d = zero();
-    for (uint32_t l = 0; l < even; l++) s = add(s, scale(load(from + (uint64_t)l * lanes), c[l]));
-    for (uint32_t l = even; l < lines; l++) {
-      d = add(d, scale(load(from + (uint64_t)l * lanes), c[l]));
+static INLINE Lanes spread_some(const TbBed *bed, uint32_t from, uint32_t end, const double *across,
+                                const double *lines) {
+  Lanes sum = zero();
+  for (uint32_t l = from; l < end; l++) {
+    sum = add(sum, scale(load(lines + (uint64_t)l * bed->lanes), across[l]));
+  }
+  return sum;
+}
+
+static void spread_lines(const TbBed *bed, const double *lines, double *x) {
+  const uint32_t even = bed->first_line[1];
+  for (uint32_t w = 0; w < pairs_of(bed); w++) {
+    const double *across = bed->across + (uint64_t)w * bed->lines;
+    double *own = x + (uint64_t)w * bed->lanes,
+           *image = x + (uint64_t)image_of(bed, w) * bed->lanes;
+    for (uint32_t at = 0; at < bed->lanes; at += 8) {
+      const Lanes s = spread_some(bed, 0, even, across, lines + at);
+      const Lanes d = spread_some(bed, even, bed->lines, across, lines + at);
+      store(image + at, subtract(s, d));
+      store(own + at, add(s, d));
     }
-    store(x + image[k], subtract(s, d));
-    store(x + at[k], add(s, d));
   }
 }
 
@@ -427,9 +291,9 @@ typedef struct Secant {
   Lanes mean, rise; /* DV/s, and its derivative in s */
 } Secant;
 
-/* For blocks with a lane beyond the knee, where V' goes on as a line. */
-static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Knee knee, Lanes y, Lanes s,
-                                      Lanes x) {
+/* Where V' goes on as a line. */
+static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Lanes y, Lanes s, Lanes x) {
+  const Knee knee = {all(law->limit), all(law->limit_force), all(law->limit_slope)};
   const Lanes mean = mean_force(law, power, knee, smaller(x, y), larger(x, y));
   const Mask small = greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s));
   const Lanes divisor = pick(greater(size_of(s), zero()), s, all(1.0));
@@ -438,22 +302,31 @@ static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Knee kne
   return (Secant){mean, pick(small, bend, larger(quotient, zero()))};
 }
 
-/* Below the knee, from the roots of both ends alone. */
+/* Below the knee with a = 1, where e is the part of the interval in contact: V' has the mean
+ * K (x + y) e/2 of its ends counted from 0, which grows by K e (1 - e/2) entering, K e^2/2 leaving. */
+static INLINE Secant secant_of_line(const TbLaw *law, Lanes y, Lanes s, Lanes x) {
+  const Lanes end = larger(x, zero()), begin = larger(y, zero());
+  const Lanes length = pick(greater(size_of(s), zero()), s, all(1.0));
+  const Lanes part = divide(subtract(end, begin), length);
+  const Lanes e = pick(greater(zero(), smaller(x, y)), part, all(1.0));
+  const Lanes half = scale(e, 0.5);
+  const Lanes rest = pick(greater(s, zero()), subtract(all(1.0), half), half);
+  return (Secant){multiply_lanes(scale(add(end, begin), law->stiffness), half),
+                  multiply_lanes(scale(e, law->stiffness), rest)};
+}
+
+/* Below the knee with a = 3/2 or 2, from the roots of both ends alone. */
 static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Lanes y, Lanes s, Lanes x) {
   const Lanes from = larger(smaller(x, y), zero()), top = larger(larger(x, y), zero());
   const Lanes p = power == 3 ? root(from) : from, q = power == 3 ? root(top) : top;
   const Lanes sum = add(from, top), product = multiply_lanes(from, top);
-  Lanes inside = scale(sum, 0.5 * law->stiffness), bend = all(0.5 * law->stiffness);
-  if (power != 2) {
-    const Lanes square = subtract(multiply_lanes(sum, sum), product);
+  const Lanes square = subtract(multiply_lanes(sum, sum), product);
+  Lanes inside = scale(square, law->stiffness / 3.0), bend = scale(sum, 0.5 * law->stiffness);
+  if (power == 3) {
     const Lanes roots = add(p, q), safe = pick(greater(roots, zero()), roots, all(1.0));
-    inside = scale(square, law->stiffness / 3.0);
-    bend = scale(sum, 0.5 * law->stiffness);
-    if (power == 3) {
-      const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), sum));
-      inside = divide(scale(quartic, 0.4 * law->stiffness), safe);
-      bend = scale(roots, 0.375 * law->stiffness);
-    }
+    const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), sum));
+    inside = divide(scale(quartic, 0.4 * law->stiffness), safe);
+    bend = scale(roots, 0.375 * law->stiffness);
   }
   const Lanes per_s = divide(all(1.0), pick(greater(size_of(s), zero()), s, all(1.0)));
   /* An interval that begins in the air: the work over its length. */
@@ -469,67 +342,108 @@ static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Lanes y, 
   return (Secant){mean, pick(small, bend, quotient)};
 }
 
-static INLINE bool any(Mask m) {
-  Bits bits = m.part[0];
-  for (int i = 1; i < PARTS; i++) bits |= m.part[i];
-#if WIDTH == 4
-  return __builtin_ia32_movmskpd256((Vector)bits) != 0;
-#else
-  int64_t found = 0;
-  for (int i = 0; i < WIDTH; i++) found |= bits[i];
-  return found != 0;
-#endif
-}
+typedef struct LawArrays {
+  const double *y, *s;
+  double *force, *slope, *mean;
+} LawArrays;
 
-static INLINE void law_lanes(const TbLaw *law, uint32_t power, const double *y_at,
-                             const double *s_at, double *force_at, double *slope_at,
-                             double *mean_at) {
-  const Lanes y = load(y_at), s = load(s_at), x = add(y, s);
-  Secant secant;
-  if (any(greater(larger(x, y), all(law->limit)))) {
-    const Knee knee = {all(law->limit), all(law->limit_force), all(law->limit_slope)};
-    secant = secant_over_knee(law, power, knee, y, s, x);
-  } else {
-    secant = secant_of_power(law, power, y, s, x);
-  }
+/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope */
+static INLINE void law_with_loss(const TbLaw *law, Lanes s, Secant secant, LawArrays at) {
   const Lanes factor = add(all(1.0), scale(s, law->loss));
-  const Mask touching = either(greater(y, zero()), greater(x, zero()));
-  const Mask pushing = both(touching, greater(factor, zero()));
   const Lanes slope = add(multiply_lanes(secant.rise, factor), scale(secant.mean, law->loss));
-  store(mean_at, pick(touching, secant.mean, zero()));
-  store(force_at, pick(pushing, multiply_lanes(secant.mean, factor), zero()));
-  store(slope_at, pick(pushing, slope, zero()));
+  const Lanes force = multiply_lanes(secant.mean, factor);
+  store(at.mean, secant.mean);
+  store(at.force, pick(greater(factor, zero()), force, zero()));
+  store(at.slope, pick(greater(factor, zero()), slope, zero()));
 }
 
-static void law_of(const TbLaw *law, uint32_t power, const double *y, const double *s,
+/* Rare: out of the way of the rest. */
+static __attribute__((noinline)) void law_over_knee(const TbLaw *law, uint32_t power,
+                                                    LawArrays at) {
+  const Lanes y = load(at.y), s = load(at.s), x = add(y, s);
+  Secant secant = power == 2   ? secant_over_knee(law, 2, y, s, x)
+                  : power == 3 ? secant_over_knee(law, 3, y, s, x)
+                               : secant_over_knee(law, 4, y, s, x);
+  secant.rise = pick(greater(larger(x, y), zero()), secant.rise, zero());
+  secant.mean = pick(greater(larger(x, y), zero()), secant.mean, zero());
+  law_with_loss(law, s, secant, at);
+}
+
+static INLINE void law_at(const TbLaw *law, uint32_t power, uint32_t n, LawArrays arrays) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const LawArrays at = {arrays.y + i, arrays.s + i, arrays.force + i, arrays.slope + i,
+                          arrays.mean + i};
+    const Lanes y = load(at.y), s = load(at.s), x = add(y, s), top = larger(x, y);
+    if (any(greater(top, all(law->limit)))) {
+      law_over_knee(law, power, at);
+      continue;
+    }
+    Secant secant;
+    if (power == 2) {
+      secant = secant_of_line(law, y, s, x);
+    } else {
+      secant = secant_of_power(law, power, y, s, x);
+      secant.rise = pick(greater(top, zero()), secant.rise, zero());
+      secant.mean = pick(greater(top, zero()), secant.mean, zero());
+    }
+    law_with_loss(law, s, secant, at);
+  }
+}
+
+static void law_of(const TbLaw *law, uint32_t power, uint32_t n, const double *y, const double *s,
                    double *force, double *slope, double *mean) {
+  const LawArrays arrays = {y, s, force, slope, mean};
   switch (power) { /* one copy of the code for each */
-  case 2: law_lanes(law, 2, y, s, force, slope, mean); break;
-  case 3: law_lanes(law, 3, y, s, force, slope, mean); break;
-  default: law_lanes(law, 4, y, s, force, slope, mean); break;
+  case 2: law_at(law, 2, n, arrays); break;
+  case 3: law_at(law, 3, n, arrays); break;
+  default: law_at(law, 4, n, arrays); break;
   }
 }
 
-static void gather(uint32_t count, const uint32_t *rows, const double *from, double *to) {
-  for (uint32_t k = 0; k < count; k++) store(to + 8 * k, load(from + rows[k]));
+static bool touches(uint32_t n, const double *y, const double *s, const double *f) {
+  Lanes most = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes before = load(y + i), after = add(before, load(s + i));
+    most = larger(most, larger(larger(before, after), size_of(load(f + i))));
+  }
+  return largest_of(most) > 0.0;
 }
 
-static void add_own(uint32_t count, const uint32_t *rows, const double *own, const double *x,
-                    double *out) {
-  for (uint32_t k = 0; k < count; k++) {
-    store(out + 8 * k,
-          add(load(out + 8 * k), multiply_lanes(load(own + rows[k]), load(x + 8 * k))));
+static TbPair sizes(uint32_t n, const double *b, const double *y) {
+  Lanes most = zero(), deepest = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    most = larger(size_of(load(b + i)), most);
+    deepest = larger(load(y + i), deepest);
+  }
+  return (TbPair){largest_of(most), largest_of(deepest)};
+}
+
+static double difference(uint32_t n, const double *x, const double *y) {
+  Lanes most = zero();
+  for (uint32_t i = 0; i < n; i += 8)
+    most = larger(size_of(subtract(load(x + i), load(y + i))), most);
+  return largest_of(most);
+}
+
+static void subtract_arrays(uint32_t n, const double *x, const double *y, double *out) {
+  for (uint32_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
+}
+
+static void extrapolate(uint32_t n, double t, const double *x, const double *before,
+                        const double *base, double *out) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    store(out + i, add(load(base + i), scale(subtract(load(x + i), load(before + i)), t)));
   }
 }
 
-static void miss(const double *x, const double *y, double *most) {
-  store(most, larger(load(most), size_of(subtract(load(x), load(y)))));
-}
-
-static void residual(const double *s, const double *b, double *r, double *most) {
-  const Lanes left = add(load(r), subtract(load(s), load(b)));
-  store(r, left);
-  store(most, larger(load(most), size_of(left)));
+static double residual(uint32_t n, const double *s, const double *b, const double *p, double *r) {
+  Lanes most = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes left = add(load(p + i), subtract(load(s + i), load(b + i)));
+    store(r + i, left);
+    most = larger(size_of(left), most);
+  }
+  return largest_of(most);
 }
 
 static void weigh(uint32_t n, const double *slope, double *weight, double *r) {
@@ -540,30 +454,30 @@ static void weigh(uint32_t n, const double *slope, double *weight, double *r) {
   }
 }
 
-static void balance(double t, const double *s_at, const double *law, const double *slope,
-                    const double *f_at, const double *f_last, const double *p, const double *p_last,
-                    double *sum) {
-  const Lanes s = load(s_at), f = load(f_at), g = subtract(f, load(f_last));
-  const Lanes m = subtract(load(p), load(p_last)), moved = add(f, scale(g, t));
-  const Lanes left = subtract(load(law), moved);
-  const Lanes bend = multiply_lanes(s, add(multiply_lanes(load(slope), m), g));
-  store(sum, add(load(sum), multiply_lanes(s, left)));
-  store(sum + 8, subtract(load(sum + 8), add(multiply_lanes(m, left), bend)));
-  store(sum + 16, add(load(sum + 16), size_of(multiply_lanes(s, moved))));
+static void balance(uint32_t n, double t, const double *s_at, const double *law,
+                    const double *slope, const double *f_at, const double *f_last, const double *p,
+                    const double *p_last, double sums[3]) {
+  Lanes value = zero(), derivative = zero(), size = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes s = load(s_at + i), f = load(f_at + i), g = subtract(f, load(f_last + i));
+    const Lanes m = subtract(load(p + i), load(p_last + i)), moved = add(f, scale(g, t));
+    const Lanes left = subtract(load(law + i), moved);
+    const Lanes bend = multiply_lanes(s, add(multiply_lanes(load(slope + i), m), g));
+    value = add(value, multiply_lanes(s, left));
+    derivative = subtract(derivative, add(multiply_lanes(m, left), bend));
+    size = add(size, size_of(multiply_lanes(s, moved)));
+  }
+  sums[0] = join(value);
+  sums[1] = join(derivative);
+  sums[2] = join(size);
 }
 
-static uint32_t mark(uint32_t blocks, const double *y, const double *s, const double *f,
-                     uint8_t *touch) {
-  uint32_t count = 0;
-  for (uint32_t b = 0; b < blocks; b++) {
-    const Lanes before = load(y + 8 * b), after = add(before, load(s + 8 * b));
-    const Lanes force = load(f + 8 * b);
-    const Lanes most = larger(larger(before, after), size_of(force));
-    const Mask m = greater(most, zero());
-    touch[b] |= any(m);
-    count += touch[b];
+static double lost(uint32_t n, const double *s, const double *f, const double *mean) {
+  Lanes sum = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    sum = add(sum, multiply_lanes(load(s + i), subtract(load(f + i), load(mean + i))));
   }
-  return count;
+  return join(sum);
 }
 
 static void penetrate(uint32_t n, double side, double shift, const double *w, const double *v,
@@ -632,13 +546,15 @@ const TbKernels TB_KERNELS = {
   .wire_step = wire_step,
   .wire_losses = wire_losses,
   .law = law_of,
-  .gather = gather,
-  .add_own = add_own,
-  .miss = miss,
+  .touches = touches,
+  .sizes = sizes,
+  .difference = difference,
+  .subtract = subtract_arrays,
+  .extrapolate = extrapolate,
   .residual = residual,
   .weigh = weigh,
   .balance = balance,
-  .mark = mark,
+  .lost = lost,
   .penetrate = penetrate,
   .move = move,
   .product = product,

@@ -7,8 +7,10 @@
 #ifndef TB_KERNELS_H
 #define TB_KERNELS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
+struct TbBed;
 struct TbLaw;
 
 typedef struct TbPair {
@@ -37,16 +39,12 @@ typedef struct TbKernels {
   TbPair (*losses)(uint32_t n, const double *u, const double *v, const double *next,
                    const double *last);
 
-  /* The bed (bed.h): `count` blocks of 8 lanes at x[at[k]] with their images at x[image[k]], against
-   * `lines` of `lanes` doubles, the first `even` of them even under the exchange of the two.
-   * lines[l][0..7] = Sum_k across[wire[k]][l] (x_k +- x_image) */
-  void (*gather_lines)(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
-                       const uint32_t *wire, const uint32_t *at, const uint32_t *image,
-                       const double *across, const double *x, double *to);
-  /* x_k, x_image = Sum_even across[wire[k]][l] lines[l][0..7] +- Sum_odd */
-  void (*spread_lines)(uint32_t even, uint32_t lines, uint32_t lanes, uint32_t count,
-                       const uint32_t *wire, const uint32_t *at, const uint32_t *image,
-                       const double *across, const double *from, double *x);
+  /* The bed (bed.h), between x[wires][lanes] and lines[lines][lanes]. Where the bed is its own mirror image
+   * across, wires and their images go in pairs, and lines are even under the exchange of the two before the
+   * odd ones: lines[l] = Sum over pairs of across[v][l] (x[v] +- x[image]) */
+  void (*gather_lines)(const struct TbBed *bed, const double *x, double *lines);
+  /* x[v], x[image] = Sum over even lines of across[v][l] lines[l] +- Sum over odd ones */
+  void (*spread_lines)(const struct TbBed *bed, const double *lines, double *x);
 
   /* Wires (wires.h): v at n lanes, readable one lane before and after; inner is 1 at inner nodes, else
    * 0. c = {gain, keep, stretch, bend, diffuse}; `bend` and `bend_last` are scratch, readable one lane
@@ -56,30 +54,32 @@ typedef struct TbKernels {
   /* Sum d^2 and Sum (d[i] - d[i-1])^2, d = next - last */
   TbPair (*wire_losses)(uint32_t n, const double *next, const double *last);
 
-  /* Contacts (solve.h), law.h's formulas for an exponent of 1, 3/2 or 2 (power 2, 3 or 4), in 8 lanes:
-   * force and slope at s, and the mean of V' between y and y + s. */
-  void (*law)(const struct TbLaw *law, uint32_t power, const double *y, const double *s,
+  /* Contacts (solve.h), law.h's formulas for an exponent of 1, 3/2 or 2 (power 2, 3 or 4): force and
+   * slope at s, and the mean of V' between y and y + s. */
+  void (*law)(const struct TbLaw *law, uint32_t power, uint32_t n, const double *y, const double *s,
               double *force, double *slope, double *mean);
-  /* Blocks of 8 rows, of which block k begins at rows[k]: to_k = from[rows[k]], and
-   * out_k += own[rows[k]] x_k */
-  void (*gather)(uint32_t count, const uint32_t *rows, const double *from, double *to);
-  void (*add_own)(uint32_t count, const uint32_t *rows, const double *own, const double *x,
-                  double *out);
-  /* Largest |x - y| in 8 lanes, or `most` if that is larger, lane by lane into most[8]. */
-  void (*miss)(const double *x, const double *y, double *most);
-  /* r = r + (s - b) in 8 lanes, |r| as above. */
-  void (*residual)(const double *s, const double *b, double *r, double *most);
+  /* Whether y > 0, y + s > 0 or f != 0 anywhere. */
+  bool (*touches)(uint32_t n, const double *y, const double *s, const double *f);
+  /* Largest |b|, and largest y or 0. */
+  TbPair (*sizes)(uint32_t n, const double *b, const double *y);
+  /* Largest |x - y| */
+  double (*difference)(uint32_t n, const double *x, const double *y);
+  /* out = x - y */
+  void (*subtract)(uint32_t n, const double *x, const double *y, double *out);
+  /* out = base + t (x - before) */
+  void (*extrapolate)(uint32_t n, double t, const double *x, const double *before,
+                      const double *base, double *out);
+  /* r = (s - b) + p; largest |r| */
+  double (*residual)(uint32_t n, const double *s, const double *b, const double *p, double *r);
   /* weight = sqrt(slope), r = -weight r */
   void (*weigh)(uint32_t n, const double *slope, double *weight, double *r);
-  /* In 8 lanes, with g = f - f_last, m = p - p_last: f + t g against the law's force at s - what
-   * TbSolve calls balance: sum[0..7] += s (law - f'), sum[8..] -= m (law - f') + s (slope m + g),
-   * sum[16..] += |s f'|. */
-  void (*balance)(double t, const double *s, const double *law, const double *slope,
+  /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'), its derivative in t, which is
+   * -Sum m (law - f') + s (slope m + g), and Sum |s f'|. */
+  void (*balance)(uint32_t n, double t, const double *s, const double *law, const double *slope,
                   const double *f, const double *f_last, const double *p, const double *p_last,
-                  double *sum);
-  /* touch[b] |= 1 where one of 8 lanes has y > 0, y + s > 0 or f != 0; the number of such blocks */
-  uint32_t (*mark)(uint32_t blocks, const double *y, const double *s, const double *f,
-                   uint8_t *touch);
+                  double sums[3]);
+  /* Sum s (f - mean) */
+  double (*lost)(uint32_t n, const double *s, const double *f, const double *mean);
   /* eta = (side w - v) + rest + shift, b = (eta - last) + load */
   void (*penetrate)(uint32_t n, double side, double shift, const double *w, const double *v,
                     const double *rest, const double *last, const double *load, double *b);

@@ -181,14 +181,14 @@ static uint32_t power_of(const TbLaw *law) {
   }
 }
 
-void tb_law_forces(const TbLaw *law, const TbKernels *kernels, const double *y, const double *s,
-                   double *force, double *slope, double *mean) {
+void tb_law_forces(const TbLaw *law, const TbKernels *kernels, uint32_t n, const double *y,
+                   const double *s, double *force, double *slope, double *mean) {
   const uint32_t power = power_of(law);
   if (power) {
-    kernels->law(law, power, y, s, force, slope, mean);
+    kernels->law(law, power, n, y, s, force, slope, mean);
     return;
   }
-  for (uint32_t i = 0; i < 8; i++) {
+  for (uint32_t i = 0; i < n; i++) {
     const TbLawResult result = tb_law_force(law, y[i], s[i]);
     force[i] = result.force;
     slope[i] = result.slope;

@@ -51,8 +51,8 @@ void tb_law_damper(TbLaw *law, double c, double time_step);
 
 /* f and its slope at s, from y. */
 TbLawResult tb_law_force(const TbLaw *law, double y, double s);
-/* The same in 8 lanes, of 64-byte aligned arrays. */
-void tb_law_forces(const TbLaw *law, const struct TbKernels *kernels, const double *y,
+/* The same at n points, a multiple of 8, of 64-byte aligned arrays. */
+void tb_law_forces(const TbLaw *law, const struct TbKernels *kernels, uint32_t n, const double *y,
                    const double *s, double *force, double *slope, double *mean);
 /* DV = V(y + s) - V(y) [J]. */
 double tb_law_work(const TbLaw *law, double y, double s);

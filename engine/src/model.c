@@ -97,7 +97,7 @@ typedef struct Probe {
 static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
   const TbBed *bed = &model->projection.bed;
   probe->force[row] = 1.0;
-  tb_bed_contract(bed, model->kernels, &bed->all, probe->force, probe->fold, probe->grid);
+  tb_bed_contract(bed, model->kernels, probe->force, probe->fold, probe->grid);
   probe->force[row] = 0.0;
   tb_compliance_apply(&model->compliance, model->kernels, probe->grid, probe->answer);
   return model->kernels->dot(bed->size, probe->grid, probe->answer);
@@ -199,31 +199,22 @@ static uint64_t fingerprint(const TaborModel *model) {
 /* ---- public --------------------------------------------------------------------------------- */
 
 #ifdef TB_HAVE_AVX512
-/* Compilers compare the lanes of such wide vectors one by one: what compares stays narrower. */
-static void mix_kernels(TbKernels *kernels) {
-  *kernels = tb_kernels_avx512;
-  kernels->law = tb_kernels_avx2.law;
-  kernels->mark = tb_kernels_avx2.mark;
-  kernels->miss = tb_kernels_avx2.miss;
-  kernels->residual = tb_kernels_avx2.residual;
-}
-
 static bool has_avx512(void) {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl");
 }
 #endif
 
-static void choose_kernels(TbKernels *kernels, uint32_t instructions) {
+static const TbKernels *choose_kernels(uint32_t instructions) {
   const uint32_t most = instructions ? instructions : TABOR_INSTRUCTIONS_AVX512;
   (void)most;
-  *kernels = tb_kernels_baseline;
-#ifdef TB_HAVE_AVX2
-  if (most >= TABOR_INSTRUCTIONS_AVX2 && __builtin_cpu_supports("avx2")) *kernels = tb_kernels_avx2;
-#endif
 #ifdef TB_HAVE_AVX512
-  if (most >= TABOR_INSTRUCTIONS_AVX512 && has_avx512()) mix_kernels(kernels);
+  if (most >= TABOR_INSTRUCTIONS_AVX512 && has_avx512()) return &tb_kernels_avx512;
 #endif
+#ifdef TB_HAVE_AVX2
+  if (most >= TABOR_INSTRUCTIONS_AVX2 && __builtin_cpu_supports("avx2")) return &tb_kernels_avx2;
+#endif
+  return &tb_kernels_baseline;
 }
 
 static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level,
@@ -305,8 +296,7 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   model->quality = options->quality ? options->quality : def->quality.level;
   model->sample_rate = options->sample_rate;
   model->time_step = 1.0 / options->sample_rate;
-  choose_kernels(&model->chosen, options->instructions);
-  model->kernels = &model->chosen;
+  model->kernels = choose_kernels(options->instructions);
   const Level level = resolve_level(def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;

@@ -47,10 +47,9 @@ typedef struct TbStretch {
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend, bend_last;
   size_t head, rest_load, own, b, s, force, product; /* by rows */
-  size_t previous, previous_product, row_y, row_s, law_force, slope, mean, residual, direction,
-    turned, weight, solution, work;
-  size_t grid, change, response, pushed, answer, scratch; /* by points of the grid */
-  size_t touch, row, wire, block_begin, block_wire, block_at, block_image;
+  size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
+    weight, solution, work;
+  size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
   size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
     stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
     delay[TABOR_MAX_MICS];
@@ -67,8 +66,7 @@ struct TaborModel {
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
-  TbKernels chosen;                  /* for this processor */
-  const TbKernels *kernels;          /* &chosen */
+  const TbKernels *kernels;          /* for this processor */
   TbHead head;
   TbWires wires;
   TbModes modes;

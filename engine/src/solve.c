@@ -33,12 +33,11 @@ void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *
   }
 }
 
-/* What forces on the grid (`pushed`) and at the slots do to the head: `answer` on the grid, out[] at
- * the slots. */
-static void push_head(const TbSolve *solve, const double *pushed, const double *slots,
-                      double *answer, double *out) {
+/* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
+ * yield to forces on the grid (`pushed`). */
+static void push_slots(const TbSolve *solve, const double *pushed, const double *slots,
+                       double *answer, double *out) {
   const uint32_t size = solve->bed->size;
-  tb_compliance_apply(solve->compliance, solve->kernels, pushed, answer);
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     out[slot] = 0.0;
     if (!in_play(solve, slot)) continue;
@@ -49,184 +48,119 @@ static void push_head(const TbSolve *solve, const double *pushed, const double *
     }
     if (slots[slot] != 0.0) solve->kernels->add_scaled(size, answer, slots[slot], coupling);
   }
-  tb_solve_stretch(solve, pushed, slots, answer, out);
 }
 
-/* Over all rows: product = own f + (the head's motion `response`, and at the slots `slots`). */
-static void expand_response(const TbSolve *solve, const double *f, const double *response,
-                            const double *slots, double *product) {
-  tb_bed_expand(solve->bed, solve->kernels, &solve->bed->all, response, solve->scratch, product);
-  memcpy(product + solve->stride, slots, TB_SLOTS * sizeof *slots);
-  solve->kernels->add_product(total_rows(solve), product, solve->own, f);
+/* out = M x, and x on the grid; without `wires` x is 0 at all wire points. */
+static void product_of(const TbSolve *solve, bool wires, const double *x, double *grid,
+                       double *out) {
+  const size_t bytes = solve->bed->size * sizeof(double);
+  double *slots = out + solve->stride;
+  if (wires) {
+    tb_bed_contract(solve->bed, solve->kernels, x, solve->scratch, grid);
+    tb_compliance_apply(solve->compliance, solve->kernels, grid, solve->answer);
+  } else {
+    memset(grid, 0, bytes);
+    memset(solve->answer, 0, bytes);
+  }
+  push_slots(solve, grid, x + solve->stride, solve->answer, slots);
+  tb_solve_stretch(solve, grid, x + solve->stride, solve->answer, slots);
+  tb_bed_expand(solve->bed, solve->kernels, solve->answer, solve->scratch, out);
+  solve->kernels->add_product(total_rows(solve), out, solve->own, x);
 }
 
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out) {
-  _Alignas(64) double slots[TB_SLOTS];
-  tb_bed_contract(solve->bed, solve->kernels, &solve->bed->all, x, solve->scratch, grid);
-  push_head(solve, grid, x + solve->stride, solve->answer, slots);
-  expand_response(solve, x, solve->answer, slots, out);
+  product_of(solve, true, x, grid, out);
 }
 
-/* out = M x over the n listed blocks and the slots behind them; leaves the head's part in `answer`
- * and slots[]. */
-static void listed_product(TbSolve *solve, uint32_t n, const double *x, double *slots,
-                           double *out) {
-  tb_bed_contract(solve->bed, solve->kernels, &solve->blocks, x, solve->scratch, solve->pushed);
-  push_head(solve, solve->pushed, x + 8 * n, solve->answer, slots);
-  tb_bed_expand(solve->bed, solve->kernels, &solve->blocks, solve->answer, solve->scratch, out);
-  memcpy(out + 8 * n, slots, TB_SLOTS * sizeof *slots);
-  solve->kernels->add_own(n + TB_SLOT_BLOCKS, solve->row, solve->own, x, out);
+/* ---- laws ----------------------------------------------------------------------------------- */
+
+static bool wires_touch(const TbSolve *solve, const double *s) {
+  return solve->kernels->touches(solve->stride, solve->y, s, solve->force);
 }
 
-static double largest_of(const double *eight) {
-  double largest = 0.0;
-  for (uint32_t l = 0; l < 8; l++) largest = eight[l] > largest ? eight[l] : largest;
-  return largest;
-}
-
-/* ---- rows that matter ----------------------------------------------------------------------- */
-
-static uint32_t touched_blocks(TbSolve *solve) {
-  return solve->kernels->mark(solve->stride / 8, solve->y, solve->s, solve->force, solve->touch);
-}
-
-/* Lists the blocks that touched so far, touch at s, or carry a force, by their lanes; the slots come
- * last. Returns the number of blocks without them. */
-static uint32_t list_blocks(TbSolve *solve) {
-  const TbBed *bed = solve->bed;
-  const uint32_t blocks = bed->lanes / 8, listed = tb_bed_listed(bed);
-  TbBlocks *list = &solve->blocks;
-  const uint8_t *touch = solve->touch;
-  touched_blocks(solve);
-  uint32_t n = 0, count = 0;
-  for (uint32_t b = 0; b < blocks; b++) {
-    list->begin[b] = count;
-    for (uint32_t w = 0; w < listed; w++) {
-      const uint32_t image = bed->quarters == 2 ? bed->wires - 1 - w : w;
-      if (!(touch[w * blocks + b] | touch[image * blocks + b])) continue;
-      list->wire[count] = w;
-      list->at[count] = list->image[count] = 8 * n;
-      solve->wire[n] = w;
-      solve->row[n++] = w * bed->lanes + 8 * b;
-      if (image != w) {
-        list->image[count] = 8 * n;
-        solve->wire[n] = image;
-        solve->row[n++] = image * bed->lanes + 8 * b;
-      }
-      count++;
-    }
-  }
-  list->begin[blocks] = count;
-  for (uint32_t k = 0; k < TB_SLOT_BLOCKS; k++) solve->row[n + k] = solve->stride + 8 * k;
-  return n;
-}
-
-static void slot_laws(TbSolve *solve, uint32_t at) {
+static void slot_laws(TbSolve *solve, const double *s) {
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+    const uint32_t row = solve->stride + slot;
     TbLawResult law = {0.0, 0.0, 0.0};
-    if (in_play(solve, slot)) {
-      law = tb_law_force(&solve->slot_laws[slot], solve->row_y[at + slot], solve->row_s[at + slot]);
-    }
-    solve->law_force[at + slot] = law.force;
-    solve->slope[at + slot] = law.slope;
-    solve->mean[at + slot] = law.mean;
+    if (in_play(solve, slot)) law = tb_law_force(&solve->slot_laws[slot], solve->y[row], s[row]);
+    solve->law_force[row] = law.force;
+    solve->slope[row] = law.slope;
+    solve->mean[row] = law.mean;
   }
 }
 
-/* Forces, slopes and means of the laws at row_y and row_s. */
-static void apply_laws(TbSolve *solve, uint32_t n) {
-  for (uint32_t k = 0; k < n; k++) {
-    const uint32_t at = 8 * k;
-    tb_law_forces(&solve->wire_laws[solve->wire[k]], solve->kernels, solve->row_y + at,
-                  solve->row_s + at, solve->law_force + at, solve->slope + at, solve->mean + at);
+/* Forces, slopes and means of the laws at s. */
+static void apply_laws(TbSolve *solve, const double *s) {
+  const uint32_t lanes = solve->bed->lanes;
+  for (uint32_t at = 0; solve->wires && at < solve->stride; at += lanes) {
+    tb_law_forces(&solve->wire_laws[at / lanes], solve->kernels, lanes, solve->y + at, s + at,
+                  solve->law_force + at, solve->slope + at, solve->mean + at);
   }
-  slot_laws(solve, 8 * n);
-}
-
-static void gather(const TbSolve *solve, uint32_t n, const double *rows, double *listed) {
-  solve->kernels->gather(n + TB_SLOT_BLOCKS, solve->row, rows, listed);
+  slot_laws(solve, s);
 }
 
 /* The laws at s; returns the largest difference from the forces that led there. */
-static double evaluate(TbSolve *solve, uint32_t *n) {
-  *n = list_blocks(solve);
-  gather(solve, *n, solve->y, solve->row_y);
-  gather(solve, *n, solve->s, solve->row_s);
-  apply_laws(solve, *n);
-  _Alignas(TB_ALIGNMENT) double most[8] = {0.0};
-  for (uint32_t k = 0; k < *n + TB_SLOT_BLOCKS; k++) {
-    solve->kernels->miss(solve->law_force + 8 * k, solve->force + solve->row[k], most);
-  }
-  return largest_of(most);
+static double evaluate(TbSolve *solve) {
+  solve->wires = solve->wires || wires_touch(solve, solve->s);
+  apply_laws(solve, solve->s);
+  return solve->kernels->difference(total_rows(solve), solve->law_force, solve->force);
 }
 
-static uint32_t count_touching(const TbSolve *solve, uint32_t n) {
+static uint32_t count_touching(const TbSolve *solve) {
   uint32_t count = 0;
-  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) count += solve->slope[i] > 0.0;
+  for (uint32_t i = 0; i < total_rows(solve); i++) count += solve->slope[i] > 0.0;
   return count;
 }
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* r = s + M f - b with the laws' forces, whose response is left in `response` and slots[]; returns
+/* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`; returns
  * max |r|. */
-static double find_residual(TbSolve *solve, uint32_t n, double *slots) {
-  listed_product(solve, n, solve->law_force, slots, solve->residual);
-  memcpy(solve->response, solve->answer, solve->bed->size * sizeof *solve->response);
-  _Alignas(TB_ALIGNMENT) double most[8] = {0.0};
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    const uint32_t row = solve->row[k];
-    solve->kernels->residual(solve->s + row, solve->b + row, solve->residual + 8 * k, most);
-  }
-  return largest_of(most);
+static double find_residual(TbSolve *solve) {
+  product_of(solve, solve->wires, solve->law_force, solve->grid, solve->product);
+  return solve->kernels->residual(total_rows(solve), solve->s, solve->b, solve->product,
+                                  solve->residual);
 }
 
-/* Solves (I + W M W) p = right, given in `residual`, over the listed rows by conjugate gradients from
- * p = 0, W = diag(weight), into `solution`; adds the head's motion under W p to `response` and slots[].
- */
-static void solve_inner(TbSolve *solve, uint32_t n, double *slots) {
+/* Solves (I + W M W) p = right, given in `residual`, by conjugate gradients from p = 0, W = diag(weight),
+ * into `solution`; adds M W p to `product`, and W p on the grid to `grid`. */
+static void solve_inner(TbSolve *solve) {
   const TbKernels *kernels = solve->kernels;
-  const uint32_t length = 8 * n + TB_SLOTS;
+  const uint32_t length = total_rows(solve);
   double *right = solve->residual, *d = solve->direction;
-  _Alignas(64) double step_slots[TB_SLOTS];
   memset(solve->solution, 0, length * sizeof(double));
   memcpy(d, right, length * sizeof(double));
   double square = kernels->dot(length, right, right);
   const double enough = square * solve->inner_tolerance * solve->inner_tolerance;
   for (uint32_t i = 0; i < solve->inner_cap && square > enough; i++) {
     kernels->product(length, solve->work, solve->weight, d);
-    listed_product(solve, n, solve->work, step_slots, solve->turned);
-    const double bend = kernels->turn(length, solve->turned, d, solve->weight, solve->turned);
+    product_of(solve, solve->wires, solve->work, solve->pushed, solve->moved);
+    const double bend = kernels->turn(length, solve->turned, d, solve->weight, solve->moved);
     const double step = square / bend;
     const double next = kernels->advance(length, step, solve->solution, d, right, solve->turned);
-    kernels->add_scaled(solve->bed->size, solve->response, step, solve->answer);
-    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) slots[slot] += step * step_slots[slot];
+    kernels->add_scaled(length, solve->product, step, solve->moved);
+    kernels->add_scaled(solve->bed->size, solve->grid, step, solve->pushed);
     kernels->redirect(length, next / square, d, right);
     square = next;
   }
 }
 
-/* s = b - M f from `response` and slots[], over all rows. */
-static void follow(TbSolve *solve, const double *slots) {
-  expand_response(solve, solve->force, solve->response, slots, solve->product);
-  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
+/* s = b - M f */
+static void follow(TbSolve *solve) {
+  solve->kernels->subtract(total_rows(solve), solve->b, solve->product, solve->s);
+}
+
+static void take_law_forces(TbSolve *solve) {
+  memcpy(solve->force, solve->law_force, total_rows(solve) * sizeof(double));
+  follow(solve);
 }
 
 /* force = law_force + weight solution, and s with it. */
-static void take_forces(TbSolve *solve, uint32_t n, bool solved, const double *slots) {
-  if (solved) {
-    solve->kernels->add_product(8 * n + TB_SLOTS, solve->law_force, solve->weight, solve->solution);
-  }
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    memcpy(solve->force + solve->row[k], solve->law_force + 8 * k, 8 * sizeof(double));
-  }
-  follow(solve, slots);
-}
-
-static void newton_step(TbSolve *solve, uint32_t n, double *slots) {
-  solve->kernels->weigh(8 * n + TB_SLOTS, solve->slope, solve->weight, solve->residual);
-  solve_inner(solve, n, slots);
-  take_forces(solve, n, true, slots);
+static void newton_step(TbSolve *solve) {
+  solve->kernels->weigh(total_rows(solve), solve->slope, solve->weight, solve->residual);
+  solve_inner(solve);
+  solve->kernels->add_product(total_rows(solve), solve->law_force, solve->weight, solve->solution);
+  take_law_forces(solve);
 }
 
 /* ---- the balance ---------------------------------------------------------------------------- */
@@ -236,75 +170,56 @@ typedef struct Balance {
   double value, derivative, scale;
 } Balance;
 
-static double sum_of(const double *eight) {
-  return ((eight[0] + eight[4]) + (eight[2] + eight[6])) +
-         ((eight[1] + eight[5]) + (eight[3] + eight[7]));
+static Balance balance_at(const TbSolve *solve, const double *s, double t) {
+  double sums[3];
+  solve->kernels->balance(total_rows(solve), t, s, solve->law_force, solve->slope, solve->force,
+                          solve->previous, solve->product, solve->previous_product, sums);
+  return (Balance){sums[0], sums[1], sums[2]};
 }
 
-static Balance balance_at(TbSolve *solve, uint32_t n, double t) {
-  _Alignas(TB_ALIGNMENT) double sum[24] = {0.0};
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    const uint32_t row = solve->row[k], i = 8 * k;
-    solve->kernels->balance(t, solve->row_s + i, solve->law_force + i, solve->slope + i,
-                            solve->force + row, solve->previous + row, solve->product + row,
-                            solve->previous_product + row, sum);
-  }
-  return (Balance){sum_of(sum), sum_of(sum + 8), sum_of(sum + 16)};
+/* x += t (x - before) */
+static void move_on(const TbSolve *solve, uint32_t n, double t, double *x, const double *before) {
+  solve->kernels->extrapolate(n, t, x, before, x, x);
 }
 
-static void laws_at(TbSolve *solve, uint32_t n, double t) {
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const uint32_t row = solve->row[k] + l;
-      solve->row_s[8 * k + l] =
-        solve->s[row] - t * (solve->product[row] - solve->previous_product[row]);
-    }
-  }
-  apply_laws(solve, n);
-}
-
-/* force += t g, and what follows from it, over all rows. */
+/* force += t g, and what follows from it. */
 static void move_forces(TbSolve *solve, double t) {
-  for (uint32_t i = 0; i < total_rows(solve); i++) {
-    solve->force[i] += t * (solve->force[i] - solve->previous[i]);
-    solve->product[i] += t * (solve->product[i] - solve->previous_product[i]);
-    solve->s[i] = solve->b[i] - solve->product[i];
-  }
+  const uint32_t rows = total_rows(solve);
+  move_on(solve, rows, t, solve->force, solve->previous);
+  move_on(solve, rows, t, solve->product, solve->previous_product);
+  move_on(solve, solve->bed->size, t, solve->grid, solve->previous_grid);
+  follow(solve);
 }
 
-/* Moves the forces to where their work is what the laws say; false if that is further than `reach`
- * away. The laws have just been evaluated at s. */
-static bool balance(TbSolve *solve, uint32_t n, double reach) {
-  double t = 0.0;
-  Balance h = balance_at(solve, n, t);
+/* Moves the forces to where their work is what the laws say, and leaves that place's laws; false if that
+ * is further than `reach` away. The laws have just been evaluated at s. */
+static bool balance(TbSolve *solve, double reach) {
+  double *s = solve->s, t = 0.0;
+  Balance h = balance_at(solve, s, t);
   for (uint32_t i = 0; fabs(h.value) > BALANCE_TOLERANCE * h.scale; i++) {
     if (i == MOST_BALANCE_STEPS) return false;
     t -= h.value / h.derivative;
     if (!(fabs(t) <= reach)) return false;
-    laws_at(solve, n, t);
-    h = balance_at(solve, n, t);
+    s = solve->work;
+    solve->kernels->extrapolate(total_rows(solve), -t, solve->product, solve->previous_product,
+                                solve->s, s);
+    apply_laws(solve, s);
+    h = balance_at(solve, s, t);
   }
   if (t == 0.0) return true;
-  const uint32_t touched = touched_blocks(solve);
   move_forces(solve, t);
-  return touched_blocks(solve) == touched; /* else something else touches now, and was left out */
+  return solve->wires || !wires_touch(solve, solve->s); /* else wires touch now that took no part */
 }
 
-/* What the laws lose in a step, with the values of the last evaluation. */
-static void book_losses(const TbSolve *solve, uint32_t n, TbSolveOutcome *outcome) {
-  double sum[8] = {0.0};
-  for (uint32_t i = 0; i < 8 * n; i += 8) {
-    for (uint32_t l = 0; l < 8; l++) {
-      sum[l] += solve->row_s[i + l] * (solve->law_force[i + l] - solve->mean[i + l]);
-    }
-  }
-  double contact = 0.0, damper = 0.0;
-  for (uint32_t l = 0; l < 8; l++) contact += sum[l];
+/* What the laws lose in a step, with the values of the last evaluation, which was at s. */
+static void book_losses(const TbSolve *solve, TbSolveOutcome *outcome) {
+  double contact = solve->kernels->lost(solve->stride, solve->s, solve->law_force, solve->mean);
+  double damper = 0.0;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     if (!in_play(solve, slot)) continue;
-    const uint32_t i = 8 * n + slot;
+    const uint32_t row = solve->stride + slot;
     const bool hand = solve->slot_laws[slot].kind == TB_LAW_DAMPER;
-    *(hand ? &damper : &contact) += solve->row_s[i] * (solve->law_force[i] - solve->mean[i]);
+    *(hand ? &damper : &contact) += solve->s[row] * (solve->law_force[row] - solve->mean[row]);
   }
   outcome->contact_loss = 0.5 * contact;
   outcome->damper_loss = 0.5 * damper;
@@ -322,36 +237,34 @@ static double majorant_curvature(const TbLaw *law, double y, double b, double fr
   return bend > 0.0 ? 2.0 * bend / (sp * sp) : 0.0;
 }
 
-static const TbLaw *law_of(const TbSolve *solve, uint32_t k, uint32_t lane) {
-  if (solve->row[k] >= solve->stride) {
-    return &solve->slot_laws[solve->row[k] - solve->stride + lane];
-  }
-  return &solve->wire_laws[solve->wire[k]];
+/* NULL for a slot that is not in play. */
+static const TbLaw *law_of(const TbSolve *solve, uint32_t row) {
+  if (row < solve->stride) return &solve->wire_laws[row / solve->bed->lanes];
+  const uint32_t slot = row - solve->stride;
+  return in_play(solve, slot) ? &solve->slot_laws[slot] : NULL;
 }
 
-/* Force at s = 0 and half the curvature of every listed row's majorant. */
-static void prepare_majorants(TbSolve *solve, uint32_t n) {
-  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
-    const uint32_t row = solve->row[i / 8] + i % 8;
-    solve->law_force[i] = solve->slope[i] = 0.0;
-    if (i >= 8 * n && !in_play(solve, i - 8 * n)) continue;
-    const TbLaw *law = law_of(solve, i / 8, i % 8);
+/* Force at s = 0 and half the curvature of every row's majorant. */
+static void prepare_majorants(TbSolve *solve) {
+  for (uint32_t row = 0; row < total_rows(solve); row++) {
+    const TbLaw *law = law_of(solve, row);
+    solve->law_force[row] = solve->slope[row] = 0.0;
+    if (!law) continue;
     const double y = solve->y[row], b = solve->b[row];
-    solve->law_force[i] = tb_law_static_force(law, y);
-    solve->slope[i] = law->kind == TB_LAW_DAMPER
-                        ? law->loss
-                        : 0.5 * majorant_curvature(law, y, b, b - solve->previous_product[row]);
+    solve->law_force[row] = tb_law_static_force(law, y);
+    solve->slope[row] = law->kind == TB_LAW_DAMPER
+                          ? law->loss
+                          : 0.5 * majorant_curvature(law, y, b, b - solve->previous_product[row]);
   }
 }
 
 /* Work still to be found for the growth of the potential: > 0 means energy was created; and what the
  * laws lose at s. */
-static Balance majorant_work(TbSolve *solve, uint32_t n, double *contact, double *damper) {
+static Balance majorant_work(const TbSolve *solve, double *contact, double *damper) {
   Balance h = {0.0, 0.0, 0.0};
-  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
-    if (i >= 8 * n && !in_play(solve, i - 8 * n)) continue;
-    const TbLaw *law = law_of(solve, i / 8, i % 8);
-    const uint32_t row = solve->row[i / 8] + i % 8;
+  for (uint32_t row = 0; row < total_rows(solve); row++) {
+    const TbLaw *law = law_of(solve, row);
+    if (!law) continue;
     const double work = solve->force[row] * solve->s[row];
     h.value += tb_law_work(law, solve->y[row], solve->s[row]) - work;
     h.scale += fabs(work);
@@ -361,39 +274,23 @@ static Balance majorant_work(TbSolve *solve, uint32_t n, double *contact, double
   return h;
 }
 
-/* Lists what could touch without forces, or with the last ones. */
-static uint32_t list_candidates(TbSolve *solve) {
-  for (uint32_t i = 0; i < total_rows(solve); i++) {
-    const double with = solve->b[i] - solve->previous_product[i];
-    solve->s[i] = with > solve->b[i] ? with : solve->b[i];
-  }
-  return list_blocks(solve);
-}
-
-/* Lists rows anew, and says in *count how many blocks there are then. */
-static void majorant_step(TbSolve *solve, uint32_t *count, TbSolveOutcome *outcome) {
-  _Alignas(64) double slots[TB_SLOTS];
-  const uint32_t n = list_candidates(solve);
-  prepare_majorants(solve, n);
-  memset(solve->force, 0, total_rows(solve) * sizeof(double));
-  memset(solve->s, 0, total_rows(solve) * sizeof(double));
-  find_residual(solve, n, slots);
-  newton_step(solve, n, slots);
-  /* f = V'(y) + C s/2 at the s of that solution; all rows that touch there must be listed. */
-  for (uint32_t k = 0; k < n + TB_SLOT_BLOCKS; k++) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const uint32_t row = solve->row[k] + l;
-      if (k >= n && !in_play(solve, row - solve->stride)) continue;
-      const TbLaw *law = law_of(solve, k, l);
-      solve->force[row] =
-        tb_law_static_force(law, solve->y[row]) + solve->slope[8 * k + l] * solve->s[row];
-    }
+/* One linear step, f = V'(y) + C s/2. */
+static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
+  const size_t bytes = total_rows(solve) * sizeof(double);
+  solve->wires = true;
+  prepare_majorants(solve);
+  memset(solve->s, 0, bytes);
+  find_residual(solve);
+  newton_step(solve);
+  for (uint32_t row = 0; row < total_rows(solve); row++) {
+    const TbLaw *law = law_of(solve, row);
+    if (!law) continue;
+    solve->force[row] = tb_law_static_force(law, solve->y[row]) + solve->slope[row] * solve->s[row];
   }
   tb_solve_product(solve, solve->force, solve->grid, solve->product);
-  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
-  *count = list_blocks(solve);
+  follow(solve);
   double contact = 0.0, damper = 0.0;
-  const Balance h = majorant_work(solve, *count, &contact, &damper);
+  const Balance h = majorant_work(solve, &contact, &damper);
   if (h.value > BALANCE_TOLERANCE * h.scale) outcome->excess = h.value;
   /* The laws' losses count as far as the work done covers them. */
   const double lost = contact + damper, covered = h.value < 0.0 ? -0.5 * h.value : 0.0;
@@ -404,37 +301,20 @@ static void majorant_step(TbSolve *solve, uint32_t *count, TbSolveOutcome *outco
 
 /* ---- the solve ------------------------------------------------------------------------------ */
 
-static double largest_magnitude(uint32_t n, const double *x) {
-  double most[8] = {0.0};
-  for (uint32_t i = 0; i < n; i += 8) {
-    for (uint32_t l = 0; l < 8; l++) {
-      const double size = fabs(x[i + l]);
-      most[l] = size > most[l] ? size : most[l];
-    }
-  }
-  return largest_of(most);
+static double noise(const TbSolve *solve) {
+  const TbPair size = solve->kernels->sizes(total_rows(solve), solve->b, solve->y);
+  return RELATIVE_TOLERANCE * size.first + PENETRATION_TOLERANCE * size.second;
 }
 
-static double noise(const TbSolve *solve, uint32_t n) {
-  double depth = 0.0;
-  for (uint32_t i = 0; i < 8 * n + TB_SLOTS; i++) {
-    depth = solve->row_y[i] > depth ? solve->row_y[i] : depth;
+static bool slots_act(const TbSolve *solve) {
+  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+    const uint32_t row = solve->stride + slot;
+    if (!in_play(solve, slot)) continue;
+    if (solve->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
+    if (solve->y[row] > 0.0 || solve->y[row] + solve->b[row] > 0.0) return true;
+    if (solve->force[row] != 0.0) return true;
   }
-  return RELATIVE_TOLERANCE * largest_magnitude(total_rows(solve), solve->b) +
-         PENETRATION_TOLERANCE * depth;
-}
-
-static bool anything_acts(const TbSolve *solve) {
-  if (solve->slot_mask) {
-    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-      const uint32_t row = solve->stride + slot;
-      if (in_play(solve, slot) && solve->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
-      if (solve->y[row] > 0.0 || solve->y[row] + solve->b[row] > 0.0) return true;
-      if (solve->force[row] != 0.0) return true;
-    }
-  }
-  return solve->kernels->mark(solve->stride / 8, solve->y, solve->b, solve->force, solve->touch) >
-         0;
+  return false;
 }
 
 static void come_to_rest(TbSolve *solve) {
@@ -445,63 +325,71 @@ static void come_to_rest(TbSolve *solve) {
   memcpy(solve->s, solve->b, bytes);
 }
 
-/* Newton's iteration; true if it came to its end, with forces, product and s set. */
-static bool iterate(TbSolve *solve, TbSolveOutcome *outcome, uint32_t *n) {
-  _Alignas(64) double slots[TB_SLOTS];
+/* Newton's iteration; true if it came to its end, with forces, product, grid and s set. */
+static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
+  const double rounding = noise(solve);
   double first = 0.0;
   for (;;) {
-    const double miss = evaluate(solve, n);
+    const double miss = evaluate(solve);
     if (miss == 0.0) return true;
     if (outcome->iterations == 0) first = miss;
     const bool near = outcome->iterations > 0 && miss <= solve->tolerance * first;
-    if (near && balance(solve, *n, 0.1)) return true;
+    if (near && balance(solve, 0.1)) return true;
     if (solve->tolerance > 0.0 && outcome->iterations == solve->cap) return false;
-    const double error = find_residual(solve, *n, slots);
-    if (error <= noise(solve, *n)) {
-      take_forces(solve, *n, false, slots);
+    const double error = find_residual(solve);
+    if (error <= rounding) {
+      take_law_forces(solve);
       return true;
     }
-    if (outcome->iterations == solve->cap) return false;
-    newton_step(solve, *n, slots);
+    if (outcome->iterations == solve->cap) {
+      product_of(solve, solve->wires, solve->force, solve->grid, solve->product);
+      follow(solve);
+      return false;
+    }
+    newton_step(solve);
     outcome->iterations++;
   }
 }
 
-/* A balance that failed in the last iteration may have moved the forces to where more rows touch than were
- * listed: what touches is listed anew. */
-static void remedy(TbSolve *solve, uint32_t *n, TbSolveOutcome *outcome) {
+/* Where Newton came to no end. */
+static void remedy(TbSolve *solve, TbSolveOutcome *outcome) {
   outcome->capped = true;
-  evaluate(solve, n);
-  if (balance(solve, *n, 0.5)) {
+  evaluate(solve);
+  if (balance(solve, 0.5)) {
     outcome->corrected = true;
-    book_losses(solve, *n, outcome);
+    book_losses(solve, outcome);
     return;
   }
   outcome->fallback = true;
-  majorant_step(solve, n, outcome);
+  majorant_step(solve, outcome);
+}
+
+static void start(TbSolve *solve) {
+  const size_t bytes = total_rows(solve) * sizeof(double);
+  memcpy(solve->previous, solve->force, bytes);
+  memcpy(solve->previous_product, solve->product, bytes);
+  memcpy(solve->previous_grid, solve->grid, solve->bed->size * sizeof(double));
+  follow(solve);
+  solve->wires = wires_touch(solve, solve->s);
+  if (solve->wires) return;
+  memset(solve->law_force, 0, bytes);
+  memset(solve->slope, 0, bytes);
+  memset(solve->mean, 0, bytes);
 }
 
 TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
-  const size_t bytes = total_rows(solve) * sizeof(double);
-  memset(solve->touch, 0, solve->stride / 8);
-  if (!anything_acts(solve)) {
+  if (!wires_touch(solve, solve->b) && !slots_act(solve)) {
     come_to_rest(solve);
     return outcome;
   }
   outcome.contact = true;
-  memcpy(solve->previous, solve->force, bytes);
-  memcpy(solve->previous_product, solve->product, bytes);
-  for (uint32_t i = 0; i < total_rows(solve); i++) solve->s[i] = solve->b[i] - solve->product[i];
-  uint32_t n = 0;
-  if (iterate(solve, &outcome, &n)) {
-    book_losses(solve, n, &outcome);
+  start(solve);
+  if (iterate(solve, &outcome)) {
+    book_losses(solve, &outcome);
   } else {
-    remedy(solve, &n, &outcome);
+    remedy(solve, &outcome);
   }
-  outcome.touching = count_touching(solve, n);
-  gather(solve, n, solve->force, solve->work);
-  tb_bed_contract(solve->bed, solve->kernels, &solve->blocks, solve->work, solve->scratch,
-                  solve->grid);
+  outcome.touching = count_touching(solve);
   return outcome;
 }

@@ -8,7 +8,7 @@
  *
  * Newton from a pair s, f~ with s = b - M f~ (at first f~ are the last sample's forces): with f = f(s),
  * r = M (f - f~) and slopes D, solve (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r by conjugate gradients;
- * then f~ = f + D^(1/2) p, s = b - M f~. Products with M go over touching blocks of 8 rows alone.
+ * then f~ = f + D^(1/2) p, s = b - M f~. Wire points take part from when one of them touches.
  *
  * With `tolerance` 0 this goes on until r is rounding noise, and the forces are the laws' own. Else
  * it ends when f(s) - f~ has fallen to that part of what it was at first, and f~ is moved along its
@@ -29,9 +29,8 @@
 #include "law.h"
 #include "tabor/tabor.h"
 
-/* Strikers and hands, then a muffler for each head; blocks of 8. */
+/* Strikers and hands, then a muffler for each head; a multiple of 8. */
 #define TB_SLOTS 16u
-#define TB_SLOT_BLOCKS (TB_SLOTS / 8u)
 
 /* Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of
  * which `slot_mask` tells the ones in play. Rows that stand for nothing have y far below 0 and no force:
@@ -54,18 +53,14 @@ typedef struct TbSolve {
   const double *b, *y;     /* [stride + TB_SLOTS] */
   double *s;               /* out */
   double *force, *product; /* f and M f: the last sample's on entry, this one's on return */
-  double *grid;            /* [bed size]: f on the grid, of this sample's forces on return */
-  /* Scratch: [stride + TB_SLOTS] */
-  double *previous, *previous_product;
-  double *row_y, *row_s, *law_force, *slope, *mean; /* of the blocks, as are all below */
-  double *residual, *direction, *turned, *weight, *solution, *work;
-  /* [bed size] */
-  double *response, *pushed, *answer;
-  double *scratch; /* [tb_bed_scratch] */
-  uint8_t *touch;  /* [stride/8] */
-  uint32_t *row,
-    *wire; /* [stride/8 + TB_SLOT_BLOCKS]: first row of each listed block, and its wire */
-  TbBlocks blocks;
+  double *grid;            /* [bed size]: f on the grid, likewise */
+  /* Scratch */
+  bool wires;                                          /* wire points take part */
+  double *previous, *previous_product, *previous_grid; /* the last sample's, as above */
+  double *law_force, *slope, *mean;                    /* [stride + TB_SLOTS], as are these: */
+  double *residual, *direction, *turned, *moved, *weight, *solution, *work;
+  double *pushed, *answer; /* [bed size] */
+  double *scratch;         /* [tb_bed_scratch] */
 } TbSolve;
 
 typedef struct TbSolveOutcome {

@@ -27,23 +27,19 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   size_t *const row_arrays[] = {&layout->head,      &layout->rest_load, &layout->own,
                                 &layout->b,         &layout->s,         &layout->force,
                                 &layout->product,   &layout->previous,  &layout->previous_product,
-                                &layout->row_y,     &layout->row_s,     &layout->law_force,
-                                &layout->slope,     &layout->mean,      &layout->residual,
-                                &layout->direction, &layout->turned,    &layout->weight,
-                                &layout->solution,  &layout->work};
+                                &layout->law_force, &layout->slope,     &layout->mean,
+                                &layout->residual,  &layout->direction, &layout->turned,
+                                &layout->moved,     &layout->weight,    &layout->solution,
+                                &layout->work};
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
-  size_t *const grid_arrays[] = {&layout->grid, &layout->change, &layout->response, &layout->pushed,
-                                 &layout->answer};
+  size_t *const grid_arrays[] = {&layout->grid, &layout->previous_grid, &layout->change,
+                                 &layout->pushed, &layout->answer};
   for (size_t i = 0; i < sizeof grid_arrays / sizeof *grid_arrays; i++) {
     *grid_arrays[i] = place(&total, bed->size);
   }
   layout->scratch = place(&total, tb_bed_scratch(bed));
-  size_t *const lists[] = {&layout->touch,       &layout->row,        &layout->wire,
-                           &layout->block_begin, &layout->block_wire, &layout->block_at,
-                           &layout->block_image};
-  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) *lists[i] = place(&total, rows / 8 + 1);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_groups = place(&total, TB_HIGH_GROUPS);
@@ -109,28 +105,20 @@ static TbSolve solve_at(TbState *state, const TaborModel *model) {
                    .grid = at(state, l->grid),
                    .previous = at(state, l->previous),
                    .previous_product = at(state, l->previous_product),
-                   .row_y = at(state, l->row_y),
-                   .row_s = at(state, l->row_s),
+                   .previous_grid = at(state, l->previous_grid),
                    .law_force = at(state, l->law_force),
                    .slope = at(state, l->slope),
                    .mean = at(state, l->mean),
                    .residual = at(state, l->residual),
                    .direction = at(state, l->direction),
                    .turned = at(state, l->turned),
+                   .moved = at(state, l->moved),
                    .weight = at(state, l->weight),
                    .solution = at(state, l->solution),
                    .work = at(state, l->work),
-                   .response = at(state, l->response),
                    .pushed = at(state, l->pushed),
                    .answer = at(state, l->answer),
-                   .scratch = at(state, l->scratch),
-                   .touch = (uint8_t *)at(state, l->touch),
-                   .row = (uint32_t *)(void *)at(state, l->row),
-                   .wire = (uint32_t *)(void *)at(state, l->wire),
-                   .blocks = {.begin = (uint32_t *)(void *)at(state, l->block_begin),
-                              .wire = (uint32_t *)(void *)at(state, l->block_wire),
-                              .at = (uint32_t *)(void *)at(state, l->block_at),
-                              .image = (uint32_t *)(void *)at(state, l->block_image)}};
+                   .scratch = at(state, l->scratch)};
 }
 
 TbView tb_view(TbState *state, const TaborModel *model) {

@@ -45,7 +45,7 @@ static void free_penetration(TbView *view) {
   _Alignas(64) double slots[TB_SLOTS];
   tb_project(&model->projection, kernels, view->next.q, view->change);
   tb_stretch_rest_load(view, slots);
-  tb_bed_expand(bed, kernels, &bed->all, view->change, view->solve.scratch, view->head);
+  tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
   for (uint32_t w = 0; w < wires->count; w++) {
     const uint32_t at = w * wires->lanes;
     kernels->penetrate(wires->lanes, wires->side, view->state->shift[w], view->head + at,

@@ -215,7 +215,7 @@ void tb_stretch_renew(TbView *view) {
   const uint32_t size = solve->bed->size;
   double *carry = view->stretch_carry, *rows = solve->work;
   take_stretch(view, carry);
-  tb_bed_expand(solve->bed, solve->kernels, &solve->bed->all, carry, solve->scratch, rows);
+  tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
   solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
   solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
 }

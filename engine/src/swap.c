@@ -135,7 +135,7 @@ static void eta_of_wires(TbView *view, TbPhase *phase) {
   const TbWires *wires = &model->wires;
   const TbBed *bed = &model->projection.bed;
   tb_project(&model->projection, model->kernels, phase->q, view->change);
-  tb_bed_expand(bed, model->kernels, &bed->all, view->change, view->solve.scratch, phase->eta);
+  tb_bed_expand(bed, model->kernels, view->change, view->solve.scratch, phase->eta);
   for (uint32_t row = 0; row < wires->stride; row++) {
     const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
     phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
@@ -185,6 +185,7 @@ static void carry_slots(const TbView *from, TbView *to) {
   if (!same) return;
   const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
   memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
+  memcpy(to->solve.grid, from->solve.grid, to->model->projection.bed.size * sizeof(double));
   memcpy(to->stretch_carry, from->stretch_carry, carried);
 }
 

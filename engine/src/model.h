@@ -35,12 +35,13 @@ typedef struct TbRest {
 
 /* What the heads' stretching needs, see stretch.h. */
 typedef struct TbStretch {
-  uint32_t count;    /* heads that stretch */
-  uint32_t from[5];  /* where the modes that count begin in each group (modes.h), */
-  uint32_t size[5];  /* ... and how many they are, a multiple of 8 */
-  double *gain[2];   /* [padded] G, diagonal, of each of them [1/kg] */
-  double factor[2];  /* S/2A [N/m3] */
-  double *gather[4]; /* of each group's modes that count: see projection.h */
+  uint32_t count;          /* heads that stretch */
+  uint32_t from[5];        /* where the modes that count begin in each group (modes.h), */
+  uint32_t size[5];        /* ... and how many they are, a multiple of 8 */
+  double *gain[2];         /* [padded] G, diagonal, of each of them [1/kg] */
+  double *pull[2];         /* [padded] g G */
+  double factor[2];        /* S/2A [N/m3] */
+  TbProjection projection; /* of the modes that count, groups alone and one way */
 } TbStretch;
 
 /* Where the arrays of a drum's state lie, in bytes from its start. */

@@ -74,9 +74,7 @@ static void respond(TbView *view, bool unchanged) {
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
   if (!unchanged) {
-    for (uint32_t i = 0; i < model->projection.bed.size; i++) {
-      view->change[i] = view->solve.grid[i] - model->rest.grid[i];
-    }
+    kernels->subtract(model->projection.bed.size, view->solve.grid, model->rest.grid, view->change);
     tb_project_forces(&model->projection, kernels, view->change, view->modal);
   }
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
@@ -128,9 +126,7 @@ static void gather_high(TbView *view) {
   const TbHighBand *high = &model->high;
   const TbWires *wires = &model->wires;
   double *change = view->solve.work;
-  for (uint32_t row = 0; row < wires->stride; row++) {
-    change[row] = view->solve.force[row] - model->rest.force[row];
-  }
+  model->kernels->subtract(wires->stride, view->solve.force, model->rest.force, change);
   uint32_t each = wires->stride; /* rows until the groups repeat */
   if (wires->aligned) {
     each = wires->lanes;

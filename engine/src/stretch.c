@@ -53,18 +53,34 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
   }
 }
 
-/* The part of the projection's tables that belongs to these modes. */
+/* The part of a group's table that belongs to these modes, signed as penetrations are, in the same
+ * precision. */
+static bool copy_table(TaborModel *model, uint32_t g) {
+  const TbProjectionGroup *group = &model->projection.group[g];
+  TbProjectionGroup *part = &model->stretch.projection.group[g];
+  *part = (TbProjectionGroup){.first = model->stretch.from[g],
+                              .modes = model->stretch.size[g],
+                              .first_point = group->first_point,
+                              .points = group->points};
+  const size_t count = (size_t)part->points * part->modes, row = 8u * (size_t)part->modes;
+  if (group->gather_single) {
+    part->gather_single = tb_arena_take(&model->arena, count, sizeof *part->gather_single);
+  } else {
+    part->gather = tb_arena_doubles(&model->arena, count);
+  }
+  if (model->arena.failed) return false;
+  for (size_t i = 0; i < count; i++) {
+    const double value = model->wires.side * group->gather[i / row * group->modes * 8u + i % row];
+    if (part->gather_single) part->gather_single[i] = (float)value;
+    if (part->gather) part->gather[i] = value;
+  }
+  return true;
+}
+
 static bool copy_tables(TaborModel *model) {
+  model->stretch.projection.groups = model->projection.groups;
   for (uint32_t g = 0; g < model->projection.groups; g++) {
-    const TbProjectionGroup *group = &model->projection.group[g];
-    const uint32_t size = model->stretch.size[g];
-    double *table = tb_arena_doubles(&model->arena, (size_t)group->points * size);
-    if (!table) return false;
-    for (uint32_t block = 0; block < group->points / 8; block++) {
-      memcpy(table + (size_t)block * size * 8, group->gather + (size_t)block * group->modes * 8,
-             (size_t)size * 8 * sizeof *table);
-    }
-    model->stretch.gather[g] = table;
+    if (!copy_table(model, g)) return false;
   }
   return true;
 }
@@ -77,9 +93,12 @@ TaborStatus tb_stretch_prepare(TaborModel *model) {
   for (uint32_t h = 0; h < model->head.heads; h++) {
     if (heads[h]->stretch_stiffness == 0.0) continue;
     double *gain = tb_arena_doubles(&model->arena, model->modes.padded);
-    if (!gain) return TABOR_ERROR_MEMORY;
+    double *pull = tb_arena_doubles(&model->arena, model->modes.padded);
+    if (!gain || !pull) return TABOR_ERROR_MEMORY;
     fill_gain(model, h, gain);
+    for (uint32_t i = 0; i < model->modes.padded; i++) pull[i] = model->modes.g[i] * gain[i];
     stretch->gain[stretch->count] = gain;
+    stretch->pull[stretch->count] = pull;
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
   if (stretch->count > 0 && !copy_tables(model)) return TABOR_ERROR_MEMORY;
@@ -111,23 +130,21 @@ static double dot(const TaborModel *model, const double *x, const double *y) {
   return sum;
 }
 
-/* y = G q, and what a unit of theta takes from the modes, g y P. */
+/* y = G q, and what it pulls at the modes, g y. */
 static void prepare_shapes(TbView *view) {
   const TbStretch *stretch = &view->model->stretch;
-  const double *gains = view->model->modes.g, *q = view->now.q;
-  for (uint32_t h = 0; h < stretch->count; h++) {
-    double *y = view->stretch_y[h], *pull = view->stretch_pull[h];
-    for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
-      const uint32_t from = stretch->from[group], to = from + stretch->size[group];
-      for (uint32_t i = from; i < to; i++) {
-        y[i] = stretch->gain[h][i] * q[i];
-        pull[i] = gains[i] * y[i] * stretch->factor[h];
-      }
+  const TbKernels *kernels = view->model->kernels;
+  for (uint32_t group = 0; group <= view->model->modes.groups; group++) {
+    const uint32_t from = stretch->from[group], size = stretch->size[group];
+    const double *q = view->now.q + from;
+    for (uint32_t h = 0; h < stretch->count; h++) {
+      kernels->product(size, view->stretch_y[h] + from, stretch->gain[h] + from, q);
+      kernels->product(size, view->stretch_pull[h] + from, stretch->pull[h] + from, q);
     }
   }
 }
 
-/* theta = S2 t/2; takes its pull from next.q. */
+/* theta = S2 t/2; takes what it pulls from next.q. */
 static void apply(TbView *view, const double t[2]) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
@@ -135,8 +152,8 @@ static void apply(TbView *view, const double t[2]) {
     const double theta = 0.5 * (view->stretch_s2[h][0] * t[0] + view->stretch_s2[h][1] * t[1]);
     for (uint32_t group = 0; group <= model->modes.groups; group++) {
       const uint32_t from = stretch->from[group];
-      model->kernels->add_scaled(stretch->size[group], view->next.q + from, -theta,
-                                 view->stretch_pull[h] + from);
+      model->kernels->add_scaled(stretch->size[group], view->next.q + from,
+                                 -theta * stretch->factor[h], view->stretch_pull[h] + from);
     }
   }
 }
@@ -144,17 +161,9 @@ static void apply(TbView *view, const double t[2]) {
 /* r = Y^T g Phi, Phi signed as penetrations are: on the grid under the wires, and at the slots. */
 static void prepare_rows(TbView *view) {
   const TaborModel *model = view->model;
-  const uint32_t size = model->projection.bed.size;
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    double *grid = view->solve.stretch_grid[h];
-    for (uint32_t g = 0; g < model->projection.groups; g++) {
-      const TbProjectionGroup *group = &model->projection.group[g];
-      model->kernels->multiply(group->points / 8, model->stretch.size[g], grid + group->first_point,
-                               model->stretch.gather[g],
-                               view->stretch_pull[h] + model->stretch.from[g]);
-    }
-    const double scale = model->wires.side / model->stretch.factor[h];
-    for (uint32_t i = 0; i < size; i++) grid[i] *= scale;
+    tb_project(&model->stretch.projection, model->kernels, view->stretch_pull[h],
+               view->solve.stretch_grid[h]);
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
       double *r = &view->solve.stretch_slots[h][slot];
       *r = 0.0;
@@ -173,7 +182,7 @@ void tb_stretch_free(TbView *view) {
   double a[2][2] = {{0.0}}, t[2] = {0.0};
   for (uint32_t h = 0; h < stretch->count; h++) {
     for (uint32_t l = 0; l < stretch->count; l++) {
-      a[h][l] = dot(model, view->stretch_y[h], view->stretch_pull[l]) / stretch->factor[l];
+      a[h][l] = dot(model, view->stretch_y[h], view->stretch_pull[l]);
     }
     t[h] =
       dot(model, view->stretch_y[h], view->next.q) + dot(model, view->stretch_y[h], view->last.q);

@@ -244,7 +244,8 @@ static const char notes[] =
   "The drum is played for 4 s: a stroke every 125 ms, at 1 and 4 m/s in turn, at 0, 0.2, 0.4, 0.6\n"
   "and 0.8 of the head's radius in turn, with the preset's striker and angle, heard by its first\n"
   "microphone. The real-time factor is processor time over the duration of the sound: below 1 the\n"
-  "drum can be played live. Times of blocks are processor times, of the fastest repeat.\n";
+  "drum can be played live. Times of blocks are processor times, of the fastest repeat.\n"
+  "\n" PRESET_NOTES;
 
 const Command bench_command = {
   .name = "bench",

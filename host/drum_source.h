@@ -9,7 +9,12 @@
 #include "options.h"
 
 /** The preset that is meant when none is given. */
-#define DEFAULT_PRESET "tabor"
+#define DEFAULT_PRESET "snare-14x5.5"
+
+/** What the help of a command says of its PRESET. */
+#define PRESET_NOTES                                                                               \
+  "PRESET is a name that 'tabor presets' lists, or a file: with a '/' in it, or ending in .ini.\n" \
+  "Without one it is " DEFAULT_PRESET ".\n"
 
 /** Rows of the option tables for what drum_load() and engine_options_read() read. */
 #define OPTION_SET                                                                                 \

@@ -25,18 +25,18 @@ modes=$(json modes)
 done_quietly modes frame-drum --quality draft --json
 holds "modes, copies apart" "$modes >= $(json modes.size) && $modes <= 2 * $(json modes.size)"
 
-done_quietly bench "${quick[@]}" --json
-same "the default preset" tabor "$(json preset)"
+done_quietly bench tabor "${quick[@]}" --json
 holds "its string touches" "$(json contacts.points) > 10 && $(json contacts.mean) > 0 && \
   $(json contacts.max) >= $(json contacts.mean) && \
   $(json contacts.max) <= $(json contacts.points) + 8" # and strikers do
 facts="$(json contacts.mean) $(json contacts.max)"
-done_quietly bench --quality draft --repeat 3 --json --block 1000
+done_quietly bench tabor --quality draft --repeat 3 --json --block 1000
 same "contacts depend neither on blocks nor repeats" "$facts" \
   "$(json contacts.mean) $(json contacts.max)"
 same "the block" 1000 "$(json block)"
 done_quietly bench --quality draft --rate 44100 --repeat 1 --json --set wires.count=0
 same "rate and --set" "44100 0" "$(json rate) $(json contacts.points)"
+same "the default preset" snare-14x5.5 "$(json preset)"
 done_quietly bench frame-drum --set quality.level=draft --repeat 1 --json
 same "the drum's quality" draft "$(json quality)"
 done_quietly bench frame-drum --quality live --repeat 1

@@ -12,7 +12,6 @@
 #include "command.h"
 #include "drum_source.h"
 #include "json_output.h"
-#include "number.h"
 
 /* The workload: strokes so dense that the drum never falls asleep. */
 #define DURATION 4.0   /* [s] */
@@ -54,18 +53,6 @@ static void prepare_strokes(Bench *bench) {
   }
 }
 
-static Outcome create_drum(Bench *bench) {
-  TaborModel *model = NULL;
-  TaborError error;
-  if (tabor_model_create(&bench->def, &bench->model_options, &model, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
-  tabor_model_info(model, &bench->info);
-  const TaborStatus status = tabor_drum_create(model, &bench->drum, &error);
-  tabor_model_release(model); /* the drum keeps its own reference */
-  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
-}
-
 static Outcome prepare(Bench *bench) {
   bench->frames = (uint32_t)lround(DURATION * bench->model_options.sample_rate);
   bench->blocks = (bench->frames + bench->block - 1) / bench->block;
@@ -75,7 +62,9 @@ static Outcome prepare(Bench *bench) {
   bench->best_sum = bench->best_idle = INFINITY;
   if (!bench->sound || !bench->times || !bench->best) return fail_memory();
   prepare_strokes(bench);
-  return create_drum(bench);
+  const Outcome outcome = drum_create(&bench->def, &bench->model_options, &bench->drum);
+  if (outcome == OUTCOME_OK) tabor_model_info(tabor_drum_model(bench->drum), &bench->info);
+  return outcome;
 }
 
 static double processor_time(void) {
@@ -203,24 +192,15 @@ static Outcome print_table(const Bench *bench, const Figures *figures) {
 
 /* ---- the command ---- */
 
-/* Reads a whole number, if option @p name was given. */
-static Outcome read_count(const Arguments *arguments, const char *name, const NumberField *field,
-                          uint32_t *count) {
-  const char *const text = arguments_value(arguments, name);
-  double number = *count;
-  const Outcome outcome = text ? number_read(field, text, &number) : OUTCOME_OK;
-  *count = (uint32_t)number;
-  return outcome;
-}
-
 static Outcome read_request(const Arguments *arguments, Bench *bench) {
-  static const NumberField block = {"--block", 1, LONGEST_BLOCK, true};
-  static const NumberField repeat = {"--repeat", 1, 1000, true};
+  static const NumberField block_field = {"--block", 1, LONGEST_BLOCK, true};
+  static const NumberField repeat_field = {"--repeat", 1, 1000, true};
+  double block = 64, repeats = 5;
+  Outcome outcome = arguments_number(arguments, &block_field, &block);
+  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &repeat_field, &repeats);
   bench->preset = preset_argument(arguments);
-  bench->block = 64;
-  bench->repeats = 5;
-  Outcome outcome = read_count(arguments, "block", &block, &bench->block);
-  if (outcome == OUTCOME_OK) outcome = read_count(arguments, "repeat", &repeat, &bench->repeats);
+  bench->block = (uint32_t)block;
+  bench->repeats = (uint32_t)repeats;
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &bench->def);
   if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &bench->model_options);
   return outcome;

@@ -9,7 +9,6 @@
 
 #include "command.h"
 #include "json_output.h"
-#include "number.h"
 #include "partials.h"
 #include "recording.h"
 
@@ -30,12 +29,6 @@ static double t60(const Partial *partial) {
 
 /* ---- the request ---- */
 
-/* Reads option "--NAME" of a field named so, if it was given. */
-static Outcome read_option(const Arguments *arguments, const NumberField *field, double *number) {
-  const char *const text = arguments_value(arguments, field->name + 2);
-  return text ? number_read(field, text, number) : OUTCOME_OK;
-}
-
 static Outcome read_request(const Arguments *arguments, Analysis *analysis) {
   double channel = 1, from = 0, to = INFINITY, count = 10, level = -120;
   const struct {
@@ -48,7 +41,7 @@ static Outcome read_request(const Arguments *arguments, Analysis *analysis) {
   };
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; i < sizeof options / sizeof options[0] && outcome == OUTCOME_OK; i++) {
-    outcome = read_option(arguments, &options[i].field, options[i].number);
+    outcome = arguments_number(arguments, &options[i].field, options[i].number);
   }
   if (outcome != OUTCOME_OK) return outcome;
   if (!arguments->operand || !*arguments->operand) return refuse("analyze needs a sound file");

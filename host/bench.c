@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file bench.c
- * `tabor bench`: how much processor time a drum takes while it is played without a pause.
+ * `tabor bench`: how much processor time a drum takes while it is played without a pause, and while
+ * it sleeps.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +12,6 @@
 #include "command.h"
 #include "drum_source.h"
 #include "json_output.h"
-#include "number.h"
 
 /* The workload: strokes so dense that the drum never falls asleep. */
 #define DURATION 4.0   /* [s] */
@@ -34,6 +34,7 @@ typedef struct Bench {
   double *times, *best;       /* processor time of each block [s]; of the fastest repeat, sorted */
   uint32_t blocks, frames;    /* of a repeat */
   double best_sum;            /* [s] */
+  double best_idle;           /* the least that as many blocks took a sleeping drum [s] */
   TaborStatistics statistics; /* the same in every repeat */
 } Bench;
 
@@ -52,28 +53,18 @@ static void prepare_strokes(Bench *bench) {
   }
 }
 
-static Outcome create_drum(Bench *bench) {
-  TaborModel *model = NULL;
-  TaborError error;
-  if (tabor_model_create(&bench->def, &bench->model_options, &model, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
-  tabor_model_info(model, &bench->info);
-  const TaborStatus status = tabor_drum_create(model, &bench->drum, &error);
-  tabor_model_release(model); /* the drum keeps its own reference */
-  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
-}
-
 static Outcome prepare(Bench *bench) {
   bench->frames = (uint32_t)lround(DURATION * bench->model_options.sample_rate);
   bench->blocks = (bench->frames + bench->block - 1) / bench->block;
   bench->sound = calloc(bench->block, sizeof *bench->sound);
   bench->times = calloc(bench->blocks, sizeof *bench->times);
   bench->best = calloc(bench->blocks, sizeof *bench->best);
-  bench->best_sum = INFINITY;
+  bench->best_sum = bench->best_idle = INFINITY;
   if (!bench->sound || !bench->times || !bench->best) return fail_memory();
   prepare_strokes(bench);
-  return create_drum(bench);
+  const Outcome outcome = drum_create(&bench->def, &bench->model_options, &bench->drum);
+  if (outcome == OUTCOME_OK) tabor_model_info(tabor_drum_model(bench->drum), &bench->info);
+  return outcome;
 }
 
 static double processor_time(void) {
@@ -114,6 +105,17 @@ static void play(Bench *bench) {
   bench->times = spare;
 }
 
+/* Leaves the drum at rest for as long; a block would be too short for the clock. */
+static void rest(Bench *bench) {
+  float *outputs[TABOR_MAX_MICS] = {bench->sound};
+  tabor_drum_reset(bench->drum);
+  const double before = processor_time();
+  for (uint32_t i = 0; i < bench->blocks; i++) {
+    tabor_drum_process(bench->drum, NULL, 0, outputs, bench->block);
+  }
+  bench->best_idle = fmin(bench->best_idle, processor_time() - before);
+}
+
 static int compare_times(const void *left, const void *right) {
   const double a = *(const double *)left, b = *(const double *)right;
   return a < b ? -1 : a > b;
@@ -122,7 +124,8 @@ static int compare_times(const void *left, const void *right) {
 /* ---- the figures ---- */
 
 typedef struct Figures {
-  double real_time_factor, median, p99, max; /* of blocks [us] */
+  double real_time_factor, idle_factor;
+  double median, p99, max; /* of blocks [us] */
   double contacts_mean;
 } Figures;
 
@@ -133,10 +136,11 @@ static double quantile(const Bench *bench, double share) {
 
 static Figures summarise(const Bench *bench) {
   const TaborStatistics *const statistics = &bench->statistics;
-  const double solves = (double)statistics->solves;
+  const double solves = (double)statistics->solves, rate = bench->model_options.sample_rate;
   qsort(bench->best, bench->blocks, sizeof *bench->best, compare_times);
   return (Figures){
-    .real_time_factor = bench->best_sum * bench->model_options.sample_rate / bench->frames,
+    .real_time_factor = bench->best_sum * rate / bench->frames,
+    .idle_factor = bench->best_idle * rate / ((double)bench->blocks * bench->block),
     .median = 1e6 * quantile(bench, 0.5),
     .p99 = 1e6 * quantile(bench, 0.99),
     .max = 1e6 * quantile(bench, 1),
@@ -151,12 +155,12 @@ static Outcome print_json(const Bench *bench, const Figures *figures) {
   json_t *const contacts = json_pack(
     "{s:I, s:o, s:I}", "points", (json_int_t)bench->info.contact_points, "mean",
     json_number(figures->contacts_mean), "max", (json_int_t)bench->statistics.contact_max);
-  return json_print(
-    json_pack("{s:o, s:I, s:I, s:s, s:o, s:o, s:I, s:o}", "preset", json_text(bench->preset),
-              "rate", (json_int_t)bench->model_options.sample_rate, "block",
-              (json_int_t)bench->block, "quality", quality_name(bench->info.quality),
-              "real_time_factor", json_number(figures->real_time_factor), "block_time_us",
-              block_time, "modes", (json_int_t)bench->info.mode_count, "contacts", contacts));
+  return json_print(json_pack(
+    "{s:o, s:I, s:I, s:s, s:o, s:o, s:o, s:I, s:o}", "preset", json_text(bench->preset), "rate",
+    (json_int_t)bench->model_options.sample_rate, "block", (json_int_t)bench->block, "quality",
+    quality_name(bench->info.quality), "real_time_factor", json_number(figures->real_time_factor),
+    "idle_factor", json_number(figures->idle_factor), "block_time_us", block_time, "modes",
+    (json_int_t)bench->info.mode_count, "contacts", contacts));
 }
 
 static void print_row(const char *name, const char *value) { printf("%-18s %s\n", name, value); }
@@ -172,6 +176,8 @@ static Outcome print_table(const Bench *bench, const Figures *figures) {
   print_row("quality", quality_name(bench->info.quality));
   (void)snprintf(text, sizeof text, "%.4f", figures->real_time_factor);
   print_row("real-time factor", text);
+  (void)snprintf(text, sizeof text, "%.6f", figures->idle_factor);
+  print_row("idle factor", text);
   (void)snprintf(text, sizeof text, "median %.1f us, 99 %% below %.1f us, at most %.1f us",
                  figures->median, figures->p99, figures->max);
   print_row("block time", text);
@@ -186,24 +192,15 @@ static Outcome print_table(const Bench *bench, const Figures *figures) {
 
 /* ---- the command ---- */
 
-/* Reads a whole number, if option @p name was given. */
-static Outcome read_count(const Arguments *arguments, const char *name, const NumberField *field,
-                          uint32_t *count) {
-  const char *const text = arguments_value(arguments, name);
-  double number = *count;
-  const Outcome outcome = text ? number_read(field, text, &number) : OUTCOME_OK;
-  *count = (uint32_t)number;
-  return outcome;
-}
-
 static Outcome read_request(const Arguments *arguments, Bench *bench) {
-  static const NumberField block = {"--block", 1, LONGEST_BLOCK, true};
-  static const NumberField repeat = {"--repeat", 1, 1000, true};
+  static const NumberField block_field = {"--block", 1, LONGEST_BLOCK, true};
+  static const NumberField repeat_field = {"--repeat", 1, 1000, true};
+  double block = 64, repeats = 5;
+  Outcome outcome = arguments_number(arguments, &block_field, &block);
+  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &repeat_field, &repeats);
   bench->preset = preset_argument(arguments);
-  bench->block = 64;
-  bench->repeats = 5;
-  Outcome outcome = read_count(arguments, "block", &block, &bench->block);
-  if (outcome == OUTCOME_OK) outcome = read_count(arguments, "repeat", &repeat, &bench->repeats);
+  bench->block = (uint32_t)block;
+  bench->repeats = (uint32_t)repeats;
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &bench->def);
   if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &bench->model_options);
   return outcome;
@@ -213,7 +210,10 @@ static Outcome measure(const Arguments *arguments, Bench *bench) {
   Outcome outcome = read_request(arguments, bench);
   if (outcome == OUTCOME_OK) outcome = prepare(bench);
   if (outcome != OUTCOME_OK) return outcome;
-  for (uint32_t i = 0; i < bench->repeats; i++) play(bench);
+  for (uint32_t i = 0; i < bench->repeats; i++) {
+    play(bench);
+    rest(bench);
+  }
   const Figures figures = summarise(bench);
   return arguments_has(arguments, "json") ? print_json(bench, &figures)
                                           : print_table(bench, &figures);
@@ -244,7 +244,9 @@ static const char notes[] =
   "The drum is played for 4 s: a stroke every 125 ms, at 1 and 4 m/s in turn, at 0, 0.2, 0.4, 0.6\n"
   "and 0.8 of the head's radius in turn, with the preset's striker and angle, heard by its first\n"
   "microphone. The real-time factor is processor time over the duration of the sound: below 1 the\n"
-  "drum can be played live. Times of blocks are processor times, of the fastest repeat.\n";
+  "drum can be played live. Times of blocks are processor times, of the fastest repeat. The idle\n"
+  "factor is the real-time factor of the drum at rest, asleep, as it is once it has died away.\n"
+  "\n" PRESET_NOTES;
 
 const Command bench_command = {
   .name = "bench",

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
 #include "preset_file.h"
 #include "suggest.h"
 
@@ -151,12 +150,22 @@ Outcome model_options_read(const Arguments *arguments, TaborModelOptions *option
   static const NumberField rate = {"--rate", 22050, 192000, true};
   tabor_model_options_default(options);
   options->quality = TABOR_QUALITY_DEFAULT; /* what the definition says */
-  const char *const rate_text = arguments_value(arguments, "rate");
   const char *const quality_text = arguments_value(arguments, "quality");
-  Outcome outcome = OUTCOME_OK;
-  if (rate_text) outcome = number_read(&rate, rate_text, &options->sample_rate);
+  Outcome outcome = arguments_number(arguments, &rate, &options->sample_rate);
   if (outcome == OUTCOME_OK && quality_text) {
     outcome = quality_read(quality_text, &options->quality);
   }
   return outcome;
+}
+
+Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum) {
+  TaborModel *model = NULL;
+  TaborError error;
+  *drum = NULL;
+  if (tabor_model_create(def, options, &model, &error) != TABOR_OK) {
+    return report_engine_error(&error);
+  }
+  const TaborStatus status = tabor_drum_create(model, drum, &error);
+  tabor_model_release(model); /* the drum keeps its own reference */
+  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
 }

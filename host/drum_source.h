@@ -9,9 +9,14 @@
 #include "options.h"
 
 /** The preset that is meant when none is given. */
-#define DEFAULT_PRESET "tabor"
+#define DEFAULT_PRESET "snare-14x5.5"
 
-/** Rows of the option tables for what drum_load() and engine_options_read() read. */
+/** What the help of a command says of its PRESET. */
+#define PRESET_NOTES                                                                               \
+  "PRESET is a name that 'tabor presets' lists, or a file: with a '/' in it, or ending in .ini.\n" \
+  "Without one it is " DEFAULT_PRESET ".\n"
+
+/** Rows of the option tables for what drum_load() and model_options_read() read. */
 #define OPTION_SET                                                                                 \
   { "set", 0, "KEY=VALUE", "change a parameter of the drum (repeatable)" }
 #define OPTION_RATE                                                                                \
@@ -33,5 +38,7 @@ Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
 Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
 /** "live" and the like for a TaborQuality that is not the default. */
 const char *quality_name(uint32_t quality);
+/** Builds a model and a drum of it. On an error *drum is NULL. */
+Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
 
 #endif

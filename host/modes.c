@@ -75,6 +75,7 @@ const Command modes_command = {
   .name = "modes",
   .operand = "[PRESET]",
   .summary = "List the modes of a drum: frequency, decay, multiplicity",
+  .notes = PRESET_NOTES,
   .options = options,
   .run = run,
 };

@@ -164,3 +164,8 @@ const char *arguments_value(const Arguments *arguments, const char *name) {
   while ((value = arguments_next(arguments, name, &position)) != NULL) last = value;
   return last;
 }
+
+Outcome arguments_number(const Arguments *arguments, const NumberField *field, double *value) {
+  const char *const text = arguments_value(arguments, field->name + strlen("--"));
+  return text ? number_read(field, text, value) : OUTCOME_OK;
+}

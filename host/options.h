@@ -10,7 +10,7 @@
 #ifndef TABOR_HOST_OPTIONS_H
 #define TABOR_HOST_OPTIONS_H
 
-#include "message.h"
+#include "number.h"
 
 /** One row of a table of options; tables end with a row without a name. */
 typedef struct Option {
@@ -55,6 +55,8 @@ void arguments_free(Arguments *arguments);
 bool arguments_has(const Arguments *arguments, const char *name);
 /** Value of the last option @p name, or NULL. */
 const char *arguments_value(const Arguments *arguments, const char *name);
+/** Reads that as a number: the option is @p field's name, "--rate". Not given, *value stays. */
+Outcome arguments_number(const Arguments *arguments, const NumberField *field, double *value);
 /** Value of the next option @p name from *position on, which moves behind it; NULL at the end. */
 const char *arguments_next(const Arguments *arguments, const char *name, size_t *position);
 

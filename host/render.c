@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "drum_source.h"
 #include "render_report.h"
 #include "ring_out.h"
 #include "sound_files.h"
@@ -197,9 +198,7 @@ static const char notes[] =
   "Any of the fields above, midi too, in any order; empty fields are the preset's. Lines may come\n"
   "in any order of time; those that begin with '#' are comments. Further --events and --strike\n"
   "add to them.\n"
-  "\n"
-  "PRESET is a name that 'tabor presets' lists, or a file:\n"
-  "with a '/' in it, or ending in .ini. 'tabor show' lists the keys for --set.\n";
+  "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
 
 const Command render_command = {
   .name = "render",

@@ -33,11 +33,10 @@ const Option render_options[] = {
 
 static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--gain", -120, 120, false};
-  const char *const text = arguments_value(arguments, "gain");
-  const Outcome outcome = text ? number_read(&field, text, &request->gain_db) : OUTCOME_OK;
+  const Outcome outcome = arguments_number(arguments, &field, &request->gain_db);
   request->gain = pow(10, request->gain_db / 20);
   request->normalize = arguments_has(arguments, "normalize");
-  if (outcome == OUTCOME_OK && text && request->normalize) {
+  if (outcome == OUTCOME_OK && request->normalize && arguments_has(arguments, "gain")) {
     return refuse("--gain and --normalize: both would set the level");
   }
   return outcome;

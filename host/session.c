@@ -4,21 +4,10 @@
 #include <math.h>
 #include <time.h>
 
-static Outcome create_drum(Session *session) {
-  const RenderRequest *const request = session->request;
-  TaborModel *model = NULL;
-  TaborError error;
-  if (tabor_model_create(&request->def, &request->model, &model, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
-  const TaborStatus status = tabor_drum_create(model, &session->drum, &error);
-  tabor_model_release(model); /* the drum keeps its own reference */
-  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
-}
+#include "drum_source.h"
 
 Outcome session_open(Session *session, RenderRequest *request) {
   session->request = request;
-  session->drum = NULL;
   session->next_event = 0;
   session->position = 0;
   session->peak = session->computing = 0;
@@ -27,7 +16,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
     const uint32_t mic = request->mics[channel];
     session->outputs[mic] = session->planar[mic];
   }
-  return create_drum(session);
+  return drum_create(&request->def, &request->model, &session->drum);
 }
 
 static double processor_time(void) {

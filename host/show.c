@@ -158,6 +158,7 @@ const Command show_command = {
   .name = "show",
   .operand = "[PRESET]",
   .summary = "Print a drum's parameters as a preset file",
+  .notes = PRESET_NOTES,
   .options = options,
   .run = run,
 };

@@ -7,7 +7,8 @@
 quick=(--quality draft --repeat 1)
 
 done_quietly bench frame-drum "${quick[@]}" --json
-same "keys" "preset rate block quality real_time_factor block_time_us modes contacts" "$(json keys)"
+same "keys" "preset rate block quality real_time_factor idle_factor block_time_us modes contacts" \
+  "$(json keys)"
 same "keys of the block time" "median p99 max" "$(json block_time_us.keys)"
 same "keys of the contacts" "points mean max" "$(json contacts.keys)"
 same "facts" "frame-drum 48000 64 draft" \
@@ -15,6 +16,7 @@ same "facts" "frame-drum 48000 64 draft" \
 same "no wires, no points" 0 "$(json contacts.points)"
 holds "only the striker touches" "$(json contacts.mean) <= 1 && $(json contacts.max) == 1"
 holds "real time" "$(json real_time_factor) > 0"
+holds "asleep it takes next to nothing" "$(json idle_factor) > 0 && $(json idle_factor) < 0.01"
 holds "block times" "$(json block_time_us.median) > 0 && \
   $(json block_time_us.median) <= $(json block_time_us.p99) && \
   $(json block_time_us.p99) <= $(json block_time_us.max)"
@@ -25,22 +27,23 @@ modes=$(json modes)
 done_quietly modes frame-drum --quality draft --json
 holds "modes, copies apart" "$modes >= $(json modes.size) && $modes <= 2 * $(json modes.size)"
 
-done_quietly bench "${quick[@]}" --json
-same "the default preset" tabor "$(json preset)"
+done_quietly bench tabor "${quick[@]}" --json
 holds "its string touches" "$(json contacts.points) > 10 && $(json contacts.mean) > 0 && \
   $(json contacts.max) >= $(json contacts.mean) && \
   $(json contacts.max) <= $(json contacts.points) + 8" # and strikers do
 facts="$(json contacts.mean) $(json contacts.max)"
-done_quietly bench --quality draft --repeat 3 --json --block 1000
+done_quietly bench tabor --quality draft --repeat 3 --json --block 1000
 same "contacts depend neither on blocks nor repeats" "$facts" \
   "$(json contacts.mean) $(json contacts.max)"
 same "the block" 1000 "$(json block)"
 done_quietly bench --quality draft --rate 44100 --repeat 1 --json --set wires.count=0
 same "rate and --set" "44100 0" "$(json rate) $(json contacts.points)"
+same "the default preset" snare-14x5.5 "$(json preset)"
 done_quietly bench frame-drum --set quality.level=draft --repeat 1 --json
 same "the drum's quality" draft "$(json quality)"
 done_quietly bench frame-drum --quality live --repeat 1
 check "a table" grep -qE '^real-time factor +[0-9.]+$' "$out"
+check "and idle" grep -qE '^idle factor +0\.[0-9]+$' "$out"
 check "with the quality" grep -qE '^quality +live$' "$out"
 done_quietly show frame-drum
 cp "$out" drum.ini

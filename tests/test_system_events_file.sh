@@ -4,7 +4,7 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-short=(-q --quality draft --duration 0.3 --format float)
+short=(tabor -q --quality draft --duration 0.3 --format float)
 
 # render_events NAME ARGUMENT...: renders strokes.csv without a word.
 render_events() {
@@ -86,7 +86,7 @@ render_events events.wav --events second.csv
 same_sound "with a second --events" both.wav events.wav
 
 { echo time && for ((i = 0; i < 100000; i++)); do echo "0.$((i % 10))"; done; } >strokes.csv
-run render -q --quality draft --duration 1 --events strokes.csv -o many.wav
+run render tabor -q --quality draft --duration 1 --events strokes.csv -o many.wav
 same "100,000 strokes" 0 "$status"
 echo 0 >>strokes.csv
 refused "strokes.csv:100002: too many strokes; allowed: up to 100000" render --events strokes.csv

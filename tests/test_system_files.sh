@@ -4,8 +4,8 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-short=(-q --quality draft --duration 0.05)
-long=(-q --quality draft --duration 3600 --rate 192000)
+short=(tabor -q --quality draft --duration 0.05)
+long=(tabor -q --quality draft --duration 3600 --rate 192000)
 
 # no_leftovers WHAT: no temporary file is in the folder.
 no_leftovers() { same "leftovers after $1" '' "$(find . -name '.tabor*')"; }
@@ -77,7 +77,7 @@ if [ "$(id -u)" != 0 ]; then
 fi
 
 # A file that appears while the drum plays is not overwritten either.
-"$TABOR" render -q -n --duration 5 --quality draft -o late.wav 2>"$err" &
+"$TABOR" render tabor -q -n --duration 5 --quality draft -o late.wav 2>"$err" &
 child=$!
 check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
 echo first >late.wav
@@ -96,8 +96,8 @@ ln -s /dev/full full.flac
 failed "No space left" render "${short[@]}" -o full.wav
 failed "No space left" render "${short[@]}" -o full.flac
 failed "No space left" render "${short[@]}" -o kept.wav --trace /dev/full
-for data in "render ${short[*]} -o -" "render --quality draft --duration 0.05 --json -o json.wav" presets \
-  "presets --json" show "show --json" "modes --quality draft" "modes --json --quality draft" --help "render --help" --version; do
+for data in "render ${short[*]} -o -" "render tabor --quality draft --duration 0.05 --json -o json.wav" presets \
+  "presets --json" show "show --json" "modes tabor --quality draft" "modes tabor --json --quality draft" --help "render --help" --version; do
   # shellcheck disable=SC2086
   "$TABOR" $data >/dev/full 2>"$err"
   status=$?
@@ -123,14 +123,14 @@ limited() {
   expect_error 1 "File too large"
   same "folder after: $*" "$before" "$(snapshot)"
 }
-limited render -q --quality draft --duration 1 -o new.wav
-limited render -q --quality draft --duration 1 -o brand-new.wav
-limited render -q --quality draft --duration 1 -o new.au
-limited render -q --quality draft --duration 1 -o new.flac --format pcm24 --gain 20
-limited render -q --quality draft --duration 0.01 --format pcm16 -o ok.wav --trace new.csv
-limited render -q --quality draft --duration 1 --format float -o /dev/null
-limited render -q --quality draft --duration 1 --normalize -o new.wav
-limited render -q --quality draft --duration 1 --split -o new.wav
+limited render tabor -q --quality draft --duration 1 -o new.wav
+limited render tabor -q --quality draft --duration 1 -o brand-new.wav
+limited render tabor -q --quality draft --duration 1 -o new.au
+limited render tabor -q --quality draft --duration 1 -o new.flac --format pcm24 --gain 20
+limited render tabor -q --quality draft --duration 0.01 --format pcm16 -o ok.wav --trace new.csv
+limited render tabor -q --quality draft --duration 1 --format float -o /dev/null
+limited render tabor -q --quality draft --duration 1 --normalize -o new.wav
+limited render tabor -q --quality draft --duration 1 --split -o new.wav
 
 # Every single write may be the one that fails, the last one of the header too.
 # traced OPTION... -- ARGUMENT...: runs the program under strace.
@@ -158,13 +158,13 @@ fi
 # A reader that leaves early ends the program with an error, not with a signal.
 mkfifo gone.au
 head -c 100 gone.au >/dev/null &
-run render -q --quality draft --duration 2 -o gone.au
+run render tabor -q --quality draft --duration 2 -o gone.au
 wait
 expect_error 1 "Broken pipe"
-"$TABOR" render -q --quality draft --duration 2 -o - 2>"$err" | head -c 100 >/dev/null
+"$TABOR" render tabor -q --quality draft --duration 2 -o - 2>"$err" | head -c 100 >/dev/null
 status=${PIPESTATUS[0]}
 same "a stream that nobody reads any more" "141 " "$status $(cat "$err")"
-for data in "render ${short[*]} -o -" presets "presets --json" show "modes --quality draft" --help; do
+for data in "render ${short[*]} -o -" presets "presets --json" show "modes tabor --quality draft" --help; do
   # shellcheck disable=SC2086
   (sleep 0.2 && exec "$TABOR" $data) 2>"$err" | true
   same "nobody reads: $data" "141 " "${PIPESTATUS[0]} $(cat "$err")"
@@ -230,7 +230,7 @@ wait $child
 same "status while it waits for a reader" 143 $?
 sleep 5 >pipe.au <pipe.au & # somebody who does not read either
 holder=$!
-"$TABOR" render -q --quality draft --duration 60 -o pipe.au 2>"$err" &
+"$TABOR" render tabor -q --quality draft --duration 60 -o pipe.au 2>"$err" &
 child=$!
 sleep 0.5
 kill -INT $child

@@ -5,7 +5,7 @@
 docs=$(cd "$(dirname "$0")/../docs" && pwd)
 . "$(dirname "$0")/host_checks.sh"
 
-done_quietly show
+done_quietly show tabor
 cp "$out" good.ini
 
 # bad PATTERN: the preset bad.ini is refused by every command.
@@ -138,7 +138,7 @@ cp mine.ini presets/mine
 done_quietly show presets/mine
 check "a '/' means a file" grep -q '^tension = 2345 ' "$out"
 done_quietly render mine.ini -q --quality draft -o mine.wav --duration 0.05
-done_quietly render -q --quality draft --set batter.tension=2345 -o set.wav --duration 0.05
+done_quietly render tabor -q --quality draft --set batter.tension=2345 -o set.wav --duration 0.05
 check "file and --set give the same sound" cmp -s mine.wav set.wav
 { sed 's/^height = -.*/height = -0.3/' good.ini && printf '[resonant]\ntension = 2100\n'; } >two.ini
 done_quietly show two.ini

@@ -6,14 +6,16 @@
 
 # What takes time is done at draft quality unless quality matters.
 quick=(--quality draft)
-short=(-q "${quick[@]}" --duration 0.1)
+short=(tabor -q "${quick[@]}" --duration 0.1)
 
-# sound NAME ARGUMENT...: renders without a word.
-sound() {
-  local name=$1
-  shift
-  done_quietly render -q "${quick[@]}" "$@" -o "$name"
+# sound_of PRESET NAME ARGUMENT...: renders without a word.
+sound_of() {
+  local preset=$1 name=$2
+  shift 2
+  done_quietly render "$preset" -q "${quick[@]}" "$@" -o "$name"
 }
+# sound NAME ARGUMENT...: the same of a drum with wires that takes little time.
+sound() { sound_of tabor "$@"; }
 # brief NAME ARGUMENT...: the same for 0.1 s.
 brief() { sound "$@" --duration 0.1; }
 described() { same "what $1 is" "$2" "$("$INSPECT" sound "$1")"; }
@@ -55,6 +57,17 @@ presets=()
 for ((i = 0; i < rows; i++)); do presets+=("$(json "presets.$i.name")"); done
 check "tabor is a preset" grep -qw tabor <<<"${presets[*]}"
 
+# ---- the drum that is meant when none is named ----
+
+done_quietly render "${quick[@]}" --duration 0.02 --json -o unnamed.wav
+same "the default preset" snare-14x5.5 "$(json preset)"
+done_quietly show
+same "that show prints" snare-14x5.5 "$(setting name)"
+for command in render show modes bench; do
+  check "the help of $command names it" \
+    eval "'$TABOR' $command --help | grep -qx 'Without one it is snare-14x5.5.'"
+done
+
 # ---- show ----
 
 for preset in "${presets[@]}"; do
@@ -64,15 +77,15 @@ for preset in "${presets[@]}"; do
   same "no line of $preset too long" 0 "$(grep -cE '^.{199}' shown.ini)"
   done_quietly show ./shown.ini
   same_bytes "$preset reads back" shown.ini "$out"
-  sound a.wav "$preset" --duration 0.05
-  sound b.wav ./shown.ini --duration 0.05
+  sound_of "$preset" a.wav --duration 0.05
+  sound_of ./shown.ini b.wav --duration 0.05
   same_bytes "$preset sounds the same from its file" a.wav b.wav
 done
 done_quietly show --set shell.radius=0.2 --set batter.tension=1234.5 --set=shell.radius=0.21
 same "the last --set counts" 0.21 "$(setting radius | head -n 1)"
 same "all of them" 1234.5 "$(setting tension | head -n 1)"
 check "unit and text" grep -qE '^tension = 1234.5 +; \[N/m\] [a-z]' "$out"
-done_quietly show --set drum.name=Mine
+done_quietly show tabor --set drum.name=Mine
 { cat "$out" && printf '[mic.extra]\nheight = 0.5\n[striker.other]\nmass = 0.02\n'; } >more.ini
 done_quietly show more.ini
 check "a new microphone" grep -qx '\[mic.extra\]' "$out"
@@ -128,7 +141,7 @@ same "no decay, no t60" null "$(json modes.0.t60)"
 
 # ---- the facts of a rendering ----
 
-done_quietly render "${quick[@]}" --json --duration 0.5 -o facts.wav --rate 44100 --mic top --mic top
+done_quietly render tabor "${quick[@]}" --json --duration 0.5 -o facts.wav --rate 44100 --mic top --mic top
 same "keys" "preset rate frames channels peak real_time_factor newton energy output trace" "$(json keys)"
 same "keys of newton" "mean max capped" "$(json newton.keys)"
 same "keys of energy" "injected control stored head_loss wire_loss contact_loss damper_loss \
@@ -145,16 +158,16 @@ holds "the ledger" "($(json energy.injected) + $(json energy.control) - $(json e
   - $(json energy.head_loss) - $(json energy.wire_loss) - $(json energy.contact_loss) \
   - $(json energy.damper_loss) - $(json energy.shell_loss) - $(json energy.radiated) \
   - $(json energy.removed) - $(json energy.residual))^2 < (1e-9 * $(json energy.injected))^2"
-run render "${quick[@]}" --duration 0.05 -o talk.wav
+run render tabor "${quick[@]}" --duration 0.05 -o talk.wav
 same "status" 0 "$status"
 check "a line about it" grep -q '^talk.wav: tabor, 0.05 s, 48000 Hz, 1 channel, peak ' "$err"
 same "nothing else" "1 0" "$(wc -l <"$err") $(wc -c <"$out")"
-run render "${quick[@]}" --duration 0.05 -v -o talk.wav
+run render tabor "${quick[@]}" --duration 0.05 -v -o talk.wav
 check "more" grep -q 'energy in J' "$err"
 check "one wire is no wires" grep -q ', 1 wire with ' "$err"
-done_quietly render "${quick[@]}" --json --duration 0.02 -o facts.wav --trace facts.csv
+done_quietly render tabor "${quick[@]}" --json --duration 0.02 -o facts.wav --trace facts.csv
 same "the trace's name" facts.csv "$(json trace)"
-run render "${quick[@]}" --duration 0.05 --json -o talk.wav
+run render tabor "${quick[@]}" --duration 0.05 --json -o talk.wav
 same "JSON alone" 0 "$(wc -c <"$err")"
 
 # ---- formats and rates ----
@@ -209,7 +222,7 @@ holds "90 dB below the largest energy" "$last <= 1e-9 * $most || $frames == 20 *
 sound later.wav --format float --strike time=3
 same "the same length from the last stroke on" "0" "$((($("$INSPECT" sound later.wav |
   cut -d ' ' -f 5) - 144000 - frames) / 257))"
-done_quietly render -q "${quick[@]}" --set batter.damping_0=1000 --strike time=0 -o dead.wav
+done_quietly render tabor -q "${quick[@]}" --set batter.damping_0=1000 --strike time=0 -o dead.wav
 holds "half a second at least" "$("$INSPECT" sound dead.wav | cut -d ' ' -f 5) >= 24000"
 
 ringing=(render frame-drum --quality draft --set air.density=0 --set batter.damping_0=0 \
@@ -220,12 +233,12 @@ same "in one line" "2 0" "$(wc -l <"$err") $status"
 run "${ringing[@]}" --duration 1
 same "unless it was asked for" 1 "$(wc -l <"$err")"
 done_quietly "${ringing[@]}" -q
-run render "${quick[@]}" --set batter.damping_0=100 -o dead.wav
+run render tabor "${quick[@]}" --set batter.damping_0=100 -o dead.wav
 same "nor where it has died away" 1 "$(wc -l <"$err")"
 
 # ---- strokes ----
 
-done_quietly show
+done_quietly show tabor
 radius=$(setting radius | head -n 1)
 holds "radius" "$radius >= 0.05"
 sound none.wav --duration 0.2 --format float
@@ -259,9 +272,9 @@ differ "--set is heard" plain.wav tight.wav
 brief draft.wav --quality draft
 brief studio.wav --quality studio
 differ "--quality is heard" draft.wav studio.wav
-done_quietly render -q --duration 0.1 -o default.wav
+done_quietly render tabor -q --duration 0.1 -o default.wav
 same_bytes "studio is the default" studio.wav default.wav
-done_quietly render -q --duration 0.1 -o key.wav --set quality.level=draft
+done_quietly render tabor -q --duration 0.1 -o key.wav --set quality.level=draft
 same_bytes "unless the drum says otherwise" draft.wav key.wav
 strokes=()
 for ((i = 0; i < 10000; i++)); do strokes+=(--strike "time=0.$((i % 10))"); done
@@ -304,7 +317,7 @@ same "seven fields a row" 12001 "$(awk -F, 'NF == 7' t.csv | wc -l)"
 same "times" 0 "$(awk -F, 'NR > 1 && ($1 * 48000 - NR + 1)^2 > 1e-12' t.csv | wc -l)"
 same "only numbers" 0 "$(tail -n +2 t.csv | grep -cvE '^[-+0-9.e,]*$')"
 check "the stick pushes" eval "awk -F, '\$5 > 0.1' t.csv | grep -q ."
-sound f.wav frame-drum --duration 0.02 --trace f.csv
+sound_of frame-drum f.wav --duration 0.02 --trace f.csv
 same "no wire, no fields" 0 "$(awk -F, 'NR > 1 && ($3 != "" || $6 != "")' f.csv | wc -l)"
 
 finish

@@ -52,7 +52,7 @@ for gain in -121 120.1 1e300; do
   refused "--gain '$gain'.*allowed" render --gain $gain
 done
 # The tabor's lower microphone stands where a closed shell would be.
-refused "mic.bottom.height = -0.12: the microphone would be inside the shell" show --set shell.boundary=closed
+refused "mic.bottom.height = -0.12: the microphone would be inside the shell" show tabor --set shell.boundary=closed
 for radius in 0 -1 0.04 0.61 1e300; do
   refused "shell.radius" render --set shell.radius=$radius
   refused "shell.radius" show --set shell.radius=$radius
@@ -70,10 +70,10 @@ for command in render show modes bench; do
   refused "KEY=VALUE" $command --set =3000
   refused "KEY=VALUE" $command --set ''
   refused "shell.boundary" $command --set shell.boundary=leather
-  refused "wires.head = resonant: the drum has no resonant head" $command --set wires.head=resonant
+  refused "wires.head = resonant: the drum has no resonant head" $command tabor --set wires.head=resonant
   refused "resonant.tension" $command --set resonant.tensoin=2000
-  refused "shell.boundary = closed is for a single head" $command --set resonant.tension=2000 \
-    --set shell.boundary=closed --set mic.bottom.height=-0.2
+  refused "shell.boundary = closed is for a single head" $command tabor \
+    --set resonant.tension=2000 --set shell.boundary=closed --set mic.bottom.height=-0.2
   refused "wires.count" $command --set wires.count=1.5
   refused "wires.count" $command --set wires.count=41
   refused "wires.count" $command --set wires.count=-1
@@ -86,9 +86,9 @@ for command in render show modes bench; do
 done
 refused "--mic 'tpo'.*did you mean 'top'" render --mic tpo
 refused "--mic ''" render --mic ''
-refused "--mic 'nosuch': .*; there are: top, bottom, far$" render --mic nosuch
-refused "no striker 'foo'; there are: striker.stick$" show --set striker.foo.mass=1
-refused "no microphone 'nosuch'; there are: mic.top, mic.bottom, mic.far$" show --set mic.nosuch.gain=1
+refused "--mic 'nosuch': .*; there are: top, bottom, far$" render tabor --mic nosuch
+refused "no striker 'foo'; there are: striker.stick$" show tabor --set striker.foo.mass=1
+refused "no microphone 'nosuch'; there are: mic.top, mic.bottom, mic.far$" show tabor --set mic.nosuch.gain=1
 for text in nan x '' 1e; do
   refused "batter.tension = '$text' is not a number from 100 to 20000 N/m" show --set "batter.tension=$text"
 done
@@ -129,7 +129,7 @@ for midi in 0 128 1.5 -3 nan; do
 done
 refused "striker 'stik'.*did you mean 'stick'" render --strike striker=stik
 refused "striker ''" render --strike striker=
-refused "striker 'foo': the drum has no such striker; there are: stick$" render --strike striker=foo
+refused "striker 'foo': the drum has no such striker; there are: stick$" render tabor --strike striker=foo
 refused "technique 'foo': unknown; allowed: normal$" render --strike technique=foo
 for technique in rimshot cross-stick rim buzz sweep; do
   refused "technique '$technique': not in this version" render --strike technique=$technique
@@ -203,7 +203,7 @@ refused "new" render -o $'new\nline.mp3'
 
 # ---- what is right after all ----
 
-run render -o b.wav --duration 0.01 --strike time=0.0099 --rate 22050 -q
+run render tabor -o b.wav --duration 0.01 --strike time=0.0099 --rate 22050 -q
 same "stroke just inside" 0 "$status"
 
 finish

@@ -4,7 +4,7 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-short=(-q --quality draft --duration 0.2)
+short=(tabor -q --quality draft --duration 0.2)
 files() { find . -mindepth 1 -printf '%P\n' | sort | tr '\n' ' '; }
 peak() { "$INSPECT" peak "$1"; }
 
@@ -30,7 +30,7 @@ done_quietly render "${short[@]}" --split --json -o x.wav
 same "names as JSON" "3 x-top.wav x-bottom.wav x-far.wav" \
   "$(json output.size) $(json output.0) $(json output.1) $(json output.2)"
 same "channels of all" 3 "$(json channels)"
-run render --quality draft --duration 0.2 --split -o x.wav
+run render tabor --quality draft --duration 0.2 --split -o x.wav
 check "a line about them" \
   grep -q '^x-top.wav ... x-far.wav: tabor, 0.20 s, 48000 Hz, 3 channels, peak' "$err"
 done_quietly render "${short[@]}" --split --trace x.csv -o x.wav
@@ -62,7 +62,7 @@ rm -f take-far.wav
 failed "No such file" render "${short[@]}" --split -o missing/take.wav
 
 # What appears while the drum plays stays, and the others do not come then either.
-"$TABOR" render -q -n --duration 5 --quality draft --split -o late.wav 2>"$err" &
+"$TABOR" render tabor -q -n --duration 5 --quality draft --split -o late.wav 2>"$err" &
 child=$!
 check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
 echo first >late-far.wav
@@ -78,7 +78,7 @@ rm -rf ./*
 mkdir old
 for mic in top bottom; do echo "old $mic" >late-$mic.wav; done
 ln late-top.wav second-name.wav
-"$TABOR" render -q --duration 5 --quality draft --split -o late.wav --trace late.csv 2>"$err" &
+"$TABOR" render tabor -q --duration 5 --quality draft --split -o late.wav --trace late.csv 2>"$err" &
 child=$!
 check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
 mkdir late-far.wav
@@ -98,7 +98,7 @@ same "with nothing left over" "late-bottom.wav late-far.wav late-top.wav old sec
 rm -rf ./*
 mkdir sub
 echo old >take.wav
-"$TABOR" render -q --duration 5 --quality draft -o take.wav --trace sub/t.csv 2>"$err" &
+"$TABOR" render tabor -q --duration 5 --quality draft -o take.wav --trace sub/t.csv 2>"$err" &
 child=$!
 check "rendering has begun" wait_for eval 'ls sub/.tabor-* >/dev/null 2>&1'
 mv sub gone
@@ -139,14 +139,14 @@ done_quietly render "${short[@]}" --normalize --trace loud.csv -o loud.wav
 same "with a trace" 9601 "$(wc -l <loud.csv)"
 done_quietly render "${short[@]}" --normalize --json -o loud.wav
 holds "the peak that it has" "($(json peak) - 10^(-1 / 20))^2 < 1e-14"
-done_quietly render --quality draft -q --normalize -o ring.wav
+done_quietly render tabor --quality draft -q --normalize -o ring.wav
 frames=$("$INSPECT" sound ring.wav)
-done_quietly render --quality draft -q -o ring.wav
+done_quietly render tabor --quality draft -q -o ring.wav
 same "the same length" "$frames" "$("$INSPECT" sound ring.wav)"
 "$TABOR" render "${short[@]}" --normalize -o - >stream.au
 "$TABOR" render "${short[@]}" --normalize -o file.au
 check "as a stream" cmp -s stream.au file.au
-run render --quality draft --duration 0.2 --normalize -v -o loud.wav
+run render tabor --quality draft --duration 0.2 --normalize -v -o loud.wav
 check "the gain is told" grep -qE '^normalized by [+-][0-9.]+ dB$' "$err"
 run render "${short[@]}" --normalize --set mic.top.gain=0 -o silent.wav
 same "silence stays" "0 0" "$status $(peak silent.wav)"

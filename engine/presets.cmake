@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The built-in presets: files of presets/ compiled into the library, in the order in which they are
-# listed. The first is the default. Sets TABOR_PRESET_SOURCE, the generated table, and adds it to tabor.
+# listed. Sets TABOR_PRESET_SOURCE, the generated table, and adds it to tabor.
 
 set(TABOR_PRESETS
     tabor

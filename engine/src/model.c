@@ -37,7 +37,7 @@ static const double TOP_OF_HEARING = 0.42;
 
 /* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
  * than half the head's shortest wavelength. */
-static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {32, 32, 24, 48, 128};
+static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
 
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);

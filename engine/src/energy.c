@@ -124,7 +124,7 @@ TbLosses tb_losses(const TbView *view) {
         ->losses(modes->padded, modes->loss_shell, modes->loss_shell, view->next.q, view->last.q)
         .first;
   }
-  for (uint32_t w = 0; w < model->wires.count; w++) {
+  for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) {
     const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
     const TbPair sums =
       model->kernels->wire_losses(model->wires.lanes, view->next.v + at, view->last.v + at);

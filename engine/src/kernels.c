@@ -83,6 +83,14 @@ static void multiply_single(uint32_t blocks, uint32_t n, double *out, const floa
   for (; b < blocks; b++) single_blocks(1, n, out + 8 * b, matrix + b * block, x);
 }
 
+static double reach(uint32_t n, const double *c, const double *x) {
+  Lanes sum = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    sum = add(sum, multiply_lanes(load(c + i), size_of(load(x + i))));
+  }
+  return join(sum);
+}
+
 static double dot(uint32_t n, const double *x, const double *y) {
   Lanes sum = zero();
   for (uint32_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
@@ -536,6 +544,7 @@ const TbKernels TB_KERNELS = {
   .two_step = two_step,
   .multiply = multiply,
   .multiply_single = multiply_single,
+  .reach = reach,
   .dot = dot,
   .add_scaled = add_scaled,
   .add_product = add_product,

@@ -26,6 +26,8 @@ typedef struct TbKernels {
   /* The same with a matrix of single precision, summed in double. */
   void (*multiply_single)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                           const double *x);
+  /* Sum c |x| */
+  double (*reach)(uint32_t n, const double *c, const double *x);
   /* Sum x y */
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */

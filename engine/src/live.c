@@ -2,6 +2,7 @@
 #include "live.h"
 
 #include "energy.h"
+#include "lift.h"
 #include "params.h"
 #include "slots.h"
 #include "stretch.h"
@@ -126,6 +127,7 @@ void tb_live_step(TbView *view) {
   bool pending = false;
   for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) pending |= live[i].left > 0;
   if (!pending) return;
+  tb_lift_end(view);
   const double before = tb_energy_stored(view, &view->now, &view->last);
   for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) advance(&live[i], i == TB_LIVE_TENSION);
   tb_slots_muffle(view);

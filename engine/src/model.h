@@ -67,6 +67,7 @@ struct TaborModel {
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
+  double *reach;                     /* [modes padded] see lift.h */
   const TbKernels *kernels;          /* for this processor */
   TbHead head;
   TbWires wires;

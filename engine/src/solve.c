@@ -64,7 +64,11 @@ static void product_of(const TbSolve *solve, bool wires, const double *x, double
   }
   push_slots(solve, grid, x + solve->stride, solve->answer, slots);
   tb_solve_stretch(solve, grid, x + solve->stride, solve->answer, slots);
-  tb_bed_expand(solve->bed, solve->kernels, solve->answer, solve->scratch, out);
+  if (solve->lifted) {
+    memset(out, 0, solve->stride * sizeof(double));
+  } else {
+    tb_bed_expand(solve->bed, solve->kernels, solve->answer, solve->scratch, out);
+  }
   solve->kernels->add_product(total_rows(solve), out, solve->own, x);
 }
 

@@ -89,6 +89,7 @@ static TbSolve solve_at(TbState *state, const TaborModel *model) {
                    .compliance = &model->compliance,
                    .stride = model->wires.stride,
                    .slot_mask = state->slot_mask,
+                   .lifted = state->lifted != 0,
                    .cap = model->newton_cap,
                    .inner_cap = model->inner_cap,
                    .tolerance = model->tolerance,

@@ -54,6 +54,8 @@ typedef struct TbState {
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
   uint32_t slot_mask;
+  uint32_t lifted;   /* wires hang clear of the head: see lift.h */
+  double gap;        /* ... by this at least [m] */
   uint32_t airborne; /* nothing touched in the last step: `modal` and `high_force` hold for this */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];

@@ -6,6 +6,7 @@
 
 #include "energy.h"
 #include "guard.h"
+#include "lift.h"
 #include "live.h"
 #include "slots.h"
 #include "stretch.h"
@@ -33,16 +34,15 @@ static void free_motion(TbView *view) {
   const TbModes *modes = &model->modes;
   model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
                            view->last.q);
-  for (uint32_t w = 0; w < model->wires.count; w++) free_wire(view, w);
+  for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) free_wire(view, w);
 }
 
-/* b = change of penetration over two steps without contact forces, with the rest load. */
-static void free_penetration(TbView *view) {
+/* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
+static void free_wires(TbView *view, double *slots) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   const TbKernels *kernels = model->kernels;
   const TbBed *bed = &model->projection.bed;
-  _Alignas(64) double slots[TB_SLOTS];
   tb_project(&model->projection, kernels, view->next.q, view->change);
   tb_stretch_rest_load(view, slots);
   tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
@@ -52,9 +52,17 @@ static void free_penetration(TbView *view) {
                        view->next.v + at + TB_WIRE_FRONT, model->rest.eta + at, view->last.eta + at,
                        view->rest_load + at, view->b + at);
   }
+}
+
+/* ... and of all. */
+static void free_penetration(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbKernels *kernels = model->kernels;
+  _Alignas(64) double slots[TB_SLOTS] = {0.0};
+  if (!view->state->lifted) free_wires(view, slots);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
-    const uint32_t row = wires->stride + i;
+    const uint32_t row = model->wires.stride + i;
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
     const bool striker = view->state->slots[i].kind == TB_SLOT_STRIKER;
     const double eta = striker ? head - tb_slots_free_height(view, i) : head;
@@ -62,14 +70,13 @@ static void free_penetration(TbView *view) {
   }
 }
 
-/* Adds what the contact forces do to the free motion in view->next; `unchanged` if they are those of the
- * last step. */
-static void respond(TbView *view, bool unchanged) {
+/* Adds what the contact forces do to the free motion in view->next, `unchanged` if they are those of the
+ * last step: of the wires, */
+static void respond_to_wires(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
-  const TbWires *wires = &model->wires;
   const TbModes *modes = &model->modes;
   const TbKernels *kernels = model->kernels;
-  const uint32_t stride = wires->stride;
+  const uint32_t stride = model->wires.stride;
   const double *force = view->solve.force;
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
@@ -78,6 +85,16 @@ static void respond(TbView *view, bool unchanged) {
     tb_project_forces(&model->projection, kernels, view->change, view->modal);
   }
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
+}
+
+/* ... and of all. */
+static void respond(TbView *view, bool unchanged) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = model->wires.stride;
+  const double *force = view->solve.force;
+  if (!view->state->lifted) respond_to_wires(view, unchanged);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
@@ -150,7 +167,7 @@ static void drive_high(TbView *view, bool unchanged) {
   kernels->two_step(high->padded, view->next.high, high->a, view->now.high, high->b,
                     view->last.high);
   const double *force = view->solve.force;
-  if (model->wires.count > 0) {
+  if (model->wires.count > 0 && !view->state->lifted) {
     if (!unchanged) gather_high(view);
     const uint32_t from = high->begin[model->wires.head];
     kernels->add_scaled(high->begin[model->wires.head + 1] - from, view->next.high + from, 1.0,
@@ -207,6 +224,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   view->state->clock++;
   tb_view_rotate(view);
   tb_slots_retire(view);
+  tb_lift_follow(view);
 }
 
 /* ---- housekeeping --------------------------------------------------------------------------- */
@@ -292,6 +310,7 @@ void tb_step_housekeeping(TbView *view) {
     return;
   }
   clear_vanished(view);
+  tb_lift_begin(view);
   const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) && !parameter_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);

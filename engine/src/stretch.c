@@ -162,8 +162,10 @@ static void apply(TbView *view, const double t[2]) {
 static void prepare_rows(TbView *view) {
   const TaborModel *model = view->model;
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    tb_project(&model->stretch.projection, model->kernels, view->stretch_pull[h],
-               view->solve.stretch_grid[h]);
+    if (!view->state->lifted) {
+      tb_project(&model->stretch.projection, model->kernels, view->stretch_pull[h],
+                 view->solve.stretch_grid[h]);
+    }
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
       double *r = &view->solve.stretch_slots[h][slot];
       *r = 0.0;
@@ -205,7 +207,7 @@ void tb_stretch_rest_load(TbView *view, double *slots) {
   const TaborModel *model = view->model;
   TbSolve *solve = &view->solve;
   for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
-  if (solve->stretch_count == 0 || model->wires.count == 0) return;
+  if (solve->stretch_count == 0 || model->wires.count == 0 || view->state->lifted) return;
   const uint32_t size = model->projection.bed.size;
   for (uint32_t i = 0; i < size; i++) solve->answer[i] = 0.0;
   tb_solve_stretch(solve, model->rest.grid, none, solve->answer, slots);
@@ -220,7 +222,7 @@ static void take_stretch(TbView *view, double *carry) {
 
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->state->airborne) return;
+  if (solve->stretch_count == 0 || view->state->airborne || view->state->lifted) return;
   const uint32_t size = solve->bed->size;
   double *carry = view->stretch_carry, *rows = solve->work;
   take_stretch(view, carry);

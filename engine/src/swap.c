@@ -14,6 +14,7 @@
 #include "drum.h"
 #include "drum_memory.h"
 #include "energy.h"
+#include "lift.h"
 #include "live.h"
 #include "slots.h"
 #include "step.h"
@@ -130,18 +131,6 @@ static void carry_live(const TbView *from, TbView *to) {
   }
 }
 
-static void eta_of_wires(TbView *view, TbPhase *phase) {
-  const TaborModel *model = view->model;
-  const TbWires *wires = &model->wires;
-  const TbBed *bed = &model->projection.bed;
-  tb_project(&model->projection, model->kernels, phase->q, view->change);
-  tb_bed_expand(bed, model->kernels, view->change, view->solve.scratch, phase->eta);
-  for (uint32_t row = 0; row < wires->stride; row++) {
-    const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
-    phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
-  }
-}
-
 /* Penetrations follow from displacements; where nothing changed they are the same to the bit. */
 static void carry_contacts(const TbView *from, TbView *to) {
   const uint32_t stride = to->model->wires.stride;
@@ -150,10 +139,13 @@ static void carry_contacts(const TbView *from, TbView *to) {
     memcpy(to->now.eta, from->now.eta, bytes);
     memcpy(to->last.eta, from->last.eta, bytes);
     memcpy(to->solve.force, from->solve.force, bytes);
+    to->state->lifted = from->state->lifted;
+    to->state->gap = from->state->gap;
+    to->solve.lifted = from->solve.lifted;
     return;
   }
-  eta_of_wires(to, &to->now);
-  eta_of_wires(to, &to->last);
+  tb_lift_penetrations(to, &to->now);
+  tb_lift_penetrations(to, &to->last);
 }
 
 static void carry_slots(const TbView *from, TbView *to) {

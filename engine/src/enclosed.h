@@ -3,8 +3,7 @@
  *
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
- *   cavity: friction and heat conduction at its walls, 2 s_c per coordinate, with Kirchhoff's boundary
- *     layers s_c = (1/R + 1/L) sqrt(nu omega_c/2) (1 + (gamma - 1)/sqrt(Pr)) [FletcherRossing];
+ *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
  *   outside: the radiation resistance of both heads in free space at the mode's frequency (air.h).
  * Set-up only. */
 #ifndef TB_ENCLOSED_H

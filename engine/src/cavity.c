@@ -53,7 +53,8 @@ static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
   return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-/* An order has a dozen coordinates on any snare drum; a deep shell under a tense head would have thousands. */
+/* A floor tom's order has 60 coordinates, a deep shell under a tense head would have thousands. Where this
+ * bites, the lowest orders end first and the highest not at all, so that together they fade out. */
 enum { MOST_COORDINATES = 128 };
 
 static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
@@ -68,7 +69,7 @@ static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double 
 
 static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
   uint32_t total = keep_below(order, cavity, top);
-  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.9);
+  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.97);
   order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {

@@ -8,6 +8,10 @@ static const double PI = 3.14159265358979323846;
 /* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
  * in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
 static const double COORDINATES = 24.0;
+/* ... and between two heads at least to this many times the highest frequency of all modes: air that rings
+ * up to somewhere below would end there with an edge that is seen and heard. A kettle is a bowl, not the
+ * cylinder that stands for it here, and its higher modes are not those of one. */
+static const double MARGIN = 1.1;
 /* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
 static const double CAVITY_BASIS = 2.0;
 /* A mode of which less than this part of the energy moves a head is not heard or felt. */
@@ -54,6 +58,60 @@ static double first_frequency(const TbCoupled *drum) {
   }
   return slowest;
 }
+
+static double highest_coordinate(const TbCoupled *drum, double limit) {
+  const double near = COORDINATES * first_frequency(drum);
+  return drum->cavity.heads == 2 ? fmax(near, MARGIN * limit) : near;
+}
+
+/* ---- how many modes there are ---------------------------------------------------------------- */
+
+/* Of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie below the zero z. */
+static double head_modes_below(const TbCoupled *drum, const TaborHeadDef *head, double omega) {
+  double lo = 0.0, hi = 1000.0;
+  for (int i = 0; i < 50; i++) {
+    const double z = 0.5 * (lo + hi), wavenumber = z / drum->cavity.radius;
+    const double mass = head->surface_density + 2.0 * drum->outside / wavenumber;
+    if (tb_head_stiffness(head, wavenumber) < omega * omega * mass) {
+      lo = z;
+    } else {
+      hi = z;
+    }
+  }
+  return fmax(0.0, 0.25 * lo * lo - 0.5 * lo);
+}
+
+/* Weyl's count for rigid walls, V k^3/(6 pi^2) + S k^2/(16 pi) [Kuttruff]. */
+static double cavity_modes_below(const TbCavity *cavity, double omega) {
+  const double k = omega / cavity->sound_speed, area = PI * cavity->radius * cavity->radius;
+  const double surface = 2.0 * area + 2.0 * PI * cavity->radius * cavity->depth;
+  return k * k * (area * cavity->depth * k / (6.0 * PI * PI) + surface / (16.0 * PI));
+}
+
+/* The numbers are right to 1 %: so many fit. */
+static const double FITTING = 0.99 * TB_MAX_MODES;
+
+static double modes_below(const TbCoupled *drum, double omega) {
+  return head_modes_below(drum, drum->heads[0], omega) +
+         head_modes_below(drum, drum->heads[1], omega) + cavity_modes_below(&drum->cavity, omega);
+}
+
+double tb_enclosed_limit(const TaborDrumDef *def, double limit) {
+  const TbCoupled drum = coupled_of(def);
+  if (drum.cavity.heads < 2 || modes_below(&drum, limit) <= FITTING) return limit;
+  double lo = 0.0, hi = limit;
+  for (int i = 0; i < 50; i++) {
+    const double middle = 0.5 * (lo + hi);
+    if (modes_below(&drum, middle) <= FITTING) {
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  return lo;
+}
+
+/* ---- one mode -------------------------------------------------------------------------------- */
 
 /* What a mode's parts carry: masses of the heads themselves, and their loss, v^T C v. */
 typedef struct Parts {
@@ -170,13 +228,14 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
 }
 
 TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                              const TbAirOrder *air, double limit, TbHeadOrder *order,
+                              const TbAirOrder *air, double wish, TbHeadOrder *order,
                               TbHeadMode *modes, uint32_t room) {
+  const double limit = tb_enclosed_limit(def, wish);
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               COORDINATES * first_frequency(&e.drum))) {
+                               highest_coordinate(&e.drum, limit))) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_coupled_size(&e.cavity, &e.drum, air);

@@ -96,13 +96,13 @@ static double modes_below(const TbCoupled *drum, double omega) {
          head_modes_below(drum, drum->heads[1], omega) + cavity_modes_below(&drum->cavity, omega);
 }
 
-double tb_enclosed_limit(const TaborDrumDef *def, double limit) {
+double tb_enclosed_bandwidth(const TaborDrumDef *def, double bandwidth) {
   const TbCoupled drum = coupled_of(def);
-  if (drum.cavity.heads < 2 || modes_below(&drum, limit) <= FITTING) return limit;
-  double lo = 0.0, hi = limit;
+  if (modes_below(&drum, 2.0 * PI * bandwidth) <= FITTING) return bandwidth;
+  double lo = 0.0, hi = bandwidth;
   for (int i = 0; i < 50; i++) {
     const double middle = 0.5 * (lo + hi);
-    if (modes_below(&drum, middle) <= FITTING) {
+    if (modes_below(&drum, 2.0 * PI * middle) <= FITTING) {
       lo = middle;
     } else {
       hi = middle;
@@ -228,9 +228,8 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
 }
 
 TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                              const TbAirOrder *air, double wish, TbHeadOrder *order,
+                              const TbAirOrder *air, double limit, TbHeadOrder *order,
                               TbHeadMode *modes, uint32_t room) {
-  const double limit = tb_enclosed_limit(def, wish);
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];

@@ -18,13 +18,13 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
 
-/* The highest frequency [rad/s] up to `limit` below which two heads and the air between them have no more
- * than TB_MAX_MODES modes, by their asymptotic numbers; `limit` itself with one head. */
-double tb_enclosed_limit(const TaborDrumDef *def, double limit);
+/* The highest frequency [Hz] up to `bandwidth` below which two heads and the air between them have no more
+ * than TB_MAX_MODES modes, by their asymptotic numbers. */
+double tb_enclosed_bandwidth(const TaborDrumDef *def, double bandwidth);
 
-/* As tb_single_order(), but up to tb_enclosed_limit() at most. */
+/* As tb_single_order(). */
 TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                              const TbAirOrder *air, double wish, TbHeadOrder *order,
+                              const TbAirOrder *air, double limit, TbHeadOrder *order,
                               TbHeadMode *modes, uint32_t room);
 
 #endif

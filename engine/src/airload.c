@@ -9,7 +9,9 @@
 static const double PI = 3.14159265358979323846;
 
 static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5}; /* two wavelengths */
-static const TbAirPrecision FINE = {.digits = 6.0, .panel = 15.0};
+/* For drums, whose resistance is itself an interpolation: parts down to 60 dB below the loudest are right to
+ * 0.1 dB, resistances to 1e-4 of the damping. */
+static const TbAirPrecision FINE = {.digits = 4.5, .panel = 17.5};
 static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
 
 /* ---- the open head ----------------------------------------------------------------------------- */

@@ -7,6 +7,9 @@
 
 static const double PI = 3.14159265358979323846;
 
+static const double KINEMATIC_VISCOSITY = 1.5e-5; /* nu of air [m2/s] */
+static const double PRANDTL = 0.71, GAMMA = 1.4;  /* of air */
+
 static double azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
 
 /* ---- z' ------------------------------------------------------------------------------------- */
@@ -50,8 +53,9 @@ static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
   return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-/* An order has a dozen coordinates on any snare drum; a deep shell under a tense head would have thousands. */
-static const uint32_t MOST_COORDINATES = 128;
+/* A floor tom's order has 60 coordinates, a deep shell under a tense head would have thousands. Where this
+ * bites, the lowest orders end first and the highest not at all, so that together they fade out. */
+enum { MOST_COORDINATES = 128 };
 
 static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
   uint32_t total = 0;
@@ -65,7 +69,7 @@ static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double 
 
 static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
   uint32_t total = keep_below(order, cavity, top);
-  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.9);
+  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.97);
   order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {
@@ -87,6 +91,7 @@ bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavit
   double *nodes = tb_arena_doubles(&scratch, room);
   const uint32_t count = nodes ? tb_bessel_zeros(m, top_zero, nodes, room) : 0;
   order->zeros = tb_arena_doubles(arena, count);
+  order->edges = tb_arena_doubles(arena, count);
   order->norms = tb_arena_doubles(arena, count);
   order->kept = tb_arena_take(arena, count, sizeof *order->kept);
   const bool failed = scratch.failed || arena->failed;
@@ -96,6 +101,7 @@ bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavit
   for (uint32_t p = 0; p < count; p++) {
     const double zero = order->zeros[p], j = tb_bessel_j(m, zero);
     const double ratio = zero > 0.0 ? (double)m / zero : 0.0;
+    order->edges[p] = j;
     order->norms[p] = 0.5 * (1.0 - ratio * ratio) * j * j;
   }
   return list_modes(order, arena, cavity, top);
@@ -124,7 +130,7 @@ static void radial_mass(const TbCavityOrder *order, const TbCavity *cavity, uint
 
 /* S_i/(a_m R^2) = W_i(z') for every Bessel function of a head; z' never equals a z_i. */
 static void openings(const TbCavityOrder *order, const TbAirOrder *air, uint32_t p, double *s) {
-  const double zero = order->zeros[p], j = tb_bessel_j(order->m, zero);
+  const double zero = order->zeros[p], j = order->edges[p];
   for (uint32_t i = 0; i < air->count; i++) {
     const double z = air->zeros[i];
     s[i] = z * air->slopes[i] * j / (z * z - zero * zero);
@@ -149,13 +155,20 @@ static void add_heads(const TbCavity *cavity, uint32_t size, double *matrix, uin
   }
 }
 
+/* N_c */
+static double mode_norm(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                        uint32_t l) {
+  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
+  return area * cavity->depth * (l ? 0.5 : 1.0) * order->norms[p];
+}
+
 /* Stiffness of one mode: rho0 c0^2/N_c between the heads and, unless it is the spring, its own. */
 static void add_mode(const TbCavityOrder *order, const TbCavity *cavity, uint32_t n, uint32_t p,
                      uint32_t l, double omega, uint32_t index, uint32_t size, const double *s,
                      double *mass, double *stiffness) {
   const double area = azimuth(order->m) * cavity->radius * cavity->radius;
-  const double norm = area * cavity->depth * (l ? 0.5 : 1.0) * order->norms[p];
-  const double spring = cavity->density * cavity->sound_speed * cavity->sound_speed / norm;
+  const double spring =
+    cavity->density * cavity->sound_speed * cavity->sound_speed / mode_norm(order, cavity, p, l);
   const double upper = l % 2 ? -1.0 : 1.0;
   add_heads(cavity, size, stiffness, n, spring * area * area, upper * spring * area * area, s);
   if (omega == 0.0) return;
@@ -191,4 +204,74 @@ void tb_cavity_assemble(const TbCavityOrder *order, const TbCavity *cavity, cons
       if (omega > 0.0) next++;
     }
   }
+}
+
+/* ---- walls ---------------------------------------------------------------------------------- */
+
+/* Int |p|^2 and Int |grad_t p|^2 over a wall. */
+typedef struct Wall {
+  double square, slope;
+} Wall;
+
+static void add_wall(Wall *wall, double area, double amplitude, double wavenumber_square) {
+  wall->square += area * amplitude * amplitude;
+  wall->slope += area * amplitude * amplitude * wavenumber_square;
+}
+
+/* Pressure in the spring (0,0,0): -(rho0 c0^2/N) S.w. */
+static double spring_pressure(const TbCavityOrder *order, const TbCavity *cavity,
+                              const TbAirOrder *air, const double *heads) {
+  double s[128], swept = 0.0;
+  openings(order, air, 0, s);
+  for (uint32_t h = 0; h < cavity->heads; h++) {
+    for (uint32_t i = 0; i < air->count; i++) swept += s[i] * heads[h * air->count + i];
+  }
+  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
+  return -cavity->density * cavity->sound_speed * cavity->sound_speed * area * swept /
+         mode_norm(order, cavity, 0, 0);
+}
+
+/* Pressure of a coordinate: its inertia keeps the balance, p = (omega^2/omega_c) sqrt(rho0 c0^2/N_c) u. */
+static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
+                            const TbCavityMode *mode, double u, double omega) {
+  return omega * omega / mode->omega * cavity->sound_speed *
+         sqrt(cavity->density / mode_norm(order, cavity, mode->radial, mode->axial)) * u;
+}
+
+double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
+                            const TbAirOrder *air, const double *heads, const double *u,
+                            double omega) {
+  const double radius = cavity->radius, depth = cavity->depth, a = azimuth(order->m);
+  double along[MOST_COORDINATES + 1] = {0.0}; /* at the side, by l */
+  Wall side = {0.0, 0.0}, ends = {0.0, 0.0};
+  uint32_t next = 0, axial = 0;
+  for (uint32_t p = 0; p < order->radial_count; p++) {
+    double upper = 0.0, lower = 0.0;
+    for (uint32_t l = 0; l < order->kept[p]; l++) {
+      double pressure;
+      if (l == 0 && order->zeros[p] == 0.0) {
+        pressure = spring_pressure(order, cavity, air, heads);
+      } else {
+        pressure = mode_pressure(order, cavity, &order->modes[next], u[next], omega);
+        next++;
+      }
+      lower += pressure;
+      upper += l % 2 ? -pressure : pressure;
+      along[l] += pressure * order->edges[p];
+      if (l >= axial) axial = l + 1;
+    }
+    const double kappa = order->zeros[p] / radius, area = a * radius * radius * order->norms[p];
+    add_wall(&ends, area, lower, kappa * kappa);
+    add_wall(&ends, area, upper, kappa * kappa);
+  }
+  for (uint32_t l = 0; l < axial; l++) {
+    const double around = (double)order->m / radius, axis = (double)l * PI / depth;
+    add_wall(&side, a * radius * depth * (l ? 0.5 : 1.0), along[l], around * around + axis * axis);
+  }
+  const double k = omega / cavity->sound_speed, viscous = sqrt(2.0 * KINEMATIC_VISCOSITY / omega);
+  const double heat = 0.5 * k * (GAMMA - 1.0) * viscous / sqrt(PRANDTL);
+  const double friction = 0.5 * viscous / k;
+  return (heat * (side.square + ends.square) + friction * (side.slope + ends.slope) +
+          cavity->admittance * side.square) /
+         (2.0 * cavity->density * cavity->sound_speed);
 }

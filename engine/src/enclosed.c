@@ -8,6 +8,10 @@ static const double PI = 3.14159265358979323846;
 /* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
  * in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
 static const double COORDINATES = 24.0;
+/* ... and between two heads at least to this many times the highest frequency of all modes: air that rings
+ * up to somewhere below would end there with an edge that is seen and heard. A kettle is a bowl, not the
+ * cylinder that stands for it here, and its higher modes are not those of one. */
+static const double MARGIN = 1.1;
 /* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
 static const double CAVITY_BASIS = 2.0;
 /* A mode of which less than this part of the energy moves a head is not heard or felt. */
@@ -15,8 +19,9 @@ static const double LEAST_HEAD = 1e-4;
 /* One head's mode: the other has less than this part of the heads' energy. */
 static const double ONE_HEAD = 0.1;
 
-static const double KINEMATIC_VISCOSITY = 1.5e-5; /* of air [m2/s] */
-static const double HEAT = 1.474;                 /* 1 + (gamma - 1)/sqrt(Pr), gamma 1.4, Pr 0.71 */
+/* Sound from all directions that hard wood absorbs, 250 Hz to 4 kHz: 0.04 to 0.07 in tables of rooms
+ * [Kuttruff, Kinsler]. */
+static const double WOOD = 0.05;
 
 typedef struct Enclosed {
   const TaborDrumDef *def;
@@ -26,13 +31,19 @@ typedef struct Enclosed {
   double azimuth; /* a_m */
 } Enclosed;
 
+/* A shell between two heads is taken for wood, a kettle for metal, which absorbs next to nothing. */
+static double side_admittance(const TaborDrumDef *def) {
+  return tb_is_two_headed(def) ? WOOD / 8.0 : 0.0;
+}
+
 static TbCoupled coupled_of(const TaborDrumDef *def) {
   const bool two = tb_is_two_headed(def);
   return (TbCoupled){.cavity = {.radius = def->shell.radius,
                                 .depth = def->shell.depth,
                                 .density = def->air.density,
                                 .sound_speed = def->air.sound_speed,
-                                .heads = two ? 2 : 1},
+                                .heads = two ? 2 : 1,
+                                .admittance = side_admittance(def)},
                      .heads = {&def->batter, two ? &def->resonant : NULL},
                      .outside = def->air.density};
 }
@@ -48,15 +59,64 @@ static double first_frequency(const TbCoupled *drum) {
   return slowest;
 }
 
-static double wall_rate(const TbCavity *cavity, double omega) {
-  return (1.0 / cavity->radius + 1.0 / cavity->depth) * sqrt(0.5 * KINEMATIC_VISCOSITY * omega) *
-         HEAT;
+static double highest_coordinate(const TbCoupled *drum, double limit) {
+  const double near = COORDINATES * first_frequency(drum);
+  return drum->cavity.heads == 2 ? fmax(near, MARGIN * limit) : near;
 }
 
-/* What a mode's parts carry: masses of the heads themselves, and losses, v^T C v by origin. */
+/* ---- how many modes there are ---------------------------------------------------------------- */
+
+/* Of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie below the zero z. */
+static double head_modes_below(const TbCoupled *drum, const TaborHeadDef *head, double omega) {
+  double lo = 0.0, hi = 1000.0;
+  for (int i = 0; i < 50; i++) {
+    const double z = 0.5 * (lo + hi), wavenumber = z / drum->cavity.radius;
+    const double mass = head->surface_density + 2.0 * drum->outside / wavenumber;
+    if (tb_head_stiffness(head, wavenumber) < omega * omega * mass) {
+      lo = z;
+    } else {
+      hi = z;
+    }
+  }
+  return fmax(0.0, 0.25 * lo * lo - 0.5 * lo);
+}
+
+/* Weyl's count for rigid walls, V k^3/(6 pi^2) + S k^2/(16 pi) [Kuttruff]. */
+static double cavity_modes_below(const TbCavity *cavity, double omega) {
+  const double k = omega / cavity->sound_speed, area = PI * cavity->radius * cavity->radius;
+  const double surface = 2.0 * area + 2.0 * PI * cavity->radius * cavity->depth;
+  return k * k * (area * cavity->depth * k / (6.0 * PI * PI) + surface / (16.0 * PI));
+}
+
+/* The numbers are right to 1 %: so many fit. */
+static const double FITTING = 0.99 * TB_MAX_MODES;
+
+static double modes_below(const TbCoupled *drum, double omega) {
+  return head_modes_below(drum, drum->heads[0], omega) +
+         head_modes_below(drum, drum->heads[1], omega) + cavity_modes_below(&drum->cavity, omega);
+}
+
+double tb_enclosed_bandwidth(const TaborDrumDef *def, double bandwidth) {
+  const TbCoupled drum = coupled_of(def);
+  if (modes_below(&drum, 2.0 * PI * bandwidth) <= FITTING) return bandwidth;
+  double lo = 0.0, hi = bandwidth;
+  for (int i = 0; i < 50; i++) {
+    const double middle = 0.5 * (lo + hi);
+    if (modes_below(&drum, 2.0 * PI * middle) <= FITTING) {
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  return lo;
+}
+
+/* ---- one mode -------------------------------------------------------------------------------- */
+
+/* What a mode's parts carry: masses of the heads themselves, and their loss, v^T C v. */
 typedef struct Parts {
   double head_mass[TB_HEADS], cavity_mass;
-  double head_loss, wall_loss;
+  double head_loss;
   uint32_t strongest;       /* Bessel function that moves most, of either head */
   double largest[TB_HEADS]; /* upward amplitude of each head's strongest function, mass-weighted */
 } Parts;
@@ -85,7 +145,6 @@ static Parts parts_of(const Enclosed *e, const double *v) {
   for (uint32_t c = 0; c < e->cavity.mode_count; c++) {
     const double u = v[heads * n + c];
     parts.cavity_mass += u * u;
-    parts.wall_loss += 2.0 * wall_rate(&e->drum.cavity, e->cavity.modes[c].omega) * u * u;
   }
   return parts;
 }
@@ -120,7 +179,7 @@ static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, 
 }
 
 static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
-                        const double *outward, TbHeadMode *mode) {
+                        const double *outward, const double *coordinates, TbHeadMode *mode) {
   mode->n = parts->strongest + 1;
   mode->part = part_name(parts);
   const double both = parts->largest[0] * parts->largest[1];
@@ -130,7 +189,9 @@ static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
     mode->radiation_rate = 0.0;
     return true;
   }
-  mode->shell_rate = 0.5 * parts->wall_loss;
+  mode->shell_rate =
+    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, outward, coordinates, mode->omega) /
+    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
   mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
   return true;
 }
@@ -154,7 +215,7 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
     mode->place = order->mode_count;
     TbArena one;
     tb_arena_prepare(&one, &arena->allocator);
-    const bool finished = finish_mode(e, &parts, &one, outward, mode);
+    const bool finished = finish_mode(e, &parts, &one, outward, v + heads * n, mode);
     tb_arena_release(&one);
     if (!finished) return TABOR_ERROR_MEMORY;
     for (uint32_t h = 0; h < heads; h++) {
@@ -173,7 +234,7 @@ TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               COORDINATES * first_frequency(&e.drum))) {
+                               highest_coordinate(&e.drum, limit))) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_coupled_size(&e.cavity, &e.drum, air);

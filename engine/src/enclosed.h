@@ -3,8 +3,7 @@
  *
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
- *   cavity: friction and heat conduction at its walls, 2 s_c per coordinate, with Kirchhoff's boundary
- *     layers s_c = (1/R + 1/L) sqrt(nu omega_c/2) (1 + (gamma - 1)/sqrt(Pr)) [FletcherRossing];
+ *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
  *   outside: the radiation resistance of both heads in free space at the mode's frequency (air.h).
  * Set-up only. */
 #ifndef TB_ENCLOSED_H
@@ -18,6 +17,10 @@ static inline bool tb_is_two_headed(const TaborDrumDef *def) { return def->two_h
 static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
+
+/* The highest frequency [Hz] up to `bandwidth` below which two heads and the air between them have no more
+ * than TB_MAX_MODES modes, by their asymptotic numbers. */
+double tb_enclosed_bandwidth(const TaborDrumDef *def, double bandwidth);
 
 /* As tb_single_order(). */
 TaborStatus tb_enclosed_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,

@@ -76,7 +76,8 @@ static void sort_modes(TbHead *head) {
   }
 }
 
-/* The basis and the bandwidth that it holds: of both heads, the slower needs more functions. */
+/* The basis and the bandwidth that it holds: of both heads, the slower needs more functions; and with the
+ * air between them there must be room for all modes. */
 static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwidth) {
   const TaborHeadDef *const heads[TB_HEADS] = {&def->batter, &def->resonant};
   double top = 0.0;
@@ -86,6 +87,7 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
     top = fmax(top, own);
     head->bandwidth = fmin(head->bandwidth, frequency_at(def, heads[h], own));
   }
+  if (head->heads == 2) head->bandwidth = tb_enclosed_bandwidth(def, head->bandwidth);
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 

@@ -46,7 +46,7 @@ static double least_gap(const TbView *view) {
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
     const double eta = view->model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
-    gap = fmin(gap, -eta);
+    gap = -eta < gap ? -eta : gap;
   }
   return gap;
 }

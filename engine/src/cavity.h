@@ -17,7 +17,7 @@
  * coordinate, rho0/(e_l L (kappa^2 + (l pi/L)^2)), times (-1)^l across.
  *
  * Walls take from the air, at amplitude p of the pressure, with the boundary layers of Kirchhoff and what
- * the side's material absorbs [MorseIngard section 6.4, Kuttruff section 2.5]:
+ * the side's material absorbs [MorseIngard ch. 6, Kuttruff ch. 2]:
  *   P = (1/(2 rho0 c0)) Int beta |p|^2 + (delta_v/(2 k)) |grad_t p|^2 dS, k = omega/c0,
  *   beta = (k/2)(gamma - 1) delta_t + beta_m, delta_v = sqrt(2 nu/omega), delta_t = delta_v/sqrt(Pr),
  * beta_m on the side only: a wall of small real specific admittance beta_m absorbs the part 8 beta_m of

@@ -371,7 +371,7 @@ typedef struct TaborModelInfo {
   uint32_t quality;         /**< a TaborQuality, never the default */
   uint32_t mode_count;      /**< modes, cosine and sine copies counted apart */
   uint32_t mode_rows;       /**< rows of tabor_model_mode(), copies counted once */
-  double two_way_bandwidth; /**< [Hz], may be below the wish: modes are limited to 2048 */
+  double two_way_bandwidth; /**< [Hz], may be below the wish: there are 4096 modes at most */
   double bandwidth;         /**< [Hz], with the one-way high band */
   uint32_t high_mode_count; /**< modes of the high band */
   uint32_t newton_cap;      /**< iterations a sample */
@@ -490,7 +490,7 @@ typedef struct TaborLedger {
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
   double damper_loss;  /**< in damping hands */
-  double shell_loss;   /**< friction and heat at the walls of the enclosed air */
+  double shell_loss;   /**< friction, heat and absorption at the walls of the enclosed air */
   double radiated;     /**< as sound, by the head */
   double removed;      /**< of strikers taken away */
   double high_band;    /**< stored in the one-way high band; outside the balance */

@@ -136,7 +136,7 @@ static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
   if (status != TABOR_OK) return status;
   status = tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
                                  &model->wires, model->grid_tolerance);
-  if (status != TABOR_OK || model->quality > TABOR_QUALITY_LIVE) return status;
+  if (status != TABOR_OK || model->quality == TABOR_QUALITY_REFERENCE) return status;
   return tb_projection_round(&model->projection, &model->arena) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 

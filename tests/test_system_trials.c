@@ -5,7 +5,7 @@
 #include "physics.h"
 
 static uint32_t definitions = 100, sequences = 900;
-static char playing[128]; /* the drum under test, for messages */
+static char playing[192]; /* the drum under test, for messages */
 static double rounding;   /* of its ledger [J] */
 
 /* The residual may not fall below this part of what was put in. */
@@ -183,8 +183,9 @@ static TaborModel *model_of(const TaborDrumDef *def, uint64_t *seed, uint64_t na
   tabor_model_options_default(&options);
   options.sample_rate = RATES[physics_random(seed) % 5];
   options.quality = TABOR_QUALITY_DRAFT + (uint32_t)(physics_random(seed) % 2);
-  snprintf(playing, sizeof playing, "%s at %g Hz, quality %u, cap %u, losses %u", def->name,
-           options.sample_rate, options.quality, def->quality.newton_cap, def->quality.losses);
+  snprintf(playing, sizeof playing, "model %#llx, %s at %g Hz, quality %u, cap %u, losses %u",
+           (unsigned long long)name, def->name, options.sample_rate, options.quality,
+           def->quality.newton_cap, def->quality.losses);
   expect_rounding(options.sample_rate);
   TaborModel *model;
   TaborError error = {0};

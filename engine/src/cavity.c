@@ -241,6 +241,7 @@ static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
 double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega) {
+  if (cavity->density == 0.0) return 0.0; /* no air, no pressure */
   const double radius = cavity->radius, depth = cavity->depth, a = azimuth(order->m);
   double along[MOST_COORDINATES + 1] = {0.0}; /* at the side, by l */
   Wall side = {0.0, 0.0}, ends = {0.0, 0.0};

@@ -4,10 +4,15 @@
 
 enum { BLOCK = 64, BLOCKS = 400 };
 
-/* Wires whose lever lets them down by `travel` [m], off. */
+/* Wires whose lever lets them down by `travel` [m], off. A muffled, slack head that stretches: two contacts
+ * that know of it, of which random trials found one that did not while wires were lifted. */
 static TaborModel *drum_off(double travel) {
   TaborDrumDef def = physics_preset("snare-14x5.5-off");
   def.wires.strainer_travel = travel;
+  def.batter.tension = 1000.0;
+  def.batter.stretch_stiffness = 1e7;
+  def.batter.muffle_strength = 20.0;
+  def.batter.muffle_radius = 0.1;
   return physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
 }
 
@@ -21,7 +26,6 @@ static void play(TaborDrum *drum, const TaborEvent *event, float *samples, uint3
 static void assert_balanced(const TaborDrum *drum) {
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
-  print_message("residual %g of %g\n", ledger.residual, ledger.injected + fabs(ledger.control));
   assert_true(fabs(ledger.residual) < 1e-9 * (ledger.injected + fabs(ledger.control)));
 }
 
@@ -39,9 +43,10 @@ static void nothing_is_heard_of_it(void **state) {
   for (int i = 0; i < 2; i++) {
     TaborModel *model = drum_off(travel[i]);
     TaborDrum *drum = physics_drum(model);
-    const TaborEvent strike = {.type = TABOR_EVENT_STRIKE, .velocity = 4.0, .radius = 0.05};
-    play(drum, &strike, heard[i], BLOCKS);
-    assert_int_equal(statistics_of(drum).contact_max, 1); /* the stick alone */
+    const TaborEvent strike = {.type = TABOR_EVENT_STRIKE, .velocity = 8.0, .radius = 0.05};
+    play(drum, &strike, heard[i], BLOCKS / 2);
+    play(drum, &strike, heard[i] + BLOCKS / 2 * BLOCK, BLOCKS / 2);
+    assert_int_equal(statistics_of(drum).contact_max, 2); /* stick and muffler alone */
     assert_balanced(drum);
     tabor_drum_destroy(drum);
     tabor_model_release(model);

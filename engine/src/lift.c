@@ -82,7 +82,7 @@ static void rest_phase(const TbView *view, TbPhase *phase) {
 
 void tb_lift_begin(TbView *view) {
   TbState *state = view->state;
-  if (state->lifted || view->model->wires.count == 0 || !state->airborne) return;
+  if (state->lifted || view->model->wires.count == 0) return;
   state->gap = least_gap(view);
   if (!(state->gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
   state->lifted = 1;

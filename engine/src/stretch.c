@@ -222,12 +222,14 @@ static void take_stretch(TbView *view, double *carry) {
 
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->state->airborne || view->state->lifted) return;
+  if (solve->stretch_count == 0 || view->state->airborne) return;
   const uint32_t size = solve->bed->size;
   double *carry = view->stretch_carry, *rows = solve->work;
   take_stretch(view, carry);
-  tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
-  solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
+  if (!view->state->lifted) {
+    tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
+    solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
+  }
   solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
 }
 

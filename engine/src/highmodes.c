@@ -100,14 +100,18 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, Tb
   return true;
 }
 
-/* The largest energy that a unit force brings to a microphone. */
-static double loudness(const Builder *b, const TbHighMode *c) {
+/* The energy that a unit force brings to a microphone. */
+static double energy_at(const Builder *b, const TbHighMode *c, uint32_t mic) {
   const double turn = c->omega * b->model->time_step;
+  const double gain =
+    c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
+  return gain * gain / (4.0 * fmax(c->decay_rate, 1e-3));
+}
+
+static double loudness(const Builder *b, const TbHighMode *c) {
   double loudest = 0.0;
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const double gain =
-      c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * p], c->fields[2 * p + 1]);
-    loudest = fmax(loudest, gain * gain / (4.0 * fmax(c->decay_rate, 1e-3)));
+    loudest = fmax(loudest, energy_at(b, c, p));
   }
   return loudest;
 }
@@ -200,7 +204,7 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
   const TbHead *modes = &b->model->head;
   if (m >= modes->order_count) return 0;
   const TbHeadOrder *order = &modes->orders[m];
-  if (modes->heads == 1) return order->mode_count;
+  if (b->both_sides) return order->mode_count;
   uint32_t there = 0;
   double mass;
   const double bandwidth = 2.0 * PI * modes->bandwidth;
@@ -261,17 +265,21 @@ static uint32_t copies_for(const Builder *b, double part) {
   return copies;
 }
 
-/* Makes `count` modes from `from` on as loud as the whole band up to `end`. */
+/* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */
 static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t end) {
-  double total = 0.0, kept = 0.0;
-  for (uint32_t i = from; i < end; i++) {
-    total += b->candidates[i].loudness;
-    if (i < from + count) kept += b->candidates[i].loudness;
-  }
-  if (!(kept > 0.0)) return;
-  const double gain = sqrt(total / kept);
-  for (uint32_t i = from; i < from + count; i++) {
-    for (uint32_t k = 0; k < 2 * TABOR_MAX_MICS; k++) b->candidates[i].fields[k] *= gain;
+  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
+    double total = 0.0, kept = 0.0;
+    for (uint32_t i = from; i < end; i++) {
+      const double energy = energy_at(b, &b->candidates[i], p);
+      total += energy;
+      if (i < from + count) kept += energy;
+    }
+    if (!(kept > 0.0)) continue;
+    const double gain = sqrt(total / kept);
+    for (uint32_t i = from; i < from + count; i++) {
+      b->candidates[i].fields[2 * p] *= gain;
+      b->candidates[i].fields[2 * p + 1] *= gain;
+    }
   }
 }
 

@@ -52,36 +52,97 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   }
 }
 
-/* Groups of about equal width along the bed, and what a force at their middles does. */
+/* Where the real contact points begin and end along the bed, and how far apart they are. */
+typedef struct Extent {
+  double from, to, step;
+} Extent;
+
+static Extent extent_of(const TbWires *wires) {
+  Extent extent = {INFINITY, -INFINITY, INFINITY};
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) continue;
+    extent.from = fmin(extent.from, wires->row_x[row]);
+    extent.to = fmax(extent.to, wires->row_x[row]);
+  }
+  for (uint32_t w = 0; w < wires->count; w++) {
+    extent.step = fmin(extent.step, wires->wires[w].spacing);
+  }
+  return extent;
+}
+
+/* Assigns contact points to groups of whole steps. */
+static void assign_groups(TbHighBand *band, const TbWires *wires) {
+  const Extent extent = extent_of(wires);
+  if (!(extent.to >= extent.from)) return;
+  const double steps = floor((extent.to - extent.from) / extent.step + 0.5);
+  const double each = ceil((steps + 1.0) / TB_HIGH_GROUPS);
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) continue;
+    const double place = floor((wires->row_x[row] - extent.from) / extent.step + 0.5);
+    band->row_group[row] = (uint8_t)(place / each);
+    if (band->row_group[row] >= band->groups) band->groups = band->row_group[row] + 1u;
+  }
+}
+
+static void drive_at(const TbHighBand *band, uint32_t head, double x, double y, double *drive) {
+  const double r = hypot(x, y);
+  tb_highband_drive(band, head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL, drive);
+}
+
+/* Groups along the bed, and what a force at their middles does. */
 static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
                            const TbWires *wires) {
   double x[TB_HIGH_GROUPS] = {0.0}, y[TB_HIGH_GROUPS] = {0.0};
   uint32_t members[TB_HIGH_GROUPS] = {0};
   const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
   band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
-  band->push = tb_arena_doubles(arena, (size_t)size * TB_HIGH_GROUPS);
+  if (arena->failed) return false;
+  assign_groups(band, wires);
+  band->push = tb_arena_doubles(arena, (size_t)size * band->groups);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
-    const double place = 0.5 + 0.5 * wires->row_x[row] / band->radius;
-    const uint32_t group = (uint32_t)fmin(place * TB_HIGH_GROUPS, TB_HIGH_GROUPS - 1.0);
-    band->row_group[row] = (uint8_t)group;
+    const uint32_t group = band->row_group[row];
     x[group] += wires->row_x[row];
     y[group] += wires->row_y[row];
     members[group]++;
   }
-  for (uint32_t group = 0; group < TB_HIGH_GROUPS; group++) {
+  for (uint32_t group = 0; group < band->groups; group++) {
     if (members[group] == 0) continue;
-    const double mx = x[group] / members[group], my = y[group] / members[group];
-    const double r = hypot(mx, my);
-    tb_highband_drive(band, wires->head, r, r > 0.0 ? my / r : 0.0, r > 0.0 ? mx / r : 1.0, NULL,
-                      drive);
+    drive_at(band, wires->head, x[group] / members[group], y[group] / members[group], drive);
     for (uint32_t i = 0; i < size; i++) {
-      band->push[((size_t)(i / 8) * TB_HIGH_GROUPS + group) * 8 + i % 8] =
+      band->push[((size_t)(i / 8) * band->groups + group) * 8 + i % 8] =
         wires->side * drive[begin + i];
     }
   }
+  return true;
+}
+
+/* Mean squares of the shapes over a few wires stand for those over all. */
+static const uint32_t HOLDING_WIRES = 4;
+
+static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, const TbWires *wires,
+                         double time_step) {
+  const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
+  band->row_loss = tb_arena_doubles(arena, wires->stride);
+  band->hold = tb_arena_doubles(arena, size);
+  double *drive = tb_arena_doubles(scratch, band->padded);
+  if (arena->failed || scratch->failed) return false;
+  const uint32_t every = (wires->count + HOLDING_WIRES - 1u) / HOLDING_WIRES;
+  uint32_t points = 0;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) continue;
+    band->row_loss[row] = wires->wires[wires->row_wire[row]].contact_loss;
+    if (wires->row_wire[row] % every != every / 2) continue;
+    drive_at(band, wires->head, wires->row_x[row], wires->row_y[row], drive);
+    for (uint32_t i = 0; i < band->size[wires->head]; i++) {
+      const double shape = drive[begin + i] / band->g[begin + i];
+      band->hold[i] += 0.5 * time_step * shape * shape;
+    }
+    points++;
+  }
+  for (uint32_t i = 0; points && i < size; i++) band->hold[i] /= points;
   return true;
 }
 
@@ -104,9 +165,22 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
     fill_mode(band, next[mode->head]++, model, mode, false);
     if (mode->m) fill_mode(band, next[mode->head]++, model, mode, true);
   }
-  done = done && prepare_groups(band, arena, &scratch, &model->wires);
+  done = done && prepare_groups(band, arena, &scratch, &model->wires) &&
+         prepare_hold(band, arena, &scratch, &model->wires, model->time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
+}
+
+/* Half-way to `last` at most: towards it energy only falls. */
+static const double MOST_HELD = 0.5;
+
+void tb_highband_hold(const TbHighBand *band, uint32_t head, double loss, const double *last,
+                      double *next) {
+  const uint32_t size = band->begin[head + 1] - band->begin[head];
+  for (uint32_t i = 0; i < size; i++) {
+    const double part = band->hold[i] * loss;
+    next[i] += (part < MOST_HELD ? part : MOST_HELD) * (last[i] - next[i]);
+  }
 }
 
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch) {

@@ -41,22 +41,23 @@ typedef struct TbHighMic {
 
 typedef struct TbHighBand {
   uint32_t count, padded; /* modes kept, sine copies counted; 0: no high band */
-  uint32_t begin[3];      /* where each head's modes begin, padded */
-  uint32_t size[2];       /* ... and how many they are, without padding */
+  uint32_t begin[3];      /* where each head's modes begin, padded: */
+  uint32_t cosines[2];    /* so many cosine copies, those of order 0 last, padded, */
+  uint32_t sines[2];      /* ... then so many sine copies in the same order */
   uint32_t candidates;    /* Bessel functions that there were to choose from */
   uint32_t orders;        /* all angular orders are below */
   uint32_t *order;        /* [padded] angular order m */
-  uint8_t *sine;          /* [padded]; a sine copy follows its cosine */
   double *zero, *scale;   /* [padded] z, and the shape's factor for unit modal mass */
   double *a, *b, *g;      /* [padded] the recursion: see modes.h */
   double *stiffness;      /* [padded] K' */
   TbHighMic mics[TABOR_MAX_MICS];
   uint32_t groups;
+  uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
   uint8_t *row_group; /* [stride] group of each contact point */
-  double *push;       /* [head's modes/8][groups][8]: -side g phi at the groups' middles */
+  double *push;       /* [driven/8][groups][8]: -side g phi at the groups' middles */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
-  double *hold;       /* [wires' head's modes, padded] k phi^2/2, phi^2 its mean over the bed [s/kg] */
-  double radius;      /* of the head [m] */
+  double *hold;  /* [wires' head's modes, padded] k phi^2/2, phi^2 its mean over the bed [s/kg] */
+  double radius; /* of the head [m] */
 } TbHighBand;
 
 struct TaborModel;

@@ -232,8 +232,7 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
   TbHeadMode *modes = tb_arena_take(scratch, MOST_ZEROS, sizeof *modes);
   TbAirOrder air;
   if (scratch->failed) return false;
-  order.zero_count =
-    tb_bessel_zeros(m, b->sides[0].top_zero + 2.0 * PI, order.zeros, MOST_ZEROS);
+  order.zero_count = tb_bessel_zeros(m, b->sides[0].top_zero + 2.0 * PI, order.zeros, MOST_ZEROS);
   if (!tb_air_order_prepare(&air, scratch, m, order.zeros, order.zero_count)) return false;
   air.table = &b->table;
   if (tb_single_order(&b->model->def, scratch, scratch, &air, b->top, &order, modes, MOST_ZEROS) !=

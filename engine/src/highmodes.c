@@ -3,17 +3,22 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bessel.h"
 #include "coupled.h"
 #include "enclosed.h"
 #include "model.h"
+#include "single.h"
 
 static const double PI = 3.14159265358979323846;
 static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
 static const double AIR_REACH =
   2.0; /* the air's integrals end below this many times the top zero */
 enum { MOST_ZEROS = 96, MOST_CANDIDATES = 16384 };
+/* Orders below this, of a single head, radiate each mode by itself: near the centre they sound alone, a few in
+ * a third of an octave, and what the edge and their coupling make of each is 4 dB more or less. */
+enum { WHOLE_ORDERS = 4 };
 
 /* What the edge and the coupling of modes by the air make of a Bessel function's baffled radiation:
  * pressure per microphone, and resistance. */
@@ -100,16 +105,28 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, Tb
   return true;
 }
 
-/* The largest energy that a unit force brings to a microphone. */
-static double loudness(const Builder *b, const TbHighMode *c) {
+/* The energy that a unit force brings to a microphone. */
+static double energy_at(const Builder *b, const TbHighMode *c, uint32_t mic) {
   const double turn = c->omega * b->model->time_step;
+  const double gain =
+    c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
+  return gain * gain / (4.0 * fmax(c->decay_rate, 1e-3));
+}
+
+static double loudness(const Builder *b, const TbHighMode *c) {
   double loudest = 0.0;
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const double gain =
-      c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * p], c->fields[2 * p + 1]);
-    loudest = fmax(loudest, gain * gain / (4.0 * fmax(c->decay_rate, 1e-3)));
+    loudest = fmax(loudest, energy_at(b, c, p));
   }
   return loudest;
+}
+
+/* Takes the next candidate, which knows what it is and how it radiates. */
+static void take_candidate(Builder *b) {
+  TbHighMode *c = &b->candidates[b->count++];
+  if (!b->model->def.quality.losses) c->decay_rate = 0.0;
+  c->loudness = loudness(b, c);
+  c->band = (uint32_t)fmax(0.0, 6.0 * log2(c->omega / (2.0 * PI * 20.0)));
 }
 
 static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
@@ -123,15 +140,12 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
   }
   TbHighMode *c = &b->candidates[b->count];
   if (!radiate(b, head, m, zero, c)) return false;
-  b->count++;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     c->fields[2 * p] *= side->edge.field[p];
     c->fields[2 * p + 1] *= side->edge.field[p];
   }
   c->decay_rate += side->edge.resistance * c->radiation_rate;
-  if (!def->quality.losses) c->decay_rate = 0.0;
-  c->loudness = loudness(b, c);
-  c->band = (uint32_t)fmax(0.0, 6.0 * log2(omega / (2.0 * PI * 20.0)));
+  take_candidate(b);
   return true;
 }
 
@@ -200,7 +214,7 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
   const TbHead *modes = &b->model->head;
   if (m >= modes->order_count) return 0;
   const TbHeadOrder *order = &modes->orders[m];
-  if (modes->heads == 1) return order->mode_count;
+  if (b->both_sides) return order->mode_count;
   uint32_t there = 0;
   double mass;
   const double bandwidth = 2.0 * PI * modes->bandwidth;
@@ -212,16 +226,59 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
   return there;
 }
 
-/* All Bessel functions above the two-way modes of their order, up to the last order that is heard. */
+/* Modes of one order of a single head above the two-way ones, with the air that those have. */
+static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
+  TbHeadOrder order = {.m = m, .zeros = tb_arena_doubles(scratch, MOST_ZEROS)};
+  TbHeadMode *modes = tb_arena_take(scratch, MOST_ZEROS, sizeof *modes);
+  TbAirOrder air;
+  if (scratch->failed) return false;
+  order.zero_count = tb_bessel_zeros(m, b->sides[0].top_zero + 2.0 * PI, order.zeros, MOST_ZEROS);
+  if (!tb_air_order_prepare(&air, scratch, m, order.zeros, order.zero_count)) return false;
+  air.table = &b->table;
+  if (tb_single_order(&b->model->def, scratch, scratch, &air, b->top, &order, modes, MOST_ZEROS) !=
+      TABOR_OK) {
+    return false;
+  }
+  for (uint32_t n = taken(b, 0, m, order.zeros, order.zero_count); n < order.mode_count; n++) {
+    if (b->count == MOST_CANDIDATES) break;
+    TbHighMode *c = &b->candidates[b->count];
+    *c = (TbHighMode){.m = m,
+                      .zero = order.zeros[n],
+                      .slope = tb_bessel_j(m + 1, order.zeros[n]),
+                      .scale = order.vectors[0][(size_t)n * order.zero_count + n],
+                      .omega = modes[n].omega,
+                      .decay_rate = modes[n].decay_rate,
+                      .radiation_rate = modes[n].radiation_rate};
+    memcpy(c->fields, modes[n].fields, sizeof c->fields);
+    take_candidate(b);
+  }
+  return true;
+}
+
+/* All Bessel functions of an order above its two-way modes. */
+static bool collect_order(Builder *b, uint32_t head, uint32_t m) {
+  double zeros[MOST_ZEROS];
+  const uint32_t count = tb_bessel_zeros(m, b->sides[head].top_zero, zeros, MOST_ZEROS);
+  for (uint32_t n = taken(b, head, m, zeros, count); n < count; n++) {
+    if (!add_candidate(b, head, m, zeros[n])) return false;
+  }
+  return true;
+}
+
+/* Every order up to the last one that is heard. */
 static bool collect(Builder *b, uint32_t head) {
   const Side *side = &b->sides[head];
-  double zeros[MOST_ZEROS];
   for (uint32_t m = 0; m < TB_MAX_ORDERS - 2; m++) {
     if (inaudible(b, side, m, x_at(b, b->top), side->top_zero)) break;
-    const uint32_t count = tb_bessel_zeros(m, side->top_zero, zeros, MOST_ZEROS);
-    for (uint32_t n = taken(b, head, m, zeros, count); n < count; n++) {
-      if (!add_candidate(b, head, m, zeros[n])) return false;
+    if (!b->both_sides || m >= WHOLE_ORDERS) {
+      if (!collect_order(b, head, m)) return false;
+      continue;
     }
+    TbArena scratch;
+    tb_arena_prepare(&scratch, &b->scratch->allocator);
+    const bool done = collect_whole(b, &scratch, m);
+    tb_arena_release(&scratch);
+    if (!done) return false;
   }
   return true;
 }
@@ -261,17 +318,21 @@ static uint32_t copies_for(const Builder *b, double part) {
   return copies;
 }
 
-/* Makes `count` modes from `from` on as loud as the whole band up to `end`. */
+/* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */
 static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t end) {
-  double total = 0.0, kept = 0.0;
-  for (uint32_t i = from; i < end; i++) {
-    total += b->candidates[i].loudness;
-    if (i < from + count) kept += b->candidates[i].loudness;
-  }
-  if (!(kept > 0.0)) return;
-  const double gain = sqrt(total / kept);
-  for (uint32_t i = from; i < from + count; i++) {
-    for (uint32_t k = 0; k < 2 * TABOR_MAX_MICS; k++) b->candidates[i].fields[k] *= gain;
+  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
+    double total = 0.0, kept = 0.0;
+    for (uint32_t i = from; i < end; i++) {
+      const double energy = energy_at(b, &b->candidates[i], p);
+      total += energy;
+      if (i < from + count) kept += energy;
+    }
+    if (!(kept > 0.0)) continue;
+    const double gain = sqrt(total / kept);
+    for (uint32_t i = from; i < from + count; i++) {
+      b->candidates[i].fields[2 * p] *= gain;
+      b->candidates[i].fields[2 * p + 1] *= gain;
+    }
   }
 }
 

@@ -151,10 +151,9 @@ static void gather_high(TbView *view) {
       model->kernels->add_scaled(each, change, 1.0, change + w * each);
     }
   }
-  for (uint32_t i = 0; i < TB_HIGH_GROUPS; i++) view->high_groups[i] = 0.0;
+  for (uint32_t i = 0; i < high->groups; i++) view->high_groups[i] = 0.0;
   for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
-  const uint32_t size = high->begin[model->wires.head + 1] - high->begin[model->wires.head];
-  model->kernels->multiply(size / 8, TB_HIGH_GROUPS, view->high_force, high->push,
+  model->kernels->multiply(high->driven / 8, high->groups, view->high_force, high->push,
                            view->high_groups);
 }
 
@@ -170,8 +169,10 @@ static void drive_high(TbView *view, bool unchanged) {
   if (model->wires.count > 0 && !view->state->lifted) {
     if (!unchanged) gather_high(view);
     const uint32_t from = high->begin[model->wires.head];
-    kernels->add_scaled(high->begin[model->wires.head + 1] - from, view->next.high + from, 1.0,
-                        view->high_force);
+    kernels->add_scaled(high->driven, view->next.high + from, 1.0, view->high_force);
+    tb_highband_hold(high, model->wires.head,
+                     kernels->dot(model->wires.stride, force, high->row_loss),
+                     view->last.high + from, view->next.high + from);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double push = force[model->wires.stride + i];

@@ -129,7 +129,7 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
   for (uint32_t group = 0; group < band->groups; group++) aside = fmax(aside, fabs(y[group]));
   band->driven = aside > ON_AXIS * band->radius ? band->begin[wires->head + 1] - begin
                                                 : to_sine(band, wires->head);
-  band->push = tb_arena_doubles(arena, (size_t)band->driven * band->groups);
+  band->push = tb_arena_take(arena, (size_t)band->driven * band->groups, sizeof *band->push);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   for (uint32_t group = 0; group < band->groups; group++) {
@@ -137,7 +137,7 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     drive_at(band, wires->head, x[group] / members[group], y[group] / members[group], drive);
     for (uint32_t i = 0; i < band->driven; i++) {
       band->push[((size_t)(i / 8) * band->groups + group) * 8 + i % 8] =
-        wires->side * drive[begin + i];
+        (float)(wires->side * drive[begin + i]);
     }
   }
   return true;

@@ -54,7 +54,7 @@ typedef struct TbHighBand {
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
   uint8_t *row_group; /* [stride] group of each contact point */
-  double *push;       /* [driven/8][groups][8]: -side g phi at the groups' middles */
+  float *push;        /* [driven/8][groups][8]: -side g phi at the groups' middles */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
   double *hold;  /* [wires' head's modes, padded] k phi^2/2, phi^2 its mean over the bed [s/kg] */
   double radius; /* of the head [m] */

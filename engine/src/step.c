@@ -153,8 +153,8 @@ static void gather_high(TbView *view) {
   }
   for (uint32_t i = 0; i < high->groups; i++) view->high_groups[i] = 0.0;
   for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
-  model->kernels->multiply(high->driven / 8, high->groups, view->high_force, high->push,
-                           view->high_groups);
+  model->kernels->multiply_single(high->driven / 8, high->groups, view->high_force, high->push,
+                                  view->high_groups);
 }
 
 /* The high band hears the contact forces, counted from rest; it does not answer. */

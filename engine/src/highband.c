@@ -136,8 +136,7 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     if (members[group] == 0) continue;
     drive_at(band, wires->head, x[group] / members[group], y[group] / members[group], drive);
     for (uint32_t i = 0; i < band->driven; i++) {
-      band->push[((size_t)(i / 8) * band->groups + group) * 8 + i % 8] =
-        (float)(wires->side * drive[begin + i]);
+      band->push[(size_t)group * band->driven + i] = (float)(wires->side * drive[begin + i]);
     }
   }
   return true;
@@ -194,13 +193,10 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
 /* Half-way to `last` at most: towards it energy only falls. */
 static const double MOST_HELD = 0.5;
 
-void tb_highband_hold(const TbHighBand *band, uint32_t head, double loss, const double *last,
-                      double *next) {
-  const uint32_t size = band->begin[head + 1] - band->begin[head];
-  for (uint32_t i = 0; i < size; i++) {
-    const double part = band->hold[i] * loss;
-    next[i] += (part < MOST_HELD ? part : MOST_HELD) * (last[i] - next[i]);
-  }
+void tb_highband_hold(const TbHighBand *band, const TbKernels *kernels, uint32_t head, double loss,
+                      const double *last, double *next) {
+  if (loss == 0.0) return;
+  kernels->hold(band->begin[head + 1] - band->begin[head], loss, MOST_HELD, band->hold, last, next);
 }
 
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch) {

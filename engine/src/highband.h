@@ -54,7 +54,7 @@ typedef struct TbHighBand {
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
   uint8_t *row_group; /* [stride] group of each contact point */
-  float *push;        /* [driven/8][groups][8]: -side g phi at the groups' middles */
+  float *push;        /* [groups][driven]: -side g phi at the groups' middles */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
   double *hold;  /* [wires' head's modes, padded] k phi^2/2, phi^2 its mean over the bed [s/kg] */
   double radius; /* of the head [m] */
@@ -70,8 +70,8 @@ void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patc
 
 /* What contacts that lose `loss`, Sum lambda f [N s/m], take from the modes of the wires' head in a step from
  * `last` to `next`, both from that head's first mode on. Audio-safe. */
-void tb_highband_hold(const TbHighBand *band, uint32_t head, double loss, const double *last,
-                      double *next);
+void tb_highband_hold(const TbHighBand *band, const TbKernels *kernels, uint32_t head, double loss,
+                      const double *last, double *next);
 
 /* drive = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head `which`
  * does, in that head's part of drive[padded] alone. `patch` may be NULL. Audio-safe. */

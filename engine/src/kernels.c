@@ -101,6 +101,21 @@ static void add_scaled(uint32_t n, double *out, double f, const double *x) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
+static void add_scaled_single(uint32_t n, double *out, double f, const float *x) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    store(out + i, add(load(out + i), scale(load_single(x + i), f)));
+  }
+}
+
+static void hold(uint32_t n, double f, double most, const double *h, const double *last,
+                 double *next) {
+  const Lanes limit = all(most);
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes part = smaller(scale(load(h + i), f), limit), now = load(next + i);
+    store(next + i, add(now, multiply_lanes(part, subtract(load(last + i), now))));
+  }
+}
+
 static void add_product(uint32_t n, double *out, const double *x, const double *y) {
   for (uint32_t i = 0; i < n; i += 8) {
     store(out + i, add(load(out + i), multiply_lanes(load(x + i), load(y + i))));
@@ -547,6 +562,8 @@ const TbKernels TB_KERNELS = {
   .reach = reach,
   .dot = dot,
   .add_scaled = add_scaled,
+  .add_scaled_single = add_scaled_single,
+  .hold = hold,
   .add_product = add_product,
   .readout = readout,
   .losses = losses,

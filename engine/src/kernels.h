@@ -32,6 +32,11 @@ typedef struct TbKernels {
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */
   void (*add_scaled)(uint32_t n, double *out, double f, const double *x);
+  /* The same with x of single precision. */
+  void (*add_scaled_single)(uint32_t n, double *out, double f, const float *x);
+  /* next += min(f h, most) (last - next) */
+  void (*hold)(uint32_t n, double f, double most, const double *h, const double *last,
+               double *next);
   /* out += x y */
   void (*add_product)(uint32_t n, double *out, const double *x, const double *y);
   /* Sum u (next - 2 now + last) + v (next - last) */

@@ -153,8 +153,12 @@ static void gather_high(TbView *view) {
   }
   for (uint32_t i = 0; i < high->groups; i++) view->high_groups[i] = 0.0;
   for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
-  model->kernels->multiply_single(high->driven / 8, high->groups, view->high_force, high->push,
-                                  view->high_groups);
+  memset(view->high_force, 0, high->driven * sizeof(double));
+  for (uint32_t i = 0; i < high->groups; i++) { /* few groups of a string touch at once */
+    if (view->high_groups[i] == 0.0) continue;
+    model->kernels->add_scaled_single(high->driven, view->high_force, view->high_groups[i],
+                                      high->push + (size_t)i * high->driven);
+  }
 }
 
 /* The high band hears the contact forces, counted from rest; it does not answer. */
@@ -170,7 +174,7 @@ static void drive_high(TbView *view, bool unchanged) {
     if (!unchanged) gather_high(view);
     const uint32_t from = high->begin[model->wires.head];
     kernels->add_scaled(high->driven, view->next.high + from, 1.0, view->high_force);
-    tb_highband_hold(high, model->wires.head,
+    tb_highband_hold(high, kernels, model->wires.head,
                      kernels->dot(model->wires.stride, force, high->row_loss),
                      view->last.high + from, view->next.high + from);
   }

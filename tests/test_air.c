@@ -84,7 +84,7 @@ static void rigid_disc(uint32_t count, double x, TaborBoundary boundary, TbAirLo
   for (uint32_t i = 0; i < count; i++) v[i] = 2.0 / (zeros[i] * tb_bessel_j(1, zeros[i]));
   TbAirOrder order;
   assert_true(tb_air_order_prepare(&order, &arena, 0, zeros, count));
-  assert_true(tb_air_load(&order, &arena, boundary, v, x, NULL, 0, load, NULL));
+  assert_true(tb_air_load(&order, &arena, boundary, true, v, x, NULL, 0, load, NULL));
   tb_arena_release(&arena);
 }
 
@@ -141,7 +141,7 @@ static void load_at_finite_frequency_meets_the_matrices(void **state) {
       if (boundary == TABOR_BOUNDARY_BAFFLED) still *= 2.0;
       TbAirLoad load;
       assert_true(
-        tb_air_load(&order, &arena, (TaborBoundary)boundary, v, 0.01, NULL, 0, &load, NULL));
+        tb_air_load(&order, &arena, (TaborBoundary)boundary, true, v, 0.01, NULL, 0, &load, NULL));
       assert_true(fabs(load.mass / still - 1.0) < 2e-4); /* (x/z)^2 remains */
       assert_true(load.resistance >= 0.0);
     }
@@ -161,7 +161,8 @@ static void open_mass_at_finite_frequency(void **state) {
   tb_air_mass_open(&order, &still);
   for (int i = 0; i < 3; i++) {
     TbAirLoad load;
-    assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, &one, X[i], NULL, 0, &load, NULL));
+    assert_true(
+      tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, true, &one, X[i], NULL, 0, &load, NULL));
     assert_true(fabs(load.mass / still - RATIO[i]) < 0.006);
   }
   tb_arena_release(&arena);
@@ -220,8 +221,8 @@ static void baffled_field_is_the_rayleigh_integral(void **state) {
       const double x = X[i % 4];
       order.table = i % 2 ? &table : NULL;
       TbAirLoad load;
-      assert_true(
-        tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, v, x, points, POINTS, &load, fields));
+      assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, true, v, x, points, POINTS,
+                              &load, fields));
       for (uint32_t p = 0; p < POINTS; p++) {
         const double sign = points[p].height < 0.0 ? -1.0 : 1.0;
         const double complex theirs = sign * rayleigh(ORDERS[o], zeros[i / 4], x, points[p]);
@@ -277,7 +278,7 @@ static void near_and_far_fields_meet(void **state) {
         points[p] = (TbAirPoint){places[p] * cos(elevation), places[p] * sin(elevation)};
         double f[2];
         TbAirLoad load;
-        assert_true(tb_air_load(&order, &arena, boundary, v, x, &points[p], 1, &load, f));
+        assert_true(tb_air_load(&order, &arena, boundary, true, v, x, &points[p], 1, &load, f));
         field[p] = (f[0] + I * f[1]) * cexp(I * x * places[p]);
       }
       const double complex foretold = extrapolate(INSIDE, places, field, places[INSIDE]);
@@ -306,8 +307,8 @@ static void a_distant_point_takes_no_more_work(void **state) {
       TbAirOrder order;
       TbAirLoad load;
       prepare_order(&order, &arena, 1, zeros, 20);
-      assert_true(tb_air_load(&order, &scratch, (TaborBoundary)(i % 2), v, x, p ? &DISTANT : &NEAR,
-                              1, &load, field));
+      assert_true(tb_air_load(&order, &scratch, (TaborBoundary)(i % 2), true, v, x,
+                              p ? &DISTANT : &NEAR, 1, &load, field));
       bytes[p] = scratch.bytes;
       assert_true(isfinite(field[0]) && isfinite(field[1]) && hypot(field[0], field[1]) > 0.0);
       tb_arena_release(&scratch);
@@ -335,7 +336,8 @@ static void open_field_carries_the_radiated_power(void **state) {
     for (uint32_t i = 0; i < PANELS * TB_PANEL; i++) {
       const TbAirPoint point = {distance * sin(angles[i]), distance * cos(angles[i])};
       double f[2];
-      assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, v, x, &point, 1, &load, f));
+      assert_true(
+        tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, true, v, x, &point, 1, &load, f));
       /* Int |p|^2/(2 rho0 c0) over both hemispheres, per unit velocity amplitude squared, in units
        * of a_m rho0 c0 R^2/2: 2 x^2 Int |I|^2 sin d^2 dangle. */
       power += 2.0 * x * x * (f[0] * f[0] + f[1] * f[1]) * distance * distance * sin(angles[i]) *
@@ -375,7 +377,7 @@ static void a_flat_drum_is_a_baffled_or_an_open_head(void **state) {
       TbAirLoad load;
       assert_true(tb_air_drum_load(&order, &arena, v, v, 0.0, x, points, 3, &resistance, drum));
       assert_true(
-        tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, v, x, points, 3, &load, fields));
+        tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, true, v, x, points, 3, &load, fields));
       assert_true(fabs(resistance - load.resistance) <= DRUM * load.resistance);
       for (int p = 0; p < 3; p++) { /* even in the height, while both sides of one head are odd */
         const double sign = points[p].height < 0.0 ? -1.0 : 1.0;
@@ -383,7 +385,8 @@ static void a_flat_drum_is_a_baffled_or_an_open_head(void **state) {
       }
       assert_true(
         tb_air_drum_load(&order, &arena, v, opposite, 0.0, x, points, 3, &resistance, drum));
-      assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, v, x, points, 3, &load, fields));
+      assert_true(
+        tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, true, v, x, points, 3, &load, fields));
       assert_true(fabs(resistance - load.resistance) <= DRUM * load.resistance);
       for (int p = 0; p < 3; p++) {
         assert_true(distance_of(drum + 2 * p, fields + 2 * p, 1.0) < DRUM);
@@ -427,8 +430,8 @@ static double resistance_from_afar(const TbAirOrder *order, TbArena *arena, cons
       for (int boundary = 0; boundary < 2; boundary++) {
         double f[2];
         TbAirLoad load;
-        assert_true(tb_air_load(order, arena, (TaborBoundary)boundary, h ? lower : upper, x, &point,
-                                1, &load, f));
+        assert_true(tb_air_load(order, arena, (TaborBoundary)boundary, true, h ? lower : upper, x,
+                                &point, 1, &load, f));
         far[h][boundary] = (f[0] + I * f[1]) * distance;
       }
     }

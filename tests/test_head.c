@@ -134,7 +134,8 @@ static void radiation_follows_from_the_finite_frequency_resistance(void **state)
       assert_true(tb_air_order_prepare(&order, &arena, m, zeros, 3));
       TbAirLoad load;
       const double x = 2.0 * PI * mode.frequency * 0.2 / def.air.sound_speed;
-      assert_true(tb_air_load(&order, &arena, (TaborBoundary)boundary, v, x, NULL, 0, &load, NULL));
+      assert_true(
+        tb_air_load(&order, &arena, (TaborBoundary)boundary, true, v, x, NULL, 0, &load, NULL));
       const double slope = tb_bessel_j(m + 1, zeros[0]);
       /* rate = R/(2 M): a_m rho0 c0 R^2 r/(2 rho a_m R^2 J^2/2) */
       const double expected =

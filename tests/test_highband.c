@@ -173,7 +173,8 @@ static void an_open_edge_radiates_a_fixed_part(void **state) {
         double o[6], b[6], resistance;
         const double one = 1.0, x = 0.31 * zeros[i];
         assert_true(tb_air_order_prepare(&order, &arena, m, &zeros[i], 1));
-        assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, &one, x, points, 3, &load, o));
+        assert_true(
+          tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, true, &one, x, points, 3, &load, o));
         assert_true(tb_air_slow(&order, &arena, true, x, points, 3, &resistance, b));
         tb_arena_release(&arena);
         const double unit = 1.0 / pow(tb_bessel_j(m + 1, zeros[i]), 2.0);
@@ -204,7 +205,8 @@ static void slow_modes_radiate_as_others_do(void **state) {
   TbAirLoad load;
   double a[2], b[2], resistance;
   assert_true(tb_air_order_prepare(&order, &arena, 0, &zero, 1));
-  assert_true(tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, &one, 5.0, &point, 1, &load, a));
+  assert_true(
+    tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, true, &one, 5.0, &point, 1, &load, a));
   assert_true(tb_air_slow(&order, &arena, true, 5.0, &point, 1, &resistance, b));
   assert_true(fabs(load.resistance / resistance - 1.0) < 1e-4);
   assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-4 * hypot(a[0], a[1]));

@@ -69,10 +69,11 @@ bool tb_air_resistance_baffled(const TbAirOrder *order, TbArena *scratch, double
 
 /* Load and field of the shape Sum_i v_i J_m(z_i r) at x > 0, on a head with this boundary.
  * fields[2 p], fields[2 p + 1]: real and imaginary part of I at point p, from which the pressure is
- * -omega^2 rho0 R I cos(m theta) per unit amplitude. `points` may be empty. */
-bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, const double *v,
-                 double x, const TbAirPoint *points, uint32_t point_count, TbAirLoad *load,
-                 double *fields);
+ * -omega^2 rho0 R I cos(m theta) per unit amplitude. `points` may be empty. To ten digits and a half if
+ * `exact`, else to four and a half. */
+bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, bool exact,
+                 const double *v, double x, const TbAirPoint *points, uint32_t point_count,
+                 TbAirLoad *load, double *fields);
 
 /* Resistance and fields of a drum at x > 0. `upper` and `lower` are its heads' outward amplitudes; the
  * lower head lies `depth` below the upper one, above whose plane the points' heights are given. `lower`

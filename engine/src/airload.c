@@ -9,7 +9,7 @@
 static const double PI = 3.14159265358979323846;
 
 static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5}; /* two wavelengths */
-/* For drums, whose resistance is itself an interpolation: parts down to 60 dB below the loudest are right to
+/* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the loudest are right to
  * 0.1 dB, resistances to 1e-4 of the damping. */
 static const TbAirPrecision FINE = {.digits = 4.5, .panel = 17.5};
 static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
@@ -209,11 +209,11 @@ static TbAirLoad load_open(const Open *open, const TbAirPlan *plan, const double
   return (TbAirLoad){.mass = 2.0 * mass, .resistance = -2.0 * plan->x * lost};
 }
 
-bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, const double *v,
-                 double x, const TbAirPoint *points, uint32_t point_count, TbAirLoad *load,
-                 double *fields) {
+bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary boundary, bool exact,
+                 const double *v, double x, const TbAirPoint *points, uint32_t point_count,
+                 TbAirLoad *load, double *fields) {
   const bool is_open = boundary == TABOR_BOUNDARY_OPEN;
-  TbAirPlan plan = plan_of(order, x, points, point_count, EXACT);
+  TbAirPlan plan = plan_of(order, x, points, point_count, exact ? EXACT : FINE);
   TbAirSource source = {.v = v,
                         .up = 1.0,
                         .baffled = is_open ? 0.0 : 1.0,

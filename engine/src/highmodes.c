@@ -318,6 +318,10 @@ static uint32_t copies_for(const Builder *b, double part) {
   return copies;
 }
 
+/* A microphone that hardly hears the modes kept for the others goes without: they would sound out of all
+ * proportion there, and random trials found one where they were infinite. */
+static const double LEAST_KEPT = 1e-3;
+
 /* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */
 static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t end) {
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
@@ -327,7 +331,7 @@ static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t
       total += energy;
       if (i < from + count) kept += energy;
     }
-    if (!(kept > 0.0)) continue;
+    if (!(kept > LEAST_KEPT * total)) continue;
     const double gain = sqrt(total / kept);
     for (uint32_t i = from; i < from + count; i++) {
       b->candidates[i].fields[2 * p] *= gain;

@@ -82,12 +82,13 @@ static bool finish_mode(const OrderWork *work, TbArena *scratch, const TbAirOrde
     const double unit = work->azimuth * def->air.density * radius * radius;
     const TaborBoundary boundary = (TaborBoundary)def->shell.boundary;
     double x = mode->omega * radius / def->air.sound_speed;
-    /* The mass of the lowest modes changes most: they get a second pass. */
-    for (int pass = x < 3.0 ? 0 : 1; pass < 2; pass++) {
+    /* The mass of the lowest modes changes most: they get a second pass, and all digits. */
+    const bool exact = x < 3.0;
+    for (int pass = exact ? 0 : 1; pass < 2; pass++) {
       TbAirLoad load;
       x = mode->omega * radius / def->air.sound_speed;
-      if (!tb_air_load(air, scratch, boundary, v, x, points, pass == 1 ? def->mic_count : 0, &load,
-                       mode->fields)) {
+      if (!tb_air_load(air, scratch, boundary, exact && pass == 1, v, x, points,
+                       pass == 1 ? def->mic_count : 0, &load, mode->fields)) {
         return false;
       }
       total = own_mass + unit * radius * load.mass;

@@ -196,7 +196,8 @@ static void move_forces(TbSolve *solve, double t) {
 }
 
 /* Moves the forces to where their work is what the laws say, and leaves that place's laws; false if that
- * is further than `reach` away. The laws have just been evaluated at s. */
+ * is further than `reach` away, or where wires touch that took no part. The laws have just been evaluated at
+ * s. */
 static bool balance(TbSolve *solve, double reach) {
   double *s = solve->s, t = 0.0;
   Balance h = balance_at(solve, s, t);
@@ -212,7 +213,7 @@ static bool balance(TbSolve *solve, double reach) {
   }
   if (t == 0.0) return true;
   move_forces(solve, t);
-  return solve->wires || !wires_touch(solve, solve->s); /* else wires touch now that took no part */
+  return solve->wires || !wires_touch(solve, solve->s);
 }
 
 /* What the laws lose in a step, with the values of the last evaluation, which was at s. */
@@ -337,8 +338,10 @@ static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
     const double miss = evaluate(solve);
     if (miss == 0.0) return true;
     if (outcome->iterations == 0) first = miss;
-    const bool near = outcome->iterations > 0 && miss <= solve->tolerance * first;
-    if (near && balance(solve, 0.1)) return true;
+    if (outcome->iterations > 0 && miss <= solve->tolerance * first) {
+      if (balance(solve, 0.1)) return true;
+      evaluate(solve); /* it may have left the laws of another place */
+    }
     if (solve->tolerance > 0.0 && outcome->iterations == solve->cap) return false;
     const double error = find_residual(solve);
     if (error <= rounding) {

@@ -278,18 +278,21 @@ static double mean_colour(const TaborDrumDef *def, double velocity) {
   return sum / 3.0;
 }
 
-/* With all modes to 16 kHz two-way, at 96 kHz, the mean centroids are 914, 882 and 1011 Hz: only a very hard
- * stroke is brighter, by a tenth. */
-static void the_hardest_strokes_are_brighter(void **state) {
+/* With snares on and off: Hertz contacts shorten as they are pressed harder, and heads stretch. */
+static void harder_strokes_are_brighter(void **state) {
   (void)state;
-  const TaborDrumDef def = drum_of("snare-14x5.5");
+  static const char *const DRUMS[] = {"snare-14x5.5", "snare-14x5.5-off"};
   static const double SPEEDS[] = {0.8, 3.0, 12.0};
-  double colour[3];
-  for (int i = 0; i < 3; i++) {
-    colour[i] = mean_colour(&def, SPEEDS[i]);
-    print_message("%4.1f m/s: centroid %.0f Hz\n", SPEEDS[i], colour[i]);
+  for (int d = 0; d < 2; d++) {
+    const TaborDrumDef def = drum_of(DRUMS[d]);
+    double before = 0.0;
+    for (int i = 0; i < 3; i++) {
+      const double colour = mean_colour(&def, SPEEDS[i]);
+      print_message("%s, %4.1f m/s: centroid %.0f Hz\n", DRUMS[d], SPEEDS[i], colour);
+      assert_true(colour > 1.05 * before);
+      before = colour;
+    }
   }
-  assert_true(colour[2] > 1.05 * colour[0] && colour[2] > 1.05 * colour[1]);
 }
 
 /* A stroke at the edge hardly moves the round modes: the lowest has at least 6 dB less of the whole. */
@@ -349,7 +352,7 @@ int main(int count, char **words) {
     cmocka_unit_test(soft_strokes_at_the_edge_sound_them_too),
     cmocka_unit_test(slack_wires_rattle_longer),
     cmocka_unit_test(closing_the_strainer_chokes_the_drum),
-    cmocka_unit_test(the_hardest_strokes_are_brighter),
+    cmocka_unit_test(harder_strokes_are_brighter),
     cmocka_unit_test(centre_and_edge_differ),
     cmocka_unit_test(hard_strokes_glide),
     cmocka_unit_test(sticks_let_go_as_measured),

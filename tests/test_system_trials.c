@@ -141,6 +141,21 @@ static void check(const TaborDrum *drum, const float *samples, uint32_t count,
   }
 }
 
+/* A guard that shortens every step in vain holds the drum still. */
+static uint64_t guarded_so_far(const TaborDrum *drum) {
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  return statistics.guarded;
+}
+
+static void check_alive(const TaborDrum *drum, uint64_t guarded_before, uint64_t trial_seed) {
+  const uint64_t guarded = guarded_so_far(drum) - guarded_before;
+  if (guarded > 32) {
+    fail_msg("trial %#llx, %s: the guard shortened %llu of 64 steps",
+             (unsigned long long)trial_seed, playing, (unsigned long long)guarded);
+  }
+}
+
 /* Some events, then silence, for `blocks` blocks of 64. */
 static void play(TaborDrum *drum, const TaborDrumDef *def, uint64_t *seed, uint32_t blocks) {
   const uint64_t name = *seed;
@@ -149,8 +164,10 @@ static void play(TaborDrum *drum, const TaborDrumDef *def, uint64_t *seed, uint3
   for (uint32_t block = 0; block < blocks; block++) {
     const bool any = block == 0 || physics_random(seed) % 6 == 0;
     const TaborEvent event = draw_event(seed, def);
+    const uint64_t guarded = guarded_so_far(drum);
     tabor_drum_process(drum, &event, any ? 1 : 0, outputs, 64);
     check(drum, samples, 64, name);
+    check_alive(drum, guarded, name);
   }
 }
 

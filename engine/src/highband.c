@@ -195,7 +195,7 @@ static const double MOST_HELD = 0.5;
 
 void tb_highband_hold(const TbHighBand *band, const TbKernels *kernels, uint32_t head, double loss,
                       const double *last, double *next) {
-  if (loss == 0.0) return;
+  if (!(loss > 0.0)) return; /* forces that were balanced, not solved for, may pull a little */
   kernels->hold(band->begin[head + 1] - band->begin[head], loss, MOST_HELD, band->hold, last, next);
 }
 

@@ -10,6 +10,9 @@ static const double PENETRATION_TOLERANCE = 4e-15;
 /* A balance is exact to this part of the work that makes it up. */
 static const double BALANCE_TOLERANCE = 3e-13;
 static const uint32_t MOST_BALANCE_STEPS = 8;
+/* The majorant takes energy only where its linear system is really solved. */
+static const uint32_t MAJORANT_CAP = 32;
+static const double MAJORANT_TOLERANCE = 1e-10;
 
 static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLOTS; }
 
@@ -128,15 +131,15 @@ static double find_residual(TbSolve *solve) {
 
 /* Solves (I + W M W) p = right, given in `residual`, by conjugate gradients from p = 0, W = diag(weight),
  * into `solution`; adds M W p to `product`, and W p on the grid to `grid`. */
-static void solve_inner(TbSolve *solve) {
+static void solve_inner(TbSolve *solve, uint32_t cap, double tolerance) {
   const TbKernels *kernels = solve->kernels;
   const uint32_t length = total_rows(solve);
   double *right = solve->residual, *d = solve->direction;
   memset(solve->solution, 0, length * sizeof(double));
   memcpy(d, right, length * sizeof(double));
   double square = kernels->dot(length, right, right);
-  const double enough = square * solve->inner_tolerance * solve->inner_tolerance;
-  for (uint32_t i = 0; i < solve->inner_cap && square > enough; i++) {
+  const double enough = square * tolerance * tolerance;
+  for (uint32_t i = 0; i < cap && square > enough; i++) {
     kernels->product(length, solve->work, solve->weight, d);
     product_of(solve, solve->wires, solve->work, solve->pushed, solve->moved);
     const double bend = kernels->turn(length, solve->turned, d, solve->weight, solve->moved);
@@ -160,9 +163,9 @@ static void take_law_forces(TbSolve *solve) {
 }
 
 /* force = law_force + weight solution, and s with it. */
-static void newton_step(TbSolve *solve) {
+static void newton_step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance) {
   solve->kernels->weigh(total_rows(solve), solve->slope, solve->weight, solve->residual);
-  solve_inner(solve);
+  solve_inner(solve, inner_cap, inner_tolerance);
   solve->kernels->add_product(total_rows(solve), solve->law_force, solve->weight, solve->solution);
   take_law_forces(solve);
 }
@@ -286,7 +289,7 @@ static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
   prepare_majorants(solve);
   memset(solve->s, 0, bytes);
   find_residual(solve);
-  newton_step(solve);
+  newton_step(solve, MAJORANT_CAP, MAJORANT_TOLERANCE);
   for (uint32_t row = 0; row < total_rows(solve); row++) {
     const TbLaw *law = law_of(solve, row);
     if (!law) continue;
@@ -322,12 +325,15 @@ static bool slots_act(const TbSolve *solve) {
   return false;
 }
 
-static void come_to_rest(TbSolve *solve) {
-  const size_t bytes = total_rows(solve) * sizeof(double);
-  memset(solve->force, 0, bytes);
-  memset(solve->product, 0, bytes);
+void tb_solve_forget(TbSolve *solve) {
+  memset(solve->force, 0, total_rows(solve) * sizeof(double));
+  memset(solve->product, 0, total_rows(solve) * sizeof(double));
   memset(solve->grid, 0, solve->bed->size * sizeof(double));
-  memcpy(solve->s, solve->b, bytes);
+}
+
+static void come_to_rest(TbSolve *solve) {
+  tb_solve_forget(solve);
+  memcpy(solve->s, solve->b, total_rows(solve) * sizeof(double));
 }
 
 /* Newton's iteration; true if it came to its end, with forces, product, grid and s set. */
@@ -353,7 +359,7 @@ static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
       follow(solve);
       return false;
     }
-    newton_step(solve);
+    newton_step(solve, solve->inner_cap, solve->inner_tolerance);
     outcome->iterations++;
   }
 }

@@ -74,6 +74,9 @@ typedef struct TbSolveOutcome {
 
 TbSolveOutcome tb_solve(TbSolve *solve);
 
+/* Starts the next sample from no forces: where these led nowhere, they would again. */
+void tb_solve_forget(TbSolve *solve);
+
 /* out = M x; the rest load is computed by this too, so that it cancels to the bit. `grid` receives x
  * on the grid. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);

@@ -218,7 +218,10 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   respond(view, unchanged);
   tb_stretch_respond(view);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
-  if (!shortened) {
+  if (shortened) {
+    tb_solve_forget(&view->solve);
+    tb_stretch_clear(view);
+  } else {
     view->state->sums.contact_loss += outcome.contact_loss;
     view->state->sums.damper_loss += outcome.damper_loss;
   }

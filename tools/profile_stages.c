@@ -93,17 +93,22 @@ static TaborEvent stroke_at(const Request *request, uint32_t index, uint32_t fra
   };
 }
 
-/* One block of every drum in turn from frame `start` on; strokes are INTERVAL apart, so a block has one at
- * most. */
+/* The first stroke from frame `start` on; strokes are INTERVAL apart, so a block has one at most. */
+static TaborEvent next_stroke(const Request *request, uint32_t start) {
+  const double interval = INTERVAL * request->options.sample_rate;
+  uint32_t index = (uint32_t)(start / interval);
+  while (lround(index * interval) < (long)start) index++;
+  return stroke_at(request, index, (uint32_t)lround(index * interval));
+}
+
+/* One block of every drum in turn from frame `start` on. */
 static void play_block(const Request *request, TaborDrum *const *drums, uint32_t count,
                        uint32_t start) {
   static float sound[BLOCK];
   float *outputs[TABOR_MAX_MICS] = {sound};
-  const double interval = INTERVAL * request->options.sample_rate;
-  const uint32_t next = (uint32_t)ceil(start / interval);
-  const uint32_t frame = (uint32_t)lround(next * interval);
-  const bool struck = frame >= start && frame < start + BLOCK;
-  const TaborEvent event = stroke_at(request, next, frame - start);
+  TaborEvent event = next_stroke(request, start);
+  const bool struck = event.frame < start + BLOCK;
+  event.frame -= start;
   for (uint32_t i = 0; i < count; i++) {
     tabor_drum_process(drums[i], struck ? &event : NULL, struck, outputs, BLOCK);
   }
@@ -324,34 +329,42 @@ static void count_bytes(const Request *request, TaborDrum *drum, size_t *bytes) 
 
 /* ---- stages --------------------------------------------------------------------------------- */
 
+typedef struct Ticks {
+  uint64_t of[TB_STAGE_COUNT];
+} Ticks;
+
+/* The least that each stage took in each block: the counter also runs while others have the processor, but
+ * hardly in the same stage of the same block in every repeat. */
 typedef struct Stages {
-  double best;                   /* processor time of the fastest play with timers [s] */
-  double share[TB_STAGE_COUNT];  /* of its ticks */
-  double ticks[TB_STAGE_COUNT];  /* of its ticks, without what reading the counter takes */
-  uint64_t entries, timer_ticks; /* of it; and the least that one reading takes */
+  Ticks *blocks;
+  uint32_t count;
+  uint64_t entries[TB_STAGE_COUNT]; /* of a play; the same in all */
+  double timer_ticks;               /* the least that one reading of the counter takes */
+  double tick;                      /* [s] */
 } Stages;
+
+static void keep_least(Ticks *least, const TbProfile *profile) {
+  for (int i = 0; i < TB_STAGE_COUNT; i++) {
+    if (profile->ticks[i] < least->of[i]) least->of[i] = profile->ticks[i];
+  }
+}
 
 static void time_stages(const Request *request, TaborDrum *drum, Stages *stages) {
   TbProfile *const profile = &tb_profile;
-  *profile = (TbProfile){.on = true, .since = tb_profile_ticks()};
-  const double time = play(request, &drum, 1, NULL);
-  TB_STAGE(OTHER);
-  profile->on = false;
-  if (!(time < stages->best)) return;
-  stages->best = time;
-  stages->entries = 0;
-  double sum = 0;
-  for (int i = 0; i < TB_STAGE_COUNT; i++) {
-    const uint64_t overhead = profile->entries[i] * stages->timer_ticks;
-    stages->ticks[i] = profile->ticks[i] > overhead ? (double)(profile->ticks[i] - overhead) : 0.0;
-    stages->entries += profile->entries[i];
-    sum += (double)profile->ticks[i];
+  tabor_drum_reset(drum);
+  memset(stages->entries, 0, sizeof stages->entries);
+  for (uint32_t block = 0; block < stages->count; block++) {
+    *profile = (TbProfile){.on = true, .since = tb_profile_ticks()};
+    play_block(request, &drum, 1, block * BLOCK);
+    TB_STAGE(OTHER);
+    profile->on = false;
+    keep_least(&stages->blocks[block], profile);
+    for (int i = 0; i < TB_STAGE_COUNT; i++) stages->entries[i] += profile->entries[i];
   }
-  for (int i = 0; i < TB_STAGE_COUNT; i++) stages->share[i] = stages->ticks[i] / sum;
 }
 
 /* The least ticks that a stage without any work takes. */
-static uint64_t timer_ticks(void) {
+static double timer_ticks(void) {
   TbProfile *const profile = &tb_profile;
   uint64_t least = UINT64_MAX;
   for (int i = 0; i < 100; i++) {
@@ -360,22 +373,45 @@ static uint64_t timer_ticks(void) {
     if (profile->ticks[TB_STAGE_OTHER] < least) least = profile->ticks[TB_STAGE_OTHER];
   }
   profile->on = false;
-  return least / 1000;
+  return (double)least / 1000.0;
+}
+
+/* How long a tick lasts [s], by the clock on the wall. */
+static double tick_length(void) {
+  const double from = seconds_of(CLOCK_MONOTONIC);
+  const uint64_t first = tb_profile_ticks();
+  double now = from;
+  while (now < from + 0.05) now = seconds_of(CLOCK_MONOTONIC);
+  return (now - from) / (double)(tb_profile_ticks() - first);
+}
+
+static Stages prepare_stages(uint32_t count) {
+  Stages stages = {.blocks = memory(count, sizeof *stages.blocks),
+                   .count = count,
+                   .timer_ticks = timer_ticks(),
+                   .tick = tick_length()};
+  memset(stages.blocks, 0xff, count * sizeof *stages.blocks);
+  return stages;
 }
 
 static void print_stages(const Request *request, const Stages *stages, const size_t *bytes) {
-  /* Ticks are turned into time by the processor time of the same play: the counter also runs while others
-   * have the processor, which this spreads evenly. */
-  const double per_sample = 1e9 * stages->best / frames_of(request);
-  double sum = 0;
+  const double scale = 1e9 * stages->tick / frames_of(request);
+  double sum = 0, timers = 0;
   printf("  \"stages\": {");
   for (int i = 0; i < TB_STAGE_COUNT; i++) {
-    sum += per_sample * stages->share[i];
-    printf("%s\n    \"%s\": {\"ns\": %.1f, \"bytes\": %zu}", i ? "," : "", stage_names[i],
-           per_sample * stages->share[i], bytes[i]);
+    const double timer = stages->timer_ticks * (double)stages->entries[i];
+    double ticks = 0;
+    for (uint32_t block = 0; block < stages->count; block++) {
+      ticks += (double)stages->blocks[block].of[i];
+    }
+    const double ns = scale * fmax(0.0, ticks - timer);
+    sum += ns;
+    timers += scale * timer;
+    printf("%s\n    \"%s\": {\"ns\": %.1f, \"bytes\": %zu}", i ? "," : "", stage_names[i], ns,
+           bytes[i]);
   }
   printf("\n  },\n  \"sample\": {\"ns\": %.1f, \"bytes\": %zu, \"timers_ns\": %.1f},\n", sum,
-         bytes[TB_STAGE_COUNT], per_sample - sum);
+         bytes[TB_STAGE_COUNT], timers);
 }
 
 /* ---- the measurement ------------------------------------------------------------------------ */
@@ -392,11 +428,20 @@ static TaborModel *build_model(const Request *request, Series *times) {
   return model;
 }
 
-static void print_blocks(double *blocks, uint32_t count) {
+/* `stroke`: the mean of the blocks in which a stroke begins. */
+static void print_blocks(const Request *request, double *blocks, uint32_t count) {
+  double sum = 0;
+  uint32_t strokes = 0;
+  for (uint32_t i = 0; i < count; i++) {
+    if (next_stroke(request, i * BLOCK).frame >= (i + 1) * BLOCK) continue;
+    sum += blocks[i];
+    strokes++;
+  }
   qsort(blocks, count, sizeof *blocks, compare_numbers);
-  printf("  \"block_time_us\": {\"median\": %.6g, \"p99\": %.6g, \"max\": %.6g},\n",
-         1e6 * blocks[count / 2], 1e6 * blocks[(uint32_t)ceil(0.99 * count) - 1],
-         1e6 * blocks[count - 1]);
+  printf(
+    "  \"block_time_us\": {\"median\": %.6g, \"p99\": %.6g, \"max\": %.6g, \"stroke\": %.6g},\n",
+    1e6 * blocks[count / 2], 1e6 * blocks[(uint32_t)ceil(0.99 * count) - 1],
+    1e6 * blocks[count - 1], 1e6 * sum / strokes);
 }
 
 static void measure_one(const Request *request, TaborModel *model) {
@@ -407,16 +452,17 @@ static void measure_one(const Request *request, TaborModel *model) {
   for (uint32_t i = 0; i < count; i++) blocks[i] = INFINITY;
   size_t bytes[TB_STAGE_COUNT + 1] = {0};
   Series factors = {.count = 0};
-  Stages stages = {.best = INFINITY, .timer_ticks = timer_ticks()};
+  Stages stages = prepare_stages(count);
   for (uint32_t i = 0; i < request->repeats; i++) {
     factors.values[factors.count++] = play(request, &drum, 1, blocks) / duration;
     time_stages(request, drum, &stages);
   }
   count_bytes(request, drum, bytes);
   print_series("real_time_factor", &factors);
-  print_blocks(blocks, count);
+  print_blocks(request, blocks, count);
   print_stages(request, &stages, bytes);
   free(blocks);
+  free(stages.blocks);
   tabor_drum_destroy(drum);
 }
 

@@ -7,11 +7,13 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "command.h"
 #include "drum_source.h"
 #include "json_output.h"
+#include "suggest.h"
 
 /* The workload: strokes so dense that the drum never falls asleep. */
 #define DURATION 4.0   /* [s] */
@@ -192,6 +194,40 @@ static Outcome print_table(const Bench *bench, const Figures *figures) {
 
 /* ---- the command ---- */
 
+/* Names of TaborInstructions, in its order. */
+static const char *const instruction_names[] = {"auto", "baseline", "avx2", "avx512", NULL};
+
+static const char *instruction_name_at(const void *names, size_t index) {
+  return ((const char *const *)names)[index];
+}
+
+/* The library would take narrower ones in place of those that the processor lacks. */
+static bool processor_has(uint32_t instructions) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (instructions == TABOR_INSTRUCTIONS_AVX2) return __builtin_cpu_supports("avx2");
+  if (instructions == TABOR_INSTRUCTIONS_AVX512) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+  }
+#endif
+  return instructions <= TABOR_INSTRUCTIONS_BASELINE;
+}
+
+static Outcome read_instructions(const Arguments *arguments, uint32_t *instructions) {
+  const char *const text = arguments_value(arguments, "instructions");
+  if (!text) return OUTCOME_OK;
+  for (uint32_t i = 0; instruction_names[i]; i++) {
+    if (strcmp(instruction_names[i], text) != 0) continue;
+    *instructions = i;
+    return processor_has(i) ? OUTCOME_OK
+                            : refuse("--instructions '%s': this processor has not got them", text);
+  }
+  char hint[96];
+  suggest_hint(hint, sizeof hint, text, "", instruction_name_at, instruction_names);
+  return refuse("--instructions '%.80s': unknown; allowed: auto, baseline, avx2, avx512%s", text,
+                hint);
+}
+
 static Outcome read_request(const Arguments *arguments, Bench *bench) {
   static const NumberField block_field = {"--block", 1, LONGEST_BLOCK, true};
   static const NumberField repeat_field = {"--repeat", 1, 1000, true};
@@ -203,7 +239,8 @@ static Outcome read_request(const Arguments *arguments, Bench *bench) {
   bench->repeats = (uint32_t)repeats;
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &bench->def);
   if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &bench->model_options);
-  return outcome;
+  if (outcome != OUTCOME_OK) return outcome;
+  return read_instructions(arguments, &bench->model_options.instructions);
 }
 
 static Outcome measure(const Arguments *arguments, Bench *bench) {
@@ -235,6 +272,7 @@ static const Option options[] = {
   OPTION_RATE,
   {"block", 0, "FRAMES", "frames computed at once, 1 to 8192 (default 64)"},
   OPTION_QUALITY,
+  {"instructions", 0, "SET", "auto, baseline, avx2 or avx512 (default auto: the widest there are)"},
   {"repeat", 0, "TIMES", "how often to measure; the fastest counts, 1 to 1000 (default 5)"},
   OPTION_SET,
   {0},

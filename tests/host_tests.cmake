@@ -20,4 +20,14 @@ if(TARGET tabor-program)
                                               "INSPECT=$<TARGET_FILE:host_inspect>"
                                               "SYNTHESISE=$<TARGET_FILE:host_synthesise>")
   endforeach()
+
+  # It builds a profiling library of its own, beside one without sanitizers and counters.
+  if(NOT TABOR_SHARED AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+    add_test(NAME test_bench_tool
+             COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_bench_tool.sh" "${PROJECT_SOURCE_DIR}"
+                     "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}" "$<TARGET_FILE:tabor>")
+    tabor_test_properties(test_bench_tool)
+    set_property(TEST test_bench_tool APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
+                                                      "INSPECT=$<TARGET_FILE:host_inspect>")
+  endif()
 endif()

@@ -45,6 +45,14 @@ done_quietly bench frame-drum --quality live --repeat 1
 check "a table" grep -qE '^real-time factor +[0-9.]+$' "$out"
 check "and idle" grep -qE '^idle factor +0\.[0-9]+$' "$out"
 check "with the quality" grep -qE '^quality +live$' "$out"
+for instructions in auto baseline; do
+  done_quietly bench frame-drum "${quick[@]}" --json --instructions $instructions
+  same "facts with --instructions $instructions" "frame-drum draft" "$(json preset) $(json quality)"
+done
+for instructions in avx2 avx512; do # what the processor lacks is refused, not replaced
+  run bench frame-drum "${quick[@]}" --instructions $instructions
+  if [ "$status" != 0 ]; then expect_error 2 "--instructions '$instructions': this processor"; fi
+done
 done_quietly show frame-drum
 cp "$out" drum.ini
 done_quietly bench ./drum.ini "${quick[@]}"
@@ -58,6 +66,8 @@ for repeat in 0 1001 1.5 x; do
 done
 refused "--rate '1'" bench --rate 1
 refused "--quality 'liev'.*did you mean 'live'" bench --quality liev
+refused "--instructions 'avx3'.*allowed: auto, baseline, avx2, avx512.*did you mean 'avx2'" \
+  bench --instructions avx3
 refused "unknown option '--output'" bench --output x.wav
 failed "missing.ini" bench missing.ini
 for data in "bench frame-drum ${quick[*]}" "bench frame-drum ${quick[*]} --json"; do

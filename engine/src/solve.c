@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "profile.h"
+
 /* Newton has converged when the residual is rounding noise of what it is a difference of. */
 static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
@@ -124,7 +126,9 @@ static uint32_t count_touching(const TbSolve *solve) {
 /* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`; returns
  * max |r|. */
 static double find_residual(TbSolve *solve) {
+  TB_STAGE(PRODUCT);
   product_of(solve, solve->wires, solve->law_force, solve->grid, solve->product);
+  TB_STAGE(LAWS);
   return solve->kernels->residual(total_rows(solve), solve->s, solve->b, solve->product,
                                   solve->residual);
 }
@@ -141,7 +145,9 @@ static void solve_inner(TbSolve *solve, uint32_t cap, double tolerance) {
   const double enough = square * tolerance * tolerance;
   for (uint32_t i = 0; i < cap && square > enough; i++) {
     kernels->product(length, solve->work, solve->weight, d);
+    TB_STAGE(PRODUCT);
     product_of(solve, solve->wires, solve->work, solve->pushed, solve->moved);
+    TB_STAGE(LAWS);
     const double bend = kernels->turn(length, solve->turned, d, solve->weight, solve->moved);
     const double step = square / bend;
     const double next = kernels->advance(length, step, solve->solution, d, right, solve->turned);

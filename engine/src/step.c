@@ -8,9 +8,14 @@
 #include "guard.h"
 #include "lift.h"
 #include "live.h"
+#include "profile.h"
 #include "slots.h"
 #include "stretch.h"
 #include "treble.h"
+
+#ifdef TABOR_PROFILE
+_Thread_local TbProfile tb_profile;
+#endif
 
 static void free_wire(TbView *view, uint32_t w) {
   const TaborModel *model = view->model;
@@ -32,8 +37,10 @@ static void free_wire(TbView *view, uint32_t w) {
 static void free_motion(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
+  TB_STAGE(MODES);
   model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
                            view->last.q);
+  TB_STAGE(WIRES);
   for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) free_wire(view, w);
 }
 
@@ -43,9 +50,13 @@ static void free_wires(TbView *view, double *slots) {
   const TbWires *wires = &model->wires;
   const TbKernels *kernels = model->kernels;
   const TbBed *bed = &model->projection.bed;
+  TB_STAGE(PROJECTION);
   tb_project(&model->projection, kernels, view->next.q, view->change);
+  TB_STAGE(STRETCH);
   tb_stretch_rest_load(view, slots);
+  TB_STAGE(PROJECTION);
   tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
+  TB_STAGE(WIRES);
   for (uint32_t w = 0; w < wires->count; w++) {
     const uint32_t at = w * wires->lanes;
     kernels->penetrate(wires->lanes, wires->side, view->state->shift[w], view->head + at,
@@ -60,6 +71,7 @@ static void free_penetration(TbView *view) {
   const TbKernels *kernels = model->kernels;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
   if (!view->state->lifted) free_wires(view, slots);
+  TB_STAGE(STRIKERS);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
@@ -78,12 +90,15 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.force;
+  TB_STAGE(WIRES);
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
+  TB_STAGE(PROJECTION);
   if (!unchanged) {
     kernels->subtract(model->projection.bed.size, view->solve.grid, model->rest.grid, view->change);
     tb_project_forces(&model->projection, kernels, view->change, view->modal);
   }
+  TB_STAGE(MODES);
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
 }
 
@@ -95,6 +110,7 @@ static void respond(TbView *view, bool unchanged) {
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.force;
   if (!view->state->lifted) respond_to_wires(view, unchanged);
+  TB_STAGE(STRIKERS);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
@@ -209,14 +225,19 @@ static void listen(TbView *view, uint32_t heard, double *pressure) {
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_step(view);
   free_motion(view);
+  TB_STAGE(STRETCH);
   tb_stretch_free(view);
   free_penetration(view);
+  TB_STAGE(STRETCH);
   tb_stretch_renew(view);
+  TB_STAGE(LAWS);
   const TbSolveOutcome outcome = tb_solve(&view->solve);
   count(&view->state->statistics, &outcome);
   const bool unchanged = !outcome.contact && view->state->airborne;
   respond(view, unchanged);
+  TB_STAGE(STRETCH);
   tb_stretch_respond(view);
+  TB_STAGE(LEDGER);
   const bool shortened = outcome.excess > 0.0 && tb_guard(view);
   if (shortened) {
     tb_solve_forget(&view->solve);
@@ -226,9 +247,12 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
     view->state->sums.damper_loss += outcome.damper_loss;
   }
   book_losses(view);
+  TB_STAGE(HIGH);
   drive_high(view, unchanged);
   view->state->airborne = !outcome.contact;
+  TB_STAGE(MICS);
   listen(view, heard, pressure);
+  TB_STAGE(OTHER);
   view->state->clock++;
   tb_view_rotate(view);
   tb_slots_retire(view);

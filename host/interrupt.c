@@ -1,20 +1,35 @@
 /* SPDX-License-Identifier: MIT */
 #include "interrupt.h"
 
+#include <stdatomic.h>
 #include <stddef.h>
 #include <tabor/tabor.h>
+#include <time.h>
 #include <unistd.h>
 
-#define GUARDS (TABOR_MAX_MICS + 1) /* a sound for each microphone, and the trace */
+/* a sound for each microphone, and the trace, of every rendering */
+#define GUARDS (INTERRUPT_MOST_THREADS * (TABOR_MAX_MICS + 1))
 
 static const int fatal_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
 #define FATAL_SIGNALS (sizeof fatal_signals / sizeof fatal_signals[0])
 
-/* The only globals of the program: a handler has no other way to know. Changed under hold only. */
+/* Globals: a handler has no other way to know. Changed under hold only. */
 static const char *volatile guarded[GUARDS];
 
-/* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. */
+/* Who holds. A mutex is not for handlers; and a thread that holds gets no signal, so the handler
+   never waits for what it has interrupted itself. */
+static atomic_flag held = ATOMIC_FLAG_INIT;
+static _Thread_local unsigned depth; /* of holds within holds */
+
+static void take_hold(void) {
+  const struct timespec moment = {.tv_nsec = 50000};
+  while (atomic_flag_test_and_set(&held)) (void)nanosleep(&moment, NULL);
+}
+
+/* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. Runs in
+   any thread, and keeps the hold, so that no other creates or renames a file any more. */
 static void end(int number) {
+  take_hold();
   for (size_t i = 0; i < GUARDS; i++) {
     if (guarded[i]) (void)unlink(guarded[i]);
   }
@@ -46,10 +61,14 @@ void interrupt_install(void) {
 void interrupt_hold(sigset_t *before) {
   sigset_t set;
   fatal_set(&set);
-  (void)sigprocmask(SIG_BLOCK, &set, before);
+  (void)pthread_sigmask(SIG_BLOCK, &set, before);
+  if (depth++ == 0) take_hold();
 }
 
-void interrupt_resume(const sigset_t *before) { (void)sigprocmask(SIG_SETMASK, before, NULL); }
+void interrupt_resume(const sigset_t *before) {
+  if (--depth == 0) atomic_flag_clear(&held);
+  (void)pthread_sigmask(SIG_SETMASK, before, NULL);
+}
 
 void interrupt_guard(const char *path) {
   for (size_t i = 0; i < GUARDS; i++) {

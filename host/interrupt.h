@@ -14,7 +14,13 @@
  */
 void interrupt_install(void);
 
-/** Holds signals back, so that creating or renaming a file and noting it down are one step. */
+/** Threads that may guard the files of a rendering at the same time. */
+#define INTERRUPT_MOST_THREADS 256
+
+/**
+ * Holds signals back, so that creating or renaming a file and noting it down are one step. One thread
+ * holds at a time, others wait: keep it short. A hold may lie within another.
+ */
 void interrupt_hold(sigset_t *before);
 void interrupt_resume(const sigset_t *before);
 

@@ -2,12 +2,33 @@
 #include "message.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define LONGEST_LINE 1000 /* bytes */
+
+static _Thread_local const char *thread_subject;
+static pthread_mutex_t speaking = PTHREAD_MUTEX_INITIALIZER;
+static int status_length; /* of what stands on the terminal; while speaking */
+
+void message_subject(const char *subject) { thread_subject = subject; }
+
+static void wipe_status(void) {
+  if (status_length > 0) (void)fprintf(stderr, "\r%*s\r", status_length, "");
+  status_length = 0;
+}
+
+void status_line(const char *text) {
+  (void)pthread_mutex_lock(&speaking);
+  wipe_status();
+  const int length = fprintf(stderr, "%s", text);
+  status_length = length > 0 ? length : 0;
+  (void)pthread_mutex_unlock(&speaking);
+}
 
 /* User input appears in messages: without this a line feed in it would make two lines of one. */
 static void replace_controls(char *text) {
@@ -26,27 +47,42 @@ static const char *whole(const char *text) {
 static void print(const char *prefix, char *line) {
   const size_t length = strlen(line);
   replace_controls(line);
+  (void)pthread_mutex_lock(&speaking);
+  wipe_status();
   if (length <= LONGEST_LINE) {
     (void)fprintf(stderr, "%s%s\n", prefix, line);
-    return;
+  } else {
+    const char *const head = whole(line + LONGEST_LINE / 2);
+    const char *const tail = whole(line + length - LONGEST_LINE / 2);
+    (void)fprintf(stderr, "%s%.*s...%s\n", prefix, (int)(head - line), line, tail);
   }
-  const char *const head = whole(line + LONGEST_LINE / 2);
-  const char *const tail = whole(line + length - LONGEST_LINE / 2);
-  (void)fprintf(stderr, "%s%.*s...%s\n", prefix, (int)(head - line), line, tail);
+  (void)pthread_mutex_unlock(&speaking);
+}
+
+/* "SUBJECT: text", or the text alone if it names the subject or there is none; NULL without memory. */
+static char *with_subject(const char *text) {
+  const bool named = !thread_subject || strstr(text, thread_subject);
+  const char *const subject = named ? "" : thread_subject;
+  const size_t size = strlen(subject) + strlen(text) + sizeof ": ";
+  char *const line = malloc(size);
+  if (line) (void)snprintf(line, size, "%s%s%s", subject, named ? "" : ": ", text);
+  return line;
 }
 
 static void say(const char *prefix, const char *format, va_list arguments) {
   va_list again;
   va_copy(again, arguments);
   const int length = vsnprintf(NULL, 0, format, arguments);
-  char *const line = length < 0 ? NULL : malloc((size_t)length + 1);
+  char *const text = length < 0 ? NULL : malloc((size_t)length + 1);
+  if (text) (void)vsnprintf(text, (size_t)length + 1, format, again);
+  char *const line = text ? with_subject(text) : NULL;
   if (line) {
-    (void)vsnprintf(line, (size_t)length + 1, format, again);
     print(prefix, line);
   } else {
     (void)fprintf(stderr, "%s%s\n", prefix, format); /* better than nothing */
   }
   free(line);
+  free(text);
   va_end(again);
 }
 

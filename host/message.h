@@ -4,7 +4,8 @@
  * What the program says on standard error, and the exit status that goes with it.
  *
  * A function that can go wrong says so itself, in one line, and returns the outcome; its callers
- * only pass the outcome on. So every error is printed once, where most is known about it.
+ * only pass the outcome on. So every error is printed once, where most is known about it. Any
+ * thread may speak: lines stay whole.
  */
 #ifndef TABOR_HOST_MESSAGE_H
 #define TABOR_HOST_MESSAGE_H
@@ -40,6 +41,12 @@ Outcome report_engine_error(const TaborError *error);
 PRINTF_LIKE void warn(const char *format, ...);
 /** Something the user may like to know. */
 PRINTF_LIKE void note(const char *format, ...);
+
+/** What this thread's messages are about: put before those that do not name it. NULL: nothing. */
+void message_subject(const char *subject);
+
+/** Shows a line that the next one or any message replaces; "" takes it away. For terminals. */
+void status_line(const char *text);
 
 /** "standard input" for "-", any other name as it is. */
 const char *input_name(const char *name);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,11 +101,18 @@ static Outcome read_letters(Reader *reader, const char *letters) {
   return OUTCOME_OK;
 }
 
+static size_t most_operands(const Command *command) {
+  if (!command->operand) return 0;
+  return strstr(command->operand, "...") ? SIZE_MAX : 1;
+}
+
 static Outcome read_operand(Reader *reader, const char *text) {
-  if (!reader->command->operand || reader->arguments->operand) {
+  Arguments *const arguments = reader->arguments;
+  if (arguments->operand_count == most_operands(reader->command)) {
     return refuse("unexpected argument '%s'", text);
   }
-  reader->arguments->operand = text;
+  arguments->operands[arguments->operand_count++] = text;
+  arguments->operand = arguments->operands[0];
   return OUTCOME_OK;
 }
 
@@ -119,7 +127,8 @@ static size_t most_uses(int argc, char *const *argv) {
 Outcome arguments_read(const Command *command, int argc, char *const *argv, Arguments *arguments) {
   *arguments = (Arguments){0};
   arguments->uses = calloc(most_uses(argc, argv), sizeof *arguments->uses);
-  if (!arguments->uses) return fail_memory();
+  arguments->operands = calloc((size_t)argc + 1, sizeof *arguments->operands);
+  if (!arguments->uses || !arguments->operands) return fail_memory();
   Reader reader = {command, argv, argc, 1, arguments};
   bool options_ended = false;
   Outcome outcome = OUTCOME_OK;
@@ -140,7 +149,33 @@ Outcome arguments_read(const Command *command, int argc, char *const *argv, Argu
 
 void arguments_free(Arguments *arguments) {
   free(arguments->uses);
+  free(arguments->operands);
   *arguments = (Arguments){0};
+}
+
+Outcome arguments_copy(const Arguments *from, const char *operand, Arguments *copy) {
+  *copy = (Arguments){.use_count = from->use_count, .operand = operand};
+  copy->uses = calloc(from->use_count + 1, sizeof *copy->uses);
+  copy->operands = calloc(1, sizeof *copy->operands);
+  if (!copy->uses || !copy->operands) return fail_memory();
+  if (from->use_count > 0) memcpy(copy->uses, from->uses, from->use_count * sizeof *copy->uses);
+  if (operand) copy->operands[copy->operand_count++] = operand;
+  return OUTCOME_OK;
+}
+
+void arguments_replace(Arguments *arguments, const char *name, const char *value) {
+  OptionUse *kept = NULL;
+  size_t count = 0;
+  for (size_t i = 0; i < arguments->use_count; i++) {
+    const OptionUse use = arguments->uses[i];
+    const bool is_named = strcmp(use.option->name, name) == 0;
+    if (is_named && kept) continue;
+    arguments->uses[count] = use;
+    if (is_named) kept = &arguments->uses[count];
+    count++;
+  }
+  if (kept) kept->value = value;
+  arguments->use_count = count;
 }
 
 bool arguments_has(const Arguments *arguments, const char *name) {

@@ -24,7 +24,8 @@ typedef struct Arguments Arguments;
 
 typedef struct Command {
   const char *name;
-  const char *operand; /**< "[PRESET]", or NULL if it takes none */
+  const char
+    *operand; /**< "[PRESET]", or NULL if it takes none; takes several if it ends in "..." */
   const char *summary; /**< one line */
   const char *notes;   /**< further lines of help, or NULL */
   const Option *options;
@@ -41,7 +42,9 @@ typedef struct OptionUse {
 struct Arguments {
   OptionUse *uses;
   size_t use_count;
-  const char *operand; /**< NULL if none was given */
+  const char **operands;
+  size_t operand_count;
+  const char *operand; /**< the first; NULL if none was given */
 };
 
 /** Options that every command has. */
@@ -50,6 +53,11 @@ extern const Option common_options[];
 /** Reads argv[1...] by @p command's table. Free with arguments_free(), whatever the outcome. */
 Outcome arguments_read(const Command *command, int argc, char *const *argv, Arguments *arguments);
 void arguments_free(Arguments *arguments);
+
+/** Copies @p from with @p operand as its only one, or without any if that is NULL. */
+Outcome arguments_copy(const Arguments *from, const char *operand, Arguments *copy);
+/** Where option @p name was given, it is as if it had been once, with @p value (not copied). */
+void arguments_replace(Arguments *arguments, const char *name, const char *value);
 
 /** True if option @p name was given. */
 bool arguments_has(const Arguments *arguments, const char *name);

@@ -138,7 +138,8 @@ bool output_overwrites(const OutputFile *file, const char *path) {
 
 /* ---- opening ---- */
 
-/* The new file gets the permissions of the old one, or what a newly created file would have. */
+/* The new file gets the permissions of the old one, or what a newly created file would have. Signals
+   are held: the mask can only be read by changing it, and is that of all threads. */
 static void take_permissions(const OutputFile *file) {
   if (file->exists) {
     if (fchown(file->descriptor, file->status.st_uid, file->status.st_gid) != 0) errno = 0;
@@ -156,16 +157,17 @@ static Outcome open_beside(OutputFile *file) {
   sigset_t before;
   interrupt_hold(&before);
   file->descriptor = mkstemp(file->temporary);
+  const int error = errno;
   if (file->descriptor >= 0) {
     interrupt_guard(file->temporary);
+    take_permissions(file);
   } else {
     free(file->temporary);
     file->temporary = NULL;
   }
   interrupt_resume(&before);
-  if (file->descriptor < 0) return output_failure(file);
-  take_permissions(file);
-  return OUTCOME_OK;
+  errno = error;
+  return file->descriptor >= 0 ? OUTCOME_OK : output_failure(file);
 }
 
 static int open_place(const OutputFile *file) {

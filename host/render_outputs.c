@@ -112,11 +112,12 @@ static Outcome protect(const RenderRequest *request, const char *name, const cha
   return replaced ? refuse("the output would overwrite the %s '%s'", what, name) : OUTCOME_OK;
 }
 
-static Outcome protect_inputs(const Arguments *arguments, const RenderRequest *request) {
+Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *request) {
+  const char *const preset = preset_argument(arguments);
   const char *events;
   size_t position = 0;
   Outcome outcome = OUTCOME_OK;
-  if (preset_is_file(request->preset)) outcome = protect(request, request->preset, "preset");
+  if (preset_is_file(preset)) outcome = protect(request, preset, "preset");
   while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
     outcome = protect(request, events, "events");
   }
@@ -126,7 +127,7 @@ static Outcome protect_inputs(const Arguments *arguments, const RenderRequest *r
 Outcome render_outputs_plan(const Arguments *arguments, RenderRequest *request) {
   Outcome outcome = plan_sounds(arguments, request);
   if (outcome == OUTCOME_OK) outcome = plan_trace(arguments, request);
-  if (outcome == OUTCOME_OK) outcome = protect_inputs(arguments, request);
+  if (outcome == OUTCOME_OK) outcome = render_outputs_protect(arguments, request);
   return outcome;
 }
 

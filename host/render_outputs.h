@@ -12,6 +12,8 @@
 
 /** Reads -o, -n and --trace for @p request, whose drum, microphones and events are read. */
 Outcome render_outputs_plan(const Arguments *arguments, RenderRequest *request);
+/** Refuses @p request if an output of it would replace the preset or events that @p arguments name. */
+Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *request);
 void render_outputs_free(RenderRequest *request);
 
 #endif

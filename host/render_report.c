@@ -71,19 +71,19 @@ static json_t *outputs_json(const RenderRequest *request) {
   return list;
 }
 
-static Outcome print_json(const Session *session, const TaborStatistics *statistics,
-                          const TaborLedger *ledger) {
+static json_t *report_json(const Session *session, const TaborStatistics *statistics,
+                           const TaborLedger *ledger) {
   const RenderRequest *const request = session->request;
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
               (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
-  return json_print(json_pack(
-    "{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset", json_text(request->preset),
-    "rate", (json_int_t)request->audio.rate, "frames", (json_int_t)session->position, "channels",
-    (json_int_t)request->channels, "peak", json_number(session->peak), "real_time_factor",
-    json_number(real_time_factor(session)), "newton", newton, "energy", energy_json(ledger),
-    "output", outputs_json(request), "trace",
-    request->has_trace ? json_text(request->trace.name) : json_null()));
+  return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset",
+                   json_text(request->preset), "rate", (json_int_t)request->audio.rate, "frames",
+                   (json_int_t)session->position, "channels", (json_int_t)request->channels, "peak",
+                   json_number(session->peak), "real_time_factor",
+                   json_number(real_time_factor(session)), "newton", newton, "energy",
+                   energy_json(ledger), "output", outputs_json(request), "trace",
+                   request->has_trace ? json_text(request->trace.name) : json_null());
 }
 
 static void note_summary(const Session *session) {
@@ -129,7 +129,7 @@ static void note_details(const Session *session, const TaborStatistics *statisti
   if (session->request->normalize) note("normalized by %+.2f dB", session->request->gain_db);
 }
 
-Outcome render_report(const Session *session) {
+Outcome render_report(const Session *session, json_t **report) {
   TaborStatistics statistics;
   TaborLedger ledger;
   tabor_drum_statistics(session->drum, &statistics);
@@ -138,7 +138,10 @@ Outcome render_report(const Session *session) {
   warn_of_silence(session);
   warn_of_drops(&statistics);
   if (session->request->verbose) note_details(session, &statistics, &ledger);
-  if (session->request->json) return print_json(session, &statistics, &ledger);
+  if (session->request->json) {
+    *report = report_json(session, &statistics, &ledger);
+    return *report ? OUTCOME_OK : fail_memory();
+  }
   if (!session->request->quiet) note_summary(session);
   return OUTCOME_OK;
 }

@@ -6,9 +6,11 @@
 #ifndef TABOR_HOST_RENDER_REPORT_H
 #define TABOR_HOST_RENDER_REPORT_H
 
+#include <jansson.h>
+
 #include "session.h"
 
-/** Warnings, then the facts: as JSON on standard output, or as a line or more on standard error. */
-Outcome render_report(const Session *session);
+/** Warnings, then the facts: with --json to *report, otherwise as a line or more on standard error. */
+Outcome render_report(const Session *session, json_t **report);
 
 #endif

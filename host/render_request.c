@@ -13,7 +13,7 @@
 
 const Option render_options[] = {
   {"output", 'o', "FILE",
-   "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT ")"},
+   "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT "); or FOLDER/"},
   {"no-overwrite", 'n', NULL, "fail if the output exists"},
   {"format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
   OPTION_RATE,
@@ -22,6 +22,8 @@ const Option render_options[] = {
   OPTION_STRIKE,
   OPTION_EVENTS,
   OPTION_SET,
+  {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
+  {"jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)"},
   {"mic", 0, "NAME", "microphone, a channel each (repeatable; default: the preset's first)"},
   {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
@@ -123,15 +125,19 @@ static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) 
   return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
 }
 
+void render_request_clear(RenderRequest *request) {
+  memset(request, 0, sizeof *request);
+  request->trace = OUTPUT_FILE_NONE;
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) request->outputs[i] = OUTPUT_FILE_NONE;
+}
+
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
   static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
     read_encoding, read_gain,     read_drum, read_model,
     read_strokes,  read_duration, read_mics, render_outputs_plan,
   };
-  memset(request, 0, sizeof *request);
-  request->trace = OUTPUT_FILE_NONE;
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) request->outputs[i] = OUTPUT_FILE_NONE;
+  render_request_clear(request);
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
     outcome = steps[i](arguments, request);

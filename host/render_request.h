@@ -35,6 +35,8 @@ typedef struct RenderRequest {
 
 extern const Option render_options[];
 
+/** What a request is before it is read: safe to free. */
+void render_request_clear(RenderRequest *request);
 /** Reads the command line. Free with render_request_free(), whatever the outcome. */
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request);
 void render_request_free(RenderRequest *request);

@@ -48,7 +48,6 @@ check "an extension in capitals" cmp -s UPPER.WAV plain.wav
 # ---- what may not be written ----
 
 failed "it is a folder" render "${short[@]}" -o sub
-failed "it is a folder" render "${short[@]}" -o sub/
 mkdir folder.wav
 failed "it is a folder" render "${short[@]}" -o folder.wav
 failed "it is a folder" render "${short[@]}" --trace sub

@@ -241,11 +241,12 @@ static void random_definitions_stay_finite_and_passive(void **state) {
 }
 
 /* Found among 10,000: no air but walls that absorb; a muffled, stretching head below lifted wires; a
- * microphone for which its high band was made as loud as modes that had been left out. */
+ * microphone for which its high band was made as loud as modes that had been left out; heavy wires pressed by
+ * 10 mm at a cap of 1, which the guard held still for good. */
 static void definitions_that_once_failed_stay_finite_and_passive(void **state) {
   (void)state;
   static const uint64_t SEEDS[] = {UINT64_C(0xae49c9cb8c2330d1), UINT64_C(0x608e4e4a74a3c42f),
-                                   UINT64_C(0x96de35f442e6c87a)};
+                                   UINT64_C(0x96de35f442e6c87a), UINT64_C(0x8bcaf6097f67dc36)};
   Tally tally = {0};
   for (size_t i = 0; i < sizeof SEEDS / sizeof *SEEDS; i++) {
     uint64_t seed = SEEDS[i];

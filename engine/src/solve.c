@@ -258,17 +258,26 @@ static const TbLaw *law_of(const TbSolve *solve, uint32_t row) {
   return in_play(solve, slot) ? &solve->slot_laws[slot] : NULL;
 }
 
-/* Force at s = 0 and half the curvature of every row's majorant. */
-static void prepare_majorants(TbSolve *solve) {
+/* V'' is nowhere larger (law.h): this parabola lies above V whatever s turns out to be. */
+static double largest_curvature(const TbLaw *law) { return tb_law_curvature(law, 1e3); }
+
+/* Force at s = 0 and half the curvature of every row's majorant; `safe` where the last one failed: what
+ * touched at its s takes the largest curvature. */
+static void prepare_majorants(TbSolve *solve, bool safe) {
   for (uint32_t row = 0; row < total_rows(solve); row++) {
     const TbLaw *law = law_of(solve, row);
     solve->law_force[row] = solve->slope[row] = 0.0;
     if (!law) continue;
     const double y = solve->y[row], b = solve->b[row];
+    const bool touches = y > 0.0 || y + solve->s[row] > 0.0;
     solve->law_force[row] = tb_law_static_force(law, y);
-    solve->slope[row] = law->kind == TB_LAW_DAMPER
-                          ? law->loss
-                          : 0.5 * majorant_curvature(law, y, b, b - solve->previous_product[row]);
+    if (law->kind == TB_LAW_DAMPER) {
+      solve->slope[row] = law->loss;
+    } else if (safe && touches) {
+      solve->slope[row] = 0.5 * largest_curvature(law);
+    } else {
+      solve->slope[row] = 0.5 * majorant_curvature(law, y, b, b - solve->previous_product[row]);
+    }
   }
 }
 
@@ -289,10 +298,10 @@ static Balance majorant_work(const TbSolve *solve, double *contact, double *damp
 }
 
 /* One linear step, f = V'(y) + C s/2. */
-static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
+static void majorant_step(TbSolve *solve, bool safe, TbSolveOutcome *outcome) {
   const size_t bytes = total_rows(solve) * sizeof(double);
   solve->wires = true;
-  prepare_majorants(solve);
+  prepare_majorants(solve, safe);
   memset(solve->s, 0, bytes);
   find_residual(solve);
   newton_step(solve, MAJORANT_CAP, MAJORANT_TOLERANCE);
@@ -305,7 +314,7 @@ static void majorant_step(TbSolve *solve, TbSolveOutcome *outcome) {
   follow(solve);
   double contact = 0.0, damper = 0.0;
   const Balance h = majorant_work(solve, &contact, &damper);
-  if (h.value > BALANCE_TOLERANCE * h.scale) outcome->excess = h.value;
+  outcome->excess = h.value > BALANCE_TOLERANCE * h.scale ? h.value : 0.0;
   /* The laws' losses count as far as the work done covers them. */
   const double lost = contact + damper, covered = h.value < 0.0 ? -0.5 * h.value : 0.0;
   const double part = lost > covered ? covered / lost : 1.0;
@@ -380,7 +389,8 @@ static void remedy(TbSolve *solve, TbSolveOutcome *outcome) {
     return;
   }
   outcome->fallback = true;
-  majorant_step(solve, outcome);
+  majorant_step(solve, false, outcome);
+  if (outcome->excess > 0.0) majorant_step(solve, true, outcome);
 }
 
 static void start(TbSolve *solve) {

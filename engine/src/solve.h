@@ -18,7 +18,8 @@
  * A cap may never create energy. Where Newton has not converged,
  * 1. the forces are balanced in the same way;
  * 2. where no t does, one linear step over parabolas that lie above the potential ("majorant"),
- *    f = V'(y) + C s/2;
+ *    f = V'(y) + C s/2, first between y and where the point would go, then, where it went further, with the
+ *    largest curvature that the potential has anywhere;
  * 3. `excess`, the energy that the outcome would still create, is reported, and the drum shortens the
  *    step (guard.h).
  * Audio-safe. */

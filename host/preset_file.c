@@ -229,17 +229,6 @@ static bool check_duplicate(Reader *reader, const Pair *pair) {
   return true;
 }
 
-/* A last line without a line end may have been cut off in the middle of its value; a comment after
- * the value shows that it was not. */
-static bool check_last_line(Reader *reader, unsigned line, Span value) {
-  const char *const text_end = reader->text + reader->length;
-  if (memchr(value.end, '\n', (size_t)(text_end - value.end))) return true;
-  for (const char *c = value.start; c < value.end; c++) {
-    if (is_comment(c)) return true;
-  }
-  return refuse_line(reader, line, "the last line has no line end: was the file cut off?");
-}
-
 static bool check_pair(Reader *reader, unsigned line, Span span) {
   const char *end = span.start;
   while (end < span.end && *end != '=' && *end != ':' && !is_comment(end)) end++;
@@ -257,7 +246,6 @@ static bool check_pair(Reader *reader, unsigned line, Span span) {
   const Pair pair = {section->start, section->length, (uint16_t)(key.start - reader->text),
                      (uint16_t)span_length(key), (uint16_t)line};
   if (!check_duplicate(reader, &pair)) return false;
-  if (!check_last_line(reader, line, (Span){end + 1, span.end})) return false;
   reader->pairs[reader->pair_count++] = pair;
   return true;
 }
@@ -282,6 +270,9 @@ static bool check_lines(Reader *reader) {
     }
     if (line_end > start && line_end[-1] == '\r') line_end--;
     if (!check_line(reader, line, (Span){start, line_end})) return false;
+    if (next[-1] != '\n') {
+      return refuse_line(reader, line, "the last line has no line end: was the file cut off?");
+    }
     start = next;
   }
   return true;

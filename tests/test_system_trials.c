@@ -303,6 +303,31 @@ static void playing_that_once_failed_stays_passive(void **state) {
   tabor_model_release(model);
 }
 
+/* A wire as hard as 1e10 N/m^2.5 under a stroke of 30 m/s threw Newton's iteration beyond all numbers. */
+static void stiff_wires_never_lose_a_drum(void **state) {
+  (void)state;
+  static const double STIFFNESS[] = {1e9, 1e10, 1e13};
+  for (size_t i = 0; i < sizeof STIFFNESS / sizeof *STIFFNESS; i++) {
+    TaborDrumDef def = physics_preset("snare-14x5.5");
+    def.wires.count = 1;
+    def.wires.contact_stiffness = STIFFNESS[i];
+    TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
+    TaborDrum *drum = physics_drum(model);
+    snprintf(playing, sizeof playing, "a wire of %g N/m^2.5", STIFFNESS[i]);
+    expect_rounding(48000.0);
+    TaborEvent strike = physics_strike(&def);
+    strike.velocity = 30.0;
+    float samples[64];
+    float *outputs[TABOR_MAX_MICS] = {samples};
+    for (uint32_t block = 0; block < 40; block++) {
+      tabor_drum_process(drum, &strike, block == 0, outputs, 64);
+      check(drum, samples, 64, 0);
+    }
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+}
+
 int main(int argc, char **argv) {
   if (argc > 1) definitions = (uint32_t)strtoul(argv[1], NULL, 10);
   if (argc > 2) sequences = (uint32_t)strtoul(argv[2], NULL, 10);
@@ -311,6 +336,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(definitions_that_once_failed_stay_finite_and_passive),
     cmocka_unit_test(random_playing_stays_finite_and_passive),
     cmocka_unit_test(playing_that_once_failed_stays_passive),
+    cmocka_unit_test(stiff_wires_never_lose_a_drum),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,8 @@ static const double PENETRATION_TOLERANCE = 4e-15;
 /* A balance is exact to this part of the work that makes it up. */
 static const double BALANCE_TOLERANCE = 3e-13;
 static const uint32_t MOST_BALANCE_STEPS = 8;
+/* A point goes no farther than this many times its free way and the depth of contacts. */
+static const double FARTHEST = 100.0;
 /* The majorant takes energy only where its linear system is really solved. */
 static const uint32_t MAJORANT_CAP = 32;
 static const double MAJORANT_TOLERANCE = 1e-10;
@@ -324,9 +326,21 @@ static void majorant_step(TbSolve *solve, bool safe, TbSolveOutcome *outcome) {
 
 /* ---- the solve ------------------------------------------------------------------------------ */
 
-static double noise(const TbSolve *solve) {
+/* What rounding leaves of a residual, and how large no s can be. */
+typedef struct Bounds {
+  double noise, farthest;
+} Bounds;
+
+static Bounds bounds_of(const TbSolve *solve) {
   const TbPair size = solve->kernels->sizes(total_rows(solve), solve->b, solve->y);
-  return RELATIVE_TOLERANCE * size.first + PENETRATION_TOLERANCE * size.second;
+  return (Bounds){RELATIVE_TOLERANCE * size.first + PENETRATION_TOLERANCE * size.second,
+                  FARTHEST * (size.first + size.second)};
+}
+
+/* A Newton step that was solved too coarsely, over contacts too stiff for it, throws points about; the next
+ * one would throw them farther, since forces with loss grow with the square of s. */
+static bool went_astray(const TbSolve *solve, double farthest) {
+  return !(solve->kernels->sizes(total_rows(solve), solve->s, solve->y).first <= farthest);
 }
 
 static bool slots_act(const TbSolve *solve) {
@@ -352,10 +366,12 @@ static void come_to_rest(TbSolve *solve) {
 }
 
 /* Newton's iteration; true if it came to its end, with forces, product, grid and s set. */
-static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
-  const double rounding = noise(solve);
+static bool iterate(TbSolve *solve, TbSolveOutcome *outcome, bool *astray) {
+  const Bounds bounds = bounds_of(solve);
   double first = 0.0;
   for (;;) {
+    *astray = outcome->iterations > 0 && went_astray(solve, bounds.farthest);
+    if (*astray) return false;
     const double miss = evaluate(solve);
     if (miss == 0.0) return true;
     if (outcome->iterations == 0) first = miss;
@@ -365,7 +381,7 @@ static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
     }
     if (solve->tolerance > 0.0 && outcome->iterations == solve->cap) return false;
     const double error = find_residual(solve);
-    if (error <= rounding) {
+    if (error <= bounds.noise) {
       take_law_forces(solve);
       return true;
     }
@@ -380,13 +396,15 @@ static bool iterate(TbSolve *solve, TbSolveOutcome *outcome) {
 }
 
 /* Where Newton came to no end. */
-static void remedy(TbSolve *solve, TbSolveOutcome *outcome) {
+static void remedy(TbSolve *solve, bool astray, TbSolveOutcome *outcome) {
   outcome->capped = true;
-  evaluate(solve);
-  if (balance(solve, 0.5)) {
-    outcome->corrected = true;
-    book_losses(solve, outcome);
-    return;
+  if (!astray) {
+    evaluate(solve);
+    if (balance(solve, 0.5)) {
+      outcome->corrected = true;
+      book_losses(solve, outcome);
+      return;
+    }
   }
   outcome->fallback = true;
   majorant_step(solve, false, outcome);
@@ -414,10 +432,11 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
   }
   outcome.contact = true;
   start(solve);
-  if (iterate(solve, &outcome)) {
+  bool astray = false;
+  if (iterate(solve, &outcome, &astray)) {
     book_losses(solve, &outcome);
   } else {
-    remedy(solve, &outcome);
+    remedy(solve, astray, &outcome);
   }
   outcome.touching = count_touching(solve);
   return outcome;

@@ -31,6 +31,9 @@ static void warn_of_saturation(const Session *session) {
   warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(session->peak), gain);
 }
 
+static const double RESIDUAL_HEARD =
+  1e-4; /* of the energy put in: less than a thousandth of a decibel */
+
 static void warn_of_drops(const TaborStatistics *statistics) {
   if (statistics->dropped_events > 0) {
     warn("%llu strokes were dropped: more than %d strikers at once",
@@ -40,6 +43,16 @@ static void warn_of_drops(const TaborStatistics *statistics) {
     warn("the drum was reset %llu times because its state was not finite",
          (unsigned long long)statistics->recovered);
   }
+}
+
+/* Contacts too stiff for a quality's iterations lose energy that no term of the ledger stands for. */
+static void warn_of_residual(const TaborStatistics *statistics, const TaborLedger *ledger) {
+  const double given = ledger->injected + fabs(ledger->control);
+  if (!(fabs(ledger->residual) > RESIDUAL_HEARD * given)) return;
+  warn("%.2g %% of the energy is unaccounted for, %llu contacts being too stiff to be solved; a "
+       "better "
+       "--quality or softer contacts avoid it",
+       100.0 * ledger->residual / given, (unsigned long long)statistics->newton_capped);
 }
 
 static json_t *energy_json(const TaborLedger *ledger) {
@@ -137,6 +150,7 @@ Outcome render_report(const Session *session, json_t **report) {
   warn_of_saturation(session);
   warn_of_silence(session);
   warn_of_drops(&statistics);
+  warn_of_residual(&statistics, &ledger);
   if (session->request->verbose) note_details(session, &statistics, &ledger);
   if (session->request->json) {
     *report = report_json(session, &statistics, &ledger);

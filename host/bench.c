@@ -8,11 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "command.h"
 #include "drum_source.h"
 #include "json_output.h"
+#include "stopwatch.h"
 #include "suggest.h"
 
 /* The workload: strokes so dense that the drum never falls asleep. */
@@ -69,11 +69,7 @@ static Outcome prepare(Bench *bench) {
   return outcome;
 }
 
-static double processor_time(void) {
-  struct timespec now = {0};
-  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 /* Plays the block from @p start on; returns its processor time. *next is the next stroke. */
 static double time_block(Bench *bench, uint32_t start, uint32_t *next) {

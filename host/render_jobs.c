@@ -5,12 +5,12 @@
 #include <pthread.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include "drum_source.h"
 #include "json_output.h"
 #include "render_progress.h"
 #include "rendering.h"
+#include "stopwatch.h"
 
 #define PROGRESS_INTERVAL 0.2 /* [s] */
 
@@ -64,15 +64,9 @@ static void *work(void *context) {
 
 /* ---- all of them ---- */
 
-static double seconds(clockid_t clock) {
-  struct timespec now = {0};
-  (void)clock_gettime(clock, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* Until a job has finished, but no longer than a line of progress may be old. */
 static void wait_for_job(Jobs *jobs) {
-  const double until = seconds(CLOCK_REALTIME) + PROGRESS_INTERVAL;
+  const double until = stopwatch_seconds(CLOCK_REALTIME) + PROGRESS_INTERVAL;
   const time_t whole = (time_t)until;
   const struct timespec time = {.tv_sec = whole, .tv_nsec = (long)(1e9 * (until - (double)whole))};
   (void)pthread_cond_timedwait(&jobs->finished, &jobs->mutex, &time);
@@ -80,10 +74,11 @@ static void wait_for_job(Jobs *jobs) {
 
 static void watch(Jobs *jobs) {
   const bool shows = render_progress_is_wanted(&jobs->batch->jobs[0].arguments);
-  const double start = seconds(CLOCK_MONOTONIC);
+  const double start = stopwatch_seconds(CLOCK_MONOTONIC);
   (void)pthread_mutex_lock(&jobs->mutex);
   while (jobs->left > 0) {
-    if (shows) render_progress_show(jobs->batch, jobs->left, seconds(CLOCK_MONOTONIC) - start);
+    if (shows)
+      render_progress_show(jobs->batch, jobs->left, stopwatch_seconds(CLOCK_MONOTONIC) - start);
     wait_for_job(jobs);
   }
   (void)pthread_mutex_unlock(&jobs->mutex);

@@ -2,9 +2,9 @@
 #include "session.h"
 
 #include <math.h>
-#include <time.h>
 
 #include "drum_source.h"
+#include "stopwatch.h"
 
 Outcome session_open(Session *session, RenderRequest *request) {
   session->request = request;
@@ -20,11 +20,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
 }
 
 /* This thread's: others may play other drums. */
-static double processor_time(void) {
-  struct timespec now = {0};
-  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 /* Plays frames from session->position on to outputs. */
 static void process(Session *session, float *const *outputs, uint32_t frames) {

@@ -9,8 +9,8 @@
 static const double PI = 3.14159265358979323846;
 
 static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5}; /* two wavelengths */
-/* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the loudest are right to
- * 0.1 dB, resistances to 1e-4 of the damping. */
+/* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the
+ * loudest are right to 0.1 dB, resistances to 1e-4 of the damping. */
 static const TbAirPrecision FINE = {.digits = 4.5, .panel = 17.5};
 static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
 

@@ -21,16 +21,21 @@ bool tb_projection_round(TbProjection *p, TbArena *arena) {
   return !arena->failed;
 }
 
+/* out[8 blocks] = table x[n], by whichever of the two tables there is. */
+static void apply(const TbKernels *kernels, const double *table, const float *single,
+                  uint32_t blocks, uint32_t n, double *out, const double *x) {
+  if (single) {
+    kernels->multiply_single(blocks, n, out, single, x);
+  } else {
+    kernels->multiply(blocks, n, out, table, x);
+  }
+}
+
 void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q, double *grid) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    double *points = grid + group->first_point;
-    if (group->gather_single) {
-      kernels->multiply_single(group->points / 8, group->modes, points, group->gather_single,
-                               q + group->first);
-    } else {
-      kernels->multiply(group->points / 8, group->modes, points, group->gather, q + group->first);
-    }
+    apply(kernels, group->gather, group->gather_single, group->points / 8, group->modes,
+          grid + group->first_point, q + group->first);
   }
 }
 
@@ -38,13 +43,7 @@ void tb_project_forces(const TbProjection *p, const TbKernels *kernels, const do
                        double *modal) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    const double *points = grid + group->first_point;
-    if (group->scatter_single) {
-      kernels->multiply_single(group->modes / 8, group->points, modal + group->first,
-                               group->scatter_single, points);
-    } else {
-      kernels->multiply(group->modes / 8, group->points, modal + group->first, group->scatter,
-                        points);
-    }
+    apply(kernels, group->scatter, group->scatter_single, group->modes / 8, group->points,
+          modal + group->first, grid + group->first_point);
   }
 }

@@ -14,13 +14,10 @@
 #include "json_output.h"
 #include "stopwatch.h"
 #include "suggest.h"
+#include "workload.h"
 
-/* The workload: strokes so dense that the drum never falls asleep. */
-#define DURATION 4.0   /* [s] */
-#define INTERVAL 0.125 /* between strokes [s] */
+#define DURATION 4.0 /* [s] */
 #define STROKES 32
-static const double velocities[] = {1, 4};             /* [m/s], in turn */
-static const double radii[] = {0, 0.2, 0.4, 0.6, 0.8}; /* of the head's, in turn */
 
 #define LONGEST_BLOCK 8192
 
@@ -41,17 +38,8 @@ typedef struct Bench {
 } Bench;
 
 static void prepare_strokes(Bench *bench) {
-  const int striker = tabor_drum_def_find_striker(&bench->def, bench->def.strike.striker);
   for (uint32_t i = 0; i < STROKES; i++) {
-    bench->strokes[i] = (TaborEvent){
-      .frame = (uint32_t)lround(i * INTERVAL * bench->model_options.sample_rate),
-      .type = TABOR_EVENT_STRIKE,
-      .id = i + 1,
-      .striker = striker > 0 ? (uint32_t)striker : 0,
-      .velocity = velocities[i % (sizeof velocities / sizeof velocities[0])],
-      .radius = radii[i % (sizeof radii / sizeof radii[0])] * bench->def.shell.radius,
-      .angle = bench->def.strike.angle,
-    };
+    bench->strokes[i] = workload_stroke(&bench->def, bench->model_options.sample_rate, i);
   }
 }
 

@@ -7,19 +7,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "drum.h"
 #include "profile.h"
+#include "stopwatch.h"
+#include "workload.h"
 
 _Static_assert(TB_STAGE_COUNT == 11, "stage_names has a name for each stage");
 static const char *const stage_names[TB_STAGE_COUNT] = {
   "other", "modes",    "projection", "wires",     "strikers", "stretch",
   "laws",  "products", "ledger",     "high_band", "mics"};
-
-#define INTERVAL 0.125 /* between strokes [s] */
-static const double velocities[] = {1, 4};
-static const double radii[] = {0, 0.2, 0.4, 0.6, 0.8}; /* of the head's */
 
 #define BLOCK 64u
 #define MOST_REPEATS 100u
@@ -55,13 +52,7 @@ static void *memory(size_t count, size_t size) {
   return bytes;
 }
 
-static double seconds_of(clockid_t clock) {
-  struct timespec now = {0};
-  (void)clock_gettime(clock, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static double processor_time(void) { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 static int compare_numbers(const void *left, const void *right) {
   const double a = *(const double *)left, b = *(const double *)right;
@@ -80,25 +71,13 @@ static uint32_t frames_of(const Request *request) {
   return (uint32_t)lround(request->seconds * request->options.sample_rate) / BLOCK * BLOCK;
 }
 
-static TaborEvent stroke_at(const Request *request, uint32_t index, uint32_t frame) {
-  const int striker = tabor_drum_def_find_striker(&request->def, request->def.strike.striker);
-  return (TaborEvent){
-    .frame = frame,
-    .type = TABOR_EVENT_STRIKE,
-    .id = index + 1,
-    .striker = striker > 0 ? (uint32_t)striker : 0,
-    .velocity = velocities[index % (sizeof velocities / sizeof velocities[0])],
-    .radius = radii[index % (sizeof radii / sizeof radii[0])] * request->def.shell.radius,
-    .angle = request->def.strike.angle,
-  };
-}
-
-/* The first stroke from frame `start` on; strokes are INTERVAL apart, so a block has one at most. */
+/* The first stroke from frame `start` on; a block has one at most. */
 static TaborEvent next_stroke(const Request *request, uint32_t start) {
-  const double interval = INTERVAL * request->options.sample_rate;
-  uint32_t index = (uint32_t)(start / interval);
-  while (lround(index * interval) < (long)start) index++;
-  return stroke_at(request, index, (uint32_t)lround(index * interval));
+  const double rate = request->options.sample_rate;
+  uint32_t index = (uint32_t)(start / (WORKLOAD_INTERVAL * rate));
+  TaborEvent stroke = workload_stroke(&request->def, rate, index);
+  while (stroke.frame < start) stroke = workload_stroke(&request->def, rate, ++index);
+  return stroke;
 }
 
 /* One block of every drum in turn from frame `start` on. */
@@ -304,7 +283,7 @@ static void touch_high(Memory *memory) {
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */
 static void count_bytes(const Request *request, TaborDrum *drum, size_t *bytes) {
-  const TaborEvent event = stroke_at(request, 0, 0);
+  const TaborEvent event = workload_stroke(&request->def, request->options.sample_rate, 0);
   tabor_drum_reset(drum);
   tabor_drum_process(drum, &event, 1, NULL, 1);
   Memory memory = {.model = drum->model, .view = tb_view(drum->state, drum->model)};
@@ -378,10 +357,10 @@ static double timer_ticks(void) {
 
 /* How long a tick lasts [s], by the clock on the wall. */
 static double tick_length(void) {
-  const double from = seconds_of(CLOCK_MONOTONIC);
+  const double from = stopwatch_seconds(CLOCK_MONOTONIC);
   const uint64_t first = tb_profile_ticks();
   double now = from;
-  while (now < from + 0.05) now = seconds_of(CLOCK_MONOTONIC);
+  while (now < from + 0.05) now = stopwatch_seconds(CLOCK_MONOTONIC);
   return (now - from) / (double)(tb_profile_ticks() - first);
 }
 

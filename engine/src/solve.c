@@ -10,7 +10,7 @@
 static const double RELATIVE_TOLERANCE = 1e-14;
 static const double PENETRATION_TOLERANCE = 4e-15;
 /* A balance is exact to this part of the work that makes it up. */
-static const double BALANCE_TOLERANCE = 3e-13;
+static const double BALANCE_TOLERANCE = 1e-13;
 static const uint32_t MOST_BALANCE_STEPS = 8;
 /* A point goes no farther than this many times its free way and the depth of contacts. */
 static const double FARTHEST = 100.0;

@@ -16,6 +16,8 @@ static const int fatal_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
 /* Globals: a handler has no other way to know. Changed under hold only. */
 static const char *volatile guarded[GUARDS];
 
+static void (*volatile at_end)(void);
+
 /* Who holds. A mutex is not for handlers; and a thread that holds gets no signal, so the handler
    never waits for what it has interrupted itself. */
 static atomic_flag held = ATOMIC_FLAG_INIT;
@@ -30,6 +32,7 @@ static void take_hold(void) {
    any thread, and keeps the hold, so that no other creates or renames a file any more. */
 static void end(int number) {
   take_hold();
+  if (at_end) at_end();
   for (size_t i = 0; i < GUARDS; i++) {
     if (guarded[i]) (void)unlink(guarded[i]);
   }
@@ -57,6 +60,8 @@ void interrupt_install(void) {
   (void)sigaction(SIGPIPE, &ignore, NULL);
   (void)sigaction(SIGXFSZ, &ignore, NULL);
 }
+
+void interrupt_at_end(void (*call)(void)) { at_end = call; }
 
 void interrupt_hold(sigset_t *before) {
   sigset_t set;

@@ -14,6 +14,9 @@
  */
 void interrupt_install(void);
 
+/** Has @p call, which is async-signal-safe, called before such a signal ends the program. */
+void interrupt_at_end(void (*call)(void));
+
 /** Threads that may guard the files of a rendering at the same time. */
 #define INTERRUPT_MOST_THREADS 256
 

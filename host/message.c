@@ -12,10 +12,29 @@
 #define LONGEST_LINE 1000 /* bytes */
 
 static _Thread_local const char *thread_subject;
+static _Thread_local char *captured; /* of captured_size bytes, or NULL */
+static _Thread_local size_t captured_size;
 static pthread_mutex_t speaking = PTHREAD_MUTEX_INITIALIZER;
+static MessageSink *sink; /* or NULL; this and its context while speaking */
+static void *sink_context;
 static int status_length; /* of what stands on the terminal; while speaking */
 
 void message_subject(const char *subject) { thread_subject = subject; }
+
+void message_redirect(MessageSink *new_sink, void *context) {
+  (void)pthread_mutex_lock(&speaking);
+  sink = new_sink;
+  sink_context = context;
+  (void)pthread_mutex_unlock(&speaking);
+}
+
+void message_capture(char *text, size_t size) {
+  captured = text;
+  captured_size = size;
+  if (size > 0) text[0] = '\0';
+}
+
+void message_release(void) { captured = NULL; }
 
 static void wipe_status(void) {
   if (status_length > 0) (void)fprintf(stderr, "\r%*s\r", status_length, "");
@@ -43,19 +62,38 @@ static const char *whole(const char *text) {
   return text;
 }
 
+static void capture(const char *line) {
+  if (captured_size == 0 || *captured) return;
+  (void)snprintf(captured, captured_size, "%s", line);
+}
+
 /* A path can be as long as it likes: the middle goes, so that the reason at the end is seen. */
-static void print(const char *prefix, char *line) {
+static void print_line(const char *prefix, const char *line) {
   const size_t length = strlen(line);
-  replace_controls(line);
-  (void)pthread_mutex_lock(&speaking);
-  wipe_status();
+  char text[LONGEST_LINE + 64]; /* and a prefix, and a character that does not end at the middle */
   if (length <= LONGEST_LINE) {
-    (void)fprintf(stderr, "%s%s\n", prefix, line);
+    (void)snprintf(text, sizeof text, "%s%s", prefix, line);
   } else {
     const char *const head = whole(line + LONGEST_LINE / 2);
     const char *const tail = whole(line + length - LONGEST_LINE / 2);
-    (void)fprintf(stderr, "%s%.*s...%s\n", prefix, (int)(head - line), line, tail);
+    (void)snprintf(text, sizeof text, "%s%.*s...%s", prefix, (int)(head - line), line, tail);
   }
+  if (sink) {
+    sink(sink_context, text);
+  } else {
+    (void)fprintf(stderr, "%s\n", text);
+  }
+}
+
+static void print(const char *prefix, char *line) {
+  replace_controls(line);
+  if (captured) {
+    capture(line);
+    return;
+  }
+  (void)pthread_mutex_lock(&speaking);
+  wipe_status();
+  print_line(prefix, line);
   (void)pthread_mutex_unlock(&speaking);
 }
 

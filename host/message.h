@@ -10,6 +10,7 @@
 #ifndef TABOR_HOST_MESSAGE_H
 #define TABOR_HOST_MESSAGE_H
 
+#include <stddef.h>
 #include <tabor/tabor.h>
 
 #ifdef __GNUC__
@@ -44,6 +45,18 @@ PRINTF_LIKE void note(const char *format, ...);
 
 /** What this thread's messages are about: put before those that do not name it. NULL: nothing. */
 void message_subject(const char *subject);
+
+/** Takes a message, one line without its end. Called by any thread, one at a time; must not speak. */
+typedef void MessageSink(void *context, const char *line);
+
+/** From now on @p sink gets every message instead of the standard error; NULL: as before. */
+void message_redirect(MessageSink *sink, void *context);
+/**
+ * Until message_release(), what this thread says comes into @p text, the first line of it, "" if there
+ * is none; nobody else sees it.
+ */
+void message_capture(char *text, size_t size);
+void message_release(void);
 
 /** Shows a line that the next one or any message replaces; "" takes it away. For terminals. */
 void status_line(const char *text);

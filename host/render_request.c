@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "drum_source.h"
+#include "humanize.h"
 #include "number.h"
 #include "render_outputs.h"
 #include "suggest.h"
@@ -21,6 +22,8 @@ const Option render_options[] = {
   {"duration", 0, "SECONDS", "length, 0.01 to 3600 (default: until the drum has died away)"},
   OPTION_STRIKE,
   OPTION_EVENTS,
+  OPTION_HUMANIZE("0"),
+  OPTION_SEED,
   OPTION_SET,
   {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
   {"jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)"},
@@ -125,6 +128,17 @@ static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) 
   return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
 }
 
+/* Strokes are in order of time by now, so that the order in which they were given does not matter. */
+static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *request) {
+  Humanizer player;
+  const Outcome outcome = humanize_read(arguments, 0, &player);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (size_t i = 0; i < request->strokes.count; i++) {
+    humanize(&player, request->def.shell.radius, &request->strokes.events[i]);
+  }
+  return OUTCOME_OK;
+}
+
 void render_request_clear(RenderRequest *request) {
   memset(request, 0, sizeof *request);
   request->trace = OUTPUT_FILE_NONE;
@@ -134,8 +148,8 @@ void render_request_clear(RenderRequest *request) {
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
   static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
-    read_encoding, read_gain,     read_drum, read_model,
-    read_strokes,  read_duration, read_mics, render_outputs_plan,
+    read_encoding,   read_gain,     read_drum, read_model,          read_strokes,
+    scatter_strokes, read_duration, read_mics, render_outputs_plan,
   };
   render_request_clear(request);
   Outcome outcome = OUTCOME_OK;

@@ -12,8 +12,9 @@ if(TARGET tabor-program)
   target_link_libraries(host_synthesise PRIVATE PkgConfig::SNDFILE m)
 
   foreach(name IN ITEMS test_system_analyze test_system_bench test_system_events_file
-                        test_system_files test_system_jobs test_system_preset_files test_system_program
-                        test_system_requests test_system_split)
+                        test_system_files test_system_humanize test_system_jobs
+                        test_system_preset_files test_system_program test_system_requests
+                        test_system_split)
     add_test(NAME ${name} COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh")
     tabor_test_properties(${name})
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"

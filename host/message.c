@@ -12,8 +12,7 @@
 #define LONGEST_LINE 1000 /* bytes */
 
 static _Thread_local const char *thread_subject;
-static _Thread_local char *captured; /* of captured_size bytes, or NULL */
-static _Thread_local size_t captured_size;
+static _Thread_local MessageCapture captured;
 static pthread_mutex_t speaking = PTHREAD_MUTEX_INITIALIZER;
 static MessageSink *sink; /* or NULL; this and its context while speaking */
 static void *sink_context;
@@ -28,13 +27,14 @@ void message_redirect(MessageSink *new_sink, void *context) {
   (void)pthread_mutex_unlock(&speaking);
 }
 
-void message_capture(char *text, size_t size) {
-  captured = text;
-  captured_size = size;
+MessageCapture message_capture(char *text, size_t size) {
+  const MessageCapture before = captured;
+  captured = (MessageCapture){text, size};
   if (size > 0) text[0] = '\0';
+  return before;
 }
 
-void message_release(void) { captured = NULL; }
+void message_release(MessageCapture before) { captured = before; }
 
 static void wipe_status(void) {
   if (status_length > 0) (void)fprintf(stderr, "\r%*s\r", status_length, "");
@@ -63,8 +63,8 @@ static const char *whole(const char *text) {
 }
 
 static void capture(const char *line) {
-  if (captured_size == 0 || *captured) return;
-  (void)snprintf(captured, captured_size, "%s", line);
+  if (captured.size == 0 || *captured.text) return;
+  (void)snprintf(captured.text, captured.size, "%s", line);
 }
 
 /* A path can be as long as it likes: the middle goes, so that the reason at the end is seen. */
@@ -87,7 +87,7 @@ static void print_line(const char *prefix, const char *line) {
 
 static void print(const char *prefix, char *line) {
   replace_controls(line);
-  if (captured) {
+  if (captured.text) {
     capture(line);
     return;
   }

@@ -51,12 +51,18 @@ typedef void MessageSink(void *context, const char *line);
 
 /** From now on @p sink gets every message instead of the standard error; NULL: as before. */
 void message_redirect(MessageSink *sink, void *context);
+/** Where what a thread says goes instead of being seen. */
+typedef struct MessageCapture {
+  char *text; /**< NULL: nowhere, it is seen */
+  size_t size;
+} MessageCapture;
+
 /**
  * Until message_release(), what this thread says comes into @p text, the first line of it, "" if there
- * is none; nobody else sees it.
+ * is none; nobody else sees it. Returns what message_release() needs; captures may lie within each other.
  */
-void message_capture(char *text, size_t size);
-void message_release(void);
+MessageCapture message_capture(char *text, size_t size);
+void message_release(MessageCapture before);
 
 /** Shows a line that the next one or any message replaces; "" takes it away. For terminals. */
 void status_line(const char *text);

@@ -8,6 +8,7 @@
 
 #include <sndfile.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 #include "output_file.h"
 #include "recorded_io.h"
@@ -30,6 +31,7 @@ typedef struct AudioFile {
   RecordedIo io; /**< what stream writes to, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
+  off_t start;  /**< of the samples in the file */
   uint64_t frames;
 } AudioFile;
 
@@ -54,6 +56,11 @@ Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *
 Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
 /** Completes the file; where it can be read back, reopens it and checks that it is complete. */
 Outcome audio_file_finish(AudioFile *file);
+/**
+ * After audio_file_write() has failed: makes a whole file of the frames before. Only where it can be
+ * read back, and not for FLAC.
+ */
+Outcome audio_file_salvage(AudioFile *file);
 void audio_file_free(AudioFile *file);
 
 #endif

@@ -151,6 +151,9 @@ void tabor_drum_reset(TaborDrum *drum) {
 
 void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   *statistics = drum->state->statistics;
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    statistics->in_play += drum->state->slots[i].kind != TB_SLOT_FREE;
+  }
 }
 
 void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {

@@ -457,7 +457,7 @@ typedef struct TaborEvent {
   TaborSwap *swap;    /**< for TABOR_EVENT_SWAP */
 } TaborEvent;
 
-/** Counters since creation or reset. */
+/** Counters since creation or reset, and what is in play. */
 typedef struct TaborStatistics {
   uint64_t frames;            /**< processed, sleeping frames included */
   uint64_t slept_frames;      /**< of these, passed asleep */
@@ -475,6 +475,7 @@ typedef struct TaborStatistics {
   uint64_t recovered;         /**< resets after a state that was not finite */
   uint64_t contact_sum;       /**< sum over the solves of the points that touched */
   uint32_t contact_max;       /**< most points that touched in one sample */
+  uint32_t in_play;           /**< strikers and damping hands in play now */
 } TaborStatistics;
 
 /**

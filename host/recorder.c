@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+#include "recorder.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <time.h>
+
+struct Recorder {
+  Player *player;
+  OutputFile *output;
+  AudioFile file;
+  double *silence; /* a block of it, for what the disk was too slow for */
+  uint64_t frames; /* written or failed to be */
+  pthread_t thread;
+  Outcome outcome; /* of writing */
+  atomic_bool stops;
+};
+
+static void pause_ms(long milliseconds) {
+  const struct timespec moment = {.tv_nsec = milliseconds * 1000000};
+  (void)nanosleep(&moment, NULL);
+}
+
+/* A block whose predecessor was lost stays in its place. */
+static Outcome write_silence_until(Recorder *recorder, uint64_t frame) {
+  Outcome outcome = OUTCOME_OK;
+  while (recorder->frames < frame && outcome == OUTCOME_OK) {
+    const uint64_t missing = frame - recorder->frames;
+    const uint32_t frames = missing < AUDIO_BLOCK ? (uint32_t)missing : AUDIO_BLOCK;
+    outcome = audio_file_write(&recorder->file, recorder->silence, frames);
+    recorder->frames += frames;
+  }
+  return outcome;
+}
+
+static void write_block(Recorder *recorder, const PlayerRecord *block) {
+  if (recorder->outcome != OUTCOME_OK) return;
+  recorder->outcome = write_silence_until(recorder, block->frame);
+  if (recorder->outcome == OUTCOME_OK) {
+    recorder->outcome = audio_file_write(&recorder->file, block->samples, block->frames);
+    recorder->frames += block->frames;
+  }
+  if (recorder->outcome != OUTCOME_OK) {
+    warn("the recording ends here, after %.10g s; playing goes on",
+         (double)recorder->file.frames / recorder->file.format.rate);
+  }
+}
+
+static void write_all(Recorder *recorder) {
+  const PlayerRecord *block;
+  while ((block = player_record(recorder->player)) != NULL) {
+    write_block(recorder, block);
+    player_record_next(recorder->player);
+  }
+}
+
+static void *run(void *context) {
+  Recorder *const recorder = context;
+  while (!atomic_load(&recorder->stops)) {
+    write_all(recorder);
+    pause_ms(5);
+  }
+  write_all(recorder);
+  return NULL;
+}
+
+static void recorder_free(Recorder *recorder) {
+  audio_file_free(&recorder->file);
+  free(recorder->silence);
+  free(recorder);
+}
+
+static Outcome open_file(Recorder *recorder, const AudioFormat *format) {
+  const Outcome outcome = output_open(recorder->output, format->container != AUDIO_AU);
+  if (outcome != OUTCOME_OK) return outcome;
+  return audio_file_open(&recorder->file, format, recorder->output);
+}
+
+Outcome recorder_start(const AudioFormat *format, OutputFile *output, Player *player,
+                       Recorder **started) {
+  Recorder *const recorder = calloc(1, sizeof *recorder);
+  *started = NULL;
+  if (!recorder) return fail_memory();
+  recorder->player = player;
+  recorder->output = output;
+  recorder->silence = calloc((size_t)AUDIO_BLOCK * format->channels, sizeof *recorder->silence);
+  Outcome outcome = recorder->silence ? open_file(recorder, format) : fail_memory();
+  if (outcome == OUTCOME_OK && pthread_create(&recorder->thread, NULL, run, recorder) != 0) {
+    outcome = fail("cannot start a thread for the recording");
+  }
+  if (outcome == OUTCOME_OK) {
+    *started = recorder;
+  } else {
+    recorder_free(recorder);
+  }
+  return outcome;
+}
+
+void recorder_wait(const Recorder *recorder, uint32_t frames) {
+  while (!player_record_has_room(recorder->player, frames)) pause_ms(1);
+}
+
+static Outcome deliver(Recorder *recorder) {
+  const Outcome writing = recorder->outcome;
+  Outcome outcome = writing == OUTCOME_OK ? audio_file_finish(&recorder->file)
+                                          : audio_file_salvage(&recorder->file);
+  if (outcome == OUTCOME_OK) outcome = output_complete(recorder->output);
+  if (outcome == OUTCOME_OK) outcome = output_deliver(&recorder->output, 1);
+  return writing == OUTCOME_OK ? outcome : writing;
+}
+
+Outcome recorder_finish(Recorder *recorder) {
+  if (!recorder) return OUTCOME_OK;
+  atomic_store(&recorder->stops, true);
+  (void)pthread_join(recorder->thread, NULL);
+  const Outcome outcome = deliver(recorder);
+  recorder_free(recorder);
+  return outcome;
+}

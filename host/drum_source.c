@@ -72,7 +72,8 @@ static const struct Family {
 };
 
 /* Refuses the key of a microphone or striker that the drum has not got. */
-static Outcome check_member(const struct Family *family, const char *key, const TaborDrumDef *def) {
+static Outcome check_member(const struct Family *family, const char *what, const char *key,
+                            const TaborDrumDef *def) {
   const size_t prefix = strlen(family->prefix);
   const char *const dot = strrchr(key, '.');
   if (strncmp(key, family->prefix, prefix) != 0 || dot < key + prefix) return OUTCOME_OK;
@@ -81,15 +82,33 @@ static Outcome check_member(const struct Family *family, const char *key, const 
   name[(size_t)(dot - key) - prefix] = '\0';
   if (family->find(def, name) >= 0) return OUTCOME_OK;
   suggest_choice(hint, sizeof hint, name, family->prefix, family->name_at, def);
-  return refuse("--set '%.80s': the drum has no %s '%.63s'%s", key, family->what, name, hint);
+  return refuse("%s '%.80s': the drum has no %s '%.63s'%s", what, key, family->what, name, hint);
 }
 
-static Outcome check_members(const char *key, const TaborDrumDef *def) {
+static Outcome check_members(const char *what, const char *key, const TaborDrumDef *def) {
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; i < sizeof families / sizeof families[0] && outcome == OUTCOME_OK; i++) {
-    outcome = check_member(&families[i], key, def);
+    outcome = check_member(&families[i], what, key, def);
   }
   return outcome;
+}
+
+static Outcome set_key(TaborDrumDef *def, const char *what, const char *key, const char *value) {
+  const Outcome outcome = check_members(what, key, def);
+  TaborError error;
+  if (outcome != OUTCOME_OK) return outcome;
+  if (tabor_drum_def_set(def, key, value, &error) == TABOR_OK) return OUTCOME_OK;
+  return report_engine_error(&error);
+}
+
+Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const char *value) {
+  TaborDrumDef changed = *def;
+  TaborError error;
+  const Outcome outcome = set_key(&changed, what, key, value);
+  if (outcome != OUTCOME_OK) return outcome;
+  if (tabor_drum_def_validate(&changed, &error) != TABOR_OK) return report_engine_error(&error);
+  *def = changed;
+  return OUTCOME_OK;
 }
 
 /* One KEY=VALUE. */
@@ -102,16 +121,24 @@ static Outcome apply_setting(const char *setting, TaborDrumDef *def) {
     return refuse("--set '%.80s...': no parameter has so long a key", setting);
   memcpy(key, setting, length);
   key[length] = '\0';
-  const Outcome outcome = check_members(key, def);
-  if (outcome != OUTCOME_OK) return outcome;
+  return set_key(def, "--set", key, equals + 1);
+}
+
+static Outcome load_preset(const char *preset, TaborDrumDef *def) {
+  return preset_is_file(preset) ? load_file(preset, def) : load_builtin(preset, def);
+}
+
+Outcome drum_load_preset(const char *preset, TaborDrumDef *def) {
   TaborError error;
-  if (tabor_drum_def_set(def, key, equals + 1, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
+  const Outcome outcome = load_preset(preset, def);
+  if (outcome != OUTCOME_OK) return outcome;
+  if (tabor_drum_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
+  return refuse("%s: %s", preset, error.message);
 }
 
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def) {
   const char *const preset = preset_argument(arguments);
-  Outcome outcome = preset_is_file(preset) ? load_file(preset, def) : load_builtin(preset, def);
+  Outcome outcome = load_preset(preset, def);
   const char *setting;
   size_t position = 0;
   while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {

@@ -34,6 +34,11 @@ const char *drum_striker_name(const void *def, size_t index);
 /** Reads the preset, applies every --set in order, and validates the result. A --set adds no
  * microphone or striker: in a file a new name makes one, on a command line it is a slip. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
+/** Reads a preset by itself, and validates it. */
+Outcome drum_load_preset(const char *preset, TaborDrumDef *def);
+/** Sets one parameter and validates the result, or leaves @p def alone; @p what, as "--set", begins messages
+ * that would not name the key otherwise. Adds no microphone or striker. */
+Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const char *value);
 /** Reads --rate and --quality. */
 Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
 /** "live" and the like for a TaborQuality that is not the default. */

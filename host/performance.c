@@ -32,10 +32,21 @@ static Outcome read_score(Performance *performance) {
                       &performance->strokes);
 }
 
+static Outcome create_drum(Performance *performance) {
+  const PlayRequest *const request = performance->request;
+  DrumChangesSetup setup = {.preset = request->preset,
+                            .def = &request->def,
+                            .options = request->model,
+                            .channels = request->channels,
+                            .waits = request->backend->waits};
+  memcpy(setup.mics, request->mics, sizeof setup.mics);
+  return drum_changes_create(&setup, &performance->changes);
+}
+
 static Outcome create_player(Performance *performance) {
   const PlayRequest *const request = performance->request;
   PlayerSetup setup = {
-    .drum = performance->drum,
+    .drum = drum_changes_drum(performance->changes),
     .rate = request->model.sample_rate,
     .channels = request->channels,
     .width = performance->facts.width,
@@ -47,7 +58,9 @@ static Outcome create_player(Performance *performance) {
   };
   memcpy(setup.mics, request->mics, sizeof setup.mics);
   if (performance->strokes.count > 0) setup.last_event = strokes_last_frame(&performance->strokes);
-  return player_create(&setup, &performance->player);
+  const Outcome outcome = player_create(&setup, &performance->player);
+  if (outcome != OUTCOME_OK) return outcome;
+  return drum_changes_start(performance->changes, performance->player);
 }
 
 static Outcome start_recorder(Performance *performance) {
@@ -63,8 +76,7 @@ Outcome performance_open(Performance *performance, PlayRequest *request) {
   performance->request = request;
   Outcome outcome = open_device(performance);
   if (outcome == OUTCOME_OK) outcome = read_score(performance);
-  if (outcome == OUTCOME_OK)
-    outcome = drum_create(&request->def, &request->model, &performance->drum);
+  if (outcome == OUTCOME_OK) outcome = create_drum(performance);
   if (outcome == OUTCOME_OK) outcome = create_player(performance);
   if (outcome == OUTCOME_OK) outcome = start_recorder(performance);
   return outcome;
@@ -113,8 +125,9 @@ Outcome performance_close(Performance *performance) {
   if (performance->player) (void)player_halt(performance->player, HALT_TIME);
   const Outcome outcome = recorder_finish(performance->recorder);
   if (performance->stream) performance->request->backend->close(performance->stream);
+  drum_changes_stop(performance->changes);
   player_destroy(performance->player);
-  tabor_drum_destroy(performance->drum);
+  drum_changes_destroy(performance->changes);
   strokes_free(&performance->strokes);
   return outcome;
 }

@@ -6,6 +6,7 @@
 #ifndef TABOR_HOST_PERFORMANCE_H
 #define TABOR_HOST_PERFORMANCE_H
 
+#include "drum_changes.h"
 #include "play_request.h"
 #include "recorder.h"
 #include "score.h"
@@ -14,7 +15,7 @@ typedef struct Performance {
   PlayRequest *request;
   BackendStream *stream;
   BackendFacts facts;
-  TaborDrum *drum;
+  DrumChanges *changes;
   Player *player;
   Recorder *recorder;
   Strokes strokes;

@@ -97,6 +97,18 @@ void player_attend(Player *player, const TaborModel *model) {
   listen(player);
 }
 
+/* A reset takes live parameters back to the model's: remember where they are. */
+static void remember_live(Player *player, const TaborEvent *event) {
+  uint32_t i = 0;
+  while (i < player->live_count &&
+         (player->live[i].parameter != event->parameter || player->live[i].index != event->index)) {
+    i++;
+  }
+  if (i == PLAYER_LIVE) return;
+  player->live[i] = *event;
+  if (i == player->live_count) player->live_count++;
+}
+
 static void add_event(Player *player, const TaborEvent *event) {
   TaborEvent *const added = &player->events[player->event_count++];
   *added = *event;
@@ -104,6 +116,7 @@ static void add_event(Player *player, const TaborEvent *event) {
   /* meant for another preset, which had more of them */
   if (added->type == TABOR_EVENT_STRIKE && added->striker >= player->striker_count)
     added->striker = 0;
+  if (added->type == TABOR_EVENT_PARAMETER) remember_live(player, added);
   meter_event(player, added);
 }
 
@@ -116,6 +129,7 @@ static void swap(Player *player, const PlayerMessage *message) {
   tabor_drum_process(player->drum, &event, 1, NULL, 0);
   for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
   player_attend(player, tabor_drum_model(player->drum));
+  player->live_count = 0; /* the model has them, or others */
   meter_event(player, &event);
 }
 
@@ -127,7 +141,10 @@ static void carry_out(Player *player, const PlayerMessage *message) {
   case PLAYER_EVENT: add_event(player, &message->event); break;
   case PLAYER_SWAP: swap(player, message); break;
   case PLAYER_GAIN: fader_set(&player->gain, message->value); break;
-  case PLAYER_SILENCE: fader_set(&player->silence, 0); break;
+  case PLAYER_SILENCE:
+    fader_set(&player->silence, 0);
+    player->phase = FADING;
+    break;
   default: break;
   }
 }
@@ -144,13 +161,11 @@ static int first_source(const Player *player, uint64_t *frame) {
   return first;
 }
 
-static bool is_fading_out(const Player *player) { return player->silence.target == 0; }
-
 /* Takes what acts at this frame. How many of @p most frames there are until the next message. */
 static uint32_t take_messages(Player *player, uint32_t most) {
   uint64_t frame = 0;
   int source;
-  for (uint32_t taken = 0; taken < PLAYER_EVENTS && !is_fading_out(player); taken++) {
+  for (uint32_t taken = 0; taken < PLAYER_EVENTS && player->phase == HEARD; taken++) {
     source = first_source(player, &frame);
     if (source < 0) return most;
     if (frame > player->position) {
@@ -159,23 +174,38 @@ static uint32_t take_messages(Player *player, uint32_t most) {
     carry_out(player, ring_peek(&player->sources[source]));
     ring_pop(&player->sources[source]);
   }
-  return is_fading_out(player) ? most : 1; /* what is left acts one frame later */
+  return player->phase == HEARD ? 1 : most; /* what is left acts one frame later */
 }
 
-/* Silence has been reached: the drum forgets everything, and is heard again. */
+/* Silence has been reached: the drum forgets everything but what it is. */
 static void forget(Player *player) {
   keep_statistics(player);
   tabor_drum_reset(player->drum);
-  player->silence.now = player->silence.target = 1;
+  tabor_drum_process(player->drum, player->live, player->live_count, NULL, 0);
+  player->resting = 2 * player->silence.length; /* its parameters move, unheard */
+}
+
+static void change_phase(Player *player) {
+  if (player->phase == FADING && player->silence.left == 0) {
+    forget(player);
+    player->phase = RESTING;
+  }
+  if (player->phase == RESTING && player->resting == 0) {
+    fader_set(&player->silence, 1);
+    player->phase = HEARD;
+  }
 }
 
 /* What happens at this frame; how many of @p most frames to compute before the next. */
 static uint32_t begin_piece(Player *player, uint32_t most) {
   player->event_count = 0;
-  if (is_fading_out(player) && player->silence.left == 0) forget(player);
-  const uint32_t frames = is_fading_out(player) ? most : take_messages(player, most);
-  const bool fades = is_fading_out(player) && player->silence.left < frames;
-  return fades ? player->silence.left : frames;
+  change_phase(player);
+  const uint32_t frames = player->phase == HEARD ? take_messages(player, most) : most;
+  if (player->phase == HEARD) return frames;
+  const uint32_t left = player->phase == FADING ? player->silence.left : player->resting;
+  const uint32_t piece = left < frames ? left : frames;
+  if (player->phase == RESTING) player->resting -= piece;
+  return piece;
 }
 
 /* ---- sound ---------------------------------------------------------------------------------- */

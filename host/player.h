@@ -24,6 +24,7 @@
 
 /** Who sends messages: one thread each. Of messages of one frame those of the first act first. */
 typedef enum PlayerSource {
+  SOURCE_SWAPS,   /**< drum_changes.h */
   SOURCE_CHANGES, /**< drum_changes.h, whose lock makes one thread of many */
   SOURCE_SCORE,   /**< --events and --midi-file */
   SOURCE_MIDI,    /**< MIDI inputs */

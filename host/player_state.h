@@ -13,6 +13,7 @@
 
 #define PLAYER_PIECE RING_OUT_BLOCK /* frames computed at once at most, and looks at the end */
 #define PLAYER_EVENTS 16            /* of one frame; further ones act at the next */
+#define PLAYER_LIVE 24              /* live parameters that outlive a silence */
 #define LOAD_BINS 256               /* of the load, in steps of 1 %; the last is for all above */
 
 /* What the audio thread tells. Each is written by it alone, relaxed: numbers, not order. */
@@ -30,6 +31,13 @@ typedef struct PlayerMeters {
   atomic_ullong last_frame;
 } PlayerMeters;
 
+/* Unless the drum is heard, messages wait. */
+typedef enum PlayerPhase {
+  HEARD,
+  FADING, /* to a silence that was wished for */
+  RESTING /* in it */
+} PlayerPhase;
+
 struct Player {
   /* set up once */
   TaborDrum *drum;
@@ -45,6 +53,10 @@ struct Player {
   Fader gain, silence;
   uint32_t mics[TABOR_MAX_MICS];
   uint32_t striker_count;
+  PlayerPhase phase;
+  uint32_t resting;             /* frames left of that phase */
+  TaborEvent live[PLAYER_LIVE]; /* parameters moved since the model came */
+  uint32_t live_count;
   TaborEvent events[PLAYER_EVENTS];
   uint32_t event_count;
   float *outputs[TABOR_MAX_MICS]; /* into planar, NULL for what nobody hears */

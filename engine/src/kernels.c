@@ -74,13 +74,26 @@ static INLINE void single_blocks(uint32_t count, uint32_t n, double *out, const 
   for (uint32_t b = 0; b < count; b++) store(out + 8 * b, sum[b]);
 }
 
+/* How many of `left` blocks to take at once: enough to hide the latency of an addition. */
+static INLINE uint32_t blocks_at_once(uint32_t left) {
+  if (left == 7) return 4;
+  return left < 6 ? left : 6;
+}
+
 static void multiply_single(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                             const double *x) {
-  const uint64_t block = 8u * (uint64_t)n;
-  uint32_t b = 0;
-  for (; b + 6 <= blocks; b += 6) single_blocks(6, n, out + 8 * b, matrix + b * block, x);
-  for (; b + 3 <= blocks; b += 3) single_blocks(3, n, out + 8 * b, matrix + b * block, x);
-  for (; b < blocks; b++) single_blocks(1, n, out + 8 * b, matrix + b * block, x);
+  for (uint32_t b = 0, take; b < blocks; b += take) {
+    const float *m = matrix + 8u * (uint64_t)n * b;
+    take = blocks_at_once(blocks - b);
+    switch (take) { /* one copy of the code for each */
+    case 1: single_blocks(1, n, out + 8 * b, m, x); break;
+    case 2: single_blocks(2, n, out + 8 * b, m, x); break;
+    case 3: single_blocks(3, n, out + 8 * b, m, x); break;
+    case 4: single_blocks(4, n, out + 8 * b, m, x); break;
+    case 5: single_blocks(5, n, out + 8 * b, m, x); break;
+    default: single_blocks(6, n, out + 8 * b, m, x); break;
+    }
+  }
 }
 
 static double reach(uint32_t n, const double *c, const double *x) {
@@ -101,9 +114,11 @@ static void add_scaled(uint32_t n, double *out, double f, const double *x) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
-static void add_scaled_single(uint32_t n, double *out, double f, const float *x) {
+static void add_four_single(uint32_t n, double *out, const double f[4], const float *const x[4]) {
   for (uint32_t i = 0; i < n; i += 8) {
-    store(out + i, add(load(out + i), scale(load_single(x + i), f)));
+    Lanes sum = load(out + i);
+    for (int row = 0; row < 4; row++) sum = add(sum, scale(load_single(x[row] + i), f[row]));
+    store(out + i, sum);
   }
 }
 
@@ -237,8 +252,9 @@ static void wire_step(uint32_t n, const double *c, const double *inner, const do
     Lanes push = scale(curve, c[2]);
     push = subtract(push, scale(second_difference(bend + i), c[3]));
     push = add(push, scale(subtract(curve, load(bend_last + i)), c[4]));
-    const Lanes coast = subtract(scale(load(now + i), 2.0), scale(load(last + i), c[1]));
-    store(next + i, multiply_lanes(load(inner + i), scale(add(coast, push), c[0])));
+    /* As a change: a wire that hangs far away may not lose or gain by rounding where it is. */
+    const Lanes at = load(now + i), coast = scale(subtract(at, load(last + i)), c[1]);
+    store(next + i, multiply_lanes(load(inner + i), add(at, scale(add(coast, push), c[0]))));
   }
 }
 
@@ -256,113 +272,135 @@ static TbPair wire_losses(uint32_t n, const double *next, const double *last) {
 
 /* ---- contacts ------------------------------------------------------------------------------- */
 
+/* One register at a time: a law needs more values at once than there are registers for eight lanes. */
+
+static INLINE Vector none(void) { return (Vector){0.0}; }
+static INLINE Vector every(double value) { return none() + value; }
+static INLINE Vector vector_size_of(Vector x) { return vector_larger(x, none() - x); }
+static INLINE Vector read(const double *p) { return *(const Vector *)(const void *)p; }
+static INLINE void write(double *p, Vector x) { *(Vector *)(void *)p = x; }
+
+/* x where it can divide */
+static INLINE Vector divisor(Vector x) {
+  return vector_pick(vector_greater(x, none()), x, every(1.0));
+}
+
 /* eta^(power/2) for eta >= 0 */
-static INLINE Lanes raise(uint32_t power, Lanes eta) {
+static INLINE Vector raise(uint32_t power, Vector eta) {
   if (power == 2) return eta;
-  return multiply_lanes(eta, power == 3 ? root(eta) : eta);
+  return eta * (power == 3 ? vector_root(eta) : eta);
 }
 
 /* Mean of eta^(power/2) over (x, y), both >= 0. */
-static INLINE Lanes mean_power(uint32_t power, Lanes x, Lanes y) {
-  if (power == 2) return scale(add(x, y), 0.5);
-  const Lanes square = add(add(multiply_lanes(x, x), multiply_lanes(x, y)), multiply_lanes(y, y));
-  if (power == 4) return scale(square, 1.0 / 3.0);
-  const Lanes p = root(x), q = root(y), sum = add(p, q);
-  const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), add(x, y)));
-  return divide(scale(quartic, 0.4), pick(greater(sum, zero()), sum, all(1.0)));
+static INLINE Vector mean_power(uint32_t power, Vector x, Vector y) {
+  if (power == 2) return 0.5 * (x + y);
+  const Vector square = x * x + x * y + y * y;
+  if (power == 4) return square * (1.0 / 3.0);
+  const Vector p = vector_root(x), q = vector_root(y);
+  return 0.4 * (square + p * q * (x + y)) / divisor(p + q);
 }
 
 typedef struct Knee {
-  Lanes at, force, slope;
+  Vector at, force, slope;
 } Knee;
 
 /* V' */
-static INLINE Lanes static_force(const TbLaw *law, uint32_t power, Knee knee, Lanes eta) {
-  const Lanes inside = scale(raise(power, smaller(larger(eta, zero()), knee.at)), law->stiffness);
-  const Lanes beyond = add(knee.force, multiply_lanes(knee.slope, subtract(eta, knee.at)));
-  return pick(greater(eta, knee.at), beyond, inside);
+static INLINE Vector static_force(const TbLaw *law, uint32_t power, Knee knee, Vector eta) {
+  const Vector below = vector_smaller(vector_larger(eta, none()), knee.at);
+  const Vector inside = law->stiffness * raise(power, below);
+  const Vector beyond = knee.force + knee.slope * (eta - knee.at);
+  return vector_pick(vector_greater(eta, knee.at), beyond, inside);
 }
 
 /* V'' */
-static INLINE Lanes curvature(const TbLaw *law, uint32_t power, Knee knee, Lanes eta) {
-  const Lanes touching = larger(eta, zero());
-  Lanes inside = all(law->stiffness);
-  if (power == 3) inside = scale(root(touching), 1.5 * law->stiffness);
-  if (power == 4) inside = scale(touching, 2.0 * law->stiffness);
-  inside = pick(greater(eta, zero()), inside, zero());
-  return pick(greater(eta, knee.at), knee.slope, inside);
+static INLINE Vector curvature(const TbLaw *law, uint32_t power, Knee knee, Vector eta) {
+  const Vector touching = vector_larger(eta, none());
+  Vector inside = every(law->stiffness);
+  if (power == 3) inside = 1.5 * law->stiffness * vector_root(touching);
+  if (power == 4) inside = 2.0 * law->stiffness * touching;
+  inside = vector_pick(vector_greater(eta, none()), inside, none());
+  return vector_pick(vector_greater(eta, knee.at), knee.slope, inside);
 }
 
 /* Mean of V' between lo and hi: of one piece directly, so that equal ends need no division. */
-static INLINE Lanes mean_force(const TbLaw *law, uint32_t power, Knee knee, Lanes lo, Lanes hi) {
-  const Lanes from = larger(lo, zero()), top = smaller(hi, knee.at);
-  const Lanes power_top = larger(top, zero()), power_from = smaller(from, power_top);
-  const Lanes power_mean = scale(mean_power(power, power_from, power_top), law->stiffness);
-  const Lanes start = larger(from, knee.at), end = larger(hi, start);
-  const Lanes middle = subtract(scale(add(start, end), 0.5), knee.at);
-  const Lanes line_mean = add(knee.force, multiply_lanes(knee.slope, middle));
-  const Lanes work = add(multiply_lanes(subtract(power_top, power_from), power_mean),
-                         multiply_lanes(subtract(end, start), line_mean));
-  const Lanes length = subtract(hi, lo);
-  const Lanes mixed = divide(work, pick(greater(length, zero()), length, all(1.0)));
-  const Mask in_line = greater(lo, knee.at), above = greater(zero(), lo),
-             over = greater(hi, knee.at);
-  return pick(in_line, line_mean, pick(either(above, over), mixed, power_mean));
+static INLINE Vector mean_force(const TbLaw *law, uint32_t power, Knee knee, Vector lo, Vector hi) {
+  const Vector from = vector_larger(lo, none()), top = vector_smaller(hi, knee.at);
+  const Vector power_top = vector_larger(top, none()), power_from = vector_smaller(from, power_top);
+  const Vector power_mean = law->stiffness * mean_power(power, power_from, power_top);
+  const Vector start = vector_larger(from, knee.at), end = vector_larger(hi, start);
+  const Vector line_mean = knee.force + knee.slope * (0.5 * (start + end) - knee.at);
+  const Vector work = (power_top - power_from) * power_mean + (end - start) * line_mean;
+  const Vector mixed = work / divisor(hi - lo);
+  const Bits in_line = vector_greater(lo, knee.at), above = vector_greater(none(), lo),
+             over = vector_greater(hi, knee.at);
+  return vector_pick(in_line, line_mean, vector_pick(above | over, mixed, power_mean));
 }
 
 typedef struct Secant {
-  Lanes mean, rise; /* DV/s, and its derivative in s */
+  Vector mean, rise; /* DV/s, and its derivative in s */
 } Secant;
 
 /* Where V' goes on as a line. */
-static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Lanes y, Lanes s, Lanes x) {
-  const Knee knee = {all(law->limit), all(law->limit_force), all(law->limit_slope)};
-  const Lanes mean = mean_force(law, power, knee, smaller(x, y), larger(x, y));
-  const Mask small = greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s));
-  const Lanes divisor = pick(greater(size_of(s), zero()), s, all(1.0));
-  const Lanes quotient = divide(subtract(static_force(law, power, knee, x), mean), divisor);
-  const Lanes bend = scale(curvature(law, power, knee, add(y, scale(s, 0.5))), 0.5);
-  return (Secant){mean, pick(small, bend, larger(quotient, zero()))};
+static INLINE Secant secant_over_knee(const TbLaw *law, uint32_t power, Vector y, Vector s,
+                                      Vector x) {
+  const Knee knee = {every(law->limit), every(law->limit_force), every(law->limit_slope)};
+  const Vector mean = mean_force(law, power, knee, vector_smaller(x, y), vector_larger(x, y));
+  const Vector size = vector_size_of(s);
+  const Bits small =
+    vector_greater(1e-5 * vector_larger(vector_size_of(x), vector_size_of(y)), size);
+  const Vector way = vector_pick(vector_greater(size, none()), s, every(1.0));
+  const Vector quotient = (static_force(law, power, knee, x) - mean) / way;
+  const Vector bend = 0.5 * curvature(law, power, knee, y + 2.0 / 3.0 * s);
+  return (Secant){mean, vector_pick(small, bend, vector_larger(quotient, none()))};
 }
 
 /* Below the knee with a = 1, where e is the part of the interval in contact: V' has the mean
  * K (x + y) e/2 of its ends counted from 0, which grows by K e (1 - e/2) entering, K e^2/2 leaving. */
-static INLINE Secant secant_of_line(const TbLaw *law, Lanes y, Lanes s, Lanes x) {
-  const Lanes end = larger(x, zero()), begin = larger(y, zero());
-  const Lanes length = pick(greater(size_of(s), zero()), s, all(1.0));
-  const Lanes part = divide(subtract(end, begin), length);
-  const Lanes e = pick(greater(zero(), smaller(x, y)), part, all(1.0));
-  const Lanes half = scale(e, 0.5);
-  const Lanes rest = pick(greater(s, zero()), subtract(all(1.0), half), half);
-  return (Secant){multiply_lanes(scale(add(end, begin), law->stiffness), half),
-                  multiply_lanes(scale(e, law->stiffness), rest)};
+static INLINE Secant secant_of_line(const TbLaw *law, Vector y, Vector s, Vector x) {
+  const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
+  const Vector way = vector_pick(vector_greater(vector_size_of(s), none()), s, every(1.0));
+  const Vector part = (end - begin) / way;
+  const Vector e = vector_pick(vector_greater(none(), vector_smaller(x, y)), part, every(1.0));
+  const Vector half = 0.5 * e;
+  const Vector rest = vector_pick(vector_greater(s, none()), 1.0 - half, half);
+  return (Secant){law->stiffness * (end + begin) * half, law->stiffness * e * rest};
 }
 
-/* Below the knee with a = 3/2 or 2, from the roots of both ends alone. */
-static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Lanes y, Lanes s, Lanes x) {
-  const Lanes from = larger(smaller(x, y), zero()), top = larger(larger(x, y), zero());
-  const Lanes p = power == 3 ? root(from) : from, q = power == 3 ? root(top) : top;
-  const Lanes sum = add(from, top), product = multiply_lanes(from, top);
-  const Lanes square = subtract(multiply_lanes(sum, sum), product);
-  Lanes inside = scale(square, law->stiffness / 3.0), bend = scale(sum, 0.5 * law->stiffness);
-  if (power == 3) {
-    const Lanes roots = add(p, q), safe = pick(greater(roots, zero()), roots, all(1.0));
-    const Lanes quartic = add(square, multiply_lanes(multiply_lanes(p, q), sum));
-    inside = divide(scale(quartic, 0.4 * law->stiffness), safe);
-    bend = scale(roots, 0.375 * law->stiffness);
+/* Below the knee with a = 3/2 or 2, both ends in contact: the mean of V' and its derivative in s, V' at x, and
+ * 1 over `gap`. With the roots q, p of the ends x, y, DV/s for a = 3/2 is
+ * (2K/5) (q^4 + q^3 p + q^2 p^2 + q p^3 + p^4)/(q + p), and its derivative
+ * (K/5) (3 q^3 + 6 q^2 p + 4 q p^2 + 2 p^3)/(q + p)^2: sums of what is not negative, for any s. */
+static INLINE Secant secant_in_contact(const TbLaw *law, uint32_t power, Vector x, Vector y,
+                                       Vector gap, Vector *force, Vector *per_gap) {
+  const Vector sum = x + y, square = sum * sum - x * y;
+  if (power == 4) {
+    *force = law->stiffness * (x * x);
+    *per_gap = 1.0 / gap;
+    return (Secant){law->stiffness / 3.0 * square, law->stiffness / 3.0 * (sum + x)};
   }
-  const Lanes per_s = divide(all(1.0), pick(greater(size_of(s), zero()), s, all(1.0)));
-  /* An interval that begins in the air: the work over its length. */
-  const Lanes part = multiply_lanes(inside, multiply_lanes(subtract(top, from), size_of(per_s)));
-  const Mask air = greater(zero(), smaller(x, y));
-  const Lanes mean = pick(air, part, inside);
-  const Lanes end = larger(x, zero());
-  Lanes force = scale(end, law->stiffness);
-  if (power == 4) force = multiply_lanes(force, end);
-  if (power == 3) force = multiply_lanes(force, pick(greater(x, y), q, p));
-  const Mask small = greater(scale(larger(size_of(x), size_of(y)), 1e-5), size_of(s));
-  const Lanes quotient = larger(multiply_lanes(subtract(force, mean), per_s), zero());
-  return (Secant){mean, pick(small, bend, quotient)};
+  const Vector p = vector_root(y), q = vector_root(x), roots = p + q, both = roots * gap;
+  /* One division for two; of what is so small nothing is left. */
+  const Vector inverse = 1.0 / vector_pick(vector_greater(both, every(1e-250)), both, every(1.0));
+  const Vector per_roots = gap * inverse;
+  const Vector cubic = q * (3.0 * x + 4.0 * y) + p * (6.0 * x + 2.0 * y);
+  *force = law->stiffness * (x * q);
+  *per_gap = roots * inverse;
+  return (Secant){0.4 * law->stiffness * (square + p * q * sum) * per_roots,
+                  0.2 * law->stiffness * cubic * (per_roots * per_roots)};
+}
+
+/* An interval that begins or ends in the air has the work of the part in contact over its whole length. */
+static INLINE Secant secant_of_power(const TbLaw *law, uint32_t power, Vector y, Vector s,
+                                     Vector x) {
+  const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
+  const Bits air = vector_greater(none(), vector_smaller(x, y));
+  const Vector gap = vector_pick(air, vector_size_of(s), every(1.0));
+  Vector force, per_s;
+  const Secant inside = secant_in_contact(law, power, end, begin, divisor(gap), &force, &per_s);
+  const Vector part = inside.mean * (end + begin) * per_s;
+  const Vector change = vector_pick(vector_greater(s, none()), force - part, part);
+  return (Secant){vector_pick(air, part, inside.mean),
+                  vector_pick(air, change * per_s, inside.rise)};
 }
 
 typedef struct LawArrays {
@@ -370,46 +408,46 @@ typedef struct LawArrays {
   double *force, *slope, *mean;
 } LawArrays;
 
-/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope */
-static INLINE void law_with_loss(const TbLaw *law, Lanes s, Secant secant, LawArrays at) {
-  const Lanes factor = add(all(1.0), scale(s, law->loss));
-  const Lanes slope = add(multiply_lanes(secant.rise, factor), scale(secant.mean, law->loss));
-  const Lanes force = multiply_lanes(secant.mean, factor);
-  store(at.mean, secant.mean);
-  store(at.force, pick(greater(factor, zero()), force, zero()));
-  store(at.slope, pick(greater(factor, zero()), slope, zero()));
+/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope; nothing where nothing touches */
+static INLINE void law_with_loss(const TbLaw *law, Vector s, Vector top, Secant secant,
+                                 LawArrays at) {
+  const Vector factor = 1.0 + law->loss * s;
+  const Bits touching = vector_greater(top, none()), pushing = vector_greater(factor, none());
+  const Vector mean = vector_pick(touching, secant.mean, none());
+  const Vector rise = vector_pick(touching, secant.rise, none());
+  write(at.mean, mean);
+  write(at.force, vector_pick(pushing, mean * factor, none()));
+  write(at.slope, vector_pick(pushing, rise * factor + law->loss * mean, none()));
 }
 
 /* Rare: out of the way of the rest. */
 static __attribute__((noinline)) void law_over_knee(const TbLaw *law, uint32_t power,
                                                     LawArrays at) {
-  const Lanes y = load(at.y), s = load(at.s), x = add(y, s);
-  Secant secant = power == 2   ? secant_over_knee(law, 2, y, s, x)
-                  : power == 3 ? secant_over_knee(law, 3, y, s, x)
-                               : secant_over_knee(law, 4, y, s, x);
-  secant.rise = pick(greater(larger(x, y), zero()), secant.rise, zero());
-  secant.mean = pick(greater(larger(x, y), zero()), secant.mean, zero());
-  law_with_loss(law, s, secant, at);
+  const Vector y = read(at.y), s = read(at.s), x = y + s;
+  const Secant secant = power == 2   ? secant_over_knee(law, 2, y, s, x)
+                        : power == 3 ? secant_over_knee(law, 3, y, s, x)
+                                     : secant_over_knee(law, 4, y, s, x);
+  law_with_loss(law, s, vector_larger(x, y), secant, at);
 }
 
 static INLINE void law_at(const TbLaw *law, uint32_t power, uint32_t n, LawArrays arrays) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint32_t i = 0; i < n; i += WIDTH) {
     const LawArrays at = {arrays.y + i, arrays.s + i, arrays.force + i, arrays.slope + i,
                           arrays.mean + i};
-    const Lanes y = load(at.y), s = load(at.s), x = add(y, s), top = larger(x, y);
-    if (any(greater(top, all(law->limit)))) {
+    const Vector y = read(at.y), s = read(at.s), x = y + s, top = vector_larger(x, y);
+    if (!vector_any(vector_greater(top, none()))) {
+      write(at.force, none());
+      write(at.slope, none());
+      write(at.mean, none());
+      continue;
+    }
+    if (vector_any(vector_greater(top, every(law->limit)))) {
       law_over_knee(law, power, at);
       continue;
     }
-    Secant secant;
-    if (power == 2) {
-      secant = secant_of_line(law, y, s, x);
-    } else {
-      secant = secant_of_power(law, power, y, s, x);
-      secant.rise = pick(greater(top, zero()), secant.rise, zero());
-      secant.mean = pick(greater(top, zero()), secant.mean, zero());
-    }
-    law_with_loss(law, s, secant, at);
+    const Secant secant =
+      power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, s, x);
+    law_with_loss(law, s, top, secant, at);
   }
 }
 
@@ -562,7 +600,7 @@ const TbKernels TB_KERNELS = {
   .reach = reach,
   .dot = dot,
   .add_scaled = add_scaled,
-  .add_scaled_single = add_scaled_single,
+  .add_four_single = add_four_single,
   .hold = hold,
   .add_product = add_product,
   .readout = readout,

@@ -32,8 +32,8 @@ typedef struct TbKernels {
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */
   void (*add_scaled)(uint32_t n, double *out, double f, const double *x);
-  /* The same with x of single precision. */
-  void (*add_scaled_single)(uint32_t n, double *out, double f, const float *x);
+  /* out += f[0] x[0], then f[1] x[1], and so on, x of single precision. */
+  void (*add_four_single)(uint32_t n, double *out, const double f[4], const float *const x[4]);
   /* next += min(f h, most) (last - next) */
   void (*hold)(uint32_t n, double f, double most, const double *h, const double *last,
                double *next);

@@ -145,11 +145,11 @@ static double gradient(const TbLaw *law, double y, double s) {
   return work_of(law, y, s) / s;
 }
 
-/* d(DV/s)/ds = (V'(y+s) - DV/s)/s, with the limit V''/2. */
+/* d(DV/s)/ds = (V'(y+s) - DV/s)/s, which is V''/2 at two thirds of the way but for squares of s. */
 static double gradient_slope(const TbLaw *law, double y, double s, double mean) {
   const double x = y + s;
   const double size = fabs(x) > fabs(y) ? fabs(x) : fabs(y);
-  if (fabs(s) < 1e-5 * size) return 0.5 * tb_law_curvature(law, y + 0.5 * s);
+  if (fabs(s) < 1e-5 * size) return 0.5 * tb_law_curvature(law, y + 2.0 / 3.0 * s);
   const double slope = (tb_law_static_force(law, x) - mean) / s;
   return slope > 0.0 ? slope : 0.0;
 }

@@ -153,6 +153,29 @@ static double delayed(TbView *view, uint32_t mic, double value) {
   return view->delay[mic][*at];
 }
 
+/* What the groups that push do to the modes of the high band, four at a time; few of a string touch at once. */
+static void push_high(TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  const float *rows[4];
+  double push[4];
+  uint32_t taken = 0;
+  memset(view->high_force, 0, high->driven * sizeof(double));
+  for (uint32_t i = 0; i < high->groups; i++) {
+    if (view->high_groups[i] == 0.0) continue;
+    push[taken] = view->high_groups[i];
+    rows[taken++] = high->push + (size_t)i * high->driven;
+    if (taken < 4) continue;
+    view->model->kernels->add_four_single(high->driven, view->high_force, push, rows);
+    taken = 0;
+  }
+  if (taken == 0) return;
+  for (uint32_t i = taken; i < 4; i++) {
+    push[i] = 0.0;
+    rows[i] = high->push;
+  }
+  view->model->kernels->add_four_single(high->driven, view->high_force, push, rows);
+}
+
 /* What the wires' forces do to the high band. */
 static void gather_high(TbView *view) {
   const TaborModel *model = view->model;
@@ -169,12 +192,7 @@ static void gather_high(TbView *view) {
   }
   for (uint32_t i = 0; i < high->groups; i++) view->high_groups[i] = 0.0;
   for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
-  memset(view->high_force, 0, high->driven * sizeof(double));
-  for (uint32_t i = 0; i < high->groups; i++) { /* few groups of a string touch at once */
-    if (view->high_groups[i] == 0.0) continue;
-    model->kernels->add_scaled_single(high->driven, view->high_force, view->high_groups[i],
-                                      high->push + (size_t)i * high->driven);
-  }
+  push_high(view);
 }
 
 /* The high band hears the contact forces, counted from rest; it does not answer. */

@@ -22,7 +22,7 @@ typedef struct BackendRequest {
 typedef struct BackendFacts {
   char device[TABOR_TEXT_SIZE]; /**< "JACK: system" */
   double rate;                  /**< [Hz] */
-  uint32_t buffer;              /**< frames asked for at once, as far as is known */
+  uint32_t buffer;              /**< frames asked for at once, or 0: the first block will show */
   uint32_t width;               /**< channels */
   double latency;               /**< from asking for a block to its sound [s] */
 } BackendFacts;
@@ -47,7 +47,7 @@ typedef struct Backend {
   Outcome (*start)(BackendStream *stream, const BackendClient *client);
   /** False once it asks no more: the client said so, or the device is gone. */
   bool (*is_running)(BackendStream *stream);
-  /** Stops and frees. May hang where a sound server has died. */
+  /** Stops and frees; NULL is allowed. May hang where a sound server has died. */
   void (*close)(BackendStream *stream);
 } Backend;
 

@@ -77,7 +77,7 @@ static Outcome open_stream(const BackendRequest *request, BackendStream **opened
   BackendStream *const stream = calloc(1, sizeof *stream);
   OutputDevice device;
   *opened = NULL;
-  *facts = (BackendFacts){.buffer = request->buffer};
+  *facts = (BackendFacts){0};
   if (!stream) return fail_memory();
   Outcome outcome = portaudio_start();
   if (outcome != OUTCOME_OK) {
@@ -90,6 +90,7 @@ static Outcome open_stream(const BackendRequest *request, BackendStream **opened
   if (outcome == OUTCOME_OK) outcome = open_device(stream, &device, request, facts);
   if (outcome != OUTCOME_OK) return outcome;
   (void)snprintf(facts->device, sizeof facts->device, "%s", device.label);
+  facts->buffer = device.is_jack ? 0 : request->buffer;
   facts->latency = Pa_GetStreamInfo(stream->stream)->outputLatency;
   return OUTCOME_OK;
 }

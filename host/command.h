@@ -15,5 +15,6 @@ extern const Command show_command;    /* show.c */
 extern const Command modes_command;   /* modes.c */
 extern const Command bench_command;   /* bench.c */
 extern const Command analyze_command; /* analyze.c */
+extern const Command devices_command; /* devices.c */
 
 #endif

@@ -2,6 +2,7 @@
 #include "interrupt.h"
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <tabor/tabor.h>
 #include <time.h>
@@ -17,6 +18,8 @@ static const int fatal_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
 static const char *volatile guarded[GUARDS];
 
 static void (*volatile at_end)(void);
+static atomic_bool catches;
+static atomic_int caught;
 
 /* Who holds. A mutex is not for handlers; and a thread that holds gets no signal, so the handler
    never waits for what it has interrupted itself. */
@@ -31,6 +34,11 @@ static void take_hold(void) {
 /* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. Runs in
    any thread, and keeps the hold, so that no other creates or renames a file any more. */
 static void end(int number) {
+  int none = 0;
+  if (number != SIGXCPU && atomic_load(&catches) &&
+      atomic_compare_exchange_strong(&caught, &none, number)) {
+    return;
+  }
   take_hold();
   if (at_end) at_end();
   for (size_t i = 0; i < GUARDS; i++) {
@@ -60,6 +68,10 @@ void interrupt_install(void) {
   (void)sigaction(SIGPIPE, &ignore, NULL);
   (void)sigaction(SIGXFSZ, &ignore, NULL);
 }
+
+void interrupt_catch(void) { atomic_store(&catches, true); }
+
+int interrupt_caught(void) { return atomic_load(&caught); }
 
 void interrupt_at_end(void (*call)(void)) { at_end = call; }
 

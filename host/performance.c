@@ -2,13 +2,22 @@
 #include "performance.h"
 
 #include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
-#include "drum_source.h"
+#include "interrupt.h"
+#include "stopwatch.h"
 
 #define LOOK_AHEAD 1.0 /* [s] by which a score is known to the player */
-#define HALT_TIME 0.5  /* [s] that the audio thread may take to come back */
+#define HALT_TIME 0.3  /* [s] that the audio thread may take to come back */
+#define STALL_TIME 1.5 /* [s] without a block after which the device is gone */
+#define CLOSE_TIME 1.0 /* [s] that the device may take to let go */
+#define MOST_TURN 0.1  /* [s] of one turn of the user's thread, longer ones are others' fault */
+#define SIGNALLED 128  /* exit status of a program that a signal ended, less its number */
 
 /* ---- opening -------------------------------------------------------------------------------- */
 
@@ -105,29 +114,148 @@ static void feed(Performance *performance) {
              player_position(performance->player) + (uint64_t)ahead);
 }
 
-Outcome performance_run(Performance *performance) {
-  const struct timespec moment = {.tv_nsec = 10000000};
+/* Whether the device goes on asking, as seen by the user's thread. */
+typedef struct Pulse {
+  double seen;       /* when last looked [s] */
+  double silent;     /* for how long it has not asked [s] */
+  uint64_t position; /* how far it was */
+} Pulse;
+
+/* True while the device goes on asking; one that has been silent for STALL_TIME is gone, too. */
+static bool is_alive(const Performance *performance, Pulse *pulse) {
   const Backend *const backend = performance->request->backend;
-  const BackendClient client = {.process = process, .prepare = prepare, .context = performance};
-  feed(performance);
-  const Outcome outcome = backend->start(performance->stream, &client);
-  if (outcome != OUTCOME_OK) return outcome;
-  while (!player_is_over(performance->player) && backend->is_running(performance->stream)) {
+  const double now = stopwatch_seconds(CLOCK_MONOTONIC);
+  const uint64_t position = player_position(performance->player);
+  /* a turn of this thread that took long, as when the program was suspended, counts as a short one */
+  pulse->silent += fmin(now - pulse->seen, MOST_TURN);
+  pulse->seen = now;
+  if (position != pulse->position || backend->waits) pulse->silent = 0;
+  pulse->position = position;
+  return backend->is_running(performance->stream) && pulse->silent < STALL_TIME;
+}
+
+/* Once the first block has been played, everything is known. */
+static void announce(Performance *performance) {
+  const PlayRequest *const request = performance->request;
+  const BackendFacts *const facts = &performance->facts;
+  const uint32_t buffer = player_buffer(performance->player);
+  performance->is_urgent = player_raise_priority(performance->player);
+  if (request->quiet || request->backend->waits) return;
+  if (request->device.rate > 0 && facts->rate != request->device.rate) {
+    note("'%s' runs at %.10g Hz, not at %.10g", facts->device, facts->rate, request->device.rate);
+  }
+  if (buffer != request->device.buffer) {
+    note("'%s' asks for %u frames at once, not for %u", facts->device, (unsigned)buffer,
+         (unsigned)request->device.buffer);
+  }
+  note("%s on '%s': %.10g Hz, %u frames at once, %.1f ms from a stroke to its sound",
+       request->preset, facts->device, facts->rate, (unsigned)buffer,
+       1000 * performance_latency(performance));
+  if (!performance->is_urgent) {
+    note(
+      "the sound has no real-time priority, which this system does not permit: there may be gaps");
+  }
+}
+
+/* Until there is a reason to stop. */
+static Outcome take_turns(Performance *performance, const PerformanceTurn *turn) {
+  Player *const player = performance->player;
+  Pulse pulse = {.seen = stopwatch_seconds(CLOCK_MONOTONIC)};
+  bool announced = false;
+  while (!player_is_over(player)) {
     feed(performance);
-    (void)nanosleep(&moment, NULL);
+    if (interrupt_caught() != 0) return (Outcome)(SIGNALLED + interrupt_caught());
+    if (!turn->take(turn->context)) break;
+    if (!is_alive(performance, &pulse) && !player_is_over(player)) {
+      return fail("'%s' is gone: it asks for no more sound", performance->facts.device);
+    }
+    if (!announced && pulse.position > 0) {
+      announce(performance);
+      announced = true;
+    }
   }
   return OUTCOME_OK;
 }
 
+Outcome performance_run(Performance *performance, const PerformanceTurn *turn) {
+  const BackendClient client = {.process = process, .prepare = prepare, .context = performance};
+  interrupt_catch();
+  feed(performance);
+  const Outcome outcome = performance->request->backend->start(performance->stream, &client);
+  return outcome == OUTCOME_OK ? take_turns(performance, turn) : outcome;
+}
+
+/* ---- looking -------------------------------------------------------------------------------- */
+
+/* An event waits for one block, and then the device for what it holds back. */
+double performance_latency(const Performance *performance) {
+  const BackendFacts *const facts = &performance->facts;
+  return player_buffer(performance->player) / facts->rate + facts->latency;
+}
+
+void performance_status(Performance *performance, PlayStatus *status) {
+  *status = (PlayStatus){.buffer = player_buffer(performance->player),
+                         .latency = performance_latency(performance)};
+  memcpy(status->device, performance->facts.device, sizeof status->device);
+  player_status(performance->player, status);
+  drum_changes_status(performance->changes, status);
+}
+
 /* ---- closing -------------------------------------------------------------------------------- */
 
-Outcome performance_close(Performance *performance) {
+Outcome performance_finish(Performance *performance) {
   if (performance->player) (void)player_halt(performance->player, HALT_TIME);
-  const Outcome outcome = recorder_finish(performance->recorder);
-  if (performance->stream) performance->request->backend->close(performance->stream);
+  Recorder *const recorder = performance->recorder;
+  performance->recorder = NULL;
+  return recorder_finish(recorder);
+}
+
+/* A device being closed, in a thread of its own. */
+typedef struct Closing {
+  const Backend *backend;
+  BackendStream *stream;
+  atomic_bool done;
+} Closing;
+
+static void *close_stream(void *context) {
+  Closing *const closing = context;
+  closing->backend->close(closing->stream);
+  atomic_store(&closing->done, true);
+  return NULL;
+}
+
+static void pause_briefly(void) {
+  const struct timespec moment = {.tv_nsec = 2000000};
+  (void)nanosleep(&moment, NULL);
+}
+
+/* Nothing may run any more that a thread might hang in: no handlers of exit(), no destructors. */
+static void leave(const Performance *performance, Outcome outcome) {
+  warn("'%s' does not let go; left as it is", performance->facts.device);
+  (void)fflush(stdout);
+  _exit((int)outcome);
+}
+
+static void close_device(Performance *performance, Outcome outcome) {
+  Closing closing = {.backend = performance->request->backend, .stream = performance->stream};
+  pthread_t thread;
+  const double start = stopwatch_seconds(CLOCK_MONOTONIC);
+  if (pthread_create(&thread, NULL, close_stream, &closing) != 0) {
+    (void)close_stream(&closing);
+    return;
+  }
+  while (!atomic_load(&closing.done)) {
+    if (stopwatch_seconds(CLOCK_MONOTONIC) - start > CLOSE_TIME) leave(performance, outcome);
+    pause_briefly();
+  }
+  (void)pthread_join(thread, NULL);
+}
+
+void performance_close(Performance *performance, Outcome outcome) {
+  (void)performance_finish(performance); /* nothing, unless opening failed */
+  close_device(performance, outcome);
   drum_changes_stop(performance->changes);
   player_destroy(performance->player);
   drum_changes_destroy(performance->changes);
   strokes_free(&performance->strokes);
-  return outcome;
 }

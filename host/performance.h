@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file performance.h
- * A drum being played on a device: everything that `tabor play` opens, runs and closes.
+ * A drum being played on a device: everything that `tabor play` opens, runs and closes. All of it is for
+ * the user's thread.
  */
 #ifndef TABOR_HOST_PERFORMANCE_H
 #define TABOR_HOST_PERFORMANCE_H
@@ -20,13 +21,34 @@ typedef struct Performance {
   Recorder *recorder;
   Strokes strokes;
   Score score;
+  bool is_urgent; /**< the audio thread has real-time priority */
 } Performance;
+
+/** What the user's thread does while the drum plays. */
+typedef struct PerformanceTurn {
+  /** Called again and again; waits for the user, 50 ms at most. False: the user wants to stop. */
+  bool (*take)(void *context);
+  void *context;
+} PerformanceTurn;
 
 /** Opens the device and builds the drum. Close with performance_close(), whatever the outcome. */
 Outcome performance_open(Performance *performance, PlayRequest *request);
-/** Plays until everything has been played, the user or a signal ends it, or the device is gone. */
-Outcome performance_run(Performance *performance);
-/** Completes the recording, then lets go of the device. */
-Outcome performance_close(Performance *performance);
+/**
+ * Plays until everything has been played, the user or a signal ends it, or the device is gone. After a
+ * signal the outcome is 128 + its number.
+ */
+Outcome performance_run(Performance *performance, const PerformanceTurn *turn);
+/** Stops the sound and completes the recording. */
+Outcome performance_finish(Performance *performance);
+/**
+ * Lets go of the device and frees everything. A device that does not let go is left as it is: says so,
+ * and ends the program with the status @p outcome.
+ */
+void performance_close(Performance *performance, Outcome outcome);
+
+/** What there is to show; medians and maxima are of the time since the last call. */
+void performance_status(Performance *performance, PlayStatus *status);
+/** From a stroke to its sound [s]; known once the first block has been played. */
+double performance_latency(const Performance *performance);
 
 #endif

@@ -3,16 +3,34 @@
  * @file play.c
  * `tabor play`: a drum to play on.
  */
+#include <time.h>
+
 #include "command.h"
 #include "drum_source.h"
-#include "performance.h"
+#include "play_report.h"
+
+/* Without a screen and keys: only lets the time pass. */
+static bool wait_a_while(void *context) {
+  const struct timespec moment = {.tv_nsec = 5000000};
+  (void)context;
+  (void)nanosleep(&moment, NULL);
+  return true;
+}
+
+/* The first thing that went wrong decides. */
+static Outcome worse(Outcome first, Outcome then) { return first != OUTCOME_OK ? first : then; }
 
 static Outcome play(PlayRequest *request) {
+  const PerformanceTurn turn = {.take = wait_a_while};
   Performance performance;
   Outcome outcome = performance_open(&performance, request);
-  if (outcome == OUTCOME_OK) outcome = performance_run(&performance);
-  const Outcome closing = performance_close(&performance);
-  return outcome == OUTCOME_OK ? closing : outcome;
+  if (outcome == OUTCOME_OK) {
+    outcome = performance_run(&performance, &turn);
+    outcome = worse(outcome, performance_finish(&performance));
+    outcome = worse(outcome, play_report(&performance));
+  }
+  performance_close(&performance, outcome);
+  return outcome;
 }
 
 static Outcome run(const Arguments *arguments) {
@@ -23,7 +41,13 @@ static Outcome run(const Arguments *arguments) {
   return outcome;
 }
 
-static const char notes[] = PRESET_NOTES;
+static const char notes[] =
+  "The drum plays until Ctrl-C, or for --duration. --events plays strokes that are written down, "
+  "as\n"
+  "'tabor render' does; its help describes the file.\n"
+  "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
+  "away: it gives the same sound as 'tabor render --quality live'.\n"
+  "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
 
 const Command play_command = {
   .name = "play",

@@ -21,6 +21,7 @@ typedef struct PlayStatus {
   /* sound, since the last look */
   uint32_t channels;
   double peak[TABOR_MAX_MICS]; /**< largest sample in size, before clipping */
+  double loudest;              /**< of all channels, since the beginning */
   double gain;                 /**< of the output, factor */
   uint64_t clipped;            /**< samples cut to full scale, since the beginning */
   /* computing; a block's load is its computing time by the time that it lasts */

@@ -229,6 +229,7 @@ static void mix(Player *player, uint32_t frames) {
   }
   for (uint32_t channel = 0; channel < player->channels; channel++) {
     raise_to(&player->meters.peak[channel], peak[channel]);
+    raise_to(&player->meters.loudest, peak[channel]);
   }
 }
 

@@ -61,7 +61,7 @@ typedef struct PlayerSetup {
   uint32_t channels;             /**< 1 to TABOR_MAX_MICS */
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel */
   uint32_t width;  /**< channels of the device, 0 for none; one channel goes to all of them */
-  uint32_t buffer; /**< frames that the device probably asks for at once */
+  uint32_t buffer; /**< frames that the device asks for at once, or 0 if it does not say */
   double gain;     /**< factor */
   bool records;
   uint64_t frames; /**< how many to play, or 0: see dies_away */
@@ -115,6 +115,8 @@ bool player_record_has_room(const Player *player, uint32_t frames);
 void player_status(Player *player, PlayStatus *status);
 /** Load of all blocks so far, median and worst. */
 void player_load(const Player *player, double *median, double *worst);
+/** Frames that the device asks for at once: the most so far. */
+uint32_t player_buffer(const Player *player);
 /** True once everything has been played. */
 bool player_is_over(const Player *player);
 /** Frames played; stands still if the device has died. */

@@ -177,6 +177,7 @@ void player_status(Player *player, PlayStatus *status) {
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
     status->peak[i] = atomic_exchange_explicit(&meters->peak[i], 0, memory_order_relaxed);
   }
+  status->loudest = get(&meters->loudest);
   status->gain = get(&meters->gain);
   status->clipped = number(&meters->clipped);
   status->xruns = number(&meters->xruns);
@@ -185,6 +186,10 @@ void player_status(Player *player, PlayStatus *status) {
   status_load(player, status);
   status_drum(player, status);
   status_last_event(player, status);
+}
+
+uint32_t player_buffer(const Player *player) {
+  return atomic_load_explicit(&((Player *)player)->clock.delay, memory_order_relaxed);
 }
 
 bool player_is_over(const Player *player) {

@@ -19,6 +19,7 @@
 /* What the audio thread tells. Each is written by it alone, relaxed: numbers, not order. */
 typedef struct PlayerMeters {
   _Atomic double peak[TABOR_MAX_MICS]; /* taken by the reader, who leaves 0 */
+  _Atomic double loudest;              /* peak of all channels since the beginning */
   _Atomic double gain;
   atomic_ullong clipped, xruns, late, dropped, lost_frames;
   atomic_ullong strokes, solves, iterations, capped, recovered;

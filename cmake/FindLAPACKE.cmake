@@ -5,7 +5,7 @@
 #   LAPACKE_LIBRARIES  the same as file names, for the pkg-config file
 #
 # With TABOR_STATIC_LAPACK it takes the static reference libraries where a shared library can be
-# linked from them: the system's shared LAPACK may be one that starts threads of its own, which a
+# linked from them (asked only where C is a language of the project): the system's shared LAPACK may be one that starts threads of its own, which a
 # real-time host must not get by surprise. Otherwise it takes the shared libraries.
 
 include(CheckCSourceCompiles)
@@ -34,15 +34,18 @@ if(TABOR_STATIC_LAPACK)
      AND BLAS_STATIC_LIBRARY AND FORTRAN_RUNTIME_LIBRARY)
     set(_lapacke_static "${LAPACKE_STATIC_LIBRARY}" "${LAPACK_STATIC_LIBRARY}"
                         "${BLAS_STATIC_LIBRARY}" "${FORTRAN_RUNTIME_LIBRARY}")
+    get_property(_lapacke_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
     cmake_push_check_state(RESET)
     set(CMAKE_REQUIRED_QUIET TRUE)
     set(CMAKE_REQUIRED_INCLUDES "${LAPACKE_INCLUDE_DIR}")
     set(CMAKE_REQUIRED_FLAGS "-fPIC")
     set(CMAKE_REQUIRED_LINK_OPTIONS "-shared;-Wl,-z,defs")
     set(CMAKE_REQUIRED_LIBRARIES "${_lapacke_static};m")
-    check_c_source_compiles("${_lapacke_probe}" LAPACKE_STATIC_LINKS)
+    if("C" IN_LIST _lapacke_languages)
+      check_c_source_compiles("${_lapacke_probe}" LAPACKE_STATIC_LINKS)
+    endif()
     cmake_pop_check_state()
-    if(LAPACKE_STATIC_LINKS)
+    if(LAPACKE_STATIC_LINKS OR NOT "C" IN_LIST _lapacke_languages)
       set(LAPACKE_LIBRARIES ${_lapacke_static})
     endif()
   endif()

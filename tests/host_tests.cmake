@@ -11,7 +11,8 @@ if(TARGET tabor-program)
   tabor_target_defaults(host_synthesise)
   target_link_libraries(host_synthesise PRIVATE PkgConfig::SNDFILE m)
 
-  foreach(name IN ITEMS test_system_analyze test_system_bench test_system_events_file
+  foreach(name IN ITEMS test_system_analyze test_system_bench test_system_completion
+                        test_system_events_file
                         test_system_files test_system_humanize test_system_jobs
                         test_system_preset_files test_system_program test_system_requests
                         test_system_split)
@@ -22,8 +23,16 @@ if(TARGET tabor-program)
                                               "SYNTHESISE=$<TARGET_FILE:host_synthesise>")
   endforeach()
 
+  if(TARGET man-page)
+    add_test(NAME test_system_man_page COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_man_page.sh"
+                                               "${PROJECT_BINARY_DIR}/host/tabor.1")
+    tabor_test_properties(test_system_man_page)
+    set_property(TEST test_system_man_page APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
+                                                           "INSPECT=$<TARGET_FILE:host_inspect>")
+  endif()
+
   # It builds a profiling library of its own, beside one without sanitizers and counters.
-  if(NOT TABOR_SHARED AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+  if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     add_test(NAME test_bench_tool
              COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_bench_tool.sh" "${PROJECT_SOURCE_DIR}"
                      "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}" "$<TARGET_FILE:tabor>")

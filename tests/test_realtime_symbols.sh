@@ -13,7 +13,7 @@ library=$1 header=$2
 # the first four; sqrt is exact everywhere.
 allowed="memcmp memcpy memmove memset sqrt _GLOBAL_OFFSET_TABLE_ __stack_chk_fail"
 
-audio=$(awk '/^\/\* [A-Z-]+ -+ \*\/$/ { audio = $2 == "AUDIO" || $2 == "ANY" } /^\/\* -+$/ { audio = 0 } audio' \
+audio=$(awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 } audio' \
   "$header" | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
 
 objdump -t -r "$library" | awk -v roots="$audio" -v allowed="$allowed" '

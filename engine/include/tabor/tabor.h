@@ -35,6 +35,9 @@
 extern "C" {
 #endif
 
+/** @def TABOR_API
+ * Marks what the library exports. Programs that use it as a DLL on Windows define TABOR_SHARED, which
+ * the CMake package and pkg-config do. */
 #if defined(_WIN32) && defined(TABOR_SHARED)
 #  ifdef TABOR_BUILDING
 #    define TABOR_API __declspec(dllexport)
@@ -47,9 +50,9 @@ extern "C" {
 #  define TABOR_API
 #endif
 
-#define TABOR_VERSION_MAJOR 0
-#define TABOR_VERSION_MINOR 1
-#define TABOR_VERSION_PATCH 0
+#define TABOR_VERSION_MAJOR 0 /**< until it is 1, a new minor version may change the interface */
+#define TABOR_VERSION_MINOR 1 /**< of this header; the library's own says tabor_version() */
+#define TABOR_VERSION_PATCH 0 /**< changes nothing in this header */
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
@@ -80,10 +83,11 @@ typedef enum TaborStatus {
 
 /** The first thing that was wrong, in full. Every set-up function accepts NULL instead. */
 typedef struct TaborError {
-  TaborStatus status;
+  TaborStatus status;            /**< what the function returned */
   char key[TABOR_NAME_SIZE * 2]; /**< the offending key, "" if there is none */
   char value[TABOR_NAME_SIZE];   /**< its value as text, "" if there is none */
-  double minimum, maximum;       /**< what is allowed; NaN where no range applies */
+  double minimum;                /**< the least that is allowed; NaN where no range applies */
+  double maximum;                /**< the most, likewise */
   char message[TABOR_TEXT_SIZE]; /**< one line for a person, without a line feed */
 } TaborError;
 
@@ -120,6 +124,7 @@ typedef enum TaborStrikerKind {
   TABOR_STRIKER_FINGER
 } TaborStrikerKind;
 
+/** What holds the heads. */
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   double depth;  /**< of the air below the batter head, down to the resonant head or the bottom of
@@ -170,22 +175,31 @@ typedef struct TaborWiresDef {
   double contact_loss;      /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.3 */
 } TaborWiresDef;
 
-/** One wire's own values. NaN means: as [wires] says. */
+/** One wire's own values, units and ranges as in TaborWiresDef. NaN means: as [wires] says. */
 typedef struct TaborWireDef {
-  double length, mass_per_length, tension, bending_stiffness, damping_0, damping_1;
-  double rest_offset, contact_stiffness, contact_exponent, contact_loss;
-  double angle;  /**< its own direction [deg] */
+  double length;            /**< [m] */
+  double mass_per_length;   /**< [kg/m] */
+  double tension;           /**< [N] */
+  double bending_stiffness; /**< [N m2] */
+  double damping_0;         /**< [1/s] */
+  double damping_1;         /**< [m2/s] */
+  double rest_offset;       /**< [m] */
+  double contact_stiffness; /**< [N/m^(exponent+1) per length] */
+  double contact_exponent;  /**< a pure number */
+  double contact_loss;      /**< [s/m] */
+  double angle;             /**< its own direction [deg] */
   double offset; /**< its own distance across from the centre [m], instead of the bed's layout */
 } TaborWireDef;
 
+/** What a drum is struck with: a tip mass with a power-law contact on a patch of the head. */
 typedef struct TaborStrikerDef {
-  char name[TABOR_NAME_SIZE];
-  uint32_t kind;            /**< a TaborStrikerKind */
-  double mass;              /**< effective tip mass [kg], 1e-4 to 1, default 0.012 */
-  double contact_stiffness; /**< K [N/m^exponent], 1e3 to 1e13, default 3e6 */
-  double contact_exponent;  /**< 1 to 3, default 1.5 */
-  double contact_loss;      /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.05 */
-  double contact_radius;    /**< of the patch over which the force spreads [m], 0 to 0.05, 0.006 */
+  char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH bytes */
+  uint32_t kind;              /**< a TaborStrikerKind */
+  double mass;                /**< effective tip mass [kg], 1e-4 to 1, default 0.012 */
+  double contact_stiffness;   /**< K [N/m^exponent], 1e3 to 1e13, default 3e6 */
+  double contact_exponent;    /**< 1 to 3, default 1.5 */
+  double contact_loss;        /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.05 */
+  double contact_radius; /**< of the patch over which the force spreads [m], 0 to 0.05, 0.006 */
 } TaborStrikerDef;
 
 /** The hand that presses a stick onto the head: a spring and a damper towards where it took hold. */
@@ -203,22 +217,25 @@ typedef struct TaborStrikeDef {
   uint32_t technique;            /**< 0, normal, is the only one in this version */
 } TaborStrikeDef;
 
+/** A microphone: it hears the pressure at its place. */
 typedef struct TaborMicDef {
-  char name[TABOR_NAME_SIZE];
-  double radius; /**< distance from the axis [m], 0 to 10, default 0.05 */
-  double angle;  /**< [deg], -360 to 360, default 90 */
+  char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH bytes */
+  double radius;              /**< distance from the axis [m], 0 to 10, default 0.05 */
+  double angle;               /**< [deg], -360 to 360, default 90 */
   double height; /**< above the batter head, negative below [m], 0.01 to 10 in size, default 0.10;
                       not inside a closed or two-headed shell, nor within 0.01 of a resonant head's
                       plane */
   double gain;   /**< [1], 0 to 100, default 1 */
 } TaborMicDef;
 
+/** What the drum stands in. */
 typedef struct TaborAirDef {
   double density;     /**< rho0 [kg/m3], 0 (vacuum) to 5, default 1.205 */
   double sound_speed; /**< c0 [m/s], 100 to 2000, default 343 */
   double gravity;     /**< [m/s2], 0 to 30, default 9.81 */
 } TaborAirDef;
 
+/** Accuracy against cost, in parts. */
 typedef struct TaborQualityDef {
   uint32_t level;           /**< a TaborQuality but the default, default studio */
   double two_way_bandwidth; /**< modes up to here feel the contacts [Hz], 0 = by level, to 40,000 */
@@ -230,24 +247,24 @@ typedef struct TaborQualityDef {
 
 /** A whole drum. Plain data: copy it by assignment. */
 typedef struct TaborDrumDef {
-  uint32_t struct_size; /**< set by tabor_drum_def_default() */
-  char name[TABOR_NAME_SIZE];
-  char comment[TABOR_TEXT_SIZE];
-  char license[TABOR_NAME_SIZE];
-  TaborShellDef shell;
-  TaborHeadDef batter;
-  uint32_t two_headed;   /**< 1 with a resonant head, 0 without, default 0 */
-  TaborHeadDef resonant; /**< without effect, and without keys, unless two_headed is 1 */
-  TaborWiresDef wires;
-  TaborWireDef wire[TABOR_MAX_WIRES];
-  uint32_t striker_count;
-  TaborStrikerDef striker[TABOR_MAX_STRIKERS];
-  TaborHandDef hand;
-  TaborStrikeDef strike;
-  uint32_t mic_count;
-  TaborMicDef mic[TABOR_MAX_MICS];
-  TaborAirDef air;
-  TaborQualityDef quality;
+  uint32_t struct_size;          /**< set by tabor_drum_def_default() */
+  char name[TABOR_NAME_SIZE];    /**< what the drum is called */
+  char comment[TABOR_TEXT_SIZE]; /**< what it is, one line */
+  char license[TABOR_NAME_SIZE]; /**< of the definition */
+  TaborShellDef shell;           /**< [shell] of a preset */
+  TaborHeadDef batter;           /**< [batter], the struck head */
+  uint32_t two_headed;           /**< 1 with a resonant head, 0 without, default 0 */
+  TaborHeadDef resonant;         /**< [resonant]: no effect and no keys unless two_headed is 1 */
+  TaborWiresDef wires;           /**< [wires] */
+  TaborWireDef wire[TABOR_MAX_WIRES];          /**< [wire.1] is wire[0] */
+  uint32_t striker_count;                      /**< strikers defined, 1 to 8 */
+  TaborStrikerDef striker[TABOR_MAX_STRIKERS]; /**< [striker.NAME], the usual one first */
+  TaborHandDef hand;                           /**< [hand] */
+  TaborStrikeDef strike;                       /**< [strike] */
+  uint32_t mic_count;                          /**< microphones defined, 1 to 8 */
+  TaborMicDef mic[TABOR_MAX_MICS];             /**< [mic.NAME], the usual one first */
+  TaborAirDef air;                             /**< [air] */
+  TaborQualityDef quality;                     /**< [quality] */
   double full_scale; /**< sound pressure at 1.0 [Pa], 1e-3 to 1e5, default 20 */
 } TaborDrumDef;
 
@@ -265,8 +282,9 @@ typedef struct TaborParameter {
   const char *section; /**< "batter"; "striker.", "mic.", "wire." for those with a name or number */
   const char *key;     /**< "tension" */
   const char *unit;    /**< "N/m"; "" for a pure number */
-  TaborParameterType type;
-  double minimum, maximum; /**< of numbers and whole numbers; NaN otherwise */
+  TaborParameterType type; /**< how its value is written */
+  double minimum;          /**< of numbers and whole numbers; NaN otherwise */
+  double maximum;          /**< likewise */
   double fallback;         /**< the default, of a choice its index in @p choices; NaN for text, and
                                 where a wire follows [wires] */
   const char *choices;     /**< words separated by '|' for a choice, NULL otherwise */
@@ -277,10 +295,14 @@ typedef struct TaborParameter {
 
 /** A built-in preset. */
 typedef struct TaborPresetInfo {
-  const char *name, *comment, *file; /**< file: the name of its text file in presets/ */
+  const char *name;    /**< for tabor_drum_def_preset() */
+  const char *comment; /**< what it is, one line */
+  const char *file;    /**< the name of its text file in presets/ */
 } TaborPresetInfo;
 
-/* SET-UP ------------------------------------------------------------------------------------- */
+/** @name Set-up: definitions
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
 
 /** "0.1.0". Static storage. */
 TABOR_API const char *tabor_version(void);
@@ -335,11 +357,13 @@ TABOR_API TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborErro
 TABOR_API int tabor_drum_def_find_striker(const TaborDrumDef *def, const char *name);
 /** Index of the microphone called @p name, or -1. */
 TABOR_API int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name);
+/** @} */
 
 /* ------------------------------------------------------------------------------------------------
  * Model
  * --------------------------------------------------------------------------------------------- */
 
+/** Everything computed once from a definition and a sample rate: immutable, counted, shared. */
 typedef struct TaborModel TaborModel;
 
 /** Kernels to run. Every choice computes the same bits. */
@@ -350,13 +374,14 @@ typedef enum TaborInstructions {
   TABOR_INSTRUCTIONS_AVX512    /**< or the next narrower that the processor has */
 } TaborInstructions;
 
-/** Where memory comes from: @p allocate returns memory aligned to 64 bytes, or NULL. */
+/** Where memory comes from. */
 typedef struct TaborAllocator {
-  void *(*allocate)(size_t size, void *context);
-  void (*release)(void *memory, void *context);
-  void *context;
+  void *(*allocate)(size_t size, void *context); /**< memory aligned to 64 bytes, or NULL */
+  void (*release)(void *memory, void *context);  /**< takes it back; NULL does nothing */
+  void *context;                                 /**< handed to both */
 } TaborAllocator;
 
+/** How a model is computed. */
 typedef struct TaborModelOptions {
   uint32_t struct_size;     /**< set by tabor_model_options_default() */
   double sample_rate;       /**< [Hz], 22,050 to 192,000, default 48,000 */
@@ -375,10 +400,11 @@ typedef struct TaborModelInfo {
   double bandwidth;         /**< [Hz], with the one-way high band */
   uint32_t high_mode_count; /**< modes of the high band */
   uint32_t newton_cap;      /**< iterations a sample */
-  uint32_t wire_count;
-  uint32_t contact_points; /**< of all wires together */
-  uint32_t mic_count;
-  size_t model_bytes, drum_bytes;
+  uint32_t wire_count;      /**< wires */
+  uint32_t contact_points;  /**< of all wires together */
+  uint32_t mic_count;       /**< microphones, the channels of tabor_drum_process() */
+  size_t model_bytes;       /**< memory of the model */
+  size_t drum_bytes;        /**< memory of each drum on it */
 } TaborModelInfo;
 
 /** What a mode moves most. */
@@ -391,17 +417,19 @@ typedef enum TaborModePart {
 
 /** One mode of the heads with their air. */
 typedef struct TaborModeInfo {
-  uint32_t m, n;     /**< nodal diameters, nodal circles counting the rim (from 1), of the Bessel
-                              function that moves most */
-  double frequency;  /**< [Hz] */
-  double decay_rate; /**< of the amplitude [1/s] */
+  uint32_t m;            /**< nodal diameters of the Bessel function that moves most */
+  uint32_t n;            /**< its nodal circles counting the rim, from 1 */
+  double frequency;      /**< [Hz] */
+  double decay_rate;     /**< of the amplitude [1/s] */
   double radiation_rate; /**< the part of it that leaves as sound [1/s] */
   uint32_t multiplicity; /**< 1, or 2 with a sine copy */
-  TaborModePart part;
+  TaborModePart part;    /**< what moves most */
   int32_t phase; /**< of two heads: 1 if they move up together, -1 if against each other; else 0 */
 } TaborModeInfo;
 
-/* SET-UP ------------------------------------------------------------------------------------- */
+/** @name Set-up: models
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
 
 /** Fills in the defaults. */
 TABOR_API void tabor_model_options_default(TaborModelOptions *options);
@@ -418,17 +446,22 @@ TABOR_API TaborModel *tabor_model_retain(TaborModel *model);
 TABOR_API void tabor_model_release(TaborModel *model);
 /** The definition that the model was built from. */
 TABOR_API const TaborDrumDef *tabor_model_definition(const TaborModel *model);
+/** Fills in the facts of @p model. */
 TABOR_API void tabor_model_info(const TaborModel *model, TaborModelInfo *info);
 /** Mode @p row of the head, sorted by frequency; false past the last. */
 TABOR_API bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *mode);
+/** @} */
 
 /* ------------------------------------------------------------------------------------------------
  * Drum
  * --------------------------------------------------------------------------------------------- */
 
+/** The state of one sounding drum. */
 typedef struct TaborDrum TaborDrum;
+/** A prepared change of a drum's model. */
 typedef struct TaborSwap TaborSwap;
 
+/** What can happen to a drum; which fields of the event count. */
 typedef enum TaborEventType {
   TABOR_EVENT_STRIKE = 1,  /**< id, striker, velocity, radius, angle */
   TABOR_EVENT_PRESS = 2,   /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
@@ -507,7 +540,9 @@ typedef struct TaborProbe {
   double wire_force;    /**< between all wires and the head [N]; NaN without wires */
 } TaborProbe;
 
-/* SET-UP ------------------------------------------------------------------------------------- */
+/** @name Set-up: drums and swaps
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
 
 /** Creates a drum at rest; it keeps a reference to @p model. On an error *drum is NULL. */
 TABOR_API TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **drum, TaborError *error);
@@ -521,22 +556,31 @@ TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_m
                                         TaborSwap **swap, TaborError *error);
 /** Frees a swap that was never sent or is done, with what the drum left in it. NULL is allowed. */
 TABOR_API void tabor_swap_destroy(TaborSwap *swap);
+/** @} */
 
-/* ANY ---------------------------------------------------------------------------------------- */
+/** @name Swaps, from any thread
+ * ANY: real-time safe, also beside the audio thread. */
+/** @{ */
 
 /** True once the audio thread needs nothing of @p swap any more (atomic). */
 TABOR_API bool tabor_swap_done(const TaborSwap *swap);
+/** @} */
 
-/* AUDIO -------------------------------------------------------------------------------------- */
+/** @name On the audio thread
+ * AUDIO: real-time safe; one thread at a time for one drum. */
+/** @{ */
 
 /**
  * Computes @p frames samples.
  *
+ * @param drum    the drum.
  * @param events  @p count events, sorted by frame; may be NULL when count is 0.
+ * @param count   how many.
  * @param outputs outputs[mic][frame], one pointer per microphone of the definition, in its order;
  *                planar, 1.0 = full_scale, overwritten. A NULL channel is not computed: heard again,
  *                it begins with what happens then, without what was under way to the microphone.
  *                @p outputs itself may be NULL. Channels beyond the model's after a swap are the caller's.
+ * @param frames  how many samples of each channel; may be 0.
  *
  * Output does not depend on how frames are divided into blocks. Latency is 0: what a microphone
  * hears late is the travel time of sound. The caller's floating-point mode is saved and restored.
@@ -547,8 +591,11 @@ TABOR_API void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uin
 TABOR_API bool tabor_drum_is_silent(const TaborDrum *drum);
 /** Back to rest, as TABOR_EVENT_RESET. */
 TABOR_API void tabor_drum_reset(TaborDrum *drum);
+/** Copies the counters out. */
 TABOR_API void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics);
+/** Copies the energy account out. */
 TABOR_API void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger);
+/** Copies out where things are now. */
 TABOR_API void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe);
 /** The model that the drum runs on now. */
 TABOR_API const TaborModel *tabor_drum_model(const TaborDrum *drum);
@@ -559,6 +606,7 @@ TABOR_API size_t tabor_drum_state_size(const TaborDrum *drum);
 TABOR_API void tabor_drum_state_save(const TaborDrum *drum, void *bytes);
 /** Reads what save wrote. TABOR_ERROR_STATE, and no change, if it is damaged or of another model. */
 TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t size);
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# Installs the program (component `program`), its man page, completion in bash, and the presets.
+
+install(TARGETS tabor-program RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
+if(TABOR_MAN_PAGE)
+  install(FILES "${TABOR_MAN_PAGE}" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+endif()
+install(
+  FILES completion.bash
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions"
+  RENAME tabor
+  COMPONENT program)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/presets" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/tabor"
+        COMPONENT program FILES_MATCHING PATTERN "*.ini")

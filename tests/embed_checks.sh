@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# Sourced by the tests of what other programs get: a folder to work in, commands that speak only when
+# they fail, and the two installed trees.
+#
+# They get from ctest: SOURCE, the source folder; CMAKE, CC and, where there is one, CXX; STATIC_BUILD
+# and SHARED_BUILD, build folders of both kinds; TABOR, the program; INSPECT, host_inspect.
+set -euo pipefail
+export LC_ALL=C
+: "${SOURCE:?}" "${CMAKE:?}" "${CC:?}"
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+complain() {
+  echo "FAILED: $1" >&2
+  exit 1
+}
+
+# quietly COMMAND...: shows what it said only if it failed, which ends the test.
+quietly() {
+  "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; complain "$*"; }
+}
+
+# skip REASON: for want of an optional tool the whole test is skipped.
+skip() {
+  echo "SKIPPED: $1"
+  exit 77
+}
+
+# needs TOOL...: skips the test unless all of them are there.
+needs() {
+  local tool
+  for tool in "$@"; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
+  done
+}
+
+# install_tree BUILD-FOLDER FOLDER: installs it there by way of another folder: trees can be moved.
+install_tree() {
+  quietly "$CMAKE" --install "$1" --prefix "$scratch/elsewhere"
+  mv "$scratch/elsewhere" "$2"
+}
+
+# use_pkg_config FOLDER: pkg-config finds the tree there.
+use_pkg_config() {
+  PKG_CONFIG_PATH=$(dirname "$(find "$1" -name tabor.pc)")
+  export PKG_CONFIG_PATH
+}
+
+# library_folder FOLDER: where the tree's library lies.
+library_folder() { dirname "$(find "$1" -name 'libtabor.*' | head -n 1)"; }

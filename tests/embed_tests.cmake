@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# Tests of what other programs get: the installed trees, packages, examples, the manual. Most look at a
+# build with the shared library, which test_shared_build makes first. Sanitizers and counters would have
+# to be in all of it, so these are for builds without them.
+
+if(NOT TABOR_BASH OR NOT TARGET tabor-program OR NOT TABOR_INSTALL OR BUILD_SHARED_LIBS
+   OR TABOR_SANITIZE OR TABOR_COVERAGE)
+  return()
+endif()
+include(CheckLanguage)
+check_language(CXX)
+set(TABOR_CXX "")
+if(CMAKE_CXX_COMPILER)
+  set(TABOR_CXX "${CMAKE_CXX_COMPILER}")
+endif()
+
+# tabor_add_embed_test(NAME [NEEDS_SHARED])
+function(tabor_add_embed_test name)
+  tabor_add_script_test(${name})
+  set_property(
+    TEST ${name} APPEND
+    PROPERTY ENVIRONMENT
+             "SOURCE=${PROJECT_SOURCE_DIR}"
+             "CMAKE=${CMAKE_COMMAND}"
+             "CC=${CMAKE_C_COMPILER}"
+             "CXX=${TABOR_CXX}"
+             "STATIC_BUILD=${PROJECT_BINARY_DIR}"
+             "SHARED_BUILD=${PROJECT_BINARY_DIR}/shared"
+             "TABOR=$<TARGET_FILE:tabor-program>"
+             "INSPECT=$<TARGET_FILE:host_inspect>")
+  if("NEEDS_SHARED" IN_LIST ARGN)
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED shared_build)
+  endif()
+endfunction()
+
+tabor_add_embed_test(test_shared_build)
+set_tests_properties(test_shared_build PROPERTIES FIXTURES_SETUP shared_build COST 200)
+tabor_add_embed_test(test_shared_library NEEDS_SHARED)
+tabor_add_embed_test(test_install NEEDS_SHARED)
+tabor_add_embed_test(test_subproject)
+tabor_add_embed_test(test_embedding)

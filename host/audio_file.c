@@ -112,7 +112,6 @@ Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *
   if (may_need_rf64(format)) { /* what turns out to be short is a WAV all the same */
     (void)sf_command(file->stream, SFC_RF64_AUTO_DOWNGRADE, NULL, SF_TRUE);
   }
-  file->start = lseek(output->descriptor, 0, SEEK_CUR); /* behind the header; of no use in a pipe */
   return OUTCOME_OK;
 }
 
@@ -175,13 +174,13 @@ Outcome audio_file_finish(AudioFile *file) {
   return file->output->kind == OUTPUT_STREAMED ? OUTCOME_OK : verify(file);
 }
 
-/* Part of a block may have been written. The header is there, so that renewing it takes no room. */
+/* Part of a block may have been written, and counted by libsndfile. It forgets that, and goes to the end of
+   the last whole one; but it cannot cut the file. The header is there: renewing it takes no room. */
 Outcome audio_file_salvage(AudioFile *file) {
-  static const off_t bytes[] = {2, 3, 4};
-  const AudioFormat *const format = &file->format;
-  const off_t frame_size = (off_t)format->channels * bytes[format->encoding];
-  const off_t length = file->start + (off_t)file->frames * frame_size;
+  sf_count_t frames = (sf_count_t)file->frames;
   if (file->output->kind == OUTPUT_STREAMED) return OUTCOME_OK;
+  (void)sf_command(file->stream, SFC_FILE_TRUNCATE, &frames, sizeof frames);
+  const off_t length = lseek(file->output->descriptor, 0, SEEK_CUR);
   if (ftruncate(file->output->descriptor, length) != 0) return output_failure(file->output);
   file->io.error = 0;
   return audio_file_finish(file);

@@ -8,7 +8,6 @@
 
 #include <sndfile.h>
 #include <stdint.h>
-#include <sys/types.h>
 
 #include "output_file.h"
 #include "recorded_io.h"
@@ -31,7 +30,6 @@ typedef struct AudioFile {
   RecordedIo io; /**< what stream writes to, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
-  off_t start;  /**< of the samples in the file */
   uint64_t frames;
 } AudioFile;
 

@@ -31,14 +31,19 @@ static void take_hold(void) {
   while (atomic_flag_test_and_set(&held)) (void)nanosleep(&moment, NULL);
 }
 
+/* True if the program ends by itself. Several may come at once: timeout(1) sends one to the process and one
+   to its group. Quitting means at once. */
+static bool is_noted(int number) {
+  int none = 0;
+  if (!atomic_load(&catches) || number == SIGXCPU || number == SIGQUIT) return false;
+  (void)atomic_compare_exchange_strong(&caught, &none, number);
+  return true;
+}
+
 /* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. Runs in
    any thread, and keeps the hold, so that no other creates or renames a file any more. */
 static void end(int number) {
-  int none = 0;
-  if (number != SIGXCPU && atomic_load(&catches) &&
-      atomic_compare_exchange_strong(&caught, &none, number)) {
-    return;
-  }
+  if (is_noted(number)) return;
   take_hold();
   if (at_end) at_end();
   for (size_t i = 0; i < GUARDS; i++) {

@@ -15,11 +15,11 @@
 void interrupt_install(void);
 
 /**
- * From now on the first such signal (but SIGXCPU) is only noted, so that the program can end by itself and
- * keep what is finished; the second ends it at once.
+ * From now on SIGHUP, SIGINT and SIGTERM are only noted, so that the program can end by itself, and soon, and
+ * keep what is finished.
  */
 void interrupt_catch(void);
-/** The number of the signal that was noted, or 0. Any thread. */
+/** The number of the first that was noted, or 0. Any thread. */
 int interrupt_caught(void);
 
 /** Has @p call, which is async-signal-safe, called before such a signal ends the program. */

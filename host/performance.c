@@ -31,14 +31,25 @@ static Outcome open_device(Performance *performance) {
 }
 
 /* Without a clock there is nobody to play: then it is as a rendering, with the preset's own stroke. */
+static Outcome read_strokes(Performance *performance, Strokes *strokes) {
+  PlayRequest *const request = performance->request;
+  *strokes = (Strokes){0};
+  if (!arguments_has(request->arguments, "events") && !request->backend->waits) return OUTCOME_OK;
+  const Outcome outcome =
+    strokes_read(request->arguments, &request->def, request->model.sample_rate, strokes);
+  for (size_t i = 0; i < strokes->count; i++) {
+    humanize(&request->humanizer, request->def.shell.radius, &strokes->events[i]);
+  }
+  return outcome;
+}
+
 static Outcome read_score(Performance *performance) {
-  const PlayRequest *const request = performance->request;
-  const bool given = arguments_has(request->arguments, "events");
-  performance->score = (Score){.strokes = &performance->strokes};
-  performance->strokes = (Strokes){.rate = request->model.sample_rate};
-  if (!given && !request->backend->waits) return OUTCOME_OK;
-  return strokes_read(request->arguments, &request->def, request->model.sample_rate,
-                      &performance->strokes);
+  Strokes strokes;
+  Outcome outcome = read_strokes(performance, &strokes);
+  if (outcome == OUTCOME_OK) outcome = score_add_strokes(&performance->score, &strokes);
+  strokes_free(&strokes);
+  score_sort(&performance->score);
+  return outcome;
 }
 
 static Outcome create_drum(Performance *performance) {
@@ -66,7 +77,7 @@ static Outcome create_player(Performance *performance) {
     .dies_away = request->backend->waits,
   };
   memcpy(setup.mics, request->mics, sizeof setup.mics);
-  if (performance->strokes.count > 0) setup.last_event = strokes_last_frame(&performance->strokes);
+  setup.last_event = (uint32_t)score_last_frame(&performance->score);
   const Outcome outcome = player_create(&setup, &performance->player);
   if (outcome != OUTCOME_OK) return outcome;
   return drum_changes_start(performance->changes, performance->player);
@@ -102,7 +113,7 @@ static bool process(void *context, float *samples, uint32_t frames, double now, 
 static bool prepare(void *context, uint32_t frames) {
   Performance *const performance = context;
   const uint64_t position = player_position(performance->player);
-  score_feed(&performance->score, performance->player, position + frames);
+  score_feed(&performance->score, performance->player, performance->changes, position + frames);
   if (performance->recorder) recorder_wait(performance->recorder, frames);
   return true;
 }
@@ -110,7 +121,7 @@ static bool prepare(void *context, uint32_t frames) {
 static void feed(Performance *performance) {
   if (performance->request->backend->waits) return; /* its own thread does it */
   const double ahead = LOOK_AHEAD * performance->request->model.sample_rate;
-  score_feed(&performance->score, performance->player,
+  score_feed(&performance->score, performance->player, performance->changes,
              player_position(performance->player) + (uint64_t)ahead);
 }
 
@@ -257,5 +268,5 @@ void performance_close(Performance *performance, Outcome outcome) {
   drum_changes_stop(performance->changes);
   player_destroy(performance->player);
   drum_changes_destroy(performance->changes);
-  strokes_free(&performance->strokes);
+  score_free(&performance->score);
 }

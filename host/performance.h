@@ -19,7 +19,6 @@ typedef struct Performance {
   DrumChanges *changes;
   Player *player;
   Recorder *recorder;
-  Strokes strokes;
   Score score;
   bool is_urgent; /**< the audio thread has real-time priority */
 } Performance;

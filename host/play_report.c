@@ -59,16 +59,24 @@ static json_t *report_json(const Performance *performance, const PlayStatus *sta
                    load, "newton", newton, "recording", recording_json(performance, status));
 }
 
+/* How the device was served; of no meaning where sound waits. */
+static void describe_load(const Performance *performance, const PlayStatus *status, char *text,
+                          size_t size) {
+  double median, worst;
+  text[0] = '\0';
+  if (performance->request->backend->waits) return;
+  player_load(performance->player, &median, &worst);
+  (void)snprintf(text, size, "; load %.0f %%, at most %.0f %%; %llu gap%s", 100 * median,
+                 100 * worst, (Count)status->xruns, status->xruns == 1 ? "" : "s");
+}
+
 static void note_summary(const Performance *performance, const PlayStatus *status) {
   const PlayRequest *const request = performance->request;
-  double median, worst;
-  player_load(performance->player, &median, &worst);
-  char recorded[600] = "";
-  if (request->records)
-    (void)snprintf(recorded, sizeof recorded, "; recorded in %s", request->record.name);
-  note("%.1f s, %llu strokes; load %.0f %%, at most %.0f %%; %llu gap%s%s", status->time,
-       (Count)status->strokes, 100 * median, 100 * worst, (Count)status->xruns,
-       status->xruns == 1 ? "" : "s", recorded);
+  char load[100];
+  describe_load(performance, status, load, sizeof load);
+  note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,
+       status->strokes == 1 ? "" : "s", load, request->records ? "; recorded in " : "",
+       request->records ? request->record.name : "");
 }
 
 Outcome play_report(Performance *performance) {

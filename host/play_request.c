@@ -10,6 +10,7 @@
 
 #define DEFAULT_BUFFER 128
 #define DEFAULT_ENCODING "pcm24"
+#define DEFAULT_HUMANIZE 0.3
 
 const Option play_options[] = {
   {"backend", 0, "NAME", "portaudio, null (nobody hears it) or file (default portaudio)"},
@@ -23,6 +24,8 @@ const Option play_options[] = {
   {"quality", 0, "LEVEL", "draft, live, studio or reference (default live)"},
   OPTION_SET,
   OPTION_EVENTS,
+  OPTION_HUMANIZE("0.3"),
+  OPTION_SEED,
   {"mic", 0, "NAME",
    "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
@@ -46,6 +49,9 @@ static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
   Outcome outcome = arguments_number(arguments, &gain, &gain_db);
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &request->duration);
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &buffer, &frames);
+  if (outcome == OUTCOME_OK) {
+    outcome = humanize_read(arguments, DEFAULT_HUMANIZE, &request->humanizer);
+  }
   request->gain = pow(10, gain_db / 20);
   request->device.buffer = (uint32_t)frames;
   return outcome;

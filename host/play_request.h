@@ -8,6 +8,7 @@
 
 #include "audio_file.h"
 #include "backend.h"
+#include "humanize.h"
 #include "options.h"
 
 typedef struct PlayRequest {
@@ -18,7 +19,8 @@ typedef struct PlayRequest {
   uint32_t channels;
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index into the definition's microphones */
   double gain;                   /**< factor */
-  double duration;               /**< [s], or 0 */
+  Humanizer humanizer;
+  double duration; /**< [s], or 0 */
   const Backend *backend;
   BackendRequest device;
   bool records;

@@ -34,17 +34,23 @@ static Outcome write_silence_until(Recorder *recorder, uint64_t frame) {
   return outcome;
 }
 
+static Outcome write_frames(Recorder *recorder, const PlayerRecord *block) {
+  const Outcome outcome = write_silence_until(recorder, block->frame);
+  if (outcome != OUTCOME_OK) return outcome;
+  recorder->frames += block->frames;
+  return audio_file_write(&recorder->file, block->samples, block->frames);
+}
+
+/* What goes wrong is said once; then blocks are only taken away. */
 static void write_block(Recorder *recorder, const PlayerRecord *block) {
+  char reason[1000];
   if (recorder->outcome != OUTCOME_OK) return;
-  recorder->outcome = write_silence_until(recorder, block->frame);
-  if (recorder->outcome == OUTCOME_OK) {
-    recorder->outcome = audio_file_write(&recorder->file, block->samples, block->frames);
-    recorder->frames += block->frames;
-  }
-  if (recorder->outcome != OUTCOME_OK) {
-    warn("the recording ends here, after %.10g s; playing goes on",
-         (double)recorder->file.frames / recorder->file.format.rate);
-  }
+  const MessageCapture before = message_capture(reason, sizeof reason);
+  recorder->outcome = write_frames(recorder, block);
+  message_release(before);
+  if (recorder->outcome == OUTCOME_OK) return;
+  (void)fail("%s; the recording ends after %.2f s, playing goes on", reason,
+             (double)recorder->file.frames / recorder->file.format.rate);
 }
 
 static void write_all(Recorder *recorder) {

@@ -1,20 +1,38 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file score.h
- * What is known before it happens: messages in order of time, fed to a player as it comes to them.
+ * What is known before it happens: messages and changes of the preset, fed to a player in time.
  */
 #ifndef TABOR_HOST_SCORE_H
 #define TABOR_HOST_SCORE_H
 
-#include "player.h"
+#include "drum_changes.h"
 #include "strokes.h"
 
+/** Something that happens at message.frame. */
+typedef struct Cue {
+  PlayerMessage message;
+  const char *preset; /**< not NULL: a change to it, instead of the message; not copied */
+} Cue;
+
+/** Begins as {0}. */
 typedef struct Score {
-  const Strokes *strokes;
-  size_t next; /**< of these */
+  Cue *cues;
+  size_t count, capacity;
+  size_t next; /**< to feed */
 } Score;
 
-/** Sends what comes before frame @p until, as far as the player has room. */
-void score_feed(Score *score, Player *player, uint64_t until);
+/** Appends a cue. */
+Outcome score_add(Score *score, const Cue *cue);
+/** Appends strokes. */
+Outcome score_add_strokes(Score *score, const Strokes *strokes);
+/** Brings the cues into the order of their frames; those of one frame stay as they are. */
+void score_sort(Score *score);
+/** Frame of the last cue; 0 without any. */
+uint64_t score_last_frame(const Score *score);
+void score_free(Score *score);
+
+/** Passes on what comes before frame @p until, as far as the player has room. */
+void score_feed(Score *score, Player *player, DrumChanges *changes, uint64_t until);
 
 #endif

@@ -82,6 +82,13 @@ Action keymap_find(const Keymap *keymap, Key key) {
   return (Action){ACTION_NONE, 0, ""};
 }
 
+/* For people: ';' rather than "semicolon", which files need. */
+static const char *key_label(Key key, char label[KEY_NAME_SIZE]) {
+  if (key <= ' ' || key >= KEY_UNKNOWN) return key_name(key, label);
+  label[utf8_write(key, label)] = '\0';
+  return label;
+}
+
 size_t keymap_list(const Keymap *keymap, ActionKind kind, char *text, size_t size) {
   size_t count = 0, length = 0;
   if (size > 0) text[0] = '\0';
@@ -89,7 +96,7 @@ size_t keymap_list(const Keymap *keymap, ActionKind kind, char *text, size_t siz
     if (keymap->bindings[i].kind != kind) continue;
     char name[KEY_NAME_SIZE];
     const int written = snprintf(text + length, size - length, "%s%s", count ? " " : "",
-                                 key_name(keymap->bindings[i].key, name));
+                                 key_label(keymap->bindings[i].key, name));
     count++;
     if (written > 0) length += (size_t)written;
     if (length >= size) length = size > 0 ? size - 1 : 0;

@@ -63,7 +63,7 @@ void keymap_default(Keymap *keymap);
 Outcome keymap_read(const char *path, Keymap *keymap);
 /** What @p key does; ACTION_NONE for keys without an action. */
 Action keymap_find(const Keymap *keymap, Key key);
-/** Writes the names of the keys whose action is of this kind, "a s d"; returns how many there are. */
+/** Writes the keys whose action is of this kind, as people know them, "a s space"; returns how many there are. */
 size_t keymap_list(const Keymap *keymap, ActionKind kind, char *text, size_t size);
 
 #endif

@@ -3,29 +3,29 @@
  * @file play.c
  * `tabor play`: a drum to play on.
  */
-#include <time.h>
-
 #include "command.h"
+#include "console.h"
 #include "drum_source.h"
 #include "play_report.h"
-
-/* Without a screen and keys: only lets the time pass. */
-static bool wait_a_while(void *context) {
-  const struct timespec moment = {.tv_nsec = 5000000};
-  (void)context;
-  (void)nanosleep(&moment, NULL);
-  return true;
-}
 
 /* The first thing that went wrong decides. */
 static Outcome worse(Outcome first, Outcome then) { return first != OUTCOME_OK ? first : then; }
 
+/* With the user at the keyboard, who has the terminal back before the last is said. */
+static Outcome perform(Performance *performance) {
+  Console *console = NULL;
+  Outcome outcome = console_open(performance, &console);
+  const PerformanceTurn turn = {.take = console_turn, .context = console};
+  if (outcome == OUTCOME_OK) outcome = performance_run(performance, &turn);
+  console_close(console);
+  return outcome;
+}
+
 static Outcome play(PlayRequest *request) {
-  const PerformanceTurn turn = {.take = wait_a_while};
   Performance performance;
   Outcome outcome = performance_open(&performance, request);
   if (outcome == OUTCOME_OK) {
-    outcome = performance_run(&performance, &turn);
+    outcome = perform(&performance);
     outcome = worse(outcome, performance_finish(&performance));
     outcome = worse(outcome, play_report(&performance));
   }

@@ -26,6 +26,7 @@ const Option play_options[] = {
   OPTION_EVENTS,
   OPTION_HUMANIZE("0.3"),
   OPTION_SEED,
+  {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/playing.md"},
   {"mic", 0, "NAME",
    "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
@@ -55,6 +56,12 @@ static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
   request->gain = pow(10, gain_db / 20);
   request->device.buffer = (uint32_t)frames;
   return outcome;
+}
+
+static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
+  const char *const path = arguments_value(arguments, "keys");
+  keymap_default(&request->keymap);
+  return path ? keymap_read(path, &request->keymap) : OUTCOME_OK;
 }
 
 static Outcome read_drum(const Arguments *arguments, PlayRequest *request) {
@@ -135,6 +142,10 @@ static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) 
   if (preset_is_file(request->preset) && output_overwrites(&request->record, request->preset)) {
     return refuse("the recording would overwrite the preset '%s'", request->preset);
   }
+  name = arguments_value(arguments, "keys");
+  if (name && output_overwrites(&request->record, name)) {
+    return refuse("the recording would overwrite the keys '%s'", name);
+  }
   while ((name = arguments_next(arguments, "events", &position)) != NULL) {
     if (output_overwrites(&request->record, name)) {
       return refuse("the recording would overwrite the events '%s'", name);
@@ -145,7 +156,7 @@ static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) 
 
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   static Outcome (*const steps[])(const Arguments *, PlayRequest *) = {
-    read_flags, read_numbers, read_drum,   read_model,
+    read_flags, read_numbers, read_keys,   read_drum,      read_model,
     read_mics,  read_backend, read_record, protect_inputs,
   };
   memset(request, 0, sizeof *request);

@@ -9,6 +9,7 @@
 #include "audio_file.h"
 #include "backend.h"
 #include "humanize.h"
+#include "keymap.h"
 #include "options.h"
 
 typedef struct PlayRequest {
@@ -20,6 +21,7 @@ typedef struct PlayRequest {
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index into the definition's microphones */
   double gain;                   /**< factor */
   Humanizer humanizer;
+  Keymap keymap;   /**< what the keyboard does */
   double duration; /**< [s], or 0 */
   const Backend *backend;
   BackendRequest device;

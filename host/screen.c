@@ -203,8 +203,37 @@ static void draw_settings(const ScreenState *state, Canvas *canvas, int row) {
   canvas_print(canvas, row, column + 3, STYLE_PLAIN, "humanize %.2g", state->humanize);
 }
 
+/* Bytes of @p text that fit into so many columns, up to a blank if there is one. */
+static size_t fitting(const char *text, int columns) {
+  size_t bytes = 0, blank = 0;
+  for (int column = 0; text[bytes]; bytes++) {
+    if (((unsigned char)text[bytes] & 0xC0u) != 0x80u && column++ == columns) {
+      return blank > 0 ? blank : bytes;
+    }
+    if (text[bytes] == ' ') blank = bytes;
+  }
+  return bytes;
+}
+
+static void clear_row(Canvas *canvas, int row) {
+  for (int column = 0; column < canvas->columns; column++)
+    canvas_put(canvas, row, column, STYLE_PLAIN, ' ');
+}
+
+/* A long one begins a row above its own. */
 static void draw_message(const ScreenState *state, Canvas *canvas, int row) {
-  canvas_text(canvas, row, 1, state->is_trouble ? STYLE_BAD : STYLE_STRONG, state->message);
+  const Style style = state->is_trouble ? STYLE_BAD : STYLE_STRONG;
+  const char *text = state->message;
+  const size_t first = fitting(text, canvas->columns - 2);
+  if (text[first] && row > 1) {
+    char part[SCREEN_MESSAGE_SIZE];
+    (void)snprintf(part, sizeof part, "%.*s", (int)first, text);
+    clear_row(canvas, row - 1);
+    canvas_text(canvas, row - 1, 1, style, part);
+    text += first;
+    text += strspn(text, " ");
+  }
+  canvas_text(canvas, row, 1, style, text);
 }
 
 /* The part of a long line that has the cursor in it. */
@@ -253,18 +282,36 @@ static const struct {
   {ACTION_HELP, "this help"},
 };
 
-static int draw_help(const ScreenState *state, Canvas *canvas, int row, int last) {
-  const int left = 24;
-  for (size_t i = 0; i < sizeof explained / sizeof explained[0] && row <= last; i++) {
-    char keys[64];
-    if (keymap_list(state->help, explained[i].kind, keys, sizeof keys) == 0) continue;
-    const int column = canvas_text(canvas, row, 1, STYLE_STRONG, keys) + 2;
-    canvas_text(canvas, row++, column > left ? column : left, STYLE_PLAIN, explained[i].text);
+#define HELP_TEXT 22 /* columns of the keys, in front of what they do */
+
+/* Line @p index of those whose action has a key; false past the last. */
+static bool find_help(const Keymap *keymap, size_t index, char *keys, size_t size,
+                      const char **text) {
+  for (size_t i = 0; i < sizeof explained / sizeof explained[0]; i++) {
+    if (keymap_list(keymap, explained[i].kind, keys, size) == 0 || index-- > 0) continue;
+    *text = explained[i].text;
+    return true;
   }
-  if (row > last) return row;
-  canvas_text(canvas, row, 1, STYLE_STRONG, "Escape twice, Ctrl-C");
-  canvas_text(canvas, row, left, STYLE_PLAIN, "quit; a key held down plays a roll");
-  return row + 1;
+  (void)snprintf(keys, size, "Escape twice, Ctrl-C");
+  *text = "quit; a key held down plays a roll";
+  return index == 0;
+}
+
+bool screen_help(const Keymap *keymap, size_t index, char *text, size_t size) {
+  char keys[64];
+  const char *what = "";
+  if (!find_help(keymap, index, keys, sizeof keys, &what)) return false;
+  (void)snprintf(text, size, "%-*s  %s", HELP_TEXT - 1, keys, what);
+  return true;
+}
+
+static void draw_help(const ScreenState *state, Canvas *canvas, int row, int last) {
+  char keys[64];
+  const char *text = "";
+  for (size_t i = 0; row <= last && find_help(state->help, i, keys, sizeof keys, &text); i++) {
+    const int column = canvas_text(canvas, row, 1, STYLE_STRONG, keys) + 2;
+    canvas_text(canvas, row++, column > HELP_TEXT + 2 ? column : HELP_TEXT + 2, STYLE_PLAIN, text);
+  }
 }
 
 /* ---- the whole ---- */

@@ -36,6 +36,10 @@ typedef struct ScreenState {
 
 void screen_draw(const ScreenState *state, Canvas *canvas);
 
+#define SCREEN_HELP_SIZE 120
+/** Writes line @p index of what there is to know about the keys; false past the last. */
+bool screen_help(const Keymap *keymap, size_t index, char *text, size_t size);
+
 /** "stroke at 45 % of the radius, 30 degrees, 2.5 m/s"; "" for no event. Returns @p text. */
 const char *screen_event(const TaborEvent *event, double head_radius, char *text, size_t size);
 

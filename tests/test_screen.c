@@ -152,6 +152,24 @@ static void messages_and_commands_have_their_rows(void **state) {
   assert_int_equal(canvas.drawn[2][9].style, STYLE_REVERSE);
 }
 
+static void long_messages_take_two_rows(void **state) {
+  (void)state;
+  strcpy(shown.message,
+         "the one thing that can be said about it is that it takes more than one row to say "
+         "it in full");
+  draw(80, 24);
+  assert_int_equal(
+    find("the one thing that can be said about it is that it takes more than one row to"), 21);
+  assert_int_equal(find(" say it in full"), 22);
+  memset(shown.message, 0, sizeof shown.message);
+  for (int i = 0; i < 100; i++)
+    strcat(shown.message, "\xc3\xa9"); /* no blank, characters of two bytes */
+  draw(80, 24);
+  expect("??????????????????????");
+  assert_int_equal(canvas.drawn[22][22].point, '?');
+  assert_int_equal(canvas.drawn[22][23].point, ' ');
+}
+
 static void help_explains_the_keys_that_there_are(void **state) {
   (void)state;
   shown.help = &keymap;
@@ -238,6 +256,7 @@ int main(void) {
     cmocka_unit_test_setup(lights_go_on, begin),
     cmocka_unit_test_setup(meters_are_as_long_as_their_level, begin),
     cmocka_unit_test_setup(messages_and_commands_have_their_rows, begin),
+    cmocka_unit_test_setup(long_messages_take_two_rows, begin),
     cmocka_unit_test_setup(help_explains_the_keys_that_there_are, begin),
     cmocka_unit_test_setup(low_terminals_keep_what_matters, begin),
     cmocka_unit_test_setup(no_size_is_too_small_or_too_large, begin),

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+#include "controls.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+#include "suggest.h"
+
+#define LEAST_GAIN (-60.0)
+#define LARGEST_GAIN 24.0
+#define MUFFLE 2.0        /* [N s/m]: a pad of gel, where the preset has none */
+#define MUFFLE_PLACE 0.75 /* of the radius: where it lies then */
+
+/* ---- saying ---- */
+
+#ifdef __GNUC__
+__attribute__((format(printf, 2, 3)))
+#endif
+static void
+tell(Controls *controls, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(controls->text, sizeof controls->text, format, arguments);
+  va_end(arguments);
+  controls->is_trouble = false;
+}
+
+/* What went wrong has been said into the text. */
+static void begin_text(Controls *controls) {
+  controls->text[0] = '\0';
+  controls->is_trouble = true;
+}
+
+/* ---- the drum ---- */
+
+/* The first frame that an event of this time can have. */
+static uint64_t frame_at(const Controls *controls, double time) {
+  return player_frame_at(controls->player, time);
+}
+
+static void set_number(Controls *controls, double time, const char *key, double value) {
+  char text[32];
+  (void)snprintf(text, sizeof text, "%.9g", value);
+  (void)drum_changes_set(controls->changes, frame_at(controls, time), "set", key, text);
+}
+
+static void switch_snares(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  if (def.wires.count == 0) {
+    (void)refuse("this drum has no snares");
+    return;
+  }
+  const bool were_on = def.wires.strainer > 0;
+  if (were_on) controls->strainer = def.wires.strainer;
+  set_number(controls, time, "wires.strainer", were_on ? 0 : controls->strainer);
+  tell(controls, "snares %s", were_on ? "off" : "on");
+}
+
+static void switch_muffle(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  const bool was_on = def.batter.muffle_strength > 0;
+  if (was_on) controls->muffle = def.batter.muffle_strength;
+  if (!was_on && def.batter.muffle_radius == 0) {
+    set_number(controls, time, "batter.muffle_radius", MUFFLE_PLACE * def.shell.radius);
+  }
+  set_number(controls, time, "batter.muffle_strength", was_on ? 0 : controls->muffle);
+  tell(controls, "muffle %s", was_on ? "off" : "on");
+}
+
+/* Another drum has its own. */
+static void forget_switches(Controls *controls) {
+  controls->strainer = 1;
+  controls->muffle = MUFFLE;
+}
+
+static void step_preset(Controls *controls, int step, double time) {
+  PlayStatus status;
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_step_preset(controls->changes, frame, step) != OUTCOME_OK) return;
+  forget_switches(controls);
+  drum_changes_status(controls->changes, &status);
+  tell(controls, "preset %s", status.preset);
+}
+
+static void set_gain(Controls *controls, double gain_db, double time) {
+  controls->gain_db = fmin(fmax(gain_db, LEAST_GAIN), LARGEST_GAIN);
+  const PlayerMessage message = {.frame = frame_at(controls, time),
+                                 .type = PLAYER_GAIN,
+                                 .value = pow(10, controls->gain_db / 20)};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  tell(controls, "gain %+.1f dB", controls->gain_db);
+}
+
+static void set_speed(Controls *controls, double speed) {
+  controls->speed = speed;
+  tell(controls, "%.2f m/s", speed);
+}
+
+/* ---- strokes ---- */
+
+/* A place is a share of the radius, so that it is the same on every drum. */
+static void strike(Controls *controls, double place, double speed, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  const int striker = tabor_drum_def_find_striker(&def, def.strike.striker);
+  PlayerMessage message = {.frame = frame_at(controls, time),
+                           .type = PLAYER_EVENT,
+                           .event = {.type = TABOR_EVENT_STRIKE,
+                                     .striker = striker > 0 ? (uint32_t)striker : 0,
+                                     .velocity = speed,
+                                     .radius = place * def.shell.radius,
+                                     .angle = def.strike.angle}};
+  humanize(&controls->humanizer, def.shell.radius, &message.event);
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  controls->last_place = place;
+  controls->last_speed = speed;
+}
+
+/* Those that the engine knows stand in its table. */
+static void try_technique(const char *technique) {
+  (void)refuse("%s: this version has no such stroke yet", technique);
+}
+
+/* ---- actions ---- */
+
+static void act(Controls *controls, const Action *action, double time) {
+  switch (action->kind) {
+  case ACTION_NONE: break;
+  case ACTION_STROKE: strike(controls, action->value, controls->speed, time); break;
+  case ACTION_GHOST: strike(controls, action->value, GHOST_SPEED * controls->speed, time); break;
+  case ACTION_REPEAT: strike(controls, controls->last_place, controls->last_speed, time); break;
+  case ACTION_TECHNIQUE: try_technique(action->text); break;
+  case ACTION_SPEED: set_speed(controls, action->value); break;
+  case ACTION_SNARES: switch_snares(controls, time); break;
+  case ACTION_MUFFLE: switch_muffle(controls, time); break;
+  case ACTION_PRESET: step_preset(controls, action->value < 0 ? -1 : 1, time); break;
+  case ACTION_GAIN: set_gain(controls, controls->gain_db + action->value, time); break;
+  case ACTION_COMMAND: controls->opens_command = true; break;
+  case ACTION_RUN: controls_run(controls, action->text, time); break;
+  case ACTION_HELP: controls->shows_help = !controls->shows_help; break;
+  case ACTION_QUIT: controls->quits = true; break;
+  }
+}
+
+void controls_act(Controls *controls, const Action *action, double time) {
+  char trouble[CONTROLS_TEXT_SIZE];
+  begin_text(controls);
+  const MessageCapture before = message_capture(trouble, sizeof trouble);
+  act(controls, action, time);
+  message_release(before);
+  if (!*trouble) return;
+  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
+  controls->is_trouble = true;
+}
+
+Controls controls_begin(Player *player, DrumChanges *changes, double rate, double gain_db,
+                        Humanizer humanizer) {
+  TaborDrumDef def;
+  drum_changes_definition(changes, &def);
+  Controls controls = {.player = player,
+                       .changes = changes,
+                       .humanizer = humanizer,
+                       .rate = rate,
+                       .speed = def.strike.velocity,
+                       .gain_db = gain_db,
+                       .last_place = def.strike.radius / def.shell.radius,
+                       .last_speed = def.strike.velocity};
+  forget_switches(&controls);
+  return controls;
+}
+
+/* ---- commands ---- */
+
+/* A command's word, and what it does with the text behind it. */
+typedef struct CommandWord {
+  const char *word;
+  const char *usage; /* what has to follow; NULL: nothing may */
+  void (*run)(Controls *controls, char *text, double time);
+} CommandWord;
+
+static void run_set(Controls *controls, char *text, double time) {
+  const size_t length = strcspn(text, " =");
+  char *value = text + length;
+  value += strspn(value, " ");
+  if (*value == '=') value++;
+  value += strspn(value, " ");
+  text[length] = '\0';
+  if (!*value) {
+    (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", text);
+    return;
+  }
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_set(controls->changes, frame, "set", text, value) != OUTCOME_OK) return;
+  const TaborParameter *const parameter = tabor_parameter_find(text);
+  tell(controls, "%s = %s %s", text, value, parameter ? parameter->unit : "");
+}
+
+static void run_preset(Controls *controls, char *text, double time) {
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_preset(controls->changes, frame, text) != OUTCOME_OK) return;
+  forget_switches(controls);
+  tell(controls, "preset %s", text);
+}
+
+static bool read_number(const char *name, double minimum, double maximum, const char *text,
+                        double *value) {
+  const NumberField field = {name, minimum, maximum, false};
+  return number_read(&field, text, value) == OUTCOME_OK;
+}
+
+static void run_gain(Controls *controls, char *text, double time) {
+  double gain_db = 0;
+  if (read_number("gain", LEAST_GAIN, LARGEST_GAIN, text, &gain_db))
+    set_gain(controls, gain_db, time);
+}
+
+static void run_speed(Controls *controls, char *text, double time) {
+  (void)time;
+  double speed = 0;
+  if (read_number("speed", 0.01, 30, text, &speed)) set_speed(controls, speed);
+}
+
+static void run_humanize(Controls *controls, char *text, double time) {
+  (void)time;
+  double amount = 0;
+  if (!read_number("humanize", 0, 1, text, &amount)) return;
+  controls->humanizer.amount = amount;
+  tell(controls, "humanize %g", amount);
+}
+
+static void run_silence(Controls *controls, char *text, double time) {
+  (void)text;
+  const PlayerMessage message = {.frame = frame_at(controls, time), .type = PLAYER_SILENCE};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  tell(controls, "silence");
+}
+
+static void run_help(Controls *controls, char *text, double time) {
+  (void)text;
+  (void)time;
+  controls->shows_help = true;
+}
+
+static void run_quit(Controls *controls, char *text, double time) {
+  (void)text;
+  (void)time;
+  controls->quits = true;
+}
+
+static const CommandWord commands[] = {
+  {"set", "KEY VALUE", run_set},
+  {"preset", "NAME", run_preset},
+  {"gain", "DB", run_gain},
+  {"speed", "M/S", run_speed},
+  {"humanize", "AMOUNT", run_humanize},
+  {"silence", NULL, run_silence},
+  {"help", NULL, run_help},
+  {"quit", NULL, run_quit},
+};
+#define COMMANDS (sizeof commands / sizeof commands[0])
+
+static const char *command_at(const void *list, size_t index) {
+  (void)list;
+  return index < COMMANDS ? commands[index].word : NULL;
+}
+
+static const CommandWord *find_command(const char *word, size_t length) {
+  if (length == 1 && *word == 'q') return &commands[COMMANDS - 1];
+  for (size_t i = 0; i < COMMANDS; i++) {
+    if (strlen(commands[i].word) == length && memcmp(commands[i].word, word, length) == 0)
+      return &commands[i];
+  }
+  return NULL;
+}
+
+static void refuse_command(const char *word, size_t length) {
+  char name[32] = "", hint[200];
+  if (length < sizeof name) memcpy(name, word, length);
+  suggest_choice(hint, sizeof hint, name, "", command_at, NULL);
+  (void)refuse("unknown command '%.*s'%s", (int)(length < 80 ? length : 80), word, hint);
+}
+
+static void run_word(Controls *controls, char *text, double time) {
+  const size_t length = strcspn(text, " ");
+  char *const rest = text + length + strspn(text + length, " ");
+  const CommandWord *const command = find_command(text, length);
+  if (!command) {
+    refuse_command(text, length);
+  } else if (!*rest && command->usage) {
+    (void)refuse("%s needs more: %s %s", command->word, command->word, command->usage);
+  } else if (*rest && !command->usage) {
+    (void)refuse("nothing may follow '%s'", command->word);
+  } else {
+    command->run(controls, rest, time);
+  }
+}
+
+void controls_run(Controls *controls, const char *command, double time) {
+  char text[CONTROLS_TEXT_SIZE], trouble[CONTROLS_TEXT_SIZE];
+  (void)snprintf(text, sizeof text, "%s", command + strspn(command, " "));
+  for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
+  begin_text(controls);
+  if (!*text) return;
+  const MessageCapture before = message_capture(trouble, sizeof trouble);
+  run_word(controls, text, time);
+  message_release(before);
+  if (!*trouble) return;
+  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
+  controls->is_trouble = true;
+}
+
+/* ---- completion ---- */
+
+/* Word @p index of those that may stand there, perhaps in @p room; NULL past the last. */
+typedef const char *WordAt(size_t index, char room[2 * TABOR_NAME_SIZE]);
+
+static const char *command_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  (void)room;
+  return command_at(NULL, index);
+}
+
+static const char *preset_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  (void)room;
+  const TaborPresetInfo *const preset = tabor_preset((uint32_t)index);
+  return preset ? preset->name : NULL;
+}
+
+/* "wires.tension"; "mic." of those that have a name in between. */
+static const char *key_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  const TaborParameter *const parameter = tabor_parameter((uint32_t)index);
+  if (!parameter) return NULL;
+  const size_t length = strlen(parameter->section);
+  const bool is_family = length > 0 && parameter->section[length - 1] == '.';
+  (void)snprintf(room, 2 * TABOR_NAME_SIZE, "%s%s%s", parameter->section, is_family ? "" : ".",
+                 is_family ? "" : parameter->key);
+  return room;
+}
+
+/* Cuts @p word back to what it has in common with @p name. */
+static void keep_common(char *word, const char *name) {
+  while (*word && *word == *name) {
+    word++;
+    name++;
+  }
+  *word = '\0';
+}
+
+/* What the first @p length bytes of @p begun can go on to be. */
+static bool complete(const char *begun, size_t length, WordAt *word_at, char *word, size_t size) {
+  char room[2 * TABOR_NAME_SIZE];
+  bool found = false, is_only = true;
+  const char *name;
+  for (size_t i = 0; (name = word_at(i, room)) != NULL; i++) {
+    if (strncmp(name, begun, length) != 0) continue;
+    if (!found) {
+      (void)snprintf(word, size, "%s", name);
+    } else if (strcmp(word, name) != 0) {
+      keep_common(word, name);
+      is_only = false;
+    }
+    found = true;
+  }
+  const size_t end = found ? strlen(word) : 0;
+  if (found && is_only && word[end - 1] != '.' && end + 1 < size) {
+    word[end] = ' ';
+    word[end + 1] = '\0';
+  }
+  return found;
+}
+
+bool controls_complete(const char *command, size_t cursor, size_t *start, char *word, size_t size) {
+  static const struct {
+    const char *before;
+    WordAt *word_at;
+  } places[] = {{"", command_word_at}, {"set ", key_word_at}, {"preset ", preset_word_at}};
+  *start = cursor;
+  while (*start > 0 && command[*start - 1] != ' ') (*start)--;
+  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+    if (strlen(places[i].before) != *start || strncmp(places[i].before, command, *start) != 0)
+      continue;
+    return complete(command + *start, cursor - *start, places[i].word_at, word, size);
+  }
+  return false;
+}

@@ -279,7 +279,7 @@ int tb_strike_striker(const TaborDrumDef *def) {
   return tabor_drum_def_find_striker(def, def->strike.striker);
 }
 
-double tb_wire_deviate(uint32_t seed, uint32_t index) {
+double tb_deviate(uint32_t seed, uint32_t index) {
   /* The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every bit. */
   uint64_t z = ((uint64_t)seed << 32 | index) + 0x9E3779B97F4A7C15u;
   z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
@@ -296,7 +296,7 @@ static void take_default(double *own, double shared) {
 void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire) {
   assert(index < TABOR_MAX_WIRES);
   const TaborWiresDef *const wires = &def->wires;
-  const double deviation = wires->tension_spread * tb_wire_deviate(wires->seed, index);
+  const double deviation = wires->tension_spread * tb_deviate(wires->seed, index);
   const double place = (double)index - ((double)wires->count - 1) / 2;
   *wire = def->wire[index];
   take_default(&wire->length, wires->length);

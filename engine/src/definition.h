@@ -21,8 +21,8 @@
  */
 void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire);
 
-/** Uniform number in [-1, 1] that belongs to @p seed and the wire's index. */
-double tb_wire_deviate(uint32_t seed, uint32_t index);
+/** Uniform number in [-1, 1] that belongs to @p seed and the index of a wire or lug. */
+double tb_deviate(uint32_t seed, uint32_t index);
 
 /** Index of the striker that strike.striker names ("" is the first), or -1. */
 int tb_strike_striker(const TaborDrumDef *def);

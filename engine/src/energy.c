@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "energy.h"
 
+#include "lugs.h"
 #include "stretch.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
@@ -84,6 +85,7 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
+         tb_lugs_energy(view, next->q, now->q) +
          wires_energy(view, next, now) + contacts_energy(view, next, now) +
          strikers_energy(view, next, now);
 }

@@ -130,6 +130,17 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   return status;
 }
 
+TaborModeInfo tb_head_mode_info(const TbHeadMode *mode) {
+  return (TaborModeInfo){.m = mode->m,
+                         .n = mode->n,
+                         .frequency = mode->omega / (2.0 * PI),
+                         .decay_rate = mode->decay_rate,
+                         .radiation_rate = mode->radiation_rate,
+                         .part = (TaborModePart)mode->part,
+                         .phase = mode->phase,
+                         .multiplicity = mode->m ? 2 : 1};
+}
+
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch) {
   uint32_t index = 0;
   for (uint32_t m = 0; m < head->order_count; m++) {

@@ -58,6 +58,9 @@ typedef struct TbHead {
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                             double bandwidth);
 
+/* What a user may know of a mode. */
+TaborModeInfo tb_head_mode_info(const TbHeadMode *mode);
+
 /* Factors 2 J_1(K a)/(K a) by which a force spread over a disc of radius a drives each Bessel
  * function: patch[zero_count]. a = 0 gives 1. */
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch);

@@ -6,12 +6,11 @@
 
 #include "error.h"
 #include "lift.h"
+#include "lugs.h"
 #include "mics.h"
 #include "power.h"
 #include "state.h"
 #include "stretch.h"
-
-static const double PI = 3.14159265358979323846;
 
 /* What a quality level stands for. */
 typedef struct Level {
@@ -194,6 +193,8 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
+  const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
+  hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);
   return hash;
 }
 
@@ -239,6 +240,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }
+  if (status == TABOR_OK) status = tb_lugs_prepare(model, error);
   if (status == TABOR_OK) {
     tb_layout_prepare(&model->layout, model);
     model->fingerprint = fingerprint(model);
@@ -334,6 +336,10 @@ void tabor_model_release(TaborModel *model) {
   allocator.release(model, allocator.context);
 }
 
+static uint32_t row_count(const TaborModel *model) {
+  return model->lugs.count ? model->lugs.row_count : model->head.row_count;
+}
+
 const TaborDrumDef *tabor_model_definition(const TaborModel *model) { return &model->def; }
 
 void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
@@ -341,7 +347,7 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .sample_rate = model->sample_rate,
     .quality = model->quality,
     .mode_count = model->modes.count,
-    .mode_rows = model->head.row_count,
+    .mode_rows = row_count(model),
     .two_way_bandwidth = model->head.bandwidth,
     .bandwidth = model->high.count ? model->top : model->head.bandwidth,
     .high_mode_count = model->high.count,
@@ -355,15 +361,7 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
 }
 
 bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
-  if (row >= model->head.row_count) return false;
-  const TbHeadMode *mode = &model->head.modes[row];
-  *info = (TaborModeInfo){.m = mode->m,
-                          .n = mode->n,
-                          .frequency = mode->omega / (2.0 * PI),
-                          .decay_rate = mode->decay_rate,
-                          .radiation_rate = mode->radiation_rate,
-                          .part = (TaborModePart)mode->part,
-                          .phase = mode->phase,
-                          .multiplicity = mode->m ? 2 : 1};
+  if (row >= row_count(model)) return false;
+  *info = model->lugs.count ? model->lugs.rows[row] : tb_head_mode_info(&model->head.modes[row]);
   return true;
 }

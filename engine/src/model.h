@@ -44,6 +44,19 @@ typedef struct TbStretch {
   TbProjection projection; /* of the modes that count, groups alone and one way */
 } TbStretch;
 
+/* Uneven lugs couple at most this many modes, copies and padding counted. */
+#define TB_LUG_MODES 128u
+
+/* What uneven lugs do, see lugs.h. */
+typedef struct TbLugs {
+  uint32_t count;      /* coupled modes, with padding; 0 where all lugs are alike */
+  uint32_t from[5];    /* where they begin in each group (modes.h), */
+  uint32_t size[5];    /* ... and how many they are, a multiple of 8 */
+  float *pull;         /* [count/8][count][8] dK */
+  uint32_t row_count;  /* modes of the uneven heads, copies counted apart where they are coupled */
+  TaborModeInfo *rows; /* ... sorted by frequency */
+} TbLugs;
+
 /* Where the arrays of a drum's state lie, in bytes from its start. */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend, bend_last;
@@ -79,6 +92,7 @@ struct TaborModel {
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
   TbStretch stretch;
+  TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *center; /* [padded]: shape at the centre of the head that has the wires */
   TbLayout layout;

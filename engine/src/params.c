@@ -13,7 +13,8 @@
 #define TEXT .type = TABOR_TYPE_TEXT, .minimum = NAN, .maximum = NAN, .fallback = NAN
 #define LOGARITHMIC .logarithmic = true
 #define LIVE .live = true
-#define FOLLOWS NAN /* the fallback of a wire's value: what [wires] says */
+#define FOLLOWS                                                                                    \
+  NAN /* the fallback of a wire's value, what [wires] says, and of a lug's, as drawn */
 
 /* Where a row's field is. */
 #define AT(member) .group = TB_GROUP_SINGLE, .offset = offsetof(TaborDrumDef, member)
@@ -23,6 +24,7 @@
 #define IN_RESONANT(member)                                                                        \
   .group = TB_GROUP_RESONANT,                                                                      \
   .offset = offsetof(TaborDrumDef, resonant) + offsetof(TaborHeadDef, member)
+#define IN_BATTER(member) AT(batter.member)
 #define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
 #define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
 #define IN_MIC(member) .group = TB_GROUP_MIC, IN_ARRAY(mic, TaborMicDef, member)
@@ -34,6 +36,21 @@
            .unit = (unit_),                                                                        \
            .text = (text_),                                                                        \
            __VA_ARGS__}
+
+/* All lugs of one head; `place` says where its fields are. */
+#define LUG(number, id_, section_, place)                                                          \
+  {                                                                                                \
+    ROW((id_) + (number)-1, section_, "lug_" #number, "",                                          \
+        "own relative deviation of the tension at lug " #number, NUMBER(-0.5, 0.5, FOLLOWS)),      \
+      place(lug[(number)-1])                                                                       \
+  }
+#define LUGS(id, section, place)                                                                   \
+  LUG(1, id, section, place), LUG(2, id, section, place), LUG(3, id, section, place),              \
+    LUG(4, id, section, place), LUG(5, id, section, place), LUG(6, id, section, place),            \
+    LUG(7, id, section, place), LUG(8, id, section, place), LUG(9, id, section, place),            \
+    LUG(10, id, section, place), LUG(11, id, section, place), LUG(12, id, section, place),         \
+    LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
+    LUG(16, id, section, place)
 
 const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
@@ -80,6 +97,16 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_BATTER_MUFFLE_STRENGTH, "batter", "muffle_strength", "N s/m",
        "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
    AT(batter.muffle_strength)},
+  {ROW(TB_PARAM_BATTER_LUG_COUNT, "batter", "lug_count", "", "number of lugs around the head",
+       WHOLE(3, TABOR_MAX_LUGS, 10)),
+   IN_BATTER(lug_count)},
+  {ROW(TB_PARAM_BATTER_LUG_SPREAD, "batter", "lug_spread", "",
+       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
+   IN_BATTER(lug_spread)},
+  {ROW(TB_PARAM_BATTER_LUG_SEED, "batter", "lug_seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   IN_BATTER(lug_seed)},
+  LUGS(TB_PARAM_BATTER_LUG, "batter", IN_BATTER),
 
   /* The usual snare-side head: 3 mil (76 um) of Mylar, 1390 kg/m3, E = 3.8 GPa, nu = 0.3, so that
    * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material, hence
@@ -111,6 +138,16 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_RESONANT_MUFFLE_STRENGTH, "resonant", "muffle_strength", "N s/m",
        "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
    IN_RESONANT(muffle_strength)},
+  {ROW(TB_PARAM_RESONANT_LUG_COUNT, "resonant", "lug_count", "", "number of lugs around the head",
+       WHOLE(3, TABOR_MAX_LUGS, 10)),
+   IN_RESONANT(lug_count)},
+  {ROW(TB_PARAM_RESONANT_LUG_SPREAD, "resonant", "lug_spread", "",
+       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
+   IN_RESONANT(lug_spread)},
+  {ROW(TB_PARAM_RESONANT_LUG_SEED, "resonant", "lug_seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   IN_RESONANT(lug_seed)},
+  LUGS(TB_PARAM_RESONANT_LUG, "resonant", IN_RESONANT),
 
   {ROW(TB_PARAM_WIRES_HEAD, "wires", "head", "", "head on which the wires lie",
        CHOICE("batter|resonant", TABOR_HEAD_BATTER)),

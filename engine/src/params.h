@@ -14,7 +14,7 @@
 /**
  * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
  * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps
- * (309 and 409: lugs, 800: hand, 900: hoop).
+ * (900: hoop).
  */
 typedef enum TbParamId {
   TB_PARAM_NONE = 0,
@@ -36,6 +36,10 @@ typedef enum TbParamId {
   TB_PARAM_BATTER_MUFFLE_RADIUS = 306,
   TB_PARAM_BATTER_MUFFLE_ANGLE = 307,
   TB_PARAM_BATTER_MUFFLE_STRENGTH = 308, /**< live */
+  TB_PARAM_BATTER_LUG_COUNT = 309,
+  TB_PARAM_BATTER_LUG_SPREAD = 310,
+  TB_PARAM_BATTER_LUG_SEED = 311,
+  TB_PARAM_BATTER_LUG = 320, /**< of the first lug; the others' follow, to 335 */
 
   TB_PARAM_RESONANT_TENSION = 400, /**< a hundred more than the batter's */
   TB_PARAM_RESONANT_SURFACE_DENSITY = 401,
@@ -46,6 +50,10 @@ typedef enum TbParamId {
   TB_PARAM_RESONANT_MUFFLE_RADIUS = 406,
   TB_PARAM_RESONANT_MUFFLE_ANGLE = 407,
   TB_PARAM_RESONANT_MUFFLE_STRENGTH = 408, /**< live */
+  TB_PARAM_RESONANT_LUG_COUNT = 409,
+  TB_PARAM_RESONANT_LUG_SPREAD = 410,
+  TB_PARAM_RESONANT_LUG_SEED = 411,
+  TB_PARAM_RESONANT_LUG = 420,
 
   TB_PARAM_WIRES_HEAD = 500,
   TB_PARAM_WIRES_COUNT = 501,

@@ -8,6 +8,7 @@
 #include "guard.h"
 #include "lift.h"
 #include "live.h"
+#include "lugs.h"
 #include "profile.h"
 #include "slots.h"
 #include "stretch.h"
@@ -243,6 +244,7 @@ static void listen(TbView *view, uint32_t heard, double *pressure) {
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_step(view);
   free_motion(view);
+  tb_lugs_pull(view);
   TB_STAGE(STRETCH);
   tb_stretch_free(view);
   free_penetration(view);

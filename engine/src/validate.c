@@ -91,6 +91,19 @@ static TaborStatus check_place(const TaborDrumDef *def, const char *key, double 
                       "%s = %s is not below shell.radius, %g m", key, value, def->shell.radius);
 }
 
+/* A lug that the head has not got. */
+static TaborStatus check_lugs(const TaborHeadDef *head, const char *section, TaborError *error) {
+  for (uint32_t j = head->lug_count; j < TABOR_MAX_LUGS; j++) {
+    if (isnan(head->lug[j])) continue;
+    char key[TB_KEY_SIZE], value[TB_NUMBER_SIZE];
+    (void)snprintf(key, sizeof key, "%s.lug_%u", section, (unsigned)j + 1u);
+    tb_number_print(head->lug[j], value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, key, value, NAN, NAN,
+                        "%s = %s: the head has %u lugs", key, value, (unsigned)head->lug_count);
+  }
+  return TABOR_OK;
+}
+
 /* A drum with two heads encloses its air; the boundary says what surrounds a single head. The
  * damper's strength is live: its place counts even where it does nothing yet. */
 static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
@@ -106,8 +119,9 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "wires.head", "resonant", NAN, NAN,
                         "wires.head = resonant: the drum has no resonant head");
   }
-  const TaborStatus status =
-    check_place(def, "batter.muffle_radius", def->batter.muffle_radius, error);
+  TaborStatus status = check_place(def, "batter.muffle_radius", def->batter.muffle_radius, error);
+  if (status == TABOR_OK) status = check_lugs(&def->batter, "batter", error);
+  if (status == TABOR_OK && two_headed) status = check_lugs(&def->resonant, "resonant", error);
   if (status != TABOR_OK || !two_headed) return status;
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }

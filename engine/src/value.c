@@ -75,8 +75,13 @@ void tb_value_store(const TbParam *param, void *field, const TbValue *value) {
   }
 }
 
+/* A number that may be left unset. */
+static bool can_follow(const TbParam *param) {
+  return param->info.type == TABOR_TYPE_NUMBER && isnan(param->info.fallback);
+}
+
 bool tb_value_follows(const TbParam *param, const TbValue *value) {
-  return param->group == TB_GROUP_WIRE && isnan(value->number);
+  return can_follow(param) && isnan(value->number);
 }
 
 /* " m" after a number; nothing for a pure number. */
@@ -169,7 +174,7 @@ TaborStatus tb_value_check(const TbParam *param, const char *key, const TbValue 
 
 static TaborStatus parse_number(const TbParam *param, const char *key, const char *text,
                                 TbValue *value, TaborError *error) {
-  if (param->group == TB_GROUP_WIRE && !*text) {
+  if (can_follow(param) && !*text) {
     value->number = NAN;
     return TABOR_OK;
   }

@@ -22,7 +22,7 @@ TbValue tb_value_default(const TbParam *param);
 TbValue tb_value_load(const TbParam *param, const void *field);
 void tb_value_store(const TbParam *param, void *field, const TbValue *value);
 
-/** True for a wire's value that follows [wires]. */
+/** True for an unset value: a wire's that follows [wires], a lug's that is as drawn. */
 bool tb_value_follows(const TbParam *param, const TbValue *value);
 
 /** Reads @p text, an own value of a wire also from "", and checks it. @p key is for the message. */

@@ -55,6 +55,7 @@ extern "C" {
 #define TABOR_VERSION_PATCH 0 /**< changes nothing in this header */
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
+#define TABOR_MAX_LUGS 16    /**< tension rods of one head */
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
 #define TABOR_MAX_MICS 8     /**< microphones in one definition */
 #define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
@@ -136,6 +137,9 @@ typedef struct TaborShellDef {
  * A head: rho w_tt = (T + dT) lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + forces.
  * Large deflections stretch it: dT = S/(2 A) Int |grad w|^2 dA, A its area (Berger). A damper, a
  * force -c w_t on a small patch, may rest on it. Two defaults: of the batter and the resonant head.
+ *
+ * Lugs stretch it around its rim, number j of n at (j - 1/2) 360/n degrees. Where their tensions differ,
+ * the head's lower modes come apart in pairs, which beat.
  */
 typedef struct TaborHeadDef {
   double tension;           /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
@@ -148,6 +152,12 @@ typedef struct TaborHeadDef {
                                  head, default 0 */
   double muffle_angle;      /**< its direction [deg], -360 to 360, default 0 */
   double muffle_strength;   /**< its c [N s/m], 0 (none) to 30, default 0 */
+  uint32_t lug_count;       /**< 3 to 16, default 10 */
+  double lug_spread; /**< largest relative deviation of the tension at a lug, 0 to 0.5, default
+                                 0; deviations are drawn with a mean of 0 */
+  uint32_t lug_seed; /**< of the draw, 0 to 4294967295, default 1 */
+  double
+    lug[TABOR_MAX_LUGS]; /**< a lug's own relative deviation, -0.5 to 0.5, default NaN: as drawn */
 } TaborHeadDef;
 
 /** What all wires share. */
@@ -286,7 +296,7 @@ typedef struct TaborParameter {
   double minimum;          /**< of numbers and whole numbers; NaN otherwise */
   double maximum;          /**< likewise */
   double fallback;         /**< the default, of a choice its index in @p choices; NaN for text, and
-                                where a wire follows [wires] */
+                                where a wire follows [wires], or a lug the draw */
   const char *choices;     /**< words separated by '|' for a choice, NULL otherwise */
   bool logarithmic;        /**< a control should move it in ratios */
   bool live;               /**< a parameter event may change it while the drum rings */

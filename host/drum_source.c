@@ -185,13 +185,19 @@ Outcome model_options_read(const Arguments *arguments, TaborModelOptions *option
   return outcome;
 }
 
+Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options,
+                     TaborModel **model) {
+  TaborError error;
+  const TaborStatus status = tabor_model_create(def, options, model, &error);
+  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
+}
+
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum) {
   TaborModel *model = NULL;
   TaborError error;
   *drum = NULL;
-  if (tabor_model_create(def, options, &model, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
+  const Outcome outcome = model_create(def, options, &model);
+  if (outcome != OUTCOME_OK) return outcome;
   const TaborStatus status = tabor_drum_create(model, drum, &error);
   tabor_model_release(model); /* the drum keeps its own reference */
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);

@@ -43,6 +43,8 @@ Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const cha
 Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
 /** "live" and the like for a TaborQuality that is not the default. */
 const char *quality_name(uint32_t quality);
+/** Builds a model, with one reference that is the caller's. On an error *model is NULL. */
+Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborModel **model);
 /** Builds a model and a drum of it. On an error *drum is NULL. */
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
 

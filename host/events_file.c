@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "events_file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "input_file.h"
 
 #define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF"
@@ -21,39 +22,6 @@ typedef struct Reader {
   const TaborDrumDef *def;
   Strokes *strokes;
 } Reader;
-
-/* ---- bytes ---- */
-
-/* One byte more than allowed shows that there are too many. */
-static Outcome read_stream(Reader *reader, FILE *stream) {
-  size_t capacity = 0;
-  while (reader->length == capacity && capacity <= EVENTS_FILE_LIMIT) {
-    capacity = capacity ? 4 * capacity : 65536;
-    if (capacity > EVENTS_FILE_LIMIT) capacity = EVENTS_FILE_LIMIT + 1;
-    char *const text = realloc(reader->text, capacity + 1);
-    if (!text) return fail_memory();
-    reader->text = text;
-    reader->length += fread(text + reader->length, 1, capacity - reader->length, stream);
-  }
-  if (ferror(stream)) {
-    if (errno == EISDIR)
-      return fail("cannot read " INPUT ": it is a folder", INPUT_OF(reader->name));
-    return fail("cannot read " INPUT ": %s", INPUT_OF(reader->name), strerror(errno));
-  }
-  reader->text[reader->length] = '\0';
-  if (reader->length <= EVENTS_FILE_LIMIT) return OUTCOME_OK;
-  return refuse("%s: the file is larger than %d bytes", input_name(reader->name),
-                EVENTS_FILE_LIMIT);
-}
-
-static Outcome read_bytes(Reader *reader, const char *name) {
-  if (strcmp(name, "-") == 0) return read_stream(reader, stdin);
-  FILE *const stream = fopen(name, "rb");
-  if (!stream) return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
-  const Outcome outcome = read_stream(reader, stream);
-  (void)fclose(stream);
-  return outcome;
-}
 
 /* ---- fields ---- */
 
@@ -189,8 +157,8 @@ static Outcome read_lines(Reader *reader) {
 Outcome events_file_read(const char *name, const TaborDrumDef *def, Strokes *strokes) {
   if (!*name) return refuse("--events needs the name of a file");
   Reader reader = {.name = name, .def = def, .strokes = strokes};
-  Outcome outcome = read_bytes(&reader, name);
-  if (outcome == OUTCOME_OK && reader.text) outcome = read_lines(&reader);
+  Outcome outcome = input_file_read(name, EVENTS_FILE_LIMIT, &reader.text, &reader.length);
+  if (outcome == OUTCOME_OK) outcome = read_lines(&reader);
   free(reader.text);
   return outcome;
 }

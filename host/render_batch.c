@@ -172,6 +172,10 @@ static Outcome check_shared(const Arguments *arguments, const RenderBatch *batch
       return refuse("--events -: several sounds cannot share the standard input");
     }
   }
+  const char *const song = arguments_value(arguments, "midi-file");
+  if (song && strcmp(song, "-") == 0) {
+    return refuse("--midi-file -: several sounds cannot share the standard input");
+  }
   if (!arguments_has(arguments, "trace")) return OUTCOME_OK;
   return refuse("--trace: takes one sound only, but %zu were asked for", batch->count);
 }
@@ -183,7 +187,7 @@ static Outcome read_request(RenderJob *job) {
   message_subject(NULL);
   if (job->outcome != OUTCOME_OK) return job->outcome;
   job->rate = request->model.sample_rate;
-  job->last_stroke = strokes_last_frame(&request->strokes) / job->rate;
+  job->last_stroke = render_request_last_frame(request) / job->rate;
   job->length = request->frames / job->rate;
   return OUTCOME_OK;
 }

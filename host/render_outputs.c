@@ -121,6 +121,10 @@ Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *
   while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
     outcome = protect(request, events, "events");
   }
+  const char *const song = arguments_value(arguments, "midi-file");
+  const char *const map = arguments_value(arguments, "midi-map");
+  if (outcome == OUTCOME_OK && song) outcome = protect(request, song, "MIDI file");
+  if (outcome == OUTCOME_OK && map) outcome = protect(request, map, "MIDI map");
   return outcome;
 }
 

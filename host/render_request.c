@@ -2,10 +2,12 @@
 #include "render_request.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "drum_source.h"
 #include "humanize.h"
+#include "midi_options.h"
 #include "number.h"
 #include "render_outputs.h"
 #include "suggest.h"
@@ -22,6 +24,10 @@ const Option render_options[] = {
   {"duration", 0, "SECONDS", "length, 0.01 to 3600 (default: until the drum has died away)"},
   OPTION_STRIKE,
   OPTION_EVENTS,
+  OPTION_MIDI_FILE,
+  OPTION_MIDI_MAP,
+  OPTION_MIDI_CHANNEL,
+  OPTION_VELOCITY_CURVE,
   OPTION_HUMANIZE("0"),
   OPTION_SEED,
   OPTION_SET,
@@ -55,7 +61,7 @@ static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
   const Outcome outcome = number_read(&field, text, &duration);
   if (outcome != OUTCOME_OK) return outcome;
   request->frames = (uint32_t)llround(duration * request->model.sample_rate);
-  const uint32_t last = strokes_last_frame(&request->strokes);
+  const uint32_t last = render_request_last_frame(request);
   if (last < request->frames) return OUTCOME_OK;
   return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s", text,
                 last / request->model.sample_rate);
@@ -124,8 +130,39 @@ static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
+/* Only one thing can come from there. */
+static Outcome check_standard_input(const Arguments *arguments) {
+  const char *const song = arguments_value(arguments, "midi-file");
+  const char *events;
+  size_t position = 0;
+  if (!song || strcmp(song, "-") != 0) return OUTCOME_OK;
+  while ((events = arguments_next(arguments, "events", &position))) {
+    if (strcmp(events, "-") == 0)
+      return refuse("--events - and --midi-file -: allowed: one of them");
+  }
+  return OUTCOME_OK;
+}
+
 static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = check_standard_input(arguments);
+  if (outcome != OUTCOME_OK) return outcome;
   return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
+}
+
+/* Its events join the strokes. */
+static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
+  MidiMap map;
+  TaborEvent *events = NULL;
+  size_t count = 0;
+  Outcome outcome = midi_map_read(arguments, &request->def, &map);
+  if (outcome != OUTCOME_OK || !arguments_has(arguments, "midi-file")) return outcome;
+  outcome =
+    midi_song_read(arguments, &map, &request->def, request->model.sample_rate, &request->song);
+  if (outcome == OUTCOME_OK) outcome = midi_song_take_events(&request->song, &events, &count);
+  if (outcome == OUTCOME_OK) outcome = strokes_merge(&request->strokes, events, count);
+  free(events);
+  if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
+  return outcome;
 }
 
 /* Strokes are in order of time by now, so that the order in which they were given does not matter. */
@@ -148,8 +185,8 @@ void render_request_clear(RenderRequest *request) {
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
   static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
-    read_encoding,   read_gain,     read_drum, read_model,          read_strokes,
-    scatter_strokes, read_duration, read_mics, render_outputs_plan,
+    read_encoding, read_gain,       read_drum,     read_model, read_strokes,
+    read_song,     scatter_strokes, read_duration, read_mics,  render_outputs_plan,
   };
   render_request_clear(request);
   Outcome outcome = OUTCOME_OK;
@@ -162,4 +199,12 @@ Outcome render_request_read(const Arguments *arguments, RenderRequest *request) 
 void render_request_free(RenderRequest *request) {
   render_outputs_free(request);
   strokes_free(&request->strokes);
+  midi_song_free(&request->song);
+}
+
+uint32_t render_request_last_frame(const RenderRequest *request) {
+  const MidiSong *const song = &request->song;
+  const uint32_t strokes = strokes_last_frame(&request->strokes);
+  const uint32_t others = song->count > 0 ? song->items[song->count - 1].frame : 0;
+  return strokes > others ? strokes : others;
 }

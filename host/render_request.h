@@ -7,6 +7,7 @@
 #define TABOR_HOST_RENDER_REQUEST_H
 
 #include "audio_file.h"
+#include "midi_song.h"
 #include "options.h"
 #include "strokes.h"
 
@@ -16,7 +17,8 @@ typedef struct RenderRequest {
   const char *preset;
   TaborDrumDef def;
   TaborModelOptions model;
-  Strokes strokes;
+  Strokes strokes;              /**< and all other events */
+  MidiSong song;                /**< what a MIDI file does beside them */
   AudioFormat audio;            /**< of each file */
   uint32_t channels;            /**< of the whole sound */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel: index into the definition's microphones */
@@ -40,5 +42,7 @@ void render_request_clear(RenderRequest *request);
 /** Reads the command line. Free with render_request_free(), whatever the outcome. */
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request);
 void render_request_free(RenderRequest *request);
+/** Frame of the last thing that happens. */
+uint32_t render_request_last_frame(const RenderRequest *request);
 
 #endif

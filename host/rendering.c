@@ -29,7 +29,7 @@ static Outcome play_block(Rendering *rendering, uint32_t frames) {
   if (rendering->request->has_trace) {
     outcome = session_play_traced(session, frames, &rendering->trace);
   } else {
-    session_play(session, frames);
+    outcome = session_play(session, frames);
   }
   if (outcome != OUTCOME_OK) return outcome;
   if (rendering->request->normalize) {
@@ -84,8 +84,8 @@ static Outcome write_normalized(Rendering *rendering) {
 
 static void prepare_length(Rendering *rendering) {
   RenderRequest *const request = rendering->request;
-  rendering->ring_out = ring_out_begin(request->frames, strokes_last_frame(&request->strokes),
-                                       request->model.sample_rate);
+  rendering->ring_out =
+    ring_out_begin(request->frames, render_request_last_frame(request), request->model.sample_rate);
   request->audio.most_frames = rendering->ring_out.most;
 }
 

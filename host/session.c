@@ -3,75 +3,162 @@
 
 #include <math.h>
 
-#include "drum_source.h"
 #include "stopwatch.h"
 
 Outcome session_open(Session *session, RenderRequest *request) {
+  const double rate = request->model.sample_rate;
   session->request = request;
-  session->next_event = 0;
+  session->next_event = session->next_item = 0;
   session->position = 0;
   session->peak = session->computing = 0;
-  for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) session->outputs[mic] = NULL;
-  for (uint32_t channel = 0; channel < request->channels; channel++) {
-    const uint32_t mic = request->mics[channel];
-    session->outputs[mic] = session->planar[mic];
-  }
-  return drum_create(&request->def, &request->model, &session->drum);
+  session->gain = fader_at(request->gain, rate);
+  session->silence = fader_at(1, rate);
+  for (uint32_t i = 0; i < request->channels; i++) session->mics[i] = request->mics[i];
+  const Outcome outcome = preset_swaps_begin(&session->swaps, &request->def, &request->model);
+  session->drum = session->swaps.drum;
+  return outcome;
 }
+
+/* ---- what the song does beside strokes ---- */
+
+/* The new preset's microphone of the same name, else at the same place, else its first. */
+static void attend(Session *session) {
+  const RenderRequest *const request = session->request;
+  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
+  for (uint32_t i = 0; i < request->channels; i++) {
+    const int mic = tabor_drum_def_find_mic(def, request->def.mic[request->mics[i]].name);
+    const uint32_t placed = request->mics[i] < def->mic_count ? request->mics[i] : 0;
+    session->mics[i] = mic >= 0 ? (uint32_t)mic : placed;
+  }
+}
+
+static Outcome act(Session *session, const MidiAction *action) {
+  Outcome outcome = OUTCOME_OK;
+  switch (action->type) {
+  case MIDI_ACTION_EVENT: break; /* these are among the strokes */
+  case MIDI_ACTION_GAIN: fader_set(&session->gain, session->request->gain * action->value); break;
+  case MIDI_ACTION_SILENCE: fader_set(&session->silence, 0); break;
+  case MIDI_ACTION_PRESET:
+    outcome = preset_swaps_act(&session->swaps, action->preset);
+    attend(session);
+    break;
+  }
+  return outcome;
+}
+
+static bool is_fading_out(const Session *session) { return session->silence.target == 0; }
+
+static const MidiSongItem *next_item(const Session *session) {
+  const MidiSong *const song = &session->request->song;
+  return session->next_item < song->count ? &song->items[session->next_item] : NULL;
+}
+
+static Outcome act_due(Session *session) {
+  const MidiSongItem *item;
+  Outcome outcome = OUTCOME_OK;
+  while (outcome == OUTCOME_OK && !is_fading_out(session) && (item = next_item(session)) &&
+         item->frame <= session->position) {
+    session->next_item++;
+    outcome = act(session, &item->action);
+  }
+  return outcome;
+}
+
+/* Silence has been reached: the drum forgets everything, and is heard again. */
+static void forget(Session *session) {
+  tabor_drum_reset(session->drum);
+  session->silence.now = session->silence.target = 1;
+}
+
+/* How many of *frames frames there are until the song does something. */
+static Outcome begin_piece(Session *session, uint32_t *frames) {
+  if (is_fading_out(session) && session->silence.left == 0) forget(session);
+  const Outcome outcome = act_due(session);
+  const MidiSongItem *const item = next_item(session);
+  uint32_t left = *frames;
+  if (item) left = item->frame - session->position;
+  if (is_fading_out(session)) left = session->silence.left;
+  if (left < *frames) *frames = left;
+  return outcome;
+}
+
+/* ---- sound ---- */
 
 /* This thread's: others may play other drums. */
 static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
-/* Plays frames from session->position on to outputs. */
-static void process(Session *session, float *const *outputs, uint32_t frames) {
+/* The strokes of the next @p frames frames; those that waited act at the first. */
+static uint32_t take_events(Session *session, uint32_t frames) {
   const Strokes *const strokes = &session->request->strokes;
   TaborEvent *const events = strokes->events + session->next_event;
+  const uint32_t position = session->position;
   uint32_t count = 0;
-  while (session->next_event < strokes->count && events[count].frame < session->position + frames) {
-    events[count].frame -= session->position; /* from here on counted within the block */
+  while (!is_fading_out(session) && session->next_event < strokes->count &&
+         events[count].frame < position + frames) {
+    TaborEvent *const event = &events[count]; /* from here on counted within the piece */
+    event->frame = event->frame > position ? event->frame - position : 0;
     session->next_event++;
     count++;
   }
-  const double start = processor_time();
-  tabor_drum_process(session->drum, events, count, outputs, frames);
-  session->computing += processor_time() - start;
-  session->position += frames;
+  return count;
 }
 
-static void interleave(Session *session, uint32_t frames) {
-  const RenderRequest *const request = session->request;
-  const uint32_t channels = request->channels;
-  for (uint32_t channel = 0; channel < channels; channel++) {
-    const float *const samples = session->planar[request->mics[channel]];
-    for (uint32_t frame = 0; frame < frames; frame++) {
-      const double sample = request->gain * (double)samples[frame];
+/* Frames from @p at on in the block. */
+static void interleave(Session *session, uint32_t at, uint32_t frames) {
+  const uint32_t channels = session->request->channels;
+  for (uint32_t frame = at; frame < at + frames; frame++) {
+    const double gain = fader_next(&session->gain) * fader_next(&session->silence);
+    for (uint32_t channel = 0; channel < channels; channel++) {
+      const double sample = gain * (double)session->planar[session->mics[channel]][frame];
       session->interleaved[frame * channels + channel] = sample;
       session->peak = fmax(session->peak, fabs(sample));
     }
   }
 }
 
-void session_play(Session *session, uint32_t frames) {
-  process(session, session->outputs, frames);
-  interleave(session, frames);
+static void play_piece(Session *session, uint32_t at, uint32_t frames) {
+  const RenderRequest *const request = session->request;
+  float *outputs[TABOR_MAX_MICS] = {NULL}; /* for microphones that nobody hears */
+  for (uint32_t channel = 0; channel < request->channels; channel++) {
+    const uint32_t mic = session->mics[channel];
+    outputs[mic] = session->planar[mic] + at;
+  }
+  TaborEvent *const events = request->strokes.events + session->next_event;
+  const uint32_t count = take_events(session, frames);
+  const double start = processor_time();
+  tabor_drum_process(session->drum, events, count, outputs, frames);
+  session->computing += processor_time() - start;
+  session->position += frames;
+  interleave(session, at, frames);
 }
+
+/* Frames @p at to @p end of the block. */
+static Outcome play(Session *session, uint32_t at, uint32_t end) {
+  Outcome outcome = OUTCOME_OK;
+  while (outcome == OUTCOME_OK && at < end) {
+    uint32_t frames = end - at;
+    outcome = begin_piece(session, &frames);
+    if (outcome == OUTCOME_OK) play_piece(session, at, frames);
+    at += frames;
+  }
+  return outcome;
+}
+
+Outcome session_play(Session *session, uint32_t frames) { return play(session, 0, frames); }
 
 Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace) {
   const double rate = session->request->model.sample_rate;
   Outcome outcome = OUTCOME_OK;
   for (uint32_t frame = 0; outcome == OUTCOME_OK && frame < frames; frame++) {
-    float *outputs[TABOR_MAX_MICS];
-    for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) {
-      outputs[mic] = session->outputs[mic] ? session->outputs[mic] + frame : NULL;
+    outcome = play(session, frame, frame + 1);
+    if (outcome == OUTCOME_OK) {
+      outcome = trace_file_row(trace, session->position / rate, session->drum);
     }
-    process(session, outputs, 1);
-    outcome = trace_file_row(trace, session->position / rate, session->drum);
   }
-  interleave(session, frames);
   return outcome;
 }
 
 void session_free(Session *session) {
-  tabor_drum_destroy(session->drum);
   session->drum = NULL;
+  preset_swaps_free(&session->swaps);
 }

@@ -2,10 +2,16 @@
 /**
  * @file session.h
  * One drum being played: strokes in, interleaved samples out.
+ *
+ * What a MIDI file does beside its strokes acts at its frame, before these: a gain is reached over
+ * 5 ms; silence fades the sound out in 5 ms, in which strokes wait, and leaves the drum at rest; another
+ * preset goes on from where the drum is.
  */
 #ifndef TABOR_HOST_SESSION_H
 #define TABOR_HOST_SESSION_H
 
+#include "fader.h"
+#include "preset_swaps.h"
 #include "render_request.h"
 #include "trace_file.h"
 
@@ -14,11 +20,13 @@
 typedef struct Session {
   RenderRequest *request;
   TaborDrum *drum;
-  size_t next_event;
-  uint32_t position;              /**< frames played */
-  double peak;                    /**< largest sample in size */
-  double computing;               /**< processor time that the drum took [s] */
-  float *outputs[TABOR_MAX_MICS]; /**< into planar; NULL for microphones that nobody hears */
+  PresetSwaps swaps;
+  size_t next_event, next_item; /**< of the strokes, of the song */
+  uint32_t position;            /**< frames played */
+  double peak;                  /**< largest sample in size */
+  double computing;             /**< processor time that the drum took [s] */
+  Fader gain, silence;          /**< factors */
+  uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
   float planar[TABOR_MAX_MICS][SESSION_BLOCK];
   double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */
 } Session;
@@ -26,7 +34,7 @@ typedef struct Session {
 /** Builds model and drum. Free with session_free(), whatever the outcome. */
 Outcome session_open(Session *session, RenderRequest *request);
 /** Plays @p frames frames, at most SESSION_BLOCK, into interleaved. */
-void session_play(Session *session, uint32_t frames);
+Outcome session_play(Session *session, uint32_t frames);
 /** The same one frame at a time, with a row of @p trace after each. The samples are the same. */
 Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace);
 void session_free(Session *session);

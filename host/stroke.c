@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "drum_source.h"
+#include "midi_speed.h"
 #include "number.h"
 #include "suggest.h"
 
@@ -39,12 +39,12 @@ static Outcome read_velocity(Stroke *stroke, const Label *label, const char *val
   return number_read(&field, value, &stroke->event.velocity);
 }
 
-/* The speed of a MIDI key: in ratios from 0.3 m/s for 1 to 12 m/s for 127. */
+/* The speed of a MIDI note. */
 static Outcome read_midi(Stroke *stroke, const Label *label, const char *value) {
   const NumberField field = {label->text, 1, 127, true};
   double velocity = 0;
   const Outcome outcome = number_read(&field, value, &velocity);
-  stroke->event.velocity = 0.3 * pow(12 / 0.3, (velocity - 1) / 126);
+  stroke->event.velocity = midi_speed(MIDI_CURVE_LINEAR, velocity);
   return outcome;
 }
 

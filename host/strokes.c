@@ -82,12 +82,28 @@ Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double
   while (outcome == OUTCOME_OK && (file = arguments_next(arguments, "events", &position))) {
     outcome = events_file_read(file, def, strokes);
   }
-  if (outcome == OUTCOME_OK && strokes->count == 0) {
+  if (outcome == OUTCOME_OK && strokes->count == 0 && !arguments_has(arguments, "midi-file")) {
     const Stroke stroke = stroke_default(def, "[strike]");
     outcome = strokes_add(strokes, &stroke);
   }
-  if (outcome != OUTCOME_OK) return outcome;
+  if (outcome != OUTCOME_OK || strokes->count == 0) return outcome;
   qsort(strokes->events, strokes->count, sizeof *strokes->events, compare_events);
+  return OUTCOME_OK;
+}
+
+Outcome strokes_merge(Strokes *strokes, const TaborEvent *events, size_t count) {
+  const size_t capacity = strokes->count + count;
+  TaborEvent *const merged = calloc(capacity + 1, sizeof *merged);
+  if (!merged) return fail_memory();
+  size_t own = 0, others = 0;
+  for (size_t i = 0; i < capacity; i++) {
+    const bool from_own = own < strokes->count &&
+                          (others == count || strokes->events[own].frame <= events[others].frame);
+    merged[i] = from_own ? strokes->events[own++] : events[others++];
+  }
+  free(strokes->events);
+  strokes->events = merged;
+  strokes->count = strokes->capacity = capacity;
   return OUTCOME_OK;
 }
 
@@ -97,5 +113,5 @@ void strokes_free(Strokes *strokes) {
 }
 
 uint32_t strokes_last_frame(const Strokes *strokes) {
-  return strokes->events[strokes->count - 1].frame;
+  return strokes->count > 0 ? strokes->events[strokes->count - 1].frame : 0;
 }

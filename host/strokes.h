@@ -24,15 +24,17 @@ typedef struct Strokes {
 } Strokes;
 
 /**
- * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, the
- * preset's own stroke at time 0. Free with strokes_free(), whatever the outcome.
+ * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, and
+ * without --midi-file, the preset's own stroke at time 0. Free with strokes_free(), whatever the outcome.
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes);
 /** Adds one behind the others, whatever its time. */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
+/** Adds @p count events that are in order of time; of one frame they come behind those that are there. */
+Outcome strokes_merge(Strokes *strokes, const TaborEvent *events, size_t count);
 void strokes_free(Strokes *strokes);
-/** Frame of the last stroke. */
+/** Frame of the last event; 0 if there is none. */
 uint32_t strokes_last_frame(const Strokes *strokes);
 
 #endif

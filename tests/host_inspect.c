@@ -8,6 +8,7 @@
  *     host_inspect sound FILE       container encoding rate channels frames
  *     host_inspect peak FILE        largest sample in size
  *     host_inspect first FILE       number of the first frame that is not zero
+ *     host_inspect rms FILE A B     root mean square from A to B [s]
  *     host_inspect distance A B     largest difference of two sounds
  *     host_inspect equal A B        status 0 if there is none, whatever the containers
  */
@@ -111,6 +112,17 @@ static double peak(const Sound *sound) {
   return largest;
 }
 
+static double rms(const Sound *sound, double from, double to) {
+  const double rate = sound->info.samplerate * sound->info.channels;
+  double sum = 0, count = 0;
+  for (sf_count_t i = 0; i < sound->count; i++) {
+    if ((double)i < from * rate || (double)i >= to * rate) continue;
+    sum += sound->samples[i] * sound->samples[i];
+    count++;
+  }
+  return sqrt(sum / count); /* of nothing: not a number */
+}
+
 static long long first_frame(const Sound *sound) {
   sf_count_t i = 0;
   while (i < sound->count && sound->samples[i] == 0) i++;
@@ -130,13 +142,16 @@ static double distance(const Sound *a, const char *path) {
   return largest;
 }
 
-static int inspect_sound(const char *what, const Sound *sound, const char *other) {
+static int inspect_sound(const char *what, const Sound *sound, char *const *others) {
+  const char *const other = others[0];
   const int format = sound->info.format;
   if (strcmp(what, "sound") == 0) {
     printf("%s %s %d %d %lld\n", container_name(format), encoding_name(format),
            sound->info.samplerate, sound->info.channels, (long long)sound->info.frames);
   } else if (strcmp(what, "peak") == 0) {
     printf("%.9g\n", peak(sound));
+  } else if (strcmp(what, "rms") == 0 && other && others[1]) {
+    printf("%.9g\n", rms(sound, atof(other), atof(others[1])));
   } else if (strcmp(what, "first") == 0) {
     printf("%lld\n", first_frame(sound));
   } else if (strcmp(what, "distance") == 0) {
@@ -151,8 +166,7 @@ int main(int argc, char **argv) {
   if (argc < 3) return 2;
   if (strcmp(argv[1], "json") == 0) return inspect_json(argv[2]);
   Sound sound = {0};
-  const int status =
-    sound_read(argv[2], &sound) ? inspect_sound(argv[1], &sound, argv[argc - 1]) : 1;
+  const int status = sound_read(argv[2], &sound) ? inspect_sound(argv[1], &sound, argv + 3) : 1;
   free(sound.samples);
   return status;
 }

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file midi_drum.h
+ * MIDI messages into what a drum does: events for the engine, and the few things beside it. Data in,
+ * data out; every message is a bounded amount of work and at most one action.
+ *
+ * Strokes take place and angle from the controllers once these have moved, from the preset's [strike]
+ * before. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
+ * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. That is the hand that mutes best; a stronger one holds
+ * the head still where it lies, and lets it ring around.
+ */
+#ifndef TABOR_HOST_MIDI_DRUM_H
+#define TABOR_HOST_MIDI_DRUM_H
+
+#include "midi_map.h"
+
+typedef enum MidiActionType {
+  MIDI_ACTION_EVENT = 1, /**< for tabor_drum_process(); its frame is the caller's to set */
+  MIDI_ACTION_GAIN,      /**< the output's gain from here on is value */
+  MIDI_ACTION_PRESET,    /**< built-in preset number preset */
+  MIDI_ACTION_SILENCE    /**< everything stops sounding at once */
+} MidiActionType;
+
+typedef struct MidiAction {
+  MidiActionType type;
+  TaborEvent event;
+  double value;    /**< gain, factor */
+  uint32_t preset; /**< index for tabor_preset() */
+} MidiAction;
+
+/** A live parameter as events name it. */
+typedef struct MidiParameter {
+  bool there; /**< the drum has it */
+  uint32_t id, index;
+  double minimum, maximum;
+  bool logarithmic;
+} MidiParameter;
+
+/** What the map means on one drum. Plain data: copy it by assignment. */
+typedef struct MidiBinding {
+  double head_radius;             /**< [m] */
+  double radius, angle;           /**< of the preset's stroke [m], [deg] */
+  uint32_t strikers[MIDI_VALUES]; /**< of each note: index */
+  double strainer;                /**< the preset's */
+  MidiParameter grip, strainer_parameter;
+  MidiParameter parameters[MIDI_VALUES]; /**< that controllers move */
+} MidiBinding;
+
+/** What came and was not used, and what was. */
+typedef struct MidiCounts {
+  uint64_t strokes;
+  uint64_t ignored_notes; /**< not in the map */
+} MidiCounts;
+
+typedef struct MidiDrum {
+  const MidiMap *map;
+  MidiBinding binding;             /**< of the drum that plays; assign another when it changes */
+  uint8_t values[MIDI_VALUES];     /**< of controllers */
+  bool moved[MIDI_VALUES];         /**< controllers that have come */
+  double radius, angle;            /**< by controllers: of the head's radius, [deg]; NaN before */
+  uint8_t prefixes[MIDI_CHANNELS]; /**< low bits for the next note's velocity */
+  bool hands[2];                   /**< by channel and by key pressure: on the head */
+  uint32_t next_id;                /**< of a stroke */
+  MidiCounts counts;
+} MidiDrum;
+
+/** SET-UP. What @p map means on @p def. */
+void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding);
+/** SET-UP. Begins; @p map must outlive it. */
+void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *binding);
+/** AUDIO. True if @p message does something: then *action says what. */
+bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *action);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file midi_options.h
+ * The MIDI map that the command line asks for.
+ */
+#ifndef TABOR_HOST_MIDI_OPTIONS_H
+#define TABOR_HOST_MIDI_OPTIONS_H
+
+#include "midi_map.h"
+#include "options.h"
+
+/** Rows of the option tables for what midi_map_read() reads. */
+#define OPTION_MIDI_MAP                                                                            \
+  { "midi-map", 0, "FILE", "what notes and controllers do (docs/midi.md)" }
+#define OPTION_MIDI_CHANNEL                                                                        \
+  { "midi-channel", 0, "N", "hear one channel only, 1 to 16 (default omni: all)" }
+#define OPTION_VELOCITY_CURVE                                                                      \
+  { "velocity-curve", 0, "CURVE", "of MIDI notes: soft, linear or hard (default linear)" }
+
+/**
+ * The usual map, or that of --midi-map, with --midi-channel and --velocity-curve. Refuses one that
+ * names a striker which @p def has not got.
+ */
+Outcome midi_map_read(const Arguments *arguments, const TaborDrumDef *def, MidiMap *map);
+
+#endif

@@ -303,6 +303,8 @@ static void presets_step_round(void **state) {
 
 enum { LOAD_BLOCK = 256, LOAD_SECONDS = 20, LOAD_BLOCKS = LOAD_SECONDS * 48000 / LOAD_BLOCK };
 
+static bool is_brief; /* under sanitizers: a tenth of it, whose time says nothing */
+
 /* Random strokes, 9 a second, and live changes. */
 static void write_random(Messages *messages, uint64_t random) {
   uint64_t frame = 0;
@@ -318,12 +320,12 @@ static void write_random(Messages *messages, uint64_t random) {
 }
 
 /* Processor time of every block, the least of the runs so far: others use this machine, too. */
-static double measure(const char *preset, double *least) {
+static double measure(const char *preset, uint32_t blocks, double *least) {
   static Messages messages;
   double worst = 0;
   Stage *const stage = stage_open(preset, TABOR_QUALITY_LIVE, true, LOAD_SECONDS * 48000);
   write_random(&messages, 7);
-  for (uint32_t block = 0; block < LOAD_BLOCKS; block++) {
+  for (uint32_t block = 0; block < blocks; block++) {
     const double start = stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID);
     stage_play(stage, &messages, (uint64_t)(block + 1) * LOAD_BLOCK, LOAD_BLOCK);
     least[block] = fmin(least[block], stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID) - start);
@@ -335,7 +337,7 @@ static double measure(const char *preset, double *least) {
   player_status(stage->player, &status);
   assert_int_equal(status.recovered, 0);
   assert_int_equal(status.dropped, 0);
-  assert_true(status.strokes > 9 * LOAD_SECONDS / 2);
+  assert_true(status.strokes > 4 * blocks * LOAD_BLOCK / 48000);
   stage_close(stage);
   return worst;
 }
@@ -346,14 +348,17 @@ static void blocks_are_computed_in_time(void **state) {
   const double deadline = LOAD_BLOCK / 48000.0;
   double worst = INFINITY;
   for (uint32_t i = 0; i < LOAD_BLOCKS; i++) least[i] = INFINITY;
-  for (int run = 0; run < 3 && worst > deadline; run++) worst = measure(PRESET, least);
+  if (is_brief) {
+    (void)measure(PRESET, LOAD_BLOCKS / 10, least);
+    return;
+  }
+  for (int run = 0; run < 3 && worst > deadline; run++) worst = measure(PRESET, LOAD_BLOCKS, least);
   printf("the worst block of %s took %.0f %% of its time\n", PRESET, 100 * worst / deadline);
-#if !defined(__SANITIZE_ADDRESS__)
   assert_true(worst < deadline);
-#endif
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  is_brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sound_does_not_depend_on_blocks),
     cmocka_unit_test(sound_is_the_drums),

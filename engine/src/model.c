@@ -25,7 +25,7 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
   case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2};
   case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
-  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 1e-4, 1e-3};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3};
   }
 }
 

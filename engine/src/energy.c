@@ -69,6 +69,7 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
   return 0.5 * sum;
 }
 
+/* Of strikers, their contacts, and what the head yields to them by its missing modes. */
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   const uint32_t first = view->model->wires.stride;
   double sum = 0.0;
@@ -78,7 +79,9 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
     const double velocity = (next->z[i] - now->z[i]) * view->model->sample_rate;
     sum += slot->mass * velocity * velocity +
            tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
-           tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]);
+           tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
+           2.0 * tb_mobility_energy(tb_slot_missing(view, i), view->model->sample_rate,
+                                    next->missing[i], now->missing[i]);
   }
   return 0.5 * sum;
 }
@@ -125,6 +128,11 @@ TbLosses tb_losses(const TbView *view) {
       model->kernels
         ->losses(modes->padded, modes->loss_shell, modes->loss_shell, view->next.q, view->last.q)
         .first;
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
+    losses.head +=
+      tb_mobility_loss(tb_slot_missing(view, i), view->next.missing[i], view->last.missing[i]);
   }
   for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) {
     const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;

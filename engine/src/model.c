@@ -165,6 +165,18 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
   return TABOR_OK;
 }
 
+/* A head whose modes are all heard and felt has no others: a bandwidth that ends there says so. */
+static TaborStatus prepare_missing(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  const double bandwidth = model->def.quality.bandwidth;
+  if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
+  for (uint32_t i = 0; i < model->def.striker_count; i++) {
+    tb_mobility_prepare(&model->missing[i], &model->def, model->head.bandwidth,
+                        model->def.striker[i].contact_radius, model->time_step);
+  }
+  return TABOR_OK;
+}
+
 static TaborStatus allocate_rest(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   TbRest *rest = &model->rest;
@@ -192,6 +204,7 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->wires.stride, sizeof model->wires.stride);
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
+  hash = hash_bytes(hash, model->missing, sizeof model->missing);
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
   hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);
@@ -234,9 +247,9 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws, prepare_stretch,
-                           tb_lift_prepare, prepare_center,     prepare_mics, prepare_patches,
-                           allocate_rest,   tb_rest_prepare};
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_stretch,
+                           tb_lift_prepare, prepare_center,     prepare_mics,   prepare_patches,
+                           prepare_missing, allocate_rest,      tb_rest_prepare};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }

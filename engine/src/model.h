@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 
 #include "highband.h"
+#include "mobility.h"
 #include "solve.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
@@ -93,7 +94,8 @@ struct TaborModel {
   TbCompliance compliance; /* of the head over one step */
   TbStretch stretch;
   TbLugs lugs;
-  double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
+  double *patches[TABOR_MAX_STRIKERS + 1];    /* of each striker, then of a hand */
+  TbMobility missing[TABOR_MAX_STRIKERS + 1]; /* likewise; none for a hand */
   double *center; /* [padded]: shape at the centre of the head that has the wires */
   TbLayout layout;
   uint64_t fingerprint; /* of everything that a saved state depends on */

@@ -36,6 +36,7 @@ static void couple(TbView *view, uint32_t slot) {
     view->slot_coupling[slot * TB_SLOTS + other] = value;
     view->slot_coupling[other * TB_SLOTS + slot] = value;
   }
+  view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_missing(view, slot)->compliance;
 }
 
 /* Displacement of the striker itself one step after a unit force [m/N]. */
@@ -67,6 +68,13 @@ static double head_at(const TbView *view, uint32_t slot, const double *q) {
   return view->model->kernels->dot(view->model->modes.padded, tb_slot_shape(view, slot), q);
 }
 
+/* Of a striker: its tip is in the head by this much. */
+static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
+  return head_at(view, slot, phase->q) +
+         tb_mobility_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
+         phase->z[slot];
+}
+
 void tb_slots_rebuild(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = &view->state->slots[slot];
@@ -80,8 +88,8 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
     tb_model_high_drive(model, s->definition, s->radius, s->angle, tb_slot_high_drive(view, slot));
   s->rest_height = head_at(view, slot, model->rest.q);
   const uint32_t row = model->wires.stride + slot;
-  view->now.eta[row] = head_at(view, slot, view->now.q) - (hand ? 0.0 : view->now.z[slot]);
-  view->last.eta[row] = head_at(view, slot, view->last.q) - (hand ? 0.0 : view->last.z[slot]);
+  view->now.eta[row] = penetration_at(view, slot, &view->now);
+  view->last.eta[row] = penetration_at(view, slot, &view->last);
   view->solve.force[row] = 0.0;
 }
 
@@ -91,6 +99,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   TbPhase *const phases[3] = {&view->next, &view->now, &view->last};
   for (int i = 0; i < 3; i++) {
     phases[i]->z[slot] = 0.0;
+    memset(phases[i]->missing[slot], 0, sizeof phases[i]->missing[slot]);
     phases[i]->eta[row] = TB_NOTHING;
   }
   memset(tb_slot_coupling(view, slot), 0, view->model->projection.bed.size * sizeof(double));
@@ -110,6 +119,8 @@ static void take_away(TbView *view, uint32_t slot) {
     state->sums.removed += 0.5 * (s->mass * velocity * velocity +
                                   tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
                                   tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
+    state->sums.removed += tb_mobility_energy(tb_slot_missing(view, slot), view->model->sample_rate,
+                                              view->now.missing[slot], view->last.missing[slot]);
   }
   clear_row(view, slot);
   *s = (TbSlot){0};

@@ -34,7 +34,7 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 #define TB_MUFFLERS ((uint32_t)TABOR_MAX_ACTIVE)
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
- * height at its place; penetration eta = w - z (a hand: eta = w). */
+ * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. */
 typedef struct TbSlot {
   uint32_t kind, id;
   uint64_t serial;                          /* order of arrival */
@@ -66,14 +66,15 @@ typedef struct TbState {
   TbSlot slots[TB_SLOTS];
   TbLaw slot_laws[TB_SLOTS];
   double z[3][TB_SLOTS];
+  double missing[3][TB_SLOTS][TB_MISSING];
   TaborLedger sums; /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
-/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, and
- * modes of the high band. */
+/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, modes of the
+ * high band, and what stands for the head's missing modes under each striker. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z, *high;
+  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING];
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */
@@ -111,6 +112,10 @@ static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
 }
 static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
   return view->high_drive + (size_t)slot * view->model->high.padded;
+}
+static inline const TbMobility *tb_slot_missing(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return &view->model->missing[s->kind == TB_SLOT_STRIKER ? s->definition : TABOR_MAX_STRIKERS];
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
   return view->coupling + (size_t)slot * view->model->projection.bed.size;

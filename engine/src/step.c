@@ -77,8 +77,13 @@ static void free_penetration(TbView *view) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
-    const bool striker = view->state->slots[i].kind == TB_SLOT_STRIKER;
-    const double eta = striker ? head - tb_slots_free_height(view, i) : head;
+    double eta = head;
+    if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
+      const TbMobility *missing = tb_slot_missing(view, i);
+      tb_mobility_step(missing, view->next.missing[i], view->now.missing[i], view->last.missing[i]);
+      eta +=
+        tb_mobility_displacement(missing, view->next.missing[i]) - tb_slots_free_height(view, i);
+    }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
 }
@@ -117,6 +122,7 @@ static void respond(TbView *view, bool unchanged) {
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
+      tb_mobility_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
     }
     view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
@@ -297,6 +303,10 @@ static void clear_vanished(TbView *view) {
       view->now.q[i] = view->last.q[i] = 0.0;
     }
   }
+  double *now = view->now.missing[0], *last = view->last.missing[0];
+  for (uint32_t i = 0; i < TB_SLOTS * TB_MISSING; i++) {
+    if (fabs(now[i]) < VANISHED && fabs(last[i]) < VANISHED) now[i] = last[i] = 0.0;
+  }
 }
 
 static void clear_high(TbView *view) {
@@ -312,6 +322,7 @@ static void fall_asleep(TbView *view) {
   const uint32_t rows = model->wires.stride + TB_SLOTS;
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
+    memset(view->now.missing, 0, sizeof view->state->missing[0]);
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
@@ -327,6 +338,7 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
+  memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }

@@ -148,6 +148,13 @@ static void carry_contacts(const TbView *from, TbView *to) {
   tb_lift_penetrations(to, &to->last);
 }
 
+static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
+  double *now = to->now.missing[slot], *last = to->last.missing[slot];
+  memcpy(now, from->now.missing[slot], sizeof from->now.missing[slot]);
+  memcpy(last, from->last.missing[slot], sizeof from->last.missing[slot]);
+  tb_mobility_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
+}
+
 static void carry_slots(const TbView *from, TbView *to) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
@@ -160,6 +167,7 @@ static void carry_slots(const TbView *from, TbView *to) {
     to->state->slot_mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = from->last.z[i];
+    carry_missing(from, to, i);
   }
   tb_slots_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {

@@ -35,7 +35,8 @@ static TaborStatistics statistics_of(const TaborDrum *drum) {
   return statistics;
 }
 
-/* At 2.9 mm wires are computed, at 6 mm not: the head feels neither. */
+/* At 2.9 mm wires are computed, at 6 mm not: the head feels neither. A harder stroke on the moving head would
+ * lower them, which rounds. */
 static void nothing_is_heard_of_it(void **state) {
   (void)state;
   static float heard[2][BLOCKS * BLOCK];
@@ -43,7 +44,7 @@ static void nothing_is_heard_of_it(void **state) {
   for (int i = 0; i < 2; i++) {
     TaborModel *model = drum_off(travel[i]);
     TaborDrum *drum = physics_drum(model);
-    const TaborEvent strike = {.type = TABOR_EVENT_STRIKE, .velocity = 8.0, .radius = 0.05};
+    const TaborEvent strike = {.type = TABOR_EVENT_STRIKE, .velocity = 6.0, .radius = 0.05};
     play(drum, &strike, heard[i], BLOCKS / 2);
     play(drum, &strike, heard[i] + BLOCKS / 2 * BLOCK, BLOCKS / 2);
     assert_int_equal(statistics_of(drum).contact_max, 2); /* stick and muffler alone */

@@ -13,10 +13,13 @@
  * The integral is cut into TB_MISSING cells, each an oscillator of unit mass that the force drives by phi:
  *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C:
  * so they yield together as the missing modes do, at low frequencies and at high ones. Each decays by half
- * its cell's width in frequency: so many of these resonances, side by side, are as smooth as the continuum
- * (within 2 exp(-pi)). What they lose is the head's, in waves; without losses they keep it. The last cell
- * has no end; what the rate cannot follow there is a spring. They are modes like any other in the recursion of
- * modes.h, so all that keeps those exact in energy keeps these.
+ * its cell's width in frequency: side by side, such resonances are as smooth as the continuum (within 2 exp(-pi)),
+ * if a fifth short of it half an octave above the limit, by tails that reach below. What they lose is the head's, in
+ * waves; without losses they keep it. The last cell has no end; what the rate cannot follow there is a spring. They
+ * are modes like any other in the recursion of modes.h, so all that keeps those exact in energy keeps these. (One
+ * spring with a damper, f = d/C + r d', would do for the spring; but at the limit, where the real part leaps to its
+ * full size, it has a fifth of it or less under a drumstick, K_c a = 1 to 2, and over two steps without loss it
+ * rings at a quarter of the rate.)
  *
  * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0; omega_c -> infinity or
  * a -> infinity leaves nothing. A point, a = 0, would yield without bound: it has no missing modes here. */

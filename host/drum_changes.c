@@ -168,6 +168,7 @@ static Outcome send_swap(DrumChanges *changes, TaborModel *model, uint64_t frame
   changes->pending = pending;
   changes->model = model;
   message.event.swap = pending->swap;
+  message.strikers = tabor_model_definition(model)->striker_count;
   choose_mics(changes, tabor_model_definition(model), message.mics);
   (void)player_send(changes->player, SOURCE_SWAPS, &message); /* few: there is always room */
   return OUTCOME_OK;

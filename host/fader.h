@@ -9,6 +9,8 @@
 
 #include <stdint.h>
 
+#include "realtime.h"
+
 #define FADER_TIME 0.005 /**< [s] */
 
 typedef struct Fader {

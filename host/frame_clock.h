@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "realtime.h"
+
 typedef struct FrameClock {
   double rate;            /**< [Hz] */
   _Atomic double zero;    /**< time of frame 0 [s] */
@@ -25,8 +27,8 @@ typedef struct FrameClock {
 /** Before the threads begin; @p delay in frames as far as it is known. */
 void frame_clock_start(FrameClock *clock, double rate, uint32_t delay);
 /** AUDIO: a block of @p frames frames from @p frame on is asked for at time @p now [s]. */
-void frame_clock_tick(FrameClock *clock, uint64_t frame, uint32_t frames, double now);
+void frame_clock_tick(FrameClock *clock, uint64_t frame, uint32_t frames, double now) REALTIME;
 /** ANY: the frame on which an event of time @p time [s] falls; 0 before the first block. */
-uint64_t frame_clock_frame(const FrameClock *clock, double time);
+uint64_t frame_clock_frame(const FrameClock *clock, double time) REALTIME;
 
 #endif

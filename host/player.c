@@ -83,18 +83,12 @@ static void meter_event(Player *player, const TaborEvent *event) {
 
 /* ---- messages ------------------------------------------------------------------------------- */
 
-/* Which planar output each channel hears, and what the model's strikers are. */
-static void listen(Player *player) {
+void player_listen(Player *player) {
   for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) player->outputs[mic] = NULL;
   for (uint32_t channel = 0; channel < player->channels; channel++) {
     const uint32_t mic = player->mics[channel];
     player->outputs[mic] = player->planar[mic];
   }
-}
-
-void player_attend(Player *player, const TaborModel *model) {
-  player->striker_count = tabor_model_definition(model)->striker_count;
-  listen(player);
 }
 
 /* A reset takes live parameters back to the model's: remember where they are. */
@@ -128,7 +122,8 @@ static void swap(Player *player, const PlayerMessage *message) {
   event.frame = 0;
   tabor_drum_process(player->drum, &event, 1, NULL, 0);
   for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
-  player_attend(player, tabor_drum_model(player->drum));
+  player->striker_count = message->strikers;
+  player_listen(player);
   player->live_count = 0; /* the model has them, or others */
   meter_event(player, &event);
 }

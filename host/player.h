@@ -18,6 +18,7 @@
 
 #include "message.h"
 #include "play_status.h"
+#include "realtime.h"
 
 #define PLAYER_NOW 0      /**< as a message's frame: as soon as possible, and not late */
 #define PLAYER_RECORD 256 /**< frames of a block for the recording */
@@ -34,7 +35,8 @@ typedef enum PlayerSource {
 
 typedef enum PlayerMessageType {
   PLAYER_EVENT, /**< event; but swaps come as PLAYER_SWAP */
-  PLAYER_SWAP,  /**< event, and mics: of each channel, its microphone in the new model */
+  PLAYER_SWAP,  /**< event; mics: each channel's microphone in the new model, which has so many
+                      strikers */
   PLAYER_GAIN,  /**< value: factor of the output, reached over 5 ms */
   PLAYER_SILENCE /**< the sound fades out within 5 ms, and the drum is at rest; strokes wait for it */
 } PlayerMessageType;
@@ -43,6 +45,7 @@ typedef struct PlayerMessage {
   uint64_t frame; /**< since playing began, or PLAYER_NOW */
   uint32_t type;  /**< a PlayerMessageType */
   uint8_t mics[TABOR_MAX_MICS];
+  uint32_t strikers;
   double value;
   TaborEvent event; /**< its own frame is ignored */
 } PlayerMessage;
@@ -84,7 +87,7 @@ uint64_t player_most_frames(const Player *player);
 /* SOURCES: each one thread */
 
 /** Real-time safe. False: the ring was full, the message is dropped and counted. */
-bool player_send(Player *player, PlayerSource source, const PlayerMessage *message);
+bool player_send(Player *player, PlayerSource source, const PlayerMessage *message) REALTIME;
 /** Messages of a source that still wait. */
 size_t player_waiting(const Player *player, PlayerSource source);
 /** The frame for what happens at @p time [s of CLOCK_MONOTONIC]: as late as every other, by one
@@ -98,7 +101,7 @@ uint64_t player_frame_at(const Player *player, double time);
  * for at @p now [s of CLOCK_MONOTONIC]. @p gap: the device has run dry before. False once everything
  * has been played: then there is silence.
  */
-bool player_process(Player *player, float *samples, uint32_t frames, double now, bool gap);
+bool player_process(Player *player, float *samples, uint32_t frames, double now, bool gap) REALTIME;
 
 /* THE RECORDING'S THREAD */
 

@@ -55,7 +55,8 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   player->silence = fader_at(1, setup->rate);
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
-  player_attend(player, tabor_drum_model(setup->drum));
+  player->striker_count = tabor_model_definition(tabor_drum_model(setup->drum))->striker_count;
+  player_listen(player);
   return create_rings(player) ? OUTCOME_OK : fail_memory();
 }
 

@@ -77,9 +77,9 @@ struct Player {
   uint32_t load_seen[LOAD_BINS];
 };
 
-/* Takes up what a model has: its strikers. */
-void player_attend(Player *player, const TaborModel *model);
+/* Gives each channel's microphone its samples in planar. */
+void player_listen(Player *player) REALTIME;
 /* The block for the recording is complete. */
-void player_hand_over(Player *player);
+void player_hand_over(Player *player) REALTIME;
 
 #endif

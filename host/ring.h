@@ -14,6 +14,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "realtime.h"
+
 #define RING_LINE 64 /* bytes of a cache line: the two ends do not share one */
 
 typedef struct Ring {
@@ -36,14 +38,14 @@ void ring_destroy(Ring *ring);
 /* PRODUCER */
 
 /** Appends a copy of @p message; a full ring stays as it is, counts a dropped message: false. */
-bool ring_push(Ring *ring, const void *message);
+bool ring_push(Ring *ring, const void *message) REALTIME;
 
 /* CONSUMER */
 
 /** The oldest message, valid until ring_pop(); NULL if there is none. */
-const void *ring_peek(const Ring *ring);
+const void *ring_peek(const Ring *ring) REALTIME;
 /** Removes the oldest message; there must be one. */
-void ring_pop(Ring *ring);
+void ring_pop(Ring *ring) REALTIME;
 
 /* ANY */
 

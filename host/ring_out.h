@@ -9,6 +9,8 @@
 
 #include <tabor/tabor.h>
 
+#include "realtime.h"
+
 /** Frames from one look at the energy to the next; fixed, as the length depends on it. */
 #define RING_OUT_BLOCK 256
 #define RING_OUT_MOST_TIME 20.0 /**< after the last stroke [s] */
@@ -23,6 +25,6 @@ typedef struct RingOut {
 /** A sound of @p frames frames, or, if that is 0, until @p rate [Hz]'s drum has died away. */
 RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate);
 /** Looks at @p drum after @p position frames, at every block's end; true if the sound is over. */
-bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum);
+bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum) REALTIME;
 
 #endif

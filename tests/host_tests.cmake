@@ -32,6 +32,19 @@ if(TARGET tabor-program)
                                                            "INSPECT=$<TARGET_FILE:host_inspect>")
   endif()
 
+  # What the program's audio thread may call, and what compilers that know such threads say.
+  if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+    add_test(NAME test_player_symbols
+             COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_realtime_symbols.sh" "$<TARGET_FILE:tabor>"
+                     "${PROJECT_SOURCE_DIR}/engine/include/tabor/tabor.h" "$<TARGET_OBJECTS:tabor-program>"
+             COMMAND_EXPAND_LISTS)
+    tabor_test_properties(test_player_symbols)
+    add_test(NAME test_player_effects
+             COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_player_effects.sh" "${PROJECT_SOURCE_DIR}"
+                     "${CMAKE_COMMAND}")
+    tabor_test_properties(test_player_effects)
+  endif()
+
   # It builds a profiling library of its own, beside one without sanitizers and counters.
   if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     add_test(NAME test_bench_tool

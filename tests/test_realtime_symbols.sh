@@ -5,9 +5,13 @@
 # reference to other sections, tables of functions included, and looks at what is reached outside the
 # library. What it cannot see is a pointer that the user gave: the allocator, which test_realtime counts.
 #
-# test_realtime_symbols.sh LIBTABOR.A TABOR.H
+# With objects of the program it is the same for its audio thread, which adds a clock that is read in user
+# space.
+#
+# test_realtime_symbols.sh LIBTABOR.A TABOR.H [OBJECT]...
 set -euo pipefail
 library=$1 header=$2
+shift 2
 
 # They allocate nothing, lock nothing and make no system call. The compiler itself puts in calls of
 # the first four; sqrt is exact everywhere.
@@ -16,7 +20,12 @@ allowed="memcmp memcpy memmove memset sqrt _GLOBAL_OFFSET_TABLE_ __stack_chk_fai
 audio=$(awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 } audio' \
   "$header" | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
 
-objdump -t -r "$library" | awk -v roots="$audio" -v allowed="$allowed" '
+if [ $# -gt 0 ]; then
+  audio="player_process player_send ask_client $audio"
+  allowed+=" clock_gettime pthread_self fmax fmin"
+fi
+
+objdump -t -r "$library" "$@" | awk -v roots="$audio" -v allowed="$allowed" '
   # A node is a section of a member of the archive.
   / file format / { member++; name[member] = $1; next }
   /^RELOCATION RECORDS FOR/ { section = substr($4, 2, length($4) - 3); next }
@@ -25,7 +34,10 @@ objdump -t -r "$library" | awk -v roots="$audio" -v allowed="$allowed" '
     split(rest, field, /[ \t]+/)
     if (field[1] == "*UND*") next
     flag = substr($0, index($0, " ") + 1, 1)
-    if (flag == "l") local[member, $NF] = field[1]
+    if (flag == "l") {
+      local[member, $NF] = field[1]
+      if ($NF !~ /^\./) own[$NF] = member SUBSEP field[1]
+    }
     else { given[$NF] = given[$NF] member SUBSEP field[1] " " }
     next
   }
@@ -42,7 +54,8 @@ objdump -t -r "$library" | awk -v roots="$audio" -v allowed="$allowed" '
   END {
     count = split(roots, root, /[ \n]+/)
     for (i = 1; i <= count; i++) {
-      if (!(root[i] in given)) { print root[i] ": not in the library"; bad = 1; continue }
+      if (!(root[i] in given) && !(root[i] in own)) { print root[i] ": not in the library"; bad = 1; continue }
+      if (root[i] in own) visit(own[root[i]], root[i])
       n = split(given[root[i]], place, " ")
       for (j = 1; j <= n; j++) visit(place[j], root[i])
     }

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The audio thread of the program under clang's checks for real-time code: -Wfunction-effects for what is
+# called, RealtimeSanitizer for what happens while test_player_realtime plays.
+#
+# test_player_effects.sh SOURCE CMAKE
+set -eu
+source=$1 cmake=$2
+compiler=
+for name in clang-22 clang-21 clang-20; do
+  if command -v "$name" >/dev/null; then compiler=$name; break; fi
+done
+if [ -z "$compiler" ]; then
+  echo "no clang that checks real-time code (clang-22)"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $1"
+  failures=$((failures + 1))
+}
+
+# ---- what is called ----
+
+# The engine's functions and the system's that are safe: test_realtime_symbols looks into them.
+header=$source/engine/include/tabor/tabor.h
+{
+  echo '#include <pthread.h>'
+  echo '#include <time.h>'
+  echo '#include <tabor/tabor.h>'
+  awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 }
+    audio && /^TABOR_API/, audio && /;/ { sub(/;/, " __attribute__((nonblocking));"); print }' "$header"
+  echo 'int clock_gettime(clockid_t, struct timespec *) __attribute__((nonblocking));'
+  echo 'pthread_t pthread_self(void) __attribute__((nonblocking));'
+} >"$work/safe.h"
+
+# effects FILE: what the compiler says of it.
+effects() {
+  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
+    -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
+}
+for name in player ring frame_clock ring_out; do
+  effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
+done
+# A check that finds nothing anywhere would be worth nothing.
+sed 's/^  introduce_thread(player);$/&/; s/^    introduce_thread(player);$/&\n    player->record = realloc(player->record, 1);/' \
+  "$source/host/player.c" | sed '1i #include <stdlib.h>' >"$work/wrong.c"
+if cmp -s "$source/host/player.c" "$work/wrong.c" || effects "$work/wrong.c" >"$work/said"; then
+  fail "-Wfunction-effects does not see realloc()"
+fi
+grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
+
+# ---- what happens ----
+
+# sanitized FLAGS: builds and plays a few seconds.
+sanitized() {
+  "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+    "$cmake" --build "$work/build" --target test_player_realtime >>"$work/log" 2>&1 || {
+    tail -20 "$work/log"
+    fail "building with -fsanitize=realtime"
+    return
+  }
+  "$work/build/tests/test_player_realtime" 3 >"$work/log" 2>&1 || {
+    tail -40 "$work/log"
+    fail "RealtimeSanitizer, $1"
+  }
+  grep -q 'changes of the model' "$work/log" || fail "nothing was played"
+}
+sanitized -O1
+
+[ $failures = 0 ]

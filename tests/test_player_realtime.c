@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A minute of random playing, while the drum is changed by another thread: what the audio thread runs
+ * allocates nothing, locks nothing, sleeps nowhere and touches no file. The linker sends every such call of
+ * this program, the engine's included, through the counters below (CMakeLists.txt lists them); they count
+ * those of the thread that is inside player_process().
+ *
+ * test_player_realtime [SECONDS of sound]
+ */
+#include "player_script.h"
+
+#include <fcntl.h>
+#include <math.h>
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static _Thread_local volatile bool is_playing; /* this thread, now */
+static _Thread_local volatile long calls;
+
+static void count(void) {
+  if (is_playing) calls++;
+}
+
+/* Declares the true function and defines the one that counts. */
+#define WRAP(type, name, parameters, arguments)                                                    \
+  type __real_##name parameters;                                                                   \
+  type __wrap_##name parameters;                                                                   \
+  type __wrap_##name parameters {                                                                  \
+    count();                                                                                       \
+    return __real_##name arguments;                                                                \
+  }
+
+WRAP(void *, malloc, (size_t size), (size))
+WRAP(void *, calloc, (size_t number, size_t size), (number, size))
+WRAP(void *, realloc, (void *memory, size_t size), (memory, size))
+WRAP(void *, aligned_alloc, (size_t alignment, size_t size), (alignment, size))
+WRAP(int, posix_memalign, (void **memory, size_t alignment, size_t size), (memory, alignment, size))
+void __real_free(void *memory);
+void __wrap_free(void *memory);
+void __wrap_free(void *memory) {
+  count();
+  __real_free(memory);
+}
+WRAP(int, pthread_mutex_lock, (pthread_mutex_t * mutex), (mutex))
+WRAP(int, pthread_mutex_trylock, (pthread_mutex_t * mutex), (mutex))
+WRAP(int, pthread_mutex_unlock, (pthread_mutex_t * mutex), (mutex))
+WRAP(int, pthread_cond_wait, (pthread_cond_t * condition, pthread_mutex_t *mutex),
+     (condition, mutex))
+WRAP(int, pthread_cond_signal, (pthread_cond_t * condition), (condition))
+WRAP(int, nanosleep, (const struct timespec *time, struct timespec *left), (time, left))
+WRAP(ssize_t, write, (int file, const void *bytes, size_t size), (file, bytes, size))
+WRAP(ssize_t, read, (int file, void *bytes, size_t size), (file, bytes, size))
+WRAP(FILE *, fopen, (const char *name, const char *mode), (name, mode))
+WRAP(size_t, fwrite, (const void *bytes, size_t size, size_t number, FILE *stream),
+     (bytes, size, number, stream))
+WRAP(int, fputs, (const char *text, FILE *stream), (text, stream))
+WRAP(int, puts, (const char *text), (text))
+
+static long calls_of_block(Stage *stage, uint32_t frames) {
+  static float samples[2 * 4096];
+  calls = 0;
+  is_playing = true;
+  const bool more =
+    player_process(stage->player, samples, frames, (double)stage->position / 48000, false);
+  is_playing = false;
+  assert_true(more);
+  stage->position += frames;
+  for (uint32_t i = 0; i < 2 * frames; i++) assert_true(isfinite(samples[i]));
+  while (player_record(stage->player)) player_record_next(stage->player);
+  return calls;
+}
+
+/* A counter that cannot count would find nothing either. */
+static void the_counters_count(void **state) {
+  (void)state;
+  calls = 0;
+  void *volatile memory = malloc(10);
+  assert_int_equal(calls, 0); /* not playing */
+  is_playing = true;
+  free(memory);
+  (void)!write(STDOUT_FILENO, "", 0);
+  pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+  pthread_mutex_lock(&mutex);
+  pthread_mutex_unlock(&mutex);
+  is_playing = false;
+  assert_int_equal(calls, 4);
+}
+
+static void send(Stage *stage, PlayerMessage message) {
+  (void)player_send(stage->player, SOURCE_KEYS, &message);
+}
+
+static void send_random(Stage *stage, uint64_t *random) {
+  static const char *const live[] = {"wires.strainer", "batter.muffle_strength", "mic.top.gain"};
+  const double dice = random_next(random);
+  if (dice < 0.8) {
+    PlayerMessage strike =
+      message_strike(PLAYER_NOW, 12 * random_next(random), 0.2 * random_next(random));
+    strike.event.striker = (uint32_t)(4 * random_next(random));
+    strike.frame = stage->position + (uint64_t)(300 * random_next(random)) + 1;
+    send(stage, strike);
+  } else if (dice < 0.92) {
+    const uint32_t which = (uint32_t)(3 * random_next(random));
+    send(stage, message_parameter(PLAYER_NOW, live[which], random_next(random)));
+  } else if (dice < 0.98) {
+    send(stage, (PlayerMessage){.type = PLAYER_GAIN, .value = 4 * random_next(random)});
+  } else {
+    send(stage, (PlayerMessage){.type = PLAYER_SILENCE});
+  }
+}
+
+/* Presets that continue nothing of one another, and keys that carry the state over. */
+static void change_random(Stage *stage, uint64_t *random) {
+  static const char *const presets[] = {"tabor", "frame-drum", "snare-14x5.5-off", "tom-12"};
+  if (random_next(random) < 0.5) {
+    const uint32_t which = (uint32_t)(4 * random_next(random));
+    assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[which]), OUTCOME_OK);
+  } else {
+    char value[32];
+    (void)snprintf(value, sizeof value, "%.3f", 2500 + 500 * random_next(random));
+    assert_int_equal(drum_changes_set(stage->changes, PLAYER_NOW, "set", "batter.tension", value),
+                     OUTCOME_OK);
+  }
+}
+
+static double seconds = 60;
+
+static void playing_calls_nothing_that_waits(void **state) {
+  (void)state;
+  enum { LEAST_CHANGES = 5, MOST = 100 };
+  const struct timespec moment = {.tv_nsec = 1000000};
+  const uint64_t least = (uint64_t)(seconds * 48000);
+  uint64_t random = 11;
+  uint32_t changes = 0;
+  PlayStatus status = {0};
+  Stage *const stage = stage_open("tabor", TABOR_QUALITY_DRAFT, false, 0);
+  const TaborModel *model = tabor_drum_model(drum_changes_drum(stage->changes));
+  while (stage->position < least || (changes < LEAST_CHANGES && stage->position < MOST * least)) {
+    const uint32_t frames = 16 + (uint32_t)(1000 * random_next(&random));
+    for (int i = 0; i < 3; i++) send_random(stage, &random);
+    const long counted = calls_of_block(stage, frames);
+    if (counted > 0)
+      fail_msg("%ld calls at frame %llu", counted, (unsigned long long)stage->position);
+    const TaborModel *const now = tabor_drum_model(drum_changes_drum(stage->changes));
+    changes += now != model;
+    model = now;
+    drum_changes_status(stage->changes, &status);
+    if (!status.building && random_next(&random) < 0.02) change_random(stage, &random);
+    if (status.building)
+      (void)nanosleep(&moment, NULL); /* sound must not be over before it is built */
+  }
+  player_status(stage->player, &status);
+  printf("%.0f s, %llu strokes, %u changes of the model\n", status.time,
+         (unsigned long long)status.strokes, (unsigned)changes);
+  assert_true(changes >= LEAST_CHANGES);
+  assert_true(status.strokes > least / 48000);
+  assert_int_equal(status.recovered, 0);
+  stage_close(stage);
+}
+
+int main(int argc, char **argv) {
+  if (argc > 1) seconds = atof(argv[1]);
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_counters_count),
+    cmocka_unit_test(playing_calls_nothing_that_waits),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: MIT */
+/* How much work a sample is, counted: elements that the kernels (kernels.h) pass through, whatever the machine.
+ * It has a bound that no playing can exceed, and playing stays far below it. */
+#include "drum.h"
+#include "kernels.h"
+#include "law.h"
+#include "physics.h"
+
+static const double RATE = 48000.0;
+static const TbKernels *counted = &tb_kernels_baseline;
+static uint64_t work;     /* multiplications, or passes through an element */
+static uint64_t products; /* with the heads' compliance: one expands the bed each */
+static uint64_t laws;     /* elements whose contact law was evaluated */
+
+/* ---- kernels that count ------------------------------------------------------------------------- */
+
+/* One that returns nothing: its parameters and its arguments in brackets. */
+#define COUNTED(name, elements, parameters, arguments)                                             \
+  static void count_##name parameters {                                                            \
+    work += (elements);                                                                            \
+    counted->name arguments;                                                                       \
+  }
+#define COUNTED_RESULT(type, name, elements, parameters, arguments)                                \
+  static type count_##name parameters {                                                            \
+    work += (elements);                                                                            \
+    return counted->name arguments;                                                                \
+  }
+typedef double *Out;
+typedef const double *In;
+
+COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
+COUNTED(multiply, 8ull * blocks * n, (uint32_t blocks, uint32_t n, Out out, In m, In x),
+        (blocks, n, out, m, x))
+COUNTED(multiply_single, 8ull * blocks * n,
+        (uint32_t blocks, uint32_t n, Out out, const float *m, In x), (blocks, n, out, m, x))
+COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
+COUNTED_RESULT(double, dot, n, (uint32_t n, In x, In y), (n, x, y))
+COUNTED(add_scaled, n, (uint32_t n, Out out, double f, In x), (n, out, f, x))
+COUNTED(add_four_single, 4ull * n,
+        (uint32_t n, Out out, const double f[4], const float *const x[4]), (n, out, f, x))
+COUNTED(hold, n, (uint32_t n, double f, double most, In h, In last, Out next),
+        (n, f, most, h, last, next))
+COUNTED(add_product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
+COUNTED_RESULT(double, readout, n, (uint32_t n, In u, In v, In next, In now, In last),
+               (n, u, v, next, now, last))
+COUNTED_RESULT(TbPair, losses, n, (uint32_t n, In u, In v, In next, In last), (n, u, v, next, last))
+COUNTED(gather_lines, (uint64_t)bed->wires * bed->lanes * bed->lines,
+        (const TbBed *bed, In x, Out lines), (bed, x, lines))
+COUNTED(wire_step, n,
+        (uint32_t n, In c, In inner, In now, In last, Out bend, Out bend_last, Out next),
+        (n, c, inner, now, last, bend, bend_last, next))
+COUNTED_RESULT(TbPair, wire_losses, n, (uint32_t n, In next, In last), (n, next, last))
+COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
+COUNTED_RESULT(TbPair, sizes, n, (uint32_t n, In b, In y), (n, b, y))
+COUNTED_RESULT(double, difference, n, (uint32_t n, In x, In y), (n, x, y))
+COUNTED(subtract, n, (uint32_t n, In x, In y, Out out), (n, x, y, out))
+COUNTED(extrapolate, n, (uint32_t n, double t, In x, In before, In base, Out out),
+        (n, t, x, before, base, out))
+COUNTED_RESULT(double, residual, n, (uint32_t n, In s, In b, In p, Out r), (n, s, b, p, r))
+COUNTED(weigh, n, (uint32_t n, In slope, Out weight, Out r), (n, slope, weight, r))
+COUNTED(balance, n,
+        (uint32_t n, double t, In s, In law, In slope, In f, In f_last, In p, In p_last,
+         double sums[3]),
+        (n, t, s, law, slope, f, f_last, p, p_last, sums))
+COUNTED_RESULT(double, lost, n, (uint32_t n, In s, In f, In mean), (n, s, f, mean))
+COUNTED(penetrate, n,
+        (uint32_t n, double side, double shift, In w, In v, In rest, In last, In load, Out b),
+        (n, side, shift, w, v, rest, last, load, b))
+COUNTED(move, n, (uint32_t n, In own, In f, In rest, In last, In s, Out v, Out eta),
+        (n, own, f, rest, last, s, v, eta))
+COUNTED(product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
+COUNTED_RESULT(double, turn, n, (uint32_t n, Out out, In d, In w, In m), (n, out, d, w, m))
+COUNTED_RESULT(double, advance, n, (uint32_t n, double t, Out p, In d, Out r, In m),
+               (n, t, p, d, r, m))
+COUNTED(redirect, n, (uint32_t n, double t, Out d, In r), (n, t, d, r))
+
+static void count_spread_lines(const TbBed *bed, const double *lines, double *x) {
+  products++;
+  work += (uint64_t)bed->wires * bed->lanes * bed->lines;
+  counted->spread_lines(bed, lines, x);
+}
+
+static void count_law(const TbLaw *law, uint32_t power, uint32_t n, const double *y,
+                      const double *s, double *force, double *slope, double *mean) {
+  laws += n;
+  work += n;
+  counted->law(law, power, n, y, s, force, slope, mean);
+}
+
+static const TbKernels counting = {.two_step = count_two_step,
+                                   .multiply = count_multiply,
+                                   .multiply_single = count_multiply_single,
+                                   .reach = count_reach,
+                                   .dot = count_dot,
+                                   .add_scaled = count_add_scaled,
+                                   .add_four_single = count_add_four_single,
+                                   .hold = count_hold,
+                                   .add_product = count_add_product,
+                                   .readout = count_readout,
+                                   .losses = count_losses,
+                                   .gather_lines = count_gather_lines,
+                                   .spread_lines = count_spread_lines,
+                                   .wire_step = count_wire_step,
+                                   .wire_losses = count_wire_losses,
+                                   .law = count_law,
+                                   .touches = count_touches,
+                                   .sizes = count_sizes,
+                                   .difference = count_difference,
+                                   .subtract = count_subtract,
+                                   .extrapolate = count_extrapolate,
+                                   .residual = count_residual,
+                                   .weigh = count_weigh,
+                                   .balance = count_balance,
+                                   .lost = count_lost,
+                                   .penetrate = count_penetrate,
+                                   .move = count_move,
+                                   .product = count_product,
+                                   .turn = count_turn,
+                                   .advance = count_advance,
+                                   .redirect = count_redirect};
+
+static void every_kernel_is_counted(void **state) {
+  (void)state;
+  const char *const bytes = (const char *)&counting;
+  for (size_t at = 0; at < sizeof counting; at += sizeof(void (*)(void))) {
+    void (*kernel)(void);
+    memcpy(&kernel, bytes + at, sizeof kernel);
+    assert_true(kernel != NULL);
+  }
+}
+
+/* ---- playing ------------------------------------------------------------------------------------ */
+
+typedef struct Counts {
+  uint64_t work, products, laws;
+} Counts;
+
+static Counts sample_of(TaborDrum *drum, const TaborEvent *events, uint32_t count) {
+  float sample, *outputs[TABOR_MAX_MICS] = {&sample};
+  work = products = laws = 0;
+  tabor_drum_process(drum, events, count, outputs, 1);
+  return (Counts){work, products, laws};
+}
+
+static void raise_counts(Counts *most, Counts counts) {
+  if (counts.work > most->work) most->work = counts.work;
+  if (counts.products > most->products) most->products = counts.products;
+  if (counts.laws > most->laws) most->laws = counts.laws;
+}
+
+static TaborModel *counting_model(const TaborDrumDef *def) {
+  TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
+  model->kernels = &counting;
+  return model;
+}
+
+/* Every product expands the bed once. Newton's steps take as many as their conjugate gradients and one for the
+ * residual, one more ends them at the cap; two majorants take 32 each, one for the residual and one for the
+ * forces; the free motion and the stretch expand it once each. */
+static uint64_t most_products(const TaborModel *model) {
+  return (uint64_t)model->newton_cap * (model->inner_cap + 1u) + 2u + 2u * (32u + 2u) + 2u;
+}
+
+/* Before each step, at its end and after a balance that came to nothing; a balance takes 8. */
+static uint64_t most_laws(const TaborModel *model) {
+  return (uint64_t)model->wires.stride * ((model->newton_cap + 1u) * (2u + 8u) + 1u + 8u);
+}
+
+/* All the strikers that a drum holds land at once, where one sees the head everywhere, and hands press. */
+static uint32_t everything_at_once(const TaborDrumDef *def, double velocity, TaborEvent *events) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    events[i] = physics_strike(def);
+    events[i].id = i + 1;
+    events[i].velocity = velocity;
+    events[i].radius = 0.9 * def->shell.radius * (double)i / TB_SLOTS;
+    events[i].angle = 40.0 * i;
+    if (i % 4 == 3) {
+      events[i].type = TABOR_EVENT_DAMP;
+      events[i].value = 20.0;
+    }
+  }
+  return TB_SLOTS;
+}
+
+static Counts play_at_once(const TaborDrumDef *def, double velocity, uint32_t samples,
+                           TaborStatistics *statistics) {
+  TaborModel *model = counting_model(def);
+  TaborDrum *drum = physics_drum(model);
+  TaborEvent events[TB_SLOTS];
+  const uint32_t count = everything_at_once(def, velocity, events);
+  Counts most = {0};
+  for (uint32_t i = 0; i < samples; i++) {
+    const Counts counts = sample_of(drum, events, i % 480 == 0 ? count : 0);
+    assert_true(counts.products <= most_products(model));
+    assert_true(counts.laws <= most_laws(model));
+    raise_counts(&most, counts);
+  }
+  tabor_drum_statistics(drum, statistics);
+  print_message(
+    "%s, %g m/s: at most %llu products (bound %llu), %llu law points (bound %llu), %llu elements; "
+    "%llu points in contact, %llu samples at the cap, %llu fallbacks\n",
+    def->name, velocity, (unsigned long long)most.products,
+    (unsigned long long)most_products(model), (unsigned long long)most.laws,
+    (unsigned long long)most_laws(model), (unsigned long long)most.work,
+    (unsigned long long)statistics->contact_max, (unsigned long long)statistics->newton_capped,
+    (unsigned long long)statistics->fallbacks);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  return most;
+}
+
+static void everything_in_contact_keeps_the_bound(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  def.wires.strainer_travel =
+    def.wires.strainer_travel + 0.002; /* pressed hard, at rest along the head */
+  TaborStatistics statistics;
+  play_at_once(&def, 0.3, 1440, &statistics);
+  assert_true(statistics.contact_max >= 450); /* nearly all of the 460 points, and the strikers */
+  play_at_once(&def, 12.0, 1440, &statistics);
+}
+
+/* The stiffest contacts there are bring the solve to its cap and to its remedies. */
+static void remedies_keep_the_bound(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  def.wires.contact_stiffness = 1e13;
+  TaborStatistics statistics;
+  play_at_once(&def, 30.0, 960, &statistics);
+  assert_true(statistics.newton_capped > 0);
+}
+
+/* ---- evenness ----------------------------------------------------------------------------------- */
+
+#define BLOCKS 375u
+
+static int compare_counts(const void *left, const void *right) {
+  const uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
+  return (a > b) - (a < b);
+}
+
+/* A roll of a stroke each eighth of a second, as `tabor bench` plays it: no block of 64 samples is twice the
+ * median's work. */
+static void a_roll_is_even(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborModel *model = counting_model(&def);
+  TaborDrum *drum = physics_drum(model);
+  uint64_t blocks[BLOCKS];
+  float samples[64], *outputs[TABOR_MAX_MICS] = {samples};
+  for (uint32_t block = 0; block < BLOCKS; block++) {
+    TaborEvent stroke = physics_strike(&def);
+    stroke.velocity = block / 94 % 2 ? 4.0 : 1.0;
+    stroke.radius = 0.2 * (block / 94 % 5) * def.shell.radius;
+    work = 0;
+    tabor_drum_process(drum, &stroke, block % 94 == 0, outputs, 64);
+    blocks[block] = work;
+  }
+  qsort(blocks, BLOCKS, sizeof *blocks, compare_counts);
+  print_message("elements of a block of 64: median %llu, most %llu\n",
+                (unsigned long long)blocks[BLOCKS / 2], (unsigned long long)blocks[BLOCKS - 1]);
+  assert_true(blocks[BLOCKS - 1] <= 2 * blocks[BLOCKS / 2]);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(every_kernel_is_counted),
+    cmocka_unit_test(everything_in_contact_keeps_the_bound),
+    cmocka_unit_test(remedies_keep_the_bound),
+    cmocka_unit_test(a_roll_is_even),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

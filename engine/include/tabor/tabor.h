@@ -414,7 +414,7 @@ typedef struct TaborModelInfo {
   uint32_t contact_points;  /**< of all wires together */
   uint32_t mic_count;       /**< microphones, the channels of tabor_drum_process() */
   size_t model_bytes;       /**< memory of the model */
-  size_t drum_bytes;        /**< memory of each drum on it */
+  size_t drum_bytes;        /**< memory of the state of each drum on it */
 } TaborModelInfo;
 
 /** What a mode moves most. */

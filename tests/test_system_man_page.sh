@@ -24,7 +24,8 @@ for command in $("$TABOR" --help | sed -nE 's/^  ([a-z][a-z-]*) .*/\1/p'); do
     for name in ${names//,/}; do
       check "$command $name: in the page" grep -qE -- "^\.It .*Fl ${name#-}( |$)" part
     done
-    check "$command ${name}: its text" grep -qF -- "${line##*  }" part
+    text=$(sed -E 's/^ +(-[a-zA-Z], )?--[a-z0-9-]+( [A-Z=]+)? +//' <<<"$line")
+    check "$command ${name}: its text" grep -qxF -- "$text" part
   done < <(grep -E '^ +(-[a-zA-Z], )?--' "$out")
 done
 holds "several commands" "$commands > 5"

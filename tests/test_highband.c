@@ -20,11 +20,12 @@ static TaborDrumDef small_drum(uint32_t kind) {
   def.shell.radius = 0.1;
   def.shell.depth = 0.1;
   if (kind < TWO_HEADS) def.shell.boundary = kind;
-  def.batter = (TaborHeadDef){.tension = 8000.0,
-                              .surface_density = 0.26,
-                              .bending_stiffness = 0.002,
-                              .damping_0 = 10.0,
-                              .damping_1 = 3e-4};
+  def.batter.tension = 8000.0;
+  def.batter.surface_density = 0.26;
+  def.batter.bending_stiffness = 0.002;
+  def.batter.stretch_stiffness = 0.0;
+  def.batter.damping_0 = 10.0;
+  def.batter.damping_1 = 3e-4;
   if (kind == TWO_HEADS) {
     def.two_headed = 1;
     def.resonant = def.batter;

@@ -19,7 +19,9 @@ static const double PI = 3.14159265358979323846;
 static void define(TaborDrumDef *def) {
   tabor_drum_def_default(def);
   def->shell.radius = 0.2;
-  def->batter = (TaborHeadDef){.tension = 3000.0, .surface_density = 0.26};
+  def->batter.tension = 3000.0;
+  def->batter.surface_density = 0.26;
+  def->batter.bending_stiffness = def->batter.stretch_stiffness = 0.0;
   const double radius = 0.29e-3, area = PI * radius * radius;
   def->wires.count = 1;
   def->wires.side = TABOR_SIDE_ABOVE;

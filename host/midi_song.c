@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "midi_song.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "midi_file.h"
 
 /* A message of the file and its place among the others. */
 typedef struct Place {
-  uint32_t frame;
+  double time;  /* [s] */
   bool is_note; /* or belongs to one */
   size_t index;
 } Place;
@@ -22,17 +21,16 @@ static bool is_note(const MidiMessage *message) {
 
 static int compare_places(const void *left, const void *right) {
   const Place *const a = left, *const b = right;
-  if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
+  if (a->time != b->time) return a->time < b->time ? -1 : 1;
   if (a->is_note != b->is_note) return a->is_note ? 1 : -1;
   return a->index < b->index ? -1 : a->index > b->index;
 }
 
-static Place *sort_messages(const MidiFile *file, double rate) {
+static Place *sort_messages(const MidiFile *file) {
   Place *const places = calloc(file->count + 1, sizeof *places);
   if (!places) return NULL;
   for (size_t i = 0; i < file->count; i++) {
-    places[i] =
-      (Place){(uint32_t)llround(file->events[i].time * rate), is_note(&file->events[i].message), i};
+    places[i] = (Place){file->events[i].time, is_note(&file->events[i].message), i};
   }
   if (file->count > 0) qsort(places, file->count, sizeof *places, compare_places);
   return places;
@@ -61,8 +59,7 @@ static void take_messages(const MidiFile *file, const Place *places, MidiDrum *d
     MidiSongItem *const item = &song->items[song->count];
     if (!midi_drum_take(drum, &file->events[places[i].index].message, &item->action)) continue;
     if (!changes(song, &item->action, &preset)) continue;
-    item->frame = places[i].frame;
-    item->action.event.frame = item->frame;
+    item->time = places[i].time;
     song->count++;
     if (item->action.type == MIDI_ACTION_PRESET) bind_preset(drum, item->action.preset);
   }
@@ -77,8 +74,8 @@ static Outcome check_times(const char *name, const MidiFile *file) {
                 MIDI_SONG_LONGEST);
 }
 
-static Outcome compose(const MidiFile *file, MidiDrum *drum, double rate, MidiSong *song) {
-  Place *const places = sort_messages(file, rate);
+static Outcome compose(const MidiFile *file, MidiDrum *drum, MidiSong *song) {
+  Place *const places = sort_messages(file);
   song->items = calloc(file->count + 1, sizeof *song->items);
   const bool complete = places && song->items;
   if (complete) take_messages(file, places, drum, song);
@@ -101,7 +98,7 @@ static Outcome check_counts(const char *name, const MidiSong *song) {
 }
 
 Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
-                       double rate, MidiSong *song) {
+                       MidiSong *song) {
   const char *const name = arguments_value(arguments, "midi-file");
   *song = (MidiSong){0};
   if (!name) return OUTCOME_OK;
@@ -113,13 +110,13 @@ Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const Tab
   midi_drum_begin(&drum, map, &binding);
   Outcome outcome = midi_file_read(name, &file);
   if (outcome == OUTCOME_OK) outcome = check_times(name, &file);
-  if (outcome == OUTCOME_OK) outcome = compose(&file, &drum, rate, song);
+  if (outcome == OUTCOME_OK) outcome = compose(&file, &drum, song);
   if (outcome == OUTCOME_OK) outcome = check_counts(name, song);
   midi_file_free(&file);
   return outcome;
 }
 
-Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count) {
+Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, size_t *count) {
   size_t kept = 0;
   *count = 0;
   *events = calloc(song->count + 1, sizeof **events);
@@ -127,7 +124,8 @@ Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count
   for (size_t i = 0; i < song->count; i++) {
     const MidiSongItem item = song->items[i];
     if (item.action.type == MIDI_ACTION_EVENT) {
-      (*events)[(*count)++] = item.action.event;
+      (*events)[*count] = item.action.event;
+      (*events)[(*count)++].frame = midi_song_frame(&item, rate);
     } else {
       song->items[kept++] = item;
     }

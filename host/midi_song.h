@@ -10,6 +10,8 @@
 #ifndef TABOR_HOST_MIDI_SONG_H
 #define TABOR_HOST_MIDI_SONG_H
 
+#include <math.h>
+
 #include "midi_drum.h"
 #include "options.h"
 
@@ -21,7 +23,7 @@
   { "midi-file", 0, "FILE", "strokes from a MIDI file, '-' for standard input; see below" }
 
 typedef struct MidiSongItem {
-  uint32_t frame; /**< since the beginning */
+  double time; /**< since the beginning [s], 0 to MIDI_SONG_LONGEST */
   MidiAction action;
 } MidiSongItem;
 
@@ -32,14 +34,22 @@ typedef struct MidiSong {
   MidiCounts counts;
 } MidiSong;
 
+/** Its frame at @p rate [Hz]. */
+static inline uint32_t midi_song_frame(const MidiSongItem *item, double rate) {
+  return (uint32_t)llround(item->time * rate);
+}
+
 /**
- * Reads the file of --midi-file, if there is one, by @p map for @p def at @p rate [Hz]. Refuses one
- * without any stroke. Free with midi_song_free(), whatever the outcome.
+ * Reads the file of --midi-file, if there is one, by @p map for @p def. Refuses one without any stroke.
+ * Free with midi_song_free(), whatever the outcome.
  */
 Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
-                       double rate, MidiSong *song);
-/** Moves the events out of the song, which keeps the other actions. *events is the caller's to free(). */
-Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count);
+                       MidiSong *song);
+/**
+ * Moves the events, with their frames at @p rate, out of the song, which keeps the other actions.
+ * *events is the caller's to free().
+ */
+Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, size_t *count);
 /** Says how many notes were passed over, if any were. */
 void midi_song_note(const Arguments *arguments, const MidiSong *song);
 void midi_song_free(MidiSong *song);

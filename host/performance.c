@@ -43,10 +43,24 @@ static Outcome read_strokes(Performance *performance, Strokes *strokes) {
   return outcome;
 }
 
+static Outcome add_song(Performance *performance) {
+  PlayRequest *const request = performance->request;
+  const MidiSong *const song = &request->song;
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
+    Cue cue = play_midi_cue(&song->items[i].action,
+                            midi_song_frame(&song->items[i], request->model.sample_rate));
+    humanize(&request->humanizer, request->def.shell.radius, &cue.message.event);
+    outcome = score_add(&performance->score, &cue);
+  }
+  return outcome;
+}
+
 static Outcome read_score(Performance *performance) {
   Strokes strokes;
   Outcome outcome = read_strokes(performance, &strokes);
   if (outcome == OUTCOME_OK) outcome = score_add_strokes(&performance->score, &strokes);
+  if (outcome == OUTCOME_OK) outcome = add_song(performance);
   strokes_free(&strokes);
   score_sort(&performance->score);
   return outcome;
@@ -99,6 +113,10 @@ Outcome performance_open(Performance *performance, PlayRequest *request) {
   if (outcome == OUTCOME_OK) outcome = create_drum(performance);
   if (outcome == OUTCOME_OK) outcome = create_player(performance);
   if (outcome == OUTCOME_OK) outcome = start_recorder(performance);
+  if (outcome == OUTCOME_OK && !request->backend->waits) {
+    outcome =
+      play_midi_open(request, performance->player, performance->changes, &performance->midi);
+  }
   return outcome;
 }
 
@@ -210,6 +228,9 @@ void performance_status(Performance *performance, PlayStatus *status) {
   memcpy(status->device, performance->facts.device, sizeof status->device);
   player_status(performance->player, status);
   drum_changes_status(performance->changes, status);
+  MidiInputStatus midi;
+  play_midi_status(performance->midi, &midi);
+  status->dropped += midi.dropped;
 }
 
 /* ---- closing -------------------------------------------------------------------------------- */
@@ -264,6 +285,7 @@ static void close_device(Performance *performance, Outcome outcome) {
 
 void performance_close(Performance *performance, Outcome outcome) {
   (void)performance_finish(performance); /* nothing, unless opening failed */
+  play_midi_close(performance->midi);
   close_device(performance, outcome);
   drum_changes_stop(performance->changes);
   player_destroy(performance->player);

@@ -8,6 +8,7 @@
 #define TABOR_HOST_PERFORMANCE_H
 
 #include "drum_changes.h"
+#include "play_midi.h"
 #include "play_request.h"
 #include "recorder.h"
 #include "score.h"
@@ -20,6 +21,7 @@ typedef struct Performance {
   Player *player;
   Recorder *recorder;
   Score score;
+  PlayMidi *midi; /**< live, or NULL */
   bool is_urgent; /**< the audio thread has real-time priority */
 } Performance;
 

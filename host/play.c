@@ -45,6 +45,9 @@ static const char notes[] =
   "The drum plays until Ctrl-C, or for --duration. --events plays strokes that are written down, "
   "as\n"
   "'tabor render' does; its help describes the file.\n"
+  "--midi-file plays a MIDI file. Live MIDI comes from every hardware input, or from those that\n"
+  "--midi-in names, also if they are plugged in later, and from any program that connects to the\n"
+  "input 'tabor-midi'. docs/midi.md has the map.\n"
   "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
   "away: it gives the same sound as 'tabor render --quality live'.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";

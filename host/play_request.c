@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "drum_source.h"
+#include "midi_input.h"
+#include "midi_options.h"
 #include "strokes.h"
 #include "suggest.h"
 
@@ -24,6 +26,11 @@ const Option play_options[] = {
   {"quality", 0, "LEVEL", "draft, live, studio or reference (default live)"},
   OPTION_SET,
   OPTION_EVENTS,
+  OPTION_MIDI_FILE,
+  OPTION_MIDI_IN,
+  OPTION_MIDI_MAP,
+  OPTION_MIDI_CHANNEL,
+  OPTION_VELOCITY_CURVE,
   OPTION_HUMANIZE("0.3"),
   OPTION_SEED,
   {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/playing.md"},
@@ -67,6 +74,17 @@ static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
 static Outcome read_drum(const Arguments *arguments, PlayRequest *request) {
   request->preset = preset_argument(arguments);
   return drum_load(arguments, &request->def);
+}
+
+static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
+  const char *const wanted = arguments_value(arguments, "midi-in");
+  Outcome outcome = midi_map_read(arguments, &request->def, &request->midi_map);
+  if (wanted && !*wanted) return refuse("--midi-in needs a part of a name");
+  if (outcome == OUTCOME_OK) {
+    outcome = midi_song_read(arguments, &request->midi_map, &request->def, &request->song);
+  }
+  if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
+  return outcome;
 }
 
 static Outcome read_model(const Arguments *arguments, PlayRequest *request) {
@@ -136,15 +154,20 @@ static Outcome read_record(const Arguments *arguments, PlayRequest *request) {
 
 /* The recording may replace nothing that is read. */
 static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
+  static const struct {
+    const char *option, *what;
+  } files[] = {{"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}};
   const char *name;
   size_t position = 0;
   if (!request->records) return OUTCOME_OK;
   if (preset_is_file(request->preset) && output_overwrites(&request->record, request->preset)) {
     return refuse("the recording would overwrite the preset '%s'", request->preset);
   }
-  name = arguments_value(arguments, "keys");
-  if (name && output_overwrites(&request->record, name)) {
-    return refuse("the recording would overwrite the keys '%s'", name);
+  for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+    name = arguments_value(arguments, files[i].option);
+    if (name && output_overwrites(&request->record, name)) {
+      return refuse("the recording would overwrite the %s '%s'", files[i].what, name);
+    }
   }
   while ((name = arguments_next(arguments, "events", &position)) != NULL) {
     if (output_overwrites(&request->record, name)) {
@@ -156,8 +179,8 @@ static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) 
 
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   static Outcome (*const steps[])(const Arguments *, PlayRequest *) = {
-    read_flags, read_numbers, read_keys,   read_drum,      read_model,
-    read_mics,  read_backend, read_record, protect_inputs,
+    read_flags, read_numbers, read_keys,    read_drum,   read_midi,
+    read_model, read_mics,    read_backend, read_record, protect_inputs,
   };
   memset(request, 0, sizeof *request);
   request->record = OUTPUT_FILE_NONE;
@@ -168,4 +191,7 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   return outcome;
 }
 
-void play_request_free(PlayRequest *request) { output_discard(&request->record); }
+void play_request_free(PlayRequest *request) {
+  output_discard(&request->record);
+  midi_song_free(&request->song);
+}

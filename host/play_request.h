@@ -10,6 +10,7 @@
 #include "backend.h"
 #include "humanize.h"
 #include "keymap.h"
+#include "midi_song.h"
 #include "options.h"
 
 typedef struct PlayRequest {
@@ -21,6 +22,8 @@ typedef struct PlayRequest {
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index into the definition's microphones */
   double gain;                   /**< factor */
   Humanizer humanizer;
+  MidiMap midi_map;
+  MidiSong song;   /**< of --midi-file */
   Keymap keymap;   /**< what the keyboard does */
   double duration; /**< [s], or 0 */
   const Backend *backend;

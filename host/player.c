@@ -136,6 +136,7 @@ static void carry_out(Player *player, const PlayerMessage *message) {
   case PLAYER_EVENT: add_event(player, &message->event); break;
   case PLAYER_SWAP: swap(player, message); break;
   case PLAYER_GAIN: fader_set(&player->gain, message->value); break;
+  case PLAYER_EXPRESSION: fader_set(&player->expression, message->value); break;
   case PLAYER_SILENCE:
     fader_set(&player->silence, 0);
     player->phase = FADING;
@@ -215,7 +216,7 @@ static double clip(Player *player, double sample) {
 static void mix(Player *player, uint32_t frames) {
   double peak[TABOR_MAX_MICS] = {0};
   for (uint32_t frame = 0; frame < frames; frame++) {
-    const double gain = fader_next(&player->gain) * fader_next(&player->silence);
+    const double gain = fader_next(&player->gain) * fader_next(&player->expression) * fader_next(&player->silence);
     for (uint32_t channel = 0; channel < player->channels; channel++) {
       const double sample = gain * (double)player->planar[player->mics[channel]][frame];
       peak[channel] = fmax(peak[channel], fabs(sample));

@@ -52,6 +52,7 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   player->records = setup->records;
   memcpy(player->mics, setup->mics, sizeof player->mics);
   player->gain = fader_at(setup->gain, setup->rate);
+  player->expression = fader_at(1, setup->rate);
   player->silence = fader_at(1, setup->rate);
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);

@@ -51,7 +51,7 @@ struct Player {
   /* the audio thread's */
   uint64_t position, end;
   RingOut ring_out;
-  Fader gain, silence;
+  Fader gain, expression, silence;
   uint32_t mics[TABOR_MAX_MICS];
   uint32_t striker_count;
   PlayerPhase phase;

@@ -156,9 +156,9 @@ static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
   size_t count = 0;
   Outcome outcome = midi_map_read(arguments, &request->def, &map);
   if (outcome != OUTCOME_OK || !arguments_has(arguments, "midi-file")) return outcome;
-  outcome =
-    midi_song_read(arguments, &map, &request->def, request->model.sample_rate, &request->song);
-  if (outcome == OUTCOME_OK) outcome = midi_song_take_events(&request->song, &events, &count);
+  outcome = midi_song_read(arguments, &map, &request->def, &request->song);
+  if (outcome == OUTCOME_OK)
+    outcome = midi_song_take_events(&request->song, request->model.sample_rate, &events, &count);
   if (outcome == OUTCOME_OK) outcome = strokes_merge(&request->strokes, events, count);
   free(events);
   if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
@@ -205,6 +205,8 @@ void render_request_free(RenderRequest *request) {
 uint32_t render_request_last_frame(const RenderRequest *request) {
   const MidiSong *const song = &request->song;
   const uint32_t strokes = strokes_last_frame(&request->strokes);
-  const uint32_t others = song->count > 0 ? song->items[song->count - 1].frame : 0;
+  const uint32_t others =
+    song->count > 0 ? midi_song_frame(&song->items[song->count - 1], request->model.sample_rate)
+                    : 0;
   return strokes > others ? strokes : others;
 }

@@ -11,7 +11,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
   session->next_event = session->next_item = 0;
   session->position = 0;
   session->peak = session->computing = 0;
-  session->gain = fader_at(request->gain, rate);
+  session->expression = fader_at(1, rate);
   session->silence = fader_at(1, rate);
   for (uint32_t i = 0; i < request->channels; i++) session->mics[i] = request->mics[i];
   const Outcome outcome = preset_swaps_begin(&session->swaps, &request->def, &request->model);
@@ -36,7 +36,7 @@ static Outcome act(Session *session, const MidiAction *action) {
   Outcome outcome = OUTCOME_OK;
   switch (action->type) {
   case MIDI_ACTION_EVENT: break; /* these are among the strokes */
-  case MIDI_ACTION_GAIN: fader_set(&session->gain, session->request->gain * action->value); break;
+  case MIDI_ACTION_GAIN: fader_set(&session->expression, action->value); break;
   case MIDI_ACTION_SILENCE: fader_set(&session->silence, 0); break;
   case MIDI_ACTION_PRESET:
     outcome = preset_swaps_act(&session->swaps, action->preset);
@@ -53,11 +53,15 @@ static const MidiSongItem *next_item(const Session *session) {
   return session->next_item < song->count ? &song->items[session->next_item] : NULL;
 }
 
+static uint32_t item_frame(const Session *session, const MidiSongItem *item) {
+  return midi_song_frame(item, session->request->model.sample_rate);
+}
+
 static Outcome act_due(Session *session) {
   const MidiSongItem *item;
   Outcome outcome = OUTCOME_OK;
   while (outcome == OUTCOME_OK && !is_fading_out(session) && (item = next_item(session)) &&
-         item->frame <= session->position) {
+         item_frame(session, item) <= session->position) {
     session->next_item++;
     outcome = act(session, &item->action);
   }
@@ -76,7 +80,7 @@ static Outcome begin_piece(Session *session, uint32_t *frames) {
   const Outcome outcome = act_due(session);
   const MidiSongItem *const item = next_item(session);
   uint32_t left = *frames;
-  if (item) left = item->frame - session->position;
+  if (item) left = item_frame(session, item) - session->position;
   if (is_fading_out(session)) left = session->silence.left;
   if (left < *frames) *frames = left;
   return outcome;
@@ -105,9 +109,11 @@ static uint32_t take_events(Session *session, uint32_t frames) {
 
 /* Frames from @p at on in the block. */
 static void interleave(Session *session, uint32_t at, uint32_t frames) {
-  const uint32_t channels = session->request->channels;
+  const RenderRequest *const request = session->request;
+  const uint32_t channels = request->channels;
   for (uint32_t frame = at; frame < at + frames; frame++) {
-    const double gain = fader_next(&session->gain) * fader_next(&session->silence);
+    const double gain =
+      request->gain * fader_next(&session->expression) * fader_next(&session->silence);
     for (uint32_t channel = 0; channel < channels; channel++) {
       const double sample = gain * (double)session->planar[session->mics[channel]][frame];
       session->interleaved[frame * channels + channel] = sample;

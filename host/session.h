@@ -25,7 +25,7 @@ typedef struct Session {
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest sample in size */
   double computing;             /**< processor time that the drum took [s] */
-  Fader gain, silence;          /**< factors */
+  Fader expression, silence;    /**< factors beside the request's gain */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
   float planar[TABOR_MAX_MICS][SESSION_BLOCK];
   double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */

@@ -8,6 +8,7 @@
  *     host_inspect sound FILE       container encoding rate channels frames
  *     host_inspect peak FILE        largest sample in size
  *     host_inspect first FILE       number of the first frame that is not zero
+ *     host_inspect onsets FILE      frames at which it becomes twice as loud as in the 20 ms before
  *     host_inspect rms FILE A B     root mean square from A to B [s]
  *     host_inspect distance A B     largest difference of two sounds
  *     host_inspect equal A B        status 0 if there is none, whatever the containers
@@ -112,6 +113,26 @@ static double peak(const Sound *sound) {
   return largest;
 }
 
+/* Largest sample in size of those from @p from on. */
+static double loudest(const Sound *sound, sf_count_t from, sf_count_t count) {
+  double largest = 0;
+  for (sf_count_t i = from > 0 ? from : 0; i < from + count && i < sound->count; i++) {
+    largest = fmax(largest, fabs(sound->samples[i]));
+  }
+  return largest;
+}
+
+/* To a millisecond, one in 20 ms at most; the quietest are 80 dB below full scale. */
+static void print_onsets(const Sound *sound) {
+  const sf_count_t step = sound->info.samplerate / 1000 * sound->info.channels;
+  for (sf_count_t i = 0; i < sound->count; i += step) {
+    const double before = loudest(sound, i - 20 * step, 20 * step);
+    if (loudest(sound, i, step) <= fmax(2 * before, 1e-4)) continue;
+    printf("%lld\n", (long long)(i / sound->info.channels));
+    i += 19 * step;
+  }
+}
+
 static double rms(const Sound *sound, double from, double to) {
   const double rate = sound->info.samplerate * sound->info.channels;
   double sum = 0, count = 0;
@@ -150,6 +171,8 @@ static int inspect_sound(const char *what, const Sound *sound, char *const *othe
            sound->info.samplerate, sound->info.channels, (long long)sound->info.frames);
   } else if (strcmp(what, "peak") == 0) {
     printf("%.9g\n", peak(sound));
+  } else if (strcmp(what, "onsets") == 0) {
+    print_onsets(sound);
   } else if (strcmp(what, "rms") == 0 && other && others[1]) {
     printf("%.9g\n", rms(sound, atof(other), atof(others[1])));
   } else if (strcmp(what, "first") == 0) {

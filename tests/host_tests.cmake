@@ -11,9 +11,18 @@ if(TARGET tabor-program)
   tabor_target_defaults(host_synthesise)
   target_link_libraries(host_synthesise PRIVATE PkgConfig::SNDFILE m)
 
+  pkg_check_modules(JACK IMPORTED_TARGET jack)
+  if(JACK_FOUND)
+    add_executable(jack_send jack_send.c)
+    tabor_target_defaults(jack_send)
+    target_compile_definitions(jack_send PRIVATE _XOPEN_SOURCE=700)
+    target_link_libraries(jack_send PRIVATE PkgConfig::JACK)
+  endif()
+
   foreach(name IN ITEMS test_system_analyze test_system_bench test_system_completion
                         test_system_events_file
                         test_system_files test_system_humanize test_system_jobs test_system_midi_file
+                        test_system_midi_live
                         test_system_play test_system_play_jack
                         test_system_preset_files test_system_program test_system_requests
                         test_system_split)
@@ -23,6 +32,9 @@ if(TARGET tabor-program)
                                               "INSPECT=$<TARGET_FILE:host_inspect>"
                                               "SYNTHESISE=$<TARGET_FILE:host_synthesise>")
   endforeach()
+  if(JACK_FOUND)
+    set_property(TEST test_system_midi_live APPEND PROPERTY ENVIRONMENT "JACK_SEND=$<TARGET_FILE:jack_send>")
+  endif()
 
   if(TARGET man-page)
     add_test(NAME test_system_man_page COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_man_page.sh"

@@ -3,11 +3,11 @@
  * @file jack_send.c
  * A MIDI keyboard for the tests: a JACK client that sends what it is told, on its frame.
  *
- *     jack_send PORT MESSAGE...     connects to PORT and sends; MESSAGE is SECONDS:HEX, as
- *                                   0.5:992640, counted from the connection
+ *     jack_send PORT MESSAGE...     connects to PORT, or for '-' waits to be connected, and sends;
+ *                                   MESSAGE is SECONDS:HEX, as 0.5:992640, counted from then on
  *     jack_send PORT flood RATE SECONDS   so many notes a second
  *
- * Prints the time of its beginning, seconds of CLOCK_MONOTONIC. Status 1 if there is no server or port.
+ * Waits 10 s for the port. Status 1 if there is no server, port or connection.
  */
 #include <jack/jack.h>
 #include <jack/midiport.h>
@@ -102,30 +102,44 @@ static bool read_arguments(Sender *sender, int argc, char **argv) {
   return good;
 }
 
-static bool begin(Sender *sender, const char *port) {
+static void wait_a_moment(void) {
+  const struct timespec moment = {.tv_nsec = 5000000};
+  (void)nanosleep(&moment, NULL);
+}
+
+static bool open_client(Sender *sender) {
   sender->client = jack_client_open("jack_send", JackNoStartServer, NULL);
   if (!sender->client) return false;
   sender->rate = jack_get_sample_rate(sender->client);
   sender->port =
     jack_port_register(sender->client, "out", JACK_DEFAULT_MIDI_TYPE, JackPortIsOutput, 0);
   jack_set_process_callback(sender->client, process, sender);
-  return sender->port && jack_activate(sender->client) == 0 &&
+  return sender->port && jack_activate(sender->client) == 0;
+}
+
+static bool is_connected(const Sender *sender, const char *port) {
+  if (strcmp(port, "-") == 0) return jack_port_connected(sender->port) > 0;
+  return jack_port_by_name(sender->client, port) &&
          jack_connect(sender->client, jack_port_name(sender->port), port) == 0;
 }
 
+static bool begin(Sender *sender, const char *port) {
+  if (!open_client(sender)) return false;
+  for (int i = 0; i < 2000; i++) {
+    if (is_connected(sender, port)) return true;
+    wait_a_moment();
+  }
+  return false;
+}
+
 static void wait_until_done(const Sender *sender) {
-  const struct timespec moment = {.tv_nsec = 5000000};
-  for (int i = 0; i < 4000 && !atomic_load(&sender->done); i++) (void)nanosleep(&moment, NULL);
+  for (int i = 0; i < 4000 && !atomic_load(&sender->done); i++) wait_a_moment();
 }
 
 int main(int argc, char **argv) {
   static Sender sender;
-  struct timespec now;
   if (!read_arguments(&sender, argc, argv)) return 2;
   if (!begin(&sender, argv[1])) return 1;
-  (void)clock_gettime(CLOCK_MONOTONIC, &now);
-  printf("%.6f\n", (double)now.tv_sec + 1e-9 * (double)now.tv_nsec);
-  (void)fflush(stdout);
   atomic_store(&sender.running, true);
   wait_until_done(&sender);
   if (sender.flood > 0) printf("%llu\n", (unsigned long long)sender.flooded);

@@ -10,11 +10,17 @@ typedef unsigned long long Count; /* for printf */
 
 static double decibels(double factor) { return 20 * log10(factor); }
 
-static void warn_of_losses(const PlayStatus *status) {
+static void warn_of_losses(const PlayStatus *status, double worst) {
   if (status->clipped > 0) {
     warn("%llu samples were clipped: the peak was %+.1f dBFS; --gain %.1f avoids it",
          (Count)status->clipped, decibels(status->loudest),
          floor(10 * decibels(status->gain / status->loudest)) / 10);
+  }
+  if (status->xruns > 0 && worst > 1) {
+    warn(
+      "the output ran dry %llu times: a block took up to %.0f %% of its time; a larger --buffer or "
+      "--quality draft avoids it",
+      (Count)status->xruns, 100 * worst);
   }
   if (status->dropped > 0) {
     warn("%llu events were dropped: too many at once", (Count)status->dropped);
@@ -81,8 +87,10 @@ static void note_summary(const Performance *performance, const PlayStatus *statu
 
 Outcome play_report(Performance *performance) {
   PlayStatus status;
+  double median, worst;
   performance_status(performance, &status);
-  warn_of_losses(&status);
+  player_load(performance->player, &median, &worst);
+  warn_of_losses(&status, worst);
   if (performance->request->json) return json_print(report_json(performance, &status));
   if (!performance->request->quiet) note_summary(performance, &status);
   return OUTCOME_OK;

@@ -142,6 +142,30 @@ static void a_full_ring_drops_and_counts(void **state) {
   stage_close(stage);
 }
 
+/* 100,000 strokes a second: each is played or counted, and a block's work stays bounded. */
+static void a_flood_is_played_or_counted(void **state) {
+  (void)state;
+  enum { BLOCK = 128, BLOCKS = 375, EACH = 267 };
+  PlayStatus status;
+  uint64_t sent = 0;
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, BLOCK * BLOCKS);
+  for (uint32_t block = 0; block < BLOCKS; block++) {
+    for (uint32_t i = 0; i < EACH; i++) {
+      const PlayerMessage message =
+        message_strike(stage->position + i * BLOCK / EACH + 1, 1, 0.0003 * i);
+      (void)player_send(stage->player, SOURCE_MIDI, &message);
+      sent++;
+    }
+    stage_block(stage, BLOCK);
+  }
+  player_status(stage->player, &status);
+  assert_int_equal(status.strokes + status.dropped + player_waiting(stage->player, SOURCE_MIDI),
+                   sent);
+  assert_int_equal(status.recovered, 0);
+  for (uint64_t i = 0; i < stage->recorded; i++) assert_true(isfinite(stage->samples[i]));
+  stage_close(stage);
+}
+
 /* The gain glides over 5 ms: no step is larger than its share. */
 static void gain_does_not_click(void **state) {
   (void)state;
@@ -365,6 +389,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(the_first_block_tells_the_device),
     cmocka_unit_test(what_comes_too_late_acts_at_once),
     cmocka_unit_test(a_full_ring_drops_and_counts),
+    cmocka_unit_test(a_flood_is_played_or_counted),
     cmocka_unit_test(gain_does_not_click),
     cmocka_unit_test(full_scale_is_never_passed),
     cmocka_unit_test(silence_is_silent_and_keeps_the_drum),

@@ -15,7 +15,7 @@
 #define DEFAULT_HUMANIZE 0.3
 
 const Option play_options[] = {
-  {"backend", 0, "NAME", "portaudio, null (nobody hears it) or file (default portaudio)"},
+  {"backend", 0, "NAME", "portaudio, null or file (default portaudio; null is not heard)"},
   {"device", 0, "NAME", "output as 'tabor devices' lists it (default: the system's)"},
   {"rate", 0, "HZ", "sample rate, 22050 to 192000 (default: the device's, else 48000)"},
   {"buffer", 0, "FRAMES", "frames computed at once, 16 to 4096 (default 128)"},

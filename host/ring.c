@@ -4,6 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define PAGE 4096 /* bytes, or a multiple of it */
+
+/* The system gives memory when it is first written to: not on the audio thread's time. */
+static void touch(volatile char *bytes, size_t size) {
+  for (size_t i = 0; i < size; i += PAGE) bytes[i] = 0;
+}
+
 bool ring_create(Ring *ring, size_t size, size_t least) {
   size_t capacity = 1;
   while (capacity < least) capacity *= 2;
@@ -13,6 +20,7 @@ bool ring_create(Ring *ring, size_t size, size_t least) {
   atomic_init(&ring->written, 0);
   atomic_init(&ring->dropped, 0);
   atomic_init(&ring->read, 0);
+  if (ring->messages) touch(ring->messages, capacity * size);
   return ring->messages != NULL;
 }
 

@@ -23,7 +23,7 @@ if(TARGET tabor-program)
                         test_system_events_file
                         test_system_files test_system_humanize test_system_jobs test_system_midi_file
                         test_system_midi_live
-                        test_system_play test_system_play_jack
+                        test_system_play test_system_play_jack test_system_play_random
                         test_system_preset_files test_system_program test_system_requests
                         test_system_split)
     add_test(NAME ${name} COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh")

@@ -9,3 +9,14 @@ set_property(TEST test_system_play_long APPEND PROPERTY ENVIRONMENT "TABOR=$<TAR
 add_test(NAME test_system_trials_long COMMAND test_system_trials 10000 9000)
 tabor_test_properties(test_system_trials_long)
 set_tests_properties(test_system_trials_long PROPERTIES TIMEOUT 7200 LABELS long)
+
+if(TEST test_leaks)
+  add_test(NAME test_leaks_long COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_leaks.sh"
+                                        "$<TARGET_FILE:test_system_instances>" 1000)
+  tabor_test_properties(test_leaks_long)
+  set_tests_properties(test_leaks_long PROPERTIES TIMEOUT 1800 LABELS long)
+endif()
+if(COMMAND tabor_add_embed_test)
+  tabor_add_embed_test(test_packages_in_root NEEDS_SHARED)
+  set_tests_properties(test_packages_in_root PROPERTIES TIMEOUT 1800 LABELS long)
+endif()

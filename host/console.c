@@ -60,7 +60,7 @@ static void tell(Console *console) {
   if (!*controls->text) return;
   if (console->has_screen) {
     show_message(console, controls->text, controls->is_trouble);
-  } else {
+  } else if (controls->is_trouble || !console->performance->request->quiet) {
     note("%s", controls->text);
   }
 }
@@ -98,7 +98,7 @@ static void complete_word(Console *console) {
 /* Without a screen, the command line is shown as progress is. */
 static void show_typing(const Console *console) {
   char text[LINE_SIZE + 1] = "";
-  if (console->has_screen) return;
+  if (console->has_screen || !isatty(STDERR_FILENO)) return;
   if (console->is_typing) (void)snprintf(text, sizeof text, ":%s", console->line.text);
   status_line(text);
 }
@@ -122,6 +122,7 @@ static void escape(Console *console, double time) {
   controls->quits = time - console->escape_time < ESCAPE_TIME;
   console->escape_time = time;
   controls->shows_help = false;
+  if (controls->quits) return;
   (void)snprintf(controls->text, sizeof controls->text, "Escape again quits");
   controls->is_trouble = false;
   tell(console);
@@ -298,7 +299,8 @@ bool console_turn(void *context) {
 
 void console_close(Console *console) {
   if (!console) return;
-  if (console->has_keys && console->is_typing && !console->has_screen) status_line("");
+  console->is_typing = false;
+  show_typing(console);
   terminal_leave();
   if (console->has_screen) notices_end(&console->notices);
   free(console);

@@ -24,10 +24,13 @@ static void tell_preset(PlayLog *log, const PlayStatus *status) {
   (void)snprintf(log->preset, sizeof log->preset, "%s", status->preset);
 }
 
-static void tell_count(uint64_t *told, uint64_t count, const PlayStatus *status, const char *what) {
-  if (count > *told)
-    note("%.3f s: %llu %s", status->time, (unsigned long long)(count - *told), what);
+static void tell_count(uint64_t *told, uint64_t count, const PlayStatus *status, const char *what,
+                       const char *why) {
+  const uint64_t more = count - *told;
   *told = count;
+  if (more == 0) return;
+  note("%.3f s: %llu %s%s: %s", status->time, (unsigned long long)more, what, more == 1 ? "" : "s",
+       why);
 }
 
 static void tell_clipping(PlayLog *log, const PlayStatus *status) {
@@ -42,9 +45,10 @@ static void tell_clipping(PlayLog *log, const PlayStatus *status) {
 void play_log_take(PlayLog *log, const PlayStatus *status, double head_radius) {
   tell_strokes(log, status, head_radius);
   tell_preset(log, status);
-  tell_count(&log->xruns, status->xruns, status, "gaps: the computer was too slow");
-  tell_count(&log->dropped, status->dropped, status, "events dropped: too many at once");
-  tell_count(&log->recovered, status->recovered, status, "resets: the state was not finite");
+  tell_count(&log->xruns, status->xruns, status, "gap", "the computer was too slow");
+  tell_count(&log->dropped, status->dropped, status, "event",
+             "dropped, as there were too many at once");
+  tell_count(&log->recovered, status->recovered, status, "reset", "the state was not finite");
   tell_clipping(log, status);
   log->has_begun = true;
 }

@@ -36,6 +36,21 @@ if(TARGET tabor-program)
     set_property(TEST test_system_midi_live APPEND PROPERTY ENVIRONMENT "JACK_SEND=$<TARGET_FILE:jack_send>")
   endif()
 
+  # Somebody at a terminal.
+  add_executable(host_typist host_typist.c)
+  tabor_target_defaults(host_typist)
+  target_link_libraries(host_typist PRIVATE util)
+
+  add_test(NAME test_system_keys COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_keys.sh")
+  add_test(NAME test_system_keys_jack COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_keys.sh" jack)
+  add_test(NAME test_system_terminal COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_terminal.sh")
+  foreach(name IN ITEMS test_system_keys test_system_keys_jack test_system_terminal)
+    tabor_test_properties(${name})
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
+                                              "INSPECT=$<TARGET_FILE:host_inspect>"
+                                              "TYPIST=$<TARGET_FILE:host_typist>")
+  endforeach()
+
   if(TARGET man-page)
     add_test(NAME test_system_man_page COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_man_page.sh"
                                                "${PROJECT_BINARY_DIR}/host/tabor.1")

@@ -2,7 +2,7 @@
 /**
  * @file keymap.h
  * What each key of the keyboard does while somebody plays: the usual map, and changes to it from a
- * file (docs/playing.md):
+ * file (docs/keyboard.md):
  *
  *     [keys]
  *     a = stroke 0%        ; the head's centre

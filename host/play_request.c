@@ -33,7 +33,7 @@ const Option play_options[] = {
   OPTION_VELOCITY_CURVE,
   OPTION_HUMANIZE("0.3"),
   OPTION_SEED,
-  {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/playing.md"},
+  {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/keyboard.md"},
   {"mic", 0, "NAME",
    "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},

@@ -10,7 +10,7 @@
  *     host_inspect first FILE       number of the first frame that is not zero
  *     host_inspect onsets FILE      frames at which it becomes twice as loud as in the 20 ms before
  *     host_inspect rms FILE A B     root mean square from A to B [s]
- *     host_inspect onsets FILE      time [s] and largest sample of each sound after 50 ms of silence
+ *     host_inspect sounds FILE      time [s] and largest sample of each sound after 50 ms of silence
  *     host_inspect distance A B     largest difference of two sounds
  *     host_inspect equal A B        status 0 if there is none, whatever the containers
  */
@@ -152,7 +152,7 @@ static long long first_frame(const Sound *sound) {
 }
 
 /* Of the first channel. */
-static void print_onsets(const Sound *sound) {
+static void print_sounds(const Sound *sound) {
   static const double silent = 1e-4, pause = 0.05;
   const int channels = sound->info.channels;
   const double rate = sound->info.samplerate;
@@ -199,8 +199,8 @@ static int inspect_sound(const char *what, const Sound *sound, char *const *othe
     printf("%.9g\n", rms(sound, atof(other), atof(others[1])));
   } else if (strcmp(what, "first") == 0) {
     printf("%lld\n", first_frame(sound));
-  } else if (strcmp(what, "onsets") == 0) {
-    print_onsets(sound);
+  } else if (strcmp(what, "sounds") == 0) {
+    print_sounds(sound);
   } else if (strcmp(what, "distance") == 0) {
     printf("%.17g\n", distance(sound, other));
   } else {

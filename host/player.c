@@ -91,18 +91,6 @@ void player_listen(Player *player) {
   }
 }
 
-/* A reset takes live parameters back to the model's: remember where they are. */
-static void remember_live(Player *player, const TaborEvent *event) {
-  uint32_t i = 0;
-  while (i < player->live_count &&
-         (player->live[i].parameter != event->parameter || player->live[i].index != event->index)) {
-    i++;
-  }
-  if (i == PLAYER_LIVE) return;
-  player->live[i] = *event;
-  if (i == player->live_count) player->live_count++;
-}
-
 static void add_event(Player *player, const TaborEvent *event) {
   TaborEvent *const added = &player->events[player->event_count++];
   *added = *event;
@@ -110,7 +98,7 @@ static void add_event(Player *player, const TaborEvent *event) {
   /* meant for another preset, which had more of them */
   if (added->type == TABOR_EVENT_STRIKE && added->striker >= player->striker_count)
     added->striker = 0;
-  if (added->type == TABOR_EVENT_PARAMETER) remember_live(player, added);
+  silencer_remember(&player->silencer, added);
   meter_event(player, added);
 }
 
@@ -124,7 +112,7 @@ static void swap(Player *player, const PlayerMessage *message) {
   for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
   player->striker_count = message->strikers;
   player_listen(player);
-  player->live_count = 0; /* the model has them, or others */
+  silencer_forget(&player->silencer);
   meter_event(player, &event);
 }
 
@@ -137,10 +125,7 @@ static void carry_out(Player *player, const PlayerMessage *message) {
   case PLAYER_SWAP: swap(player, message); break;
   case PLAYER_GAIN: fader_set(&player->gain, message->value); break;
   case PLAYER_EXPRESSION: fader_set(&player->expression, message->value); break;
-  case PLAYER_SILENCE:
-    fader_set(&player->silence, 0);
-    player->phase = FADING;
-    break;
+  case PLAYER_SILENCE: silencer_wish(&player->silencer); break;
   default: break;
   }
 }
@@ -161,7 +146,7 @@ static int first_source(const Player *player, uint64_t *frame) {
 static uint32_t take_messages(Player *player, uint32_t most) {
   uint64_t frame = 0;
   int source;
-  for (uint32_t taken = 0; taken < PLAYER_EVENTS && player->phase == HEARD; taken++) {
+  for (uint32_t taken = 0; taken < PLAYER_EVENTS && !silencer_waits(&player->silencer); taken++) {
     source = first_source(player, &frame);
     if (source < 0) return most;
     if (frame > player->position) {
@@ -170,38 +155,17 @@ static uint32_t take_messages(Player *player, uint32_t most) {
     carry_out(player, ring_peek(&player->sources[source]));
     ring_pop(&player->sources[source]);
   }
-  return player->phase == HEARD ? 1 : most; /* what is left acts one frame later */
-}
-
-/* Silence has been reached: the drum forgets everything but what it is. */
-static void forget(Player *player) {
-  keep_statistics(player);
-  tabor_drum_reset(player->drum);
-  tabor_drum_process(player->drum, player->live, player->live_count, NULL, 0);
-  player->resting = 2 * player->silence.length; /* its parameters move, unheard */
-}
-
-static void change_phase(Player *player) {
-  if (player->phase == FADING && player->silence.left == 0) {
-    forget(player);
-    player->phase = RESTING;
-  }
-  if (player->phase == RESTING && player->resting == 0) {
-    fader_set(&player->silence, 1);
-    player->phase = HEARD;
-  }
+  return silencer_waits(&player->silencer) ? most : 1; /* what is left acts one frame later */
 }
 
 /* What happens at this frame; how many of @p most frames to compute before the next. */
 static uint32_t begin_piece(Player *player, uint32_t most) {
+  Silencer *const silencer = &player->silencer;
   player->event_count = 0;
-  change_phase(player);
-  const uint32_t frames = player->phase == HEARD ? take_messages(player, most) : most;
-  if (player->phase == HEARD) return frames;
-  const uint32_t left = player->phase == FADING ? player->silence.left : player->resting;
-  const uint32_t piece = left < frames ? left : frames;
-  if (player->phase == RESTING) player->resting -= piece;
-  return piece;
+  if (silencer_is_due(silencer)) keep_statistics(player);
+  silencer_step(silencer, player->drum);
+  const uint32_t frames = silencer_waits(silencer) ? most : take_messages(player, most);
+  return silencer_limit(silencer, frames);
 }
 
 /* ---- sound ---------------------------------------------------------------------------------- */
@@ -216,7 +180,8 @@ static double clip(Player *player, double sample) {
 static void mix(Player *player, uint32_t frames) {
   double peak[TABOR_MAX_MICS] = {0};
   for (uint32_t frame = 0; frame < frames; frame++) {
-    const double gain = fader_next(&player->gain) * fader_next(&player->expression) * fader_next(&player->silence);
+    const double gain = fader_next(&player->gain) * fader_next(&player->expression) *
+                        silencer_next(&player->silencer);
     for (uint32_t channel = 0; channel < player->channels; channel++) {
       const double sample = gain * (double)player->planar[player->mics[channel]][frame];
       peak[channel] = fmax(peak[channel], fabs(sample));

@@ -53,7 +53,7 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   memcpy(player->mics, setup->mics, sizeof player->mics);
   player->gain = fader_at(setup->gain, setup->rate);
   player->expression = fader_at(1, setup->rate);
-  player->silence = fader_at(1, setup->rate);
+  player->silencer = silencer_begin(setup->rate);
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
   player->striker_count = tabor_model_definition(tabor_drum_model(setup->drum))->striker_count;

@@ -10,10 +10,10 @@
 #include "player.h"
 #include "ring.h"
 #include "ring_out.h"
+#include "silencer.h"
 
 #define PLAYER_PIECE RING_OUT_BLOCK /* frames computed at once at most, and looks at the end */
-#define PLAYER_EVENTS 16            /* of one frame; further ones act at the next */
-#define PLAYER_LIVE 24              /* live parameters that outlive a silence */
+#define PLAYER_EVENTS 32            /* of one frame; further ones act at the next */
 #define LOAD_BINS 256               /* of the load, in steps of 1 %; the last is for all above */
 
 /* What the audio thread tells. Each is written by it alone, relaxed: numbers, not order. */
@@ -32,13 +32,6 @@ typedef struct PlayerMeters {
   atomic_ullong last_frame;
 } PlayerMeters;
 
-/* Unless the drum is heard, messages wait. */
-typedef enum PlayerPhase {
-  HEARD,
-  FADING, /* to a silence that was wished for */
-  RESTING /* in it */
-} PlayerPhase;
-
 struct Player {
   /* set up once */
   TaborDrum *drum;
@@ -51,13 +44,10 @@ struct Player {
   /* the audio thread's */
   uint64_t position, end;
   RingOut ring_out;
-  Fader gain, expression, silence;
+  Fader gain, expression;
+  Silencer silencer;
   uint32_t mics[TABOR_MAX_MICS];
   uint32_t striker_count;
-  PlayerPhase phase;
-  uint32_t resting;             /* frames left of that phase */
-  TaborEvent live[PLAYER_LIVE]; /* parameters moved since the model came */
-  uint32_t live_count;
   TaborEvent events[PLAYER_EVENTS];
   uint32_t event_count;
   float *outputs[TABOR_MAX_MICS]; /* into planar, NULL for what nobody hears */

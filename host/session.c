@@ -12,7 +12,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
   session->position = 0;
   session->peak = session->computing = 0;
   session->expression = fader_at(1, rate);
-  session->silence = fader_at(1, rate);
+  session->silencer = silencer_begin(rate);
   for (uint32_t i = 0; i < request->channels; i++) session->mics[i] = request->mics[i];
   const Outcome outcome = preset_swaps_begin(&session->swaps, &request->def, &request->model);
   session->drum = session->swaps.drum;
@@ -37,16 +37,15 @@ static Outcome act(Session *session, const MidiAction *action) {
   switch (action->type) {
   case MIDI_ACTION_EVENT: break; /* these are among the strokes */
   case MIDI_ACTION_GAIN: fader_set(&session->expression, action->value); break;
-  case MIDI_ACTION_SILENCE: fader_set(&session->silence, 0); break;
+  case MIDI_ACTION_SILENCE: silencer_wish(&session->silencer); break;
   case MIDI_ACTION_PRESET:
     outcome = preset_swaps_act(&session->swaps, action->preset);
+    silencer_forget(&session->silencer);
     attend(session);
     break;
   }
   return outcome;
 }
-
-static bool is_fading_out(const Session *session) { return session->silence.target == 0; }
 
 static const MidiSongItem *next_item(const Session *session) {
   const MidiSong *const song = &session->request->song;
@@ -60,29 +59,23 @@ static uint32_t item_frame(const Session *session, const MidiSongItem *item) {
 static Outcome act_due(Session *session) {
   const MidiSongItem *item;
   Outcome outcome = OUTCOME_OK;
-  while (outcome == OUTCOME_OK && !is_fading_out(session) && (item = next_item(session)) &&
-         item_frame(session, item) <= session->position) {
+  while (outcome == OUTCOME_OK && !silencer_waits(&session->silencer) &&
+         (item = next_item(session)) && item_frame(session, item) <= session->position) {
     session->next_item++;
     outcome = act(session, &item->action);
   }
   return outcome;
 }
 
-/* Silence has been reached: the drum forgets everything, and is heard again. */
-static void forget(Session *session) {
-  tabor_drum_reset(session->drum);
-  session->silence.now = session->silence.target = 1;
-}
-
 /* How many of *frames frames there are until the song does something. */
 static Outcome begin_piece(Session *session, uint32_t *frames) {
-  if (is_fading_out(session) && session->silence.left == 0) forget(session);
+  silencer_step(&session->silencer, session->drum);
   const Outcome outcome = act_due(session);
   const MidiSongItem *const item = next_item(session);
   uint32_t left = *frames;
   if (item) left = item_frame(session, item) - session->position;
-  if (is_fading_out(session)) left = session->silence.left;
-  if (left < *frames) *frames = left;
+  if (silencer_waits(&session->silencer) || left > *frames) left = *frames;
+  *frames = silencer_limit(&session->silencer, left);
   return outcome;
 }
 
@@ -97,10 +90,11 @@ static uint32_t take_events(Session *session, uint32_t frames) {
   TaborEvent *const events = strokes->events + session->next_event;
   const uint32_t position = session->position;
   uint32_t count = 0;
-  while (!is_fading_out(session) && session->next_event < strokes->count &&
+  while (!silencer_waits(&session->silencer) && session->next_event < strokes->count &&
          events[count].frame < position + frames) {
     TaborEvent *const event = &events[count]; /* from here on counted within the piece */
     event->frame = event->frame > position ? event->frame - position : 0;
+    silencer_remember(&session->silencer, event);
     session->next_event++;
     count++;
   }
@@ -113,7 +107,7 @@ static void interleave(Session *session, uint32_t at, uint32_t frames) {
   const uint32_t channels = request->channels;
   for (uint32_t frame = at; frame < at + frames; frame++) {
     const double gain =
-      request->gain * fader_next(&session->expression) * fader_next(&session->silence);
+      request->gain * fader_next(&session->expression) * silencer_next(&session->silencer);
     for (uint32_t channel = 0; channel < channels; channel++) {
       const double sample = gain * (double)session->planar[session->mics[channel]][frame];
       session->interleaved[frame * channels + channel] = sample;

@@ -4,7 +4,7 @@
  * One drum being played: strokes in, interleaved samples out.
  *
  * What a MIDI file does beside its strokes acts at its frame, before these: a gain is reached over
- * 5 ms; silence fades the sound out in 5 ms, in which strokes wait, and leaves the drum at rest; another
+ * 5 ms; silence is silencer.h's; another
  * preset goes on from where the drum is.
  */
 #ifndef TABOR_HOST_SESSION_H
@@ -13,6 +13,7 @@
 #include "fader.h"
 #include "preset_swaps.h"
 #include "render_request.h"
+#include "silencer.h"
 #include "trace_file.h"
 
 #define SESSION_BLOCK AUDIO_BLOCK
@@ -25,7 +26,8 @@ typedef struct Session {
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest sample in size */
   double computing;             /**< processor time that the drum took [s] */
-  Fader expression, silence;    /**< factors beside the request's gain */
+  Fader expression;             /**< factor beside the request's gain */
+  Silencer silencer;
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
   float planar[TABOR_MAX_MICS][SESSION_BLOCK];
   double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */

@@ -41,7 +41,7 @@ effects() {
   "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
     -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
-for name in player ring frame_clock ring_out; do
+for name in player ring frame_clock ring_out silencer; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
 done
 # A check that finds nothing anywhere would be worth nothing.

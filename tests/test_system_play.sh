@@ -50,6 +50,19 @@ done_quietly render frame-drum -q -o live.wav --quality live
 done_quietly play frame-drum -q --backend file --record live-played.wav --humanize 0
 check "the default quality is live; without events it is the preset's stroke" cmp live.wav live-played.wav
 
+# A song with gains, a live parameter, silence and two changes of the preset, which the sound waits for.
+track="00992660 20 99267f 08 b91420 10 b90740 18 992450 30 c901 18 992664 20 b97800 02 99287f 30 b9077f"
+track+=" 18 c900 04 992670 40 99265a 00 ff2f00"
+hex=$(tr -d ' ' <<<"4d546864 00000006 0000 0001 0060 4d54726b $(printf '%08x' $(($(tr -d ' \n' <<<"$track" | wc -c) / 2))) $track")
+# shellcheck disable=SC2059
+printf "$(sed 's/../\\x&/g' <<<"$hex")" >song.mid
+done_quietly render tabor -q -o song.wav --midi-file song.mid --quality draft
+for buffer in 16 333 4096; do
+  done_quietly play tabor -q --backend file --record song-played.wav --midi-file song.mid --quality draft \
+    --humanize 0 --buffer "$buffer"
+  check "a song with --buffer $buffer is render's sound" cmp song.wav song-played.wav
+done
+
 # ---- against a clock ----
 
 run play frame-drum --backend null --events strokes.csv --quality draft --humanize 0 --duration 0.5 \

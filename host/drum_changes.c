@@ -143,13 +143,10 @@ static void reap(DrumChanges *changes) {
   }
 }
 
-/* The same microphones by name, else by place, else the first. */
+/* As the user chose them, on this drum. */
 static void choose_mics(const DrumChanges *changes, const TaborDrumDef *def, uint8_t *mics) {
   for (uint32_t i = 0; i < changes->channels; i++) {
-    const uint32_t wanted = changes->mics[i];
-    const int named = tabor_drum_def_find_mic(def, changes->first.mic[wanted].name);
-    const uint32_t placed = wanted < def->mic_count ? wanted : 0;
-    mics[i] = (uint8_t)(named >= 0 ? (uint32_t)named : placed);
+    mics[i] = (uint8_t)drum_same_mic(&changes->first, changes->mics[i], def);
   }
 }
 

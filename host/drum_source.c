@@ -61,6 +61,12 @@ const char *drum_striker_name(const void *def, size_t index) {
   return index < drum->striker_count ? drum->striker[index].name : NULL;
 }
 
+uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to) {
+  const int named = tabor_drum_def_find_mic(to, from->mic[mic].name);
+  if (named >= 0) return (uint32_t)named;
+  return mic < to->mic_count ? mic : 0;
+}
+
 /* Kinds of things with names of their own. */
 static const struct Family {
   const char *prefix, *what;

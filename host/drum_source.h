@@ -31,6 +31,8 @@ bool preset_is_file(const char *preset);
 /** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
 const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);
+/** What microphone @p mic of @p from is on the drum @p to: that of its name, else of its place, else the first. */
+uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to);
 /** Reads the preset, applies every --set in order, and validates the result. A --set adds no
  * microphone or striker: in a file a new name makes one, on a command line it is a slip. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);

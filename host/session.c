@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "drum_source.h"
 #include "stopwatch.h"
 
 Outcome session_open(Session *session, RenderRequest *request) {
@@ -21,14 +22,12 @@ Outcome session_open(Session *session, RenderRequest *request) {
 
 /* ---- what the song does beside strokes ---- */
 
-/* The new preset's microphone of the same name, else at the same place, else its first. */
+/* The same microphones on the new preset. */
 static void attend(Session *session) {
   const RenderRequest *const request = session->request;
   const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
   for (uint32_t i = 0; i < request->channels; i++) {
-    const int mic = tabor_drum_def_find_mic(def, request->def.mic[request->mics[i]].name);
-    const uint32_t placed = request->mics[i] < def->mic_count ? request->mics[i] : 0;
-    session->mics[i] = mic >= 0 ? (uint32_t)mic : placed;
+    session->mics[i] = drum_same_mic(&request->def, request->mics[i], def);
   }
 }
 

@@ -20,7 +20,7 @@ timeout 900 debootstrap --variant=minbase "$VERSION_CODENAME" "$root" "$mirror" 
 }
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 within() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
-everything() { (cd "$root" && find etc opt srv usr var/lib ! -path 'usr/share/doc*' ! -name '*.cache*' | sort); }
+everything() { (cd "$root" && find etc opt srv usr var/lib ! -name '*.cache*' | sort); }
 quietly within apt-get -q -y --no-install-recommends install gcc libc6-dev pkg-config
 everything >before
 

@@ -3,9 +3,9 @@
 # Writes the program's man page: a template whose line @COMMANDS@ becomes the commands with their
 # options, made from what the program's --help says.
 #
-# make-man-page.sh PROGRAM TEMPLATE PRESET-FOLDER DOC-FOLDER OUTPUT
+# make-man-page.sh PROGRAM TEMPLATE OUTPUT
 set -eu
-program=$1 template=$2 presets=$3 docs=$4 output=$5
+program=$1 template=$2 output=$3
 
 # Help of one command, from standard input, as mdoc: its usage, its summary, a line an option, and
 # notes, which keep their lines.
@@ -54,5 +54,5 @@ while IFS= read -r text; do
     @COMMANDS@) for command in $commands; do "$program" "$command" --help | describe_command; done ;;
     *) printf '%s\n' "$text" ;;
   esac
-done <"$template" | sed -e "s|@PRESET_FOLDER@|$presets|" -e "s|@DOC_FOLDER@|$docs|" >"$output.new"
+done <"$template" >"$output.new"
 mv "$output.new" "$output"

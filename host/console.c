@@ -267,10 +267,10 @@ static Outcome choose(Console *console) {
   return console->has_keys ? terminal_enter(console->has_screen) : OUTCOME_OK;
 }
 
-Outcome console_open(Performance *performance, Console **opened) {
+Outcome console_open(Performance *performance, Console **created) {
   Console *const console = calloc(1, sizeof *console);
   const PlayRequest *const request = performance->request;
-  *opened = console;
+  *created = console;
   if (!console) return fail_memory();
   console->performance = performance;
   console->controls =

@@ -180,27 +180,28 @@ Controls controls_begin(Player *player, DrumChanges *changes, double rate, doubl
 typedef struct CommandWord {
   const char *word;
   const char *usage; /* what has to follow; NULL: nothing may */
-  void (*run)(Controls *controls, char *text, double time);
+  void (*run)(Controls *controls, const char *text, double time);
 } CommandWord;
 
-static void run_set(Controls *controls, char *text, double time) {
+static void run_set(Controls *controls, const char *text, double time) {
   const size_t length = strcspn(text, " =");
-  char *value = text + length;
+  char key[CONTROLS_TEXT_SIZE];
+  (void)snprintf(key, sizeof key, "%.*s", (int)length, text);
+  const char *value = text + length;
   value += strspn(value, " ");
   if (*value == '=') value++;
   value += strspn(value, " ");
-  text[length] = '\0';
   if (!*value) {
-    (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", text);
+    (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
     return;
   }
   const uint64_t frame = frame_at(controls, time);
-  if (drum_changes_set(controls->changes, frame, "set", text, value) != OUTCOME_OK) return;
-  const TaborParameter *const parameter = tabor_parameter_find(text);
-  tell(controls, "%s = %s %s", text, value, parameter ? parameter->unit : "");
+  if (drum_changes_set(controls->changes, frame, "set", key, value) != OUTCOME_OK) return;
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  tell(controls, "%s = %s %s", key, value, parameter ? parameter->unit : "");
 }
 
-static void run_preset(Controls *controls, char *text, double time) {
+static void run_preset(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
   if (drum_changes_preset(controls->changes, frame, text) != OUTCOME_OK) return;
   forget_switches(controls);
@@ -213,19 +214,19 @@ static bool read_number(const char *name, double minimum, double maximum, const 
   return number_read(&field, text, value) == OUTCOME_OK;
 }
 
-static void run_gain(Controls *controls, char *text, double time) {
+static void run_gain(Controls *controls, const char *text, double time) {
   double gain_db = 0;
   if (read_number("gain", LEAST_GAIN, LARGEST_GAIN, text, &gain_db))
     set_gain(controls, gain_db, time);
 }
 
-static void run_speed(Controls *controls, char *text, double time) {
+static void run_speed(Controls *controls, const char *text, double time) {
   (void)time;
   double speed = 0;
   if (read_number("speed", 0.01, 30, text, &speed)) set_speed(controls, speed);
 }
 
-static void run_humanize(Controls *controls, char *text, double time) {
+static void run_humanize(Controls *controls, const char *text, double time) {
   (void)time;
   double amount = 0;
   if (!read_number("humanize", 0, 1, text, &amount)) return;
@@ -233,20 +234,20 @@ static void run_humanize(Controls *controls, char *text, double time) {
   tell(controls, "humanize %g", amount);
 }
 
-static void run_silence(Controls *controls, char *text, double time) {
+static void run_silence(Controls *controls, const char *text, double time) {
   (void)text;
   const PlayerMessage message = {.frame = frame_at(controls, time), .type = PLAYER_SILENCE};
   (void)player_send(controls->player, SOURCE_KEYS, &message);
   tell(controls, "silence");
 }
 
-static void run_help(Controls *controls, char *text, double time) {
+static void run_help(Controls *controls, const char *text, double time) {
   (void)text;
   (void)time;
   controls->shows_help = true;
 }
 
-static void run_quit(Controls *controls, char *text, double time) {
+static void run_quit(Controls *controls, const char *text, double time) {
   (void)text;
   (void)time;
   controls->quits = true;
@@ -285,9 +286,9 @@ static void refuse_command(const char *word, size_t length) {
   (void)refuse("unknown command '%.*s'%s", (int)(length < 80 ? length : 80), word, hint);
 }
 
-static void run_word(Controls *controls, char *text, double time) {
+static void run_word(Controls *controls, const char *text, double time) {
   const size_t length = strcspn(text, " ");
-  char *const rest = text + length + strspn(text + length, " ");
+  const char *const rest = text + length + strspn(text + length, " ");
   const CommandWord *const command = find_command(text, length);
   if (!command) {
     refuse_command(text, length);

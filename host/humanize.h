@@ -32,7 +32,7 @@ typedef struct Humanizer {
 
 Humanizer humanizer(double amount, uint32_t seed);
 /** Reads --humanize and --seed; without --humanize the amount is @p fallback. */
-Outcome humanize_read(const Arguments *arguments, double fallback, Humanizer *humanizer);
+Outcome humanize_read(const Arguments *arguments, double fallback, Humanizer *result);
 /**
  * Scatters @p event if it is a stroke, on a head of @p head_radius [m]; leaves other events alone.
  * Real-time safe.

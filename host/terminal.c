@@ -44,8 +44,9 @@ static bool in_foreground(void) { return tcgetpgrp(STDIN_FILENO) == getpgrp(); }
 static bool locale_is_utf8(void) {
   static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-    if (!is_set(names[i])) continue;
-    const char *const dot = strchr(getenv(names[i]), '.');
+    const char *const value = getenv(names[i]);
+    if (!value || !*value) continue;
+    const char *const dot = strchr(value, '.');
     return dot && (strncasecmp(dot, ".utf-8", 6) == 0 || strncasecmp(dot, ".utf8", 5) == 0);
   }
   return false;

@@ -53,6 +53,16 @@ static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
+/* The later of a frame and the song's last. */
+static uint32_t or_song_end(const RenderRequest *request, uint32_t frame) {
+  const MidiSong *const song = &request->song;
+  const uint32_t last =
+    song->count > 0 ? midi_song_frame(&song->items[song->count - 1], request->model.sample_rate)
+                    : 0;
+  return frame > last ? frame : last;
+}
+
+/* A stick may be lifted after the end. */
 static Outcome read_duration(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--duration", 0.01, 3600, false};
   const char *const text = arguments_value(arguments, "duration");
@@ -61,7 +71,7 @@ static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
   const Outcome outcome = number_read(&field, text, &duration);
   if (outcome != OUTCOME_OK) return outcome;
   request->frames = (uint32_t)llround(duration * request->model.sample_rate);
-  const uint32_t last = render_request_last_frame(request);
+  const uint32_t last = or_song_end(request, strokes_last_stroke(&request->strokes));
   if (last < request->frames) return OUTCOME_OK;
   return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s", text,
                 last / request->model.sample_rate);
@@ -203,10 +213,5 @@ void render_request_free(RenderRequest *request) {
 }
 
 uint32_t render_request_last_frame(const RenderRequest *request) {
-  const MidiSong *const song = &request->song;
-  const uint32_t strokes = strokes_last_frame(&request->strokes);
-  const uint32_t others =
-    song->count > 0 ? midi_song_frame(&song->items[song->count - 1], request->model.sample_rate)
-                    : 0;
-  return strokes > others ? strokes : others;
+  return or_song_end(request, strokes_last_frame(&request->strokes));
 }

@@ -7,7 +7,10 @@
 #define ENERGY_FALL 1e-9 /* 90 dB */
 
 RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate) {
-  if (frames > 0) return (RingOut){.last_event = last_event, .least = frames, .most = frames};
+  if (frames > 0) { /* what comes later does not */
+    if (last_event >= frames) last_event = frames - 1;
+    return (RingOut){.last_event = last_event, .least = frames, .most = frames};
+  }
   return (RingOut){.last_event = last_event,
                    .least = last_event + (uint32_t)ceil(LEAST_TIME * rate),
                    .most = last_event + (uint32_t)ceil(RING_OUT_MOST_TIME * rate)};

@@ -92,18 +92,61 @@ static const char *technique_at(const void *list, size_t index) {
   return names[index];
 }
 
+/* Which of these names this version has, in the order of TaborTechnique. */
+static const size_t known_techniques[] = {0, 4};
+
 static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
-  (void)stroke;
-  if (strcmp(value, technique_at(NULL, 0)) == 0) return OUTCOME_OK;
+  for (uint32_t i = 0; i < sizeof known_techniques / sizeof *known_techniques; i++) {
+    if (strcmp(value, technique_at(NULL, known_techniques[i])) != 0) continue;
+    stroke->event.technique = i;
+    return OUTCOME_OK;
+  }
   for (size_t i = 1; technique_at(NULL, i); i++) {
     if (strcmp(value, technique_at(NULL, i)) == 0) {
-      return refuse("%s '%s': not in this version, only 'normal'", label->text, value);
+      return refuse("%s '%s': not in this version, only 'normal' and 'buzz'", label->text, value);
     }
   }
   char hint[160];
   suggest_hint(hint, sizeof hint, value, "", technique_at, NULL);
   if (*hint) return refuse("%s '%s': unknown%s", label->text, value, hint);
-  return refuse("%s '%s': unknown; allowed: normal", label->text, value);
+  return refuse("%s '%s': unknown; allowed: normal, buzz", label->text, value);
+}
+
+static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, 1, false};
+  return number_read(&field, value, &stroke->event.value);
+}
+
+static Outcome read_hold(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0.001, 60, false};
+  return number_read(&field, value, &stroke->hold);
+}
+
+static Outcome read_id(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, STROKE_MOST_ID, true};
+  double id = 0;
+  const Outcome outcome = number_read(&field, value, &id);
+  stroke->event.id = (uint32_t)id;
+  return outcome;
+}
+
+static const char *event_at(const void *list, size_t index) {
+  (void)list;
+  static const char *const names[] = {"strike", "press", "release", NULL};
+  return names[index];
+}
+
+static Outcome read_event(Stroke *stroke, const Label *label, const char *value) {
+  static const TaborEventType types[] = {TABOR_EVENT_STRIKE, TABOR_EVENT_PRESS,
+                                         TABOR_EVENT_RELEASE};
+  for (size_t i = 0; event_at(NULL, i); i++) {
+    if (strcmp(value, event_at(NULL, i)) != 0) continue;
+    stroke->event.type = types[i];
+    return OUTCOME_OK;
+  }
+  char hint[160];
+  suggest_choice(hint, sizeof hint, value, "", event_at, NULL);
+  return refuse("%s '%s': unknown%s", label->text, value, hint);
 }
 
 static const StrokeField fields[STROKE_FIELDS] = {
@@ -114,6 +157,10 @@ static const StrokeField fields[STROKE_FIELDS] = {
   {"angle", read_angle, 8},
   {"striker", read_striker, 16},
   {"technique", read_technique, 32},
+  {"pressure", read_pressure, 64},
+  {"hold", read_hold, 128},
+  {"id", read_id, 256},
+  {"event", read_event, 512},
 };
 
 static const char *field_name_at(const void *list, size_t index) {
@@ -147,11 +194,13 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
   const int striker = tabor_drum_def_find_striker(def, def->strike.striker);
   return (Stroke){.def = def,
                   .where = where,
+                  .hold = STROKE_HOLD,
                   .event = {.type = TABOR_EVENT_STRIKE,
                             .striker = striker > 0 ? (uint32_t)striker : 0,
                             .velocity = def->strike.velocity,
                             .radius = def->strike.radius,
-                            .angle = def->strike.angle}};
+                            .angle = def->strike.angle,
+                            .technique = def->strike.technique}};
 }
 
 Outcome stroke_set(Stroke *stroke, const StrokeField *field, const char *value, size_t length) {

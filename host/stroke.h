@@ -2,7 +2,7 @@
 /**
  * @file stroke.h
  * One stroke, put together from fields such as "velocity" and "2.5", which come from a --strike
- * option or from a line of an events file.
+ * option or from a line of an events file. With the field "event" it presses or lifts sticks instead.
  */
 #ifndef TABOR_HOST_STROKE_H
 #define TABOR_HOST_STROKE_H
@@ -11,7 +11,11 @@
 
 #include "message.h"
 
-#define STROKE_FIELDS 7 /**< time, velocity, midi, radius, angle, striker, technique */
+/** time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event */
+#define STROKE_FIELDS 11
+
+#define STROKE_HOLD 0.5        /**< of a buzz that does not say how long [s] */
+#define STROKE_MOST_ID 1000000 /**< larger ids are the program's own */
 
 typedef struct StrokeField StrokeField;
 
@@ -21,6 +25,7 @@ typedef struct Stroke {
   const char *where; /**< "--strike" or "drums.csv:3:", for messages; not copied */
   unsigned set;      /**< what its fields have set so far */
   double time;       /**< [s] */
+  double hold;       /**< after which a buzz is lifted [s] */
   TaborEvent event;
 } Stroke;
 

@@ -41,24 +41,67 @@ static Outcome make_room(Strokes *strokes) {
   return OUTCOME_OK;
 }
 
-Outcome strokes_add(Strokes *strokes, const Stroke *stroke) {
-  if (strokes->count == MOST_STROKES) {
-    return refuse("%s too many strokes; allowed: up to %d", stroke->where, MOST_STROKES);
-  }
+/* Adds an event whose number among all is event->index, until they are sorted. */
+static Outcome add_event(Strokes *strokes, const TaborEvent *event, double time) {
   const Outcome outcome = make_room(strokes);
   if (outcome != OUTCOME_OK) return outcome;
-  TaborEvent *const event = &strokes->events[strokes->count++];
-  *event = stroke->event;
-  event->frame = (uint32_t)llround(stroke->time * strokes->rate); /* 3600 s at 192 kHz: < 2^30 */
-  event->id = (uint32_t)strokes->count;
+  TaborEvent *const added = &strokes->events[strokes->count++];
+  *added = *event;
+  added->frame = (uint32_t)llround(time * strokes->rate); /* 7200 s at 192 kHz: < 2^31 */
   return OUTCOME_OK;
+}
+
+/* The release that lifts the stick of a buzz; `parameter` marks it as such until they are sorted. */
+static Outcome add_lift(Strokes *strokes, const Stroke *stroke, const TaborEvent *buzz) {
+  const TaborEvent lift = {
+    .type = TABOR_EVENT_RELEASE, .id = buzz->id, .index = buzz->index, .parameter = 1};
+  return add_event(strokes, &lift, stroke->time + stroke->hold);
+}
+
+Outcome strokes_add(Strokes *strokes, const Stroke *stroke) {
+  if (strokes->count >= MOST_STROKES) {
+    return refuse("%s too many strokes; allowed: up to %d", stroke->where, MOST_STROKES);
+  }
+  TaborEvent event = stroke->event;
+  event.index = (uint32_t)strokes->count;
+  const bool strike = event.type == TABOR_EVENT_STRIKE;
+  if (strike && event.id == 0) event.id = STROKE_MOST_ID + 1 + event.index;
+  const Outcome outcome = add_event(strokes, &event, stroke->time);
+  const bool buzz = strike && event.technique == TABOR_TECHNIQUE_BUZZ;
+  return outcome == OUTCOME_OK && buzz ? add_lift(strokes, stroke, &event) : outcome;
 }
 
 /* By time; strokes of one frame stay in the order in which they were given. */
 static int compare_events(const void *left, const void *right) {
   const TaborEvent *const a = left, *const b = right;
   if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
-  return a->id < b->id ? -1 : a->id > b->id;
+  return a->index < b->index ? -1 : a->index > b->index;
+}
+
+/* The hand has struck again since the buzz that this would lift: that stick is gone already. */
+static bool is_outdated(const TaborEvent *events, size_t lift) {
+  if (!events[lift].parameter) return false;
+  for (size_t i = lift; i-- > 0;) {
+    const bool same = events[i].type == TABOR_EVENT_STRIKE && events[i].id == events[lift].id;
+    if (same) return events[i].index != events[lift].index;
+  }
+  return false;
+}
+
+static void sort(Strokes *strokes) {
+  TaborEvent *const events = strokes->events;
+  qsort(events, strokes->count, sizeof *events, compare_events);
+  for (size_t i = 0; i < strokes->count; i++) {
+    if (is_outdated(events, i)) events[i].type = 0;
+  }
+  size_t kept = 0;
+  for (size_t i = 0; i < strokes->count; i++) {
+    if (events[i].type == 0) continue;
+    events[kept] = events[i];
+    events[kept].index = events[kept].parameter = 0;
+    kept++;
+  }
+  strokes->count = kept;
 }
 
 static Outcome read_options(const Arguments *arguments, const TaborDrumDef *def, Strokes *strokes) {
@@ -87,7 +130,7 @@ Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double
     outcome = strokes_add(strokes, &stroke);
   }
   if (outcome != OUTCOME_OK || strokes->count == 0) return outcome;
-  qsort(strokes->events, strokes->count, sizeof *strokes->events, compare_events);
+  sort(strokes);
   return OUTCOME_OK;
 }
 
@@ -114,4 +157,10 @@ void strokes_free(Strokes *strokes) {
 
 uint32_t strokes_last_frame(const Strokes *strokes) {
   return strokes->count > 0 ? strokes->events[strokes->count - 1].frame : 0;
+}
+
+uint32_t strokes_last_stroke(const Strokes *strokes) {
+  size_t last = strokes->count;
+  while (last > 0 && strokes->events[last - 1].type == TABOR_EVENT_RELEASE) last--;
+  return last > 0 ? strokes->events[last - 1].frame : 0;
 }

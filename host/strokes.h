@@ -16,7 +16,10 @@
 #define OPTION_EVENTS                                                                              \
   { "events", 0, "FILE", "strokes from a CSV file (repeatable), '-' for standard input; see below" }
 
-/** Strike events in order of time; event.frame counts from the beginning of the sound. */
+/**
+ * Events in order of time; event.frame counts from the beginning of the sound. A buzz is followed by
+ * the release that lifts its stick.
+ */
 typedef struct Strokes {
   TaborEvent *events;
   size_t count, capacity;
@@ -36,5 +39,7 @@ Outcome strokes_merge(Strokes *strokes, const TaborEvent *events, size_t count);
 void strokes_free(Strokes *strokes);
 /** Frame of the last event; 0 if there is none. */
 uint32_t strokes_last_frame(const Strokes *strokes);
+/** The same, but for releases. */
+uint32_t strokes_last_stroke(const Strokes *strokes);
 
 #endif

@@ -146,7 +146,7 @@ static void test_live_keys(void **state) {
     {"wires.tension", 508},          {"wires.damping_0", 512},
     {"wires.damping_1", 513},        {"wires.strainer", 514},
     {"wires.rest_offset", 516},      {"mic.top.gain", 1103},
-    {"output.full_scale", 1400},
+    {"output.full_scale", 1400},     {"hand.grip", 803},
   };
   uint32_t count = 0;
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) count += tabor_parameter(i)->live;
@@ -189,7 +189,7 @@ static void test_parameter_find(void **state) {
     "resonant.1.tension",
     "resonant.batter",
     "hoop.mass",
-    "hand.grip",
+    "hand.grasp",
     "batter.lug_17",
     "batter.muffle",
     "shell.height",
@@ -450,7 +450,7 @@ static void test_set_refusals(void **state) {
   refuse_set("resonant.tension", "99", TABOR_ERROR_RANGE, "outside 100 to 20000 N/m");
   refuse_set("resonant.damping_0", "x", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("striker.stick.kind", "brush", TABOR_ERROR_VALUE, "stick, mallet, finger");
-  refuse_set("strike.technique", "rimshot", TABOR_ERROR_VALUE, "is none of: normal");
+  refuse_set("strike.technique", "rimshot", TABOR_ERROR_VALUE, "is none of: normal, buzz");
   refuse_set("wire.1.tension", "nan", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("wire.1.tension", " ", TABOR_ERROR_VALUE, "is not a number");
 }

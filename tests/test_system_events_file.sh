@@ -22,6 +22,22 @@ same_sound() { check "$1" cmp -s "$2" "$3"; }
 
 # ---- the same as --strike ----
 
+# a buzz is a stroke that is pressed, and lifted after half a second or when the hand strikes again
+render_strikes strikes.wav technique=buzz,pressure=0.3,id=1 time=0.1,technique=buzz,id=1,hold=0.2 \
+  time=0.2,event=press,pressure=0.9,id=1
+cat >strokes.csv <<'END'
+time,technique,pressure,id,hold,event
+0,,,1,,strike
+0,,0.3,1,,press
+0.1,,,,,release
+0.1,,,1,,
+0.1,,0,1,,press
+0.2,,0.9,,,press
+0.3,,,1,,release
+END
+render_events events.wav
+same_sound "a buzz, pressed harder and lifted" strikes.wav events.wav
+
 render_strikes strikes.wav time=0,velocity=1,radius=20%,angle=10,striker=stick,technique=normal \
   time=0.1,velocity=3 time=0.2,midi=100,radius=0.05
 cat >strokes.csv <<'END'
@@ -143,6 +159,10 @@ bad "bad.csv:2: radius in per cent '101'.*allowed: 0 to 100" radius 101%
 bad "bad.csv:2: striker 'stik'.*did you mean 'stick'" striker stik
 bad "bad.csv:2: technique 'rim': not in this version" technique rim
 bad "bad.csv:2: technique 'norml'.*did you mean 'normal'" technique norml
+bad "bad.csv:2: event 'pres': unknown.*did you mean 'press'" event pres
+bad "bad.csv:2: pressure '1.1'.*allowed: 0 to 1" pressure 1.1
+bad "bad.csv:2: hold '0'.*allowed: 0.001 to 60" hold 0
+bad "bad.csv:2: id '-1'.*allowed: 0 to 1000000" id -1
 bad "bad.csv:2: striker: the value is too long" striker "$(printf 's%.0s' {1..5000})"
 bad "unknown column" "$(printf 's%.0s' {1..5000})"
 bad "bad.csv:1: the column 'time' occurs twice" "time$(printf ',time%.0s' {1..5000})x"

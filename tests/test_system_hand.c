@@ -87,11 +87,320 @@ static void a_released_stick_is_gone_and_the_drum_falls_silent(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- buzz strokes ---------------------------------------------------------------------------- */
+
+enum { MOST_HITS = 64 };
+
+/* When contacts began, those apart that lie less than a millisecond from the last. */
+typedef struct Hits {
+  double at[MOST_HITS]; /* [s] */
+  uint32_t count;
+  bool touching;
+  double apart; /* since when nothing touches [s] */
+} Hits;
+
+static void watch(Hits *hits, const TaborDrum *drum, double now) {
+  TaborProbe probe;
+  tabor_drum_probe(drum, &probe);
+  const bool touches = probe.striker_force > 0.0;
+  if (touches && !hits->touching && (hits->count == 0 || now - hits->apart > 1e-3)) {
+    if (hits->count < MOST_HITS) hits->at[hits->count] = now;
+    hits->count++;
+  }
+  if (!touches && hits->touching) hits->apart = now;
+  hits->touching = touches;
+}
+
+static TaborDrumDef held_drum(double grip) {
+  TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  def.striker[0].mass = 0.0126;
+  def.hand.grip = grip;
+  return def;
+}
+
+static const TaborEvent BUZZ = {.type = TABOR_EVENT_STRIKE,
+                                .id = 1,
+                                .velocity = 1.5,
+                                .radius = 0.08,
+                                .technique = TABOR_TECHNIQUE_BUZZ};
+
+static Hits hits_of_buzz(double grip, double seconds, TaborLedger *ledger) {
+  const TaborDrumDef def = held_drum(grip);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  Hits hits = {.count = 0};
+  for (uint32_t i = 0; i < (uint32_t)(seconds * RATE); i++) {
+    tabor_drum_process(drum, &BUZZ, i == 0, NULL, 1);
+    watch(&hits, drum, i / RATE);
+  }
+  tabor_drum_ledger(drum, ledger);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  return hits;
+}
+
+static void bounces_come_closer_and_closer_with_grip(void **state) {
+  (void)state;
+  double last_mean = 1.0;
+  for (double grip = 0.25; grip <= 1.0; grip += 0.25) {
+    TaborLedger ledger;
+    const Hits hits = hits_of_buzz(grip, 0.6, &ledger);
+    assert_true(hits.count >= 6 && hits.count <= MOST_HITS);
+    const double mean = (hits.at[5] - hits.at[0]) / 5.0;
+    print_message("grip %.2f: gaps of %.0f %.0f %.0f %.0f %.0f ms\n", grip,
+                  1e3 * (hits.at[1] - hits.at[0]), 1e3 * (hits.at[2] - hits.at[1]),
+                  1e3 * (hits.at[3] - hits.at[2]), 1e3 * (hits.at[4] - hits.at[3]),
+                  1e3 * (hits.at[5] - hits.at[4]));
+    assert_true(hits.at[4] - hits.at[3] < hits.at[1] - hits.at[0]);
+    assert_true(mean < last_mean);
+    last_mean = mean;
+    if (grip == 0.5) { /* what is known of buzz strokes */
+      uint32_t early = 0;
+      while (early < hits.count && hits.at[early] < 0.25) early++;
+      print_message("grip %.2f: %.0f bounces a second\n", grip, early / 0.25);
+      assert_in_range(early, 4, 7); /* 15 to 30 a second */
+    }
+    assert_true(ledger.damper_loss > 0.0);
+    assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
+  }
+}
+
+static void without_grip_the_stick_rebounds_as_if_it_were_free(void **state) {
+  (void)state;
+  static float held[9600], free_one[9600];
+  for (int buzz = 0; buzz < 2; buzz++) {
+    const TaborDrumDef def = held_drum(0.0);
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+    TaborDrum *drum = physics_drum(model);
+    TaborEvent stroke = BUZZ;
+    if (!buzz) stroke.technique = TABOR_TECHNIQUE_NORMAL;
+    float *outputs[TABOR_MAX_MICS] = {buzz ? held : free_one};
+    tabor_drum_process(drum, &stroke, 1, outputs, 9600);
+    TaborLedger ledger;
+    tabor_drum_ledger(drum, &ledger);
+    assert_true(ledger.removed > 0.0); /* it has flown off */
+    assert_true(ledger.damper_loss == 0.0);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  for (int i = 0; i < 9600; i++) assert_true(fabsf(held[i] - free_one[i]) < 1e-6f);
+}
+
+static void a_buzz_is_a_stroke_that_is_pressed(void **state) {
+  (void)state;
+  static float sound[2][9600];
+  for (int buzz = 0; buzz < 2; buzz++) {
+    const TaborDrumDef def = held_drum(0.5);
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+    TaborDrum *drum = physics_drum(model);
+    TaborEvent events[2] = {BUZZ, {.type = TABOR_EVENT_PRESS, .id = 1, .value = 0.3}};
+    events[0].value = 0.3;
+    if (!buzz) events[0].technique = TABOR_TECHNIQUE_NORMAL;
+    float *outputs[TABOR_MAX_MICS] = {sound[buzz]};
+    tabor_drum_process(drum, events, buzz ? 1 : 2, outputs, 9600);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  assert_memory_equal(sound[0], sound[1], sizeof sound[0]);
+}
+
+/* A rod of 0.4 m: held at its middle 1/3 of it counts at the tip, at a third from its end a quarter. */
+static void where_the_stick_is_held_decides_what_it_weighs(void **state) {
+  (void)state;
+  static const double PIVOT[] = {0.2, 0.4 / 3.0}, PART[] = {1.0 / 3.0, 0.25};
+  double mass[2];
+  for (int i = 0; i < 2; i++) {
+    TaborDrumDef def = held_drum(0.5);
+    def.hand.pivot = PIVOT[i];
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+    TaborDrum *drum = physics_drum(model);
+    tabor_drum_process(drum, &BUZZ, 1, NULL, 0);
+    TaborLedger ledger;
+    tabor_drum_ledger(drum, &ledger);
+    mass[i] = 2.0 * ledger.injected / (1.5 * 1.5);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  assert_true(fabs(mass[0] / mass[1] - PART[0] / PART[1]) < 1e-9);
+  assert_true(fabs(mass[1] - 0.05 * PART[1]) < 2e-5); /* 50 g */
+}
+
+/* ---- while it bounces ------------------------------------------------------------------------ */
+
+/* Presses, lets go, grips and strikes again, mostly while sticks touch the head. */
+static uint32_t hands_at_work(uint32_t frame, TaborEvent *event) {
+  const TaborParameter *grip = tabor_parameter_find("hand.grip");
+  const uint32_t turn = frame / 317;
+  if (frame % 317 != 40) return 0;
+  *event = (TaborEvent){.type = TABOR_EVENT_PRESS, .id = turn % 3, .value = (turn * 7 % 10) / 9.0};
+  if (turn % 5 == 0) {
+    *event = BUZZ;
+    event->id = 1 + turn % 2;
+    event->velocity = 0.5 + 0.1 * (turn % 30);
+    event->value = 0.1 * (turn % 7);
+  } else if (turn % 5 == 2) {
+    *event = (TaborEvent){
+      .type = TABOR_EVENT_PARAMETER, .parameter = grip->id, .value = (turn * 3 % 8) / 7.0};
+  } else if (turn % 11 == 4) {
+    *event = (TaborEvent){.type = TABOR_EVENT_RELEASE, .id = 1};
+  }
+  return 1;
+}
+
+static void play_hands(TaborDrum *drum, uint32_t from, uint32_t to, uint32_t block, float *out) {
+  for (uint32_t start = from; start < to; start += block) {
+    const uint32_t size = to - start < block ? to - start : block;
+    TaborEvent events[64];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < size; i++) {
+      if (!hands_at_work(start + i, &events[count])) continue;
+      events[count++].frame = i;
+    }
+    float *outputs[TABOR_MAX_MICS] = {out + start};
+    tabor_drum_process(drum, events, count, outputs, size);
+  }
+}
+
+enum { FRAMES = 12000 };
+
+static void changes_while_it_bounces_are_accounted_for_at_every_cap(void **state) {
+  (void)state;
+  static float out[FRAMES];
+  for (uint32_t cap = 1; cap <= 4; cap++) {
+    for (uint32_t losses = 0; losses < 2; losses++) {
+      TaborDrumDef def = physics_preset(cap % 2 ? "frame-drum" : "snare-14x5.5");
+      def.quality.newton_cap = cap;
+      def.quality.losses = losses;
+      def.quality.two_way_bandwidth = 2000.0;
+      TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+      TaborDrum *drum = physics_drum(model);
+      play_hands(drum, 0, FRAMES, 64, out);
+      TaborLedger ledger;
+      TaborStatistics statistics;
+      tabor_drum_ledger(drum, &ledger);
+      tabor_drum_statistics(drum, &statistics);
+      print_message("%s, cap %u, losses %u: residual %.1e of %.2g J, dampers %.2g J, %llu capped\n",
+                    def.name, cap, losses, ledger.residual / ledger.injected, ledger.injected,
+                    ledger.damper_loss, (unsigned long long)statistics.newton_capped);
+      assert_true(ledger.residual >= -1e-9 * ledger.injected);
+      if (statistics.newton_capped == 0) assert_true(ledger.residual < 1e-9 * ledger.injected);
+      assert_true(losses ? ledger.damper_loss > 0.0 : ledger.damper_loss == 0.0);
+      tabor_drum_destroy(drum);
+      tabor_model_release(model);
+    }
+  }
+}
+
+static void blocks_saves_and_resets_keep_every_bit(void **state) {
+  (void)state;
+  static float whole[FRAMES], parts[FRAMES];
+  const TaborDrumDef def = held_drum(0.5);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
+  play_hands(drum, 0, FRAMES, FRAMES / 8, whole);
+  play_hands(other, 0, 5000, 1, parts);
+  const size_t size = tabor_drum_state_size(other);
+  void *saved = malloc(size);
+  tabor_drum_state_save(other, saved);
+  play_hands(other, 5000, 7000, 100, parts); /* goes astray */
+  tabor_drum_reset(drum);
+  assert_int_equal(tabor_drum_state_load(drum, saved, size), TABOR_OK);
+  play_hands(drum, 5000, FRAMES, 77, parts);
+  assert_memory_equal(whole, parts, sizeof whole);
+  tabor_drum_reset(drum);
+  play_hands(drum, 0, FRAMES, 1000, parts);
+  assert_memory_equal(whole, parts, sizeof whole);
+  free(saved);
+  tabor_drum_destroy(drum);
+  tabor_drum_destroy(other);
+  tabor_model_release(model);
+}
+
+static TaborDrum *swapped(TaborModel *from, TaborModel *to, float *out) {
+  TaborDrum *drum = physics_drum(from);
+  TaborSwap *swap;
+  assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
+  play_hands(drum, 0, 6000, 100, out);
+  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
+  tabor_drum_process(drum, &event, 1, NULL, 0);
+  play_hands(drum, 6000, FRAMES, 100, out);
+  assert_true(tabor_swap_done(swap));
+  tabor_swap_destroy(swap);
+  return drum;
+}
+
+static void a_swap_keeps_the_stick_in_the_hand(void **state) {
+  (void)state;
+  static float straight[FRAMES], out[FRAMES];
+  TaborDrumDef def = held_drum(0.5);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborModel *twin = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  def.batter.tension *= 1.05;
+  TaborModel *tighter = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  play_hands(drum, 0, FRAMES, 100, straight);
+  tabor_drum_destroy(drum);
+  drum = swapped(model, twin, out);
+  assert_memory_equal(straight, out, sizeof out);
+  tabor_drum_destroy(drum);
+  drum = swapped(model, tighter, out);
+  TaborProbe probe;
+  TaborLedger ledger;
+  TaborStatistics statistics;
+  tabor_drum_probe(drum, &probe);
+  tabor_drum_ledger(drum, &ledger);
+  tabor_drum_statistics(drum, &statistics);
+  assert_false(isnan(probe.striker));
+  assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  tabor_model_release(twin);
+  tabor_model_release(tighter);
+}
+
+/* Two hands in turn, 7 strokes a second: what one leaves silent the other fills. */
+static void a_press_roll_has_no_gaps(void **state) {
+  (void)state;
+  const TaborDrumDef def = held_drum(0.5);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  Hits hits = {.count = 0};
+  double longest = 0.0;
+  const uint32_t stroke = (uint32_t)(RATE / 7.0), frames = (uint32_t)(2.0 * RATE);
+  for (uint32_t i = 0; i < frames; i++) {
+    TaborEvent buzz = BUZZ;
+    buzz.id = 1 + i / stroke % 2;
+    buzz.angle = buzz.id * 20.0;
+    buzz.value = 0.1;
+    tabor_drum_process(drum, &buzz, i % stroke == 0, NULL, 1);
+    watch(&hits, drum, i / RATE);
+    if (!hits.touching) longest = fmax(longest, i / RATE - hits.apart);
+  }
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  print_message("roll: %llu strokes, %.0f bounces a second, silent for %.0f ms at the longest\n",
+                (unsigned long long)statistics.strikes, hits.count / 2.0, 1e3 * longest);
+  assert_int_equal(statistics.dropped_events, 0);
+  assert_int_equal(statistics.strikes, (frames + stroke - 1) / stroke);
+  assert_true(longest < 0.05);
+  assert_true(hits.count / 2.0 > 25.0);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(harder_pressure_bounces_faster),
     cmocka_unit_test(a_light_press_brings_the_stick_back),
     cmocka_unit_test(a_released_stick_is_gone_and_the_drum_falls_silent),
+    cmocka_unit_test(bounces_come_closer_and_closer_with_grip),
+    cmocka_unit_test(without_grip_the_stick_rebounds_as_if_it_were_free),
+    cmocka_unit_test(a_buzz_is_a_stroke_that_is_pressed),
+    cmocka_unit_test(where_the_stick_is_held_decides_what_it_weighs),
+    cmocka_unit_test(changes_while_it_bounces_are_accounted_for_at_every_cap),
+    cmocka_unit_test(blocks_saves_and_resets_keep_every_bit),
+    cmocka_unit_test(a_swap_keeps_the_stick_in_the_hand),
+    cmocka_unit_test(a_press_roll_has_no_gaps),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

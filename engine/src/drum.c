@@ -32,8 +32,15 @@ static bool fields_finite(const TaborEvent *event) {
 
 static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   if (event->striker >= drum->model->def.striker_count) return false;
-  return tb_slots_strike(view, event->id, event->striker, clamp(event->velocity, 0.01, 30.0),
-                         place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
+  if (event->technique > TABOR_TECHNIQUE_BUZZ) return false;
+  const TbStroke stroke = {.id = event->id,
+                           .striker = event->striker,
+                           .buzz = event->technique == TABOR_TECHNIQUE_BUZZ,
+                           .velocity = clamp(event->velocity, 0.01, 30.0),
+                           .radius = place_radius(drum, event->radius),
+                           .angle = clamp(event->angle, -1e6, 1e6),
+                           .pressure = clamp(event->value, 0.0, 1.0)};
+  return tb_slots_strike(view, &stroke);
 }
 
 static bool press(TbView *view, const TaborEvent *event) {

@@ -21,8 +21,9 @@ static void shorten_all(TbView *view, double t) {
 
 static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
+  const TbHandWork hands = tb_slots_hand_work(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
-         losses.shell + losses.wires - tb_slots_hand_work(view);
+         losses.shell + losses.wires + hands.lost - hands.done;
 }
 
 bool tb_guard(TbView *view) {

@@ -20,6 +20,7 @@ static double definition_value(const TaborDrumDef *def, uint32_t index) {
   case TB_LIVE_MUFFLE: return def->batter.muffle_strength;
   case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
   case TB_LIVE_FULL_SCALE: return def->full_scale;
+  case TB_LIVE_GRIP: return def->hand.grip;
   default: return index - TB_LIVE_GAIN < def->mic_count ? def->mic[index - TB_LIVE_GAIN].gain : 1.0;
   }
 }
@@ -89,6 +90,7 @@ static int live_index(uint32_t parameter) {
   case TB_PARAM_BATTER_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE;
   case TB_PARAM_RESONANT_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE_RESONANT;
   case TB_PARAM_OUTPUT_FULL_SCALE: return TB_LIVE_FULL_SCALE;
+  case TB_PARAM_HAND_GRIP: return TB_LIVE_GRIP;
   case TB_PARAM_MIC_GAIN: return TB_LIVE_GAIN;
   default: return -1;
   }
@@ -123,7 +125,9 @@ static bool advance(TbLive *live, bool slewed) {
 
 void tb_live_step(TbView *view) {
   TbLive *live = view->state->live;
-  for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) advance(&live[i], false);
+  for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
+    if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_slots_regrip(view);
+  }
   bool pending = false;
   for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) pending |= live[i].left > 0;
   if (!pending) return;

@@ -273,6 +273,12 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HAND_DAMPING, "hand", "damping", "N s/m", "damping of a hand that presses a stick",
        NUMBER(0, 10, 0.2)),
    AT(hand.damping)},
+  {ROW(TB_PARAM_HAND_PIVOT, "hand", "pivot", "m",
+       "from the stick's butt to where the hand holds it", NUMBER(0, 0.3, 0.12)),
+   AT(hand.pivot)},
+  {ROW(TB_PARAM_HAND_GRIP, "hand", "grip", "", "how firmly the hand holds the stick, 0: not at all",
+       NUMBER(0, 1, 0.5), LIVE),
+   AT(hand.grip)},
 
   {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
        NUMBER(0.01, 30, 2.5), LOGARITHMIC),
@@ -286,7 +292,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_STRIKE_STRIKER, "strike", "striker", "", "name of its striker; empty: the first",
        TEXT),
    SIZED(strike.striker), .identifier = true},
-  {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made", CHOICE("normal", 0)),
+  {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made",
+       CHOICE("normal|buzz", TABOR_TECHNIQUE_NORMAL)),
    AT(strike.technique)},
 
   {ROW(TB_PARAM_MIC_RADIUS, "mic.", "radius", "m", "distance from the drum's axis",

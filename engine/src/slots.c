@@ -39,11 +39,23 @@ static void couple(TbView *view, uint32_t slot) {
   view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_missing(view, slot)->compliance;
 }
 
+/* What a hand does at the tip of the stick that it presses. */
+typedef struct Hand {
+  double force, stiffness, damping;
+} Hand;
+
+static Hand hand_of(const TbView *view, const TbSlot *s) {
+  if (!s->held) return (Hand){0.0, 0.0, 0.0};
+  const TaborDrumDef *def = &view->model->def;
+  const double share = 2.0 * view->state->live[TB_LIVE_GRIP].now;
+  return (Hand){share * s->press, share * def->hand.stiffness,
+                def->quality.losses ? share * def->hand.damping : 0.0};
+}
+
 /* Displacement of the striker itself one step after a unit force [m/N]. */
 static double own_compliance(const TbView *view, const TbSlot *s) {
   const double k = view->model->time_step;
-  const double damping = s->held ? view->model->def.hand.damping : 0.0;
-  return k * k / (s->mass + 0.5 * damping * k);
+  return k * k / (s->mass + 0.5 * hand_of(view, s).damping * k);
 }
 
 static void prepare_law(TbView *view, uint32_t slot) {
@@ -175,27 +187,32 @@ static uint32_t obtain(TbView *view) {
   return oldest;
 }
 
-bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocity, double radius,
-                     double angle) {
-  const uint32_t slot = obtain(view);
-  if (slot == TB_SLOTS) return false;
-  TbState *state = view->state;
-  const double mass = view->model->def.striker[striker].mass;
-  state->slots[slot] = (TbSlot){.kind = TB_SLOT_STRIKER,
-                                .id = id,
-                                .serial = ++state->serial,
-                                .mass = mass,
-                                .definition = striker,
-                                .radius = radius,
-                                .angle = angle,
-                                .velocity = velocity};
-  state->slot_mask |= 1u << slot;
-  view->now.z[slot] = view->last.z[slot] = 0.0;
-  tb_slots_rebuild(view, slot);
+static const double STICK = 0.4, USUAL_PIVOT = 0.12; /* [m] */
 
-  /* On the surface now, or, where the head recedes faster, just above it one sample ago. */
+/* Mass at the tip of a rod held at `pivot` from its butt, in units of its mass. */
+static double tip_part(double pivot) {
+  const double place = pivot / STICK, aside = 0.5 - place, lever = 1.0 - place;
+  return (1.0 / 12.0 + aside * aside) / (lever * lever);
+}
+
+static double mass_of(const TbView *view, const TbStroke *stroke) {
+  const TaborDrumDef *def = &view->model->def;
+  const double mass = def->striker[stroke->striker].mass;
+  return stroke->buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
+}
+
+/* A hand that strikes again lifts the stick that it pressed. */
+static void free_hand(TbView *view, uint32_t id) {
+  for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind == TB_SLOT_STRIKER && s->held && s->id == id) take_away(view, i);
+  }
+}
+
+/* On the surface now, or, where the head recedes faster, just above it one sample ago. */
+static void launch(TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
-  const double approach = velocity * view->model->time_step;
+  const double approach = view->state->slots[slot].velocity * view->model->time_step;
   const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
   double z = surface_now;
   if (surface_last - approach > z) z = surface_last - approach;
@@ -204,6 +221,37 @@ bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocit
   view->now.eta[row] = surface_now - view->now.z[slot];
   view->last.eta[row] = surface_last - view->last.z[slot];
   if (view->last.eta[row] > 0.0) view->last.eta[row] = 0.0; /* rounding of z + approach */
+}
+
+static double press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
+
+static void hold(TbView *view, uint32_t slot, double pressure) {
+  TbSlot *s = &view->state->slots[slot];
+  if (!s->held) s->anchor = view->now.z[slot];
+  s->held = 1;
+  s->press = press_force(pressure);
+  view->own[view->model->wires.stride + slot] = own_compliance(view, s);
+}
+
+bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
+  free_hand(view, stroke->id);
+  const uint32_t slot = obtain(view);
+  if (slot == TB_SLOTS) return false;
+  TbState *state = view->state;
+  const double mass = mass_of(view, stroke);
+  state->slots[slot] = (TbSlot){.kind = TB_SLOT_STRIKER,
+                                .id = stroke->id,
+                                .serial = ++state->serial,
+                                .mass = mass,
+                                .definition = stroke->striker,
+                                .radius = stroke->radius,
+                                .angle = stroke->angle,
+                                .velocity = stroke->velocity};
+  state->slot_mask |= 1u << slot;
+  view->now.z[slot] = view->last.z[slot] = 0.0;
+  tb_slots_rebuild(view, slot);
+  launch(view, slot);
+  if (stroke->buzz) hold(view, slot, stroke->pressure);
   const double speed = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
   state->sums.injected += 0.5 * mass * speed * speed;
   state->statistics.strikes++;
@@ -212,42 +260,48 @@ bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocit
 }
 
 bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
-  const double force = 0.3 * tb_power(8.0 / 0.3, pressure);
   bool found = false;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
-    if (!s->held) s->anchor = view->now.z[i];
-    s->held = 1;
-    s->press = force;
-    view->own[view->model->wires.stride + i] = own_compliance(view, s);
+    hold(view, i, pressure);
     found = true;
   }
   if (found) tb_live_apply(view);
   return found;
 }
 
+void tb_slots_regrip(TbView *view) {
+  bool found = false;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (!s->held) continue;
+    view->own[view->model->wires.stride + i] = own_compliance(view, s);
+    found = true;
+  }
+  if (found) tb_live_apply(view);
+}
+
 double tb_slots_free_height(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   const double now = view->now.z[slot], last = view->last.z[slot];
   if (!s->held) return 2.0 * now - last;
-  const TaborHandDef *hand = &view->model->def.hand;
+  const Hand hand = hand_of(view, s);
   const double k = view->model->time_step;
-  const double inertia = s->mass / (k * k), damping = hand->damping / (2.0 * k);
-  const double pull = s->press + hand->stiffness * (now - s->anchor);
+  const double inertia = s->mass / (k * k), damping = hand.damping / (2.0 * k);
+  const double pull = hand.force + hand.stiffness * (now - s->anchor);
   return (inertia * (2.0 * now - last) + damping * last - pull) / (inertia + damping);
 }
 
-double tb_slots_hand_work(const TbView *view) {
-  const TaborHandDef *hand = &view->model->def.hand;
-  double work = 0.0;
+TbHandWork tb_slots_hand_work(const TbView *view) {
+  TbHandWork work = {0.0, 0.0};
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (!s->held) continue;
+    const Hand hand = hand_of(view, s);
     const double moved = view->next.z[i] - view->last.z[i];
-    const double force = -s->press - hand->stiffness * (view->now.z[i] - s->anchor) -
-                         hand->damping * moved * 0.5 * view->model->sample_rate;
-    work += 0.5 * force * moved;
+    work.done -= 0.5 * moved * (hand.force + hand.stiffness * (view->now.z[i] - s->anchor));
+    work.lost += 0.25 * hand.damping * view->model->sample_rate * moved * moved;
   }
   return work;
 }

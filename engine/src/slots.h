@@ -7,25 +7,40 @@
  * exactly the speed asked for, so the energy it brings is M v^2/2. It is taken away once it moves
  * off beyond 5 mm, or touches nothing a second after the stroke.
  *
- * A striker that a hand presses moves as M z_tt = f - F0 - kh (z - z0) - ch z_t, damper centred, z0
- * where the hand took hold; it bounces, and stays until it is released or leaps 50 mm off, out of the
- * hand. The hand's work is injected energy. Strikers pass the wires by: they meet the head alone. */
+ * A striker that a hand presses moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), damper centred, g
+ * the grip, z0 where the hand took hold; it bounces, and stays until it is released or leaps 50 mm off,
+ * out of the hand. What force and spring do is injected energy, what the damper takes is lost. g = 0 is
+ * a free rebound. A hand holds one stick: a stroke takes away the pressed one with its id. Held at a
+ * distance p from its butt, a rod of length L and mass m weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at
+ * its tip. Strikers pass the wires by: they meet the head alone. */
 #ifndef TB_SLOTS_H
 #define TB_SLOTS_H
 
 #include "state.h"
 
+/* A stroke as asked for, within range. */
+typedef struct TbStroke {
+  uint32_t id, striker;
+  bool buzz;
+  double velocity, radius, angle;
+  double pressure; /* of a buzz, 0 to 1 */
+} TbStroke;
+
 /* Places a stroke; false if the pool is full of strikers in contact. */
-bool tb_slots_strike(TbView *view, uint32_t id, uint32_t striker, double velocity, double radius,
-                     double angle);
+bool tb_slots_strike(TbView *view, const TbStroke *stroke);
 /* Lays a hand of `strength` [N s/m] on the head, or moves the one with this id. */
 bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle);
 /* Presses the strikers with this id, or all for 0, pressure 0 to 1; false if none is in play. */
 bool tb_slots_press(TbView *view, uint32_t id, double pressure);
 /* Height of a striker at the next instant without contact force. */
 double tb_slots_free_height(const TbView *view, uint32_t slot);
-/* Work [J] of the hands on the pressed strikers in the step from view->last to view->next. */
-double tb_slots_hand_work(const TbView *view);
+/* What the hands do to pressed strikers in the step from view->last to view->next [J]. */
+typedef struct TbHandWork {
+  double done, lost; /* by force and spring, in the damper */
+} TbHandWork;
+TbHandWork tb_slots_hand_work(const TbView *view);
+/* After the grip has changed. */
+void tb_slots_regrip(TbView *view);
 /* Lays on, adjusts or lifts the mufflers as their live strengths say. */
 void tb_slots_muffle(TbView *view);
 /* Takes away strikers and hands with this id, or all for 0; mufflers stay. */

@@ -136,7 +136,9 @@ static void book_losses(TbView *view) {
   sums->radiated += losses.radiated;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
-  sums->injected += tb_slots_hand_work(view);
+  const TbHandWork hands = tb_slots_hand_work(view);
+  sums->injected += hands.done;
+  sums->damper_loss += hands.lost;
 }
 
 static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {

@@ -126,6 +126,12 @@ typedef enum TaborStrikerKind {
 } TaborStrikerKind;
 
 /** What holds the heads. */
+/** How a stroke is made. */
+typedef enum TaborTechnique {
+  TABOR_TECHNIQUE_NORMAL, /**< the stick is free and rebounds */
+  TABOR_TECHNIQUE_BUZZ /**< a hand goes on pressing the stick, which bounces until it is released */
+} TaborTechnique;
+
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   double depth;  /**< of the air below the batter head, down to the resonant head or the bottom of
@@ -212,10 +218,17 @@ typedef struct TaborStrikerDef {
   double contact_radius; /**< of the patch over which the force spreads [m], 0 to 0.05, 0.006 */
 } TaborStrikerDef;
 
-/** The hand that presses a stick onto the head: a spring and a damper towards where it took hold. */
+/**
+ * The hand that presses a stick onto the head: M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), g its grip,
+ * F0 the pressure, z0 where it took hold.
+ */
 typedef struct TaborHandDef {
-  double stiffness; /**< [N/m], 0 to 1000, default 20 */
-  double damping;   /**< [N s/m], 0 to 10, default 0.2 */
+  double stiffness; /**< kh at the tip, at a grip of 0.5 [N/m], 0 to 1000, default 20 */
+  double damping;   /**< ch, likewise [N s/m], 0 to 10, default 0.2 */
+  double pivot; /**< from the stick's butt to where the hand holds it [m], 0 to 0.3, default 0.12. A
+                         stick of 0.4 m weighs its striker's mass at the tip when held at 0.12 m; held
+                         elsewhere a buzz stroke's weighs more or less */
+  double grip;  /**< g, 0 (open: a free rebound) to 1, default 0.5 */
 } TaborHandDef;
 
 /** The stroke that is made when none is given. */
@@ -224,7 +237,7 @@ typedef struct TaborStrikeDef {
   double radius;   /**< distance from the centre [m], 0 to 0.6 and inside the head, default 0.05 */
   double angle;    /**< [deg], -360 to 360, default 0 */
   char striker[TABOR_NAME_SIZE]; /**< its name; "" is the first */
-  uint32_t technique;            /**< 0, normal, is the only one in this version */
+  uint32_t technique;            /**< a TaborTechnique, default normal */
 } TaborStrikeDef;
 
 /** A microphone: it hears the pressure at its place. */
@@ -473,10 +486,13 @@ typedef struct TaborSwap TaborSwap;
 
 /** What can happen to a drum; which fields of the event count. */
 typedef enum TaborEventType {
-  TABOR_EVENT_STRIKE = 1,  /**< id, striker, velocity, radius, angle */
+  TABOR_EVENT_STRIKE =
+    1, /**< id, striker, velocity, radius, angle, technique; value, the pressure, for
+                                a buzz. Takes away a pressed striker with the same id but 0: a hand
+                                holds one stick */
   TABOR_EVENT_PRESS = 2,   /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
-                                1 for 0.3 to 8 N in equal ratios; they bounce (a buzz) and stay until
-                                released */
+                                1 for 0.3 to 8 N in equal ratios at a grip of 0.5; they bounce (a buzz)
+                                and stay until released or 50 mm away. Again: changes the pressure */
   TABOR_EVENT_DAMP = 3,    /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
   TABOR_EVENT_RELEASE = 4, /**< id, or 0 for all: lifts damping hands, takes strikers away */
   TABOR_EVENT_PARAMETER = 5, /**< parameter, index, value */
@@ -492,6 +508,7 @@ typedef struct TaborEvent {
   uint32_t striker;   /**< index into the definition's strikers */
   uint32_t parameter; /**< id of a live parameter */
   uint32_t index;     /**< of the microphone, for mic.*.gain */
+  uint32_t technique; /**< a TaborTechnique */
   double velocity;    /**< [m/s], clamped to 0.01 to 30 */
   double radius;      /**< [m] from the centre, clamped to the head */
   double angle;       /**< [deg] */
@@ -527,13 +544,14 @@ typedef struct TaborStatistics {
  *                      + radiated + removed + residual.
  */
 typedef struct TaborLedger {
-  double injected;     /**< kinetic energy of launched strikers, and the work of pressing hands */
+  double injected;     /**< kinetic energy of launched strikers, and the work of pressing hands with
+                            their springs */
   double control;      /**< work of moving parameters and swaps, either sign */
   double stored;       /**< above the rest state, strikers in flight included */
   double head_loss;    /**< in the head's material */
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
-  double damper_loss;  /**< in damping hands */
+  double damper_loss;  /**< in damping hands, and in the dampers of pressing ones */
   double shell_loss;   /**< friction, heat and absorption at the walls of the enclosed air */
   double radiated;     /**< as sound, by the head */
   double removed;      /**< of strikers taken away */

@@ -9,6 +9,7 @@
 #include "options.h"
 
 extern const Command render_command;  /* render.c */
+extern const Command library_command; /* library.c */
 extern const Command play_command;    /* play.c */
 extern const Command presets_command; /* presets_command.c */
 extern const Command show_command;    /* show.c */

@@ -17,6 +17,18 @@ bool preset_is_file(const char *preset) {
   return strchr(preset, '/') || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
 }
 
+const char *preset_base_name(const char *path) {
+  const char *const slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
+PresetStem preset_stem(const char *preset) {
+  const char *const base = preset_base_name(preset);
+  const size_t length = strlen(base);
+  const bool is_ini = length > 4 && strcmp(base + length - 4, ".ini") == 0;
+  return (PresetStem){base, (int)(is_ini ? length - 4 : length)};
+}
+
 /* A PresetPairFn: a section or a "key = value" of a preset file into the definition. */
 static bool set_pair(void *def, const char *section, const char *key, const char *value,
                      unsigned line, char *message, size_t size) {

@@ -28,6 +28,15 @@
 const char *preset_argument(const Arguments *arguments);
 /** True if @p preset is a file: it has a '/' or ends in ".ini". */
 bool preset_is_file(const char *preset);
+/** The name of a file without its folder. */
+const char *preset_base_name(const char *path);
+/** What names of files are made of. */
+typedef struct PresetStem {
+  const char *text;
+  int length;
+} PresetStem;
+/** "snare-14x5.5" both of that and of "drums/snare-14x5.5.ini". */
+PresetStem preset_stem(const char *preset);
 /** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
 const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);

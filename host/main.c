@@ -13,9 +13,9 @@
 #include "json_output.h"
 #include "suggest.h"
 
-static const Command *const commands[] = {&render_command,  &play_command,    &presets_command,
-                                          &show_command,    &modes_command,   &bench_command,
-                                          &analyze_command, &devices_command, NULL};
+static const Command *const commands[] = {
+  &render_command, &library_command, &play_command,    &presets_command, &show_command,
+  &modes_command,  &bench_command,   &analyze_command, &devices_command, NULL};
 
 static const char *command_name_at(const void *list, size_t index) {
   const Command *const command = ((const Command *const *)list)[index];

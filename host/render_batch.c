@@ -9,23 +9,19 @@
 #include <unistd.h>
 
 #include "drum_source.h"
+#include "folder.h"
 #include "render_outputs.h"
 
 #define EXTENSION ".wav"
 
 /* ---- the folder ---- */
 
-static bool ends_with_slash(const char *path) {
-  const size_t length = strlen(path);
-  return length > 0 && path[length - 1] == '/';
-}
-
 /* Must be there, or be meant to be created. */
 static Outcome check_folder(const char *path) {
   struct stat status;
   const bool found = stat(path, &status) == 0;
   if (found && S_ISDIR(status.st_mode)) return OUTCOME_OK;
-  if (!ends_with_slash(path)) {
+  if (!folder_ends_with_slash(path)) {
     return refuse("-o '%s': several sounds need a folder; '%s/' creates one", path, path);
   }
   return errno == ENOENT ? OUTCOME_OK : fail("cannot write to '%s': %s", path, strerror(errno));
@@ -34,17 +30,14 @@ static Outcome check_folder(const char *path) {
 static Outcome take_folder(const char *path, RenderBatch *batch) {
   const Outcome outcome = check_folder(path);
   if (outcome != OUTCOME_OK) return outcome;
-  const size_t size = strlen(path) + 2;
-  batch->folder = malloc(size);
-  if (!batch->folder) return fail_memory();
-  (void)snprintf(batch->folder, size, "%s%s", path, ends_with_slash(path) ? "" : "/");
-  return OUTCOME_OK;
+  batch->folder = folder_name(path);
+  return batch->folder ? OUTCOME_OK : fail_memory();
 }
 
 static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
   const char *const path = arguments_value(arguments, "output");
   const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each");
-  if (!several && !(path && ends_with_slash(path))) return OUTCOME_OK;
+  if (!several && !(path && folder_ends_with_slash(path))) return OUTCOME_OK;
   if (!path) return refuse("several sounds need a folder: -o FOLDER/");
   if (!*path) return refuse("-o needs the name of a folder");
   if (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0) {
@@ -55,35 +48,16 @@ static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
 
 /* ---- names ---- */
 
-/* A part of a name that other names are made of. */
-typedef struct Stem {
-  const char *text;
-  int length;
-} Stem;
-
-static const char *base_name(const char *path) {
-  const char *const slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
-}
-
-/* "snare-14x5.5" both of that and of "drums/snare-14x5.5.ini". */
-static Stem preset_stem(const char *preset) {
-  const char *const base = base_name(preset);
-  const size_t length = strlen(base);
-  const bool is_ini = length > 4 && strcmp(base + length - 4, ".ini") == 0;
-  return (Stem){base, (int)(is_ini ? length - 4 : length)};
-}
-
 /* "soft" of "takes/soft.csv"; of no file nothing. */
-static Stem events_stem(const char *events) {
-  const char *const base = events ? base_name(events) : "";
+static PresetStem events_stem(const char *events) {
+  const char *const base = events ? preset_base_name(events) : "";
   const char *const dot = strrchr(base, '.');
-  return (Stem){base, (int)(dot && dot > base ? (size_t)(dot - base) : strlen(base))};
+  return (PresetStem){base, (int)(dot && dot > base ? (size_t)(dot - base) : strlen(base))};
 }
 
 static Outcome name_job(const char *folder, const char *events, RenderJob *job) {
-  const Stem preset = preset_stem(preset_argument(&job->arguments));
-  const Stem take = events_stem(events);
+  const PresetStem preset = preset_stem(preset_argument(&job->arguments));
+  const PresetStem take = events_stem(events);
   const size_t size =
     strlen(folder) + (size_t)preset.length + (size_t)take.length + sizeof "-" EXTENSION;
   job->name = malloc(size);
@@ -180,7 +154,7 @@ static Outcome check_shared(const Arguments *arguments, const RenderBatch *batch
   return refuse("--trace: takes one sound only, but %zu were asked for", batch->count);
 }
 
-static Outcome read_request(RenderJob *job) {
+Outcome render_job_read(RenderJob *job) {
   RenderRequest *const request = &job->request;
   message_subject(job->name);
   job->outcome = render_request_read(&job->arguments, request);
@@ -195,7 +169,7 @@ static Outcome read_request(RenderJob *job) {
 static Outcome read_requests(RenderBatch *batch) {
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; i < batch->count && outcome != OUTCOME_REFUSED; i++) {
-    outcome = read_request(&batch->jobs[i]);
+    outcome = render_job_read(&batch->jobs[i]);
   }
   return outcome == OUTCOME_REFUSED ? outcome : OUTCOME_OK;
 }
@@ -240,19 +214,18 @@ static Outcome check_outputs(const RenderBatch *batch) {
   return outcome;
 }
 
-/* As many as there are processors, unless told otherwise. */
-static Outcome read_threads(const Arguments *arguments, RenderBatch *batch) {
+Outcome render_threads_read(const Arguments *arguments, uint32_t *count) {
   static const NumberField field = {"--jobs", 1, MOST_JOBS, true};
   const long processors = sysconf(_SC_NPROCESSORS_ONLN);
   double threads = processors < 1 ? 1 : processors > MOST_JOBS ? MOST_JOBS : (double)processors;
   const Outcome outcome = arguments_number(arguments, &field, &threads);
-  batch->threads = (uint32_t)threads;
+  *count = (uint32_t)threads;
   return outcome;
 }
 
 Outcome render_batch_read(const Arguments *arguments, RenderBatch *batch) {
   *batch = (RenderBatch){0};
-  Outcome outcome = read_threads(arguments, batch);
+  Outcome outcome = render_threads_read(arguments, &batch->threads);
   if (outcome == OUTCOME_OK) outcome = read_folder(arguments, batch);
   if (outcome == OUTCOME_OK) outcome = make_jobs(arguments, batch);
   if (outcome == OUTCOME_OK && batch->folder) outcome = check_names(batch);

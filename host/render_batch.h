@@ -39,6 +39,10 @@ typedef struct RenderBatch {
   uint32_t threads; /**< jobs to be done at once, at least 1 */
 } RenderBatch;
 
+/** Reads --jobs; as many as there are processors, unless told otherwise. */
+Outcome render_threads_read(const Arguments *arguments, uint32_t *count);
+/** Reads the request of a job that has its name and arguments. */
+Outcome render_job_read(RenderJob *job);
 /**
  * Reads and checks everything; touches nothing. A job that fails, as its preset file is missing, has
  * said so and is left out later; one that is wrong refuses the batch. Free with render_batch_free(),

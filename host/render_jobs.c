@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "render_jobs.h"
 
-#include <errno.h>
 #include <pthread.h>
-#include <string.h>
-#include <sys/stat.h>
 
 #include "drum_source.h"
+#include "folder.h"
 #include "json_output.h"
 #include "render_progress.h"
 #include "rendering.h"
@@ -128,21 +126,24 @@ static Outcome worst(const RenderBatch *batch) {
 static Outcome create_folder(const RenderBatch *batch) {
   size_t failed = 0;
   while (failed < batch->count && batch->jobs[failed].outcome != OUTCOME_OK) failed++;
-  if (failed == batch->count || mkdir(batch->folder, 0777) == 0 || errno == EEXIST) {
-    return OUTCOME_OK;
-  }
-  return fail("cannot create the folder '%s': %s", batch->folder, strerror(errno));
+  return failed == batch->count ? OUTCOME_OK : folder_create(batch->folder);
 }
 
-Outcome render_jobs_run(RenderBatch *batch) {
+Outcome render_jobs_do(RenderBatch *batch) {
   Jobs jobs = {.batch = batch,
                .mutex = PTHREAD_MUTEX_INITIALIZER,
                .finished = PTHREAD_COND_INITIALIZER,
                .left = batch->count};
-  Outcome outcome = create_folder(batch);
-  if (outcome != OUTCOME_OK) return outcome;
+  if (batch->count == 0) return OUTCOME_OK;
   json_object_seed(0); /* before there are threads, says jansson */
   do_jobs(&jobs);
+  return worst(batch);
+}
+
+Outcome render_jobs_run(RenderBatch *batch) {
+  Outcome outcome = create_folder(batch);
+  if (outcome != OUTCOME_OK) return outcome;
+  const Outcome rendered = render_jobs_do(batch);
   if (arguments_has(&batch->jobs[0].arguments, "json")) outcome = print_reports(batch);
-  return outcome == OUTCOME_OK ? worst(batch) : outcome;
+  return outcome == OUTCOME_OK ? rendered : outcome;
 }

@@ -9,6 +9,8 @@
 
 #include "render_batch.h"
 
+/** Renders every job that is right, in a folder that is there. Returns the worst outcome. */
+Outcome render_jobs_do(RenderBatch *batch);
 /**
  * Creates the folder and renders every job that is right; those that fail do not stop the others.
  * With --json, prints {"renders": [...]} in the order of the command line. Returns the worst outcome.

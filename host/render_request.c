@@ -12,16 +12,14 @@
 #include "render_outputs.h"
 #include "suggest.h"
 
-#define DEFAULT_ENCODING "pcm24"
-
 const Option render_options[] = {
   {"output", 'o', "FILE",
    "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT "); or FOLDER/"},
   {"no-overwrite", 'n', NULL, "fail if the output exists"},
-  {"format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
+  OPTION_FORMAT,
   OPTION_RATE,
   OPTION_QUALITY,
-  {"duration", 0, "SECONDS", "length, 0.01 to 3600 (default: until the drum has died away)"},
+  OPTION_DURATION,
   OPTION_STRIKE,
   OPTION_EVENTS,
   OPTION_MIDI_FILE,
@@ -32,10 +30,10 @@ const Option render_options[] = {
   OPTION_SEED,
   OPTION_SET,
   {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
-  {"jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)"},
-  {"mic", 0, "NAME", "microphone, a channel each (repeatable; default: the preset's first)"},
+  OPTION_JOBS,
+  OPTION_MIC,
   {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
-  {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
+  OPTION_GAIN,
   {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
   {"trace", 0, "FILE", "also write displacements, forces and energy, a row a sample, as CSV"},
   {"verbose", 'v', NULL, "print more about what was done"},

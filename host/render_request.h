@@ -12,6 +12,19 @@
 #include "strokes.h"
 
 #define MOST_CHANNELS 64
+#define DEFAULT_ENCODING "pcm24"
+
+/** Rows of the option tables for what render_request_read() reads. */
+#define OPTION_FORMAT                                                                              \
+  { "format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")" }
+#define OPTION_DURATION                                                                            \
+  { "duration", 0, "SECONDS", "length, 0.01 to 3600 (default: until the drum has died away)" }
+#define OPTION_MIC                                                                                 \
+  { "mic", 0, "NAME", "microphone, a channel each (repeatable; default: the preset's first)" }
+#define OPTION_GAIN                                                                                \
+  { "gain", 0, "DB", "amplification, -120 to 120 (default 0)" }
+#define OPTION_JOBS                                                                                \
+  { "jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)" }
 
 typedef struct RenderRequest {
   const char *preset;

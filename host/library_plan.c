@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+#include "library_plan.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "drum_source.h"
+#include "stroke.h"
+
+#define MIDDLE_VELOCITY 64  /* of a library with one */
+#define OUTERMOST_SHARE 80u /* per cent of the head's radius */
+
+/* Of a drum with one place, the note that means the head in every drum map. */
+static const uint32_t single_key = 38;
+static const uint32_t keys[LIBRARY_MOST_POSITIONS] = {36, 38, 41, 43, 45, 47, 48, 50};
+
+/* ---- velocities ---- */
+
+static uint32_t layer_velocity(uint32_t layer, uint32_t layers) {
+  if (layers == 1) return MIDDLE_VELOCITY;
+  return 1 + (uint32_t)lround(126.0 * layer / (layers - 1));
+}
+
+/* A velocity between two layers belongs to the nearer one. */
+static void set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
+  sound->midi = layer_velocity(layer, layers);
+  sound->low = layer == 0 ? 1 : (layer_velocity(layer - 1, layers) + sound->midi) / 2 + 1;
+  sound->high = layer + 1 == layers ? 127 : (sound->midi + layer_velocity(layer + 1, layers)) / 2;
+}
+
+/* ---- places ---- */
+
+static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t place,
+                      uint32_t places) {
+  const double head = def->shell.radius;
+  sound->key = places == 1 ? single_key : keys[place];
+  if (places == 1) {
+    sound->radius_share = (uint32_t)lround(100 * sound->event.radius / head);
+    return;
+  }
+  sound->radius_share = (uint32_t)lround((double)(OUTERMOST_SHARE * place) / (places - 1));
+  sound->event.radius = head * sound->radius_share / 100; /* as --strike radius=40% has it */
+}
+
+/* ---- names ---- */
+
+/* Samplers take '$', '=', '<' and blanks in a name for something else. */
+char *library_stem(const char *preset) {
+  const PresetStem stem = preset_stem(preset);
+  char *const text = calloc((size_t)stem.length + 1, 1);
+  for (int i = 0; text && i < stem.length; i++) {
+    const unsigned char c = (unsigned char)stem.text[i];
+    text[i] = (char)(isalnum(c) || c >= 0x80 || strchr(".-_", c) ? c : '_');
+  }
+  return text;
+}
+
+static bool set_name(LibrarySound *sound, const char *stem, uint32_t takes) {
+  const size_t size = strlen(stem) + 64;
+  sound->file = malloc(size);
+  if (!sound->file) return false;
+  (void)snprintf(sound->file, size, "%s-normal-r%02u-v%03u-t%0*u.wav", stem,
+                 (unsigned)sound->radius_share, (unsigned)sound->midi, takes > 9 ? 2 : 1,
+                 (unsigned)sound->take);
+  return true;
+}
+
+/* ---- all of them ---- */
+
+static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shape, uint32_t index) {
+  const uint32_t layer = index / shape->takes;
+  LibrarySound sound = {.take = index % shape->takes + 1,
+                        .event = stroke_default(def, "[strike]").event};
+  set_place(&sound, def, layer / shape->velocities, shape->positions);
+  set_layer(&sound, layer % shape->velocities, shape->velocities);
+  sound.event.velocity = midi_speed(shape->curve, sound.midi);
+  return sound;
+}
+
+Outcome library_plan_make(const TaborDrumDef *def, const char *preset, const LibraryShape *shape,
+                          LibraryPlan *plan) {
+  const uint32_t count = shape->positions * shape->velocities * shape->takes;
+  Humanizer player = shape->humanizer;
+  char *const stem = library_stem(preset);
+  *plan = (LibraryPlan){.shape = *shape, .sounds = calloc(count, sizeof *plan->sounds)};
+  bool complete = stem && plan->sounds;
+  for (uint32_t i = 0; i < count && complete; i++) {
+    LibrarySound *const sound = &plan->sounds[plan->count++];
+    *sound = make_sound(def, shape, i);
+    humanize(&player, def->shell.radius, &sound->event);
+    complete = set_name(sound, stem, shape->takes);
+  }
+  free(stem);
+  return complete ? OUTCOME_OK : fail_memory();
+}
+
+void library_plan_free(LibraryPlan *plan) {
+  for (size_t i = 0; i < plan->count; i++) free(plan->sounds[i].file);
+  free(plan->sounds);
+  *plan = (LibraryPlan){0};
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file text_file.h
+ * Small files that are written at once and appear complete or not at all.
+ */
+#ifndef TABOR_HOST_TEXT_FILE_H
+#define TABOR_HOST_TEXT_FILE_H
+
+#include "output_file.h"
+
+/** Writes @p text into the file @p path; with @p keep_existing fails if it exists. */
+Outcome text_file_write(const char *path, const char *text, bool keep_existing);
+
+#endif

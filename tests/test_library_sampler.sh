@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# A sample library in a sampler: sfizz plays every velocity as loud as the model is. Debian has no sfizz;
+# the Python package pysfizz brings it along (PYTHON may name the Python that has it).
+
+tests=$(cd "$(dirname "$0")" && pwd)
+. "$tests/host_checks.sh"
+
+python=${PYTHON:-python3}
+if ! "$python" -c 'import numpy, pysfizz' 2>/dev/null; then
+  echo "SKIPPED: a library in a sampler ($python has no pysfizz: pip install pysfizz)"
+  exit 77
+fi
+# Short: what is longer than 8192 frames sfizz loads beside playing, and may miss.
+"$TABOR" library tabor -o library --velocities 5 --positions 2 --takes 2 --humanize 1 --quality draft \
+  --duration 0.1 --json >"$out" || complain "the library"
+check "in sfizz" "$python" "$tests/library_sampler.py" library tabor <"$out"
+finish

@@ -121,6 +121,9 @@ static Outcome read_backend(const Arguments *arguments, PlayRequest *request) {
   if (request->device.device && request->backend != &backend_portaudio) {
     return refuse("--device: only --backend portaudio has devices");
   }
+  if (request->backend->waits && arguments_has(arguments, "midi-in")) {
+    return refuse("--midi-in: with --backend file nothing is heard live");
+  }
   if (request->backend->waits && !arguments_has(arguments, "record")) {
     return refuse("--backend file needs --record FILE");
   }

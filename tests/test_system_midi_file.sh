@@ -162,6 +162,36 @@ song song.mid 0 "00 992664 00 c97f"
 play same.wav
 same_sound "a program that is no preset" open.wav same.wav
 
+# ---- play does what render does ----
+
+printf 'RIFFxxxxRMIDdata' >bad.mid
+export JACK_NO_START_SERVER=1 JACK_DEFAULT_SERVER=tabor-test-none-$$
+# same_played WHAT ARGUMENT...: song.mid sounds alike in both, to the bit.
+same_played() {
+  local what=$1 buffer
+  shift
+  play rendered.wav "$@"
+  for buffer in 16 100 4096; do
+    done_quietly play "${short[@]}" --midi-file song.mid --backend file --record played.wav \
+      --humanize 0 --buffer "$buffer" "$@"
+    check "$what, with --buffer $buffer" cmp rendered.wav played.wav
+  done
+}
+song song.mid 0 "00 992664 08 b00740 08 992664 02 99267f 08 b07b00 00 992664 10 b00b60 00 d940"
+same_played "notes, gain, silence, pressure" --gain -3.3
+song song.mid 0 "00 992664 18 c9$tom 00 992664 08 992640 18 c900 01 992650"
+same_played "presets"
+run play "${short[@]}" --midi-file song.mid --backend null --humanize 0 --record played.wav --json
+same "status against a clock" 0 "$status"
+same "the preset" tabor "$(json preset)"
+same "strokes" 4 "$(json strokes)"
+cp song.mid take.wav
+refused "would overwrite the MIDI file 'take.wav'" play --midi-file take.wav --record take.wav
+refused "nothing is heard live" play --backend file --record played.wav --midi-in x
+refused "--midi-in needs" play --midi-in ''
+refused "bad.mid: not a Standard MIDI File" play --midi-file bad.mid
+failed "missing.mid': No such file" play --midi-file missing.mid
+
 # ---- maps ----
 
 # map LINE...
@@ -231,7 +261,6 @@ failed "missing.mid': No such file" render --midi-file missing.mid
 failed "it is a folder" render --midi-file .
 refused "larger than 16777216 bytes" render --midi-file /dev/zero
 refused "standard input: not a Standard MIDI File" render --midi-file - </dev/null
-printf 'RIFFxxxxRMIDdata' >bad.mid
 refused "bad.mid: not a Standard MIDI File" render --midi-file bad.mid
 song bad.mid 2 "00 992664"
 refused "bad.mid: byte 8: format 2; allowed: 0 and 1" render --midi-file bad.mid

@@ -10,7 +10,7 @@ command -v jackd >/dev/null && command -v jack_wait >/dev/null && [ -n "${JACK_S
 
 export JACK_DEFAULT_SERVER=tabor-midi-test-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
 period=1024
-jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "$period" >"$private/jackd.log" 2>&1 &
+jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "$period" >>"$private/jackd.log" 2>&1 &
 server=$!
 # A server that is killed keeps one of JACK's eight places; one that ends by itself gives it back.
 trap 'kill "$server"; wait "$server" 2>/dev/null; chmod -R u+w "$private"; rm -rf "$private"' EXIT
@@ -30,11 +30,18 @@ end_play() {
   same "status" 130 $?
 }
 
+# JACK's clock stands still for blocks that a busy machine has missed.
+missed_blocks() { [ "$(json xruns)" != 0 ] || grep -qi xrun "$private/jackd.log"; }
+
 # check_onsets FILE SECONDS...: strokes so long after the first, give or take the block to which
 # RtMidi cuts the times of JACK's messages.
 check_onsets() {
   local sound=$1 first onset
   shift
+  if missed_blocks; then
+    skipped="the times of strokes in $sound: the machine missed blocks"
+    return
+  fi
   mapfile -t onsets < <("$INSPECT" onsets "$sound")
   same "strokes in $sound" $(($# + 1)) "${#onsets[@]}"
   first=${onsets[0]:-0}
@@ -46,10 +53,14 @@ check_onsets() {
 
 # ---- our own input ----
 
-start_play --record own.wav
-check "notes are sent" "$JACK_SEND" tabor-midi:in 0.1:992620 0.3:997f7f 0.5:992650 0.9:99267f 1.0:992600
-sleep 0.3
-end_play
+for ((try = 0; try < 3; try++)); do
+  : >"$private/jackd.log"
+  start_play --record own.wav
+  check "notes are sent" "$JACK_SEND" tabor-midi:in 0.1:992620 0.3:997f7f 0.5:992650 0.9:99267f 1.0:992600
+  sleep 0.3
+  end_play
+  missed_blocks || break
+done
 same "strokes" 3 "$(json strokes)"
 same "nothing is dropped" 0 "$(json dropped)"
 check_onsets own.wav 0.4 0.8

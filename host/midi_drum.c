@@ -11,6 +11,8 @@ static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */
 static const uint32_t FIRST_HAND = 0xFFFF0000; /* ids of hands; of strokes they stay below */
+static const uint32_t FIRST_BUZZ = 0xFFFF0100; /* ids of held sticks, one for each note */
+static const double BUZZ_PRESSURE = 0.5;       /* of the range, until key pressure tells */
 
 /* ---- binding ---- */
 
@@ -70,7 +72,7 @@ static double choose(double note, double controller, double preset) {
   return isnan(controller) ? preset : controller;
 }
 
-/* The engine has strokes on the head alone: the others are made where they come nearest to. */
+/* The engine has no strokes on the rim yet: these are made where they come nearest to. */
 static double stroke_radius(const MidiDrum *drum, const MidiNote *note) {
   const double head = drum->binding.head_radius;
   if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
@@ -93,11 +95,33 @@ static uint32_t new_id(MidiDrum *drum) {
   return drum->next_id;
 }
 
+/* The stick of a note that buzzes, at its end or when its key is pressed. */
+static bool act_on_stick(MidiDrum *drum, uint8_t key, TaborEventType type, double pressure,
+                         MidiAction *action) {
+  if (!drum->held[key]) return false;
+  drum->held[key] = type != TABOR_EVENT_RELEASE;
+  action->type = MIDI_ACTION_EVENT;
+  action->event = (TaborEvent){.type = type, .id = FIRST_BUZZ + key, .value = pressure};
+  return true;
+}
+
+/* Of a plain stroke nothing: it ends by itself. */
+static bool end_note(MidiDrum *drum, uint8_t key, MidiAction *action) {
+  return act_on_stick(drum, key, TABOR_EVENT_RELEASE, 0, action);
+}
+
+static void hold(MidiDrum *drum, uint8_t key, TaborEvent *event) {
+  drum->held[key] = true;
+  event->id = FIRST_BUZZ + key;
+  event->technique = TABOR_TECHNIQUE_BUZZ;
+  event->value = BUZZ_PRESSURE;
+}
+
 static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t key = message->data[0];
   const MidiNote *const note = &drum->map->notes[key];
   const double velocity = take_velocity(drum, message);
-  if (message->data[1] == 0) return false;
+  if (message->data[1] == 0) return end_note(drum, key, action);
   if (note->stroke == MIDI_STROKE_NONE) {
     drum->counts.ignored_notes++;
     return false;
@@ -112,6 +136,7 @@ static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *ac
     .radius = stroke_radius(drum, note),
     .angle = choose(note->angle, drum->angle, drum->binding.angle),
   };
+  if (note->stroke == MIDI_STROKE_BUZZ) hold(drum, key, &action->event);
   return true;
 }
 
@@ -133,8 +158,11 @@ static bool press_hand(MidiDrum *drum, uint32_t hand, uint8_t pressure, MidiActi
 }
 
 static bool take_key_pressure(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
-  if (!drum->map->pressure || drum->map->notes[message->data[0]].stroke == MIDI_STROKE_NONE) {
-    return false;
+  const MidiStroke stroke = drum->map->notes[message->data[0]].stroke;
+  if (!drum->map->pressure || stroke == MIDI_STROKE_NONE) return false;
+  if (stroke == MIDI_STROKE_BUZZ) {
+    return act_on_stick(drum, message->data[0], TABOR_EVENT_PRESS, message->data[1] / 127.0,
+                        action);
   }
   return press_hand(drum, 1, message->data[1], action);
 }
@@ -181,9 +209,10 @@ static bool set_gain(const MidiDrum *drum, MidiAction *action) {
   return true;
 }
 
-/* A silenced drum has no hands on it. */
+/* A silenced drum has no hands and no sticks on it. */
 static bool silence(MidiDrum *drum, MidiAction *action) {
   drum->hands[0] = drum->hands[1] = false;
+  memset(drum->held, 0, sizeof drum->held);
   action->type = MIDI_ACTION_SILENCE;
   return true;
 }
@@ -236,7 +265,7 @@ bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *acti
   switch (midi_kind(message)) {
   case MIDI_NOTE_OFF:
     (void)take_velocity(drum, message);
-    return false; /* strokes end by themselves */
+    return end_note(drum, message->data[0], action);
   case MIDI_NOTE_ON: return take_note(drum, message, action);
   case MIDI_POLY_PRESSURE: return take_key_pressure(drum, message, action);
   case MIDI_CONTROL: return take_control(drum, message, action);

@@ -60,6 +60,7 @@ typedef struct MidiDrum {
   double radius, angle;            /**< by controllers: of the head's radius, [deg]; NaN before */
   uint8_t prefixes[MIDI_CHANNELS]; /**< low bits for the next note's velocity */
   bool hands[2];                   /**< by channel and by key pressure: on the head */
+  bool held[MIDI_VALUES];          /**< notes that buzz */
   uint32_t next_id;                /**< of a stroke */
   MidiCounts counts;
 } MidiDrum;

@@ -31,7 +31,8 @@ typedef enum MidiStroke {
   MIDI_STROKE_HEAD,
   MIDI_STROKE_RIMSHOT,
   MIDI_STROKE_CROSS_STICK,
-  MIDI_STROKE_RIM
+  MIDI_STROKE_RIM,
+  MIDI_STROKE_BUZZ /**< pressed until the note ends; key pressure presses */
 } MidiStroke;
 
 typedef struct MidiNote {

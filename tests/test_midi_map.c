@@ -323,6 +323,31 @@ static void test_choke(void **state) {
 
 /* ---- maps of one's own ---- */
 
+static void test_buzz(void **state) {
+  (void)state;
+  map.notes[60].stroke = MIDI_STROKE_BUZZ;
+  begin();
+  assert_int_equal(send3(0x80, 60, 0), 0); /* nothing is held */
+  assert_int_equal(send3(0xA0, 60, 9), 0);
+  assert_int_equal(send3(0x90, 60, 64), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_STRIKE);
+  assert_int_equal(action.event.technique, TABOR_TECHNIQUE_BUZZ);
+  const uint32_t id = action.event.id;
+  assert_int_equal(send3(0xA0, 60, 127), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_PRESS);
+  assert_int_equal(action.event.id, id);
+  same(action.event.value, 1);
+  assert_int_equal(send3(0x90, 60, 0), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_RELEASE);
+  assert_int_equal(action.event.id, id);
+  assert_int_equal(send3(0x80, 60, 0), 0); /* it has ended */
+  assert_int_equal(send3(0x90, 60, 64), 1);
+  assert_int_equal(send3(0xB0, 120, 0), 1);
+  assert_int_equal(send3(0x80, 60, 0), 0); /* silence has taken it away */
+  assert_int_equal(send3(0x90, 38, 64), 1);
+  assert_int_equal(action.event.technique, TABOR_TECHNIQUE_NORMAL);
+}
+
 static void test_other_map(void **state) {
   (void)state;
   map.notes[60] = (MidiNote){.stroke = MIDI_STROKE_HEAD, .radius = 0.25, .angle = 45, .speed = 0.5};
@@ -360,6 +385,7 @@ int main(void) {
     cmocka_unit_test_setup(test_silence_and_presets, set_up),
     cmocka_unit_test_setup(test_pressure, set_up),
     cmocka_unit_test_setup(test_choke, set_up),
+    cmocka_unit_test_setup(test_buzz, set_up),
     cmocka_unit_test_setup(test_other_map, set_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -12,7 +12,7 @@
  *     sleep SECONDS
  *     signal NUMBER  to the program
  *     size COLUMNS ROWS
- *     raw, cooked    the terminal must have single keys now, or lines
+ *     raw, cooked    until the terminal gives single keys, or lines; gives up likewise
  *     show           prints the screen
  * After it the program has 20 s to end. Then it prints "status N", as a shell tells it, and "settings same" or
  * "settings changed": whether the terminal's are those from before the program began; and "screen main" if it is
@@ -34,8 +34,8 @@
 #include <utmp.h>
 
 #define PATIENCE 20.0 /* [s] */
-#define MOST_COLUMNS 200
-#define MOST_ROWS 60
+#define MOST_COLUMNS 400
+#define MOST_ROWS 120
 
 static int terminal = -1; /* its outer end */
 static pid_t program;
@@ -221,11 +221,18 @@ static void set_size(const char *text) {
   (void)ioctl(terminal, TIOCSWINSZ, &size);
 }
 
-static void check_mode(bool lines) {
+static bool takes_lines(void) {
   struct termios settings;
   (void)tcgetattr(terminal, &settings);
-  if (((settings.c_lflag & ICANON) != 0) != lines)
-    give_up("the terminal is not", lines ? "cooked" : "raw");
+  return (settings.c_lflag & ICANON) != 0;
+}
+
+static void await_mode(bool lines) {
+  const double end = now() + PATIENCE;
+  while (takes_lines() != lines) {
+    if (now() > end) give_up("the terminal is not", lines ? "cooked" : "raw");
+    look_for(0.01);
+  }
 }
 
 static void obey_line(const char *line) {
@@ -245,7 +252,7 @@ static void obey_line(const char *line) {
   } else if (strcmp(word, "size") == 0) {
     set_size(rest);
   } else if (strcmp(word, "raw") == 0 || strcmp(word, "cooked") == 0) {
-    check_mode(word[0] == 'c');
+    await_mode(word[0] == 'c');
   } else if (strcmp(word, "show") == 0) {
     show(stdout);
   } else if (*word) {

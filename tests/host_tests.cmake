@@ -19,7 +19,7 @@ if(TARGET tabor-program)
     target_link_libraries(jack_send PRIVATE PkgConfig::JACK)
   endif()
 
-  foreach(name IN ITEMS test_library_sampler test_system_analyze test_system_bench test_system_completion
+  foreach(name IN ITEMS test_library_sampler test_sweep test_system_analyze test_system_bench test_system_completion
                         test_system_events_file
                         test_system_files test_system_humanize test_system_jobs test_system_library
                         test_system_midi_file

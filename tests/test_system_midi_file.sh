@@ -219,6 +219,14 @@ map "[map]" "defaults = no" "" "[note.61]"
 refused "song.mid: no note in it is a stroke: 1 are not in the map" \
   render --midi-file song.mid --midi-map map.ini
 
+map "[note.60]" "stroke = buzz"
+song song.mid 0 "00 993c60 30 893c00"
+printf 'time,event,midi,technique,pressure\n0,strike,96,buzz,0.5\n0.25,release,,,\n' >strokes.csv
+play song.wav --midi-map map.ini
+done_quietly render "${short[@]}" --events strokes.csv -o events.wav
+same_sound "a note that buzzes until it ends" events.wav song.wav
+song song.mid 0 "00 b04a7f 00 993c40"
+
 # bad PATTERN LINE...: a map of these lines is refused.
 bad() {
   local pattern=$1

@@ -98,11 +98,11 @@ bool player_record_has_room(const Player *player, uint32_t frames) {
 
 /* ---- the user ------------------------------------------------------------------------------- */
 
-static double get(_Atomic double *meter) {
+static double get(const _Atomic double *meter) {
   return atomic_load_explicit(meter, memory_order_relaxed);
 }
 
-static unsigned long long number(atomic_ullong *meter) {
+static unsigned long long number(const atomic_ullong *meter) {
   return atomic_load_explicit(meter, memory_order_relaxed);
 }
 
@@ -128,9 +128,7 @@ static void status_load(Player *player, PlayStatus *status) {
     atomic_exchange_explicit(&player->meters.load_worst_recent, 0, memory_order_relaxed);
 }
 
-void player_load(const Player *constant, double *median, double *worst) {
-  Player *const player =
-    (Player *)constant; /* C11 loads atomics through pointers to non-const only */
+void player_load(const Player *player, double *median, double *worst) {
   uint32_t all[LOAD_BINS];
   for (uint32_t i = 0; i < LOAD_BINS; i++) {
     all[i] = atomic_load_explicit(&player->meters.load[i], memory_order_relaxed);
@@ -191,15 +189,15 @@ void player_status(Player *player, PlayStatus *status) {
 }
 
 uint32_t player_buffer(const Player *player) {
-  return atomic_load_explicit(&((Player *)player)->clock.delay, memory_order_relaxed);
+  return atomic_load_explicit(&player->clock.delay, memory_order_relaxed);
 }
 
 bool player_is_over(const Player *player) {
-  return atomic_load_explicit(&((Player *)player)->over, memory_order_acquire);
+  return atomic_load_explicit(&player->over, memory_order_acquire);
 }
 
 uint64_t player_position(const Player *player) {
-  return atomic_load_explicit(&((Player *)player)->played, memory_order_relaxed);
+  return atomic_load_explicit(&player->played, memory_order_relaxed);
 }
 
 bool player_halt(Player *player, double seconds) {

@@ -293,6 +293,7 @@ bool console_turn(void *context) {
     const struct timespec moment = {.tv_nsec = WAIT * 1000000L};
     (void)nanosleep(&moment, NULL);
   }
+  controls_pass(&console->controls, now());
   if (console->has_screen || console->tells_lines) show(console);
   return !console->controls.quits;
 }

@@ -11,8 +11,11 @@
 
 #define LEAST_GAIN (-60.0)
 #define LARGEST_GAIN 24.0
-#define MUFFLE 2.0        /* [N s/m]: a pad of gel, where the preset has none */
-#define MUFFLE_PLACE 0.75 /* of the radius: where it lies then */
+#define MUFFLE 2.0 /* [N s/m]: a pad of gel, where the preset has none */
+#define BUZZ_PRESSURE 0.2
+#define BUZZ_TIME 0.3          /* of a buzz, unless its hand strikes again before [s] */
+#define FIRST_HAND 0xFFFFFF00u /* id of its strokes; the other has the next */
+#define MUFFLE_PLACE 0.75      /* of the radius: where it lies then */
 
 /* ---- saying ---- */
 
@@ -103,27 +106,73 @@ static void set_speed(Controls *controls, double speed) {
 
 /* ---- strokes ---- */
 
+static void send_event(Controls *controls, const TaborEvent *event, double time) {
+  const PlayerMessage message = {
+    .frame = frame_at(controls, time), .type = PLAYER_EVENT, .event = *event};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+}
+
 /* A place is a share of the radius, so that it is the same on every drum. */
-static void strike(Controls *controls, double place, double speed, double time) {
+static TaborEvent make_stroke(Controls *controls, double place, double speed) {
   TaborDrumDef def;
   drum_changes_definition(controls->changes, &def);
   const int striker = tabor_drum_def_find_striker(&def, def.strike.striker);
-  PlayerMessage message = {.frame = frame_at(controls, time),
-                           .type = PLAYER_EVENT,
-                           .event = {.type = TABOR_EVENT_STRIKE,
-                                     .striker = striker > 0 ? (uint32_t)striker : 0,
-                                     .velocity = speed,
-                                     .radius = place * def.shell.radius,
-                                     .angle = def.strike.angle}};
-  humanize(&controls->humanizer, def.shell.radius, &message.event);
-  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  TaborEvent event = {.type = TABOR_EVENT_STRIKE,
+                      .striker = striker > 0 ? (uint32_t)striker : 0,
+                      .velocity = speed,
+                      .radius = place * def.shell.radius,
+                      .angle = def.strike.angle};
+  humanize(&controls->humanizer, def.shell.radius, &event);
+  return event;
+}
+
+static void strike(Controls *controls, double place, double speed, double time) {
+  const TaborEvent event = make_stroke(controls, place, speed);
+  send_event(controls, &event, time);
   controls->last_place = place;
   controls->last_speed = speed;
 }
 
-/* Those that the engine knows stand in its table. */
-static void try_technique(const char *technique) {
-  (void)refuse("%s: this version has no such stroke yet", technique);
+/* Those that the engine knows stand in its table, in the order of their numbers: -1 if it is none of them. */
+static int find_technique(const char *technique) {
+  const TaborParameter *const parameter = tabor_parameter_find("strike.technique");
+  const char *word = parameter ? parameter->choices : NULL;
+  for (int i = 0; word && *word; i++) {
+    const size_t length = strcspn(word, "|");
+    if (strlen(technique) == length && memcmp(word, technique, length) == 0) return i;
+    word += length + (word[length] == '|');
+  }
+  return -1;
+}
+
+/* Hands take turns, so that a key held down is a closed roll. */
+static void hold(Controls *controls, TaborEvent *event, double time) {
+  event->id = FIRST_HAND + controls->hand;
+  event->value = BUZZ_PRESSURE;
+  controls->release_time[controls->hand] = time + BUZZ_TIME;
+  controls->hand = 1 - controls->hand;
+}
+
+/* Where the last stroke was, as fast as the next. */
+static void strike_with(Controls *controls, const char *technique, double time) {
+  const int number = find_technique(technique);
+  if (number < 0) {
+    (void)refuse("%s: this version has no such stroke yet", technique);
+    return;
+  }
+  TaborEvent event = make_stroke(controls, controls->last_place, controls->speed);
+  event.technique = (uint32_t)number;
+  if (event.technique == TABOR_TECHNIQUE_BUZZ) hold(controls, &event, time);
+  send_event(controls, &event, time);
+}
+
+void controls_pass(Controls *controls, double time) {
+  for (unsigned hand = 0; hand < 2; hand++) {
+    if (controls->release_time[hand] == 0 || time < controls->release_time[hand]) continue;
+    controls->release_time[hand] = 0;
+    const TaborEvent event = {.type = TABOR_EVENT_RELEASE, .id = FIRST_HAND + hand};
+    send_event(controls, &event, time);
+  }
 }
 
 /* ---- actions ---- */
@@ -134,7 +183,7 @@ static void act(Controls *controls, const Action *action, double time) {
   case ACTION_STROKE: strike(controls, action->value, controls->speed, time); break;
   case ACTION_GHOST: strike(controls, action->value, GHOST_SPEED * controls->speed, time); break;
   case ACTION_REPEAT: strike(controls, controls->last_place, controls->last_speed, time); break;
-  case ACTION_TECHNIQUE: try_technique(action->text); break;
+  case ACTION_TECHNIQUE: strike_with(controls, action->text, time); break;
   case ACTION_SPEED: set_speed(controls, action->value); break;
   case ACTION_SNARES: switch_snares(controls, time); break;
   case ACTION_MUFFLE: switch_muffle(controls, time); break;

@@ -69,6 +69,9 @@ same "a held key is a roll" 10 "$(strokes)"
 types 'type asd' 'wait strokes 3'
 same "a batch is played at once" 1 "$(strokes)"
 
+types 'type v' 'wait strikers 1' 'wait strikers 0' 'wait strokes 1'
+check "a buzz is heard" test "$(strokes)" -ge 1
+
 # ---- commands ----
 
 types 'type :' 'type set wires.asdf' 'wait :set wires.asdf' 'type \x15\x7f' 'gone :set' 'wait ? help'

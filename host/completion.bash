@@ -67,7 +67,9 @@ _tabor_complete_value() {
     KEY=VALUE)
       compopt -o nospace
       mapfile -t COMPREPLY < <(compgen -W "$(_tabor_keys)" -- "$3") ;;
-    NAME) mapfile -t COMPREPLY < <(compgen -W "$(_tabor_mics)" -- "$3") ;;
+    NAME)
+      if [ "$2" != --mic ]; then return; fi
+      mapfile -t COMPREPLY < <(compgen -W "$(_tabor_mics)" -- "$3") ;;
     FILE | FOLDER | DIRECTORY | DIR) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$3") ;;
     *) mapfile -t COMPREPLY < <(compgen -W "$(_tabor_choices "$text")" -- "$3") ;;
   esac

@@ -43,7 +43,7 @@ if ./jack_drum 2>message; then complain "it runs without a server"; fi
 grep -q 'no JACK server' message
 
 in_background jackd --no-realtime -n "$server" -d dummy -r 48000 -p 1024
-quietly jack_wait -s "$server" -w -t 20
+jack_wait -s "$server" -w -t 60 >"$scratch/log" 2>&1 || complain "the server does not start: $(cat jackd.txt)"
 if ./jack_drum nonesuch 2>message; then complain "it plays a preset that there is not"; fi
 grep -q nonesuch message
 

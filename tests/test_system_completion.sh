@@ -37,6 +37,7 @@ completes "bodhran-d-string bodhran-d-string-tensioned" show bodhran-d
 completes "wires.strainer= wires.strainer_travel=" render snare-14x5.5 --set wires.strainer
 completes "" render frame-drum --mic near
 completes "near" render snare-14x5.5 -o x.wav --mic ne
+completes "" play --device to
 touch own.ini other.wav
 completes "own.ini" render ow
 completes "other.wav" render -o ot

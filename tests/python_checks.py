@@ -80,6 +80,15 @@ class Sounds(unittest.TestCase):
         drum.process(10)
         del drum  # while the swap may still be under way
 
+    def test_a_buzz_bounces_until_it_is_released(self):
+        drum = tabor.Drum(tabor.Model("tabor", quality="draft"))
+        buzz = tabor.strike(velocity=1, technique="buzz", pressure=0.3, id=7)
+        path = drum.trace(9600, [buzz, tabor.release(9000, id=7)])
+        touches = np.diff((path["striker_force"] > 0).astype(int)) > 0
+        self.assertGreater(touches.sum(), 3)
+        self.assertTrue(np.isnan(path["striker"][-1]))
+        self.assertRaises(ValueError, tabor.strike, technique="shout")
+
     def test_the_ledger_closes(self):
         drum = tabor.Drum(tabor.Model("tabor", quality="draft"))
         drum.process(4800, [tabor.strike(velocity=3), tabor.damp(2000), tabor.release(4000),

@@ -125,13 +125,13 @@ typedef enum TaborStrikerKind {
   TABOR_STRIKER_FINGER
 } TaborStrikerKind;
 
-/** What holds the heads. */
 /** How a stroke is made. */
 typedef enum TaborTechnique {
   TABOR_TECHNIQUE_NORMAL, /**< the stick is free and rebounds */
   TABOR_TECHNIQUE_BUZZ /**< a hand goes on pressing the stick, which bounces until it is released */
 } TaborTechnique;
 
+/** What holds the heads. */
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   double depth;  /**< of the air below the batter head, down to the resonant head or the bottom of

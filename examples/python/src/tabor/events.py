@@ -16,11 +16,20 @@ class Event(NamedTuple):
     fields: Dict[str, Any]  #: further fields of the C struct; "striker" and a microphone by name
 
 
+#: How a stroke can be made.
+TECHNIQUES = {"normal": lib.TABOR_TECHNIQUE_NORMAL, "buzz": lib.TABOR_TECHNIQUE_BUZZ}
+
+
 def strike(frame: int = 0, velocity: float = 2.5, radius: float = 0.05, angle: float = 0.0,
-           striker: Union[str, int] = 0, id: int = 0) -> Event:
-    """A stroke: velocity [m/s], radius from the centre [m]; id is a name for later events."""
+           striker: Union[str, int] = 0, id: int = 0, technique: str = "normal",
+           pressure: float = 0.5) -> Event:
+    """A stroke: velocity [m/s], radius from the centre [m]; id is a name for later events. A "buzz" stays
+    under pressure, 0 to 1, until it is released."""
+    if technique not in TECHNIQUES:
+        raise ValueError(f"unknown technique {technique!r}; there are {', '.join(TECHNIQUES)}")
     return Event(frame, lib.TABOR_EVENT_STRIKE,
-                 {"velocity": velocity, "radius": radius, "angle": angle, "striker": striker, "id": id})
+                 {"velocity": velocity, "radius": radius, "angle": angle, "striker": striker, "id": id,
+                  "technique": TECHNIQUES[technique], "value": pressure})
 
 
 def press(frame: int = 0, value: float = 0.5, id: int = 0) -> Event:

@@ -15,7 +15,8 @@ from .model import Model
 
 
 class Stroke(NamedTuple):
-    """A stroke; what is None is as the definition's [strike] says."""
+    """A normal stroke; what is None is as the definition's [strike] says. For a buzz there is Drum, with
+    strike() and release()."""
 
     time: float = 0.0  #: [s]
     velocity: Optional[float] = None  #: [m/s]

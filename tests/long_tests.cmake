@@ -20,3 +20,10 @@ if(COMMAND tabor_add_embed_test)
   tabor_add_embed_test(test_packages_in_root NEEDS_SHARED)
   set_tests_properties(test_packages_in_root PROPERTIES TIMEOUT 1800 LABELS long)
 endif()
+
+# The engine for another processor, under an emulator.
+if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+  add_test(NAME test_arm COMMAND "${PROJECT_SOURCE_DIR}/tools/check-arm")
+  tabor_test_properties(test_arm)
+  set_tests_properties(test_arm PROPERTIES TIMEOUT 3600 LABELS long)
+endif()

@@ -2,8 +2,8 @@
 /* Eight doubles in as many registers as the instruction set has for them, for kernels.c alone.
  *
  * Arithmetic is the compiler's own on vectors. Only what it finds no single instruction for by itself is
- * named here for x86: comparing, choosing, largest and smallest, roots, widening. Everywhere else these are
- * loops over lanes with the same results to the bit. */
+ * named here: for x86 comparing, choosing, largest and smallest, roots, widening; for aarch64 widening alone.
+ * Everywhere else these are loops over lanes with the same results to the bit. */
 #ifndef TB_LANES_H
 #define TB_LANES_H
 
@@ -13,6 +13,8 @@
 
 #if defined(__x86_64__)
 #  include <immintrin.h>
+#elif defined(__aarch64__)
+#  include <arm_neon.h>
 #endif
 
 #if defined(__AVX512F__)
@@ -69,7 +71,11 @@ static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm_min_pd(x, y
 static INLINE Vector vector_root(Vector x) { return _mm_sqrt_pd(x); }
 static INLINE bool vector_any(Bits m) { return _mm_movemask_pd((__m128d)m) != 0; }
 #  else
+#    if defined(__aarch64__)
+static INLINE Vector vector_widen(const float *p) { return (Vector)vcvt_f64_f32(vld1_f32(p)); }
+#    else
 static INLINE Vector vector_widen(const float *p) { return (Vector){(double)p[0], (double)p[1]}; }
+#    endif
 static INLINE Vector vector_larger(Vector x, Vector y) { return vector_pick(x > y, x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return vector_pick(y > x, x, y); }
 static INLINE Vector vector_root(Vector x) { return (Vector){sqrt(x[0]), sqrt(x[1])}; }

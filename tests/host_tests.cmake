@@ -73,6 +73,14 @@ if(TARGET tabor-program)
     tabor_test_properties(test_player_effects)
   endif()
 
+  if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+    add_test(NAME test_compare_tools
+             COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_compare_tools.sh" "${PROJECT_SOURCE_DIR}")
+    tabor_test_properties(test_compare_tools)
+    set_property(TEST test_compare_tools APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
+                                                         "INSPECT=$<TARGET_FILE:host_inspect>")
+  endif()
+
   # It builds a profiling library of its own, beside one without sanitizers and counters.
   if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     add_test(NAME test_bench_tool

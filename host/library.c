@@ -22,11 +22,11 @@
 static json_t *sound_json(const LibrarySound *sound) {
   const TaborEvent *const event = &sound->event;
   return json_pack("{s:o, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o}", "file",
-                   json_text(sound->file), "technique", "normal", "key", (json_int_t)sound->key,
-                   "low", (json_int_t)sound->low, "high", (json_int_t)sound->high, "midi",
-                   (json_int_t)sound->midi, "take", (json_int_t)sound->take, "velocity",
-                   json_number(event->velocity), "radius", json_number(event->radius), "angle",
-                   json_number(event->angle));
+                   json_text(sound->file), "technique", sound->technique->name, "key",
+                   (json_int_t)sound->key, "low", (json_int_t)sound->low, "high",
+                   (json_int_t)sound->high, "midi", (json_int_t)sound->midi, "take",
+                   (json_int_t)sound->take, "velocity", json_number(event->velocity), "radius",
+                   json_number(event->radius), "angle", json_number(event->angle));
 }
 
 static size_t count_failed(const RenderBatch *batch) {
@@ -110,7 +110,8 @@ static const char notes[] =
   "velocity 73, the second take. One gain is for all of them, so they are as loud as the drum is.\n"
   "\n"
   "Places have keys of their own: from the centre to 80 % of the radius 36, 38, 41, 43, 45, 47,\n"
-  "48 and 50, as in 'tabor play'. One place is the preset's, on 38.\n"
+  "48 and 50, as in 'tabor play'. One place is the preset's, on 38. Buzzes, of half a second, lie\n"
+  "two octaves above: 60, 62, 65 and so on.\n"
   "\n"
   "A run that was ended goes on where it was: the same command keeps the sounds that are there.\n"
   "FOLDER/" LIBRARY_MANIFEST " says what they were made from; a folder takes one library only.\n"

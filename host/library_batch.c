@@ -8,9 +8,10 @@
 #include "folder.h"
 
 /* The preset's own stroke gives way to that of the sound. */
-static void take_stroke(const LibrarySound *sound, RenderRequest *request) {
-  request->strokes.events[0] = sound->event;
-  request->strokes.events[0].id = 1;
+static Outcome take_stroke(const LibrarySound *sound, RenderRequest *request) {
+  Stroke stroke = stroke_default(&request->def, "[strike]");
+  stroke.event = sound->event;
+  return strokes_replace(&request->strokes, &stroke);
 }
 
 static Outcome add_job(const Arguments *arguments, const LibrarySound *sound, char *path,
@@ -25,10 +26,9 @@ static Outcome add_job(const Arguments *arguments, const LibrarySound *sound, ch
   arguments_replace(&job->arguments, "output", path);
   outcome = render_job_read(job);
   if (outcome != OUTCOME_OK) return outcome;
-  take_stroke(sound, &job->request);
   job->request.json = false;
   job->request.quiet = !arguments_has(arguments, "verbose") || job->request.quiet;
-  return OUTCOME_OK;
+  return take_stroke(sound, &job->request);
 }
 
 static Outcome add_missing(const Arguments *arguments, const LibraryRequest *request,

@@ -42,6 +42,15 @@ static json_t *mics_json(const RenderRequest *render) {
   return mics;
 }
 
+static json_t *techniques_json(const LibraryShape *shape) {
+  json_t *const techniques = json_array();
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (!shape->techniques[i]) continue;
+    (void)json_array_append_new(techniques, json_text(library_techniques[i].name));
+  }
+  return techniques;
+}
+
 static const char *effective_quality(const RenderRequest *render) {
   const uint32_t asked = render->model.quality;
   return quality_name(asked == TABOR_QUALITY_DEFAULT ? render->def.quality.level : asked);
@@ -53,14 +62,14 @@ static json_t *manifest_json(const LibraryRequest *request) {
   const LibraryShape *const shape = &request->plan.shape;
   const RenderRequest *const render = &request->render;
   return json_pack(
-    "{s:s, s:o, s:i, s:i, s:i, s:[s], s:s, s:o, s:I, s:I, s:s, s:s, s:o, s:o, s:I, s:o}", "tabor",
+    "{s:s, s:o, s:i, s:i, s:i, s:o, s:s, s:o, s:I, s:I, s:s, s:s, s:o, s:o, s:I, s:o}", "tabor",
     tabor_version(), "preset", json_text(request->stem), "velocities", (int)shape->velocities,
-    "positions", (int)shape->positions, "takes", (int)shape->takes, "techniques", "normal",
-    "velocity-curve", curves[shape->curve], "humanize", json_number(shape->humanizer.amount),
-    "seed", (json_int_t)request->seed, "rate", (json_int_t)render->audio.rate, "quality",
-    effective_quality(render), "format", formats[render->audio.encoding], "mic", mics_json(render),
-    "gain", json_number(render->gain_db), "frames", (json_int_t)render->frames, "drum",
-    drum_json(&render->def));
+    "positions", (int)shape->positions, "takes", (int)shape->takes, "techniques",
+    techniques_json(shape), "velocity-curve", curves[shape->curve], "humanize",
+    json_number(shape->humanizer.amount), "seed", (json_int_t)request->seed, "rate",
+    (json_int_t)render->audio.rate, "quality", effective_quality(render), "format",
+    formats[render->audio.encoding], "mic", mics_json(render), "gain", json_number(render->gain_db),
+    "frames", (json_int_t)render->frames, "drum", drum_json(&render->def));
 }
 
 /* ---- the same, or another ---- */

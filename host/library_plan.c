@@ -17,6 +17,12 @@
 static const uint32_t single_key = 38;
 static const uint32_t keys[LIBRARY_MOST_POSITIONS] = {36, 38, 41, 43, 45, 47, 48, 50};
 
+/* As many keys above the head's that no two techniques share one. */
+const LibraryTechnique library_techniques[LIBRARY_TECHNIQUES] = {
+  {"normal", TABOR_TECHNIQUE_NORMAL, 0},
+  {"buzz", TABOR_TECHNIQUE_BUZZ, 24},
+};
+
 /* ---- velocities ---- */
 
 static uint32_t layer_velocity(uint32_t layer, uint32_t layers) {
@@ -36,7 +42,7 @@ static void set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
 static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t place,
                       uint32_t places) {
   const double head = def->shell.radius;
-  sound->key = places == 1 ? single_key : keys[place];
+  sound->key = (places == 1 ? single_key : keys[place]) + sound->technique->up;
   if (places == 1) {
     sound->radius_share = (uint32_t)lround(100 * sound->event.radius / head);
     return;
@@ -62,7 +68,7 @@ static bool set_name(LibrarySound *sound, const char *stem, uint32_t takes) {
   const size_t size = strlen(stem) + 64;
   sound->file = malloc(size);
   if (!sound->file) return false;
-  (void)snprintf(sound->file, size, "%s-normal-r%02u-v%03u-t%0*u.wav", stem,
+  (void)snprintf(sound->file, size, "%s-%s-r%02u-v%03u-t%0*u.wav", stem, sound->technique->name,
                  (unsigned)sound->radius_share, (unsigned)sound->midi, takes > 9 ? 2 : 1,
                  (unsigned)sound->take);
   return true;
@@ -70,28 +76,53 @@ static bool set_name(LibrarySound *sound, const char *stem, uint32_t takes) {
 
 /* ---- all of them ---- */
 
-static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shape, uint32_t index) {
+/* Sound @p index of one technique. */
+static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shape,
+                               const LibraryTechnique *technique, uint32_t index) {
   const uint32_t layer = index / shape->takes;
   LibrarySound sound = {.take = index % shape->takes + 1,
+                        .technique = technique,
                         .event = stroke_default(def, "[strike]").event};
+  sound.event.technique = (uint32_t)technique->technique;
   set_place(&sound, def, layer / shape->velocities, shape->positions);
   set_layer(&sound, layer % shape->velocities, shape->velocities);
   sound.event.velocity = midi_speed(shape->curve, sound.midi);
   return sound;
 }
 
+static uint32_t count_of_technique(const LibraryShape *shape) {
+  return shape->positions * shape->velocities * shape->takes;
+}
+
+uint32_t library_count(const LibraryShape *shape) {
+  uint32_t techniques = 0;
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) techniques += shape->techniques[i];
+  return techniques * count_of_technique(shape);
+}
+
+/* False without memory. */
+static bool add_technique(const TaborDrumDef *def, const char *stem,
+                          const LibraryTechnique *technique, Humanizer *player, LibraryPlan *plan) {
+  const LibraryShape *const shape = &plan->shape;
+  for (uint32_t i = 0; i < count_of_technique(shape); i++) {
+    LibrarySound *const sound = &plan->sounds[plan->count++];
+    *sound = make_sound(def, shape, technique, i);
+    humanize(player, def->shell.radius, &sound->event);
+    if (!set_name(sound, stem, shape->takes)) return false;
+  }
+  return true;
+}
+
 Outcome library_plan_make(const TaborDrumDef *def, const char *preset, const LibraryShape *shape,
                           LibraryPlan *plan) {
-  const uint32_t count = shape->positions * shape->velocities * shape->takes;
   Humanizer player = shape->humanizer;
   char *const stem = library_stem(preset);
-  *plan = (LibraryPlan){.shape = *shape, .sounds = calloc(count, sizeof *plan->sounds)};
+  *plan =
+    (LibraryPlan){.shape = *shape, .sounds = calloc(library_count(shape), sizeof *plan->sounds)};
   bool complete = stem && plan->sounds;
-  for (uint32_t i = 0; i < count && complete; i++) {
-    LibrarySound *const sound = &plan->sounds[plan->count++];
-    *sound = make_sound(def, shape, i);
-    humanize(&player, def->shell.radius, &sound->event);
-    complete = set_name(sound, stem, shape->takes);
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES && complete; i++) {
+    if (!shape->techniques[i]) continue;
+    complete = add_technique(def, stem, &library_techniques[i], &player, plan);
   }
   free(stem);
   return complete ? OUTCOME_OK : fail_memory();

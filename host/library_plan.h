@@ -10,12 +10,24 @@
 #ifndef TABOR_HOST_LIBRARY_PLAN_H
 #define TABOR_HOST_LIBRARY_PLAN_H
 
+#include <stdbool.h>
+
 #include "humanize.h"
 #include "midi_speed.h"
 
 #define LIBRARY_MOST_POSITIONS 8
 #define LIBRARY_MOST_TAKES 32
 #define LIBRARY_MOST_SOUNDS 4096
+#define LIBRARY_TECHNIQUES 2
+
+/** A technique that libraries have: the keys of its places. */
+typedef struct LibraryTechnique {
+  const char *name;
+  TaborTechnique technique;
+  uint32_t up; /**< its keys are so many semitones above those of the head */
+} LibraryTechnique;
+
+extern const LibraryTechnique library_techniques[LIBRARY_TECHNIQUES];
 
 /** What a library is asked to have. */
 typedef struct LibraryShape {
@@ -23,13 +35,15 @@ typedef struct LibraryShape {
   uint32_t
     positions;    /**< from the centre to 80 % of the head's radius; of one, the preset's place */
   uint32_t takes; /**< of each */
+  bool techniques[LIBRARY_TECHNIQUES]; /**< which of library_techniques */
   MidiCurve curve;
   Humanizer humanizer; /**< of the takes, in the order of the sounds */
 } LibraryShape;
 
 /** One sound: a stroke and a file. */
 typedef struct LibrarySound {
-  char *file;         /**< its name in the library's folder */
+  char *file; /**< its name in the library's folder */
+  const LibraryTechnique *technique;
   uint32_t key;       /**< MIDI note */
   uint32_t low, high; /**< MIDI velocities that it stands for */
   uint32_t midi;      /**< the one that it was played with */
@@ -39,13 +53,15 @@ typedef struct LibrarySound {
   TaborEvent event; /**< the stroke, scattered */
 } LibrarySound;
 
-/** By key, then velocity, then take. Begins as {0}. */
+/** By technique, then place, velocity, take. Begins as {0}. */
 typedef struct LibraryPlan {
   LibraryShape shape;
   LibrarySound *sounds;
   size_t count;
 } LibraryPlan;
 
+/** How many sounds that makes. */
+uint32_t library_count(const LibraryShape *shape);
 /**
  * Plans the sounds of @p def; their files' names begin with @p preset's. Free with library_plan_free(),
  * whatever the outcome.

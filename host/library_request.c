@@ -18,7 +18,7 @@ const Option library_options[] = {
   {"velocities", 0, "N", "velocity layers, 1 to 127 (default 8)"},
   {"positions", 0, "N", "places from the centre outwards, 1 to 8 (default 3); see below"},
   {"takes", 0, "N", "round robins, 1 to 32: strokes that differ by --humanize (default 4)"},
-  {"techniques", 0, "LIST", "normal (default); other techniques are not in this version"},
+  {"techniques", 0, "LIST", "of normal and buzz, as normal,buzz (default normal)"},
   OPTION_HUMANIZE("0.3, of one take 0"),
   OPTION_SEED,
   OPTION_VELOCITY_CURVE,
@@ -54,8 +54,12 @@ static Outcome read_counts(const Arguments *arguments, LibraryShape *shape) {
   if (outcome == OUTCOME_OK) {
     outcome = read_count(arguments, "--takes", LIBRARY_MOST_TAKES, &shape->takes);
   }
-  const uint32_t sounds = shape->velocities * shape->positions * shape->takes;
-  if (outcome != OUTCOME_OK || sounds <= LIBRARY_MOST_SOUNDS) return outcome;
+  return outcome;
+}
+
+static Outcome check_count(const LibraryShape *shape) {
+  const uint32_t sounds = library_count(shape);
+  if (sounds <= LIBRARY_MOST_SOUNDS) return OUTCOME_OK;
   return refuse("--velocities, --positions and --takes make %u sounds; allowed: up to %d",
                 (unsigned)sounds, LIBRARY_MOST_SOUNDS);
 }
@@ -77,19 +81,30 @@ static Outcome read_curve(const Arguments *arguments, LibraryShape *shape) {
   return text ? midi_curve_read("--velocity-curve", text, &shape->curve) : OUTCOME_OK;
 }
 
-/* One word of the list, "rimshot" of "normal,rimshot": what strokes accept, strokes say. */
-static Outcome check_technique(const TaborDrumDef *def, const char *word, size_t length) {
+/* One word of the list, "rimshot" of "normal,rimshot": what strokes refuse, strokes say. */
+static Outcome add_technique(const TaborDrumDef *def, const char *word, size_t length,
+                             LibraryShape *shape) {
   Stroke stroke = stroke_default(def, "--techniques:");
-  return stroke_set(&stroke, stroke_field("technique", strlen("technique")), word, length);
+  const StrokeField *const field = stroke_field("technique", strlen("technique"));
+  const Outcome outcome = stroke_set(&stroke, field, word, length);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (stroke.event.technique != (uint32_t)library_techniques[i].technique) continue;
+    if (shape->techniques[i]) return refuse("--techniques: '%.*s' given twice", (int)length, word);
+    shape->techniques[i] = true;
+    return OUTCOME_OK;
+  }
+  return refuse("--techniques '%.*s': libraries have no keys for it", (int)length, word);
 }
 
-static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *def) {
+static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *def,
+                               LibraryShape *shape) {
   const char *text = arguments_value(arguments, "techniques");
   Outcome outcome = OUTCOME_OK;
-  for (uint32_t count = 0; text && outcome == OUTCOME_OK; count++) {
+  if (!text) text = library_techniques[0].name;
+  while (text && outcome == OUTCOME_OK) {
     const size_t length = strcspn(text, ",");
-    outcome = check_technique(def, text, length);
-    if (outcome == OUTCOME_OK && count > 0) return refuse("--techniques: 'normal' given twice");
+    outcome = add_technique(def, text, length, shape);
     text = text[length] ? text + length + 1 : NULL;
   }
   return outcome;
@@ -130,7 +145,8 @@ static Outcome read_sounds(const Arguments *arguments, LibraryRequest *request) 
   if (outcome == OUTCOME_OK) outcome = read_scatter(arguments, request, &shape);
   if (outcome == OUTCOME_OK) outcome = read_curve(arguments, &shape);
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &def);
-  if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def);
+  if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def, &shape);
+  if (outcome == OUTCOME_OK) outcome = check_count(&shape);
   if (outcome != OUTCOME_OK) return outcome;
   return library_plan_make(&def, request->preset, &shape, &request->plan);
 }

@@ -22,9 +22,10 @@ static void print_head(FILE *stream, const LibraryRequest *request) {
 
 /* Of the takes of one velocity at one place. */
 static void print_group(FILE *stream, const LibrarySound *sound, const LibraryShape *shape) {
-  (void)fprintf(stream, "\n// %u %% of the radius, %.3g m/s\n<group>\nkey=%u\nlovel=%u\nhivel=%u\n",
-                (unsigned)sound->radius_share, midi_speed(shape->curve, sound->midi),
-                (unsigned)sound->key, (unsigned)sound->low, (unsigned)sound->high);
+  (void)fprintf(
+    stream, "\n// %s, %u %% of the radius, %.3g m/s\n<group>\nkey=%u\nlovel=%u\nhivel=%u\n",
+    sound->technique->name, (unsigned)sound->radius_share, midi_speed(shape->curve, sound->midi),
+    (unsigned)sound->key, (unsigned)sound->low, (unsigned)sound->high);
   if (shape->takes > 1) (void)fprintf(stream, "seq_length=%u\n", (unsigned)shape->takes);
 }
 

@@ -104,6 +104,13 @@ static void sort(Strokes *strokes) {
   strokes->count = kept;
 }
 
+Outcome strokes_replace(Strokes *strokes, const Stroke *stroke) {
+  strokes->count = 0;
+  const Outcome outcome = strokes_add(strokes, stroke);
+  sort(strokes);
+  return outcome;
+}
+
 static Outcome read_options(const Arguments *arguments, const TaborDrumDef *def, Strokes *strokes) {
   Outcome outcome = OUTCOME_OK;
   const char *text;

@@ -34,6 +34,8 @@ Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double
                      Strokes *strokes);
 /** Adds one behind the others, whatever its time. */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
+/** Makes @p stroke the only one. */
+Outcome strokes_replace(Strokes *strokes, const Stroke *stroke);
 /** Adds @p count events that are in order of time; of one frame they come behind those that are there. */
 Outcome strokes_merge(Strokes *strokes, const TaborEvent *events, size_t count);
 void strokes_free(Strokes *strokes);

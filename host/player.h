@@ -34,10 +34,10 @@ typedef enum PlayerSource {
 } PlayerSource;
 
 typedef enum PlayerMessageType {
-  PLAYER_EVENT, /**< event; but swaps come as PLAYER_SWAP */
-  PLAYER_SWAP,  /**< event; mics: each channel's microphone in the new model, which has so many
+  PLAYER_EVENT,      /**< event; but swaps come as PLAYER_SWAP */
+  PLAYER_SWAP,       /**< event; mics: each channel's microphone in the new model, which has so many
                       strikers */
-  PLAYER_GAIN,  /**< value: factor of the output, reached over 5 ms */
+  PLAYER_GAIN,       /**< value: factor of the output, reached over 5 ms */
   PLAYER_EXPRESSION, /**< the same beside that one, by MIDI */
   PLAYER_SILENCE /**< the sound fades out within 5 ms, and the drum is at rest; strokes wait for it */
 } PlayerMessageType;

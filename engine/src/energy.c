@@ -88,9 +88,8 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
-         tb_lugs_energy(view, next->q, now->q) +
-         wires_energy(view, next, now) + contacts_energy(view, next, now) +
-         strikers_energy(view, next, now);
+         tb_lugs_energy(view, next->q, now->q) + wires_energy(view, next, now) +
+         contacts_energy(view, next, now) + strikers_energy(view, next, now);
 }
 
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {

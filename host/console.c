@@ -236,6 +236,7 @@ static void show(Console *console) {
   if (passed < FRAME) return;
   console->drawn_time = time;
   performance_status(console->performance, &console->screen.play);
+  console->screen.quality = quality_name(console->screen.play.quality);
   take_drum(console);
   if (console->has_screen) {
     take_meters(&console->screen, passed);
@@ -277,7 +278,6 @@ Outcome console_open(Performance *performance, Console **created) {
     controls_begin(performance->player, performance->changes, performance->facts.rate,
                    20 * log10(request->gain), request->humanizer);
   console->escape_time = -ESCAPE_TIME;
-  console->screen.quality = quality_name(request->model.quality);
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) console->screen.meters[i] = meter_begin();
   const Outcome outcome = choose(console);
   if (outcome != OUTCOME_OK) console->has_screen = false;

@@ -36,6 +36,7 @@ struct DrumChanges {
   char preset[TABOR_TEXT_SIZE], built_preset[TABOR_TEXT_SIZE];
   uint64_t frame;              /* for the newest request */
   uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
+  uint64_t presets;            /* how many have been wished for */
   bool stops, has_thread;
 
   /* the builder's; if sound waits, under lock */
@@ -46,9 +47,10 @@ struct DrumChanges {
 
 /* ---- the drum to begin with ------------------------------------------------------------------ */
 
-static Outcome build(const DrumChanges *changes, const TaborDrumDef *def, TaborModel **model) {
+static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
+                     TaborModel **model) {
   TaborError error;
-  if (tabor_model_create(def, &changes->options, model, &error) == TABOR_OK) return OUTCOME_OK;
+  if (tabor_model_create(def, options, model, &error) == TABOR_OK) return OUTCOME_OK;
   return report_engine_error(&error);
 }
 
@@ -66,7 +68,7 @@ Outcome drum_changes_create(const DrumChangesSetup *setup, DrumChanges **created
   changes->waits = setup->waits;
   (void)snprintf(changes->preset, sizeof changes->preset, "%s", setup->preset);
   memcpy(changes->built_preset, changes->preset, sizeof changes->preset);
-  const Outcome outcome = build(changes, &changes->wanted, &changes->model);
+  const Outcome outcome = build(&changes->options, &changes->wanted, &changes->model);
   if (outcome != OUTCOME_OK) return outcome;
   if (tabor_drum_create(changes->model, &changes->drum, &error) == TABOR_OK) return OUTCOME_OK;
   return report_engine_error(&error);
@@ -199,12 +201,13 @@ static void forget_request(DrumChanges *changes, uint64_t request) {
 /* Under lock, which is left while the model is built. */
 static void answer(DrumChanges *changes) {
   const TaborDrumDef def = changes->wanted;
-  const uint64_t request = changes->requests, frame = changes->frame;
+  const TaborModelOptions options = changes->options;
+  const uint64_t request = changes->requests, frame = changes->frame, presets = changes->presets;
   char preset[TABOR_TEXT_SIZE];
   TaborModel *model = NULL;
   memcpy(preset, changes->preset, sizeof preset);
   if (!changes->waits) (void)pthread_mutex_unlock(&changes->lock);
-  Outcome outcome = build(changes, &def, &model);
+  Outcome outcome = build(&options, &def, &model);
   if (!changes->waits) (void)pthread_mutex_lock(&changes->lock);
   if (outcome == OUTCOME_OK) outcome = send_swap(changes, model, frame);
   changes->answered = request;
@@ -215,7 +218,8 @@ static void answer(DrumChanges *changes) {
   memcpy(changes->built_preset, preset, sizeof preset);
   if (changes->waits) return;
   wait_for_swap(changes);
-  resend_live(changes, &def);
+  if (changes->presets == presets)
+    resend_live(changes, &def); /* not what another one begins with */
 }
 
 static void *build_requests(void *context) {
@@ -286,6 +290,7 @@ Outcome drum_changes_set(DrumChanges *changes, uint64_t frame, const char *what,
     const TaborParameter *const parameter = tabor_parameter_find(key);
     const bool live = parameter && parameter->live;
     changes->wanted = def;
+    if (strcmp(key, "quality.level") == 0) changes->options.quality = def.quality.level;
     if (live) send_live(changes, frame, parameter, key);
     if (!live || outgrows(changes, key)) request(changes, frame);
   }
@@ -302,6 +307,7 @@ Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *pr
   if (outcome != OUTCOME_OK) return outcome;
   (void)pthread_mutex_lock(&changes->lock);
   changes->wanted = def;
+  changes->presets++;
   (void)snprintf(changes->preset, sizeof changes->preset, "%s", preset);
   if (!changes->stops) request(changes, frame);
   (void)pthread_mutex_unlock(&changes->lock);
@@ -336,5 +342,6 @@ void drum_changes_status(DrumChanges *changes, PlayStatus *status) {
   (void)pthread_mutex_lock(&changes->lock);
   (void)snprintf(status->preset, sizeof status->preset, "%s", changes->preset);
   status->building = changes->answered != changes->requests;
+  status->quality = changes->options.quality;
   (void)pthread_mutex_unlock(&changes->lock);
 }

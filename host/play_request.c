@@ -87,9 +87,22 @@ static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
   return outcome;
 }
 
+/* What a preset file says is for rendering; what the command line says is meant. */
+static bool sets_level(const Arguments *arguments) {
+  const char *value;
+  size_t position = 0;
+  while ((value = arguments_next(arguments, "set", &position)) != NULL) {
+    if (strncmp(value, "quality.level=", strlen("quality.level=")) == 0) return true;
+  }
+  return false;
+}
+
 static Outcome read_model(const Arguments *arguments, PlayRequest *request) {
   const Outcome outcome = model_options_read(arguments, &request->model);
-  if (!arguments_has(arguments, "quality")) request->model.quality = TABOR_QUALITY_LIVE;
+  if (!arguments_has(arguments, "quality")) {
+    request->model.quality =
+      sets_level(arguments) ? request->def.quality.level : (uint32_t)TABOR_QUALITY_LIVE;
+  }
   if (arguments_has(arguments, "rate")) request->device.rate = request->model.sample_rate;
   return outcome;
 }

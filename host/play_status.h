@@ -13,6 +13,7 @@ typedef struct PlayStatus {
   /* what plays */
   char preset[TABOR_TEXT_SIZE];
   bool building;                /**< a changed drum is being computed */
+  uint32_t quality;             /**< a TaborQuality; 0 if nobody says */
   char device[TABOR_TEXT_SIZE]; /**< "JACK: system" */
   double rate;                  /**< [Hz] */
   uint32_t buffer;              /**< frames that the device asks for at once */

@@ -117,9 +117,8 @@ static void swap(Player *player, const PlayerMessage *message) {
 }
 
 static void carry_out(Player *player, const PlayerMessage *message) {
-  if (message->frame != PLAYER_NOW && message->frame < player->position) {
-    count(&player->meters.late, 1);
-  }
+  const bool passed = message->frame != PLAYER_NOW && message->frame < player->position;
+  if (passed && message->type != PLAYER_SWAP) count(&player->meters.late, 1); /* models take time */
   switch (message->type) {
   case PLAYER_EVENT: add_event(player, &message->event); break;
   case PLAYER_SWAP: swap(player, message); break;

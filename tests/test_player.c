@@ -288,6 +288,56 @@ static void changes_come_while_it_rings(void **state) {
   stage_close(stage);
 }
 
+/* One preset after another, each wished for before the last is there: what the next is to begin with does not
+ * move the one that comes, and nobody hears a drum that nobody struck. */
+static void presets_passed_over_are_silent(void **state) {
+  (void)state;
+  PlayStatus status = {0};
+  Stage *const stage = stage_open("snare-14x5.5", TABOR_QUALITY_DRAFT, false, 48000 * 60);
+  static const char *const presets[] = {"snare-14x6.5-loose", "marching-14x12", "snare-14x5.5-off"};
+  const struct timespec moment = {.tv_nsec = 2000000};
+  uint32_t wished = 0;
+  for (int i = 0; i < 9000; i++) {
+    drum_changes_status(stage->changes, &status);
+    const bool comes = i == 0 || (status.building && i % 20 == 0);
+    if (wished < 3 && comes) {
+      assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[wished++]),
+                       OUTCOME_OK);
+    }
+    stage_block(stage, 128);
+    if (wished == 3 && !status.building) break;
+    if (!status.building && i > 0 && wished < 3) {
+      assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[wished++]),
+                       OUTCOME_OK);
+    }
+    (void)nanosleep(&moment, NULL);
+  }
+  for (int i = 0; i < 400; i++) stage_block(stage, 128);
+  stage_end(stage);
+  player_status(stage->player, &status);
+  assert_int_equal(wished, 3);
+  assert_int_equal(status.dropped, 0);
+  assert_int_equal(status.late, 0);
+  assert_true(stage_peak(stage, 0, stage->recorded) == 0);
+  stage_close(stage);
+}
+
+/* The quality is a key like others, and a heavy one. */
+static void quality_can_be_set(void **state) {
+  (void)state;
+  PlayStatus status = {0};
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  assert_int_equal(drum_changes_set(stage->changes, PLAYER_NOW, "set", "quality.level", "live"),
+                   OUTCOME_OK);
+  stage_block(stage, 128);
+  drum_changes_status(stage->changes, &status);
+  TaborModelInfo info;
+  tabor_model_info(tabor_drum_model(drum_changes_drum(stage->changes)), &info);
+  assert_int_equal(info.quality, TABOR_QUALITY_LIVE);
+  assert_int_equal(status.quality, TABOR_QUALITY_LIVE);
+  stage_close(stage);
+}
+
 static void wrong_changes_are_refused(void **state) {
   (void)state;
   char said[200];
@@ -396,6 +446,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(a_stroke_during_silencing_is_not_lost),
     cmocka_unit_test(presets_with_less_are_played_all_the_same),
     cmocka_unit_test(changes_come_while_it_rings),
+    cmocka_unit_test(presets_passed_over_are_silent),
+    cmocka_unit_test(quality_can_be_set),
     cmocka_unit_test(wrong_changes_are_refused),
     cmocka_unit_test(presets_step_round),
     cmocka_unit_test(blocks_are_computed_in_time),

@@ -13,15 +13,26 @@ for file in "$record/libtabor.abi" "$record/libtabor.abignore" "$SHARED_BUILD/en
   [ -s "$file" ] || complain "there is no $file"
 done
 
+# compare SUPPRESSIONS RECORD: without the headers, for the record has no locations, and abidiff takes types
+# without a location in them for private ones, of which nobody may hear.
 compare() {
-  abidiff --headers-dir1 "$SOURCE/engine/include" --headers-dir2 "$SOURCE/engine/include" \
-    --suppressions "$record/libtabor.abignore" --no-added-syms "$@"
+  abidiff --suppressions "$1" --no-added-syms "$2" "$SHARED_BUILD/engine/libtabor.so"
 }
 
 # A library without a function of the record has to be noticed, or the test is worth nothing.
 sed "s/tabor_drum_process/tabor_drum_of_old/g" "$record/libtabor.abi" >other.abi
-if compare other.abi "$SHARED_BUILD/engine/libtabor.so" >/dev/null; then
+if compare "$record/libtabor.abignore" other.abi >/dev/null; then
   complain "a function that is gone was not noticed"
+fi
+
+# So has a struct of another size, once there has been a release.
+sed '/^# Until the first release/,$d' "$record/libtabor.abignore" >released.abignore
+sed -E "s/(<class-decl name='TaborEvent' size-in-bits=')[0-9]+/\11024/" "$record/libtabor.abi" >other.abi
+status=0
+compare released.abignore other.abi >difference || status=$?
+if [ $status != 4 ] || ! grep -q "'struct TaborEvent' changed" difference; then
+  cat difference >&2
+  complain "a struct of another size was not noticed: abidiff ended with $status, not 4"
 fi
 
 soname() { grep -oE "soname='[^']*'" | head -n 1; }
@@ -31,7 +42,7 @@ if [ "$was" != "$is" ]; then
   echo "the library has a new name, $is: it may differ from the one of $was"
   exit 0
 fi
-compare "$record/libtabor.abi" "$SHARED_BUILD/engine/libtabor.so" >difference || {
+compare "$record/libtabor.abignore" "$record/libtabor.abi" >difference || {
   cat difference >&2
   complain "programs built against the last release would break; tests/abi/README.md says what to do"
 }

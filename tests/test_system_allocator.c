@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -77,8 +78,27 @@ static void any_allocation_may_fail(void **state) {
   }
 }
 
+/* Memory of one allocator may not go to another. */
+static void half_an_allocator_is_refused(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  for (int half = 0; half < 2; half++) {
+    TaborModelOptions options;
+    tabor_model_options_default(&options);
+    options.allocator =
+      (TaborAllocator){half ? supply_allocate : NULL, half ? NULL : supply_release, NULL};
+    TaborModel *model = NULL;
+    TaborError error;
+    assert_int_equal(tabor_model_create(&def, &options, &model, &error), TABOR_ERROR_ARGUMENT);
+    assert_null(model);
+    assert_non_null(strstr(error.message, "allocator"));
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(half_an_allocator_is_refused),
     cmocka_unit_test(any_allocation_may_fail),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -59,9 +59,34 @@ static void a_tension_toggled_by_ten_per_cent_pumps_no_energy(void **state) {
   }
 }
 
+/* Made for another model, it cannot act: the drum stays as it is, and the swap may be freed. */
+static void a_swap_for_another_model_is_dropped_and_done(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("frame-drum");
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT),
+             *other = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  TaborSwap *swap;
+  TaborError error;
+  assert_int_equal(tabor_swap_create(other, model, &swap, &error), TABOR_OK);
+  assert_false(tabor_swap_done(swap));
+  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
+  tabor_drum_process(drum, &event, 1, NULL, 64);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.dropped_events, 1);
+  assert_ptr_equal(tabor_drum_model(drum), model);
+  assert_true(tabor_swap_done(swap));
+  tabor_swap_destroy(swap);
+  tabor_drum_destroy(drum);
+  tabor_model_release(other);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_tension_toggled_by_ten_per_cent_pumps_no_energy),
+    cmocka_unit_test(a_swap_for_another_model_is_dropped_and_done),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -270,6 +270,10 @@ static TaborStatus check_options(const TaborModelOptions *options, TaborError *e
     return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,
                         "model options were not set by tabor_model_options_default()");
   }
+  if (!options->allocator.allocate != !options->allocator.release) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, "allocator", NULL, NAN, NAN,
+                        "the allocator has only one of its two functions");
+  }
   if (!(options->sample_rate >= 22050.0 && options->sample_rate <= 192000.0)) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", NULL, 22050.0, 192000.0,
                         "sample rate %g Hz is outside 22050 to 192000 Hz", options->sample_rate);

@@ -233,8 +233,11 @@ static void exchange(TaborDrum *drum, TaborSwap *swap) {
 }
 
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
-  if (swap->old_model != drum->model || atomic_load(&swap->used)) return false;
-  atomic_store(&swap->used, true);
+  if (atomic_exchange(&swap->used, true)) return false;
+  if (swap->old_model != drum->model) {
+    atomic_store(&swap->done, true); /* it holds nothing of this drum's: free it */
+    return false;
+  }
   tb_swap_finish(drum);
   TbView from = tb_view(drum->state, drum->model);
   TbView to = tb_view(swap->state, swap->new_model);

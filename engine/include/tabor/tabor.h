@@ -578,7 +578,8 @@ TABOR_API TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **drum, Tab
 TABOR_API void tabor_drum_destroy(TaborDrum *drum);
 /**
  * Prepares the change of a drum from @p old_model, which must be its model when the swap event acts,
- * to @p new_model, and holds all memory that it takes. An event of another old model is dropped.
+ * to @p new_model, and holds all memory that it takes. An event of another old model is dropped, and the swap
+ * is done.
  */
 TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model,
                                         TaborSwap **swap, TaborError *error);

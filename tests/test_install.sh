@@ -86,4 +86,14 @@ for file in share/man/man1/tabor.1 share/bash-completion/completions/tabor share
   share/doc/tabor/examples/minimal.c share/doc/tabor/LICENSE include/tabor/tabor.h; do
   [ -s "static/$file" ] || complain "not installed: $file"
 done
+
+# What installed pages show and link to is installed with them.
+docs=$(dirname "$(find static -name performance.md)")
+for page in "$docs"/*.md; do
+  grep -oE '\]\([^):#]+\.(png|svg|json|md)' "$page" | cut -c 3- >links || continue
+  while read -r link; do
+    [ -e "$docs/$link" ] || complain "${page##*/} links to $link, which is not installed"
+  done <links
+done
+
 if [ -z "${CXX:-}" ]; then echo "SKIPPED: programs in C++ (no compiler)"; fi

@@ -35,8 +35,7 @@ static size_t count_failed(const RenderBatch *batch) {
   return failed;
 }
 
-static Outcome print_report(const LibraryRequest *request, const RenderBatch *batch,
-                            const char *instrument) {
+static Outcome print_report(const LibraryRequest *request, const RenderBatch *batch) {
   const size_t failed = count_failed(batch);
   json_t *const sounds = json_array();
   for (size_t i = 0; i < request->plan.count; i++) {
@@ -44,49 +43,40 @@ static Outcome print_report(const LibraryRequest *request, const RenderBatch *ba
   }
   return json_print(json_pack("{s:o, s:o, s:o, s:I, s:I, s:I, s:o}", "preset",
                               json_text(request->preset), "folder", json_text(request->folder),
-                              "instrument", failed ? json_null() : json_text(instrument),
+                              "instrument", failed ? json_null() : json_text(request->instrument),
                               "rendered", (json_int_t)(batch->count - failed), "kept",
                               (json_int_t)(request->plan.count - batch->count), "failed",
                               (json_int_t)failed, "sounds", sounds));
 }
 
-static void note_summary(const LibraryRequest *request, const RenderBatch *batch,
-                         const char *instrument) {
+static void note_summary(const LibraryRequest *request, const RenderBatch *batch) {
   const size_t kept = request->plan.count - batch->count;
   char before[48] = "";
   if (kept > 0) (void)snprintf(before, sizeof before, ", %zu of them from before", kept);
-  note("%s: %zu sounds%s", instrument, request->plan.count, before);
+  note("%s: %zu sounds%s", request->instrument, request->plan.count, before);
 }
 
 static Outcome report(const Arguments *arguments, const LibraryRequest *request,
-                      const RenderBatch *batch, const char *instrument) {
-  if (arguments_has(arguments, "json")) return print_report(request, batch, instrument);
-  if (count_failed(batch) == 0 && !request->render.quiet) note_summary(request, batch, instrument);
+                      const RenderBatch *batch) {
+  if (arguments_has(arguments, "json")) return print_report(request, batch);
+  if (count_failed(batch) == 0 && !request->render.quiet) note_summary(request, batch);
   return OUTCOME_OK;
 }
 
 /* ---- doing it ---- */
 
 /* The instrument comes last: where it is, all its sounds are. */
-static Outcome make(const Arguments *arguments, const LibraryRequest *request,
-                    const char *instrument) {
+static Outcome make(const Arguments *arguments, const LibraryRequest *request) {
   RenderBatch batch;
   Outcome outcome = library_batch_make(arguments, request, &batch);
   if (outcome == OUTCOME_OK) {
     outcome = render_jobs_do(&batch);
-    if (outcome == OUTCOME_OK) outcome = library_sfz_write(request, instrument);
-    const Outcome reported = report(arguments, request, &batch, instrument);
+    if (outcome == OUTCOME_OK) outcome = library_sfz_write(request, request->instrument);
+    const Outcome reported = report(arguments, request, &batch);
     if (outcome == OUTCOME_OK) outcome = reported;
   }
   render_batch_free(&batch);
   return outcome;
-}
-
-static char *instrument_path(const LibraryRequest *request) {
-  const size_t size = strlen(request->folder) + strlen(request->stem) + sizeof ".sfz";
-  char *const path = malloc(size);
-  if (path) (void)snprintf(path, size, "%s%s.sfz", request->folder, request->stem);
-  return path;
 }
 
 static Outcome run(const Arguments *arguments) {
@@ -94,11 +84,7 @@ static Outcome run(const Arguments *arguments) {
   int hold = -1;
   Outcome outcome = library_request_read(arguments, &request);
   if (outcome == OUTCOME_OK) outcome = library_manifest_claim(&request, &hold);
-  if (outcome == OUTCOME_OK) {
-    char *const instrument = instrument_path(&request);
-    outcome = instrument ? make(arguments, &request, instrument) : fail_memory();
-    free(instrument);
-  }
+  if (outcome == OUTCOME_OK) outcome = make(arguments, &request);
   if (hold >= 0) (void)close(hold);
   library_request_free(&request);
   return outcome;

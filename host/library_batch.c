@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "folder.h"
+#include "library_sound.h"
 
 /* The preset's own stroke gives way to that of the sound. */
 static Outcome take_stroke(const LibrarySound *sound, RenderRequest *request) {
@@ -35,7 +35,7 @@ static Outcome add_missing(const Arguments *arguments, const LibraryRequest *req
                            const LibrarySound *sound, RenderBatch *batch) {
   char *const path = folder_path(request->folder, sound->file);
   if (!path) return fail_memory();
-  if (access(path, F_OK) == 0) {
+  if (library_sound_is_finished(path, &request->render)) {
     free(path);
     return OUTCOME_OK;
   }

@@ -119,15 +119,18 @@ static Outcome compare_manifest(const char *folder, const char *path, json_t *wa
 
 /* ---- taking the folder ---- */
 
-/* Files that somebody else has put there are not to be taken for finished sounds. */
+/* Files that somebody else has put there are neither finished sounds nor ours to replace. */
+static Outcome check_absent(const LibraryRequest *request, const char *path) {
+  if (access(path, F_OK) != 0) return OUTCOME_OK;
+  return refuse("'%s' exists, but '%s' holds no library", path, request->folder);
+}
+
 static Outcome check_foreign(const LibraryRequest *request) {
-  Outcome outcome = OUTCOME_OK;
+  Outcome outcome = check_absent(request, request->instrument);
   for (size_t i = 0; i < request->plan.count && outcome == OUTCOME_OK; i++) {
     char *const path = folder_path(request->folder, request->plan.sounds[i].file);
     if (!path) return fail_memory();
-    if (access(path, F_OK) == 0) {
-      outcome = refuse("'%s' exists, but '%s' holds no library", path, request->folder);
-    }
+    outcome = check_absent(request, path);
     free(path);
   }
   return outcome;
@@ -151,6 +154,7 @@ static Outcome lock(const char *folder, const char *path, int *hold) {
   return fail("another run is at work in '%s'", folder);
 }
 
+/* Of runs that were killed; before there was a manifest, none of the folder's files were a library's. */
 static void remove_leftovers(const char *folder) {
   DIR *const directory = opendir(folder);
   const struct dirent *entry;
@@ -169,7 +173,7 @@ static Outcome claim(const LibraryRequest *request, const char *path, json_t *wa
   Outcome outcome = is_there ? compare_manifest(request->folder, path, wanted)
                              : write_manifest(request, path, wanted);
   if (outcome == OUTCOME_OK) outcome = lock(request->folder, path, hold);
-  if (outcome == OUTCOME_OK) remove_leftovers(request->folder);
+  if (outcome == OUTCOME_OK && is_there) remove_leftovers(request->folder);
   return outcome;
 }
 

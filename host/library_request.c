@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "library_request.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -112,13 +113,21 @@ static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *d
 
 /* ---- the folder, and how sounds are rendered ---- */
 
+static char *instrument_path(const LibraryRequest *request) {
+  const size_t size = strlen(request->folder) + strlen(request->stem) + sizeof ".sfz";
+  char *const path = malloc(size);
+  if (path) (void)snprintf(path, size, "%s%s.sfz", request->folder, request->stem);
+  return path;
+}
+
 static Outcome read_folder(const Arguments *arguments, LibraryRequest *request) {
   const char *const path = arguments_value(arguments, "output");
   if (!path || !*path) return refuse("a library needs a folder: -o FOLDER");
   const Outcome outcome = folder_check(path);
   if (outcome != OUTCOME_OK) return outcome;
   request->folder = folder_name(path);
-  return request->folder ? OUTCOME_OK : fail_memory();
+  request->instrument = request->folder ? instrument_path(request) : NULL;
+  return request->instrument ? OUTCOME_OK : fail_memory();
 }
 
 /* As the first sound will be; all the others are alike. */
@@ -166,6 +175,7 @@ Outcome library_request_read(const Arguments *arguments, LibraryRequest *request
 void library_request_free(LibraryRequest *request) {
   render_request_free(&request->render);
   library_plan_free(&request->plan);
+  free(request->instrument);
   free(request->folder);
   free(request->stem);
   *request = (LibraryRequest){0};

@@ -11,8 +11,9 @@
 
 typedef struct LibraryRequest {
   const char *preset;
-  char *stem;   /**< what its files' names begin with */
-  char *folder; /**< "FOLDER/" */
+  char *stem;       /**< what its files' names begin with */
+  char *folder;     /**< "FOLDER/" */
+  char *instrument; /**< "FOLDER/PRESET.sfz" */
   LibraryPlan plan;
   uint32_t seed;        /**< of --humanize */
   RenderRequest render; /**< how each sound is rendered: of its stroke and file it knows nothing */

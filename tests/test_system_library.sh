@@ -157,6 +157,23 @@ library tabor --velocities 3 --positions 2 --takes 2 -o two
 check "what is missing comes back" diff -r two again
 same "the others are kept" 11 "$(find two -name '*.wav' ! -newermt 2002-01-01 | wc -l)"
 
+# What was damaged is rendered again: emptied, cut off, or of another length.
+done_quietly render tabor --quality draft --duration 0.1 -q -o short.wav
+damaged() { same "$1 is rendered again" "1 11" "$(json rendered) $(json kept)" && check "$1" diff -r two again; }
+for damage in 'truncate -s 0' 'truncate -s -1' 'truncate -s 44' 'truncate -s 6' "cp short.wav"; do
+  $damage two/tabor-normal-r80-v001-t1.wav
+  run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
+  damaged "a sound after '$damage'"
+done
+ringing=(library frame-drum "${one[@]}" --quality draft -o ringing)
+done_quietly "${ringing[@]}" -q
+cp -r ringing whole
+run "${ringing[@]}" --json
+same "a sound that rings as long as it does is kept" "0 1" "$(json rendered) $(json kept)"
+truncate -s -4000 ringing/*.wav
+done_quietly "${ringing[@]}" -q
+check "unless it was cut off" diff -r whole ringing
+
 long=(library tabor --velocities 4 --positions 2 --takes 2 --quality draft --duration 4 --format pcm16 -q)
 done_quietly "${long[@]}" -o undisturbed -j2
 for signal in KILL TERM; do
@@ -172,6 +189,12 @@ done
 : >killed/.tabor-aBc123
 done_quietly "${long[@]}" -o killed -j2
 check "the bytes of an undisturbed run, and nothing else" diff -r undisturbed killed
+
+# Until a folder is a library, nothing in it is of a run before.
+mkdir shared
+: >shared/.tabor-aBc123
+library tabor "${one[@]}" -o shared
+check "somebody else's file stays" test -e shared/.tabor-aBc123
 
 # ---- two runs at once ----
 
@@ -205,9 +228,13 @@ refused "'two/' holds another library, with preset" library frame-drum "${shape[
 sed -i 's/tension = 3000/tension = 3200/' 'my $drum=1.ini'
 refused "'own/' holds another library, with batter.tension" \
   library 'my $drum=1.ini' --velocities 1 --positions 1 --takes 1 -o own "${short[@]}"
-mkdir foreign broken
+mkdir foreign own_instrument broken
 touch foreign/tabor-normal-r33-v064-t1.wav
 refused "'foreign/tabor-.*' exists, but 'foreign/' holds no library" library tabor "${one[@]}" -o foreign
+echo mine >own_instrument/tabor.sfz
+refused "'own_instrument/tabor.sfz' exists, but 'own_instrument/' holds no library" \
+  library tabor "${one[@]}" -o own_instrument
+same "which stays" "tabor.sfz mine" "$(ls own_instrument) $(cat own_instrument/tabor.sfz)"
 echo '{' >broken/tabor-library.json
 refused "'broken/tabor-library.json' is no library's" library tabor "${one[@]}" -o broken
 refused "a library needs a folder: -o FOLDER" library tabor

@@ -108,7 +108,9 @@ static Outcome compare_manifest(const char *folder, const char *path, json_t *wa
   json_error_t error;
   json_t *const found = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
   if (!found) return refuse("'%s' is no library's: %s", path, error.text);
-  Outcome outcome = compare(folder, found, wanted);
+  Outcome outcome = json_is_string(json_object_get(found, "tabor"))
+                      ? compare(folder, found, wanted)
+                      : refuse("'%s' is no library's: it names no version of tabor", path);
   if (outcome == OUTCOME_OK) {
     outcome =
       compare_drums(folder, json_object_get(found, "drum"), json_object_get(wanted, "drum"));

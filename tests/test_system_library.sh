@@ -237,6 +237,10 @@ refused "'own_instrument/tabor.sfz' exists, but 'own_instrument/' holds no libra
 same "which stays" "tabor.sfz mine" "$(ls own_instrument) $(cat own_instrument/tabor.sfz)"
 echo '{' >broken/tabor-library.json
 refused "'broken/tabor-library.json' is no library's" library tabor "${one[@]}" -o broken
+for json in '{}' '[]' '{"takes": 1}'; do
+  echo "$json" >broken/tabor-library.json
+  refused "'broken/tabor-library.json' is no library's: it names no" library tabor "${one[@]}" -o broken
+done
 refused "a library needs a folder: -o FOLDER" library tabor
 refused "a library needs a folder" library tabor -o ''
 refused "-o 'expected': not a folder" library tabor -o expected

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "backend.h"
+#include "hush.h"
 #include "portaudio_devices.h"
 #include "stopwatch.h"
 
@@ -47,10 +48,11 @@ static PaError open_at(BackendStream *stream, const OutputDevice *device, uint32
                                      .suggestedLatency = 2 * buffer / rate};
   /* JACK has its own blocks: others would only be cut from those, and come in bursts. */
   const unsigned long frames = device->is_jack ? paFramesPerBufferUnspecified : buffer;
-  const int hushed = portaudio_hush();
+  PortaudioCare care;
+  portaudio_enter(&care);
   const PaError error =
     Pa_OpenStream(&stream->stream, NULL, &output, rate, frames, paNoFlag, ask_client, stream);
-  portaudio_heard(hushed);
+  portaudio_leave(&care);
   return error;
 }
 
@@ -97,7 +99,9 @@ static Outcome open_stream(const BackendRequest *request, BackendStream **opened
 
 static Outcome start(BackendStream *stream, const BackendClient *client) {
   stream->client = *client;
+  const int hushed = hush_begin();
   const PaError error = Pa_StartStream(stream->stream);
+  hush_end(hushed);
   if (error == paNoError) return OUTCOME_OK;
   return fail("cannot start the sound: %s", Pa_GetErrorText(error));
 }

@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "hush.h"
+
 #define CLIENT "tabor-midi"
 #define LISTER CLIENT "-list" /* JACK has no two clients of one name */
 #define OWN_PORT "in"
@@ -70,8 +72,11 @@ static bool works(int api) {
 
 /* ---- inputs of RtMidi ---- */
 
+/* A server may have gone since it was seen to work. */
 static MidiPort *create(int api, const char *client) {
+  const int hushed = hush_begin();
   RtMidiInPtr const input = rtmidi_in_create((enum RtMidiApi)api, client, QUEUE);
+  hush_end(hushed);
   if (!input || input->ok) return input;
   rtmidi_in_free(input);
   return NULL;
@@ -164,7 +169,9 @@ MidiPort *midi_port_open(MidiPorts *ports, const MidiPortName *name, MidiPortFn 
     MidiPort *const input = create(name->api, CLIENT);
     if (!input) return NULL;
     rtmidi_in_set_callback(input, receive, context);
+    const int hushed = hush_begin();
     rtmidi_open_port(input, index, OWN_PORT);
+    hush_end(hushed);
     return keep_or_free(input);
   }
   return NULL;
@@ -176,7 +183,9 @@ MidiPort *midi_port_open_own(const MidiPorts *ports, size_t index, MidiPortFn *r
   MidiPort *const input = create(ports->apis[index].api, CLIENT);
   if (!input) return NULL;
   rtmidi_in_set_callback(input, receive, context);
+  const int hushed = hush_begin();
   rtmidi_open_virtual_port(input, OWN_PORT);
+  hush_end(hushed);
   return keep_or_free(input);
 }
 

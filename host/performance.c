@@ -25,6 +25,7 @@ static Outcome open_device(Performance *performance) {
   PlayRequest *const request = performance->request;
   const Outcome outcome =
     request->backend->open(&request->device, &performance->stream, &performance->facts);
+  performance->is_lost = outcome == OUTCOME_FAILED;
   request->model.sample_rate = performance->facts.rate;
   request->audio.rate = (uint32_t)lround(performance->facts.rate);
   return outcome;
@@ -196,6 +197,7 @@ static Outcome take_turns(Performance *performance, const PerformanceTurn *turn)
     if (interrupt_caught() != 0) return (Outcome)(SIGNALLED + interrupt_caught());
     if (!turn->take(turn->context)) break;
     if (!is_alive(performance, &pulse) && !player_is_over(player)) {
+      performance->is_lost = true;
       return fail("'%s' is gone: it asks for no more sound", performance->facts.device);
     }
     if (!announced && pulse.position > 0) {
@@ -211,6 +213,7 @@ Outcome performance_run(Performance *performance, const PerformanceTurn *turn) {
   interrupt_catch();
   feed(performance);
   const Outcome outcome = performance->request->backend->start(performance->stream, &client);
+  performance->is_lost = outcome != OUTCOME_OK;
   return outcome == OUTCOME_OK ? take_turns(performance, turn) : outcome;
 }
 
@@ -262,8 +265,7 @@ static void pause_briefly(void) {
 }
 
 /* Nothing may run any more that a thread might hang in: no handlers of exit(), no destructors. */
-static void leave(const Performance *performance, Outcome outcome) {
-  warn("'%s' does not let go; left as it is", performance->facts.device);
+static void leave(Outcome outcome) {
   (void)fflush(stdout);
   _exit((int)outcome);
 }
@@ -277,7 +279,10 @@ static void close_device(Performance *performance, Outcome outcome) {
     return;
   }
   while (!atomic_load(&closing.done)) {
-    if (stopwatch_seconds(CLOCK_MONOTONIC) - start > CLOSE_TIME) leave(performance, outcome);
+    if (stopwatch_seconds(CLOCK_MONOTONIC) - start > CLOSE_TIME) {
+      warn("'%s' does not let go; left as it is", performance->facts.device);
+      leave(outcome);
+    }
     pause_briefly();
   }
   (void)pthread_join(thread, NULL);
@@ -285,6 +290,7 @@ static void close_device(Performance *performance, Outcome outcome) {
 
 void performance_close(Performance *performance, Outcome outcome) {
   (void)performance_finish(performance); /* nothing, unless opening failed */
+  if (performance->is_lost) leave(outcome);
   play_midi_close(performance->midi);
   close_device(performance, outcome);
   drum_changes_stop(performance->changes);

@@ -23,6 +23,7 @@ typedef struct Performance {
   Score score;
   PlayMidi *midi; /**< live, or NULL */
   bool is_urgent; /**< the audio thread has real-time priority */
+  bool is_lost;   /**< the device did not open or start, or is gone: closing it could crash */
 } Performance;
 
 /** What the user's thread does while the drum plays. */
@@ -42,8 +43,8 @@ Outcome performance_run(Performance *performance, const PerformanceTurn *turn);
 /** Stops the sound and completes the recording. */
 Outcome performance_finish(Performance *performance);
 /**
- * Lets go of the device and frees everything. A device that does not let go is left as it is: says so,
- * and ends the program with the status @p outcome.
+ * Lets go of the device and frees everything. A device that is lost, or that does not let go, is left as it
+ * is: then the program ends here, with the status @p outcome.
  */
 void performance_close(Performance *performance, Outcome outcome);
 

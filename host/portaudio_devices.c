@@ -1,39 +1,47 @@
 /* SPDX-License-Identifier: MIT */
 #include "portaudio_devices.h"
 
-#include <fcntl.h>
 #include <pa_jack.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include <unistd.h>
+
+#include "hush.h"
 
 #define CLIENT "tabor" /* at JACK */
 #define LISTED 600     /* bytes of names in a message at most */
 
 /* ---- start and end -------------------------------------------------------------------------- */
 
-int portaudio_hush(void) {
-  (void)fflush(stderr);
-  const int kept = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
-  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (kept >= 0 && nowhere >= 0) (void)dup2(nowhere, STDERR_FILENO);
-  if (nowhere >= 0) (void)close(nowhere);
-  return kept;
+static volatile sig_atomic_t voice; /* the standard error; a handler has no other way to know */
+
+static void end_with_server(int number) {
+  static const char text[] = "tabor: cannot use sound: its server went away\n";
+  (void)number;
+  (void)!write(voice, text, sizeof text - 1);
+  _exit(OUTCOME_FAILED);
 }
 
-void portaudio_heard(int hushed) {
-  (void)fflush(stderr);
-  if (hushed < 0) return;
-  (void)dup2(hushed, STDERR_FILENO);
-  (void)close(hushed);
+void portaudio_enter(PortaudioCare *care) {
+  const struct sigaction action = {.sa_handler = end_with_server};
+  care->hushed = hush_begin();
+  voice = care->hushed >= 0 ? care->hushed : STDERR_FILENO;
+  (void)sigaction(SIGABRT, &action, &care->before);
+}
+
+void portaudio_leave(const PortaudioCare *care) {
+  (void)sigaction(SIGABRT, &care->before, NULL);
+  hush_end(care->hushed);
 }
 
 Outcome portaudio_start(void) {
-  const int hushed = portaudio_hush();
+  PortaudioCare care;
+  portaudio_enter(&care);
   (void)PaJack_SetClientName(CLIENT);
   const PaError error = Pa_Initialize();
-  portaudio_heard(hushed);
+  portaudio_leave(&care);
   return error == paNoError ? OUTCOME_OK : fail("cannot use sound: %s", Pa_GetErrorText(error));
 }
 

@@ -7,6 +7,7 @@
 #define TABOR_HOST_PORTAUDIO_DEVICES_H
 
 #include <portaudio.h>
+#include <signal.h>
 
 #include "message.h"
 
@@ -31,8 +32,19 @@ bool portaudio_output(uint32_t index, OutputDevice *device);
  * JACK's where its server runs. Fails with a list of those that there are.
  */
 Outcome portaudio_find(const char *name, OutputDevice *device);
-/** Keeps what is printed on standard error from now on from being seen; gives what portaudio_heard() takes. */
-int portaudio_hush(void);
-void portaudio_heard(int hushed);
+
+/** What portaudio_enter() has changed. */
+typedef struct PortaudioCare {
+  int hushed;
+  struct sigaction before;
+} PortaudioCare;
+
+/**
+ * Goes around what speaks to a sound server before there is anything to lose. What libraries print is not
+ * seen; and PortAudio asserts that JACK does as it is told, which a server that has just died does not: that
+ * ends the program with one line and the status 1, not with an abort that says nothing. One thread at a time.
+ */
+void portaudio_enter(PortaudioCare *care);
+void portaudio_leave(const PortaudioCare *care);
 
 #endif

@@ -121,4 +121,23 @@ for signal in KILL TERM; do
   [ $signal = TERM ] || start_server
 done
 
+# ---- the server dies while the program starts ----
+
+start_server
+for signal in KILL TERM; do
+  for delay in 0.1 0.3; do
+    "$TABOR" play frame-drum --device JACK --quality draft --record "start-$signal-$delay.wav" --duration 2 \
+      </dev/null >"$out" 2>"$err" &
+    player=$!
+    sleep "$delay"
+    stop_server "$signal"
+    wait "$player"
+    same "status after SIG$signal at $delay s" 1 "$?"
+    same "one line says why" 1 "$(grep "^tabor: " "$err" | grep -cv "^tabor: warning: ")"
+    same "libraries say nothing" "" "$(grep -iE 'expression|MidiInJack|assert' "$err")"
+    same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+    [ "$signal$delay" = TERM0.3 ] || start_server
+  done
+done
+
 finish

@@ -241,8 +241,12 @@ void performance_status(Performance *performance, PlayStatus *status) {
 Outcome performance_finish(Performance *performance) {
   if (performance->player) (void)player_halt(performance->player, HALT_TIME);
   Recorder *const recorder = performance->recorder;
+  uint64_t kept = 0;
   performance->recorder = NULL;
-  return recorder_finish(recorder);
+  const Outcome outcome = recorder_finish(recorder, &kept);
+  if (outcome == OUTCOME_OK) return outcome;
+  performance->unwritten = player_position(performance->player) - kept;
+  return outcome;
 }
 
 /* A device being closed, in a thread of its own. */

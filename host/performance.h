@@ -21,9 +21,10 @@ typedef struct Performance {
   Player *player;
   Recorder *recorder;
   Score score;
-  PlayMidi *midi; /**< live, or NULL */
-  bool is_urgent; /**< the audio thread has real-time priority */
-  bool is_lost;   /**< the device did not open or start, or is gone: closing it could crash */
+  PlayMidi *midi;     /**< live, or NULL */
+  bool is_urgent;     /**< the audio thread has real-time priority */
+  bool is_lost;       /**< the device did not open or start, or is gone: closing it could crash */
+  uint64_t unwritten; /**< frames that the recording lacks at its end, because it failed */
 } Performance;
 
 /** What the user's thread does while the drum plays. */

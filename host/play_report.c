@@ -39,7 +39,7 @@ static json_t *recording_json(const Performance *performance, const PlayStatus *
   const PlayRequest *const request = performance->request;
   if (!request->records) return json_null();
   return json_pack("{s:o, s:I}", "file", json_text(request->record.name), "lost_frames",
-                   (json_int_t)status->lost_frames);
+                   (json_int_t)(status->lost_frames + performance->unwritten));
 }
 
 static json_t *report_json(const Performance *performance, const PlayStatus *status) {
@@ -78,11 +78,12 @@ static void describe_load(const Performance *performance, const PlayStatus *stat
 
 static void note_summary(const Performance *performance, const PlayStatus *status) {
   const PlayRequest *const request = performance->request;
+  const bool recorded = request->records && performance->unwritten == 0;
   char load[100];
   describe_load(performance, status, load, sizeof load);
   note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,
-       status->strokes == 1 ? "" : "s", load, request->records ? "; recorded in " : "",
-       request->records ? request->record.name : "");
+       status->strokes == 1 ? "" : "s", load, recorded ? "; recorded in " : "",
+       recorded ? request->record.name : "");
 }
 
 Outcome play_report(Performance *performance) {

@@ -107,20 +107,22 @@ void recorder_wait(const Recorder *recorder, uint32_t frames) {
   while (!player_record_has_room(recorder->player, frames)) pause_ms(1);
 }
 
-static Outcome deliver(Recorder *recorder) {
+static Outcome deliver(Recorder *recorder, uint64_t *kept) {
   const Outcome writing = recorder->outcome;
+  const uint64_t frames = recorder->file.frames;
   Outcome outcome = writing == OUTCOME_OK ? audio_file_finish(&recorder->file)
                                           : audio_file_salvage(&recorder->file);
   if (outcome == OUTCOME_OK) outcome = output_complete(recorder->output);
   if (outcome == OUTCOME_OK) outcome = output_deliver(&recorder->output, 1);
+  *kept = outcome == OUTCOME_OK ? frames : 0;
   return writing == OUTCOME_OK ? outcome : writing;
 }
 
-Outcome recorder_finish(Recorder *recorder) {
+Outcome recorder_finish(Recorder *recorder, uint64_t *kept) {
   if (!recorder) return OUTCOME_OK;
   atomic_store(&recorder->stops, true);
   (void)pthread_join(recorder->thread, NULL);
-  const Outcome outcome = deliver(recorder);
+  const Outcome outcome = deliver(recorder, kept);
   recorder_free(recorder);
   return outcome;
 }

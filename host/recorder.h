@@ -18,7 +18,10 @@ Outcome recorder_start(const AudioFormat *format, OutputFile *output, Player *pl
                        Recorder **recorder);
 /** Waits until the recording has room for @p frames more, or the disk has failed. */
 void recorder_wait(const Recorder *recorder, uint32_t frames);
-/** Writes what is left, once the player is halted, and gives the file its name. Frees. NULL is allowed. */
-Outcome recorder_finish(Recorder *recorder);
+/**
+ * Writes what is left, once the player is halted, and gives the file its name; @p kept: how many frames it
+ * got. Frees. NULL is allowed, and then @p kept stays as it is.
+ */
+Outcome recorder_finish(Recorder *recorder, uint64_t *kept);
 
 #endif

@@ -133,6 +133,9 @@ if [ -w /dev/full ]; then
   run play frame-drum --backend null --quality draft --duration 0.1 --record /dev/full
   same "status with /dev/full" 1 "$status"
   check "/dev/full is said" grep -q "cannot write '/dev/full': No space left" "$err"
+  same "and not that something was recorded" 0 "$(grep -c "recorded in" "$err")"
+  run play frame-drum --backend null --quality draft --duration 0.1 --record /dev/full --json
+  same "all frames are lost" "$(json frames)" "$(json recording.lost_frames)"
 fi
 
 # ---- wrong requests ----

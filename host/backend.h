@@ -52,8 +52,8 @@ typedef struct Backend {
 } Backend;
 
 extern const Backend backend_portaudio; /* backend_portaudio.c */
-extern const Backend backend_null;      /* backend_null.c: paced by a clock, and not heard */
-extern const Backend backend_file;      /* backend_file.c: as fast as can be computed */
+extern const Backend backend_null;      /* backend_thread.c: paced by a clock, and not heard */
+extern const Backend backend_file;      /* backend_thread.c: as fast as can be computed */
 
 /** The backend called @p name; refuses a name that is none. */
 Outcome backend_find(const char *name, const Backend **backend);

@@ -86,6 +86,34 @@ done_quietly() {
   fi
 }
 
+# render_strikes FILE STROKE...: renders these strokes without a word, with the script's options in `short`.
+render_strikes() {
+  local file=$1 stroke words=()
+  shift
+  for stroke in "$@"; do words+=(--strike "$stroke"); done
+  # shellcheck disable=SC2154 # it is the script's
+  done_quietly render "${short[@]}" -o "$file" "${words[@]}"
+}
+
+# same_bytes WHAT FILE FILE, other_bytes WHAT FILE FILE
+same_bytes() { check "$1" cmp -s "$2" "$3"; }
+other_bytes() { check "$1" eval "! cmp -s '$2' '$3'"; }
+
+# interrupted SIGNAL STATUS BEGUN ARGUMENT...: the signal comes when the program has begun so many temporary
+# files; it ends with this status, and leaves the folder as it was.
+interrupted() {
+  local signal=$1 expected=$2 begun=$3 before child
+  shift 3
+  before=$(snapshot)
+  "$TABOR" "$@" >"$out" 2>"$err" &
+  child=$!
+  check "files have been begun: $*" wait_for eval "[ \$(find . -name '.tabor-*' | wc -l) = $begun ]"
+  kill -"$signal" $child
+  wait $child
+  same "status after SIG$signal" "$expected" $?
+  same "folder after SIG$signal: $*" "$before" "$(snapshot)"
+}
+
 # json PATH: what the last run printed at this path.
 json() { "$INSPECT" json "$1" <"$out"; }
 

@@ -5,7 +5,7 @@
 . "$(dirname "$0")/host_checks.sh"
 
 short=(tabor -q --quality draft --duration 0.05)
-long=(tabor -q --quality draft --duration 3600 --rate 192000)
+long=(render tabor -q --quality draft --duration 3600 --rate 192000)
 
 # no_leftovers WHAT: no temporary file is in the folder.
 no_leftovers() { same "leftovers after $1" '' "$(find . -name '.tabor*')"; }
@@ -197,30 +197,17 @@ check "appended" cmp -s tail.au plain.au
 
 # ---- signals ----
 
-# interrupted SIGNAL STATUS ARGUMENT...
-interrupted() {
-  local signal=$1 expected=$2 before child
-  shift 2
-  before=$(snapshot)
-  "$TABOR" render "${long[@]}" "$@" >"$out" 2>"$err" &
-  child=$!
-  check "rendering has begun: $*" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
-  kill -"$signal" $child
-  wait $child
-  same "status after SIG$signal" "$expected" $?
-  same "folder after SIG$signal: $*" "$before" "$(snapshot)"
-}
 for name in plain.wav interrupted.wav interrupted.flac interrupted.au; do
-  interrupted INT 130 -o $name
-  interrupted TERM 143 -o $name
+  interrupted INT 130 1 "${long[@]}" -o $name
+  interrupted TERM 143 1 "${long[@]}" -o $name
 done
-interrupted TERM 143 -o interrupted.wav --trace interrupted.csv
-interrupted TERM 143 -o interrupted.wav --split --trace interrupted.csv
-interrupted INT 130 -o interrupted.wav --split --normalize
-interrupted INT 130 -o /dev/null --trace interrupted.csv
-interrupted HUP 129 -o plain.wav
+interrupted TERM 143 2 "${long[@]}" -o interrupted.wav --trace interrupted.csv
+interrupted TERM 143 4 "${long[@]}" -o interrupted.wav --split --trace interrupted.csv
+interrupted INT 130 3 "${long[@]}" -o interrupted.wav --split --normalize
+interrupted INT 130 1 "${long[@]}" -o /dev/null --trace interrupted.csv
+interrupted HUP 129 1 "${long[@]}" -o plain.wav
 ulimit -c 0
-interrupted QUIT 131 -o plain.wav --split --trace interrupted.csv
+interrupted QUIT 131 4 "${long[@]}" -o plain.wav --split --trace interrupted.csv
 "$TABOR" render "${short[@]}" -o pipe.au 2>"$err" & # nobody reads
 child=$!
 sleep 0.3

@@ -5,9 +5,7 @@
 . "$(dirname "$0")/host_checks.sh"
 
 short=(-q --quality draft --duration 0.3 --format float)
-long=(-q --quality draft --duration 3600 --rate 192000)
 files() { find "$1" -mindepth 1 -printf '%P\n' | sort | tr '\n' ' '; }
-same_bytes() { check "$1" cmp -s "$2" "$3"; }
 
 "$TABOR" show frame-drum --set batter.tension=5000 >mine.ini
 printf 'time,velocity\n0,1\n' >soft.csv
@@ -208,24 +206,11 @@ same "leftovers" '' "$(find . -name '.tabor*')"
 
 # ---- signals: complete files stay, no others ----
 
-# interrupted SIGNAL STATUS FILES ARGUMENT...: so many temporary files have been begun by then.
-interrupted() {
-  local signal=$1 expected=$2 begun=$3 before child
-  shift 3
-  before=$(snapshot)
-  "$TABOR" render "${long[@]}" "$@" >"$out" 2>"$err" &
-  child=$!
-  check "rendering has begun: $*" wait_for eval "[ \$(find . -name '.tabor-*' | wc -l) = $begun ]"
-  kill -"$signal" $child
-  wait $child
-  same "status after SIG$signal" "$expected" $?
-  same "folder after SIG$signal: $*" "$before" "$(snapshot)"
-}
-three=(tabor frame-drum bodhran-d-string)
-interrupted INT 130 2 "${three[@]}" -o two/ --jobs 2
-interrupted TERM 143 3 "${three[@]}" -o two/ --jobs 3
-interrupted TERM 143 1 "${three[@]}" -o two/ --jobs 1
-interrupted INT 130 6 "${three[@]}" -o two/ --split --normalize --jobs 2
+long=(render tabor frame-drum bodhran-d-string -q --quality draft --duration 3600 --rate 192000)
+interrupted INT 130 2 "${long[@]}" -o two/ --jobs 2
+interrupted TERM 143 3 "${long[@]}" -o two/ --jobs 3
+interrupted TERM 143 1 "${long[@]}" -o two/ --jobs 1
+interrupted INT 130 6 "${long[@]}" -o two/ --split --normalize --jobs 2
 { echo time && seq 0 0.1 3600; } >endless.csv
 takes=(--each --events={soft,endless}.csv)
 "$TABOR" render tabor frame-drum -q --quality draft "${takes[@]}" -o takes/ -j2 2>"$err" &

@@ -47,15 +47,14 @@ same "they have keys of their own" "38 62" "$(sed -n 's/^key=//p' both/tabor.sfz
 library tabor "${one[@]}" --techniques normal -o plain --set strike.technique=buzz
 check "nor of a preset that buzzes" cmp single/tabor-normal-r33-v064-t1.wav plain/tabor-normal-r33-v064-t1.wav
 
-differ() { ! cmp -s "$1" "$2"; }
 for sound in two/*-t1.wav; do
-  check "takes of $sound differ" differ "$sound" "${sound/-t1/-t2}"
-  check "and from the stroke itself" differ "$sound" "${sound/two/one}"
+  other_bytes "takes of $sound differ" "$sound" "${sound/-t1/-t2}"
+  other_bytes "and from the stroke itself" "$sound" "${sound/two/one}"
 done
 library tabor --velocities 3 --positions 2 --takes 2 -o again --seed 1 --humanize 0.3 --jobs 1
 check "the same again with one job" diff -r two again
 library tabor --velocities 3 --positions 2 --takes 2 -o seed --seed 2
-check "another seed, other takes" differ two/tabor-normal-r80-v127-t1.wav seed/tabor-normal-r80-v127-t1.wav
+other_bytes "another seed, other takes" two/tabor-normal-r80-v127-t1.wav seed/tabor-normal-r80-v127-t1.wav
 
 # ---- loudness ----
 

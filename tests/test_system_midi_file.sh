@@ -33,14 +33,6 @@ play() {
   shift
   done_quietly render "${short[@]}" --midi-file song.mid -o "$name" "$@"
 }
-strike() {
-  local name=$1 stroke words=()
-  shift
-  for stroke in "$@"; do words+=(--strike "$stroke"); done
-  done_quietly render "${short[@]}" -o "$name" "${words[@]}"
-}
-same_sound() { check "$1" cmp -s "$2" "$3"; }
-other_sound() { check "$1" bash -c "! cmp -s '$2' '$3'"; }
 
 # ---- the same as --events ----
 
@@ -54,60 +46,60 @@ END
 done_quietly render "${short[@]}" --events strokes.csv -o events.wav
 song song.mid 0 "30 992664  18 2440  00 992601  18 99267f"
 play song.wav
-same_sound "format 0" events.wav song.wav
+same_bytes "format 0" events.wav song.wav
 song song.mid 1 "48 903c01" "30 992664  30 99267f" "48 902440  00 2601"
 play one.wav --midi-channel 10
-other_sound "one channel" events.wav one.wav
+other_bytes "one channel" events.wav one.wav
 sed -i 's/^0.375.*//' strokes.csv
 done_quietly render "${short[@]}" --events strokes.csv -o tenth.wav
-same_sound "the tenth channel" tenth.wav one.wav
+same_bytes "the tenth channel" tenth.wav one.wav
 run render tabor --quality draft --rate 22050 --format float --duration 0.6 --midi-file song.mid -o song.wav
-same_sound "format 1" events.wav song.wav
+same_bytes "format 1" events.wav song.wav
 same "notes that do nothing are counted" \
   "song.mid: 1 of 5 notes are not in the map and were passed over" "$(head -n 1 "$err")"
 
 song song.mid 0 "00 ff51030f4240 18 992664"
-strike strikes.wav time=0.25,midi=100
+render_strikes strikes.wav time=0.25,midi=100
 play song.wav
-same_sound "tempo" strikes.wav song.wav
+same_bytes "tempo" strikes.wav song.wav
 play trace.wav --trace trace.csv
-same_sound "with a trace" song.wav trace.wav
+same_bytes "with a trace" song.wav trace.wav
 same "rows of the trace" "$("$INSPECT" sound song.wav | cut -d' ' -f5)" \
   "$(($(wc -l <trace.csv) - 1))"
 done_quietly render "${short[@]}" --midi-file - -o input.wav <song.mid
-same_sound "standard input" song.wav input.wav
+same_bytes "standard input" song.wav input.wav
 done_quietly render "${short[@]}" --midi-file <(cat song.mid) -o pipe.wav
-same_sound "a pipe" song.wav pipe.wav
+same_bytes "a pipe" song.wav pipe.wav
 
-strike strikes.wav time=0,velocity=3 time=0.25,midi=100
+render_strikes strikes.wav time=0,velocity=3 time=0.25,midi=100
 play song.wav --strike time=0,velocity=3
-same_sound "with --strike" strikes.wav song.wav
+same_bytes "with --strike" strikes.wav song.wav
 printf 'time,velocity\n0,3\n' >strokes.csv
 play song.wav --events strokes.csv
-same_sound "with --events" strikes.wav song.wav
+same_bytes "with --events" strikes.wav song.wav
 play scattered.wav --strike time=0,velocity=3 --humanize 1 --seed 3
-other_sound "scattered" song.wav scattered.wav
+other_bytes "scattered" song.wav scattered.wav
 refused "allowed: one of them" render --events - --midi-file -
 refused "several sounds cannot share" render tabor tom-12 --midi-file - -o out/
 
 # ---- velocities, places ----
 
 song song.mid 0 "00 b95840 00 992640"
-strike strikes.wav time=0,midi=64
+render_strikes strikes.wav time=0,midi=64
 play song.wav
-other_sound "low bits of a velocity" strikes.wav song.wav
+other_bytes "low bits of a velocity" strikes.wav song.wav
 song song.mid 0 "00 992640"
 play song.wav --velocity-curve linear
-same_sound "a linear curve" strikes.wav song.wav
+same_bytes "a linear curve" strikes.wav song.wav
 play soft.wav --velocity-curve soft
 play hard.wav --velocity-curve hard
 holds "soft is loud, hard is quiet" "$("$INSPECT" peak soft.wav) > $("$INSPECT" peak song.wav) && \
   $("$INSPECT" peak song.wav) > $("$INSPECT" peak hard.wav)"
 # A controller counts for the notes of its own time, whatever its track is.
 song song.mid 1 "00 992640" "00 b01000 00 b01120"
-strike strikes.wav time=0,midi=64,radius=0,angle=90
+render_strikes strikes.wav time=0,midi=64,radius=0,angle=90
 play song.wav
-same_sound "radius and angle" strikes.wav song.wav
+same_bytes "radius and angle" strikes.wav song.wav
 
 # ---- what acts beside strokes ----
 
@@ -136,7 +128,7 @@ holds "pressure damps" \
   "3 * $("$INSPECT" rms choked.wav 0.15 0.5) < $("$INSPECT" rms open.wav 0.15 0.5)"
 song song.mid 0 "00 b01400 00 992664"
 play off.wav
-other_sound "the strainer" open.wav off.wav
+other_bytes "the strainer" open.wav off.wav
 
 # Program changes, counted from 0: at the very beginning they are the preset itself; later its sound
 # alone is left once the other one has faded.
@@ -148,19 +140,19 @@ done
 song song.mid 0 "00 992664 00 c9$tom"
 play changed.wav
 done_quietly render tom-12 "${short[@]:1}" --strike midi=100 -o tom.wav
-same_sound "a program change" tom.wav changed.wav
+same_bytes "a program change" tom.wav changed.wav
 song song.mid 0 "00 992664 60 c9$tom 00 992664"
 play changed.wav
 same "the new drum alone" "$("$INSPECT" rms tom.wav 0.05 0.1)" \
   "$("$INSPECT" rms changed.wav 0.55 0.6)"
 play traced.wav --trace changed.csv
-same_sound "with a trace" changed.wav traced.wav
+same_bytes "with a trace" changed.wav traced.wav
 song song.mid 0 "00 992664 18 c900 18 c900"
 play same.wav
-same_sound "the same preset over and over" open.wav same.wav
+same_bytes "the same preset over and over" open.wav same.wav
 song song.mid 0 "00 992664 00 c97f"
 play same.wav
-same_sound "a program that is no preset" open.wav same.wav
+same_bytes "a program that is no preset" open.wav same.wav
 
 # ---- play does what render does ----
 
@@ -200,21 +192,21 @@ song song.mid 0 "00 b04a7f 00 993c40"
 map "[note.60]" "radius = 25" "angle = 45 ; degrees" "speed = 0.5" "striker = stick"
 play song.wav --midi-map map.ini
 speed=$(awk 'BEGIN { printf "%.17g", 0.5 * 0.3 * 40 ^ (63 / 126) }')
-strike strikes.wav "time=0,velocity=$speed,radius=25%,angle=45"
+render_strikes strikes.wav "time=0,velocity=$speed,radius=25%,angle=45"
 holds "a note of one's own" "$("$INSPECT" distance song.wav strikes.wav) < 1e-6"
 map "[map]" "velocity = hard" "channel = 10" "" "[note.60]" "[controller.74]" "moves = radius"
 play song.wav --midi-map map.ini
 song song.mid 0 "00 992640"
 play hard.wav --velocity-curve hard
-same_sound "a curve in the map" hard.wav song.wav
+same_bytes "a curve in the map" hard.wav song.wav
 song song.mid 0 "00 b04a7f 00 993c40"
 map "[map]" "velocity = hard" "" "[note.60]"
 play both.wav --midi-map map.ini --velocity-curve linear
 play linear.wav --midi-map map.ini
-other_sound "the option counts for more than the map" both.wav linear.wav
+other_bytes "the option counts for more than the map" both.wav linear.wav
 map "[note.60]" "[controller.74]" "moves = wires.damping_0" "from = 2" "to = 500"
 play damped.wav --midi-map map.ini
-other_sound "a live parameter" both.wav damped.wav
+other_bytes "a live parameter" both.wav damped.wav
 map "[map]" "defaults = no" "" "[note.61]"
 refused "song.mid: no note in it is a stroke: 1 are not in the map" \
   render --midi-file song.mid --midi-map map.ini
@@ -224,7 +216,7 @@ song song.mid 0 "00 993c60 30 893c00"
 printf 'time,event,midi,technique,pressure\n0,strike,96,buzz,0.5\n0.25,release,,,\n' >strokes.csv
 play song.wav --midi-map map.ini
 done_quietly render "${short[@]}" --events strokes.csv -o events.wav
-same_sound "a note that buzzes until it ends" events.wav song.wav
+same_bytes "a note that buzzes until it ends" events.wav song.wav
 song song.mid 0 "00 b04a7f 00 993c40"
 
 # bad PATTERN LINE...: a map of these lines is refused.

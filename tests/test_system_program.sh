@@ -19,9 +19,6 @@ sound() { sound_of tabor "$@"; }
 # brief NAME ARGUMENT...: the same for 0.1 s.
 brief() { sound "$@" --duration 0.1; }
 described() { same "what $1 is" "$2" "$("$INSPECT" sound "$1")"; }
-# same_bytes WHAT FILE FILE
-same_bytes() { check "$1" cmp -s "$2" "$3"; }
-differ() { check "$1" eval "! cmp -s $2 $3"; }
 setting() { grep -E "^$1 = " "$out" | sed 's/^[^=]*= *//; s/ *;.*//'; }
 
 # ---- help and version ----
@@ -255,7 +252,7 @@ same_bytes "midi=127 is 12 m/s" fast.wav midi.wav
 brief slow.wav --strike velocity=0.3
 brief midi.wav --strike midi=1
 same_bytes "midi=1 is 0.3 m/s" slow.wav midi.wav
-differ "and another sound" slow.wav fast.wav
+other_bytes "and another sound" slow.wav fast.wav
 brief metres.wav --strike "radius=$(awk "BEGIN { printf \"%.17g\", $radius / 2 }")"
 brief percent.wav --strike radius=50%
 same_bytes "50 % of the head" metres.wav percent.wav
@@ -263,15 +260,15 @@ brief rim.wav --strike radius=100%
 brief metres.wav --set "strike.radius=$radius"
 same_bytes "on the rim" metres.wav rim.wav
 brief centre.wav --strike radius=0%
-differ "and another sound" percent.wav centre.wav
+other_bytes "and another sound" percent.wav centre.wav
 brief named.wav --strike striker=stick,technique=normal
 brief plain.wav
 same_bytes "the stick is the striker" named.wav plain.wav
 brief tight.wav --set batter.tension=5000
-differ "--set is heard" plain.wav tight.wav
+other_bytes "--set is heard" plain.wav tight.wav
 brief draft.wav --quality draft
 brief studio.wav --quality studio
-differ "--quality is heard" draft.wav studio.wav
+other_bytes "--quality is heard" draft.wav studio.wav
 done_quietly render tabor -q --duration 0.1 -o default.wav
 same_bytes "studio is the default" studio.wav default.wav
 done_quietly render tabor -q --duration 0.1 -o key.wav --set quality.level=draft

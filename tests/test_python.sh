@@ -4,16 +4,11 @@
 # what the program gives; its sweep draws a picture.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
+# shellcheck source=tests/find_python.sh
+. "$SOURCE/tests/find_python.sh"
 
-# The first Python that has what the package stands on.
-python=
-for candidate in python3 /usr/bin/python3; do
-  if "$candidate" -c 'import cffi, numpy, setuptools, wheel, venv, ensurepip' 2>/dev/null; then
-    python=$candidate
-    break
-  fi
-done
-if [ -z "$python" ]; then skip "no Python with cffi, numpy, setuptools, wheel and venv"; fi
+python=$(find_python cffi,numpy,setuptools,wheel,venv,ensurepip) ||
+  skip "no Python with cffi, numpy, setuptools, wheel and venv"
 
 # pip leaves things where it builds, so it gets a copy.
 mkdir -p tree/examples tree/engine

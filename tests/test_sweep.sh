@@ -4,15 +4,9 @@
 
 source=$(cd "$(dirname "$0")/.." && pwd)
 . "$source/tests/host_checks.sh"
+. "$source/tests/find_python.sh"
 
-python=
-for candidate in python3 /usr/bin/python3; do
-  if "$candidate" -c 'import dask, distributed' 2>/dev/null; then
-    python=$candidate
-    break
-  fi
-done
-if [ -z "$python" ]; then
+if ! python=$(find_python dask,distributed); then
   echo "SKIPPED: sweeps over a cluster (no Python with distributed)"
   exit 77
 fi

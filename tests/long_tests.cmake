@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: MIT
 # What takes more than minutes: ./tools/check --long.
-add_test(NAME test_system_play_long COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_system_play_random.sh"
-                                            600 snare-14x5.5-off)
-tabor_test_properties(test_system_play_long)
-set_tests_properties(test_system_play_long PROPERTIES TIMEOUT 1200 LABELS long)
-set_property(TEST test_system_play_long APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
-                                                        "INSPECT=$<TARGET_FILE:host_inspect>")
+if(TARGET tabor-program)
+  tabor_add_host_test(test_system_play_long SCRIPT test_system_play_random 600 snare-14x5.5-off)
+  set_tests_properties(test_system_play_long PROPERTIES TIMEOUT 1200 LABELS long)
+endif()
 add_test(NAME test_system_trials_long COMMAND test_system_trials 10000 9000)
 tabor_test_properties(test_system_trials_long)
 set_tests_properties(test_system_trials_long PROPERTIES TIMEOUT 7200 LABELS long)
 
 if(TEST test_leaks)
-  add_test(NAME test_leaks_long COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_leaks.sh"
-                                        "$<TARGET_FILE:test_system_instances>" 1000)
-  tabor_test_properties(test_leaks_long)
+  tabor_add_script_test(test_leaks_long SCRIPT test_leaks "$<TARGET_FILE:test_system_instances>" 1000)
   set_tests_properties(test_leaks_long PROPERTIES TIMEOUT 1800 LABELS long)
 endif()
 if(COMMAND tabor_add_embed_test)

@@ -23,6 +23,20 @@ static inline TaborDrumDef physics_preset(const char *name) {
   return def;
 }
 
+/* An ideal membrane in a vacuum: without stiffness, stretching and losses of its own. */
+static inline TaborDrumDef physics_membrane(void) {
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.shell.radius = 0.2;
+  def.batter.tension = 3000.0;
+  def.batter.surface_density = 0.26;
+  def.batter.bending_stiffness = 0.0;
+  def.batter.stretch_stiffness = 0.0;
+  def.batter.damping_0 = def.batter.damping_1 = 0.0;
+  def.air.density = 0.0;
+  return def;
+}
+
 static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, uint32_t quality) {
   TaborModelOptions options;
   tabor_model_options_default(&options);

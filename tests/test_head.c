@@ -15,15 +15,9 @@ static const double ZEROS[4][3] = {{2.404825557695773, 5.520078110286311, 8.6537
                                    {6.380161895923984, 9.761023129981670, 13.01520072169843}};
 
 static TaborDrumDef bare_head(void) {
-  TaborDrumDef def;
-  tabor_drum_def_default(&def);
-  def.shell.radius = 0.2;
-  def.batter.tension = 3000.0;
-  def.batter.surface_density = 0.26;
-  def.batter.bending_stiffness = 0.0;
+  TaborDrumDef def = physics_membrane();
   def.batter.damping_0 = 20.0;
   def.batter.damping_1 = 5e-4;
-  def.air.density = 0.0;
   def.air.gravity = 0.0;
   return def;
 }

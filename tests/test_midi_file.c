@@ -153,33 +153,32 @@ static void one_track(const void *bytes, size_t count) {
   midi_write_end(&writer, 0);
 }
 
+static void refuse_header(unsigned format, unsigned tracks, unsigned division, const char *part) {
+  midi_write_header(&writer, format, tracks, division);
+  midi_write_track(&writer);
+  midi_write_end(&writer, 0);
+  refuse_file(part);
+}
+
+static void refuse_track(const void *bytes, size_t count, const char *part) {
+  one_track(bytes, count);
+  refuse_file(part);
+}
+
 static void test_headers(void **state) {
   (void)state;
   writer.length = 0;
   refuse_file("not a Standard MIDI File");
   midi_write_bytes(&writer, "RIFF....RMIDdata....", 20);
   refuse_file("not a Standard MIDI File");
-  one_track("", 0);
-  writer.bytes[9] = 2;
-  refuse_file("byte 8: format 2; allowed: 0 and 1");
-  one_track("", 0);
-  writer.bytes[11] = 2;
-  refuse_file("byte 10: 2 tracks in a file of format 0; allowed: 1 to 1");
-  one_track("", 0);
-  writer.bytes[9] = 1, writer.bytes[10] = 0xFF;
-  refuse_file("allowed: 1 to 1024");
-  one_track("", 0);
-  writer.bytes[9] = 1, writer.bytes[11] = 0;
-  refuse_file("0 tracks");
-  one_track("", 0);
-  writer.bytes[13] = 0;
-  refuse_file("byte 12: 0 ticks for a quarter; allowed: 1 to 32767");
-  one_track("", 0);
-  writer.bytes[12] = 0xE3, writer.bytes[13] = 0;
-  refuse_file("0 ticks in each of 29 frames");
-  one_track("", 0);
-  writer.bytes[12] = 0x80, writer.bytes[13] = 4;
-  refuse_file("4 ticks in each of 128 frames a second; allowed: 1 to 255 in 24, 25, 29 or 30");
+  refuse_header(2, 1, PPQ, "byte 8: format 2; allowed: 0 and 1");
+  refuse_header(0, 2, PPQ, "byte 10: 2 tracks in a file of format 0; allowed: 1 to 1");
+  refuse_header(1, 0xFF01, PPQ, "byte 10: 65281 tracks in a file of format 1; allowed: 1 to 1024");
+  refuse_header(1, 0, PPQ, "0 tracks");
+  refuse_header(0, 1, 0, "byte 12: 0 ticks for a quarter; allowed: 1 to 32767");
+  refuse_header(0, 1, 0xE300, "0 ticks in each of 29 frames");
+  refuse_header(0, 1, 0x8004,
+                "4 ticks in each of 128 frames a second; allowed: 1 to 255 in 24, 25, 29 or 30");
   one_track("", 0);
   writer.bytes[7] = 5;
   refuse_file("a header of less than 6 bytes");
@@ -187,26 +186,19 @@ static void test_headers(void **state) {
 
 static void test_events(void **state) {
   (void)state;
-  one_track("\0\x26\x64", 3);
-  refuse_file("byte 23, track 1: data without a status byte");
-  one_track("\0\x99\x26\x80", 4);
-  refuse_file("byte 25, track 1: a data byte over 127");
-  one_track("\0\xF1\0", 3);
-  refuse_file("byte 23, track 1: a system message");
-  one_track("\0\xFE", 2);
-  refuse_file("byte 23, track 1: a system message");
-  one_track("\x81\x81\x81\x81\0", 5);
-  refuse_file("byte 22, track 1: a time or length of more than 4 bytes");
-  one_track("\0\xFF\x51\x03\0\0\0", 7);
-  refuse_file("byte 23, track 1: a tempo of 0 us for a quarter; allowed: 1 to 16777215");
-  one_track("\0\xFF\x51\x02\1\1", 6);
-  refuse_file("byte 23, track 1: a tempo that is not of 3 bytes");
+  refuse_track("\0\x26\x64", 3, "byte 23, track 1: data without a status byte");
+  refuse_track("\0\x99\x26\x80", 4, "byte 25, track 1: a data byte over 127");
+  refuse_track("\0\xF1\0", 3, "byte 23, track 1: a system message");
+  refuse_track("\0\xFE", 2, "byte 23, track 1: a system message");
+  refuse_track("\x81\x81\x81\x81\0", 5, "byte 22, track 1: a time or length of more than 4 bytes");
+  refuse_track("\0\xFF\x51\x03\0\0\0", 7,
+               "byte 23, track 1: a tempo of 0 us for a quarter; allowed: 1 to 16777215");
+  refuse_track("\0\xFF\x51\x02\1\1", 6, "byte 23, track 1: a tempo that is not of 3 bytes");
   one_track("\0\xFF\x01\x7F"
             "abc",
             7);
   refuse_file("byte 23, track 1: an event is longer than the rest of its track");
-  one_track("\0\xF0\xFF\xFF\xFF\x7F", 6);
-  refuse_file("an event is longer than the rest of its track");
+  refuse_track("\0\xF0\xFF\xFF\xFF\x7F", 6, "an event is longer than the rest of its track");
 }
 
 /* Wherever a file breaks off, it is refused. */

@@ -9,15 +9,6 @@
 static const double PI = 3.14159265358979323846;
 static const double RATE = 48000.0;
 
-static TaborDrumDef membrane(void) {
-  TaborDrumDef def;
-  tabor_drum_def_default(&def);
-  def.shell.radius = 0.2;
-  def.batter = (TaborHeadDef){.tension = 3000.0, .surface_density = 0.26};
-  def.air.density = 0.0;
-  return def;
-}
-
 /* ---- the physics ---------------------------------------------------------------------------- */
 
 /* B = 2 J1(u)/u */
@@ -26,7 +17,7 @@ static double patch(double u) { return u > 0.0 ? 2.0 * tb_bessel_j(1, u) / u : 1
 /* (1/(2 pi T)) Int_x^inf (2 J1(u)/u)^2 du/u, the integral by SciPy. */
 static void compliance_is_the_integral(void **state) {
   (void)state;
-  const TaborDrumDef def = membrane();
+  const TaborDrumDef def = physics_membrane();
   static const double FROM[] = {0.1, 1.0, 2.0};
   static const double INTEGRAL[] = {2.6697659578572583, 0.4846673079094604, 0.08314186405824218};
   for (int i = 0; i < 3; i++) {
@@ -59,7 +50,7 @@ static double modal_compliance(const TaborDrumDef *def, double a, double r, doub
 /* An infinite membrane for a finite one: right but for how many modes happen to lie just above the limit. */
 static void compliance_is_that_of_the_missing_modes(void **state) {
   (void)state;
-  const TaborDrumDef def = membrane();
+  const TaborDrumDef def = physics_membrane();
   const double a = 0.02, radius = def.shell.radius;
   for (double bottom = 10.0; bottom < 45.0; bottom *= 2.0) {
     double mean = 0.0, compliance, inverse_mass;
@@ -92,7 +83,7 @@ static const double SMEARED = 0.25;
  * B^2/(4 T) of mobility; well below, there is a spring. */
 static void oscillators_answer_like_the_membrane(void **state) {
   (void)state;
-  const TaborDrumDef def = membrane();
+  const TaborDrumDef def = physics_membrane();
   const double a = 0.006, limit = 2.0 * PI * 4000.0;
   const double speed = sqrt(def.batter.tension / def.batter.surface_density);
   TbMobility m;
@@ -124,7 +115,7 @@ static double static_compliance(const TbMobility *m) {
 
 static void nothing_is_left_in_the_limits(void **state) {
   (void)state;
-  const TaborDrumDef def = membrane();
+  const TaborDrumDef def = physics_membrane();
   TbMobility m;
   double last = INFINITY;
   for (double limit = 500.0; limit <= 8000.0; limit *= 2.0) {

@@ -11,16 +11,6 @@ static const double RATE = 48000.0;
 
 /* ---- frequencies ---------------------------------------------------------------------------- */
 
-static TaborDrumDef membrane(void) {
-  TaborDrumDef def;
-  tabor_drum_def_default(&def);
-  def.shell.radius = 0.2;
-  def.air.density = 0.0;
-  def.batter.bending_stiffness = 0.0;
-  def.quality.losses = 0;
-  return def;
-}
-
 /* A frequency as the zero of a Bessel function that an even membrane would have there. */
 static double as_zero(const TaborDrumDef *def, double frequency) {
   const double speed = sqrt(def->batter.tension / def->batter.surface_density);
@@ -28,7 +18,7 @@ static double as_zero(const TaborDrumDef *def, double frequency) {
 }
 
 static void expect_case(const char *name, const json_t *one) {
-  TaborDrumDef def = membrane();
+  TaborDrumDef def = physics_membrane();
   const json_t *lugs = json_object_get(one, "deviations");
   def.batter.lug_count = (uint32_t)json_array_size(lugs);
   for (uint32_t j = 0; j < def.batter.lug_count; j++) def.batter.lug[j] = reference_number(lugs, j);
@@ -67,7 +57,7 @@ static void the_draw_is_that_of_the_reference(void **state) {
   json_t *root = reference_load("uneven_lugs.json");
   const json_t *drawn =
     json_object_get(json_object_get(json_object_get(root, "cases"), "drawn"), "deviations");
-  TaborDrumDef def = membrane();
+  TaborDrumDef def = physics_membrane();
   def.batter.lug_spread = 0.05;
   double deviation[TABOR_MAX_LUGS];
   tb_lug_deviations(&def.batter, deviation);
@@ -235,7 +225,7 @@ static void an_even_drum_keeps_every_bit(void **state) {
 
 static void slack_heads_and_absent_lugs_are_refused_by_name(void **state) {
   (void)state;
-  TaborDrumDef def = membrane();
+  TaborDrumDef def = physics_membrane();
   TaborError error;
   TaborModel *model;
   def.batter.lug_count = 8;
@@ -247,7 +237,7 @@ static void slack_heads_and_absent_lugs_are_refused_by_name(void **state) {
   assert_int_equal(tabor_model_create(&def, NULL, &model, &error), TABOR_ERROR_RANGE);
   assert_string_equal(error.key, "batter.lug_spread");
   assert_non_null(strstr(error.message, "batter head goes slack"));
-  def = membrane();
+  def = physics_membrane();
   def.batter.lug_count = 8;
   def.batter.lug[8] = 0.01;
   assert_int_equal(tabor_drum_def_validate(&def, &error), TABOR_ERROR_RANGE);

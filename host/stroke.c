@@ -92,24 +92,24 @@ static const char *technique_at(const void *list, size_t index) {
   return names[index];
 }
 
-/* Which of these names this version has, in the order of TaborTechnique. */
-static const size_t known_techniques[] = {0, 4};
+/* What they are, in this order; -1: this version has not got it. */
+static const int techniques[] = {TABOR_TECHNIQUE_NORMAL, -1, -1, -1, TABOR_TECHNIQUE_BUZZ,
+                                 TABOR_TECHNIQUE_SWEEP};
 
 static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
-  for (uint32_t i = 0; i < sizeof known_techniques / sizeof *known_techniques; i++) {
-    if (strcmp(value, technique_at(NULL, known_techniques[i])) != 0) continue;
-    stroke->event.technique = i;
-    return OUTCOME_OK;
-  }
-  for (size_t i = 1; technique_at(NULL, i); i++) {
-    if (strcmp(value, technique_at(NULL, i)) == 0) {
-      return refuse("%s '%s': not in this version, only 'normal' and 'buzz'", label->text, value);
+  for (size_t i = 0; technique_at(NULL, i); i++) {
+    if (strcmp(value, technique_at(NULL, i)) != 0) continue;
+    if (techniques[i] < 0) {
+      return refuse("%s '%s': not in this version, only 'normal', 'buzz' and 'sweep'", label->text,
+                    value);
     }
+    stroke->event.technique = (uint32_t)techniques[i];
+    return OUTCOME_OK;
   }
   char hint[160];
   suggest_hint(hint, sizeof hint, value, "", technique_at, NULL);
   if (*hint) return refuse("%s '%s': unknown%s", label->text, value, hint);
-  return refuse("%s '%s': unknown; allowed: normal, buzz", label->text, value);
+  return refuse("%s '%s': unknown; allowed: normal, buzz, sweep", label->text, value);
 }
 
 static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {
@@ -149,10 +149,12 @@ static Outcome read_event(Stroke *stroke, const Label *label, const char *value)
   return refuse("%s '%s': unknown%s", label->text, value, hint);
 }
 
+#define SETS_VELOCITY 2u
+
 static const StrokeField fields[STROKE_FIELDS] = {
   {"time", read_time, 1},
-  {"velocity", read_velocity, 2},
-  {"midi", read_midi, 2},
+  {"velocity", read_velocity, SETS_VELOCITY},
+  {"midi", read_midi, SETS_VELOCITY},
   {"radius", read_radius, 4},
   {"angle", read_angle, 8},
   {"striker", read_striker, 16},
@@ -203,12 +205,23 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
                             .technique = def->strike.technique}};
 }
 
+Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
+  const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
+  const bool sweep = event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_SWEEP;
+  if (!sweep) return OUTCOME_OK;
+  if (striker->kind != TABOR_STRIKER_BRUSH) {
+    return refuse("%s technique 'sweep': striker '%s' is no brush", stroke->where, striker->name);
+  }
+  if (!(stroke->set & SETS_VELOCITY)) event->velocity = striker->sweep_speed;
+  return OUTCOME_OK;
+}
+
 Outcome stroke_set(Stroke *stroke, const StrokeField *field, const char *value, size_t length) {
   Label label;
   (void)snprintf(label.text, sizeof label.text, "%s %s", stroke->where, field->name);
   if (stroke->set & field->sets) {
     return refuse("%s: given twice%s", label.text,
-                  field->sets == 2 ? " (midi is a velocity, too)" : "");
+                  field->sets == SETS_VELOCITY ? " (midi is a velocity, too)" : "");
   }
   stroke->set |= field->sets;
   char text[LONGEST_VALUE];

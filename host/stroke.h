@@ -29,6 +29,8 @@ typedef struct Stroke {
   TaborEvent event;
 } Stroke;
 
+/** Fields that all have been read: fills in what depends on others; a sweep needs a brush. */
+Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** The preset's own stroke, at time 0. */
 Stroke stroke_default(const TaborDrumDef *def, const char *where);
 /** Field whose name these @p length bytes are, or NULL. */

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "brush.h"
 #include "drum_memory.h"
 #include "energy.h"
 #include "fpmode.h"
@@ -32,10 +33,13 @@ static bool fields_finite(const TaborEvent *event) {
 
 static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   if (event->striker >= drum->model->def.striker_count) return false;
-  if (event->technique > TABOR_TECHNIQUE_BUZZ) return false;
+  if (event->technique > TABOR_TECHNIQUE_BUZZ && event->technique != TABOR_TECHNIQUE_SWEEP) {
+    return false;
+  }
   const TbStroke stroke = {.id = event->id,
                            .striker = event->striker,
                            .buzz = event->technique == TABOR_TECHNIQUE_BUZZ,
+                           .sweep = event->technique == TABOR_TECHNIQUE_SWEEP,
                            .velocity = clamp(event->velocity, 0.01, 30.0),
                            .radius = place_radius(drum, event->radius),
                            .angle = clamp(event->angle, -1e6, 1e6),
@@ -52,6 +56,11 @@ static bool damp(TaborDrum *drum, TbView *view, const TaborEvent *event) {
                        place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
 }
 
+static bool move(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+  return tb_brush_move(view, event->id, place_radius(drum, event->radius),
+                       clamp(event->angle, -1e6, 1e6), clamp(event->value, 0.0, 60.0));
+}
+
 static void reset(TaborDrum *drum, TbView *view) {
   tb_swap_finish(drum);
   tb_state_reset(drum->state, drum->model);
@@ -65,6 +74,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   case TABOR_EVENT_STRIKE: return strike(drum, view, event);
   case TABOR_EVENT_PRESS: return press(view, event);
   case TABOR_EVENT_DAMP: return damp(drum, view, event);
+  case TABOR_EVENT_MOVE: return move(drum, view, event);
   case TABOR_EVENT_RELEASE: tb_slots_release(view, event->id); return true;
   case TABOR_EVENT_PARAMETER:
     return tb_live_set(view, event->parameter, event->index, event->value);
@@ -161,6 +171,7 @@ void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     statistics->in_play += drum->state->slots[i].kind != TB_SLOT_FREE;
   }
+  for (uint32_t i = 0; i < TB_BRUSHES; i++) statistics->in_play += drum->state->brushes[i].active;
 }
 
 void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {

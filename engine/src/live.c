@@ -61,6 +61,10 @@ void tb_live_apply(TbView *view) {
   for (uint32_t row = 0; row < wires->stride; row++) {
     view->own[row] = wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
   }
+  tb_live_couple(view);
+}
+
+void tb_live_couple(TbView *view) {
   view->solve.slot_mask = view->state->slot_mask;
   tb_solve_product(&view->solve, view->model->rest.force, view->change, view->rest_load);
   tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);

@@ -16,5 +16,7 @@ bool tb_live_set(TbView *view, uint32_t parameter, uint32_t index, double value)
 void tb_live_step(TbView *view);
 /* Recomputes what follows from the live values and from the slots in play. */
 void tb_live_apply(TbView *view);
+/* The same from the slots alone. */
+void tb_live_couple(TbView *view);
 
 #endif

@@ -91,3 +91,21 @@ void tb_sin_cos_degrees(double angle, double *sine, double *cosine) {
     break;
   }
 }
+
+/* atan t in radians for 0 <= t <= 1: atan t = atan c + atan((t - c)/(1 + t c)), c = 1/2, leaves |x| <= 1/2. */
+static double arc_tangent(double t) {
+  const double x = (t - 0.5) / (1.0 + 0.5 * t), x2 = x * x;
+  double sum = 0.0;
+  for (int k = 45; k >= 1; k -= 2) sum = 1.0 / (double)k - x2 * sum;
+  return 0.46364760900080611621 + x * sum;
+}
+
+double tb_arc_degrees(double y, double x) {
+  const double up = y < 0.0 ? -y : y, across = x < 0.0 ? -x : x;
+  if (up == 0.0 && across == 0.0) return 0.0;
+  const bool steep = up > across;
+  const double first = 57.295779513082320877 * arc_tangent(steep ? across / up : up / across);
+  const double quarter = steep ? 90.0 - first : first;
+  const double half = x < 0.0 ? 180.0 - quarter : quarter;
+  return y < 0.0 ? -half : half;
+}

@@ -7,6 +7,7 @@
 #ifndef TB_POWER_H
 #define TB_POWER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* x^a for finite x >= 0, 0 <= a <= 4. x = 0 gives 0 (a > 0). */
@@ -14,5 +15,8 @@ double tb_power(double x, double a);
 
 /* sin and cos of an angle in degrees, |angle| <= 1e9; exact at multiples of 90. */
 void tb_sin_cos_degrees(double angle, double *sine, double *cosine);
+
+/* The direction of x, y in degrees, -180 to 180; 0 for the origin. */
+double tb_arc_degrees(double y, double x);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "brush.h"
 #include "live.h"
 #include "power.h"
 
@@ -47,7 +48,7 @@ typedef struct Hand {
 static Hand hand_of(const TbView *view, const TbSlot *s) {
   if (!s->held) return (Hand){0.0, 0.0, 0.0};
   const TaborDrumDef *def = &view->model->def;
-  const double share = 2.0 * view->state->live[TB_LIVE_GRIP].now;
+  const double share = 2.0 * s->part * view->state->live[TB_LIVE_GRIP].now;
   return (Hand){share * s->press, share * def->hand.stiffness,
                 def->quality.losses ? share * def->hand.damping : 0.0};
 }
@@ -71,7 +72,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   const TaborStrikerDef *def = &model->def.striker[s->definition];
   const double k = model->time_step, compliance = own_compliance(view, s);
   view->own[row] = compliance;
-  tb_law_prepare(law, def->contact_stiffness, def->contact_exponent,
+  tb_law_prepare(law, s->part * def->contact_stiffness, def->contact_exponent,
                  model->def.quality.losses ? def->contact_loss : 0.0, k,
                  TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
 }
@@ -84,10 +85,11 @@ static double head_at(const TbView *view, uint32_t slot, const double *q) {
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return head_at(view, slot, phase->q) +
          tb_mobility_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
-         phase->z[slot];
+         (phase->z[slot] - view->state->slots[slot].coat);
 }
 
-void tb_slots_rebuild(TbView *view, uint32_t slot) {
+/* What the head's modes are at a slot's place. */
+static void find_place(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = &view->state->slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
@@ -95,14 +97,49 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial,
                  tb_slot_shape(view, slot));
   couple(view, slot);
-  prepare_law(view, slot);
   if (!hand)
     tb_model_high_drive(model, s->definition, s->radius, s->angle, tb_slot_high_drive(view, slot));
   s->rest_height = head_at(view, slot, model->rest.q);
-  const uint32_t row = model->wires.stride + slot;
+}
+
+static void find_penetration(TbView *view, uint32_t slot) {
+  const uint32_t row = view->model->wires.stride + slot;
   view->now.eta[row] = penetration_at(view, slot, &view->now);
   view->last.eta[row] = penetration_at(view, slot, &view->last);
-  view->solve.force[row] = 0.0;
+}
+
+void tb_slots_rebuild(TbView *view, uint32_t slot) {
+  find_place(view, slot);
+  prepare_law(view, slot);
+  find_penetration(view, slot);
+  view->solve.force[view->model->wires.stride + slot] = 0.0;
+}
+
+/* What its contact stores [J]. */
+static double contact_energy(const TbView *view, uint32_t slot) {
+  const TbLaw *law = &view->state->slot_laws[slot];
+  const uint32_t row = view->model->wires.stride + slot;
+  return 0.5 *
+         (tb_law_potential(law, view->now.eta[row]) + tb_law_potential(law, view->last.eta[row]));
+}
+
+void tb_slots_raise(TbView *view, uint32_t slot, double by) {
+  const uint32_t row = view->model->wires.stride + slot;
+  const double before = contact_energy(view, slot);
+  view->state->slots[slot].coat += by;
+  view->now.eta[row] += by;
+  view->last.eta[row] += by;
+  view->state->sums.injected += contact_energy(view, slot) - before;
+}
+
+void tb_slots_draw(TbView *view, uint32_t slot, double radius, double angle) {
+  const double before = contact_energy(view, slot);
+  view->state->slots[slot].radius = radius;
+  view->state->slots[slot].angle = angle;
+  find_place(view, slot);
+  find_penetration(view, slot);
+  view->state->sums.injected += contact_energy(view, slot) - before;
+  tb_live_couple(view);
 }
 
 /* Makes a row stand for nothing: see TbSolve. */
@@ -121,8 +158,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   view->own[row] = view->b[row] = view->solve.force[row] = 0.0;
 }
 
-/* Frees a slot; what a striker still carries is booked as removed. */
-static void take_away(TbView *view, uint32_t slot) {
+void tb_slots_take_away(TbView *view, uint32_t slot) {
   TbState *state = view->state;
   TbSlot *s = &state->slots[slot];
   const uint32_t row = view->model->wires.stride + slot;
@@ -151,7 +187,7 @@ void tb_slots_muffle(TbView *view) {
       model->def.quality.losses ? view->state->live[TB_LIVE_MUFFLE + h].now : 0.0;
     if (strength == s->strength) continue;
     if (strength == 0.0) {
-      take_away(view, slot);
+      tb_slots_take_away(view, slot);
       continue;
     }
     const bool there = s->kind == TB_SLOT_HAND;
@@ -169,7 +205,7 @@ void tb_slots_muffle(TbView *view) {
   }
 }
 
-static bool touches(const TbView *view, uint32_t slot) {
+bool tb_slots_touches(const TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
   return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
 }
@@ -180,10 +216,10 @@ static uint32_t obtain(TbView *view) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
-    if (s->kind != TB_SLOT_STRIKER || s->held || touches(view, i)) continue;
+    if (s->kind != TB_SLOT_STRIKER || s->held || tb_slots_touches(view, i)) continue;
     if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
   }
-  if (oldest < TB_SLOTS) take_away(view, oldest);
+  if (oldest < TB_SLOTS) tb_slots_take_away(view, oldest);
   return oldest;
 }
 
@@ -205,7 +241,7 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
     const TbSlot *s = &view->state->slots[i];
-    if (s->kind == TB_SLOT_STRIKER && s->held && s->id == id) take_away(view, i);
+    if (s->kind == TB_SLOT_STRIKER && s->held && s->id == id) tb_slots_take_away(view, i);
   }
 }
 
@@ -223,48 +259,63 @@ static void launch(TbView *view, uint32_t slot) {
   if (view->last.eta[row] > 0.0) view->last.eta[row] = 0.0; /* rounding of z + approach */
 }
 
-static double press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
+double tb_slots_press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
 
-static void hold(TbView *view, uint32_t slot, double pressure) {
+void tb_slots_hold(TbView *view, uint32_t slot, double force) {
   TbSlot *s = &view->state->slots[slot];
   if (!s->held) s->anchor = view->now.z[slot];
   s->held = 1;
-  s->press = press_force(pressure);
+  s->press = force;
   view->own[view->model->wires.stride + slot] = own_compliance(view, s);
 }
 
-bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
-  free_hand(view, stroke->id);
-  const uint32_t slot = obtain(view);
-  if (slot == TB_SLOTS) return false;
+void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above) {
   TbState *state = view->state;
-  const double mass = mass_of(view, stroke);
-  state->slots[slot] = (TbSlot){.kind = TB_SLOT_STRIKER,
-                                .id = stroke->id,
-                                .serial = ++state->serial,
-                                .mass = mass,
-                                .definition = stroke->striker,
-                                .radius = stroke->radius,
-                                .angle = stroke->angle,
-                                .velocity = stroke->velocity};
+  const uint32_t row = view->model->wires.stride + slot;
+  state->slots[slot] = *striker;
   state->slot_mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
   tb_slots_rebuild(view, slot);
   launch(view, slot);
-  if (stroke->buzz) hold(view, slot, stroke->pressure);
+  view->now.z[slot] += above;
+  view->last.z[slot] += above;
+  view->now.eta[row] -= above;
+  view->last.eta[row] -= above;
   const double speed = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
-  state->sums.injected += 0.5 * mass * speed * speed;
+  state->sums.injected += 0.5 * striker->mass * speed * speed;
+}
+
+bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
+  TbState *state = view->state;
+  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH) {
+    return tb_brush_strike(view, stroke);
+  }
+  if (stroke->sweep) return false;
+  free_hand(view, stroke->id);
+  const uint32_t slot = obtain(view);
+  if (slot == TB_SLOTS) return false;
+  const TbSlot striker = {.kind = TB_SLOT_STRIKER,
+                          .id = stroke->id,
+                          .serial = ++state->serial,
+                          .mass = mass_of(view, stroke),
+                          .part = 1.0,
+                          .definition = stroke->striker,
+                          .radius = stroke->radius,
+                          .angle = stroke->angle,
+                          .velocity = stroke->velocity};
+  tb_slots_put(view, slot, &striker, 0.0);
+  if (stroke->buzz) tb_slots_hold(view, slot, tb_slots_press_force(stroke->pressure));
   state->statistics.strikes++;
   tb_live_apply(view);
   return true;
 }
 
 bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
-  bool found = false;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  bool found = tb_brush_press(view, id, pressure);
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
-    hold(view, i, pressure);
+    tb_slots_hold(view, i, tb_slots_press_force(pressure));
     found = true;
   }
   if (found) tb_live_apply(view);
@@ -332,8 +383,10 @@ bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, do
 }
 
 void tb_slots_release(TbView *view, uint32_t id) {
+  tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    if (in_play(view, i) && (id == 0 || view->state->slots[i].id == id)) take_away(view, i);
+    if (in_play(view, i) && (id == 0 || view->state->slots[i].id == id))
+      tb_slots_take_away(view, i);
   }
 }
 
@@ -345,10 +398,10 @@ void tb_slots_retire(TbView *view) {
     TbSlot *s = &state->slots[i];
     if (s->kind != TB_SLOT_STRIKER) continue;
     s->age++;
-    if (touches(view, i)) continue;
+    if (tb_slots_touches(view, i)) continue;
     const double gap = -view->now.eta[view->model->wires.stride + i];
     const bool leaving = view->now.z[i] > view->last.z[i];
     const bool gone = s->held ? gap > OUT_OF_HAND : gap > AWAY || s->age > linger;
-    if (gone && (leaving || s->age > linger)) take_away(view, i);
+    if (gone && (leaving || s->age > linger)) tb_slots_take_away(view, i);
   }
 }

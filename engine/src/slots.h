@@ -21,9 +21,9 @@
 /* A stroke as asked for, within range. */
 typedef struct TbStroke {
   uint32_t id, striker;
-  bool buzz;
+  bool buzz, sweep;
   double velocity, radius, angle;
-  double pressure; /* of a buzz, 0 to 1 */
+  double pressure; /* of a buzz or a sweep, 0 to 1 */
 } TbStroke;
 
 /* Places a stroke; false if the pool is full of strikers in contact. */
@@ -47,6 +47,21 @@ void tb_slots_muffle(TbView *view);
 void tb_slots_release(TbView *view, uint32_t id);
 /* Takes away strikers that are done; call once per sample after the rotation. */
 void tb_slots_retire(TbView *view);
+/* Puts a striker of this description, shape and law with it, into a free slot, `above` [m] the surface, and
+ * books its energy; tb_live_apply() is the caller's. */
+void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above);
+/* Frees a slot; what a striker still carries is booked as removed. */
+void tb_slots_take_away(TbView *view, uint32_t slot);
+/* A hand takes hold of a striker, or changes the force F0 [N]. */
+void tb_slots_hold(TbView *view, uint32_t slot, double force);
+/* F0 of a pressure of 0 to 1 [N]. */
+double tb_slots_press_force(double pressure);
+/* True if it touches the head. */
+bool tb_slots_touches(const TbView *view, uint32_t slot);
+/* The head under a striker comes up by `by` [m], which some hand does. */
+void tb_slots_raise(TbView *view, uint32_t slot, double by);
+/* A hand draws a striker on to another place. */
+void tb_slots_draw(TbView *view, uint32_t slot, double radius, double angle);
 /* Recomputes law, shape and coupling of a slot from its description, as after a swap. */
 void tb_slots_rebuild(TbView *view, uint32_t slot);
 

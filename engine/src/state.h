@@ -34,6 +34,11 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 /* The slot of the batter head's muffler, a hand that stays; the resonant head's follows. */
 #define TB_MUFFLERS ((uint32_t)TABOR_MAX_ACTIVE)
 
+/* Brushes in play at once, the groups of bristles of each (brush.h), and the first one's first slot. */
+#define TB_BRUSHES 2u
+#define TB_BRISTLE_GROUPS 3u
+#define TB_BRISTLES (TB_MUFFLERS + 2u)
+
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
  * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. */
 typedef struct TbSlot {
@@ -46,8 +51,29 @@ typedef struct TbSlot {
   uint32_t head;                            /* a TaborHead */
   uint32_t held;                            /* a hand presses it: see slots.h */
   double press, anchor;                     /* F0 [N], z0 [m] */
+  uint32_t bristles;                        /* it is a group of a brush's */
+  double part;                              /* ... or all of a striker: 1 */
+  double coat;                              /* height of the coating under it [m] */
+  double due;                               /* the brush's way when it slips on [m] */
   double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
 } TbSlot;
+
+/* What a hand does with a brush: see brush.h. Lengths of a way are per sample. */
+typedef struct TbBrush {
+  uint32_t active, id;
+  uint32_t definition;  /* which striker */
+  uint32_t swept;       /* a hand holds it on the head, */
+  uint32_t lifting;     /* ... or is lifting it, for so many samples yet */
+  uint64_t seed;        /* of its tracks */
+  uint64_t moved;       /* clock at the last move */
+  double radius, angle; /* where the hand aims [m], [deg], */
+  double along, around; /* ... by how much that moves, */
+  uint32_t left;        /* ... for so many samples; 0: forever, `around` alone */
+  double x, y, dx, dy;  /* the middle of the fan [m] */
+  double slide;         /* of its bristles besides [m] */
+  double way, track;    /* of the middle and of the bristles so far [m] */
+  double press;         /* F0 that it is going to [N] */
+} TbBrush;
 
 typedef struct TbState {
   uint64_t fingerprint;
@@ -66,6 +92,7 @@ typedef struct TbState {
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
   TbSlot slots[TB_SLOTS];
   TbLaw slot_laws[TB_SLOTS];
+  TbBrush brushes[TB_BRUSHES];
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
   TaborLedger sums; /* stored and residual are not kept */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "brush.h"
 #include "energy.h"
 #include "guard.h"
 #include "lift.h"
@@ -81,8 +82,8 @@ static void free_penetration(TbView *view) {
     if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
       const TbMobility *missing = tb_slot_missing(view, i);
       tb_mobility_step(missing, view->next.missing[i], view->now.missing[i], view->last.missing[i]);
-      eta +=
-        tb_mobility_displacement(missing, view->next.missing[i]) - tb_slots_free_height(view, i);
+      eta += tb_mobility_displacement(missing, view->next.missing[i]) -
+             (tb_slots_free_height(view, i) - view->state->slots[i].coat);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
@@ -251,6 +252,8 @@ static void listen(TbView *view, uint32_t heard, double *pressure) {
 
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_step(view);
+  TB_STAGE(STRIKERS);
+  tb_brush_step(view);
   free_motion(view);
   tb_lugs_pull(view);
   TB_STAGE(STRETCH);
@@ -377,7 +380,8 @@ void tb_step_housekeeping(TbView *view) {
   }
   clear_vanished(view);
   tb_lift_begin(view);
-  const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) && !parameter_moves(state);
+  const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) &&
+                     !parameter_moves(state) && !tb_brush_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
 }

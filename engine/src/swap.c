@@ -159,10 +159,12 @@ static void carry_slots(const TbView *from, TbView *to) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
   to->state->serial = from->state->serial;
-  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+  memcpy(to->state->brushes, from->state->brushes, sizeof to->state->brushes);
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &from->state->slots[i];
+    const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
     const bool known = slot->definition < to->model->def.striker_count;
-    if (slot->kind == TB_SLOT_FREE || !known) continue;
+    if (slot->kind == TB_SLOT_FREE || muffles || !known) continue;
     to->state->slots[i] = *slot;
     to->state->slot_mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
@@ -177,6 +179,7 @@ static void carry_slots(const TbView *from, TbView *to) {
     tb_slots_rebuild(to, i);
     if (same) {
       to->solve.force[first + i] = force;
+      to->state->slot_laws[i] = from->state->slot_laws[i];
       to->now.eta[first + i] = now;
       to->last.eta[first + i] = last;
     }

@@ -122,13 +122,15 @@ typedef enum TaborQuality {
 typedef enum TaborStrikerKind {
   TABOR_STRIKER_STICK,
   TABOR_STRIKER_MALLET,
-  TABOR_STRIKER_FINGER
+  TABOR_STRIKER_FINGER,
+  TABOR_STRIKER_BRUSH /**< many light bristles: see TaborStrikerDef */
 } TaborStrikerKind;
 
 /** How a stroke is made. */
 typedef enum TaborTechnique {
   TABOR_TECHNIQUE_NORMAL, /**< the stick is free and rebounds */
-  TABOR_TECHNIQUE_BUZZ /**< a hand goes on pressing the stick, which bounces until it is released */
+  TABOR_TECHNIQUE_BUZZ, /**< a hand goes on pressing the stick, which bounces until it is released */
+  TABOR_TECHNIQUE_SWEEP = 5 /**< a hand draws a brush over the head until it is released */
 } TaborTechnique;
 
 /** What holds the heads. */
@@ -207,7 +209,11 @@ typedef struct TaborWireDef {
   double offset; /**< its own distance across from the centre [m], instead of the bed's layout */
 } TaborWireDef;
 
-/** What a drum is struck with: a tip mass with a power-law contact on a patch of the head. */
+/**
+ * What a drum is struck with: a tip mass with a power-law contact on a patch of the head. A brush shares its
+ * mass and its contact among three groups of bristles, each on a patch of its own, which lie in a fan of
+ * radius spread. A stroke of its is a slap; in a sweep a hand draws it over the head.
+ */
 typedef struct TaborStrikerDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH bytes */
   uint32_t kind;              /**< a TaborStrikerKind */
@@ -216,6 +222,9 @@ typedef struct TaborStrikerDef {
   double contact_exponent;    /**< 1 to 3, default 1.5 */
   double contact_loss;        /**< Hunt-Crossley lambda [s/m], 0 to 100, default 0.05 */
   double contact_radius; /**< of the patch over which the force spreads [m], 0 to 0.05, 0.006 */
+  uint32_t bristles;     /**< of a brush, 3 to 1000, default 200 */
+  double spread;         /**< radius of its fan [m], 0.005 to 0.15, default 0.04 */
+  double sweep_speed;    /**< along the head in a sweep [m/s], 0.01 to 5, default 0.8 */
 } TaborStrikerDef;
 
 /**
@@ -488,16 +497,21 @@ typedef struct TaborSwap TaborSwap;
 typedef enum TaborEventType {
   TABOR_EVENT_STRIKE =
     1, /**< id, striker, velocity, radius, angle, technique; value, the pressure, for
-                                a buzz. Takes away a pressed striker with the same id but 0: a hand
+                                a buzz or a sweep. A sweep goes around the centre at this radius,
+                                counter-clockwise at this velocity, up to 5 m/s, until it is moved. Takes away a pressed striker with the same id but 0: a hand
                                 holds one stick */
-  TABOR_EVENT_PRESS = 2,   /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
+  TABOR_EVENT_PRESS = 2, /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
                                 1 for 0.3 to 8 N in equal ratios at a grip of 0.5; they bounce (a buzz)
                                 and stay until released or 50 mm away. Again: changes the pressure */
-  TABOR_EVENT_DAMP = 3,    /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
-  TABOR_EVENT_RELEASE = 4, /**< id, or 0 for all: lifts damping hands, takes strikers away */
+  TABOR_EVENT_DAMP = 3,  /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
+  TABOR_EVENT_RELEASE =
+    4, /**< id, or 0 for all: lifts damping hands and brushes, takes strikers away */
   TABOR_EVENT_PARAMETER = 5, /**< parameter, index, value */
   TABOR_EVENT_SWAP = 6,      /**< swap */
-  TABOR_EVENT_RESET = 7      /**< back to rest; ledger and statistics restart */
+  TABOR_EVENT_RESET = 7,     /**< back to rest; ledger and statistics restart */
+  TABOR_EVENT_MOVE = 8 /**< id, or 0 for all, radius, angle, value: sweeping brushes go there, the
+                                shorter way round, in so many seconds, up to 60; 0: in as long as since
+                                the last move, 5 to 100 ms, for a stream of moves */
 } TaborEventType;
 
 /** Something that happens at a frame of a block. Unused fields are ignored: set them to zero. */

@@ -28,11 +28,23 @@ static uint64_t laws;     /* elements whose contact law was evaluated */
 typedef double *Out;
 typedef const double *In;
 
+static uint64_t modes_of(const TbParts *parts) {
+  uint64_t sum = 0;
+  for (uint32_t part = 0; part < parts->count; part++) sum += parts->size[part];
+  return sum;
+}
+
 COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
 COUNTED(multiply, 8ull * blocks * n, (uint32_t blocks, uint32_t n, Out out, In m, In x),
         (blocks, n, out, m, x))
 COUNTED(multiply_single, 8ull * blocks * n,
         (uint32_t blocks, uint32_t n, Out out, const float *m, In x), (blocks, n, out, m, x))
+COUNTED(gather, 8ull * g->blocks * g->vectors * g->part, (const TbGather *g), (g))
+COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
+COUNTED(unstretch, modes_of(parts),
+        (const TbParts *parts, uint32_t heads, const double f[2], const double *const pull[2],
+         Out next),
+        (parts, heads, f, pull, next))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED_RESULT(double, dot, n, (uint32_t n, In x, In y), (n, x, y))
 COUNTED(add_scaled, n, (uint32_t n, Out out, double f, In x), (n, out, f, x))
@@ -90,6 +102,9 @@ static void count_law(const TbLaw *law, uint32_t power, uint32_t n, const double
 static const TbKernels counting = {.two_step = count_two_step,
                                    .multiply = count_multiply,
                                    .multiply_single = count_multiply_single,
+                                   .gather = count_gather,
+                                   .stretch = count_stretch,
+                                   .unstretch = count_unstretch,
                                    .reach = count_reach,
                                    .dot = count_dot,
                                    .add_scaled = count_add_scaled,

@@ -236,17 +236,15 @@ static void touch_stretch(Memory *memory) {
   const TbView *v = &memory->view;
   if (stretch->count == 0) return;
   size_t modes = 0;
-  for (uint32_t g = 0; g <= memory->model->modes.groups; g++) modes += stretch->size[g];
+  for (uint32_t g = 0; g <= memory->model->modes.groups; g++) modes += stretch->parts.size[g];
   const size_t size = memory->model->projection.bed.size;
-  TOUCH(memory, TB_STAGE_STRETCH, modes, v->next.q, v->now.q, v->last.q);
+  TOUCH(memory, TB_STAGE_STRETCH, modes, v->next.q, v->now.q, v->last.q, memory->model->modes.g);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], stretch->pull[h], v->stretch_y[h],
-          v->stretch_pull[h]);
+    TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], v->stretch_pull[h]);
     TOUCH(memory, TB_STAGE_STRETCH, size, v->solve.stretch_grid[h]);
   }
   TOUCH(memory, TB_STAGE_STRETCH, size, v->stretch_carry, v->solve.grid, v->solve.answer);
   if (memory->model->wires.count) touch_bed(memory, TB_STAGE_STRETCH, false, true);
-  touch_tables(memory, TB_STAGE_STRETCH, &stretch->projection);
 }
 
 static void touch_strikers(Memory *memory) {

@@ -96,6 +96,94 @@ static void multiply_single(uint32_t blocks, uint32_t n, double *out, const floa
   }
 }
 
+/* `count` blocks side by side of each of the vectors; all constants where it is called. */
+static INLINE void gather_blocks(bool single, uint32_t vectors, uint32_t count, const TbGather *g,
+                                 uint32_t block) {
+  const uint64_t stride = 8u * (uint64_t)g->n, from = stride * block;
+  Lanes sum[2][2] = {{zero(), zero()}, {zero(), zero()}};
+  for (uint32_t i = 0; i < g->part; i++) {
+#pragma GCC unroll 2 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < count; b++) {
+      const uint64_t at = from + b * stride + 8u * (uint64_t)i;
+      const Lanes m = single ? load_single(g->single + at) : load(g->matrix + at);
+#pragma GCC unroll 2
+      for (uint32_t v = 0; v < vectors; v++) sum[v][b] = add(sum[v][b], scale(m, g->x[v][i]));
+    }
+  }
+  for (uint32_t v = 0; v < vectors; v++) {
+    for (uint32_t b = 0; b < count; b++) store(g->out[v] + 8 * (block + b), sum[v][b]);
+  }
+}
+
+static INLINE void gather_all(bool single, uint32_t vectors, const TbGather *g) {
+  uint32_t b = 0;
+  for (; b + 2 <= g->blocks; b += 2) gather_blocks(single, vectors, 2, g, b);
+  for (; b < g->blocks; b++) gather_blocks(single, vectors, 1, g, b);
+}
+
+static void gather(const TbGather *g) {
+  switch (g->vectors + (g->single ? 2u : 0u)) { /* one copy of the code for each */
+  case 1: gather_all(false, 1, g); break;
+  case 2: gather_all(false, 2, g); break;
+  case 3: gather_all(true, 1, g); break;
+  default: gather_all(true, 2, g); break;
+  }
+}
+
+static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *s) {
+  Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t end = parts->from[part] + parts->size[part];
+    for (uint32_t i = parts->from[part]; i < end; i += 8) {
+      const Lanes q = load(s->q + i), g = load(s->g + i);
+      const Lanes moved = add(load(s->next + i), load(s->last + i));
+      Lanes y[2], pull[2];
+      for (uint32_t h = 0; h < heads; h++) {
+        y[h] = multiply_lanes(load(s->gain[h] + i), q);
+        pull[h] = multiply_lanes(g, y[h]);
+        store(s->pull[h] + i, pull[h]);
+        along[h] = add(along[h], multiply_lanes(y[h], moved));
+        for (uint32_t l = 0; l <= h; l++) {
+          own[h][l] = add(own[h][l], multiply_lanes(y[h], pull[l]));
+        }
+      }
+    }
+  }
+  for (uint32_t h = 0; h < heads; h++) {
+    s->along[h] = join(along[h]);
+    for (uint32_t l = 0; l <= h; l++) s->own[h][l] = s->own[l][h] = join(own[h][l]);
+  }
+}
+
+static void stretch(const TbParts *parts, TbStretching *s) {
+  if (s->heads == 2) {
+    stretch_heads(2, parts, s);
+  } else {
+    stretch_heads(1, parts, s);
+  }
+}
+
+static INLINE void unstretch_heads(uint32_t heads, const TbParts *parts, const double f[2],
+                                   const double *const pull[2], double *next) {
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t end = parts->from[part] + parts->size[part];
+    for (uint32_t i = parts->from[part]; i < end; i += 8) {
+      Lanes sum = load(next + i);
+      for (uint32_t h = 0; h < heads; h++) sum = add(sum, scale(load(pull[h] + i), f[h]));
+      store(next + i, sum);
+    }
+  }
+}
+
+static void unstretch(const TbParts *parts, uint32_t heads, const double f[2],
+                      const double *const pull[2], double *next) {
+  if (heads == 2) {
+    unstretch_heads(2, parts, f, pull, next);
+  } else {
+    unstretch_heads(1, parts, f, pull, next);
+  }
+}
+
 static double reach(uint32_t n, const double *c, const double *x) {
   Lanes sum = zero();
   for (uint32_t i = 0; i < n; i += 8) {
@@ -597,6 +685,9 @@ const TbKernels TB_KERNELS = {
   .two_step = two_step,
   .multiply = multiply,
   .multiply_single = multiply_single,
+  .gather = gather,
+  .stretch = stretch,
+  .unstretch = unstretch,
   .reach = reach,
   .dot = dot,
   .add_scaled = add_scaled,

@@ -17,6 +17,29 @@ typedef struct TbPair {
   double first, second;
 } TbPair;
 
+/* Parts of the modes' arrays: `size` from each `from` on. */
+typedef struct TbParts {
+  uint32_t count, from[5], size[5];
+} TbParts;
+
+/* Heads that stretch, one or two (stretch.h). */
+typedef struct TbStretching {
+  uint32_t heads;
+  const double *gain[2], *g, *q, *next, *last; /* [modes] */
+  double *pull[2];                             /* [modes], out */
+  double along[2], own[2][2];                  /* out */
+} TbStretching;
+
+/* One or two vectors that go through the beginning of a table at once; the matrix is of single precision if
+ * `single` is there. */
+typedef struct TbGather {
+  uint32_t vectors, blocks, n, part; /* of the table's n columns the first `part` */
+  const double *matrix;
+  const float *single;
+  const double *x[2];
+  double *out[2];
+} TbGather;
+
 typedef struct TbKernels {
   /* out = a x - b y */
   void (*two_step)(uint32_t n, double *out, const double *a, const double *x, const double *b,
@@ -26,6 +49,13 @@ typedef struct TbKernels {
   /* The same with a matrix of single precision, summed in double. */
   void (*multiply_single)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                           const double *x);
+  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
+  void (*gather)(const TbGather *gather);
+  /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
+  void (*stretch)(const TbParts *parts, TbStretching *stretching);
+  /* next += f_0 pull_0 + f_1 pull_1, the latter for two heads */
+  void (*unstretch)(const TbParts *parts, uint32_t heads, const double f[2],
+                    const double *const pull[2], double *next);
   /* Sum c |x| */
   double (*reach)(uint32_t n, const double *c, const double *x);
   /* Sum x y */

@@ -36,13 +36,10 @@ typedef struct TbRest {
 
 /* What the heads' stretching needs, see stretch.h. */
 typedef struct TbStretch {
-  uint32_t count;          /* heads that stretch */
-  uint32_t from[5];        /* where the modes that count begin in each group (modes.h), */
-  uint32_t size[5];        /* ... and how many they are, a multiple of 8 */
-  double *gain[2];         /* [padded] G, diagonal, of each of them [1/kg] */
-  double *pull[2];         /* [padded] g G */
-  double factor[2];        /* S/2A [N/m3] */
-  TbProjection projection; /* of the modes that count, groups alone and one way */
+  uint32_t count;   /* heads that stretch */
+  TbParts parts;    /* the modes that count, at the beginning of each group (modes.h) */
+  double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
+  double factor[2]; /* S/2A [N/m3] */
 } TbStretch;
 
 /* Uneven lugs couple at most this many modes, copies and padding counted. */
@@ -65,9 +62,8 @@ typedef struct TbLayout {
   size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
     weight, solution, work;
   size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
-  size_t high[3], high_drive, high_groups, high_force, modal, stretch_y[2], stretch_pull[2],
-    stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
-    delay[TABOR_MAX_MICS];
+  size_t high[3], high_drive, high_groups, high_force, modal, stretch_pull[2], stretch_grid[2],
+    stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 

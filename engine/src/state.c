@@ -46,7 +46,6 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->high_force = place(&total, model->high.padded);
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    layout->stretch_y[h] = place(&total, modes);
     layout->stretch_pull[h] = place(&total, modes);
     layout->stretch_grid[h] = place(&total, bed->size);
   }
@@ -150,7 +149,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   }
   view.stretch_carry = at(state, l->stretch_carry);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    view.stretch_y[h] = at(state, l->stretch_y[h]);
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
     view.solve.stretch_grid[h] = at(state, l->stretch_grid[h]);
   }

@@ -113,8 +113,8 @@ typedef struct TbView {
   double *bend, *bend_last, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   double *high_drive, *high_groups, *high_force;
-  double *stretch_y[2], *stretch_pull[2]; /* [padded]: see stretch.h */
-  double stretch_s2[2][2], stretch_free[2];
+  double *stretch_pull[2];                  /* [padded]: see stretch.h */
+  double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
   double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];

@@ -55,7 +55,7 @@ static void free_wires(TbView *view, double *slots) {
   TB_STAGE(PROJECTION);
   tb_project(&model->projection, kernels, view->next.q, view->change);
   TB_STAGE(STRETCH);
-  tb_stretch_rest_load(view, slots);
+  tb_stretch_yield(view, slots);
   TB_STAGE(PROJECTION);
   tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
   TB_STAGE(WIRES);
@@ -73,6 +73,7 @@ static void free_penetration(TbView *view) {
   const TbKernels *kernels = model->kernels;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
   if (!view->state->lifted) free_wires(view, slots);
+  if (view->state->lifted) tb_stretch_yield(view, slots);
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;

@@ -24,15 +24,16 @@
 /* G of the heads that stretch, into model->stretch. */
 TaborStatus tb_stretch_prepare(TaborModel *model);
 
-/* After the modes' free motion, before the contacts: adds the force, prepares r and W. */
+/* After the modes' free motion, before the contacts: Y^T (x + q-), r and W. The force itself comes
+ * with the contacts' (tb_stretch_respond): until then next.q is x. */
 void tb_stretch_free(TbView *view);
-/* What the forces at rest do beyond M f_rest, which knows nothing of the stretch: adds it to the head's
- * motion on the grid (view->change), and slots[TB_SLOTS] receives it for the strikers' b. */
-void tb_stretch_rest_load(TbView *view, double *slots);
+/* What the stretch does to the free motion, and what the forces at rest do beyond M f_rest, which knows nothing
+ * of it: adds it to view->change, and slots[TB_SLOTS] receives it for the strikers' b. */
+void tb_stretch_yield(TbView *view, double *slots);
 /* Before the solve: the last forces' response M f, which the solve starts from and moves along, with the
  * stretch of this sample instead of the last one's. */
 void tb_stretch_renew(TbView *view);
-/* After the contacts have moved the modes: adds their part of theta. */
+/* After the contacts have moved the modes: adds the force. They changed Y^T q+ by -r f, so theta is known. */
 void tb_stretch_respond(TbView *view);
 /* When `product` has been computed anew, without any stretch. */
 void tb_stretch_clear(TbView *view);

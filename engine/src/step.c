@@ -72,8 +72,11 @@ static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   const TbKernels *kernels = model->kernels;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
-  if (!view->state->lifted) free_wires(view, slots);
-  if (view->state->lifted) tb_stretch_yield(view, slots);
+  if (view->state->lifted) {
+    tb_stretch_yield(view, slots);
+  } else {
+    free_wires(view, slots);
+  }
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;

@@ -9,9 +9,7 @@
 #include <time.h>
 
 #include "drum_source.h"
-
-#define LIVE_HEADROOM                                                                              \
-  2.0 /* of what a model is built with: beyond, live keys of the wires take another */
+#include "live_headroom.h"
 
 /* A swap on its way, with the model that it leaves. */
 typedef struct Pending {

@@ -23,16 +23,6 @@ Humanizer humanizer(double amount, uint32_t seed) {
   return (Humanizer){.amount = amount, .state = seed};
 }
 
-Outcome humanize_read(const Arguments *arguments, double fallback, Humanizer *result) {
-  static const NumberField amount_field = {"--humanize", 0, 1, false};
-  static const NumberField seed_field = {"--seed", 0, UINT32_MAX, true};
-  double amount = fallback, seed = 1;
-  Outcome outcome = arguments_number(arguments, &amount_field, &amount);
-  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &seed_field, &seed);
-  *result = humanizer(amount, (uint32_t)seed);
-  return outcome;
-}
-
 /* In the frame of the stroke: x leads away from the centre. */
 static void scatter_place(Humanizer *humanizer, double head_radius, TaborEvent *event) {
   /* the square root makes it even over the disc: without it the middle would be denser */

@@ -12,17 +12,12 @@
 #define TABOR_HOST_HUMANIZE_H
 
 #include <stdint.h>
+#include <tabor/tabor.h>
 
-#include "options.h"
+#include "realtime.h"
 
 #define HUMANIZE_PLACE 0.015 /**< farthest move of the place with amount 1 [m] */
 #define HUMANIZE_SPEED 0.06  /**< largest relative change of the speed with amount 1 */
-
-/** Rows of an option table for what humanize_read() reads; @p fallback is a string, "0". */
-#define OPTION_HUMANIZE(fallback)                                                                  \
-  { "humanize", 0, "AMOUNT", "scatter of place and speed, 0 to 1 (default " fallback ")" }
-#define OPTION_SEED                                                                                \
-  { "seed", 0, "N", "of --humanize, 0 to 4294967295: the same gives the same strokes (default 1)" }
 
 /** The scatter of one player. Plain data: belongs to one thread at a time. */
 typedef struct Humanizer {
@@ -31,12 +26,10 @@ typedef struct Humanizer {
 } Humanizer;
 
 Humanizer humanizer(double amount, uint32_t seed);
-/** Reads --humanize and --seed; without --humanize the amount is @p fallback. */
-Outcome humanize_read(const Arguments *arguments, double fallback, Humanizer *result);
 /**
  * Scatters @p event if it is a stroke, on a head of @p head_radius [m]; leaves other events alone.
  * Real-time safe.
  */
-void humanize(Humanizer *humanizer, double head_radius, TaborEvent *event);
+void humanize(Humanizer *humanizer, double head_radius, TaborEvent *event) REALTIME;
 
 #endif

@@ -13,6 +13,7 @@
 #include <stdbool.h>
 
 #include "humanize.h"
+#include "message.h"
 #include "midi_speed.h"
 
 #define LIBRARY_MOST_POSITIONS 8

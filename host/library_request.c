@@ -7,6 +7,7 @@
 
 #include "drum_source.h"
 #include "folder.h"
+#include "humanize_options.h"
 #include "midi_map_file.h"
 #include "midi_options.h"
 #include "render_batch.h"

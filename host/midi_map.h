@@ -25,6 +25,16 @@
 /** Controller with the low bits of the next note's velocity (MIDI's CA-031), unless it is mapped. */
 #define MIDI_HIGH_RESOLUTION_PREFIX 88
 
+/**
+ * Of messages at one frame, those that go with notes act last: notes, pressure, the prefix of a velocity,
+ * whose order among each other is kept. Controllers and program changes act before.
+ */
+static inline bool midi_goes_with_notes(const MidiMessage *message) {
+  const uint8_t kind = midi_kind(message);
+  if (kind == MIDI_CONTROL) return message->data[0] == MIDI_HIGH_RESOLUTION_PREFIX;
+  return kind != MIDI_PROGRAM;
+}
+
 /** What a note does. */
 typedef enum MidiStroke {
   MIDI_STROKE_NONE,

@@ -12,13 +12,6 @@ typedef struct Place {
   size_t index;
 } Place;
 
-/* Of notes and what goes with them the order is kept: pressure, and the prefix of a velocity. */
-static bool is_note(const MidiMessage *message) {
-  const uint8_t kind = midi_kind(message);
-  if (kind == MIDI_CONTROL) return message->data[0] == MIDI_HIGH_RESOLUTION_PREFIX;
-  return kind != MIDI_PROGRAM;
-}
-
 static int compare_places(const void *left, const void *right) {
   const Place *const a = left, *const b = right;
   if (a->time != b->time) return a->time < b->time ? -1 : 1;
@@ -30,7 +23,7 @@ static Place *sort_messages(const MidiFile *file) {
   Place *const places = calloc(file->count + 1, sizeof *places);
   if (!places) return NULL;
   for (size_t i = 0; i < file->count; i++) {
-    places[i] = (Place){file->events[i].time, is_note(&file->events[i].message), i};
+    places[i] = (Place){file->events[i].time, midi_goes_with_notes(&file->events[i].message), i};
   }
   if (file->count > 0) qsort(places, file->count, sizeof *places, compare_places);
   return places;

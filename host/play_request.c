@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "drum_source.h"
+#include "humanize_options.h"
 #include "midi_input.h"
 #include "midi_options.h"
 #include "strokes.h"

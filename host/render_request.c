@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "drum_source.h"
-#include "humanize.h"
+#include "humanize_options.h"
 #include "midi_options.h"
 #include "number.h"
 #include "render_outputs.h"

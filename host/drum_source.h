@@ -6,10 +6,8 @@
 #ifndef TABOR_HOST_DRUM_SOURCE_H
 #define TABOR_HOST_DRUM_SOURCE_H
 
+#include "default_preset.h"
 #include "options.h"
-
-/** The preset that is meant when none is given. */
-#define DEFAULT_PRESET "snare-14x5.5"
 
 /** What the help of a command says of its PRESET. */
 #define PRESET_NOTES                                                                               \

@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file describe.c
+ * Writes the plugins' description in Turtle, from the tables that the plugins are made of and the presets.
+ *
+ *     describe FOLDER BINARY
+ *
+ * FOLDER gets manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets); BINARY is the name of
+ * the plugins' file in it. Status 1 if that fails.
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "definition_text.h"
+#include "ports.h"
+#include "uris.h"
+
+static FILE *file; /* that is being written */
+static TaborDrumDef usual;
+
+/* ---- writing -------------------------------------------------------------------------------- */
+
+static void fail(const char *what) {
+  (void)fprintf(stderr, "describe: %s\n", what);
+  exit(1);
+}
+
+__attribute__((format(printf, 1, 2))) static void put(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  if (vfprintf(file, format, arguments) < 0) fail("cannot write");
+  va_end(arguments);
+}
+
+static void put_text(const char *text) {
+  put("\"");
+  for (; *text; text++) {
+    switch (*text) {
+    case '\n': put("\\n"); break;
+    case '"': put("\\\""); break;
+    case '\\': put("\\\\"); break;
+    default: put("%c", *text);
+    }
+  }
+  put("\"");
+}
+
+/* As a decimal number: an exponent would make it one of another type. */
+static void put_number(double value) {
+  char text[64];
+  (void)snprintf(text, sizeof text, "%.6g", value);
+  if (strchr(text, 'e')) (void)snprintf(text, sizeof text, "%.1f", value);
+  put("%s%s", text, strchr(text, '.') ? "" : ".0");
+}
+
+static void open_file(const char *folder, const char *name) {
+  char path[4096];
+  (void)snprintf(path, sizeof path, "%s/%s", folder, name);
+  file = fopen(path, "w");
+  if (!file) fail(path);
+  put("# SPDX-License-Identifier: MIT\n");
+}
+
+static void close_file(void) {
+  if (fclose(file) != 0) fail("cannot write");
+}
+
+static void put_prefixes(void) {
+  put("@prefix atom: <http://lv2plug.in/ns/ext/atom#> .\n"
+      "@prefix doap: <http://usefulinc.com/ns/doap#> .\n"
+      "@prefix foaf: <http://xmlns.com/foaf/0.1/> .\n"
+      "@prefix log: <http://lv2plug.in/ns/ext/log#> .\n"
+      "@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
+      "@prefix midi: <http://lv2plug.in/ns/ext/midi#> .\n"
+      "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+      "@prefix param: <http://lv2plug.in/ns/ext/parameters#> .\n"
+      "@prefix pg: <http://lv2plug.in/ns/ext/port-groups#> .\n"
+      "@prefix pprops: <http://lv2plug.in/ns/ext/port-props#> .\n"
+      "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
+      "@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
+      "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
+      "@prefix state: <http://lv2plug.in/ns/ext/state#> .\n"
+      "@prefix units: <http://lv2plug.in/ns/extensions/units#> .\n"
+      "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
+      "@prefix work: <http://lv2plug.in/ns/ext/worker#> .\n"
+      "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .\n\n");
+}
+
+/* ---- knobs ---------------------------------------------------------------------------------- */
+
+static void put_unit(const char *unit) {
+  static const char *const known[][2] = {
+    {"m", "units:m"}, {"deg", "units:degree"}, {"dB", "units:db"}};
+  if (!*unit) return;
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+    if (strcmp(unit, known[i][0]) == 0) {
+      put("\t\tunits:unit %s ;\n", known[i][1]);
+      return;
+    }
+  }
+  put("\t\tunits:unit [\n\t\t\ta units:Unit ;\n\t\t\trdfs:label \"%s\" ;\n", unit);
+  put("\t\t\tunits:symbol \"%s\" ;\n\t\t\tunits:render \"%%f %s\"\n\t\t] ;\n", unit, unit);
+}
+
+static void put_point(const char *label, int length, double value) {
+  put("\t\tlv2:scalePoint [ rdfs:label \"%.*s\" ; rdf:value ", length, label);
+  put_number(value);
+  put(" ] ;\n");
+}
+
+static void put_choices(const char *choices) {
+  put("\t\tlv2:portProperty lv2:integer , lv2:enumeration ;\n");
+  for (int value = 0; *choices; value++) {
+    const int length = (int)strcspn(choices, "|");
+    put_point(choices, length, value);
+    choices += length + (choices[length] == '|');
+  }
+}
+
+static void put_knob(KnobId id) {
+  const Knob *const knob = &knobs[id];
+  const KnobRange range = knob_range(id, &usual);
+  put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
+  put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
+  put("\t\tlv2:default ");
+  put_number(knob_decimal(range.fallback));
+  put(" ;\n\t\tlv2:minimum ");
+  put_number(knob_decimal(range.minimum));
+  put(" ;\n\t\tlv2:maximum ");
+  put_number(knob_decimal(range.maximum));
+  put(" ;\n");
+  put_unit(range.unit);
+  if (range.logarithmic) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
+  if (knob->kind == KNOB_REBUILD || id == KNOB_QUALITY) {
+    put("\t\tlv2:portProperty pprops:expensive ;\n");
+  }
+  if (knob->choices) put_choices(knob->choices);
+  if (!isnan(knob->off)) put_point("Off", 3, knob->off);
+  if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
+  put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
+  put_text(knob->comment);
+  put("\n");
+}
+
+/* ---- other ports ---------------------------------------------------------------------------- */
+
+static void put_events(void) {
+  put("\t\ta lv2:InputPort , atom:AtomPort ;\n\t\tatom:bufferType atom:Sequence ;\n"
+      "\t\tatom:supports midi:MidiEvent ;\n\t\tlv2:designation lv2:control ;\n"
+      "\t\tlv2:symbol \"events\" ;\n\t\tlv2:name \"MIDI\"\n");
+}
+
+static void put_output(bool stereo, uint32_t channel) {
+  static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right"};
+  const uint32_t first_side = port_outputs(stereo) - 2;
+  const char *const name = names[stereo ? channel + 4 : channel];
+  put("\t\ta lv2:OutputPort , lv2:AudioPort ;\n");
+  put("\t\tlv2:symbol \"out_%c%s\" ;\n", tolower(name[0]), name + 1);
+  if (!stereo) put("\t\tlv2:portProperty lv2:connectionOptional ;\n");
+  if (channel >= first_side) {
+    put("\t\tlv2:designation pg:%s ;\n", channel == first_side ? "left" : "right");
+    put("\t\tpg:group <%spair> ;\n", URI_GROUP);
+  }
+  put("\t\tlv2:name \"%s\"\n", name);
+}
+
+static void put_freewheel(void) {
+  put(
+    "\t\ta lv2:InputPort , lv2:ControlPort ;\n\t\tlv2:symbol \"freewheel\" ;\n"
+    "\t\tlv2:name \"Freewheel\" ;\n\t\tlv2:designation lv2:freeWheeling ;\n"
+    "\t\tlv2:default 0.0 ;\n\t\tlv2:minimum 0.0 ;\n\t\tlv2:maximum 1.0 ;\n"
+    "\t\tlv2:portProperty lv2:toggled , lv2:connectionOptional , pprops:notOnGUI ;\n"
+    "\t\trdfs:comment \"1: the host renders faster than real time, and the drum waits for what has "
+    "to be computed.\"\n");
+}
+
+static void put_ready(void) {
+  put(
+    "\t\ta lv2:OutputPort , lv2:ControlPort ;\n\t\tlv2:symbol \"ready\" ;\n"
+    "\t\tlv2:name \"Ready\" ;\n"
+    "\t\tlv2:default 0.0 ;\n\t\tlv2:minimum 0.0 ;\n\t\tlv2:maximum 1.0 ;\n"
+    "\t\tlv2:portProperty lv2:toggled , lv2:connectionOptional ;\n"
+    "\t\trdfs:comment \"0 while another drum, tuning or quality is being computed; the one before "
+    "plays on.\"\n");
+}
+
+static void put_port(bool stereo, uint32_t number, Port port) {
+  put("%s[\n\t\tlv2:index %u ;\n", number > 0 ? " , " : "\tlv2:port ", (unsigned)number);
+  switch (port.kind) {
+  case PORT_EVENTS: put_events(); break;
+  case PORT_OUTPUT: put_output(stereo, port.index); break;
+  case PORT_FREEWHEEL: put_freewheel(); break;
+  case PORT_READY: put_ready(); break;
+  case PORT_KNOB: put_knob((KnobId)port.index); break;
+  case PORT_NONE: break;
+  }
+  put("\t]");
+}
+
+/* ---- plugins -------------------------------------------------------------------------------- */
+
+static void put_groups(void) {
+  static const char *const groups[][2] = {{"heads", "Heads"},
+                                          {"snares", "Snares"},
+                                          {"stick", "Stick"},
+                                          {"output", "Output"},
+                                          {"mics", "Microphones"}};
+  for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+    put("<%s%s>\n\ta pg:InputGroup ;\n\tlv2:symbol \"%s\" ;\n\tlv2:name \"%s\" .\n\n", URI_GROUP,
+        groups[i][0], groups[i][0], groups[i][1]);
+  }
+  put("<%spair>\n\ta pg:OutputGroup , pg:StereoGroup ;\n\tlv2:symbol \"pair\" ;\n"
+      "\tlv2:name \"Stereo pair\" .\n\n",
+      URI_GROUP);
+}
+
+static void put_property(const char *uri, const char *name, const char *label, const char *range) {
+  put("<%s%s>\n\ta rdf:Property , owl:DatatypeProperty ;\n\trdfs:label \"%s\" ;\n"
+      "\trdfs:range xsd:%s .\n\n",
+      uri, name, label, range);
+}
+
+/* What stands in states. */
+static void put_properties(void) {
+  put_property(URI_STATE_VERSION, "", "version of the state", "int");
+  put_property(URI_STATE_DEFINITION, "", "definition of the drum", "string");
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    put_property(URI_STATE_CONTROL, knobs[i].symbol, knobs[i].name, "float");
+  }
+}
+
+static void put_plugin(bool stereo) {
+  put("<%s>\n\ta lv2:Plugin , lv2:InstrumentPlugin , doap:Project ;\n",
+      stereo ? URI_DRUM : URI_DRUM_MULTI);
+  put("\tdoap:name \"%s\" ;\n", stereo ? "Tabor" : "Tabor Multi");
+  put("\tdoap:license <https://spdx.org/licenses/MIT> ;\n"
+      "\tdoap:maintainer [ a foaf:Person ; foaf:name \"Tabor's maintainers\" ] ;\n");
+  put("\tdoap:shortdesc \"%s\" ;\n", stereo ? "A snare drum computed from physics"
+                                            : "A snare drum computed from physics, an output per "
+                                              "microphone");
+  put("\trdfs:comment \"Heads that move air, wires that bounce on them, a stick that strikes: no "
+      "samples. Notes 36 to 50 are strokes; controllers 16 and 17 move the place, 20 the strainer; "
+      "program changes choose drums.\" ;\n");
+  put("\tlv2:minorVersion %d ;\n\tlv2:microVersion %d ;\n", TABOR_VERSION_MINOR,
+      TABOR_VERSION_PATCH);
+  put("\tlv2:requiredFeature urid:map ;\n"
+      "\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
+      "state:threadSafeRestore ;\n"
+      "\tlv2:extensionData work:interface , state:interface ;\n"
+      "\tpg:mainOutput <%spair> ;\n",
+      URI_GROUP);
+  Port port;
+  for (uint32_t number = 0; (port = port_at(stereo, number)).kind != PORT_NONE; number++) {
+    put_port(stereo, number, port);
+  }
+  put(" .\n\n");
+}
+
+/* ---- presets -------------------------------------------------------------------------------- */
+
+static void put_preset_header(const TaborPresetInfo *preset) {
+  put("<%s%s>\n\ta pset:Preset ;\n\tlv2:appliesTo <%s> , <%s> ;\n\trdfs:label ", URI_PRESET,
+      preset->name, URI_DRUM, URI_DRUM_MULTI);
+  put_text(preset->name);
+  put(" ;\n\trdfs:comment ");
+  put_text(preset->comment);
+}
+
+/* Of a drum that is without the part, nothing. */
+static void put_preset_port(TaborDrumDef *def, KnobId id, bool *first) {
+  const double *const field = knob_field(def, id);
+  if (!field) return;
+  put("%s[ lv2:symbol \"%s\" ; pset:value ", *first ? " ;\n\tlv2:port " : " ,\n\t\t",
+      knobs[id].symbol);
+  put_number(*field);
+  put(" ]");
+  *first = false;
+}
+
+static void put_preset_state(TaborDrumDef *def) {
+  char *const text = definition_write(def);
+  if (!text) fail("out of memory");
+  put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
+      STATE_VERSION, URI_STATE_DEFINITION);
+  put_text(text);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    const double *const field = knob_field(def, (KnobId)i);
+    if (!field) continue;
+    put(" ;\n\t\t<%s%s> \"", URI_STATE_CONTROL, knobs[i].symbol);
+    put_number(*field);
+    put("\"^^xsd:float");
+  }
+  put("\n\t] .\n\n");
+  free(text);
+}
+
+static void put_preset(const TaborPresetInfo *preset) {
+  TaborDrumDef def;
+  bool first = true;
+  if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) fail(preset->name);
+  put_preset_header(preset);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) put_preset_port(&def, (KnobId)i, &first);
+  put_preset_state(&def);
+}
+
+/* ---- files ---------------------------------------------------------------------------------- */
+
+static void write_manifest(const char *folder, const char *binary) {
+  open_file(folder, "manifest.ttl");
+  put("@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
+      "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
+      "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
+  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI};
+  for (size_t i = 0; i < 2; i++) {
+    put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
+        binary);
+  }
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    put_preset_header(tabor_preset(i));
+    put(" ;\n\trdfs:seeAlso <presets.ttl> .\n\n");
+  }
+  close_file();
+}
+
+static void write_plugins(const char *folder) {
+  open_file(folder, "tabor.ttl");
+  put_prefixes();
+  put_groups();
+  put_properties();
+  put_plugin(true);
+  put_plugin(false);
+  close_file();
+}
+
+static void write_presets(const char *folder) {
+  open_file(folder, "presets.ttl");
+  put_prefixes();
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) put_preset(tabor_preset(i));
+  close_file();
+}
+
+int main(int argc, char **argv) {
+  if (argc != 3) fail("describe FOLDER BINARY");
+  if (tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL) != TABOR_OK) fail(DEFAULT_PRESET);
+  write_manifest(argv[1], argv[2]);
+  write_plugins(argv[1]);
+  write_presets(argv[1]);
+  return 0;
+}

@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: MIT */
+#include "instrument.h"
+
+#include <lv2/core/lv2.h>
+#include <lv2/core/lv2_util.h>
+#include <lv2/midi/midi.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "sequence.h"
+#include "uris.h"
+
+#define GLANCE 5000000 /* [ns] after which a thread of its own looks for work */
+#define PAUSE 1000000  /* [ns] for another thread that is at work already */
+
+/* ---- beginning ------------------------------------------------------------------------------ */
+
+static void map_uris(Urids *urids, LV2_URID_Map *map) {
+  urids->sequence = map->map(map->handle, LV2_ATOM__Sequence);
+  urids->midi = map->map(map->handle, LV2_MIDI__MidiEvent);
+  urids->atom_int = map->map(map->handle, LV2_ATOM__Int);
+  urids->atom_float = map->map(map->handle, LV2_ATOM__Float);
+  urids->atom_string = map->map(map->handle, LV2_ATOM__String);
+  urids->version = map->map(map->handle, URI_STATE_VERSION);
+  urids->definition = map->map(map->handle, URI_STATE_DEFINITION);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    char uri[128];
+    (void)snprintf(uri, sizeof uri, "%s%s", URI_STATE_CONTROL, knobs[i].symbol);
+    urids->controls[i] = map->map(map->handle, uri);
+  }
+}
+
+static void sleep_for(long nanoseconds) {
+  const struct timespec moment = {.tv_nsec = nanoseconds};
+  (void)nanosleep(&moment, NULL);
+}
+
+/* Where the host has no worker. A thread that waited to be woken would have to be woken by a system call. */
+static void *look_for_work(void *handle) {
+  Instrument *const instrument = handle;
+  while (!atomic_load(&instrument->stops)) {
+    workshop_work(&instrument->workshop);
+    sleep_for(GLANCE);
+  }
+  return NULL;
+}
+
+static void say(void *context, const char *line) {
+  Instrument *const instrument = context;
+  (void)lv2_log_error(&instrument->logger, "Tabor: %s\n", line);
+}
+
+static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map *map) {
+  map_uris(&instrument->urids, map);
+  instrument->workshop.say = say;
+  instrument->workshop.context = instrument;
+  if (!workshop_begin(&instrument->workshop, rate)) return false;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    instrument->ranges[i] = knob_range((KnobId)i, &instrument->workshop.base);
+  }
+  if (!voice_begin(&instrument->voice, &instrument->workshop, rate, stereo)) return false;
+  if (instrument->schedule) return true;
+  instrument->has_thread =
+    pthread_create(&instrument->thread, NULL, look_for_work, instrument) == 0;
+  return instrument->has_thread;
+}
+
+static void cleanup(LV2_Handle handle) {
+  Instrument *const instrument = handle;
+  atomic_store(&instrument->stops, true);
+  if (instrument->has_thread) (void)pthread_join(instrument->thread, NULL);
+  voice_end(&instrument->voice);
+  workshop_end(&instrument->workshop);
+  free(instrument);
+}
+
+static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, const char *bundle,
+                              const LV2_Feature *const *features) {
+  (void)bundle;
+  LV2_URID_Map *map = NULL;
+  Instrument *const instrument = calloc(1, sizeof *instrument);
+  if (!instrument) return NULL;
+  const char *const missing =
+    lv2_features_query(features, LV2_LOG__log, &instrument->logger.log, false, LV2_URID__map, &map,
+                       true, LV2_WORKER__schedule, &instrument->schedule, false, NULL);
+  lv2_log_logger_set_map(&instrument->logger, map);
+  if (missing) {
+    (void)lv2_log_error(&instrument->logger, "Tabor: the host lacks %s\n", missing);
+    free(instrument);
+    return NULL;
+  }
+  if (open(instrument, rate, strcmp(descriptor->URI, URI_DRUM) == 0, map)) return instrument;
+  cleanup(instrument);
+  return NULL;
+}
+
+static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
+  Instrument *const instrument = handle;
+  const Port port = port_at(instrument->voice.stereo, number);
+  switch (port.kind) {
+  case PORT_EVENTS: instrument->events = data; break;
+  case PORT_OUTPUT: instrument->outputs.channels[port.index] = data; break;
+  case PORT_FREEWHEEL: instrument->freewheel = data; break;
+  case PORT_READY: instrument->ready = data; break;
+  case PORT_KNOB: instrument->knob_ports[port.index] = data; break;
+  case PORT_NONE: break;
+  }
+}
+
+static void activate(LV2_Handle handle) {
+  Instrument *const instrument = handle;
+  voice_rest(&instrument->voice);
+}
+
+/* ---- knobs ---------------------------------------------------------------------------------- */
+
+/* What is no number leaves the knob where it is. */
+static void read_knobs(Instrument *instrument) {
+  const uint32_t count = instrument->voice.stereo ? KNOB_COUNT : KNOB_MULTI_COUNT;
+  for (uint32_t i = 0; i < count; i++) {
+    const KnobRange *const range = &instrument->ranges[i];
+    const float *const port = instrument->knob_ports[i];
+    const float value = port ? *port : range->fallback;
+    if (!isfinite(value)) continue;
+    voice_turn(&instrument->voice, (KnobId)i, fminf(fmaxf(value, range->minimum), range->maximum));
+  }
+}
+
+/* ---- MIDI ----------------------------------------------------------------------------------- */
+
+/* All messages of an event that go with notes, or all others. */
+static void take_event(Instrument *instrument, const LV2_Atom_Event *event, bool notes) {
+  const uint8_t *const bytes = (const uint8_t *)(event + 1);
+  MidiStream stream = {0};
+  MidiMessage message;
+  if (event->body.type != instrument->urids.midi) return;
+  for (uint32_t i = 0; i < event->body.size; i++) {
+    if (!midi_stream_take(&stream, bytes[i], &message)) continue;
+    if (midi_goes_with_notes(&message) == notes) voice_take(&instrument->voice, &message);
+  }
+}
+
+/* Its frame in a run: not past its end, not before @p at. */
+static uint32_t frame_of(const LV2_Atom_Event *event, uint32_t at, uint32_t frames) {
+  const int64_t frame = event->time.frames;
+  if (frame <= at) return at;
+  return frame < frames ? (uint32_t)frame : frames - (frames > 0);
+}
+
+/* All events of frame @p at: controllers before notes. */
+static void take_frame(Instrument *instrument, Sequence *sequence, uint32_t at, uint32_t frames) {
+  const Sequence first = *sequence;
+  const LV2_Atom_Event *event;
+  for (int notes = 0; notes <= 1; notes++) {
+    *sequence = first;
+    while ((event = sequence_event(sequence)) && frame_of(event, at, frames) == at) {
+      take_event(instrument, event, notes == 1);
+      sequence_step(sequence);
+    }
+  }
+}
+
+/* ---- runs ----------------------------------------------------------------------------------- */
+
+/* Plays up to @p end, or to where the drum has to wait for another model. */
+static uint32_t play_until(Instrument *instrument, uint32_t at, uint32_t end, bool waits) {
+  uint32_t played = 1;
+  while (at < end && played > 0) {
+    played = voice_play(&instrument->voice, &instrument->outputs, at, end - at, waits);
+    at += played;
+  }
+  return at;
+}
+
+/* What a run is about. */
+typedef struct Run {
+  Sequence sequence;
+  uint32_t at, frames;
+  bool waits; /* for every model: the host renders, and is in no hurry */
+} Run;
+
+static Run begin_run(const Instrument *instrument, uint32_t frames, bool waits) {
+  return (Run){.sequence = sequence_begin(instrument->events, instrument->urids.sequence),
+               .frames = frames,
+               .waits = waits};
+}
+
+/* False where the run has to wait for another model; then it is to be called again. */
+static bool go_on(Instrument *instrument, Run *run) {
+  const LV2_Atom_Event *event;
+  for (;;) {
+    event = sequence_event(&run->sequence);
+    const uint32_t end = event ? frame_of(event, run->at, run->frames) : run->frames;
+    run->at = play_until(instrument, run->at, end, run->waits);
+    if (run->at < end) return false;
+    if (!event) return true;
+    take_frame(instrument, &run->sequence, run->at, run->frames);
+  }
+}
+
+/* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */
+static bool keep_up(Instrument *instrument) {
+  voice_receive(&instrument->voice);
+  read_knobs(instrument);
+  return voice_ask(&instrument->voice);
+}
+
+static bool run_live(Instrument *instrument, uint32_t frames) REALTIME;
+static bool run_live(Instrument *instrument, uint32_t frames) {
+  Run run = begin_run(instrument, frames, false);
+  const bool asks = keep_up(instrument);
+  (void)go_on(instrument, &run);
+  return asks;
+}
+
+static void wait_for_model(Instrument *instrument) {
+  for (;;) {
+    (void)keep_up(instrument);
+    if (voice_is_settled(&instrument->voice)) return;
+    workshop_work(&instrument->workshop);
+    if (!workshop_offer(&instrument->workshop)) sleep_for(PAUSE); /* another thread is at it */
+  }
+}
+
+static void run_waiting(Instrument *instrument, uint32_t frames) {
+  Run run = begin_run(instrument, frames, true);
+  do {
+    wait_for_model(instrument);
+  } while (!go_on(instrument, &run));
+}
+
+static void call_worker(Instrument *instrument) {
+  const LV2_Worker_Schedule *const schedule = instrument->schedule;
+  if (!schedule || !instrument->asks) return;
+  const uint32_t nothing = 0;
+  instrument->asks =
+    schedule->schedule_work(schedule->handle, sizeof nothing, &nothing) != LV2_WORKER_SUCCESS;
+}
+
+static void run(LV2_Handle handle, uint32_t frames) {
+  Instrument *const instrument = handle;
+  if (instrument->freewheel && *instrument->freewheel > 0) {
+    run_waiting(instrument, frames);
+  } else if (run_live(instrument, frames)) {
+    instrument->asks = true;
+  }
+  call_worker(instrument);
+  if (!instrument->ready) return;
+  *instrument->ready = instrument->voice.drum && voice_is_settled(&instrument->voice) ? 1 : 0;
+}
+
+/* ---- extensions ----------------------------------------------------------------------------- */
+
+static LV2_Worker_Status work(LV2_Handle handle, LV2_Worker_Respond_Function respond,
+                              LV2_Worker_Respond_Handle respond_handle, uint32_t size,
+                              const void *data) {
+  (void)respond;
+  (void)respond_handle;
+  (void)size;
+  (void)data;
+  Instrument *const instrument = handle;
+  workshop_work(&instrument->workshop);
+  return LV2_WORKER_SUCCESS;
+}
+
+/* The offer is looked for in the next run. */
+static LV2_Worker_Status work_response(LV2_Handle handle, uint32_t size, const void *body) {
+  (void)handle;
+  (void)size;
+  (void)body;
+  return LV2_WORKER_SUCCESS;
+}
+
+static const void *extension_data(const char *uri) {
+  static const LV2_Worker_Interface worker = {.work = work, .work_response = work_response};
+  if (strcmp(uri, LV2_WORKER__interface) == 0) return &worker;
+  return strcmp(uri, LV2_STATE__interface) == 0 ? &instrument_state : NULL;
+}
+
+LV2_SYMBOL_EXPORT const LV2_Descriptor *lv2_descriptor(uint32_t index) {
+#define PLUGIN(uri)                                                                                \
+  {                                                                                                \
+    .URI = (uri), .instantiate = instantiate, .connect_port = connect_port, .activate = activate,  \
+    .run = run, .cleanup = cleanup, .extension_data = extension_data                               \
+  }
+  static const LV2_Descriptor plugins[] = {PLUGIN(URI_DRUM), PLUGIN(URI_DRUM_MULTI)};
+  return index < sizeof plugins / sizeof plugins[0] ? &plugins[index] : NULL;
+}

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+#include "knobs.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define DIGITS 6           /* that a float keeps whatever they are */
+#define LOWEST_LEVEL (-60) /* [dB]: off */
+
+#define ENGINE_RANGE .minimum = NAN, .maximum = NAN
+#define RANGE(low, high) .minimum = (low), .maximum = (high)
+#define FROM_PRESET .fallback = NAN, .off = NAN
+#define LEVEL(value)                                                                               \
+  .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
+  .off = LOWEST_LEVEL, .group = "mics"
+
+const Knob knobs[KNOB_COUNT] = {
+  [KNOB_BATTER_TENSION] = {.symbol = "batter_tension",
+                           .name = "Batter head tension",
+                           .key = "batter.tension",
+                           .group = "heads",
+                           .kind = KNOB_REBUILD,
+                           ENGINE_RANGE,
+                           FROM_PRESET,
+                           .comment =
+                             "How tight the struck head is. The drum goes on ringing while "
+                             "it is retuned, which takes some tenths of a second."},
+  [KNOB_RESONANT_TENSION] = {.symbol = "resonant_tension",
+                             .name = "Resonant head tension",
+                             .key = "resonant.tension",
+                             .group = "heads",
+                             .kind = KNOB_REBUILD,
+                             ENGINE_RANGE,
+                             FROM_PRESET,
+                             .comment = "How tight the lower head is. No effect on drums with one "
+                                        "head. Retuning takes some tenths of a second."},
+  [KNOB_BATTER_MUFFLING] = {.symbol = "batter_muffle_strength",
+                            .name = "Batter head muffling",
+                            .key = "batter.muffle_strength",
+                            .group = "heads",
+                            .kind = KNOB_LIVE,
+                            ENGINE_RANGE,
+                            FROM_PRESET,
+                            .comment = "How hard a damper brakes the struck head; 0 is none."},
+  [KNOB_RESONANT_MUFFLING] = {.symbol = "resonant_muffle_strength",
+                              .name = "Resonant head muffling",
+                              .key = "resonant.muffle_strength",
+                              .group = "heads",
+                              .kind = KNOB_LIVE,
+                              ENGINE_RANGE,
+                              FROM_PRESET,
+                              .comment = "How hard a damper brakes the lower head; 0 is none."},
+  [KNOB_STRAINER] = {.symbol = "wires_strainer",
+                     .name = "Strainer",
+                     .key = "wires.strainer",
+                     .group = "snares",
+                     .kind = KNOB_LIVE,
+                     ENGINE_RANGE,
+                     FROM_PRESET,
+                     .comment = "1: the snares lie on the head; 0: they are thrown off."},
+  [KNOB_WIRE_TENSION] = {.symbol = "wires_tension",
+                         .name = "Wire tension",
+                         .key = "wires.tension",
+                         .group = "snares",
+                         .kind = KNOB_LIVE,
+                         ENGINE_RANGE,
+                         FROM_PRESET,
+                         .comment = "How tight each snare wire is."},
+  [KNOB_STICK_HARDNESS] = {.symbol = "striker_contact_stiffness",
+                           .name = "Stick hardness",
+                           .key = "striker.stick.contact_stiffness",
+                           .group = "stick",
+                           .kind = KNOB_REBUILD,
+                           RANGE(1e5, 1e9),
+                           FROM_PRESET,
+                           .comment = "How hard the tip of the drum's usual stick or mallet is."},
+  [KNOB_STRIKE_RADIUS] = {.symbol = "strike_radius",
+                          .name = "Strike place",
+                          .key = "strike.radius",
+                          .group = "stick",
+                          .kind = KNOB_STROKE,
+                          ENGINE_RANGE,
+                          FROM_PRESET,
+                          .comment = "How far from the centre of the head strokes fall, until "
+                                     "MIDI controller 16 says. Beyond the rim it is the rim."},
+  [KNOB_STRIKE_ANGLE] = {.symbol = "strike_angle",
+                         .name = "Strike direction",
+                         .key = "strike.angle",
+                         .group = "stick",
+                         .kind = KNOB_STROKE,
+                         RANGE(-180, 180),
+                         FROM_PRESET,
+                         .comment = "In which direction from the centre strokes fall, until MIDI "
+                                    "controller 17 says."},
+  [KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
+                           .name = "Velocity curve",
+                           .group = "stick",
+                           .kind = KNOB_SETTING,
+                           RANGE(0, 2),
+                           .fallback = 1,
+                           .unit = "",
+                           .choices = "Soft|Linear|Hard",
+                           .off = NAN,
+                           .comment = "Soft: a light touch is already loud."},
+  [KNOB_HUMANIZE] = {.symbol = "humanize",
+                     .name = "Humanize",
+                     .group = "stick",
+                     .kind = KNOB_SETTING,
+                     RANGE(0, 1),
+                     .fallback = 0,
+                     .unit = "",
+                     .off = NAN,
+                     .comment =
+                       "Scatters the place of strokes by up to 15 mm and their speed by up to "
+                       "6 %, times this. The same notes are scattered alike each time."},
+  [KNOB_QUALITY] = {.symbol = "quality_level",
+                    .name = "Quality",
+                    .group = "output",
+                    .kind = KNOB_SETTING,
+                    RANGE(0, 3),
+                    .fallback = 1,
+                    .unit = "",
+                    .choices = "Draft|Live|Studio|Reference",
+                    .off = NAN,
+                    .comment =
+                      "Accuracy against the load of the processor. Studio and Reference are "
+                      "for export."},
+  [KNOB_GAIN] = {.symbol = "gain",
+                 .name = "Gain",
+                 .group = "output",
+                 .kind = KNOB_SETTING,
+                 RANGE(LOWEST_LEVEL, 20),
+                 .fallback = 0,
+                 .unit = "dB",
+                 .off = LOWEST_LEVEL,
+                 .comment = "Of all outputs; MIDI volume and expression are beside it."},
+  [KNOB_LEVEL_PAIR] = {.symbol = "level_pair",
+                       .name = "Stereo pair",
+                       LEVEL(0),
+                       .comment = "Level of the microphones left and right, in front of the drum. "
+                                  "Drums without them are heard by their first one."},
+  [KNOB_LEVEL_TOP] = {.symbol = "level_top",
+                      .name = "Top microphone",
+                      LEVEL(LOWEST_LEVEL),
+                      .comment = "Level of the microphone close above the struck head."},
+  [KNOB_LEVEL_BOTTOM] = {.symbol = "level_bottom",
+                         .name = "Bottom microphone",
+                         LEVEL(LOWEST_LEVEL),
+                         .comment = "Level of the microphone close below the drum."},
+  [KNOB_LEVEL_NEAR] = {.symbol = "level_near",
+                       .name = "Near microphone",
+                       LEVEL(LOWEST_LEVEL),
+                       .comment = "Level of the microphone at the player's side."},
+  [KNOB_LEVEL_FAR] = {.symbol = "level_far",
+                      .name = "Far microphone",
+                      LEVEL(LOWEST_LEVEL),
+                      .comment = "Level of the microphone some way off."},
+};
+
+static TaborStrikerDef *usual_striker(TaborDrumDef *def) {
+  const int named = tabor_drum_def_find_striker(def, def->strike.striker);
+  return &def->striker[named > 0 ? named : 0];
+}
+
+double *knob_field(TaborDrumDef *def, KnobId id) {
+  switch (id) {
+  case KNOB_BATTER_TENSION: return &def->batter.tension;
+  case KNOB_RESONANT_TENSION: return def->two_headed ? &def->resonant.tension : NULL;
+  case KNOB_BATTER_MUFFLING: return &def->batter.muffle_strength;
+  case KNOB_RESONANT_MUFFLING: return def->two_headed ? &def->resonant.muffle_strength : NULL;
+  case KNOB_STRAINER: return def->wires.count > 0 ? &def->wires.strainer : NULL;
+  case KNOB_WIRE_TENSION: return def->wires.count > 0 ? &def->wires.tension : NULL;
+  case KNOB_STICK_HARDNESS: return &usual_striker(def)->contact_stiffness;
+  case KNOB_STRIKE_RADIUS: return &def->strike.radius;
+  case KNOB_STRIKE_ANGLE: return &def->strike.angle;
+  default: return NULL;
+  }
+}
+
+static double choose(double own, double other) { return isnan(own) ? other : own; }
+
+KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
+  const Knob *const knob = &knobs[id];
+  const TaborParameter *const parameter = knob->key ? tabor_parameter_find(knob->key) : NULL;
+  TaborDrumDef def = *usual;
+  const double *const field = knob->key ? knob_field(&def, id) : NULL;
+  return (KnobRange){
+    .minimum = (float)choose(knob->minimum, parameter ? parameter->minimum : 0),
+    .maximum = (float)choose(knob->maximum, parameter ? parameter->maximum : 0),
+    .fallback = (float)choose(knob->fallback, field ? *field : 0),
+    .logarithmic = parameter && parameter->logarithmic,
+    .unit = knob->unit || !parameter ? knob->unit : parameter->unit,
+  };
+}
+
+double knob_factor(KnobId id, float value) {
+  return (double)value <= knobs[id].off ? 0 : pow(10, (double)value / 20);
+}
+
+double knob_decimal(float value) {
+  if (value == 0) return 0;
+  const int exponent = DIGITS - 1 - (int)floor(log10(fabs((double)value)));
+  const double scale = pow(10, abs(exponent)); /* exact up to 10^22 */
+  return exponent >= 0 ? round((double)value * scale) / scale
+                       : round((double)value / scale) * scale;
+}

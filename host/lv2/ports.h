@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file ports.h
+ * Which port of the two plugins is what.
+ *
+ *     0                 MIDI
+ *     1 ...             outputs: left and right, or one per microphone
+ *     then              freewheel, ready
+ *     then              knobs, in the order of knobs.h
+ */
+#ifndef TABOR_LV2_PORTS_H
+#define TABOR_LV2_PORTS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "knobs.h"
+#include "realtime.h"
+
+typedef enum PortKind {
+  PORT_EVENTS,
+  PORT_OUTPUT, /**< audio; index: of the channel */
+  PORT_FREEWHEEL,
+  PORT_READY,
+  PORT_KNOB, /**< index: a KnobId */
+  PORT_NONE  /**< past the last */
+} PortKind;
+
+typedef struct Port {
+  PortKind kind;
+  uint32_t index;
+} Port;
+
+/** Audio outputs of a plugin. */
+static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 6; }
+
+/** Port number @p number of the stereo plugin, or of the other one. */
+static inline Port port_at(bool stereo, uint32_t number) REALTIME {
+  const uint32_t outputs = port_outputs(stereo);
+  const uint32_t knob_count = stereo ? KNOB_COUNT : KNOB_MULTI_COUNT;
+  if (number == 0) return (Port){PORT_EVENTS, 0};
+  if (number <= outputs) return (Port){PORT_OUTPUT, number - 1};
+  if (number == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
+  if (number == outputs + 2) return (Port){PORT_READY, 0};
+  if (number < outputs + 3 + knob_count) return (Port){PORT_KNOB, number - outputs - 3};
+  return (Port){PORT_NONE, 0};
+}
+
+#endif

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file uris.h
+ * Names of the plugins and of what their states hold. They never change: sessions refer to them.
+ */
+#ifndef TABOR_LV2_URIS_H
+#define TABOR_LV2_URIS_H
+
+#define URI_DRUM "urn:tabor:drum"             /**< the plugin with a stereo output */
+#define URI_DRUM_MULTI "urn:tabor:drum-multi" /**< the plugin with an output per microphone */
+
+#define URI_PRESET "urn:tabor:preset:" /**< a factory preset, with its name */
+#define URI_GROUP "urn:tabor:group:"   /**< a group of ports, with its symbol */
+
+#define URI_STATE_VERSION "urn:tabor:state:version"       /**< atom:Int, STATE_VERSION */
+#define URI_STATE_DEFINITION "urn:tabor:state:definition" /**< atom:String, see definition_text.h */
+#define URI_STATE_CONTROL "urn:tabor:state:" /**< atom:Float, with a control's symbol */
+
+#define STATE_VERSION 1 /**< raised when older plugins could not read what newer ones write */
+
+#endif

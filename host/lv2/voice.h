@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file voice.h
+ * The audio thread of an instance: MIDI and knobs in, sound out.
+ *
+ * A run is played in pieces that begin where something happens, so that everything acts at its frame, whatever
+ * the runs are. MIDI means what it means to `tabor render --midi-file` (midi_drum.h), and sounds the same to
+ * the bit. Nothing here allocates, locks or calls the system; the work is bounded by frames and messages.
+ */
+#ifndef TABOR_LV2_VOICE_H
+#define TABOR_LV2_VOICE_H
+
+#include "fader.h"
+#include "humanize.h"
+#include "midi_drum.h"
+#include "silencer.h"
+#include "workshop.h"
+
+#define VOICE_PIECE 256  /**< frames computed at once at most */
+#define VOICE_EVENTS 256 /**< that may wait, or act at one frame; further ones are dropped */
+#define VOICE_ACTIONS 64 /**< likewise beside them */
+
+/** The microphones that the plugins know, in the order of the outputs of the one that has all. */
+typedef enum VoiceMic {
+  VOICE_TOP,
+  VOICE_BOTTOM,
+  VOICE_NEAR,
+  VOICE_FAR,
+  VOICE_LEFT,
+  VOICE_RIGHT,
+  VOICE_MICS
+} VoiceMic;
+
+#define VOICE_NO_MIC UINT32_MAX
+
+typedef struct Voice {
+  /* set up once */
+  Workshop *workshop;
+  double rate;
+  bool stereo;           /**< two outputs, mixed; or one per microphone */
+  MidiBinding *bindings; /**< of the built-in presets */
+  MidiMap map;
+  uint32_t ids[KNOB_KEYS]; /**< of live knobs' parameters */
+  uint32_t grip_id;
+
+  TaborDrum *drum; /**< NULL until there is one */
+  MidiDrum midi;
+  Humanizer humanizer;
+  double head_radius;
+  uint32_t striker_count;
+  uint32_t mics[VOICE_MICS]; /**< of the model of now, or VOICE_NO_MIC */
+  Silencer silencer;
+  Fader gain, expression;
+  Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR on */
+
+  Wish wish;
+  uint32_t asked, asked_restoration; /**< of the newest wish that was made */
+  int32_t chosen;          /**< program that MIDI has chosen; knobs turned since make it none */
+  float seen[KNOB_COUNT];  /**< of the ports; NaN: not yet */
+  double built[KNOB_KEYS]; /**< of the model; NaN: the drum has no such part */
+  double built_grip;
+  bool moved[KNOB_KEYS]; /**< live values of the drum, from those of its model */
+  bool grip_moved;
+  const TaborSwap *swap; /**< the newest, while it may have to be cleared up */
+
+  TaborEvent events[VOICE_EVENTS]; /**< for the drum, at the frame of now */
+  uint32_t event_count;
+  MidiAction actions[VOICE_ACTIONS]; /**< beside them */
+  uint32_t action_count;
+  float planar[TABOR_MAX_MICS][VOICE_PIECE];
+} Voice;
+
+/** Where a run's sound goes: of each output, or NULL. */
+typedef struct VoiceOutputs {
+  float *channels[VOICE_MICS];
+} VoiceOutputs;
+
+/* SET-UP */
+
+/** False without memory. */
+bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo);
+/** Frees the drum, too. */
+void voice_end(Voice *voice);
+
+/* AUDIO */
+
+/** As if nothing had happened yet; what knobs have set stays. */
+void voice_rest(Voice *voice) REALTIME;
+/** Knob @p id's port says @p value. */
+void voice_turn(Voice *voice, KnobId id, float value) REALTIME;
+/** A whole MIDI message comes at the frame that is played next. */
+void voice_take(Voice *voice, const MidiMessage *message) REALTIME;
+/** Takes what the workshop has ready. */
+void voice_receive(Voice *voice) REALTIME;
+/** Asks the workshop for what is wanted, if it is free. True: now somebody has to work. */
+bool voice_ask(Voice *voice) REALTIME;
+/** True if nothing is wished for that the workshop has not answered. */
+bool voice_is_settled(const Voice *voice) REALTIME;
+/**
+ * Plays up to @p most frames into @p outputs from frame @p at on; returns how many: up to where something
+ * happens. With @p waits it plays none if the drum is to become another one before.
+ */
+uint32_t voice_play(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint32_t most,
+                    bool waits) REALTIME;
+
+#endif

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file plugin_host.h
+ * A host for the LV2 plugins, as small as one can be: knobs, MIDI, runs, a worker, states in memory. Any failure
+ * fails the test.
+ */
+#ifndef TABOR_TESTS_PLUGIN_HOST_H
+#define TABOR_TESTS_PLUGIN_HOST_H
+
+#include <lv2/atom/atom.h>
+#include <lv2/core/lv2.h>
+#include <lv2/state/state.h>
+#include <lv2/urid/urid.h>
+#include <lv2/worker/worker.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "knobs.h"
+#include "midi_stream.h"
+#include "ports.h"
+
+#define HOST_BLOCK 8192 /**< frames of a run at most */
+#define HOST_OUTPUTS 6
+#define HOST_ROOM 65536 /**< bytes of the events of a run */
+#define HOST_PROPERTIES 64
+
+/** Who does what the plugin asks for beside the audio thread. */
+typedef enum HostWorker {
+  HOST_WITHOUT_WORKER, /**< the plugin by itself */
+  HOST_WORKER_THREAD,
+  HOST_WORKER_AT_ONCE, /**< the thread that runs it, while it asks */
+  HOST_WORKER_REFUSES  /**< nobody: there is no room */
+} HostWorker;
+
+/** A property of a state. */
+typedef struct HostProperty {
+  char uri[128];
+  uint32_t type, flags;
+  size_t size;
+  void *value;
+} HostProperty;
+
+typedef struct HostState {
+  HostProperty properties[HOST_PROPERTIES];
+  uint32_t count;
+} HostState;
+
+/** A MIDI message at its frame. */
+typedef struct HostMessage {
+  uint64_t frame;
+  MidiMessage message;
+} HostMessage;
+
+typedef struct PluginHost {
+  const LV2_Descriptor *descriptor;
+  LV2_Handle handle;
+  bool stereo;
+  HostWorker worker;
+  uint32_t outputs;
+  float knobs[KNOB_COUNT], freewheel, ready;
+  float sound[HOST_OUTPUTS][HOST_BLOCK];
+  union {
+    LV2_Atom_Sequence sequence;
+    uint64_t room[HOST_ROOM / 8];
+  } events;
+  LV2_Worker_Schedule scheduler;
+  LV2_URID_Map urids;
+  uint64_t position; /**< frames that were run */
+  pthread_t thread;
+  atomic_uint asked, done; /**< calls of the worker */
+  atomic_bool stops;
+} PluginHost;
+
+/** What all hosts map URIs with; any thread. */
+LV2_URID host_map(const char *uri);
+/** The plugin @p uri of the binary TABOR_LV2_BINARY, or with NULL for @p binary of this program. */
+const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
+
+/** Instantiates, connects all ports and activates at 48 kHz; knobs stand at their defaults. */
+PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);
+void host_close(PluginHost *host);
+/** For the next run; in order of @p frame. */
+void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes);
+/** For the next run: a stroke. */
+void host_note(PluginHost *host, int64_t frame, uint8_t key, uint8_t velocity);
+/** Runs, with the events that were put there, which are gone then. */
+void host_run(PluginHost *host, uint32_t frames);
+/** Runs until the plugin is ready, in silence or not, 20 s at most. */
+void host_wait(PluginHost *host);
+/**
+ * Plays @p count messages, in order of their frames from now on, until @p frames have been played into
+ * @p sound, [channel][frame], in runs of @p block frames, 0: of random sizes from 0 to HOST_BLOCK.
+ */
+void host_play(PluginHost *host, const HostMessage *messages, size_t count, uint32_t frames,
+               uint32_t block, float *const *sound);
+
+/** Free with host_state_free(). */
+void host_save(PluginHost *host, HostState *state);
+LV2_State_Status host_restore(PluginHost *host, const HostState *state);
+void host_state_free(HostState *state);
+/** The property, or NULL. */
+HostProperty *host_property(HostState *state, const char *uri);
+/** Adds one, or replaces its value. */
+void host_set_property(HostState *state, const char *uri, const char *type, const void *value,
+                       size_t size);
+
+/** Largest of @p count samples, in size. */
+double host_peak(const float *samples, uint32_t count);
+/** The next of a sequence of numbers from 0 to below 1. */
+double host_random(uint64_t *state);
+
+#endif

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The plugins play a MIDI file as `tabor render --midi-file` does, to the bit, whatever the sizes of the runs
+ * are.
+ *
+ * test_lv2_render PROGRAM PLUGINS [brief]
+ */
+#include "plugin_host.h"
+
+#include "midi_file.h" /* before cmocka, which takes the name of fail() */
+#include <math.h>
+#include <setjmp.h>
+#include <sndfile.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "midi_writer.h"
+#include "uris.h"
+
+#define DIVISION 480 /* ticks of a quarter, which is half a second */
+#define MOST_FRAMES 48000
+#define MOST_MESSAGES 256
+
+static const char *program, *plugins;
+static bool brief;
+static char folder[] = "/tmp/tabor-lv2-XXXXXX";
+
+/* ---- songs ---------------------------------------------------------------------------------- */
+
+typedef struct Song {
+  MidiWriter writer;
+  HostMessage messages[MOST_MESSAGES];
+  size_t count;
+} Song;
+
+static Song song;
+
+static void begin_song(void) {
+  midi_write_header(&song.writer, 0, 1, DIVISION);
+  midi_write_track(&song.writer);
+}
+
+static void add(uint32_t delta, uint8_t status, uint8_t first, uint8_t second) {
+  const uint8_t bytes[] = {status, first, second};
+  midi_write_event(&song.writer, delta, 1u + midi_data_count(status), bytes);
+}
+
+static void path_to(char *path, size_t size, const char *name) {
+  (void)snprintf(path, size, "%s/%s", folder, name);
+}
+
+/* Writes the file, and reads from it what the plugin is to get at which frames. */
+static void end_song(void) {
+  char path[256];
+  MidiFile file;
+  midi_write_end(&song.writer, 0);
+  path_to(path, sizeof path, "song.mid");
+  FILE *const stream = fopen(path, "wb");
+  assert_non_null(stream);
+  assert_int_equal(fwrite(song.writer.bytes, 1, song.writer.length, stream), song.writer.length);
+  assert_int_equal(fclose(stream), 0);
+  assert_int_equal(midi_file_read(path, &file), OUTCOME_OK);
+  assert_true(file.count <= MOST_MESSAGES);
+  song.count = file.count;
+  for (size_t i = 0; i < file.count; i++) {
+    song.messages[i] =
+      (HostMessage){(uint64_t)llround(48000 * file.events[i].time), file.events[i].message};
+  }
+  midi_file_free(&file);
+}
+
+/* Everything that MIDI can do: places, grip, strainer, gain, hands, silence and strokes that wait for it,
+   velocities of high resolution, notes of all kinds. */
+static void write_all(void) {
+  begin_song();
+  add(0, 0x99, 38, 100);
+  add(60, 0xB9, 16, 90);
+  add(0, 0xB9, 17, 20);
+  add(10, 0xB9, 88, 55);
+  add(0, 0x99, 41, 70);
+  add(40, 0x99, 36, 127);
+  add(0, 0x99, 37, 90);
+  add(7, 0xB9, 20, 10);
+  add(25, 0xD9, 90, 0);
+  add(31, 0xD9, 0, 0);
+  add(1, 0xA9, 38, 30);
+  add(20, 0xB9, 7, 100);
+  add(3, 0x99, 40, 80);
+  add(5, 0xB9, 11, 40);
+  add(20, 0xB9, 20, 127);
+  add(0, 0x99, 39, 80);
+  add(50, 0xB9, 120, 0);
+  add(4, 0x99, 38, 110);
+  add(1, 0xB9, 11, 127);
+  add(0, 0x89, 38, 64);
+  add(30, 0x99, 60, 100);
+  add(30, 0x99, 48, 20);
+  end_song();
+}
+
+static void write_presets(void) {
+  uint8_t presets[3] = {0, 1, 0}; /* tabor and frame-drum, which continue nothing of each other */
+  begin_song();
+  add(0, 0xC9, presets[0], 0);
+  add(0, 0x99, 38, 100);
+  add(200, 0xC9, presets[1], 0);
+  add(0, 0x99, 38, 90);
+  add(100, 0xC9, presets[2], 0);
+  add(20, 0x99, 38, 90);
+  end_song();
+}
+
+/* ---- both ways ------------------------------------------------------------------------------ */
+
+typedef struct Take {
+  uint32_t frames, channels;
+  float *sound[HOST_OUTPUTS];
+} Take;
+
+static void open_take(Take *take, uint32_t channels) {
+  *take = (Take){.frames = MOST_FRAMES, .channels = channels};
+  for (uint32_t i = 0; i < channels; i++) {
+    take->sound[i] = calloc(MOST_FRAMES, sizeof(float));
+    assert_non_null(take->sound[i]);
+  }
+}
+
+static void close_take(Take *take) {
+  for (uint32_t i = 0; i < take->channels; i++) free(take->sound[i]);
+}
+
+/* As `tabor render` has it. */
+static void render(const char *options, const char *const *mics, Take *take) {
+  char command[1024], path[256];
+  size_t length = (size_t)snprintf(command, sizeof command,
+                                   "'%s' render -q --midi-file '%s/song.mid' --format float "
+                                   "-o '%s/song.wav' --duration 1 %s",
+                                   program, folder, folder, options);
+  for (uint32_t i = 0; i < take->channels; i++) {
+    length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
+  }
+  assert_int_equal(system(command), 0);
+  path_to(path, sizeof path, "song.wav");
+  SF_INFO info = {0};
+  SNDFILE *const file = sf_open(path, SFM_READ, &info);
+  assert_non_null(file);
+  assert_int_equal(info.channels, take->channels);
+  assert_int_equal(info.frames, take->frames);
+  float frame[HOST_OUTPUTS];
+  for (uint32_t at = 0; at < take->frames; at++) {
+    assert_int_equal(sf_readf_float(file, frame, 1), 1);
+    for (uint32_t i = 0; i < take->channels; i++) take->sound[i][at] = frame[i];
+  }
+  sf_close(file);
+}
+
+static void play(PluginHost *host, uint32_t block, Take *take) {
+  host->freewheel = 1;
+  host_play(host, song.messages, song.count, take->frames, block, take->sound);
+}
+
+static void compare(const Take *expected, const Take *take, uint32_t block) {
+  for (uint32_t i = 0; i < take->channels; i++) {
+    for (uint32_t at = 0; at < take->frames; at++) {
+      if (expected->sound[i][at] == take->sound[i][at]) continue;
+      fail_msg("runs of %u, channel %u, frame %u: %.9g, not %.9g", (unsigned)block, (unsigned)i,
+               (unsigned)at, (double)take->sound[i][at], (double)expected->sound[i][at]);
+    }
+  }
+  assert_true(host_peak(take->sound[0], take->frames) > 0.01);
+}
+
+static const char *const pair[] = {"left", "right"};
+static const char *const all[] = {"top", "bottom", "near", "far", "left", "right"};
+
+/* ---- tests ---------------------------------------------------------------------------------- */
+
+/* Set by @p prepare before the first run. */
+static void same_as_render(const char *uri, const char *options, void (*prepare)(PluginHost *),
+                           const uint32_t *blocks, size_t count) {
+  const bool stereo = strcmp(uri, URI_DRUM) == 0;
+  Take expected, take;
+  open_take(&expected, port_outputs(stereo));
+  open_take(&take, port_outputs(stereo));
+  render(options, stereo ? pair : all, &expected);
+  for (size_t i = 0; i < count; i++) {
+    PluginHost *const host = host_open(host_descriptor(plugins, uri), HOST_WITHOUT_WORKER);
+    if (prepare) prepare(host);
+    play(host, blocks[i], &take);
+    compare(&expected, &take, blocks[i]);
+    host_close(host);
+  }
+  close_take(&expected);
+  close_take(&take);
+}
+
+static void at_draft(PluginHost *host) { host->knobs[KNOB_QUALITY] = 0; }
+
+static void test_runs_of_every_size(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {1, 3, 64, 1000, HOST_BLOCK, 0, 0};
+  write_all();
+  same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, brief ? 3 : 7);
+}
+
+static void test_the_usual_quality_is_live(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {256};
+  write_all();
+  same_as_render(URI_DRUM, "--quality live", NULL, blocks, 1);
+}
+
+static void test_an_output_per_microphone(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {512, 0};
+  write_all();
+  same_as_render(URI_DRUM_MULTI, "--quality draft", at_draft, blocks, 2);
+}
+
+static void test_program_changes(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {100, 4096, 0};
+  write_presets();
+  same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, 3);
+}
+
+static void turned(PluginHost *host) {
+  at_draft(host);
+  host->knobs[KNOB_BATTER_TENSION] = 4321;
+  host->knobs[KNOB_STICK_HARDNESS] = 5e6f;
+  host->knobs[KNOB_STRIKE_RADIUS] = 0.08f;
+  host->knobs[KNOB_STRIKE_ANGLE] = -45;
+  host->knobs[KNOB_VELOCITY_CURVE] = 2;
+  host->knobs[KNOB_HUMANIZE] = 0.7f;
+  host->knobs[KNOB_GAIN] = -7.25f;
+}
+
+static void test_knobs_are_options(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {256, 0};
+  write_all();
+  same_as_render(URI_DRUM,
+                 "--quality draft --set batter.tension=4321 --set "
+                 "striker.stick.contact_stiffness=5e6 --set strike.radius=0.08 --set "
+                 "strike.angle=-45 --velocity-curve hard --humanize 0.7 --gain -7.25",
+                 turned, blocks, 2);
+}
+
+static void test_silence_is_exactly_zero(void **state) {
+  (void)state;
+  PluginHost *const host = host_open(host_descriptor(plugins, URI_DRUM), HOST_WITHOUT_WORKER);
+  at_draft(host);
+  host->freewheel = 1;
+  for (int run = 0; run < 20; run++) {
+    host_run(host, 512);
+    for (uint32_t i = 0; i < 2; i++) assert_true(host_peak(host->sound[i], 512) == 0);
+  }
+  host_note(host, 5, 38, 100);
+  host_run(host, 5);
+  assert_true(host_peak(host->sound[0], 5) == 0);
+  host_close(host);
+}
+
+int main(int argc, char **argv) {
+  if (argc < 3) return 1;
+  program = argv[1];
+  plugins = argv[2];
+  brief = argc > 3;
+  if (!mkdtemp(folder)) return 1;
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_runs_of_every_size),
+    cmocka_unit_test(test_the_usual_quality_is_live),
+    cmocka_unit_test(test_an_output_per_microphone),
+    cmocka_unit_test(test_program_changes),
+    cmocka_unit_test(test_knobs_are_options),
+    cmocka_unit_test(test_silence_is_exactly_zero),
+  };
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  char command[64];
+  (void)snprintf(command, sizeof command, "rm -r '%s'", folder);
+  return system(command) == 0 ? failed : 1;
+}

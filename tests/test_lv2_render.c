@@ -189,7 +189,7 @@ static void same_as_render(const char *uri, const char *options, void (*prepare)
   open_take(&expected, port_outputs(stereo));
   open_take(&take, port_outputs(stereo));
   render(options, stereo ? pair : all, &expected);
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < (brief ? 1 : count); i++) {
     PluginHost *const host = host_open(host_descriptor(plugins, uri), HOST_WITHOUT_WORKER);
     if (prepare) prepare(host);
     play(host, blocks[i], &take);
@@ -204,9 +204,9 @@ static void at_draft(PluginHost *host) { host->knobs[KNOB_QUALITY] = 0; }
 
 static void test_runs_of_every_size(void **state) {
   (void)state;
-  static const uint32_t blocks[] = {1, 3, 64, 1000, HOST_BLOCK, 0, 0};
+  static const uint32_t blocks[] = {37, 1, 64, 1000, HOST_BLOCK, 0, 0};
   write_all();
-  same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, brief ? 3 : 7);
+  same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, 7);
 }
 
 static void test_the_usual_quality_is_live(void **state) {

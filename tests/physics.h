@@ -48,6 +48,21 @@ static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, ui
   return model;
 }
 
+/* What the ledger's residual stays within, in parts of the energy put in: contacts are solved in single precision
+ * at `draft` and `live` (singlesolve.h), in double at `studio` and `reference`. */
+static inline double physics_residual(uint32_t quality) {
+  return quality <= TABOR_QUALITY_LIVE ? 1e-6 : 1e-9;
+}
+
+/* A drum of the size of `live` with contacts in double: what studio does, faster. */
+static inline TaborDrumDef physics_small(const TaborDrumDef *def) {
+  TaborDrumDef small = *def;
+  if (small.quality.two_way_bandwidth == 0.0) small.quality.two_way_bandwidth = 2500.0;
+  if (small.quality.newton_cap == 0) small.quality.newton_cap = 8;
+  if (small.quality.wire_points == 0) small.quality.wire_points = def->wires.count > 8 ? 24 : 64;
+  return small;
+}
+
 static inline TaborDrum *physics_drum(TaborModel *model) {
   TaborDrum *drum;
   TaborError error = {0};

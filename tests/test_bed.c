@@ -186,8 +186,9 @@ static void compliance_agrees_with_the_modes(void **state) {
 static void twenty_wires_keep_their_ledger(void **state) {
   (void)state;
   for (uint32_t losses = 0; losses < 2; losses++) {
-    for (uint32_t quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_LIVE; quality++) {
+    for (uint32_t quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_STUDIO; quality++) {
       TaborDrumDef def = snares(20);
+      if (quality == TABOR_QUALITY_STUDIO) def = physics_small(&def);
       def.quality.losses = losses;
       TaborModel *model = physics_model(&def, 48000.0, quality);
       TaborDrum *drum = physics_drum(model);
@@ -201,8 +202,8 @@ static void twenty_wires_keep_their_ledger(void **state) {
                     quality, losses, ledger.residual / ledger.injected, ledger.injected,
                     (unsigned long long)statistics.newton_capped,
                     (unsigned long long)statistics.solves);
-      assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
-      assert_true(losses || ledger.contact_loss == 0.0);
+      assert_true(fabs(ledger.residual) < physics_residual(quality) * ledger.injected);
+      assert_true(losses || fabs(ledger.contact_loss) < 1e-4 * ledger.injected);
       assert_true(statistics.contact_max > 100);
       tabor_drum_destroy(drum);
       tabor_model_release(model);

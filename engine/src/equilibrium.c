@@ -265,9 +265,7 @@ static TaborStatus wire_statics(const TaborModel *model, TbArena *scratch, Stati
 
 static void rest_head(TaborModel *model, const Statics *s, double *modal) {
   const TbModes *modes = &model->modes;
-  const TbBed *bed = &model->projection.bed;
   TbRest *rest = &model->rest;
-  tb_bed_contract(bed, model->kernels, rest->force, s->fold, rest->grid);
   tb_project_forces(&model->projection, model->kernels, rest->grid, modal);
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
@@ -306,8 +304,25 @@ static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
   return !scratch->failed;
 }
 
-/* The forces as the step will compute them, so that they cancel to the bit. */
-static void settle(TaborModel *model, double *zero, double *ignored) {
+/* The forces as the step will compute them, so that they cancel to the bit, in single precision. */
+static bool settle_single(TaborModel *model, TbArena *scratch) {
+  const TbSingleKernels *kernels = model->single_kernels;
+  const uint32_t n = model->wires.stride;
+  float *row[5], *grid = tb_arena_take(scratch, model->single_bed.size, sizeof *grid);
+  float *fold = tb_arena_take(scratch, tb_single_bed_scratch(&model->single_bed), sizeof *fold);
+  for (int i = 0; i < 5; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
+  if (scratch->failed) return false;
+  kernels->narrow(n, model->rest.eta, row[0]);
+  kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[1], row[2],
+                row[3], row[4]);
+  kernels->widen(n, row[2], model->rest.force);
+  kernels->contract(&model->single_bed, row[2], fold, grid);
+  kernels->widen(model->single_bed.size, grid, model->rest.grid);
+  return true;
+}
+
+/* ... and in double. */
+static void settle(TaborModel *model, double *fold, double *zero, double *ignored) {
   const TbWires *wires = &model->wires;
   TbRest *rest = &model->rest;
   for (uint32_t row = 0; row < wires->stride; row++) {
@@ -318,6 +333,7 @@ static void settle(TaborModel *model, double *zero, double *ignored) {
     tb_law_forces(&wires->laws[w], model->kernels, wires->lanes, rest->eta + row, zero + row,
                   rest->force + row, ignored + row, ignored + row);
   }
+  tb_bed_contract(&model->projection.bed, model->kernels, rest->force, fold, rest->grid);
 }
 
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
@@ -340,7 +356,8 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   }
   if (status == TABOR_OK) status = balance(model, scratch, &s, y, rest->eta);
   if (status != TABOR_OK) return status;
-  settle(model, zero, s.yielded);
+  settle(model, s.fold, zero, s.yielded);
+  if (model->single_kernels && !settle_single(model, scratch)) return TABOR_ERROR_MEMORY;
   rest_head(model, &s, modal);
   rest_wires(model, s.responses);
   return TABOR_OK;

@@ -171,19 +171,9 @@ double tb_law_loss(const TbLaw *law, double y, double s) {
   return 0.5 * work_of(law, y, s) * (factor > 0.0 ? law->loss * s : -1.0);
 }
 
-/* Twice the exponent where the kernels have a formula for it, else 0. */
-static uint32_t power_of(const TbLaw *law) {
-  switch (law->kind) {
-  case TB_LAW_LINEAR: return 2;
-  case TB_LAW_THREE_HALF: return 3;
-  case TB_LAW_SQUARE: return 4;
-  default: return 0;
-  }
-}
-
 void tb_law_forces(const TbLaw *law, const TbKernels *kernels, uint32_t n, const double *y,
                    const double *s, double *force, double *slope, double *mean) {
-  const uint32_t power = power_of(law);
+  const uint32_t power = tb_law_power(law);
   if (power) {
     kernels->law(law, power, n, y, s, force, slope, mean);
     return;

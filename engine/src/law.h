@@ -43,6 +43,16 @@ typedef struct TbLawResult {
   double mean;         /* DV/s [N]: what the force would be without loss; 0 for a damper */
 } TbLawResult;
 
+/* Twice the exponent where the kernels have a formula for it, else 0. */
+static inline uint32_t tb_law_power(const TbLaw *law) {
+  switch (law->kind) {
+  case TB_LAW_LINEAR: return 2;
+  case TB_LAW_THREE_HALF: return 3;
+  case TB_LAW_SQUARE: return 4;
+  default: return 0;
+  }
+}
+
 /* lambda [s/m], time_step k [s], slope_limit G [N/m] (infinite for none). Set-up or audio. */
 void tb_law_prepare(TbLaw *law, double stiffness, double exponent, double lambda, double time_step,
                     double slope_limit);

@@ -22,8 +22,8 @@ typedef struct Level {
 
 static Level level_of(uint32_t quality) {
   switch (quality) {
-  case TABOR_QUALITY_DRAFT: return (Level){3000.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
-  case TABOR_QUALITY_LIVE: return (Level){5000.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2};
+  case TABOR_QUALITY_DRAFT: return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
+  case TABOR_QUALITY_LIVE: return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2};
   case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
   default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3};
   }
@@ -66,6 +66,15 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
                     model->high_patches[striker], drive);
 }
 
+/* No set is wider than AVX2's where eight numbers are one register. */
+static const TbSingleKernels *single_kernels_of(const TbKernels *kernels) {
+#ifdef TB_HAVE_AVX2
+  if (kernels != &tb_kernels_baseline) return &tb_single_kernels_avx2;
+#endif
+  (void)kernels;
+  return &tb_single_kernels_baseline;
+}
+
 /* ---- contacts ------------------------------------------------------------------------------- */
 
 /* What the head does one step after a force. */
@@ -73,6 +82,20 @@ static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   return tb_compliance_prepare(&model->compliance, &model->arena, &model->projection,
                                model->modes.g);
+}
+
+/* After the laws, which tell whether it can be. */
+static TaborStatus prepare_single(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  if (model->quality > TABOR_QUALITY_LIVE || model->wires.count == 0) return TABOR_OK;
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    if (!tb_law_power(&model->wires.laws[w])) return TABOR_OK;
+  }
+  model->single_kernels = single_kernels_of(model->kernels);
+  return tb_single_bed_prepare(&model->single_bed, &model->arena, &model->projection.bed,
+                               &model->compliance)
+           ? TABOR_OK
+           : TABOR_ERROR_MEMORY;
 }
 
 static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
@@ -247,7 +270,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_stretch,
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_single, prepare_stretch,
                            tb_lift_prepare, prepare_center,     prepare_mics,   prepare_patches,
                            prepare_missing, allocate_rest,      tb_rest_prepare};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {

@@ -62,6 +62,7 @@ typedef struct TbLayout {
   size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
     weight, solution, work;
   size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
+  size_t single; /* the arrays of TbSingle, one after the other */
   size_t high[3], high_drive, high_groups, high_force, modal, stretch_pull[2], stretch_grid[2],
     stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
@@ -88,6 +89,8 @@ struct TaborModel {
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
+  TbSingleBed single_bed;  /* of both, where contacts are solved in single precision, */
+  const TbSingleKernels *single_kernels; /* ... by these; else NULL */
   TbStretch stretch;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1];    /* of each striker, then of a hand */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "profile.h"
+#include "singlesolve.h"
 
 /* Newton has converged when the residual is rounding noise of what it is a difference of. */
 static const double RELATIVE_TOLERANCE = 1e-14;
@@ -40,10 +41,8 @@ void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *
   }
 }
 
-/* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
- * yield to forces on the grid (`pushed`). */
-static void push_slots(const TbSolve *solve, const double *pushed, const double *slots,
-                       double *answer, double *out) {
+void tb_solve_slots(const TbSolve *solve, const double *pushed, const double *slots, double *answer,
+                    double *out) {
   const uint32_t size = solve->bed->size;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     out[slot] = 0.0;
@@ -69,7 +68,7 @@ static void product_of(const TbSolve *solve, bool wires, const double *x, double
     memset(grid, 0, bytes);
     memset(solve->answer, 0, bytes);
   }
-  push_slots(solve, grid, x + solve->stride, solve->answer, slots);
+  tb_solve_slots(solve, grid, x + solve->stride, solve->answer, slots);
   tb_solve_stretch(solve, grid, x + solve->stride, solve->answer, slots);
   if (solve->lifted) {
     memset(out, 0, solve->stride * sizeof(double));
@@ -80,7 +79,11 @@ static void product_of(const TbSolve *solve, bool wires, const double *x, double
 }
 
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out) {
-  product_of(solve, true, x, grid, out);
+  if (solve->single.kernels && !solve->lifted) {
+    tb_single_product(solve, x, grid, out);
+  } else {
+    product_of(solve, true, x, grid, out);
+  }
 }
 
 /* ---- laws ----------------------------------------------------------------------------------- */
@@ -312,7 +315,7 @@ static void majorant_step(TbSolve *solve, bool safe, TbSolveOutcome *outcome) {
     if (!law) continue;
     solve->force[row] = tb_law_static_force(law, solve->y[row]) + solve->slope[row] * solve->s[row];
   }
-  tb_solve_product(solve, solve->force, solve->grid, solve->product);
+  product_of(solve, true, solve->force, solve->grid, solve->product);
   follow(solve);
   double contact = 0.0, damper = 0.0;
   const Balance h = majorant_work(solve, &contact, &damper);
@@ -431,6 +434,7 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
     return outcome;
   }
   outcome.contact = true;
+  if (solve->single.kernels && !solve->lifted && tb_single_solve(solve, &outcome)) return outcome;
   start(solve);
   bool astray = false;
   if (iterate(solve, &outcome, &astray)) {

@@ -26,12 +26,24 @@
 #ifndef TB_SOLVE_H
 #define TB_SOLVE_H
 
-#include "compliance.h"
 #include "law.h"
+#include "singlebed.h"
+#include "singlekernels.h"
 #include "tabor/tabor.h"
 
 /* Strikers and hands, then a muffler for each head; a multiple of 8. */
 #define TB_SLOTS 16u
+
+/* What the solve in single precision works in (singlesolve.h); without kernels there is none. */
+typedef struct TbSingle {
+  const TbSingleKernels *kernels;
+  const TbSingleBed *bed;
+  /* [stride + TB_SLOTS] */
+  float *y, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
+    *weight, *residual, *direction, *turned, *moved, *solution, *work;
+  float *grid, *grid_last, *pushed, *answer; /* [bed size] */
+  float *scratch;                            /* [tb_single_bed_scratch] */
+} TbSingle;
 
 /* Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of
  * which `slot_mask` tells the ones in play. Rows that stand for nothing have y far below 0 and no force:
@@ -63,6 +75,7 @@ typedef struct TbSolve {
   double *residual, *direction, *turned, *moved, *weight, *solution, *work;
   double *pushed, *answer; /* [bed size] */
   double *scratch;         /* [tb_bed_scratch] */
+  TbSingle single;
 } TbSolve;
 
 typedef struct TbSolveOutcome {
@@ -81,6 +94,11 @@ void tb_solve_forget(TbSolve *solve);
 /* out = M x; the rest load is computed by this too, so that it cancels to the bit. `grid` receives x
  * on the grid. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
+
+/* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
+ * yield to forces on the grid (`pushed`). */
+void tb_solve_slots(const TbSolve *solve, const double *pushed, const double *slots, double *answer,
+                    double *out);
 
 /* What the stretching of the heads takes from their answer to forces on the grid and at the slots. */
 void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *slots,

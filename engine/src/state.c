@@ -11,6 +11,16 @@ static size_t place(size_t *total, size_t count) {
   return at;
 }
 
+/* Arrays by rows and by points of the grid in TbSingle. */
+enum { SINGLE_ROWS = 18, SINGLE_GRIDS = 4 };
+
+static size_t single_floats(const TaborModel *model) {
+  if (!model->single_kernels) return 0;
+  return SINGLE_ROWS * (size_t)(model->wires.stride + TB_SLOTS) +
+         SINGLE_GRIDS * (size_t)model->single_bed.size +
+         tb_pad(tb_single_bed_scratch(&model->single_bed));
+}
+
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   const size_t modes = model->modes.padded, nodes = model->wires.node_count;
   const size_t rows = model->wires.stride + TB_SLOTS;
@@ -40,6 +50,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     *grid_arrays[i] = place(&total, bed->size);
   }
   layout->scratch = place(&total, tb_bed_scratch(bed));
+  layout->single = place(&total, single_floats(model) / 2);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_groups = place(&total, TB_HIGH_GROUPS);
@@ -82,6 +93,23 @@ static void view_phases(TbView *view) {
   view->solve.y = view->last.eta;
 }
 
+static TbSingle single_at(TbState *state, const TaborModel *model) {
+  TbSingle single = {.kernels = model->single_kernels, .bed = &model->single_bed};
+  if (!single.kernels) return single;
+  float *next = (float *)(void *)((char *)state + model->layout.single);
+  float **const rows[SINGLE_ROWS] = {
+    &single.y,     &single.b,          &single.own,          &single.s,         &single.force,
+    &single.product, &single.force_last, &single.product_last, &single.law,       &single.slope,
+    &single.mean,  &single.weight,     &single.residual,     &single.direction, &single.turned,
+    &single.moved, &single.solution,   &single.work};
+  float **const grids[SINGLE_GRIDS] = {&single.grid, &single.grid_last, &single.pushed,
+                                       &single.answer};
+  for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
+  single.scratch = next;
+  return single;
+}
+
 static TbSolve solve_at(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
   return (TbSolve){.kernels = model->kernels,
@@ -119,7 +147,8 @@ static TbSolve solve_at(TbState *state, const TaborModel *model) {
                    .work = at(state, l->work),
                    .pushed = at(state, l->pushed),
                    .answer = at(state, l->answer),
-                   .scratch = at(state, l->scratch)};
+                   .scratch = at(state, l->scratch),
+                   .single = single_at(state, model)};
 }
 
 TbView tb_view(TbState *state, const TaborModel *model) {

@@ -78,7 +78,8 @@ static INLINE Vector curvature(const LawLanes *law, uint32_t power, Knee knee, V
 }
 
 /* Mean of V' between lo and hi: of one piece directly, so that equal ends need no division. */
-static INLINE Vector mean_force(const LawLanes *law, uint32_t power, Knee knee, Vector lo, Vector hi) {
+static INLINE Vector mean_force(const LawLanes *law, uint32_t power, Knee knee, Vector lo,
+                                Vector hi) {
   const Vector from = vector_larger(lo, none()), top = vector_smaller(hi, knee.at);
   const Vector power_top = vector_larger(top, none()), power_from = vector_smaller(from, power_top);
   const Vector power_mean = law->stiffness * mean_power(power, power_from, power_top);
@@ -115,7 +116,8 @@ static INLINE Secant secant_of_line(const LawLanes *law, Vector y, Vector s, Vec
   const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
   const Vector way = vector_pick(vector_greater(vector_size_of(s), none()), s, every(REAL(1.0)));
   const Vector part = (end - begin) / way;
-  const Vector e = vector_pick(vector_greater(none(), vector_smaller(x, y)), part, every(REAL(1.0)));
+  const Vector e =
+    vector_pick(vector_greater(none(), vector_smaller(x, y)), part, every(REAL(1.0)));
   const Vector half = REAL(0.5) * e;
   const Vector rest = vector_pick(vector_greater(s, none()), REAL(1.0) - half, half);
   return (Secant){law->stiffness * (end + begin) * half, law->stiffness * e * rest};
@@ -135,7 +137,8 @@ static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vect
   }
   const Vector p = vector_root(y), q = vector_root(x), roots = p + q, both = roots * gap;
   /* One division for two; of what is so small nothing is left. */
-  const Vector inverse = REAL(1.0) / vector_pick(vector_greater(both, every(NEGLIGIBLE)), both, every(REAL(1.0)));
+  const Vector inverse =
+    REAL(1.0) / vector_pick(vector_greater(both, every(NEGLIGIBLE)), both, every(REAL(1.0)));
   const Vector per_roots = gap * inverse;
   const Vector cubic = q * (REAL(3.0) * x + REAL(4.0) * y) + p * (REAL(6.0) * x + REAL(2.0) * y);
   *force = law->stiffness * (x * q);

@@ -270,9 +270,9 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_single, prepare_stretch,
-                           tb_lift_prepare, prepare_center,     prepare_mics,   prepare_patches,
-                           prepare_missing, allocate_rest,      tb_rest_prepare};
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_single,
+                           prepare_stretch, tb_lift_prepare,    prepare_center, prepare_mics,
+                           prepare_patches, prepare_missing,    allocate_rest,  tb_rest_prepare};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }

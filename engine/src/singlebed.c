@@ -78,9 +78,9 @@ bool tb_single_bed_prepare(TbSingleBed *single, TbArena *arena, TbBed *bed,
   single->across = tb_arena_take(arena, across, sizeof *single->across);
   single->contract =
     tb_arena_take(arena, (size_t)bed->lanes * single->padded, sizeof *single->contract);
-  single->expand = tb_arena_take(arena, (size_t)bed->lanes * single->columns, sizeof *single->expand);
-  single->place =
-    tb_arena_take(arena, (size_t)bed->lines * single->columns, sizeof *single->place);
+  single->expand =
+    tb_arena_take(arena, (size_t)bed->lanes * single->columns, sizeof *single->expand);
+  single->place = tb_arena_take(arena, (size_t)bed->lines * single->columns, sizeof *single->place);
   if (arena->failed) return false;
   for (size_t i = 0; i < across; i++) single->across[i] = (float)bed->across[i];
   fill_shapes(single, bed);

@@ -16,10 +16,10 @@ typedef struct TbSingleBed {
   float *across;                                      /* [wires][lines] */
   float *contract;                                    /* [lanes][padded] */
   float *expand;                                      /* [lanes/8][columns][8] */
-  uint32_t *place;         /* [lines][columns]: where in a grid vector */
-  uint32_t classes;        /* of the compliance, */
-  uint32_t first[5];       /* where each begins in a grid vector, */
-  const float *matrix[4];  /* and its matrix, [points/8][points][8] */
+  uint32_t *place;                                    /* [lines][columns]: where in a grid vector */
+  uint32_t classes;                                   /* of the compliance, */
+  uint32_t first[5];                                  /* where each begins in a grid vector, */
+  const float *matrix[4];                             /* and its matrix, [points/8][points][8] */
 } TbSingleBed;
 
 /* Floats of scratch that contracting and expanding need. */

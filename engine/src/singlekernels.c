@@ -104,7 +104,8 @@ static INLINE void lanes_of(uint32_t n, const TbSingleBed *bed, const float *tab
   Lanes sum[4] = {zero(), zero(), zero(), zero()};
   for (uint32_t a = 0; a < bed->columns; a++) {
     const Lanes shape = load(table + 8u * (uint64_t)a);
-    for (uint32_t l = 0; l < n; l++) sum[l] = add(sum[l], scale(shape, points[l * bed->padded + a]));
+    for (uint32_t l = 0; l < n; l++)
+      sum[l] = add(sum[l], scale(shape, points[l * bed->padded + a]));
   }
   for (uint32_t l = 0; l < n; l++) store(out + (uint64_t)l * bed->lanes, sum[l]);
 }
@@ -293,8 +294,8 @@ static float lost(uint32_t n, const float *s, const float *f, const float *mean)
   return join(sum);
 }
 
-static void extrapolate(uint32_t n, float t, const float *x, const float *before,
-                        const float *base, float *out) {
+static void extrapolate(uint32_t n, float t, const float *x, const float *before, const float *base,
+                        float *out) {
   for (uint32_t i = 0; i < n; i += 8) {
     store(out + i, add(load(base + i), scale(subtract(load(x + i), load(before + i)), t)));
   }

@@ -98,10 +98,10 @@ static TbSingle single_at(TbState *state, const TaborModel *model) {
   if (!single.kernels) return single;
   float *next = (float *)(void *)((char *)state + model->layout.single);
   float **const rows[SINGLE_ROWS] = {
-    &single.y,     &single.b,          &single.own,          &single.s,         &single.force,
+    &single.y,       &single.b,          &single.own,          &single.s,         &single.force,
     &single.product, &single.force_last, &single.product_last, &single.law,       &single.slope,
-    &single.mean,  &single.weight,     &single.residual,     &single.direction, &single.turned,
-    &single.moved, &single.solution,   &single.work};
+    &single.mean,    &single.weight,     &single.residual,     &single.direction, &single.turned,
+    &single.moved,   &single.solution,   &single.work};
   float **const grids[SINGLE_GRIDS] = {&single.grid, &single.grid_last, &single.pushed,
                                        &single.answer};
   for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;

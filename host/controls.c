@@ -13,6 +13,7 @@
 #define LARGEST_GAIN 24.0
 #define MUFFLE 2.0 /* [N s/m]: a pad of gel, where the preset has none */
 #define BUZZ_PRESSURE 0.2
+#define CROSS_STICK_PLACE 0.6  /* of the radius, where its tip lies on the head */
 #define BUZZ_TIME 0.3          /* of a buzz, unless its hand strikes again before [s] */
 #define FIRST_HAND 0xFFFFFF00u /* id of its strokes; the other has the next */
 #define MUFFLE_PLACE 0.75      /* of the radius: where it lies then */
@@ -153,14 +154,16 @@ static void hold(Controls *controls, TaborEvent *event, double time) {
   controls->hand = 1 - controls->hand;
 }
 
-/* Where the last stroke was, as fast as the next. */
+/* Where the last stroke was, as fast as the next; a stick that lies across has its own place. */
 static void strike_with(Controls *controls, const char *technique, double time) {
   const int number = find_technique(technique);
   if (number < 0) {
     (void)refuse("%s: this version has no such stroke yet", technique);
     return;
   }
-  TaborEvent event = make_stroke(controls, controls->last_place, controls->speed);
+  const bool across = number == TABOR_TECHNIQUE_CROSS_STICK;
+  const double place = across ? CROSS_STICK_PLACE : controls->last_place;
+  TaborEvent event = make_stroke(controls, place, controls->speed);
   event.technique = (uint32_t)number;
   if (event.technique == TABOR_TECHNIQUE_BUZZ) hold(controls, &event, time);
   send_event(controls, &event, time);

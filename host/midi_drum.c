@@ -5,8 +5,7 @@
 #include <string.h>
 
 static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
-static const double CROSS_STICK_RADIUS = 0.6;  /* where the stick lies on the head */
-static const double RIM_STROKE_RADIUS = 0.95;  /* nearest to the rim that is a stroke on the head */
+static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */
@@ -72,13 +71,11 @@ static double choose(double note, double controller, double preset) {
   return isnan(controller) ? preset : controller;
 }
 
-/* The engine has no strokes on the rim yet: these are made where they come nearest to. */
 static double stroke_radius(const MidiDrum *drum, const MidiNote *note) {
   const double head = drum->binding.head_radius;
   if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
     return CROSS_STICK_RADIUS * head;
   }
-  if (isnan(note->radius) && note->stroke == MIDI_STROKE_RIM) return RIM_STROKE_RADIUS * head;
   return choose(note->radius * head, drum->radius * head, drum->binding.radius);
 }
 
@@ -110,10 +107,19 @@ static bool end_note(MidiDrum *drum, uint8_t key, MidiAction *action) {
   return act_on_stick(drum, key, TABOR_EVENT_RELEASE, 0, action);
 }
 
+static TaborTechnique technique_of(MidiStroke stroke) {
+  switch (stroke) {
+  case MIDI_STROKE_RIMSHOT: return TABOR_TECHNIQUE_RIMSHOT;
+  case MIDI_STROKE_CROSS_STICK: return TABOR_TECHNIQUE_CROSS_STICK;
+  case MIDI_STROKE_RIM: return TABOR_TECHNIQUE_RIM;
+  case MIDI_STROKE_BUZZ: return TABOR_TECHNIQUE_BUZZ;
+  default: return TABOR_TECHNIQUE_NORMAL;
+  }
+}
+
 static void hold(MidiDrum *drum, uint8_t key, TaborEvent *event) {
   drum->held[key] = true;
   event->id = FIRST_BUZZ + key;
-  event->technique = TABOR_TECHNIQUE_BUZZ;
   event->value = BUZZ_PRESSURE;
 }
 
@@ -132,6 +138,7 @@ static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *ac
     .type = TABOR_EVENT_STRIKE,
     .id = new_id(drum),
     .striker = drum->binding.strikers[key],
+    .technique = technique_of(note->stroke),
     .velocity = note->speed * midi_speed(drum->map->curve, velocity),
     .radius = stroke_radius(drum, note),
     .angle = choose(note->angle, drum->angle, drum->binding.angle),

@@ -92,24 +92,20 @@ static const char *technique_at(const void *list, size_t index) {
   return names[index];
 }
 
-/* What they are, in this order; -1: this version has not got it. */
-static const int techniques[] = {TABOR_TECHNIQUE_NORMAL, -1, -1, -1, TABOR_TECHNIQUE_BUZZ,
-                                 TABOR_TECHNIQUE_SWEEP};
+/* What they are, in this order. */
+static const TaborTechnique techniques[] = {TABOR_TECHNIQUE_NORMAL,      TABOR_TECHNIQUE_RIMSHOT,
+                                            TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_RIM,
+                                            TABOR_TECHNIQUE_BUZZ,        TABOR_TECHNIQUE_SWEEP};
 
 static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
   for (size_t i = 0; technique_at(NULL, i); i++) {
     if (strcmp(value, technique_at(NULL, i)) != 0) continue;
-    if (techniques[i] < 0) {
-      return refuse("%s '%s': not in this version, only 'normal', 'buzz' and 'sweep'", label->text,
-                    value);
-    }
     stroke->event.technique = (uint32_t)techniques[i];
     return OUTCOME_OK;
   }
   char hint[160];
-  suggest_hint(hint, sizeof hint, value, "", technique_at, NULL);
-  if (*hint) return refuse("%s '%s': unknown%s", label->text, value, hint);
-  return refuse("%s '%s': unknown; allowed: normal, buzz, sweep", label->text, value);
+  suggest_choice(hint, sizeof hint, value, "", technique_at, NULL);
+  return refuse("%s '%s': unknown%s", label->text, value, hint);
 }
 
 static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {

@@ -120,8 +120,13 @@ static void test_notes(void **state) {
   static const struct {
     int note;
     double radius; /* of the head; -1: the preset's stroke */
-  } rows[] = {{38, -1}, {36, 0},  {40, -1}, {37, 0.6}, {39, 0.95}, {41, -1},
-              {43, -1}, {45, -1}, {47, -1}, {48, -1},  {50, -1}};
+    TaborTechnique technique;
+  } rows[] = {{38, -1, TABOR_TECHNIQUE_NORMAL},  {36, 0, TABOR_TECHNIQUE_NORMAL},
+              {40, -1, TABOR_TECHNIQUE_RIMSHOT}, {37, 0.6, TABOR_TECHNIQUE_CROSS_STICK},
+              {39, -1, TABOR_TECHNIQUE_RIM},     {41, -1, TABOR_TECHNIQUE_NORMAL},
+              {43, -1, TABOR_TECHNIQUE_NORMAL},  {45, -1, TABOR_TECHNIQUE_NORMAL},
+              {47, -1, TABOR_TECHNIQUE_NORMAL},  {48, -1, TABOR_TECHNIQUE_NORMAL},
+              {50, -1, TABOR_TECHNIQUE_NORMAL}};
   bool mapped[128] = {false};
   for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
     mapped[rows[i].note] = true;
@@ -129,6 +134,7 @@ static void test_notes(void **state) {
     expect_stroke(12, rows[i].radius < 0 ? def.strike.radius : rows[i].radius * def.shell.radius,
                   def.strike.angle);
     assert_int_equal(action.event.id, i + 1);
+    assert_int_equal(action.event.technique, rows[i].technique);
     assert_int_equal(send3(0x80, rows[i].note, 127), 0);
     assert_int_equal(send3(0x90, rows[i].note, 0), 0);
   }
@@ -206,8 +212,8 @@ static void test_place(void **state) {
   assert_int_equal(send3(0xB5, 16, 0), 0);
   assert_int_equal(send3(0x90, 41, 127), 1);
   expect_stroke(12, 0, 90);
-  assert_int_equal(send3(0x90, 39, 127), 1); /* the rim stays where it is */
-  expect_stroke(12, 0.95 * def.shell.radius, 90);
+  assert_int_equal(send3(0x90, 37, 127), 1); /* a stick that lies across stays where it is */
+  expect_stroke(12, 0.6 * def.shell.radius, 90);
 }
 
 static void test_strainer(void **state) {

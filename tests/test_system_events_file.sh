@@ -150,7 +150,6 @@ bad "bad.csv:2: angle '361'" angle 361
 bad "bad.csv:2: radius '0.6'" radius 0.6
 bad "bad.csv:2: radius in per cent '101'.*allowed: 0 to 100" radius 101%
 bad "bad.csv:2: striker 'stik'.*did you mean 'stick'" striker stik
-bad "bad.csv:2: technique 'rim': not in this version" technique rim
 bad "bad.csv:2: technique 'norml'.*did you mean 'normal'" technique norml
 bad "bad.csv:2: event 'pres': unknown.*did you mean 'press'" event pres
 bad "bad.csv:2: pressure '1.1'.*allowed: 0 to 1" pressure 1.1

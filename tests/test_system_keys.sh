@@ -86,8 +86,8 @@ types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e
 same "commands make no strokes" 0 "$(strokes)"
 types 'type :preset tom-12\r' 'wait tabor  tom-12' 'type ]' 'wait tabor  floor-tom-16' 'type [[' \
   'gone floor-tom-16' 'type b' 'wait snares off' 'type b' 'wait snares on' 'type n' 'wait muffle on' \
-  'type n' 'wait muffle off' 'type z' 'wait rimshot: this version has no such stroke yet' 'type ?' \
-  'wait ghost notes' 'type ?' 'gone ghost notes' 'wait strokes 0'
+  'type n' 'wait muffle off' 'type ?' 'wait ghost notes' 'type ?' 'gone ghost notes' \
+  'wait strokes 0' 'type z' 'wait strokes 1' 'type xc' 'wait strokes 3'
 same ":quit and :q quit" "status 0 status 0" "$(for command in quit q; do
   printf 'wait ? help\ntype :%s\\r\n' $command >script
   "$TYPIST" script "$TABOR" play frame-drum --backend null | grep ^status
@@ -112,17 +112,17 @@ failed "--keys: no.ini: No such file" play --keys no.ini --backend null
 
 # lines ARGUMENT...: the messages of a performance that is typed on.
 lines() {
-  printf 'raw\nsleep 0.3\ntype a\nsleep 0.2\ntype z:gain 2\\r?\nsleep 0.2\ntype \\e\nsleep 0.2\ntype \\e\n' >script
+  printf 'raw\nsleep 0.3\ntype a\nsleep 0.2\ntype z:gain 99\\r:gain 2\\r?\nsleep 0.2\ntype \\e\nsleep 0.2\ntype \\e\n' >script
   "$TYPIST" script bash -c '"$@" 2>err.txt' - "$TABOR" play frame-drum --backend null --humanize 0 "$@" >typed
   same "settings without a screen" "settings same" "$(grep ^settings typed)"
 }
 lines --no-ui
-for line in ' s: stroke at 0 % of the radius, 20 degrees, 2.50 m/s' 'rimshot: this version has no' \
+for line in ' s: stroke at 0 % of the radius, 20 degrees, 2.50 m/s' 'allowed: -60 to 24' \
   'gain +2.0 dB' 'a s d f g h j k l      strokes, from' 'Escape again quits'; do
   check "--no-ui says: $line" grep -qF -e "$line" err.txt
 done
 lines --no-ui -q
-same "-q says what goes wrong" "rimshot: this version has no such stroke yet" \
+same "-q says what goes wrong" "gain '99': out of range; allowed: -60 to 24" \
   "$(grep -vE '  |^[[:punct:]]|ran dry' err.txt)"
 TERM=dumb lines
 check "a terminal without a cursor has lines" grep -q 's: stroke at 0 %' err.txt

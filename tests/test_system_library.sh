@@ -244,7 +244,7 @@ refused "a library needs a folder: -o FOLDER" library tabor
 refused "a library needs a folder" library tabor -o ''
 refused "-o 'expected': not a folder" library tabor -o expected
 for technique in rimshot cross-stick rim sweep; do
-  refused "--techniques: technique '$technique': not in this version" library tabor -o new --techniques normal,$technique
+  refused "--techniques '$technique': libraries have no keys for it" library tabor -o new --techniques normal,$technique
 done
 refused "technique 'rimshit': unknown; did you mean 'rimshot'" library tabor -o new --techniques rimshit
 refused "--techniques: 'normal' given twice" library tabor -o new --techniques normal,normal

@@ -132,6 +132,8 @@ static void go_around(const TbView *view, TbBrush *brush, double velocity) {
   brush->around = speed / radius * DEGREES;
 }
 
+static bool is_sweep(const TbStroke *stroke) { return stroke->technique == TABOR_TECHNIQUE_SWEEP; }
+
 static void begin(TbView *view, uint32_t b, const TbStroke *stroke) {
   TbState *state = view->state;
   TbBrush *brush = &state->brushes[b];
@@ -146,7 +148,7 @@ static void begin(TbView *view, uint32_t b, const TbStroke *stroke) {
                      .angle = stroke->angle,
                      .x = stroke->radius * cosine,
                      .y = stroke->radius * sine};
-  if (stroke->sweep) {
+  if (is_sweep(stroke)) {
     go_around(view, brush, stroke->velocity);
   } else {
     brush->slide = SPLAY * stroke->velocity * view->model->time_step;
@@ -168,8 +170,8 @@ static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *
                           .definition = stroke->striker,
                           .radius = place.radius,
                           .angle = place.angle,
-                          .velocity = stroke->sweep ? LAYING : stroke->velocity};
-  const double above = stroke->sweep ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
+                          .velocity = is_sweep(stroke) ? LAYING : stroke->velocity};
+  const double above = is_sweep(stroke) ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
   tb_slots_put(view, slot_of(b, group), &striker, above);
 }
 
@@ -190,7 +192,8 @@ bool tb_brush_strike(TbView *view, const TbStroke *stroke) {
   if (b == TB_BRUSHES) return false;
   begin(view, b, stroke);
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) put_group(view, b, g, stroke);
-  if (stroke->sweep || stroke->buzz) hold(view, b, stroke->pressure);
+  const bool buzz = stroke->technique == TABOR_TECHNIQUE_BUZZ;
+  if (is_sweep(stroke) || buzz) hold(view, b, stroke->pressure);
   view->state->statistics.strikes++;
   tb_live_apply(view);
   return true;

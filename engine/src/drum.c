@@ -33,13 +33,10 @@ static bool fields_finite(const TaborEvent *event) {
 
 static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   if (event->striker >= drum->model->def.striker_count) return false;
-  if (event->technique > TABOR_TECHNIQUE_BUZZ && event->technique != TABOR_TECHNIQUE_SWEEP) {
-    return false;
-  }
+  if (event->technique > TABOR_TECHNIQUE_SWEEP) return false;
   const TbStroke stroke = {.id = event->id,
                            .striker = event->striker,
-                           .buzz = event->technique == TABOR_TECHNIQUE_BUZZ,
-                           .sweep = event->technique == TABOR_TECHNIQUE_SWEEP,
+                           .technique = event->technique,
                            .velocity = clamp(event->velocity, 0.01, 30.0),
                            .radius = place_radius(drum, event->radius),
                            .angle = clamp(event->angle, -1e6, 1e6),
@@ -169,7 +166,9 @@ void tabor_drum_reset(TaborDrum *drum) {
 void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   *statistics = drum->state->statistics;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    statistics->in_play += drum->state->slots[i].kind != TB_SLOT_FREE;
+    const TbSlot *slot = &drum->state->slots[i];
+    const bool counted = slot->partner && slot->partner <= i; /* with the stick's other end */
+    statistics->in_play += slot->kind != TB_SLOT_FREE && !counted;
   }
   for (uint32_t i = 0; i < TB_BRUSHES; i++) statistics->in_play += drum->state->brushes[i].active;
 }

@@ -2,6 +2,7 @@
 #include "energy.h"
 
 #include "lugs.h"
+#include "rod.h"
 #include "stretch.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
@@ -76,8 +77,7 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
-    const double velocity = (next->z[i] - now->z[i]) * view->model->sample_rate;
-    sum += slot->mass * velocity * velocity +
+    sum += tb_rod_motion(view, i, next->z, now->z) +
            tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
            tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
            2.0 * tb_mobility_energy(tb_slot_missing(view, i), view->model->sample_rate,
@@ -89,7 +89,8 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
          tb_lugs_energy(view, next->q, now->q) + wires_energy(view, next, now) +
-         contacts_energy(view, next, now) + strikers_energy(view, next, now);
+         contacts_energy(view, next, now) + strikers_energy(view, next, now) +
+         tb_hoop_energy(&view->model->hoop, view->model->sample_rate, next->hoop, now->hoop);
 }
 
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {
@@ -113,6 +114,10 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
     const double step = next->z[i] - now->z[i];
     all += view->state->slots[i].mass * step * step;
   }
+  for (uint32_t i = 0; i < view->model->hoop.count; i++) {
+    const double step = next->hoop[i] - now->hoop[i];
+    all += step * step;
+  }
   return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
 }
 
@@ -127,6 +132,11 @@ TbLosses tb_losses(const TbView *view) {
       model->kernels
         ->losses(modes->padded, modes->loss_shell, modes->loss_shell, view->next.q, view->last.q)
         .first;
+  }
+  if (view->state->rings) {
+    const TbHoopLosses hoop = tb_hoop_losses(&model->hoop, view->next.hoop, view->last.hoop);
+    losses.shell += hoop.shell;
+    losses.radiated += hoop.radiated;
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;

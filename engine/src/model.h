@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 
 #include "highband.h"
+#include "hoop.h"
 #include "mobility.h"
 #include "solve.h"
 
@@ -85,6 +86,7 @@ struct TaborModel {
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
   TbHighBand high;
+  TbHoop hoop;
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbRest rest;
   TbProjection projection;

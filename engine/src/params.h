@@ -13,8 +13,7 @@
 
 /**
  * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
- * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps
- * (900: hoop).
+ * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps.
  */
 typedef enum TbParamId {
   TB_PARAM_NONE = 0,
@@ -103,6 +102,13 @@ typedef enum TbParamId {
   TB_PARAM_HAND_DAMPING = 801,
   TB_PARAM_HAND_PIVOT = 802,
   TB_PARAM_HAND_GRIP = 803, /**< live */
+
+  TB_PARAM_HOOP_HEIGHT = 900,
+  TB_PARAM_HOOP_MASS = 901,
+  TB_PARAM_HOOP_CONTACT_STIFFNESS = 902,
+  TB_PARAM_HOOP_CONTACT_LOSS = 903,
+  TB_PARAM_HOOP_FREQUENCY = 910, /**< of the first mode; the others' follow, to 917 */
+  TB_PARAM_HOOP_DECAY = 920,     /**< likewise */
 
   TB_PARAM_STRIKE_VELOCITY = 1000,
   TB_PARAM_STRIKE_RADIUS = 1001,

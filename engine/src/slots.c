@@ -6,13 +6,30 @@
 #include "brush.h"
 #include "live.h"
 #include "power.h"
+#include "rimstroke.h"
+#include "rod.h"
 
 static const double AWAY = 0.005;       /* [m] */
 static const double OUT_OF_HAND = 0.05; /* [m] */
 static const double LINGER = 1.0;       /* [s] */
+static const double PALM_TIME = 0.5;    /* [s] */
+static const double HERTZ = 1.5;        /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
   return view->state->slots[slot].kind != TB_SLOT_FREE;
+}
+
+/* What two slots in play share besides the head over one step: the hoop, or the stick. */
+static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
+  const TbSlot *a = &view->state->slots[slot], *b = &view->state->slots[other];
+  const double k = view->model->time_step;
+  double sum = 0.0;
+  if (a->on_hoop && b->on_hoop) {
+    sum += tb_hoop_compliance(&view->model->hoop, view->state->hoop_shape[slot],
+                              view->state->hoop_shape[other]);
+  }
+  if (a->partner == other + 1u) sum += k * k * a->cross;
+  return sum;
 }
 
 /* How the head yields at this slot to forces everywhere, over one step: its shape, what a unit force
@@ -32,7 +49,8 @@ static void couple(TbView *view, uint32_t slot) {
     const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
     const double value =
       in_play(view, other) || other == slot
-        ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high))
+        ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high)) +
+            shared_compliance(view, low, high)
         : 0.0;
     view->slot_coupling[slot * TB_SLOTS + other] = value;
     view->slot_coupling[other * TB_SLOTS + slot] = value;
@@ -70,10 +88,14 @@ static void prepare_law(TbView *view, uint32_t slot) {
     return;
   }
   const TaborStrikerDef *def = &model->def.striker[s->definition];
+  const TaborHoopDef *hoop = &model->def.hoop;
+  const bool hard =
+    s->on_hoop && def->kind == TABOR_STRIKER_STICK; /* soft ones yield more than a hoop */
   const double k = model->time_step, compliance = own_compliance(view, s);
+  const double loss = hard ? hoop->contact_loss : def->contact_loss;
   view->own[row] = compliance;
-  tb_law_prepare(law, s->part * def->contact_stiffness, def->contact_exponent,
-                 model->def.quality.losses ? def->contact_loss : 0.0, k,
+  tb_law_prepare(law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
+                 hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
                  TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
 }
 
@@ -84,22 +106,43 @@ static double head_at(const TbView *view, uint32_t slot, const double *q) {
 /* Of a striker: its tip is in the head by this much. */
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return head_at(view, slot, phase->q) +
+         tb_hoop_displacement(view->state->hoop_shape[slot], phase->hoop) +
          tb_mobility_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
          (phase->z[slot] - view->state->slots[slot].coat);
 }
 
-/* What the head's modes are at a slot's place. */
-static void find_place(TbView *view, uint32_t slot) {
+static void find_place_on_head(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = &view->state->slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
+  memset(view->state->hoop_shape[slot], 0, sizeof view->state->hoop_shape[slot]);
   tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial,
                  tb_slot_shape(view, slot));
-  couple(view, slot);
   if (!hand)
     tb_model_high_drive(model, s->definition, s->radius, s->angle, tb_slot_high_drive(view, slot));
   s->rest_height = head_at(view, slot, model->rest.q);
+}
+
+static void find_place_on_hoop(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  TbSlot *s = &view->state->slots[slot];
+  double sine, cosine;
+  tb_sin_cos_degrees(s->angle - model->def.wires.angle, &sine, &cosine);
+  tb_hoop_shape(&model->hoop, sine, cosine, view->state->hoop_shape[slot]);
+  memset(tb_slot_shape(view, slot), 0, model->modes.padded * sizeof(double));
+  s->rest_height = model->def.hoop.height;
+  if (model->hoop.count > 0) view->state->rings = 1;
+}
+
+/* What the head's modes, or the hoop's, are at a slot's place. */
+static void find_place(TbView *view, uint32_t slot) {
+  if (view->state->slots[slot].on_hoop) {
+    find_place_on_hoop(view, slot);
+  } else {
+    find_place_on_head(view, slot);
+  }
+  couple(view, slot);
 }
 
 static void find_penetration(TbView *view, uint32_t slot) {
@@ -158,22 +201,33 @@ static void clear_row(TbView *view, uint32_t slot) {
   view->own[row] = view->b[row] = view->solve.force[row] = 0.0;
 }
 
-void tb_slots_take_away(TbView *view, uint32_t slot) {
+static void book_removed(TbView *view, uint32_t slot) {
   TbState *state = view->state;
-  TbSlot *s = &state->slots[slot];
+  const TbSlot *s = &state->slots[slot];
   const uint32_t row = view->model->wires.stride + slot;
   if (s->kind == TB_SLOT_STRIKER) {
-    const double velocity = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
-    state->sums.removed += 0.5 * (s->mass * velocity * velocity +
+    state->sums.removed += 0.5 * (tb_rod_motion(view, slot, view->now.z, view->last.z) +
                                   tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
                                   tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
     state->sums.removed += tb_mobility_energy(tb_slot_missing(view, slot), view->model->sample_rate,
                                               view->now.missing[slot], view->last.missing[slot]);
   }
+}
+
+static void clear_slot(TbView *view, uint32_t slot) {
+  TbState *state = view->state;
   clear_row(view, slot);
-  *s = (TbSlot){0};
+  state->slots[slot] = (TbSlot){0};
   state->slot_laws[slot] = (TbLaw){.kind = TB_LAW_GENERAL};
   state->slot_mask &= ~(1u << slot);
+}
+
+void tb_slots_take_away(TbView *view, uint32_t slot) {
+  const uint32_t partner = view->state->slots[slot].partner;
+  book_removed(view, slot);
+  if (partner) book_removed(view, partner - 1u);
+  clear_slot(view, slot);
+  if (partner) clear_slot(view, partner - 1u);
   tb_live_apply(view);
 }
 
@@ -205,13 +259,17 @@ void tb_slots_muffle(TbView *view) {
   }
 }
 
-bool tb_slots_touches(const TbView *view, uint32_t slot) {
+static bool row_touches(const TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
   return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
 }
 
-/* A free slot, if need be that of the oldest striker which touches nothing; TB_SLOTS if none. */
-static uint32_t obtain(TbView *view) {
+bool tb_slots_touches(const TbView *view, uint32_t slot) {
+  const uint32_t partner = view->state->slots[slot].partner;
+  return row_touches(view, slot) || (partner && row_touches(view, partner - 1u));
+}
+
+uint32_t tb_slots_obtain(TbView *view) {
   uint32_t oldest = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
@@ -234,7 +292,8 @@ static double tip_part(double pivot) {
 static double mass_of(const TbView *view, const TbStroke *stroke) {
   const TaborDrumDef *def = &view->model->def;
   const double mass = def->striker[stroke->striker].mass;
-  return stroke->buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
+  const bool buzz = stroke->technique == TABOR_TECHNIQUE_BUZZ;
+  return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
 }
 
 /* A hand that strikes again lifts the stick that it pressed. */
@@ -245,8 +304,16 @@ static void free_hand(TbView *view, uint32_t id) {
   }
 }
 
-/* On the surface now, or, where the head recedes faster, just above it one sample ago. */
-static void launch(TbView *view, uint32_t slot) {
+static void raise(TbView *view, uint32_t slot, double above) {
+  const uint32_t row = view->model->wires.stride + slot;
+  view->now.z[slot] += above;
+  view->last.z[slot] += above;
+  view->now.eta[row] -= above;
+  view->last.eta[row] -= above;
+}
+
+/* `above` the surface now, or, where the head recedes faster, above it one sample ago. */
+static void launch(TbView *view, uint32_t slot, double above) {
   const uint32_t row = view->model->wires.stride + slot;
   const double approach = view->state->slots[slot].velocity * view->model->time_step;
   const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
@@ -257,6 +324,11 @@ static void launch(TbView *view, uint32_t slot) {
   view->now.eta[row] = surface_now - view->now.z[slot];
   view->last.eta[row] = surface_last - view->last.z[slot];
   if (view->last.eta[row] > 0.0) view->last.eta[row] = 0.0; /* rounding of z + approach */
+  raise(view, slot, above);
+}
+
+static void book_launch(TbView *view, uint32_t slot) {
+  view->state->sums.injected += 0.5 * tb_rod_motion(view, slot, view->now.z, view->last.z);
 }
 
 double tb_slots_press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
@@ -269,30 +341,33 @@ void tb_slots_hold(TbView *view, uint32_t slot, double force) {
   view->own[view->model->wires.stride + slot] = own_compliance(view, s);
 }
 
-void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above) {
-  TbState *state = view->state;
-  const uint32_t row = view->model->wires.stride + slot;
-  state->slots[slot] = *striker;
-  state->slot_mask |= 1u << slot;
+static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
+  view->state->slots[slot] = *striker;
+  view->state->slot_mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
-  tb_slots_rebuild(view, slot);
-  launch(view, slot);
-  view->now.z[slot] += above;
-  view->last.z[slot] += above;
-  view->now.eta[row] -= above;
-  view->last.eta[row] -= above;
-  const double speed = (view->now.z[slot] - view->last.z[slot]) * view->model->sample_rate;
-  state->sums.injected += 0.5 * striker->mass * speed * speed;
 }
 
-bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
+void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above) {
+  place(view, slot, striker);
+  tb_slots_rebuild(view, slot);
+  launch(view, slot, above);
+  book_launch(view, slot);
+}
+
+void tb_slots_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
+                       double above) {
+  place(view, pair[0], tip);
+  place(view, pair[1], shaft);
+  for (int end = 0; end < 2; end++) tb_slots_rebuild(view, pair[end]);
+  launch(view, pair[0], 0.0);
+  launch(view, pair[1], above);
+  for (int end = 0; end < 2; end++) book_launch(view, pair[end]);
+}
+
+/* One tip on the head. */
+static bool strike_head(TbView *view, const TbStroke *stroke) {
   TbState *state = view->state;
-  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH) {
-    return tb_brush_strike(view, stroke);
-  }
-  if (stroke->sweep) return false;
-  free_hand(view, stroke->id);
-  const uint32_t slot = obtain(view);
+  const uint32_t slot = tb_slots_obtain(view);
   if (slot == TB_SLOTS) return false;
   const TbSlot striker = {.kind = TB_SLOT_STRIKER,
                           .id = stroke->id,
@@ -304,8 +379,26 @@ bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
                           .angle = stroke->angle,
                           .velocity = stroke->velocity};
   tb_slots_put(view, slot, &striker, 0.0);
-  if (stroke->buzz) tb_slots_hold(view, slot, tb_slots_press_force(stroke->pressure));
-  state->statistics.strikes++;
+  if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
+    tb_slots_hold(view, slot, tb_slots_press_force(stroke->pressure));
+  }
+  return true;
+}
+
+static bool on_hoop(const TbStroke *stroke) {
+  return stroke->technique == TABOR_TECHNIQUE_RIMSHOT ||
+         stroke->technique == TABOR_TECHNIQUE_CROSS_STICK ||
+         stroke->technique == TABOR_TECHNIQUE_RIM;
+}
+
+bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
+  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH && !on_hoop(stroke)) {
+    return tb_brush_strike(view, stroke);
+  }
+  if (stroke->technique == TABOR_TECHNIQUE_SWEEP) return false;
+  free_hand(view, stroke->id);
+  if (!(on_hoop(stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke))) return false;
+  view->state->statistics.strikes++;
   tb_live_apply(view);
   return true;
 }
@@ -315,6 +408,7 @@ bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
+    if (s->on_hoop || s->partner) continue;
     tb_slots_hold(view, i, tb_slots_press_force(pressure));
     found = true;
   }
@@ -367,7 +461,7 @@ static uint32_t find_hand(const TbView *view, uint32_t id) {
 
 bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
   uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
-  if (slot == TB_SLOTS) slot = obtain(view);
+  if (slot == TB_SLOTS) slot = tb_slots_obtain(view);
   if (slot == TB_SLOTS) return false;
   TbState *state = view->state;
   state->slots[slot] = (TbSlot){.kind = TB_SLOT_HAND,
@@ -390,18 +484,32 @@ void tb_slots_release(TbView *view, uint32_t id) {
   }
 }
 
+/* Off and away: nothing touches, nor will it in a moment. */
+static bool is_leaving(const TbView *view, uint32_t slot) {
+  const double gap = -view->now.eta[view->model->wires.stride + slot];
+  const double far = view->state->slots[slot].held ? OUT_OF_HAND : AWAY;
+  return gap > far && view->now.z[slot] > view->last.z[slot];
+}
+
+static bool is_done(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  if (tb_slots_touches(view, slot)) return false;
+  if (s->age > (uint64_t)(LINGER * view->model->sample_rate)) {
+    const double gap = -view->now.eta[view->model->wires.stride + slot];
+    return !s->held || gap > OUT_OF_HAND;
+  }
+  return is_leaving(view, slot) && (!s->partner || is_leaving(view, s->partner - 1u));
+}
+
 void tb_slots_retire(TbView *view) {
   TbState *state = view->state;
   if (state->slot_mask == 0) return;
-  const uint64_t linger = (uint64_t)(LINGER * view->model->sample_rate);
+  const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->sample_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
-    if (s->kind != TB_SLOT_STRIKER) continue;
-    s->age++;
-    if (tb_slots_touches(view, i)) continue;
-    const double gap = -view->now.eta[view->model->wires.stride + i];
-    const bool leaving = view->now.z[i] > view->last.z[i];
-    const bool gone = s->held ? gap > OUT_OF_HAND : gap > AWAY || s->age > linger;
-    if (gone && (leaving || s->age > linger)) tb_slots_take_away(view, i);
+    if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
+    if (s->palm ? s->age > palm_time : s->kind == TB_SLOT_STRIKER && is_done(view, i)) {
+      tb_slots_take_away(view, i);
+    }
   }
 }

@@ -12,7 +12,7 @@
  * out of the hand. What force and spring do is injected energy, what the damper takes is lost. g = 0 is
  * a free rebound. A hand holds one stick: a stroke takes away the pressed one with its id. Held at a
  * distance p from its butt, a rod of length L and mass m weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at
- * its tip. Strikers pass the wires by: they meet the head alone. */
+ * its tip. Strikers pass the wires by. On the hoop, or on both, a stick is as rod.h says, and no hand presses it. */
 #ifndef TB_SLOTS_H
 #define TB_SLOTS_H
 
@@ -21,12 +21,12 @@
 /* A stroke as asked for, within range. */
 typedef struct TbStroke {
   uint32_t id, striker;
-  bool buzz, sweep;
+  uint32_t technique; /* a TaborTechnique */
   double velocity, radius, angle;
   double pressure; /* of a buzz or a sweep, 0 to 1 */
 } TbStroke;
 
-/* Places a stroke; false if the pool is full of strikers in contact. */
+/* Places a stroke; false if there is no room among strikers in contact. */
 bool tb_slots_strike(TbView *view, const TbStroke *stroke);
 /* Lays a hand of `strength` [N s/m] on the head, or moves the one with this id. */
 bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle);
@@ -50,13 +50,18 @@ void tb_slots_retire(TbView *view);
 /* Puts a striker of this description, shape and law with it, into a free slot, `above` [m] the surface, and
  * books its energy; tb_live_apply() is the caller's. */
 void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above);
-/* Frees a slot; what a striker still carries is booked as removed. */
+/* The same for a stick that touches head and hoop, the shaft `above` the latter. */
+void tb_slots_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
+                       double above);
+/* A free slot, if need be that of the oldest striker which touches nothing; TB_SLOTS if none. */
+uint32_t tb_slots_obtain(TbView *view);
+/* Frees a slot, and that of the stick's other end; what a striker still carries is booked as removed. */
 void tb_slots_take_away(TbView *view, uint32_t slot);
 /* A hand takes hold of a striker, or changes the force F0 [N]. */
 void tb_slots_hold(TbView *view, uint32_t slot, double force);
 /* F0 of a pressure of 0 to 1 [N]. */
 double tb_slots_press_force(double pressure);
-/* True if it touches the head. */
+/* True if it touches the head or the hoop, with either end. */
 bool tb_slots_touches(const TbView *view, uint32_t slot);
 /* The head under a striker comes up by `by` [m], which some hand does. */
 void tb_slots_raise(TbView *view, uint32_t slot, double by);

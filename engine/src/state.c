@@ -79,9 +79,13 @@ static double *at(TbState *state, size_t offset) {
 }
 
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
-  return (TbPhase){at(state, layout->q[index]),    at(state, layout->v[index]),
-                   at(state, layout->eta[index]),  state->z[index],
-                   at(state, layout->high[index]), state->missing[index]};
+  return (TbPhase){at(state, layout->q[index]),
+                   at(state, layout->v[index]),
+                   at(state, layout->eta[index]),
+                   state->z[index],
+                   at(state, layout->high[index]),
+                   state->missing[index],
+                   state->hoop[index]};
 }
 
 static void view_phases(TbView *view) {

@@ -40,7 +40,8 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 #define TB_BRISTLES (TB_MUFFLERS + 2u)
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
- * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. */
+ * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. On the hoop w is
+ * the hoop's. A stick that touches both has a slot for each: see rod.h. */
 typedef struct TbSlot {
   uint32_t kind, id;
   uint64_t serial;                          /* order of arrival */
@@ -50,6 +51,10 @@ typedef struct TbSlot {
   uint32_t definition;                      /* which striker */
   uint32_t head;                            /* a TaborHead */
   uint32_t held;                            /* a hand presses it: see slots.h */
+  uint32_t on_hoop;                         /* not on the head */
+  uint32_t partner;                         /* 1 + the slot of the stick's other end, 0: none */
+  uint32_t palm;                            /* a hand that lifts by itself */
+  double cross;                             /* C_12 of both ends [1/kg] */
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* it is a group of a brush's */
   double part;                              /* ... or all of a striker: 1 */
@@ -83,6 +88,7 @@ typedef struct TbState {
   uint32_t slot_mask;
   uint32_t lifted;   /* wires hang clear of the head: see lift.h */
   double gap;        /* ... by this at least [m] */
+  uint32_t rings;    /* the hoop moves, or something may strike it */
   uint32_t airborne; /* nothing touched in the last step: `modal` and `high_force` hold for this */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
@@ -95,14 +101,16 @@ typedef struct TbState {
   TbBrush brushes[TB_BRUSHES];
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
-  TaborLedger sums; /* stored and residual are not kept */
+  double hoop[3][TB_HOOP_MODES];
+  double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of the slots on it, 0 for others */
+  TaborLedger sums;                           /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, modes of the
- * high band, and what stands for the head's missing modes under each striker. */
+ * high band, what stands for the head's missing modes under each striker, and modes of the hoop. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING];
+  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING], *hoop;
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */
@@ -143,7 +151,8 @@ static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
 }
 static inline const TbMobility *tb_slot_missing(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
-  return &view->model->missing[s->kind == TB_SLOT_STRIKER ? s->definition : TABOR_MAX_STRIKERS];
+  const bool on_head = s->kind == TB_SLOT_STRIKER && !s->on_hoop;
+  return &view->model->missing[on_head ? s->definition : TABOR_MAX_STRIKERS];
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
   return view->coupling + (size_t)slot * view->model->projection.bed.size;

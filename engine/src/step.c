@@ -11,6 +11,7 @@
 #include "live.h"
 #include "lugs.h"
 #include "profile.h"
+#include "rod.h"
 #include "slots.h"
 #include "stretch.h"
 #include "treble.h"
@@ -44,6 +45,9 @@ static void free_motion(TbView *view) {
                            view->last.q);
   TB_STAGE(WIRES);
   for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) free_wire(view, w);
+  if (view->state->rings) {
+    tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
+  }
 }
 
 /* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
@@ -88,6 +92,9 @@ static void free_penetration(TbView *view) {
       tb_mobility_step(missing, view->next.missing[i], view->now.missing[i], view->last.missing[i]);
       eta += tb_mobility_displacement(missing, view->next.missing[i]) -
              (tb_slots_free_height(view, i) - view->state->slots[i].coat);
+      if (view->state->slots[i].on_hoop) {
+        eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
+      }
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
@@ -129,7 +136,11 @@ static void respond(TbView *view, bool unchanged) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
       tb_mobility_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
     }
+    if (view->state->slots[i].on_hoop) {
+      tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
+    }
     view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
+    if (view->state->slots[i].partner) view->next.z[i] += tb_rod_pull(view, i);
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
 }
@@ -228,7 +239,8 @@ static void drive_high(TbView *view, bool unchanged) {
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double push = force[model->wires.stride + i];
-    if (view->state->slots[i].kind != TB_SLOT_STRIKER || push == 0.0) continue;
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
     kernels->add_scaled(high->begin[1], view->next.high, push, tb_slot_high_drive(view, i));
   }
 }
@@ -237,7 +249,12 @@ static double pressure_at(const TbView *view, uint32_t mic) {
   const TaborModel *model = view->model;
   const TbMic *m = &model->mics[mic];
   const TbHighMic *high = &model->high.mics[mic];
-  return model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q, view->now.q,
+  double hoop = 0.0;
+  if (view->state->rings) {
+    hoop = tb_hoop_pressure(&model->hoop, mic, view->next.hoop, view->now.hoop, view->last.hoop);
+  }
+  return hoop +
+         model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q, view->now.q,
                                  view->last.q) +
          model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
                                  view->now.high, view->last.high);
@@ -312,6 +329,11 @@ static void clear_vanished(TbView *view) {
       view->now.q[i] = view->last.q[i] = 0.0;
     }
   }
+  for (uint32_t i = 0; i < TB_HOOP_MODES; i++) {
+    if (fabs(view->now.hoop[i]) < VANISHED && fabs(view->last.hoop[i]) < VANISHED) {
+      view->now.hoop[i] = view->last.hoop[i] = 0.0;
+    }
+  }
   double *now = view->now.missing[0], *last = view->last.missing[0];
   for (uint32_t i = 0; i < TB_SLOTS * TB_MISSING; i++) {
     if (fabs(now[i]) < VANISHED && fabs(last[i]) < VANISHED) now[i] = last[i] = 0.0;
@@ -332,6 +354,8 @@ static void fall_asleep(TbView *view) {
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
     memset(view->now.missing, 0, sizeof view->state->missing[0]);
+    memset(view->state->hoop, 0, sizeof view->state->hoop);
+    view->state->rings = 0;
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
@@ -348,6 +372,7 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
   memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
+  memcpy(view->last.hoop, view->now.hoop, sizeof view->state->hoop[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }

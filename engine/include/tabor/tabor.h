@@ -56,6 +56,7 @@ extern "C" {
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
 #define TABOR_MAX_LUGS 16    /**< tension rods of one head */
+#define TABOR_HOOP_MODES 8   /**< modes of the hoop */
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
 #define TABOR_MAX_MICS 8     /**< microphones in one definition */
 #define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
@@ -130,7 +131,12 @@ typedef enum TaborStrikerKind {
 typedef enum TaborTechnique {
   TABOR_TECHNIQUE_NORMAL, /**< the stick is free and rebounds */
   TABOR_TECHNIQUE_BUZZ, /**< a hand goes on pressing the stick, which bounces until it is released */
-  TABOR_TECHNIQUE_SWEEP = 5 /**< a hand draws a brush over the head until it is released */
+  TABOR_TECHNIQUE_RIMSHOT, /**< the stick comes down flat: its tip on the head and, within a millisecond,
+                                its shaft on the hoop at the stroke's angle */
+  TABOR_TECHNIQUE_CROSS_STICK, /**< the tip rests on the head under the palm, and the shaft strikes the
+                                    hoop across, with the stroke's speed */
+  TABOR_TECHNIQUE_RIM,         /**< the stick strikes the hoop alone, at the stroke's angle */
+  TABOR_TECHNIQUE_SWEEP        /**< a hand draws a brush over the head until it is released */
 } TaborTechnique;
 
 /** What holds the heads. */
@@ -240,6 +246,24 @@ typedef struct TaborHandDef {
   double grip;  /**< g, 0 (open: a free rebound) to 1, default 0.5 */
 } TaborHandDef;
 
+/**
+ * The hoop around the batter head, with what moves along of the shell: a mode for each frequency that is not
+ * 0, the first with two nodal diameters. Sticks strike it in rimshots, cross-sticks and strokes on the rim.
+ * Without frequencies it does not yield, and such strokes on it make no sound of their own.
+ */
+typedef struct TaborHoopDef {
+  double height; /**< of its edge above the head [m], 0 to 0.05, default 0.012 */
+  double mass;   /**< of what swings [kg], 0.05 to 20, default 1.2 */
+  double
+    contact_stiffness; /**< K of a stick on it, f = K eta^1.5 [N/m^1.5], 1e5 to 1e11, default 1e8; a
+                                 mallet or a finger has its own */
+  double contact_loss; /**< Hunt-Crossley lambda of a stick on it [s/m], 0 to 100, default 0.1 */
+  double frequency[TABOR_HOOP_MODES]; /**< of its modes [Hz], 0 (none) or 20 to 20,000, default 0 */
+  double decay
+    [TABOR_HOOP_MODES]; /**< of their amplitude, without what leaves as sound [1/s], 0 to 10,000,
+                                       default 50 */
+} TaborHoopDef;
+
 /** The stroke that is made when none is given. */
 typedef struct TaborStrikeDef {
   double velocity; /**< [m/s], 0.01 to 30, default 2.5 */
@@ -298,6 +322,7 @@ typedef struct TaborDrumDef {
   TaborAirDef air;                             /**< [air] */
   TaborQualityDef quality;                     /**< [quality] */
   double full_scale; /**< sound pressure at 1.0 [Pa], 1e-3 to 1e5, default 20 */
+  TaborHoopDef hoop; /**< [hoop] */
 } TaborDrumDef;
 
 /** How a parameter's value is written. */

@@ -17,7 +17,9 @@ class Event(NamedTuple):
 
 
 #: How a stroke can be made.
-TECHNIQUES = {"normal": lib.TABOR_TECHNIQUE_NORMAL, "buzz": lib.TABOR_TECHNIQUE_BUZZ}
+TECHNIQUES = {"normal": lib.TABOR_TECHNIQUE_NORMAL, "buzz": lib.TABOR_TECHNIQUE_BUZZ,
+              "rimshot": lib.TABOR_TECHNIQUE_RIMSHOT, "cross-stick": lib.TABOR_TECHNIQUE_CROSS_STICK,
+              "rim": lib.TABOR_TECHNIQUE_RIM}
 
 
 def strike(frame: int = 0, velocity: float = 2.5, radius: float = 0.05, angle: float = 0.0,

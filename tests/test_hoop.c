@@ -80,7 +80,8 @@ static void long_waves_take_nothing(void **state) {
 /* ---- what yields and rings ------------------------------------------------------------------- */
 
 static TaborDrumDef drum_with_mode(double frequency, double decay) {
-  TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  const TaborDrumDef preset = physics_preset("snare-14x5.5-off");
+  TaborDrumDef def = physics_small(&preset);
   memset(def.hoop.frequency, 0, sizeof def.hoop.frequency);
   def.hoop.frequency[1] = frequency;
   def.hoop.decay[1] = decay;
@@ -91,7 +92,7 @@ static TaborDrumDef drum_with_mode(double frequency, double decay) {
 static void an_impulse_finds_the_same_mass_everywhere(void **state) {
   (void)state;
   const TaborDrumDef def = drum_with_mode(780.0, 0.0);
-  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   const double k2 = 1.0 / (RATE * RATE), mass = 0.5 * def.hoop.mass * (1.0 + 1.0 / 9.0);
   for (double angle = 0.0; angle < 6.0; angle += 0.7) {
     double here[TB_HOOP_MODES], there[TB_HOOP_MODES];
@@ -115,7 +116,7 @@ typedef struct Ring {
 static Ring ring(const TaborDrumDef *def) {
   static float sound[4800];
   float *outputs[TABOR_MAX_MICS] = {sound};
-  TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_DRAFT);
+  TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent rim = {
     .type = TABOR_EVENT_STRIKE, .velocity = 1.0, .technique = TABOR_TECHNIQUE_RIM};
@@ -186,7 +187,7 @@ static void a_hard_rim_is_met_as_hertz_says(void **state) {
   (void)state;
   TaborDrumDef def = drum_with_mode(0.0, 0.0);
   def.hoop.contact_loss = 0.0;
-  TaborModel *model = physics_model(&def, 192000.0, TABOR_QUALITY_DRAFT);
+  TaborModel *model = physics_model(&def, 192000.0, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent rim = {
     .type = TABOR_EVENT_STRIKE, .velocity = 2.0, .technique = TABOR_TECHNIQUE_RIM};
@@ -211,9 +212,9 @@ static void a_swap_keeps_phase_and_action(void **state) {
   (void)state;
   TaborDrumDef def = drum_with_mode(1000.0, 0.0);
   def.quality.losses = 0;
-  TaborModel *from = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborModel *from = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   def.hoop.frequency[1] = 1200.0;
-  TaborModel *to = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborModel *to = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   double now[TB_HOOP_MODES] = {0.3, -0.2}, last[TB_HOOP_MODES] = {0.28, -0.21};
   const double before = tb_hoop_energy(&from->hoop, RATE, now, last);
   tb_hoop_carry(&from->hoop, &to->hoop, now, last);

@@ -76,8 +76,8 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
     double pressure = 0.0;
     for (uint32_t k = 0; k < n; k++) {
       next[k] = modes->a[k] * now[k] - modes->b[k] * last[k] - modes->g[k] * shape[k] * force[i];
-      pressure += model->mics[0].u[k] * (next[k] - 2.0 * now[k] + last[k]) +
-                  model->mics[0].v[k] * (next[k] - last[k]);
+      pressure += model->mics[0].ahead[k] * (next[k] - now[k]) -
+                  model->mics[0].behind[k] * (now[k] - last[k]);
     }
     pressure = tb_treble(treble, pressure);
     if (i + delay < FRAMES) samples[i + delay] = (float)(pressure / def->full_scale);

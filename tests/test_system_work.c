@@ -48,20 +48,21 @@ COUNTED(unstretch, modes_of(parts),
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED_RESULT(double, dot, n, (uint32_t n, In x, In y), (n, x, y))
 COUNTED(add_scaled, n, (uint32_t n, Out out, double f, In x), (n, out, f, x))
-COUNTED(add_four_single, 4ull * n,
-        (uint32_t n, Out out, const double f[4], const float *const x[4]), (n, out, f, x))
-COUNTED(hold, n, (uint32_t n, double f, double most, In h, In last, Out next),
-        (n, f, most, h, last, next))
+COUNTED_RESULT(TbPair, ring, r->part[r->parts - 1].end, (const TbRing *r), (r))
 COUNTED(add_product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
-COUNTED_RESULT(double, readout, n, (uint32_t n, In u, In v, In next, In now, In last),
-               (n, u, v, next, now, last))
-COUNTED_RESULT(TbPair, losses, n, (uint32_t n, In u, In v, In next, In last), (n, u, v, next, last))
+COUNTED_RESULT(TbPair, two_dots, n, (uint32_t n, In u, In v, In x), (n, u, v, x))
+COUNTED(losses, n,
+        (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
+        (n, count, w, next, last, sums))
 COUNTED(gather_lines, (uint64_t)bed->wires * bed->lanes * bed->lines,
         (const TbBed *bed, In x, Out lines), (bed, x, lines))
 COUNTED(wire_step, n,
         (uint32_t n, In c, In inner, In now, In last, Out bend, Out bend_last, Out next),
         (n, c, inner, now, last, bend, bend_last, next))
 COUNTED_RESULT(TbPair, wire_losses, n, (uint32_t n, In next, In last), (n, next, last))
+COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
+               (uint32_t wires, uint32_t lanes, In f, In rest, In loss, Out out),
+               (wires, lanes, f, rest, loss, out))
 COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
 COUNTED_RESULT(TbPair, sizes, n, (uint32_t n, In b, In y), (n, b, y))
 COUNTED_RESULT(double, difference, n, (uint32_t n, In x, In y), (n, x, y))
@@ -108,15 +109,15 @@ static const TbKernels counting = {.two_step = count_two_step,
                                    .reach = count_reach,
                                    .dot = count_dot,
                                    .add_scaled = count_add_scaled,
-                                   .add_four_single = count_add_four_single,
-                                   .hold = count_hold,
+                                   .ring = count_ring,
                                    .add_product = count_add_product,
-                                   .readout = count_readout,
+                                   .two_dots = count_two_dots,
                                    .losses = count_losses,
                                    .gather_lines = count_gather_lines,
                                    .spread_lines = count_spread_lines,
                                    .wire_step = count_wire_step,
                                    .wire_losses = count_wire_losses,
+                                   .gather_wires = count_gather_wires,
                                    .law = count_law,
                                    .touches = count_touches,
                                    .sizes = count_sizes,

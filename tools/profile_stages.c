@@ -154,7 +154,7 @@ static void touch_modes(Memory *memory) {
   TOUCH(memory, TB_STAGE_LEDGER, m->padded, v->next.q, v->last.q, m->loss_head, m->loss_air);
   if (m->walls) TOUCH(memory, TB_STAGE_LEDGER, m->padded, m->loss_shell);
   const TbMic *mic = &memory->model->mics[0];
-  TOUCH(memory, TB_STAGE_MICS, m->padded, mic->u, mic->v, v->next.q, v->now.q, v->last.q);
+  TOUCH(memory, TB_STAGE_MICS, m->padded, mic->ahead, mic->behind, v->next.q);
 }
 
 static void touch_wires(Memory *memory) {
@@ -266,13 +266,14 @@ static void touch_high(Memory *memory) {
   const TbWires *w = &memory->model->wires;
   const TbView *v = &memory->view;
   if (h->count == 0) return;
-  TOUCH(memory, TB_STAGE_HIGH, h->padded, h->a, h->b, v->next.high, v->now.high, v->last.high);
-  TOUCH(memory, TB_STAGE_MICS, h->padded, h->mics[0].u, h->mics[0].v, v->next.high, v->now.high,
-        v->last.high);
+  TOUCH(memory, TB_STAGE_HIGH, h->padded, h->a, h->b, v->next.high, v->now.high, v->last.high,
+        h->mics[0].ahead, h->mics[0].behind);
   if (w->count == 0) return;
-  touch(memory, TB_STAGE_HIGH, h->push, (size_t)h->groups * h->driven * sizeof *h->push);
+  for (int p = 0; p < 2; p++) {
+    touch(memory, TB_STAGE_HIGH, h->push[p].table,
+          (size_t)h->push[p].rows * h->push[p].size * sizeof *h->push[p].table);
+  }
   touch(memory, TB_STAGE_HIGH, h->row_group, w->stride * sizeof *h->row_group);
-  TOUCH(memory, TB_STAGE_HIGH, h->groups, v->high_groups);
   TOUCH(memory, TB_STAGE_HIGH, h->driven, v->high_force);
   TOUCH(memory, TB_STAGE_HIGH, w->stride, h->row_loss, v->solve.force, memory->model->rest.force,
         v->solve.work);

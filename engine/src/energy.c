@@ -124,15 +124,11 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
 TbLosses tb_losses(const TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
-  const TbPair head = model->kernels->losses(modes->padded, modes->loss_head, modes->loss_air,
-                                             view->next.q, view->last.q);
-  TbLosses losses = {.head = head.first, .radiated = head.second};
-  if (modes->walls) {
-    losses.shell =
-      model->kernels
-        ->losses(modes->padded, modes->loss_shell, modes->loss_shell, view->next.q, view->last.q)
-        .first;
-  }
+  const double *const origins[3] = {modes->loss_head, modes->loss_air, modes->loss_shell};
+  double by[3] = {0.0};
+  model->kernels->losses(modes->padded, modes->walls ? 3 : 2, origins, view->next.q, view->last.q,
+                         by);
+  TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
   if (view->state->rings) {
     const TbHoopLosses hoop = tb_hoop_losses(&model->hoop, view->next.hoop, view->last.hoop);
     losses.shell += hoop.shell;

@@ -14,11 +14,16 @@ static uint32_t to_sine(const TbHighBand *band, uint32_t head) {
 }
 
 static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
+  uint32_t alone[TB_HEADS] = {0}, even[TB_HEADS] = {0};
   for (uint32_t i = 0; i < chosen->count; i++) {
-    band->cosines[chosen->modes[i].head]++;
-    if (chosen->modes[i].m) band->sines[chosen->modes[i].head]++;
+    const TbHighMode *mode = &chosen->modes[i];
+    uint32_t *const of = mode->m == 0 ? alone : mode->m % 2 ? band->odd : even;
+    of[mode->head]++;
   }
   for (uint32_t h = 0; h < TB_HEADS; h++) {
+    band->odd[h] = tb_pad(band->odd[h]);
+    band->sines[h] = band->odd[h] + even[h];
+    band->cosines[h] = band->sines[h] + alone[h];
     band->begin[h + 1] = band->begin[h] + to_sine(band, h) + tb_pad(band->sines[h]);
   }
   band->candidates = chosen->candidates;
@@ -33,8 +38,8 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
     *arrays[i] = tb_arena_doubles(arena, band->padded);
   }
   for (uint32_t p = 0; p < mics; p++) {
-    band->mics[p].u = tb_arena_doubles(arena, band->padded);
-    band->mics[p].v = tb_arena_doubles(arena, band->padded);
+    band->mics[p].ahead = tb_arena_doubles(arena, band->padded);
+    band->mics[p].behind = tb_arena_doubles(arena, band->padded);
   }
   return !arena->failed;
 }
@@ -51,17 +56,23 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   band->g[i] = pole.g;
   band->stiffness[i] = pole.stiffness;
   for (uint32_t p = 0; p < model->def.mic_count; p++) {
-    tb_mic_weights(model, p, c->omega, &pole, c->m, sine, c->fields + 2 * p, &band->mics[p].u[i],
-                   &band->mics[p].v[i]);
+    tb_mic_weights(model, p, c->omega, &pole, c->m, sine, c->fields + 2 * p,
+                   &band->mics[p].ahead[i], &band->mics[p].behind[i]);
   }
 }
 
+/* First odd orders, then even ones, then order 0, which has no sine copy. */
+static uint32_t round_of(const TbHighMode *mode) { return mode->m == 0 ? 2 : mode->m % 2 ? 0 : 1; }
+
 static void fill_modes(TbHighBand *band, const TaborModel *model, const TbHighModes *chosen) {
-  uint32_t next[TB_HEADS] = {band->begin[0], band->begin[1]};
-  for (int round = 0; round < 2; round++) { /* first the modes that have a sine copy */
+  uint32_t next[TB_HEADS];
+  for (uint32_t round = 0; round < 3; round++) {
+    for (uint32_t h = 0; h < TB_HEADS && round < 2; h++) {
+      next[h] = band->begin[h] + (round == 1 ? band->odd[h] : 0u);
+    }
     for (uint32_t i = 0; i < chosen->count; i++) {
       const TbHighMode *mode = &chosen->modes[i];
-      if ((mode->m == 0) != (round == 1)) continue;
+      if (round_of(mode) != round) continue;
       const uint32_t at = next[mode->head]++;
       fill_mode(band, at, model, mode, false);
       if (mode->m) fill_mode(band, at + to_sine(band, mode->head), model, mode, true);
@@ -109,34 +120,65 @@ static void drive_at(const TbHighBand *band, uint32_t head, double x, double y, 
 /* Rounding of a sum over mirror images, in radii. */
 static const double ON_AXIS = 1e-9;
 
-/* Groups along the bed, and what a force at their middles does. */
-static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
-                           const TbWires *wires) {
-  double x[TB_HIGH_GROUPS] = {0.0}, y[TB_HIGH_GROUPS] = {0.0};
+/* Middles of the groups. */
+typedef struct Middles {
+  double x[TB_HIGH_GROUPS], y[TB_HIGH_GROUPS];
+} Middles;
+
+static void find_middles(const TbHighBand *band, const TbWires *wires, Middles *middles) {
   uint32_t members[TB_HIGH_GROUPS] = {0};
-  const uint32_t begin = band->begin[wires->head];
-  band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
-  if (arena->failed) return false;
-  assign_groups(band, wires);
+  *middles = (Middles){.x = {0.0}};
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
     const uint32_t group = band->row_group[row];
-    x[group] += wires->row_x[row];
-    y[group] += wires->row_y[row];
+    middles->x[group] += wires->row_x[row];
+    middles->y[group] += wires->row_y[row];
     members[group]++;
   }
-  double aside = 0.0;
-  for (uint32_t group = 0; group < band->groups; group++) aside = fmax(aside, fabs(y[group]));
-  band->driven = aside > ON_AXIS * band->radius ? band->begin[wires->head + 1] - begin
-                                                : to_sine(band, wires->head);
-  band->push = tb_arena_take(arena, (size_t)band->driven * band->groups, sizeof *band->push);
-  double *drive = tb_arena_doubles(scratch, band->padded);
-  if (arena->failed || scratch->failed) return false;
   for (uint32_t group = 0; group < band->groups; group++) {
     if (members[group] == 0) continue;
-    drive_at(band, wires->head, x[group] / members[group], y[group] / members[group], drive);
-    for (uint32_t i = 0; i < band->driven; i++) {
-      band->push[(size_t)group * band->driven + i] = (float)(wires->side * drive[begin + i]);
+    middles->x[group] /= members[group];
+    middles->y[group] /= members[group];
+  }
+}
+
+/* Which modes the groups push, and whether by sums and differences of two groups each. */
+static void choose_pushes(TbHighBand *band, const TbWires *wires, const Middles *middles) {
+  const uint32_t head = wires->head, begin = band->begin[head], groups = band->groups;
+  double aside = 0.0, uneven = 0.0;
+  for (uint32_t group = 0; group < groups; group++) {
+    aside = fmax(aside, fabs(middles->y[group]));
+    uneven = fmax(uneven, fabs(middles->x[group] + middles->x[groups - 1u - group]));
+  }
+  const bool on_axis = aside <= ON_AXIS * band->radius;
+  band->driven = on_axis ? to_sine(band, head) : band->begin[head + 1] - begin;
+  band->folded = on_axis && uneven <= ON_AXIS * band->radius;
+  band->push[0] = (TbHighPush){begin, band->driven, groups, NULL};
+  if (!band->folded) return;
+  const uint32_t pairs = (groups + 1u) / 2u, odd = band->odd[head];
+  band->push[0] = (TbHighPush){begin, odd, pairs, NULL};
+  band->push[1] = (TbHighPush){begin + odd, band->driven - odd, pairs, NULL};
+}
+
+/* Groups along the bed, and what a force at their middles does. */
+static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
+                           const TbWires *wires) {
+  band->row_group = tb_arena_take(arena, wires->stride, sizeof *band->row_group);
+  if (arena->failed) return false;
+  assign_groups(band, wires);
+  Middles middles;
+  find_middles(band, wires, &middles);
+  choose_pushes(band, wires, &middles);
+  double *drive = tb_arena_doubles(scratch, band->padded);
+  for (uint32_t p = 0; p < 2; p++) {
+    TbHighPush *push = &band->push[p];
+    push->table = tb_arena_take(arena, (size_t)push->size * push->rows, sizeof *push->table);
+    if (arena->failed || scratch->failed) return false;
+    for (uint32_t row = 0; row < push->rows; row++) {
+      drive_at(band, wires->head, middles.x[row], middles.y[row], drive);
+      for (uint32_t i = 0; i < push->size; i++) {
+        push->table[(size_t)row * push->size + i] = (float)(wires->side * drive[push->from + i]);
+      }
     }
   }
   return true;
@@ -149,7 +191,7 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
                          double time_step) {
   const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
   band->row_loss = tb_arena_doubles(arena, wires->stride);
-  band->hold = tb_arena_doubles(arena, size);
+  band->hold = tb_arena_doubles(arena, band->padded);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   const uint32_t every = (wires->count + HOLDING_WIRES - 1u) / HOLDING_WIRES;
@@ -162,11 +204,11 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
     for (uint32_t i = 0; i < size; i++) {
       if (band->g[begin + i] == 0.0) continue; /* padding */
       const double shape = drive[begin + i] / band->g[begin + i];
-      band->hold[i] += 0.5 * time_step * shape * shape;
+      band->hold[begin + i] += 0.5 * time_step * shape * shape;
     }
     points++;
   }
-  for (uint32_t i = 0; points && i < size; i++) band->hold[i] /= points;
+  for (uint32_t i = 0; points && i < size; i++) band->hold[begin + i] /= points;
   return true;
 }
 
@@ -188,15 +230,6 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
          prepare_hold(band, arena, &scratch, &model->wires, model->time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
-}
-
-/* Half-way to `last` at most: towards it energy only falls. */
-static const double MOST_HELD = 0.5;
-
-void tb_highband_hold(const TbHighBand *band, const TbKernels *kernels, uint32_t head, double loss,
-                      const double *last, double *next) {
-  if (!(loss > 0.0)) return; /* forces that were balanced, not solved for, may pull a little */
-  kernels->hold(band->begin[head + 1] - band->begin[head], loss, MOST_HELD, band->hold, last, next);
 }
 
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch) {

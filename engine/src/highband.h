@@ -28,7 +28,6 @@
 #ifndef TB_HIGHBAND_H
 #define TB_HIGHBAND_H
 
-#include "kernels.h"
 #include "modes.h"
 
 #define TB_HIGH_GROUPS 64u
@@ -36,13 +35,21 @@
 
 /* Weights of a microphone: see TbMic. */
 typedef struct TbHighMic {
-  double *u, *v;
+  double *ahead, *behind;
 } TbHighMic;
+
+/* What groups do to neighbouring modes of their head. */
+typedef struct TbHighPush {
+  uint32_t from, size; /* the modes */
+  uint32_t rows;
+  float *table; /* [rows][size]: -side g phi at the groups' middles */
+} TbHighPush;
 
 typedef struct TbHighBand {
   uint32_t count, padded; /* modes kept, sine copies counted; 0: no high band */
   uint32_t begin[3];      /* where each head's modes begin, padded: */
-  uint32_t cosines[2];    /* so many cosine copies, those of order 0 last, padded, */
+  uint32_t odd[2];        /* so many cosine copies of odd order, padded, among */
+  uint32_t cosines[2];    /* ... so many of all orders, those of order 0 last, padded, */
   uint32_t sines[2];      /* ... then so many sine copies in the same order */
   uint32_t candidates;    /* Bessel functions that there were to choose from */
   uint32_t orders;        /* all angular orders are below */
@@ -54,9 +61,10 @@ typedef struct TbHighBand {
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
   uint8_t *row_group; /* [stride] group of each contact point */
-  float *push;        /* [groups][driven]: -side g phi at the groups' middles */
+  bool folded; /* groups are their own mirror images under x -> -x: odd orders feel differences */
+  TbHighPush push[2]; /* ... and even ones sums; else the first is all */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
-  double *hold;  /* [wires' head's modes, padded] k phi^2/2, phi^2 its mean over the bed [s/kg] */
+  double *hold;  /* [padded] k phi^2/2, phi^2 its mean over the bed, of the wires' head [s/kg] */
   double radius; /* of the head [m] */
 } TbHighBand;
 
@@ -67,11 +75,6 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const struct T
 
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch);
-
-/* What contacts that lose `loss`, Sum lambda f [N s/m], take from the modes of the wires' head in a step from
- * `last` to `next`, both from that head's first mode on. Audio-safe. */
-void tb_highband_hold(const TbHighBand *band, const TbKernels *kernels, uint32_t head, double loss,
-                      const double *last, double *next);
 
 /* drive = -g phi at radius [m] and the angle from the wires' direction: what a unit force on head `which`
  * does, in that head's part of drive[padded] alone. `patch` may be NULL. Audio-safe. */

@@ -67,10 +67,10 @@ static void listen(TaborModel *model, uint32_t n, double omega, const TbPole *po
     tb_hoop_field(n, omega / def->air.sound_speed, def->shell.radius, depth_of(def),
                   def->mic[mic].radius, def->mic[mic].height, field);
     for (uint32_t copy = 0; copy < 2; copy++) {
-      tb_mic_weights(model, mic, omega, pole, n, copy == 1, field, &model->hoop.u[mic][at + copy],
-                     &model->hoop.v[mic][at + copy]);
-      model->hoop.u[mic][at + copy] *= model->hoop.scale[at];
-      model->hoop.v[mic][at + copy] *= model->hoop.scale[at];
+      tb_mic_weights(model, mic, omega, pole, n, copy == 1, field,
+                     &model->hoop.ahead[mic][at + copy], &model->hoop.behind[mic][at + copy]);
+      model->hoop.ahead[mic][at + copy] *= model->hoop.scale[at];
+      model->hoop.behind[mic][at + copy] *= model->hoop.scale[at];
     }
   }
 }
@@ -159,10 +159,10 @@ TbHoopLosses tb_hoop_losses(const TbHoop *hoop, const double *next, const double
 
 double tb_hoop_pressure(const TbHoop *hoop, uint32_t mic, const double *next, const double *now,
                         const double *last) {
-  const double *u = hoop->u[mic], *v = hoop->v[mic];
+  const double *ahead = hoop->ahead[mic], *behind = hoop->behind[mic];
   double sum = 0.0;
   for (uint32_t i = 0; i < hoop->count; i++) {
-    sum += u[i] * (next[i] - 2.0 * now[i] + last[i]) + v[i] * (next[i] - last[i]);
+    sum += ahead[i] * (next[i] - now[i]) - behind[i] * (now[i] - last[i]);
   }
   return sum;
 }

@@ -33,7 +33,8 @@ typedef struct TbHoop {
   double stiffness[TB_HOOP_MODES];                             /* K' [1/s2] */
   double loss_shell[TB_HOOP_MODES], loss_air[TB_HOOP_MODES]; /* tanh(sk)/(2k^2) by origin [1/s2] */
   double scale[TB_HOOP_MODES];                               /* m_n^(-1/2) [kg^-1/2] */
-  double u[TABOR_MAX_MICS][TB_HOOP_MODES], v[TABOR_MAX_MICS][TB_HOOP_MODES]; /* see TbMic */
+  double ahead[TABOR_MAX_MICS][TB_HOOP_MODES],
+    behind[TABOR_MAX_MICS][TB_HOOP_MODES]; /* see TbMic */
 } TbHoop;
 
 struct TaborModel;

@@ -202,21 +202,38 @@ static void add_scaled(uint32_t n, double *out, double f, const double *x) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
-static void add_four_single(uint32_t n, double *out, const double f[4], const float *const x[4]) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    Lanes sum = load(out + i);
-    for (int row = 0; row < 4; row++) sum = add(sum, scale(load_single(x[row] + i), f[row]));
-    store(out + i, sum);
+static INLINE void ring_part(bool pushed, bool held, const TbRing *r, uint32_t from, uint32_t end,
+                             Lanes sum[2]) {
+  const Lanes most = all(r->most);
+  for (uint32_t i = from; i < end; i += 8) {
+    const Lanes last = load(r->last + i);
+    Lanes next = subtract(multiply_lanes(load(r->a + i), load(r->now + i)),
+                          multiply_lanes(load(r->b + i), last));
+    if (pushed) next = add(next, load(r->push + i));
+    if (held) {
+      const Lanes part = smaller(scale(load(r->hold + i), r->loss), most);
+      next = add(next, multiply_lanes(part, subtract(last, next)));
+    }
+    store(r->next + i, next);
+    sum[0] = add(sum[0], multiply_lanes(load(r->ahead + i), next));
+    sum[1] = add(sum[1], multiply_lanes(load(r->behind + i), next));
   }
 }
 
-static void hold(uint32_t n, double f, double most, const double *h, const double *last,
-                 double *next) {
-  const Lanes limit = all(most);
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes part = smaller(scale(load(h + i), f), limit), now = load(next + i);
-    store(next + i, add(now, multiply_lanes(part, subtract(load(last + i), now))));
+static TbPair ring(const TbRing *r) {
+  Lanes sum[2] = {zero(), zero()};
+  uint32_t from = 0;
+  for (uint32_t i = 0; i < r->parts; i++) {
+    const TbRingPart part = r->part[i];
+    switch (part.pushed + 2 * part.held) { /* one copy of the code for each */
+    case 0: ring_part(false, false, r, from, part.end, sum); break;
+    case 1: ring_part(true, false, r, from, part.end, sum); break;
+    case 2: ring_part(false, true, r, from, part.end, sum); break;
+    default: ring_part(true, true, r, from, part.end, sum); break;
+    }
+    from = part.end;
   }
+  return (TbPair){join(sum[0]), join(sum[1])};
 }
 
 static void add_product(uint32_t n, double *out, const double *x, const double *y) {
@@ -225,28 +242,36 @@ static void add_product(uint32_t n, double *out, const double *x, const double *
   }
 }
 
-static double readout(uint32_t n, const double *u, const double *v, const double *next,
-                      const double *now, const double *last) {
-  Lanes sum = zero();
+static TbPair two_dots(uint32_t n, const double *u, const double *v, const double *x) {
+  Lanes first = zero(), second = zero();
   for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes q2 = load(next + i), q1 = load(now + i), q0 = load(last + i);
-    const Lanes bend = subtract(subtract(q2, q1), subtract(q1, q0));
-    sum = add(
-      sum, add(multiply_lanes(load(u + i), bend), multiply_lanes(load(v + i), subtract(q2, q0))));
+    const Lanes value = load(x + i);
+    first = add(first, multiply_lanes(load(u + i), value));
+    second = add(second, multiply_lanes(load(v + i), value));
   }
-  return join(sum);
+  return (TbPair){join(first), join(second)};
 }
 
-static TbPair losses(uint32_t n, const double *u, const double *v, const double *next,
-                     const double *last) {
-  Lanes first = zero(), second = zero();
+static INLINE void losses_of(uint32_t count, uint32_t n, const double *const w[3],
+                             const double *next, const double *last, double sums[3]) {
+  Lanes sum[3] = {zero(), zero(), zero()};
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes step = subtract(load(next + i), load(last + i));
     const Lanes square = multiply_lanes(step, step);
-    first = add(first, multiply_lanes(load(u + i), square));
-    second = add(second, multiply_lanes(load(v + i), square));
+    for (uint32_t j = 0; j < count; j++) {
+      sum[j] = add(sum[j], multiply_lanes(load(w[j] + i), square));
+    }
   }
-  return (TbPair){join(first), join(second)};
+  for (uint32_t j = 0; j < count; j++) sums[j] = join(sum[j]);
+}
+
+static void losses(uint32_t n, uint32_t count, const double *const w[3], const double *next,
+                   const double *last, double sums[3]) {
+  if (count == 3) {
+    losses_of(3, n, w, next, last, sums);
+  } else {
+    losses_of(2, n, w, next, last, sums);
+  }
 }
 
 /* ---- the bed -------------------------------------------------------------------------------- */
@@ -356,6 +381,22 @@ static TbPair wire_losses(uint32_t n, const double *next, const double *last) {
     second = add(second, multiply_lanes(slope, slope));
   }
   return (TbPair){join(first), join(second)};
+}
+
+static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
+                           const double *loss, double *out) {
+  Lanes lost = zero();
+  for (uint32_t i = 0; i < lanes; i += 8) {
+    Lanes sum = zero();
+    for (uint32_t w = 0; w < wires; w++) {
+      const uint32_t at = w * lanes + i;
+      const Lanes force = load(f + at);
+      sum = add(sum, subtract(force, load(rest + at)));
+      lost = add(lost, multiply_lanes(load(loss + at), force));
+    }
+    store(out + i, sum);
+  }
+  return join(lost);
 }
 
 /* ---- contacts ------------------------------------------------------------------------------- */
@@ -507,15 +548,15 @@ const TbKernels TB_KERNELS = {
   .reach = reach,
   .dot = dot,
   .add_scaled = add_scaled,
-  .add_four_single = add_four_single,
-  .hold = hold,
+  .ring = ring,
   .add_product = add_product,
-  .readout = readout,
+  .two_dots = two_dots,
   .losses = losses,
   .gather_lines = gather_lines,
   .spread_lines = spread_lines,
   .wire_step = wire_step,
   .wire_losses = wire_losses,
+  .gather_wires = gather_wires,
   .law = law_of,
   .touches = touches,
   .sizes = sizes,

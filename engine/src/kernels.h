@@ -40,6 +40,24 @@ typedef struct TbGather {
   double *out[2];
 } TbGather;
 
+/* Neighbouring modes of the high band, up to `end`. */
+typedef struct TbRingPart {
+  uint32_t end;
+  bool pushed, held;
+} TbRingPart;
+
+/* A step of the high band, heard by one microphone (listen.h); arrays are [modes]. */
+typedef struct TbRing {
+  uint32_t parts;
+  TbRingPart part[4];
+  const double *a, *b, *now, *last;
+  const double *push;           /* read where modes are pushed */
+  const double *hold;           /* ... and where they are held */
+  double loss, most;            /* of that */
+  const double *ahead, *behind; /* the microphone's weights */
+  double *next;
+} TbRing;
+
 typedef struct TbKernels {
   /* out = a x - b y */
   void (*two_step)(uint32_t n, double *out, const double *a, const double *x, const double *b,
@@ -62,19 +80,16 @@ typedef struct TbKernels {
   double (*dot)(uint32_t n, const double *x, const double *y);
   /* out += f x */
   void (*add_scaled)(uint32_t n, double *out, double f, const double *x);
-  /* out += f[0] x[0], then f[1] x[1], and so on, x of single precision. */
-  void (*add_four_single)(uint32_t n, double *out, const double f[4], const float *const x[4]);
-  /* next += min(f h, most) (last - next) */
-  void (*hold)(uint32_t n, double f, double most, const double *h, const double *last,
-               double *next);
+  /* next = a now - b last + push, then next += min(loss hold, most) (last - next); Sum ahead next and
+   * Sum behind next. */
+  TbPair (*ring)(const TbRing *ring);
   /* out += x y */
   void (*add_product)(uint32_t n, double *out, const double *x, const double *y);
-  /* Sum u (next - 2 now + last) + v (next - last) */
-  double (*readout)(uint32_t n, const double *u, const double *v, const double *next,
-                    const double *now, const double *last);
-  /* Sum u d^2 and Sum v d^2, d = next - last */
-  TbPair (*losses)(uint32_t n, const double *u, const double *v, const double *next,
-                   const double *last);
+  /* Sum u x and Sum v x */
+  TbPair (*two_dots)(uint32_t n, const double *u, const double *v, const double *x);
+  /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */
+  void (*losses)(uint32_t n, uint32_t count, const double *const w[3], const double *next,
+                 const double *last, double sums[3]);
 
   /* The bed (bed.h), between x[wires][lanes] and lines[lines][lanes]. Where the bed is its own mirror image
    * across, wires and their images go in pairs, and lines are even under the exchange of the two before the
@@ -90,6 +105,9 @@ typedef struct TbKernels {
                     const double *last, double *bend, double *bend_last, double *next);
   /* Sum d^2 and Sum (d[i] - d[i-1])^2, d = next - last */
   TbPair (*wire_losses)(uint32_t n, const double *next, const double *last);
+  /* out[l] = Sum over wires of f[w][l] - rest[w][l]; returns Sum loss f. */
+  double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
+                         const double *loss, double *out);
 
   /* Contacts (solve.h), law.h's formulas for an exponent of 1, 3/2 or 2 (power 2, 3 or 4): force and
    * slope at s, and the mean of V' between y and y + s. */

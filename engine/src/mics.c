@@ -37,15 +37,19 @@ static void realise(const TbPole *pole, double gain_re, double gain_im, double o
 }
 
 void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const TbPole *pole,
-                    uint32_t m, bool sine_copy, const double *field, double *u, double *v) {
+                    uint32_t m, bool sine_copy, const double *field, double *ahead,
+                    double *behind) {
   double sine, cosine;
   tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
   const double turn = omega * model->time_step;
   const double size = -omega * omega * model->def.air.density * model->head.radius *
                       tb_angular(m, sine_copy, sine, cosine) * sin(turn) / turn;
   const double phase = turn * (double)model->mics[index].delay;
+  double u, v;
   realise(pole, size * (field[0] * cos(phase) - field[1] * sin(phase)),
-          size * (field[0] * sin(phase) + field[1] * cos(phase)), turn, u, v);
+          size * (field[0] * sin(phase) + field[1] * cos(phase)), turn, &u, &v);
+  *ahead = u + v;
+  *behind = u - v;
 }
 
 static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
@@ -54,7 +58,7 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
     const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
     const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
     tb_mic_weights(model, index, mode->omega, &pole, mode->m, model->modes.sine[i],
-                   mode->fields + 2 * index, &mic->u[i], &mic->v[i]);
+                   mode->fields + 2 * index, &mic->ahead[i], &mic->behind[i]);
   }
 }
 
@@ -62,8 +66,8 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     TbMic *mic = &model->mics[index];
     mic->delay = travel_delay(model, &model->def.mic[index]);
-    mic->u = tb_arena_doubles(&model->arena, model->modes.padded);
-    mic->v = tb_arena_doubles(&model->arena, model->modes.padded);
+    mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);
+    mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;
     mode_weights(model, index, mic);
   }

@@ -91,7 +91,7 @@ static TaborStatus prepare_single(TaborModel *model, TbArena *scratch) {
   for (uint32_t w = 0; w < model->wires.count; w++) {
     if (!tb_law_power(&model->wires.laws[w])) return TABOR_OK;
   }
-  model->single_kernels = single_kernels_of(model->kernels);
+  model->single_kernels = model->singles;
   return tb_single_bed_prepare(&model->single_bed, &model->arena, &model->projection.bed,
                                &model->compliance)
            ? TABOR_OK
@@ -344,6 +344,7 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   model->sample_rate = options->sample_rate;
   model->time_step = 1.0 / options->sample_rate;
   model->kernels = choose_kernels(options->instructions);
+  model->singles = single_kernels_of(model->kernels);
   const Level level = resolve_level(def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;

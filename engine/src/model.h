@@ -18,9 +18,10 @@
 /* Contact curvature times compliance: the stiffest contact that one sample resolves. */
 #define TB_SLOPE_LIMIT 10.0
 
-/* Pressure at a microphone [Pa] = Sum u (q+ - 2q + q-) + v (q+ - q-), `delay` samples later. */
+/* A microphone hears A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n, B(n) = Sum behind q^n, `delay`
+ * samples later: see mics.h. */
 typedef struct TbMic {
-  double *u, *v;
+  double *ahead, *behind; /* [padded] */
   uint32_t delay;
 } TbMic;
 
@@ -64,8 +65,8 @@ typedef struct TbLayout {
     weight, solution, work;
   size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
   size_t single; /* the arrays of TbSingle, one after the other */
-  size_t high[3], high_drive, high_groups, high_force, modal, stretch_pull[2], stretch_grid[2],
-    stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+  size_t high[3], high_drive, high_force, modal, stretch_pull[2], stretch_grid[2], stretch_carry,
+    coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 
@@ -80,7 +81,8 @@ struct TaborModel {
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
   double *reach;                     /* [modes padded] see lift.h */
-  const TbKernels *kernels;          /* for this processor */
+  const TbKernels *kernels;          /* for this processor, */
+  const TbSingleKernels *singles;    /* ... and in single precision, for the high band */
   TbHead head;
   TbWires wires;
   TbModes modes;

@@ -25,6 +25,29 @@ static void widen(uint32_t n, const float *x, double *out) {
   for (uint32_t i = 0; i < n; i += 8) store_double(out + i, load(x + i));
 }
 
+/* ---- the high band -------------------------------------------------------------------------- */
+
+/* `count` blocks of eight side by side, a constant where it is called. */
+static INLINE void combine_blocks(uint32_t blocks, uint32_t count, double *out, const float *f,
+                                  const float *const *x, uint32_t at) {
+  Lanes sum[4];
+  for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
+  for (uint32_t row = 0; row < count; row++) {
+#pragma GCC unroll 4 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < blocks; b++) {
+      sum[b] = add(sum[b], scale(load(x[row] + at + 8 * b), f[row]));
+    }
+  }
+  for (uint32_t b = 0; b < blocks; b++) store_double(out + at + 8 * b, sum[b]);
+}
+
+static void combine(uint32_t n, uint32_t count, double *out, const float *f,
+                    const float *const *x) {
+  uint32_t at = 0;
+  for (; at + 32 <= n; at += 32) combine_blocks(4, count, out, f, x, at);
+  for (; at < n; at += 8) combine_blocks(1, count, out, f, x, at);
+}
+
 /* ---- the bed -------------------------------------------------------------------------------- */
 
 /* Where the mirror image of a wire stands, and one of each pair. */
@@ -305,6 +328,7 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .narrow = narrow,
   .narrow_difference = narrow_difference,
   .widen = widen,
+  .combine = combine,
   .contract = contract,
   .expand = expand,
   .comply = comply,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of the contact solve in single precision (singlesolve.h), by the rules of kernels.h: the same bits
- * from every instruction set. */
+/* The loops of the contact solve in single precision (singlesolve.h), and of the wires' push on the high band, by
+ * the rules of kernels.h: the same bits from every instruction set. */
 #ifndef TB_SINGLE_KERNELS_H
 #define TB_SINGLE_KERNELS_H
 
@@ -16,6 +16,9 @@ typedef struct TbSingleKernels {
   void (*narrow_difference)(uint32_t n, const double *x, const double *y, float *out);
   /* And back. */
   void (*widen)(uint32_t n, const float *x, double *out);
+
+  /* out = f[0] x[0] + f[1] x[1] + ..., of `count` */
+  void (*combine)(uint32_t n, uint32_t count, double *out, const float *f, const float *const *x);
 
   /* Between rows x[wires * lanes] and the grid; `scratch` as singlebed.h says. */
   void (*contract)(const struct TbSingleBed *bed, const float *x, float *scratch, float *grid);

@@ -53,7 +53,6 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->single = place(&total, single_floats(model) / 2);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
-  layout->high_groups = place(&total, TB_HIGH_GROUPS);
   layout->high_force = place(&total, model->high.padded);
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
@@ -169,7 +168,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .change = at(state, l->change),
                  .modal = at(state, l->modal),
                  .high_drive = at(state, l->high_drive),
-                 .high_groups = at(state, l->high_groups),
                  .high_force = at(state, l->high_force),
                  .coupling = at(state, l->coupling),
                  .slot_coupling = at(state, l->slot_coupling),

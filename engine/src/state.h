@@ -80,6 +80,11 @@ typedef struct TbBrush {
   double press;         /* F0 that it is going to [N] */
 } TbBrush;
 
+/* What a microphone's sums over the modes were, A(n), B(n), B(n-1): see TbMic. */
+typedef struct TbEar {
+  double ahead, behind, behind_before;
+} TbEar;
+
 typedef struct TbState {
   uint64_t fingerprint;
   uint64_t clock;  /* samples stepped since reset */
@@ -93,6 +98,8 @@ typedef struct TbState {
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see treble.h */
+  uint32_t heard;                   /* microphones whose sums below are those of this instant */
+  TbEar ears[TABOR_MAX_MICS];
   TbLive live[TB_LIVE_COUNT];
   TbWireCoefficients wires[TABOR_MAX_WIRES];
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
@@ -120,7 +127,7 @@ typedef struct TbView {
   TbPhase next, now, last;
   double *bend, *bend_last, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
-  double *high_drive, *high_groups, *high_force;
+  double *high_drive, *high_force;
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
   double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */

@@ -8,13 +8,13 @@
 #include "energy.h"
 #include "guard.h"
 #include "lift.h"
+#include "listen.h"
 #include "live.h"
 #include "lugs.h"
 #include "profile.h"
 #include "rod.h"
 #include "slots.h"
 #include "stretch.h"
-#include "treble.h"
 
 #ifdef TABOR_PROFILE
 _Thread_local TbProfile tb_profile;
@@ -169,108 +169,6 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
   if (outcome->touching > statistics->contact_max) statistics->contact_max = outcome->touching;
 }
 
-/* A line of delay + 1 samples: what goes in now comes out `delay` samples later. */
-static double delayed(TbView *view, uint32_t mic, double value) {
-  uint32_t *at = &view->state->delay_at[mic];
-  const uint32_t length = view->model->mics[mic].delay + 1u;
-  view->delay[mic][*at] = value;
-  *at = *at + 1u == length ? 0u : *at + 1u;
-  return view->delay[mic][*at];
-}
-
-/* What the groups that push do to the modes of the high band, four at a time; few of a string touch at once. */
-static void push_high(TbView *view) {
-  const TbHighBand *high = &view->model->high;
-  const float *rows[4];
-  double push[4];
-  uint32_t taken = 0;
-  memset(view->high_force, 0, high->driven * sizeof(double));
-  for (uint32_t i = 0; i < high->groups; i++) {
-    if (view->high_groups[i] == 0.0) continue;
-    push[taken] = view->high_groups[i];
-    rows[taken++] = high->push + (size_t)i * high->driven;
-    if (taken < 4) continue;
-    view->model->kernels->add_four_single(high->driven, view->high_force, push, rows);
-    taken = 0;
-  }
-  if (taken == 0) return;
-  for (uint32_t i = taken; i < 4; i++) {
-    push[i] = 0.0;
-    rows[i] = high->push;
-  }
-  view->model->kernels->add_four_single(high->driven, view->high_force, push, rows);
-}
-
-/* What the wires' forces do to the high band. */
-static void gather_high(TbView *view) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
-  const TbWires *wires = &model->wires;
-  double *change = view->solve.work;
-  model->kernels->subtract(wires->stride, view->solve.force, model->rest.force, change);
-  uint32_t each = wires->stride; /* rows until the groups repeat */
-  if (wires->aligned) {
-    each = wires->lanes;
-    for (uint32_t w = 1; w < wires->count; w++) {
-      model->kernels->add_scaled(each, change, 1.0, change + w * each);
-    }
-  }
-  for (uint32_t i = 0; i < high->groups; i++) view->high_groups[i] = 0.0;
-  for (uint32_t row = 0; row < each; row++) view->high_groups[high->row_group[row]] += change[row];
-  push_high(view);
-}
-
-/* The high band hears the contact forces, counted from rest; it does not answer. */
-static void drive_high(TbView *view, bool unchanged) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
-  const TbKernels *kernels = model->kernels;
-  if (high->count == 0) return;
-  kernels->two_step(high->padded, view->next.high, high->a, view->now.high, high->b,
-                    view->last.high);
-  const double *force = view->solve.force;
-  if (model->wires.count > 0 && !view->state->lifted) {
-    if (!unchanged) gather_high(view);
-    const uint32_t from = high->begin[model->wires.head];
-    kernels->add_scaled(high->driven, view->next.high + from, 1.0, view->high_force);
-    tb_highband_hold(high, kernels, model->wires.head,
-                     kernels->dot(model->wires.stride, force, high->row_loss),
-                     view->last.high + from, view->next.high + from);
-  }
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const double push = force[model->wires.stride + i];
-    const TbSlot *slot = &view->state->slots[i];
-    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
-    kernels->add_scaled(high->begin[1], view->next.high, push, tb_slot_high_drive(view, i));
-  }
-}
-
-static double pressure_at(const TbView *view, uint32_t mic) {
-  const TaborModel *model = view->model;
-  const TbMic *m = &model->mics[mic];
-  const TbHighMic *high = &model->high.mics[mic];
-  double hoop = 0.0;
-  if (view->state->rings) {
-    hoop = tb_hoop_pressure(&model->hoop, mic, view->next.hoop, view->now.hoop, view->last.hoop);
-  }
-  return hoop +
-         model->kernels->readout(model->modes.padded, m->u, m->v, view->next.q, view->now.q,
-                                 view->last.q) +
-         model->kernels->readout(model->high.padded, high->u, high->v, view->next.high,
-                                 view->now.high, view->last.high);
-}
-
-/* A microphone that nobody hears hears nothing: it begins from silence when it is heard again. */
-static void listen(TbView *view, uint32_t heard, double *pressure) {
-  const TbLive *live = view->state->live;
-  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
-    const double p = heard >> mic & 1u ? pressure_at(view, mic) : 0.0;
-    const double whole = tb_treble(view->state->treble[mic], p);
-    pressure[mic] =
-      delayed(view, mic, whole) * live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
-  }
-}
-
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_step(view);
   TB_STAGE(STRIKERS);
@@ -299,12 +197,9 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
     view->state->sums.damper_loss += outcome.damper_loss;
   }
   book_losses(view);
-  TB_STAGE(HIGH);
-  drive_high(view, unchanged);
-  view->state->airborne = !outcome.contact;
-  TB_STAGE(MICS);
-  listen(view, heard, pressure);
+  tb_listen(view, heard, unchanged, pressure);
   TB_STAGE(OTHER);
+  view->state->airborne = !outcome.contact;
   view->state->clock++;
   tb_view_rotate(view);
   tb_slots_retire(view);
@@ -378,6 +273,7 @@ static void fall_asleep(TbView *view) {
   }
   memset(view->state->treble, 0, sizeof view->state->treble);
   clear_high(view);
+  view->state->heard = 0;
   view->state->asleep = 1;
 }
 

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+#include "listen.h"
+
+#include <string.h>
+
+#include "profile.h"
+#include "treble.h"
+
+/* ---- the high band -------------------------------------------------------------------------- */
+
+/* Half-way to where a held mode was at most: towards it energy only falls. */
+static const double MOST_HELD = 0.5;
+
+/* The groups that push, as sums or differences of mirror images for modes of even or odd order. */
+static uint32_t fold(const TbHighBand *high, uint32_t p, const double *groups, float *push,
+                     const float **rows) {
+  const TbHighPush *table = &high->push[p];
+  uint32_t count = 0;
+  for (uint32_t row = 0; row < table->rows; row++) {
+    const uint32_t image = high->groups - 1u - row;
+    double value = groups[row];
+    if (high->folded && image != row) value += p == 0 ? -groups[image] : groups[image];
+    if (high->folded && image == row && p == 0) value = 0.0;
+    if (value == 0.0) continue;
+    push[count] = (float)value;
+    rows[count++] = table->table + (size_t)row * table->size;
+  }
+  return count;
+}
+
+/* What the wires' forces, counted from rest, do to the high band, into high_force; returns Sum lambda f. */
+static double gather_high(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbHighBand *high = &model->high;
+  const TbWires *wires = &model->wires;
+  const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
+  double *change = view->solve.work, groups[TB_HIGH_GROUPS] = {0.0};
+  const double loss = model->kernels->gather_wires(count, each, view->solve.force,
+                                                   model->rest.force, high->row_loss, change);
+  for (uint32_t row = 0; row < each; row++) groups[high->row_group[row]] += change[row];
+  for (uint32_t p = 0; p < 2; p++) {
+    float push[TB_HIGH_GROUPS];
+    const float *rows[TB_HIGH_GROUPS];
+    const uint32_t pushing = fold(high, p, groups, push, rows);
+    model->singles->combine(high->push[p].size, pushing, view->high_force + high->push[p].from,
+                            push, rows);
+  }
+  return loss;
+}
+
+/* The modes that wires push, those that they hold, and the others. */
+static void divide(const TbView *view, double loss, TbRing *ring) {
+  const TbHighBand *high = &view->model->high;
+  const TbWires *wires = &view->model->wires;
+  if (wires->count > 0 && !view->state->lifted) {
+    const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
+    const bool held = loss > 0.0; /* forces that were balanced, not solved for, may pull a little */
+    if (from > 0) ring->part[ring->parts++].end = from;
+    ring->part[ring->parts++] = (TbRingPart){from + high->driven, true, held};
+    ring->part[ring->parts++] = (TbRingPart){end, false, held};
+    ring->loss = loss;
+  }
+  ring->part[ring->parts++].end = high->padded;
+}
+
+/* Strikers push the batter head's modes; true if any does. */
+static bool strike_high(TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  bool struck = false;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const double push = view->solve.force[view->model->wires.stride + i];
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
+    view->model->kernels->add_scaled(high->begin[1], view->next.high, push,
+                                     tb_slot_high_drive(view, i));
+    struck = true;
+  }
+  return struck;
+}
+
+/* Sums of a microphone over the high band's modes. */
+static TbPair high_sums(const TbView *view, uint32_t mic, const double *high) {
+  const TbHighMic *m = &view->model->high.mics[mic];
+  return view->model->kernels->two_dots(view->model->high.padded, m->ahead, m->behind, high);
+}
+
+/* One step; returns what microphone `mic` hears of its end. */
+static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
+  const TaborModel *model = view->model;
+  const TbHighBand *high = &model->high;
+  if (high->count == 0) return (TbPair){0.0, 0.0};
+  TbRing ring = {.a = high->a,
+                 .b = high->b,
+                 .now = view->now.high,
+                 .last = view->last.high,
+                 .next = view->next.high,
+                 .push = view->high_force,
+                 .hold = high->hold,
+                 .most = MOST_HELD,
+                 .ahead = high->mics[mic].ahead,
+                 .behind = high->mics[mic].behind};
+  const bool wires = model->wires.count > 0 && !view->state->lifted;
+  divide(view, wires && !unchanged ? gather_high(view) : 0.0, &ring);
+  const TbPair heard = model->kernels->ring(&ring);
+  return strike_high(view) ? high_sums(view, mic, view->next.high) : heard;
+}
+
+/* ---- microphones ---------------------------------------------------------------------------- */
+
+/* A line of delay + 1 samples: what goes in now comes out `delay` samples later. */
+static double delayed(TbView *view, uint32_t mic, double value) {
+  uint32_t *at = &view->state->delay_at[mic];
+  const uint32_t length = view->model->mics[mic].delay + 1u;
+  view->delay[mic][*at] = value;
+  *at = *at + 1u == length ? 0u : *at + 1u;
+  return view->delay[mic][*at];
+}
+
+/* A and B of TbMic at one instant, of which the high band's part is known. */
+static TbPair sums_at(const TbView *view, uint32_t mic, const double *q, TbPair high) {
+  const TbMic *m = &view->model->mics[mic];
+  const TbPair sums =
+    view->model->kernels->two_dots(view->model->modes.padded, m->ahead, m->behind, q);
+  return (TbPair){sums.first + high.first, sums.second + high.second};
+}
+
+/* What a microphone would have heard if it had been heard before. */
+static void begin_hearing(TbView *view, uint32_t mic) {
+  const TbPair now = sums_at(view, mic, view->now.q, high_sums(view, mic, view->now.high));
+  const TbPair last = sums_at(view, mic, view->last.q, high_sums(view, mic, view->last.high));
+  view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
+}
+
+/* Pressure [Pa] from the sums of the newest instant. */
+static double hear(TbEar *ear, TbPair sums) {
+  const double pressure = (sums.first - ear->ahead) - (ear->behind - ear->behind_before);
+  *ear = (TbEar){sums.first, sums.second, ear->behind};
+  return pressure;
+}
+
+static double hear_hoop(const TbView *view, uint32_t mic) {
+  if (!view->state->rings) return 0.0;
+  return tb_hoop_pressure(&view->model->hoop, mic, view->next.hoop, view->now.hoop,
+                          view->last.hoop);
+}
+
+static uint32_t first_of(uint32_t heard) {
+  uint32_t mic = 0;
+  while (heard != 0 && !(heard >> mic & 1u)) mic++;
+  return mic;
+}
+
+/* A microphone that nobody hears hears nothing: it begins from silence when it is heard again. */
+void tb_listen(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
+  TbState *state = view->state;
+  const TbLive *live = state->live;
+  const uint32_t first = first_of(heard);
+  TB_STAGE(MICS);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
+  }
+  state->heard = heard;
+  TB_STAGE(HIGH);
+  const TbPair high = step_high(view, first, unchanged);
+  TB_STAGE(MICS);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    double p = 0.0;
+    if (heard >> mic & 1u) {
+      const TbPair own = mic == first ? high : high_sums(view, mic, view->next.high);
+      p = hear(&state->ears[mic], sums_at(view, mic, view->next.q, own)) + hear_hoop(view, mic);
+    }
+    pressure[mic] = delayed(view, mic, tb_treble(state->treble[mic], p)) *
+                    live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+  }
+}

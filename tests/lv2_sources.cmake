@@ -17,6 +17,22 @@ set(test_lv2_render_SOURCES ${TABOR_LV2_HOST} midi_writer.c said.c "${PROJECT_SO
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES} PkgConfig::SNDFILE)
 set(test_lv2_render_DEFINITIONS _XOPEN_SOURCE=700)
 set(test_lv2_render_ARGUMENTS "$<TARGET_FILE:tabor-program>" "$<TARGET_FILE:tabor-lv2>")
+
+# Tests that look inside have the plugins in themselves.
+set(TABOR_LV2_INSIDE definition_text.c instrument.c instrument_state.c model_cache.c sequence.c voice.c workshop.c)
+list(TRANSFORM TABOR_LV2_INSIDE PREPEND "${TABOR_LV2_FOLDER}/")
+list(APPEND TABOR_LV2_INSIDE ${TABOR_LV2_HOST} ${TABOR_MIDI_SOURCES} "${PROJECT_SOURCE_DIR}/host/humanize.c"
+            "${PROJECT_SOURCE_DIR}/host/silencer.c")
+foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_threads)
+  set(${name}_SOURCES ${TABOR_LV2_INSIDE})
+  set(${name}_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES})
+  set(${name}_DEFINITIONS _XOPEN_SOURCE=700)
+endforeach()
+list(APPEND test_lv2_realtime_SOURCES counted_calls.c)
+set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+
+# Under sanitizers, and counting coverage, everything takes ten times as long.
 if(TABOR_SANITIZE OR TABOR_COVERAGE)
   list(APPEND test_lv2_render_ARGUMENTS brief)
+  set(test_lv2_realtime_ARGUMENTS 3)
 endif()

@@ -118,7 +118,7 @@ static void connect_ports(PluginHost *host) {
   }
 }
 
-static void clear_events(PluginHost *host) {
+void host_clear(PluginHost *host) {
   host->events.sequence = (LV2_Atom_Sequence){
     .atom = {.size = sizeof(LV2_Atom_Sequence_Body), .type = host_map(LV2_ATOM__Sequence)}};
 }
@@ -143,7 +143,7 @@ PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
   const LV2_Feature *const features[] = {&map_feature, has_worker ? &work_feature : NULL, NULL};
   host->handle = descriptor->instantiate(descriptor, 48000, "/", features);
   assert_non_null(host->handle);
-  clear_events(host);
+  host_clear(host);
   connect_ports(host);
   descriptor->activate(host->handle);
   if (worker == HOST_WORKER_THREAD) {
@@ -182,7 +182,7 @@ void host_run(PluginHost *host, uint32_t frames) {
   assert_true(frames <= HOST_BLOCK);
   host->descriptor->run(host->handle, frames);
   host->position += frames;
-  clear_events(host);
+  host_clear(host);
 }
 
 void host_wait(PluginHost *host) {

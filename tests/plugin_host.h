@@ -84,6 +84,8 @@ void host_close(PluginHost *host);
 void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes);
 /** For the next run: a stroke. */
 void host_note(PluginHost *host, int64_t frame, uint8_t key, uint8_t velocity);
+/** Takes the events of the next run away. */
+void host_clear(PluginHost *host);
 /** Runs, with the events that were put there, which are gone then. */
 void host_run(PluginHost *host, uint32_t frames);
 /** Runs until the plugin is ready, in silence or not, 20 s at most. */

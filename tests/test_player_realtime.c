@@ -1,17 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A minute of random playing, while the drum is changed by another thread: what the audio thread runs
- * allocates nothing, locks nothing, sleeps nowhere and touches no file. The linker sends every such call of
- * this program, the engine's included, through the counters below (CMakeLists.txt lists them); they count
- * those of the thread that is inside player_process().
+ * allocates nothing, locks nothing, sleeps nowhere and touches no file, inside player_process().
  *
  * test_player_realtime [SECONDS of sound]
  */
 #include "player_script.h"
 
-#include <fcntl.h>
 #include <math.h>
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,80 +15,22 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
-static _Thread_local volatile bool is_playing; /* this thread, now */
-static _Thread_local volatile long calls;
-
-static void count(void) {
-  if (is_playing) calls++;
-}
-
-/* Declares the true function and defines the one that counts. */
-#define WRAP(type, name, parameters, arguments)                                                    \
-  type __real_##name parameters;                                                                   \
-  type __wrap_##name parameters;                                                                   \
-  type __wrap_##name parameters {                                                                  \
-    count();                                                                                       \
-    return __real_##name arguments;                                                                \
-  }
-
-WRAP(void *, malloc, (size_t size), (size))
-WRAP(void *, calloc, (size_t number, size_t size), (number, size))
-WRAP(void *, realloc, (void *memory, size_t size), (memory, size))
-WRAP(void *, aligned_alloc, (size_t alignment, size_t size), (alignment, size))
-WRAP(int, posix_memalign, (void **memory, size_t alignment, size_t size), (memory, alignment, size))
-void __real_free(void *memory);
-void __wrap_free(void *memory);
-void __wrap_free(void *memory) {
-  count();
-  __real_free(memory);
-}
-WRAP(int, pthread_mutex_lock, (pthread_mutex_t * mutex), (mutex))
-WRAP(int, pthread_mutex_trylock, (pthread_mutex_t * mutex), (mutex))
-WRAP(int, pthread_mutex_unlock, (pthread_mutex_t * mutex), (mutex))
-WRAP(int, pthread_cond_wait, (pthread_cond_t * condition, pthread_mutex_t *mutex),
-     (condition, mutex))
-WRAP(int, pthread_cond_signal, (pthread_cond_t * condition), (condition))
-WRAP(int, nanosleep, (const struct timespec *time, struct timespec *left), (time, left))
-WRAP(ssize_t, write, (int file, const void *bytes, size_t size), (file, bytes, size))
-WRAP(ssize_t, read, (int file, void *bytes, size_t size), (file, bytes, size))
-WRAP(FILE *, fopen, (const char *name, const char *mode), (name, mode))
-WRAP(size_t, fwrite, (const void *bytes, size_t size, size_t number, FILE *stream),
-     (bytes, size, number, stream))
-WRAP(int, fputs, (const char *text, FILE *stream), (text, stream))
-WRAP(int, puts, (const char *text), (text))
+#include "counted_calls.h"
 
 static long calls_of_block(Stage *stage, uint32_t frames) {
   static float samples[2 * 4096];
-  calls = 0;
-  is_playing = true;
+  count_calls_begin();
   const bool more =
     player_process(stage->player, samples, frames, (double)stage->position / 48000, false);
-  is_playing = false;
+  const long calls = count_calls_end();
   assert_true(more);
   stage->position += frames;
   for (uint32_t i = 0; i < 2 * frames; i++) assert_true(isfinite(samples[i]));
   while (player_record(stage->player)) player_record_next(stage->player);
   return calls;
-}
-
-/* A counter that cannot count would find nothing either. */
-static void the_counters_count(void **state) {
-  (void)state;
-  calls = 0;
-  void *volatile memory = malloc(10);
-  assert_int_equal(calls, 0); /* not playing */
-  is_playing = true;
-  free(memory);
-  (void)!write(STDOUT_FILENO, "", 0);
-  pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-  pthread_mutex_lock(&mutex);
-  pthread_mutex_unlock(&mutex);
-  is_playing = false;
-  assert_int_equal(calls, 4);
 }
 
 static void send(Stage *stage, PlayerMessage message) {

@@ -15,8 +15,20 @@ include_directories("${TABOR_LV2_FOLDER}")
 set(test_lv2_render_SOURCES ${TABOR_LV2_HOST} midi_writer.c said.c "${PROJECT_SOURCE_DIR}/host/input_file.c"
                             "${PROJECT_SOURCE_DIR}/host/midi_file.c")
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES} PkgConfig::SNDFILE)
+set(test_lv2_render_NEEDS tabor-program tabor-lv2)
 set(test_lv2_render_DEFINITIONS _XOPEN_SOURCE=700)
 set(test_lv2_render_ARGUMENTS "$<TARGET_FILE:tabor-program>" "$<TARGET_FILE:tabor-lv2>")
+
+set(test_lv2_description_SOURCES ${TABOR_LV2_HOST} "${TABOR_LV2_FOLDER}/definition_text.c")
+set(test_lv2_description_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES})
+set(test_lv2_description_NEEDS tabor-lv2 lv2-description)
+set(test_lv2_description_DEFINITIONS _XOPEN_SOURCE=700)
+set(test_lv2_description_ARGUMENTS "$<TARGET_FILE_DIR:tabor-lv2>")
+pkg_check_modules(LILV IMPORTED_TARGET lilv-0)
+if(LILV_FOUND)
+  list(APPEND test_lv2_description_LIBRARIES PkgConfig::LILV)
+  list(APPEND test_lv2_description_DEFINITIONS TABOR_HAVE_LILV)
+endif()
 
 # Tests that look inside have the plugins in themselves.
 set(TABOR_LV2_INSIDE definition_text.c instrument.c instrument_state.c model_cache.c sequence.c voice.c workshop.c)

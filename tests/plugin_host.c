@@ -35,7 +35,7 @@ LV2_URID host_map(const char *uri) {
   return i + 1;
 }
 
-static LV2_URID map(LV2_URID_Map_Handle handle, const char *uri) {
+LV2_URID host_map_feature(LV2_URID_Map_Handle handle, const char *uri) {
   (void)handle;
   return host_map(uri);
 }
@@ -100,6 +100,22 @@ static void *work_all(void *context) {
   return NULL;
 }
 
+/* ---- a log ---------------------------------------------------------------------------------- */
+
+static int say(LV2_Log_Handle handle, LV2_URID type, const char *format, va_list arguments) {
+  PluginHost *const host = handle;
+  (void)type;
+  return vsnprintf(host->said, sizeof host->said, format, arguments);
+}
+
+static int say_all(LV2_Log_Handle handle, LV2_URID type, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const int length = say(handle, type, format, arguments);
+  va_end(arguments);
+  return length;
+}
+
 /* ---- an instance ---------------------------------------------------------------------------- */
 
 static void connect_ports(PluginHost *host) {
@@ -135,12 +151,15 @@ PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     host->knobs[i] = knob_range((KnobId)i, &usual).fallback;
   }
-  host->urids = (LV2_URID_Map){NULL, map};
+  host->urids = (LV2_URID_Map){NULL, host_map_feature};
   host->scheduler = (LV2_Worker_Schedule){host, schedule};
+  host->log = (LV2_Log_Log){host, say_all, say};
   const LV2_Feature map_feature = {LV2_URID__map, &host->urids},
+                    log_feature = {LV2_LOG__log, &host->log},
                     work_feature = {LV2_WORKER__schedule, &host->scheduler};
   const bool has_worker = worker != HOST_WITHOUT_WORKER;
-  const LV2_Feature *const features[] = {&map_feature, has_worker ? &work_feature : NULL, NULL};
+  const LV2_Feature *const features[] = {&map_feature, &log_feature,
+                                         has_worker ? &work_feature : NULL, NULL};
   host->handle = descriptor->instantiate(descriptor, 48000, "/", features);
   assert_non_null(host->handle);
   host_clear(host);

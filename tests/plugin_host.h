@@ -9,6 +9,7 @@
 
 #include <lv2/atom/atom.h>
 #include <lv2/core/lv2.h>
+#include <lv2/log/log.h>
 #include <lv2/state/state.h>
 #include <lv2/urid/urid.h>
 #include <lv2/worker/worker.h>
@@ -66,6 +67,8 @@ typedef struct PluginHost {
   } events;
   LV2_Worker_Schedule scheduler;
   LV2_URID_Map urids;
+  LV2_Log_Log log;
+  char said[512];    /**< the newest line of the log, "" if there was none */
   uint64_t position; /**< frames that were run */
   pthread_t thread;
   atomic_uint asked, done; /**< calls of the worker */
@@ -74,7 +77,9 @@ typedef struct PluginHost {
 
 /** What all hosts map URIs with; any thread. */
 LV2_URID host_map(const char *uri);
-/** The plugin @p uri of the binary TABOR_LV2_BINARY, or with NULL for @p binary of this program. */
+/** The same as a function of LV2's feature. */
+LV2_URID host_map_feature(LV2_URID_Map_Handle handle, const char *uri);
+/** The plugin @p uri of the file @p binary. */
 const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 
 /** Instantiates, connects all ports and activates at 48 kHz; knobs stand at their defaults. */

@@ -426,6 +426,12 @@ void voice_rest(Voice *voice) {
   const MidiBinding binding = voice->midi.binding;
   if (voice->drum) tabor_drum_reset(voice->drum);
   start_over(voice, &binding);
+  voice->gain = fader_at(voice->gain.target, voice->rate);
+  for (uint32_t i = KNOB_LEVEL_PAIR; i < KNOB_COUNT; i++) {
+    voice->levels[i] = fader_at(voice->levels[i].target, voice->rate);
+  }
   voice->wish.strainer = voice->wish.grip = NAN;
+  memset(voice->moved, 0, sizeof voice->moved); /* the drum has the values of its model */
+  voice->grip_moved = false;
   move_live(voice);
 }

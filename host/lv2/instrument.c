@@ -13,8 +13,10 @@
 #include "sequence.h"
 #include "uris.h"
 
-#define GLANCE 5000000 /* [ns] after which a thread of its own looks for work */
-#define PAUSE 1000000  /* [ns] for another thread that is at work already */
+#define LEAST_RATE 22050 /* [Hz] */
+#define MOST_RATE 192000 /* [Hz] */
+#define GLANCE 5000000   /* [ns] after which a thread of its own looks for work */
+#define PAUSE 1000000    /* [ns] for another thread that is at work already */
 
 /* ---- beginning ------------------------------------------------------------------------------ */
 
@@ -87,8 +89,14 @@ static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, con
     lv2_features_query(features, LV2_LOG__log, &instrument->logger.log, false, LV2_URID__map, &map,
                        true, LV2_WORKER__schedule, &instrument->schedule, false, NULL);
   lv2_log_logger_set_map(&instrument->logger, map);
+  const bool has_rate = rate >= LEAST_RATE && rate <= MOST_RATE; /* there are models for it */
   if (missing) {
     (void)lv2_log_error(&instrument->logger, "Tabor: the host lacks %s\n", missing);
+  } else if (!has_rate) {
+    (void)lv2_log_error(&instrument->logger, "Tabor: a sample rate of %g Hz; allowed: %d to %d\n",
+                        rate, LEAST_RATE, MOST_RATE);
+  }
+  if (missing || !has_rate) {
     free(instrument);
     return NULL;
   }
@@ -249,7 +257,7 @@ static void run(LV2_Handle handle, uint32_t frames) {
   }
   call_worker(instrument);
   if (!instrument->ready) return;
-  *instrument->ready = instrument->voice.drum && voice_is_settled(&instrument->voice) ? 1 : 0;
+  *instrument->ready = voice_is_ready(&instrument->voice) ? 1 : 0;
 }
 
 /* ---- extensions ----------------------------------------------------------------------------- */

@@ -8,6 +8,9 @@
 #include "live_headroom.h"
 
 #define HUMANIZE_SEED 1
+#define CROSS_HOLD 0.008 /* [s] after which a swapped drum is heard at all usual microphones */
+#define CROSS_FADE 0.008 /* [s] */
+#define RING_OUT 0.03    /* [s] of a drum that another one takes the place of */
 
 static const char *const mic_names[VOICE_MICS] = {"top", "bottom", "near", "far", "left", "right"};
 
@@ -68,6 +71,8 @@ bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
 }
 
 void voice_end(Voice *voice) {
+  tabor_drum_destroy(voice->leaving.drum);
+  for (uint32_t i = 0; i < WORKSHOP_TRASH; i++) tabor_drum_destroy(voice->trash[i]);
   tabor_drum_destroy(voice->drum);
   free(voice->bindings);
 }
@@ -94,6 +99,14 @@ static void fade_to(const Voice *voice, Fader *fader, double factor, bool at_onc
   }
 }
 
+/* What is under way to a microphone when it is switched on is not heard: its level waits for what comes. */
+static void turn_level(Voice *voice, KnobId id, double factor, bool at_once) {
+  Fader *const level = &voice->levels[id];
+  if (level->now == 0 && level->left == 0) voice->waits[id] = (uint32_t)(VOICE_WAIT * voice->rate);
+  if (at_once) voice->waits[id] = 0;
+  fade_to(voice, level, factor, at_once);
+}
+
 static void turn_setting(Voice *voice, KnobId id, float value, bool at_once) {
   switch (id) {
   case KNOB_VELOCITY_CURVE: voice->map.curve = (MidiCurve)lroundf(value); break;
@@ -103,7 +116,7 @@ static void turn_setting(Voice *voice, KnobId id, float value, bool at_once) {
     voice->wish.number++;
     break;
   case KNOB_GAIN: fade_to(voice, &voice->gain, knob_factor(id, value), at_once); break;
-  default: fade_to(voice, &voice->levels[id], knob_factor(id, value), at_once); break;
+  default: turn_level(voice, id, knob_factor(id, value), at_once); break;
   }
 }
 
@@ -274,10 +287,51 @@ static void move_live(Voice *voice) {
   voice->grip_moved = grip != voice->built_grip;
 }
 
-static void swap(Voice *voice, TaborSwap *swap) {
-  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
+static void throw_away(Voice *voice, TaborDrum *drum) {
+  uint32_t i = 0;
+  while (i + 1 < WORKSHOP_TRASH && voice->trash[i]) i++;
+  voice->trash[i] = drum; /* there is room: wishes empty it, and leave two drums behind at most */
+}
+
+static void end_leaving(Voice *voice) {
+  if (voice->leaving.drum) throw_away(voice, voice->leaving.drum);
+  voice->leaving.drum = NULL;
+}
+
+static void begin_leaving(Voice *voice, TaborDrum *drum, bool is_copy) {
+  Leaving *const leaving = &voice->leaving;
+  end_leaving(voice);
+  leaving->drum = drum;
+  leaving->is_copy = is_copy;
+  memcpy(leaving->mics, voice->mics, sizeof leaving->mics);
+  leaving->hold = is_copy ? (uint32_t)(CROSS_HOLD * voice->rate) : 0;
+  leaving->fade = (uint32_t)((is_copy ? CROSS_FADE : RING_OUT) * voice->rate);
+}
+
+/* A copy of the drum goes on as it was. */
+static void copy_drum(Voice *voice, const Offer *offer) {
+  tabor_drum_state_save(voice->drum, offer->state);
+  const size_t size = tabor_drum_state_size(offer->spare);
+  const bool copied = tabor_drum_state_load(offer->spare, offer->state, size) == TABOR_OK;
+  if (copied && !tabor_drum_is_silent(voice->drum)) {
+    begin_leaving(voice, offer->spare, true);
+  } else {
+    throw_away(voice, offer->spare);
+  }
+}
+
+static void swap(Voice *voice, const Offer *offer) {
+  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = offer->swap};
+  if (offer->spare) copy_drum(voice, offer);
   tabor_drum_process(voice->drum, &event, 1, NULL, 0);
-  voice->swap = swap;
+  voice->swap = offer->swap;
+}
+
+static void replace(Voice *voice, TaborDrum *drum) {
+  if (voice->drum) begin_leaving(voice, voice->drum, false);
+  voice->drum = drum;
+  memset(voice->moved, 0, sizeof voice->moved);
+  voice->grip_moved = false;
 }
 
 /* Messages may be meant for a still newer preset already. */
@@ -287,10 +341,12 @@ static bool speaks_of(const Voice *voice, const Offer *offer) {
 
 static void land(Voice *voice, Offer *offer) {
   if (!offer->is_news) return;
+  voice->answered = offer->number;
+  voice->answered_restoration = offer->restoration;
   if (offer->restoration != voice->wish.restoration) take_restoration(voice, offer);
   if (offer->failed) return;
-  if (offer->drum) voice->drum = offer->drum;
-  if (offer->swap) swap(voice, offer->swap);
+  if (offer->drum) replace(voice, offer->drum);
+  if (offer->swap) swap(voice, offer);
   if (offer->begins_anew) silencer_forget(&voice->silencer);
   read_model(voice, &offer->def);
   if (speaks_of(voice, offer)) voice->midi.binding = offer->binding;
@@ -310,15 +366,25 @@ void voice_receive(Voice *voice) {
   workshop_accept(voice->workshop);
 }
 
+static bool is_littered(const Voice *voice) {
+  return voice->trash[0] || (voice->swap && tabor_swap_done(voice->swap));
+}
+
 bool voice_ask(Voice *voice) {
-  const bool is_littered = voice->swap && tabor_swap_done(voice->swap);
-  if (!workshop_is_idle(voice->workshop) || !(wants(voice) || is_littered)) return false;
+  if (!workshop_is_idle(voice->workshop) || !(wants(voice) || is_littered(voice))) return false;
   voice->asked = voice->wish.number;
   voice->asked_restoration = atomic_load(&voice->workshop->restoration);
   voice->swap = NULL; /* the worker may clear it up now */
   memcpy(voice->wish.seen, voice->seen, sizeof voice->wish.seen);
+  memcpy(voice->wish.trash, voice->trash, sizeof voice->wish.trash);
+  memset(voice->trash, 0, sizeof voice->trash);
   workshop_ask(voice->workshop, &voice->wish);
   return true;
+}
+
+bool voice_is_ready(const Voice *voice) {
+  return voice->drum && voice->answered == voice->wish.number &&
+         voice->answered_restoration == atomic_load(&voice->workshop->restoration);
 }
 
 bool voice_is_settled(const Voice *voice) {
@@ -327,7 +393,9 @@ bool voice_is_settled(const Voice *voice) {
 
 /* ---- sound ---------------------------------------------------------------------------------- */
 
-static bool is_audible(const Fader *fader) { return fader->now != 0 || fader->left > 0; }
+static bool is_audible(const Voice *voice, KnobId id) {
+  return voice->levels[id].now != 0 || voice->levels[id].left > 0;
+}
 
 /* The knob of a microphone's level. */
 static KnobId level_of(VoiceMic mic) {
@@ -337,8 +405,8 @@ static KnobId level_of(VoiceMic mic) {
 }
 
 static bool hears(const Voice *voice, const VoiceOutputs *outputs, VoiceMic mic) {
-  if (!voice->drum || voice->mics[mic] == VOICE_NO_MIC) return false;
-  return voice->stereo ? is_audible(&voice->levels[level_of(mic)]) : outputs->channels[mic] != NULL;
+  if (!voice->drum) return false;
+  return voice->stereo ? is_audible(voice, level_of(mic)) : outputs->channels[mic] != NULL;
 }
 
 /* Strokes that wait for the end of a silence stay. */
@@ -355,14 +423,57 @@ static uint32_t take_events(Voice *voice) {
   return count;
 }
 
-static void compute(Voice *voice, const VoiceOutputs *outputs, uint32_t frames) {
-  float *planar[TABOR_MAX_MICS] = {NULL}; /* for microphones that nobody hears */
+/* Where a drum's microphones go: NULL for those that nobody hears. */
+static void choose_planar(const bool *heard, const uint32_t *mics, float (*samples)[VOICE_PIECE],
+                          float **planar) {
   for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
-    const uint32_t index = voice->mics[mic];
-    if (hears(voice, outputs, (VoiceMic)mic)) planar[index] = voice->planar[index];
+    if (heard[mic] && mics[mic] != VOICE_NO_MIC) planar[mics[mic]] = samples[mics[mic]];
   }
+}
+
+static void compute(Voice *voice, const bool *heard, uint32_t frames) {
+  Leaving *const leaving = &voice->leaving;
+  float *planar[TABOR_MAX_MICS] = {NULL}, *leaving_planar[TABOR_MAX_MICS] = {NULL};
   const uint32_t count = take_events(voice);
-  if (voice->drum) tabor_drum_process(voice->drum, voice->events, count, planar, frames);
+  if (!voice->drum) return;
+  choose_planar(heard, voice->mics, voice->planar, planar);
+  tabor_drum_process(voice->drum, voice->events, count, planar, frames);
+  if (!leaving->drum) return;
+  choose_planar(heard, leaving->mics, voice->leaving_planar, leaving_planar);
+  tabor_drum_process(leaving->drum, voice->events, leaving->is_copy ? count : 0, leaving_planar,
+                     frames);
+}
+
+/* How much of the leaving drum is heard so many frames from now. */
+static double leaving_part(const Voice *voice, uint32_t frame) {
+  const Leaving *const leaving = &voice->leaving;
+  const double length = (leaving->is_copy ? CROSS_FADE : RING_OUT) * voice->rate;
+  if (frame < leaving->hold) return 1;
+  const uint32_t gone = frame - leaving->hold;
+  return gone < leaving->fade ? (leaving->fade - gone) / (length + 1) : 0;
+}
+
+/* What a microphone hears, of the drum and of the one that leaves. */
+static void gather(Voice *voice, VoiceMic mic, uint32_t frames) {
+  const Leaving *const leaving = &voice->leaving;
+  const uint32_t index = voice->mics[mic], old = leaving->mics[mic];
+  double *const sound = voice->sound[mic];
+  for (uint32_t i = 0; i < frames; i++) {
+    sound[i] = index == VOICE_NO_MIC ? 0 : (double)voice->planar[index][i];
+  }
+  for (uint32_t i = 0; leaving->drum && i < frames; i++) {
+    const double part = leaving_part(voice, i);
+    const double sample = old == VOICE_NO_MIC ? 0 : (double)voice->leaving_planar[old][i];
+    sound[i] += part * (sample - (leaving->is_copy ? sound[i] : 0));
+  }
+}
+
+static void pass(Voice *voice, uint32_t frames) {
+  Leaving *const leaving = &voice->leaving;
+  const uint32_t held = frames < leaving->hold ? frames : leaving->hold, rest = frames - held;
+  leaving->hold -= held;
+  leaving->fade -= rest < leaving->fade ? rest : leaving->fade;
+  if (leaving->hold + leaving->fade == 0) end_leaving(voice);
 }
 
 /* The gain of all channels: it moves with the frames. In the order of a rendering's factors. */
@@ -371,22 +482,21 @@ static double next_gain(Voice *voice) {
          silencer_next(&voice->silencer);
 }
 
-static double sample_of(const Voice *voice, uint32_t mic, uint32_t frame) {
-  return (double)voice->planar[voice->mics[mic]][frame];
+static double next_level(Voice *voice, KnobId id) {
+  if (voice->waits[id] == 0) return fader_next(&voice->levels[id]);
+  voice->waits[id]--;
+  return voice->levels[id].now;
 }
 
-static void mix_stereo(Voice *voice, float *const *channels, uint32_t at, uint32_t frames) {
-  bool heard[VOICE_MICS];
-  for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
-    heard[mic] = hears(voice, NULL, (VoiceMic)mic);
-  }
+static void mix_stereo(Voice *voice, const bool *heard, float *const *channels, uint32_t at,
+                       uint32_t frames) {
   for (uint32_t frame = 0; frame < frames; frame++) {
-    const double gain = next_gain(voice), pair = fader_next(&voice->levels[KNOB_LEVEL_PAIR]);
-    double left = heard[VOICE_LEFT] ? pair * sample_of(voice, VOICE_LEFT, frame) : 0;
-    double right = heard[VOICE_RIGHT] ? pair * sample_of(voice, VOICE_RIGHT, frame) : 0;
+    const double gain = next_gain(voice), pair = next_level(voice, KNOB_LEVEL_PAIR);
+    double left = heard[VOICE_LEFT] ? pair * voice->sound[VOICE_LEFT][frame] : 0;
+    double right = heard[VOICE_RIGHT] ? pair * voice->sound[VOICE_RIGHT][frame] : 0;
     for (uint32_t mic = VOICE_TOP; mic <= VOICE_FAR; mic++) {
-      const double level = fader_next(&voice->levels[level_of((VoiceMic)mic)]);
-      const double sample = heard[mic] ? level * sample_of(voice, mic, frame) : 0;
+      const double level = next_level(voice, level_of((VoiceMic)mic));
+      const double sample = heard[mic] ? level * voice->sound[mic][frame] : 0;
       left += sample;
       right += sample;
     }
@@ -395,40 +505,48 @@ static void mix_stereo(Voice *voice, float *const *channels, uint32_t at, uint32
   }
 }
 
-static void mix_multi(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint32_t frames) {
+static void mix_multi(Voice *voice, const bool *heard, float *const *channels, uint32_t at,
+                      uint32_t frames) {
   for (uint32_t frame = 0; frame < frames; frame++) {
     const double gain = next_gain(voice);
     for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
-      if (!outputs->channels[mic]) continue;
-      const bool heard = hears(voice, outputs, (VoiceMic)mic);
-      outputs->channels[mic][at + frame] =
-        heard ? (float)(gain * (double)voice->planar[voice->mics[mic]][frame]) : 0;
+      const double sample = heard[mic] ? voice->sound[mic][frame] : 0;
+      if (channels[mic]) channels[mic][at + frame] = (float)(gain * sample);
     }
   }
 }
 
 uint32_t voice_play(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint32_t most,
                     bool waits) {
+  if (silencer_is_due(&voice->silencer)) end_leaving(voice);
   if (voice->drum) silencer_step(&voice->silencer, voice->drum);
   act_due(voice);
   if (waits && !voice_is_settled(voice)) return 0;
   const uint32_t frames = silencer_limit(&voice->silencer, most < VOICE_PIECE ? most : VOICE_PIECE);
-  compute(voice, outputs, frames);
-  if (voice->stereo) {
-    mix_stereo(voice, outputs->channels, at, frames);
-  } else {
-    mix_multi(voice, outputs, at, frames);
+  bool heard[VOICE_MICS];
+  for (uint32_t mic = 0; mic < VOICE_MICS; mic++) heard[mic] = hears(voice, outputs, (VoiceMic)mic);
+  compute(voice, heard, frames);
+  for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
+    if (heard[mic]) gather(voice, (VoiceMic)mic, frames);
   }
+  if (voice->stereo) {
+    mix_stereo(voice, heard, outputs->channels, at, frames);
+  } else {
+    mix_multi(voice, heard, outputs->channels, at, frames);
+  }
+  if (voice->leaving.drum) pass(voice, frames);
   return frames;
 }
 
 void voice_rest(Voice *voice) {
   const MidiBinding binding = voice->midi.binding;
   if (voice->drum) tabor_drum_reset(voice->drum);
+  end_leaving(voice);
   start_over(voice, &binding);
   voice->gain = fader_at(voice->gain.target, voice->rate);
   for (uint32_t i = KNOB_LEVEL_PAIR; i < KNOB_COUNT; i++) {
     voice->levels[i] = fader_at(voice->levels[i].target, voice->rate);
+    voice->waits[i] = 0;
   }
   voice->wish.strainer = voice->wish.grip = NAN;
   memset(voice->moved, 0, sizeof voice->moved); /* the drum has the values of its model */

@@ -20,6 +20,8 @@
 #define VOICE_EVENTS 256 /**< that may wait, or act at one frame; further ones are dropped */
 #define VOICE_ACTIONS 64 /**< likewise beside them */
 
+#define VOICE_WAIT 0.04 /**< [s] until what is under way to a microphone has arrived for sure */
+
 /** The microphones that the plugins know, in the order of the outputs of the one that has all. */
 typedef enum VoiceMic {
   VOICE_TOP,
@@ -32,6 +34,16 @@ typedef enum VoiceMic {
 } VoiceMic;
 
 #define VOICE_NO_MIC UINT32_MAX
+
+/** The drum as it was before a change, on its way out. */
+typedef struct Leaving {
+  TaborDrum *drum; /**< or NULL */
+  bool
+    is_copy; /**< of the drum of now: it plays along until the new one's sound is everywhere, then they
+                     cross; or else it rings out under a fade beside the new one */
+  uint32_t mics[VOICE_MICS];
+  uint32_t hold, fade; /**< frames left of it */
+} Leaving;
 
 typedef struct Voice {
   /* set up once */
@@ -48,13 +60,18 @@ typedef struct Voice {
   Humanizer humanizer;
   double head_radius;
   uint32_t striker_count;
-  uint32_t mics[VOICE_MICS]; /**< of the model of now, or VOICE_NO_MIC */
+  Leaving leaving;
+  TaborDrum *trash[WORKSHOP_TRASH]; /**< that the worker is to destroy */
+  uint32_t mics[VOICE_MICS];        /**< of the model of now, or VOICE_NO_MIC */
   Silencer silencer;
   Fader gain, expression;
   Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR on */
+  uint32_t
+    waits[KNOB_COUNT]; /**< frames until a level moves: the microphone has just been switched on */
 
   Wish wish;
-  uint32_t asked, asked_restoration; /**< of the newest wish that was made */
+  uint32_t asked, asked_restoration;       /**< of the newest wish that was made */
+  uint32_t answered, answered_restoration; /**< of the newest offer that was taken */
   int32_t chosen;          /**< program that MIDI has chosen; knobs turned since make it none */
   float seen[KNOB_COUNT];  /**< of the ports; NaN: not yet */
   double built[KNOB_KEYS]; /**< of the model; NaN: the drum has no such part */
@@ -67,7 +84,9 @@ typedef struct Voice {
   uint32_t event_count;
   MidiAction actions[VOICE_ACTIONS]; /**< beside them */
   uint32_t action_count;
-  float planar[TABOR_MAX_MICS][VOICE_PIECE];
+  float planar[TABOR_MAX_MICS][VOICE_PIECE];         /**< of the drum */
+  float leaving_planar[TABOR_MAX_MICS][VOICE_PIECE]; /**< of the one that leaves */
+  double sound[VOICE_MICS][VOICE_PIECE];             /**< of both */
 } Voice;
 
 /** Where a run's sound goes: of each output, or NULL. */
@@ -94,7 +113,9 @@ void voice_take(Voice *voice, const MidiMessage *message) REALTIME;
 void voice_receive(Voice *voice) REALTIME;
 /** Asks the workshop for what is wanted, if it is free. True: now somebody has to work. */
 bool voice_ask(Voice *voice) REALTIME;
-/** True if nothing is wished for that the workshop has not answered. */
+/** True if there is a drum, and it is what it is to be. */
+bool voice_is_ready(const Voice *voice) REALTIME;
+/** True if nothing is wished for that the workshop has not answered, and it has nothing else to do. */
 bool voice_is_settled(const Voice *voice) REALTIME;
 /**
  * Plays up to @p most frames into @p outputs from frame @p at on; returns how many: up to where something

@@ -22,7 +22,24 @@ bool workshop_begin(Workshop *workshop, double rate) {
   return pthread_mutex_init(&workshop->lock, NULL) == 0;
 }
 
+static void destroy_drums(TaborDrum **drums) {
+  for (uint32_t i = 0; i < WORKSHOP_TRASH; i++) {
+    tabor_drum_destroy(drums[i]);
+    drums[i] = NULL;
+  }
+}
+
+/* What was offered and not taken. */
+static void destroy_offer(Workshop *workshop) {
+  if (atomic_load(&workshop->phase) != PHASE_OFFERED || !workshop->offer.is_news) return;
+  tabor_drum_destroy(workshop->offer.drum);
+  tabor_drum_destroy(workshop->offer.spare);
+}
+
 void workshop_end(Workshop *workshop) {
+  destroy_offer(workshop);
+  destroy_drums(workshop->wish.trash);
+  free(workshop->offer.state);
   for (uint32_t i = 0; i < workshop->swap_count; i++) tabor_swap_destroy(workshop->swaps[i]);
   free(workshop->swaps);
   model_cache_give_back(workshop->model);
@@ -138,10 +155,31 @@ static TaborStatus keep(Workshop *workshop, TaborSwap *swap) {
   return TABOR_OK;
 }
 
+static bool same_mics(const TaborDrumDef *a, const TaborDrumDef *b) {
+  if (a->mic_count != b->mic_count) return false;
+  for (uint32_t i = 0; i < a->mic_count; i++) {
+    if (strcmp(a->mic[i].name, b->mic[i].name) != 0) return false;
+  }
+  return true;
+}
+
+/* Without memory for it, the change may be heard. */
+static void prepare_spare(Workshop *workshop, Offer *offer) {
+  if (tabor_drum_create(workshop->model, &offer->spare, NULL) != TABOR_OK) return;
+  offer->state = malloc(tabor_drum_state_size(offer->spare));
+  if (offer->state) return;
+  tabor_drum_destroy(offer->spare);
+  offer->spare = NULL;
+}
+
 /* The drum, or the way from the model before. */
 static TaborStatus prepare(Workshop *workshop, TaborModel *model, Offer *offer, TaborError *error) {
-  if (!workshop->model) return tabor_drum_create(model, &offer->drum, error);
+  const bool is_first = !workshop->model;
+  if (is_first || !same_mics(tabor_model_definition(workshop->model), &offer->def)) {
+    return tabor_drum_create(model, &offer->drum, error);
+  }
   if (workshop->model == model) return TABOR_OK;
+  if (!offer->begins_anew) prepare_spare(workshop, offer);
   const TaborStatus status = tabor_swap_create(workshop->model, model, &offer->swap, error);
   if (status != TABOR_OK) return status;
   if (keep(workshop, offer->swap) == TABOR_OK) return TABOR_OK;
@@ -175,8 +213,11 @@ static void answer(Workshop *workshop) {
   TaborError error;
   const uint32_t number = offer->number, restoration = offer->restoration;
   discard_done(workshop);
-  offer->drum = NULL;
+  destroy_drums(workshop->wish.trash);
+  free(offer->state);
+  offer->drum = offer->spare = NULL;
   offer->swap = NULL;
+  offer->state = NULL;
   offer->number = workshop->wish.number;
   TaborDrumDef composed;
   (void)pthread_mutex_lock(&workshop->lock);
@@ -189,7 +230,10 @@ static void answer(Workshop *workshop) {
   midi_binding_make(&workshop->map, &offer->def, &offer->binding);
   compose_model(&workshop->wish, offer);
   offer->failed = build(workshop, offer, &error) != TABOR_OK;
-  if (offer->failed) say(workshop, &error);
+  if (!offer->failed) return;
+  tabor_drum_destroy(offer->spare);
+  offer->drum = offer->spare = NULL;
+  say(workshop, &error);
 }
 
 void workshop_work(Workshop *workshop) {

@@ -8,6 +8,9 @@
  *
  *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> OFFERED --audio--> IDLE
  *
+ * A drum whose microphones stand elsewhere is another one; the old one may ring out beside it. Otherwise the
+ * drum is swapped; where it is the same but for some knobs, a copy of it can go on meanwhile.
+ *
  * What a drum is: a definition, that of DEFAULT_PRESET or the one that was restored last, or a built-in
  * preset that MIDI has chosen since; in it the values of the knobs that were turned since.
  */
@@ -22,6 +25,7 @@
 #include "realtime.h"
 
 #define WORKSHOP_NO_PROGRAM (-1)
+#define WORKSHOP_TRASH 4 /**< drums that one wish can do away with */
 
 /** What the drum is to be. NaN stands for: as it is in the definition. */
 typedef struct Wish {
@@ -34,6 +38,7 @@ typedef struct Wish {
   double strainer, grip;    /**< as MIDI has moved them since */
   float seen[KNOB_KEYS];    /**< what the ports say: a change of these is a turn of the knob */
   uint32_t quality;         /**< a TaborQuality */
+  TaborDrum *trash[WORKSHOP_TRASH]; /**< drums to be destroyed, or NULL */
 } Wish;
 
 /** What there is now. */
@@ -41,8 +46,10 @@ typedef struct Offer {
   uint32_t number, restoration; /**< of the wish; the newest restoration takes its place */
   int32_t program;
   float seen[KNOB_KEYS]; /**< what the restored ports say; NaN: whatever they do */
-  TaborDrum *drum;       /**< the first one, or NULL */
-  TaborSwap *swap;       /**< of a drum that is there, or NULL if nothing changes */
+  TaborDrum *drum;       /**< in place of the one that is there, if there is one; or NULL: */
+  TaborSwap *swap;       /**< of the drum that is there; or NULL: nothing changes */
+  TaborDrum *spare;      /**< with a swap: room for a copy of the drum as it was before; or NULL */
+  void *state;           /**< with a spare: room for tabor_drum_state_save() */
   bool is_news;          /**< or the wish had been answered before: then nothing else counts */
   bool failed;           /**< nothing was built: then only what stands above counts */
   bool begins_anew;      /**< another drum: what MIDI has moved is forgotten */

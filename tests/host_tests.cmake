@@ -25,7 +25,7 @@ if(TARGET tabor-program)
                                               "TYPIST=$<TARGET_FILE:host_typist>")
   endfunction()
 
-  foreach(name IN ITEMS test_library_sampler test_sweep test_system_analyze test_system_bench test_system_completion
+  foreach(name IN ITEMS test_library_sampler test_system_analyze test_system_bench test_system_completion
                         test_system_events_file
                         test_system_files test_system_humanize test_system_jobs test_system_keys test_system_library
                         test_system_midi_file
@@ -52,6 +52,7 @@ if(TARGET tabor-program)
   # Sanitizers and counters would be in what these look at or compare times with.
   if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     tabor_add_host_test(test_compare_tools "${PROJECT_SOURCE_DIR}")
+    tabor_add_host_test(test_sweep) # of a script: sanitizers have nothing to see in it
   endif()
   if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     # What the program's audio thread may call, and what compilers that know such threads say.

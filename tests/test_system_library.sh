@@ -5,7 +5,7 @@
 . "$(dirname "$0")/host_checks.sh"
 
 one=(--velocities 1 --positions 1 --takes 1)
-short=(--quality draft --duration 0.2)
+short=(--quality draft --duration 0.2 --set quality.two_way_bandwidth=1000)
 files() { find "$1" -mindepth 1 -printf '%P\n' | sort | tr '\n' ' '; }
 sounds() { find "$1" -name '*.wav' | wc -l; }
 library() { done_quietly library "$@" "${short[@]}" -q; }
@@ -96,7 +96,7 @@ for velocities in 1 2 8 127; do
   rm -rf many
   positions=$((velocities == 127 ? 1 : 8))
   run library frame-drum --velocities $velocities --positions $positions --takes 1 -o many --quality draft \
-    --duration 0.01
+    --duration 0.01 --set quality.two_way_bandwidth=500
   same "status of $velocities velocities" 0 "$status"
   keys="36 38 41 43 45 47 48 50"
   [ $positions = 8 ] || keys=38

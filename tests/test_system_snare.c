@@ -139,13 +139,24 @@ static double level_late(const Take *take) {
   return decibels(sum / (0.1 * RATE));
 }
 
+/* Cosine and sine of an angle that grows by another. */
+static void turn(double *c, double *s, double by_c, double by_s) {
+  const double next = *c * by_c - *s * by_s;
+  *s = *s * by_c + *c * by_s;
+  *c = next;
+}
+
 /* |Fourier integral| of `count` samples under a falling half of Hann's window. */
 static double amplitude_at(const float *x, uint32_t count, double f) {
-  double re = 0.0, im = 0.0;
+  const double turn_c = cos(2.0 * PI * f / RATE), turn_s = sin(2.0 * PI * f / RATE);
+  const double fall_c = cos(PI / count), fall_s = sin(PI / count);
+  double re = 0.0, im = 0.0, c = 1.0, s = 0.0, window_c = 1.0, window_s = 0.0;
   for (uint32_t n = 0; n < count; n++) {
-    const double sample = (double)x[n] * (0.5 + 0.5 * cos(PI * n / count));
-    re += sample * cos(2.0 * PI * f * n / RATE);
-    im += sample * sin(2.0 * PI * f * n / RATE);
+    const double sample = (double)x[n] * (0.5 + 0.5 * window_c);
+    re += sample * c;
+    im += sample * s;
+    turn(&c, &s, turn_c, turn_s);
+    turn(&window_c, &window_s, fall_c, fall_s);
   }
   return sqrt(re * re + im * im);
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Random drums and random playing: nothing is ever not finite, and the numerics never create energy.
  *
- * usage: test_system_trials [DEFINITIONS [SEQUENCES]], 100 and 900 by default. */
+ * usage: test_system_trials [DEFINITIONS [SEQUENCES]], 70 and 600 by default. */
 #include "physics.h"
 
-static uint32_t definitions = 100, sequences = 900;
+static uint32_t definitions = 70, sequences = 600;
 static char playing[192]; /* the drum under test, for messages */
 static double rounding;   /* of its ledger [J] */
 static double created;    /* part of what was put in that its residual may fall below zero */

@@ -11,8 +11,8 @@ enum { BRUSH = 1 };
 static TaborDrumDef brushed(const char *preset) {
   TaborDrumDef def = physics_preset(preset);
   static const char *const BRISTLES[][2] = {{"kind", "brush"},
-                                            {"mass", "0.003"},
-                                            {"contact_stiffness", "6e8"},
+                                            {"mass", "0.0006"},
+                                            {"contact_stiffness", "2e9"},
                                             {"contact_exponent", "2"},
                                             {"contact_loss", "0.5"}};
   def.striker_count = 1;
@@ -59,7 +59,7 @@ static void a_slap_brings_the_energy_of_its_wires(void **state) {
   tabor_drum_process(drum, &SLAP, 1, NULL, 0);
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
-  assert_true(fabs(ledger.injected - 0.5 * 0.003 * 4.0) < 1e-12);
+  assert_true(fabs(ledger.injected - 0.5 * 0.0006 * 4.0) < 1e-12);
   tabor_drum_process(drum, NULL, 0, NULL, 9600);
   check_closed(drum);
   TaborStatistics statistics;

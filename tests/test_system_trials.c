@@ -44,7 +44,8 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 /* Keys that are drawn apart. */
 static bool is_newer(const TaborParameter *p) {
   return strncmp(p->key, "lug_", 4) == 0 || strcmp(p->key, "pivot") == 0 ||
-         strcmp(p->key, "grip") == 0;
+         strcmp(p->key, "grip") == 0 || strcmp(p->key, "bristles") == 0 ||
+         strcmp(p->key, "spread") == 0 || strcmp(p->key, "sweep_speed") == 0;
 }
 
 /* On every other drum, of its own seed, so that older trials stay what they were. */
@@ -56,7 +57,17 @@ static void draw_lugs(uint64_t seed, TaborHeadDef *head) {
   head->lug[physics_random(&seed) % head->lug_count] = physics_uniform(&seed, -0.2, 0.2);
 }
 
+/* On every third drum the usual striker is a brush. */
+static void draw_brush(uint64_t seed, TaborStrikerDef *striker) {
+  if (physics_random(&seed) % 3) return;
+  striker->kind = TABOR_STRIKER_BRUSH;
+  striker->bristles = 3 + (uint32_t)(physics_random(&seed) % 998);
+  striker->spread = draw_value(&seed, tabor_parameter_find("striker.any.spread"));
+  if (physics_random(&seed) % 2) striker->mass = exp(physics_uniform(&seed, log(1e-4), log(0.01)));
+}
+
 static void draw_newer(uint64_t seed, TaborDrumDef *def) {
+  draw_brush(seed + 2, &def->striker[0]);
   draw_lugs(seed, &def->batter);
   draw_lugs(seed + 1, &def->resonant);
   def->hand.pivot = physics_uniform(&seed, 0.0, 0.3);
@@ -151,7 +162,7 @@ static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
   return event;
 }
 
-/* What strikes or presses may be a buzz, and what moves a parameter may move the grip: of a seed of its
+/* What strikes or presses may be a buzz or a sweep, or move one, and what moves a parameter may move the grip: of a seed of its
  * own, as draw_lugs(). */
 
 static void draw_hands(uint64_t seed, TaborEvent *event) {
@@ -162,6 +173,12 @@ static void draw_hands(uint64_t seed, TaborEvent *event) {
   } else if (event->type == TABOR_EVENT_PARAMETER && draw == 0) {
     event->parameter = tabor_parameter_find("hand.grip")->id;
     event->value = draw_value(&seed, tabor_parameter_find("hand.grip"));
+  } else if (event->type == TABOR_EVENT_STRIKE && draw == 1) {
+    event->technique = TABOR_TECHNIQUE_SWEEP; /* dropped, unless it is a brush's */
+    event->value = physics_uniform(&seed, 0.0, 1.0);
+  } else if (event->type == TABOR_EVENT_STRIKE && physics_random(&seed) % 2) {
+    event->type = TABOR_EVENT_MOVE;
+    event->value = physics_random(&seed) % 2 ? 0.0 : physics_uniform(&seed, 0.0, 0.1);
   }
 }
 

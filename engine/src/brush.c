@@ -7,7 +7,7 @@
 #include "live.h"
 #include "power.h"
 
-static const double COATING = 1.2e-5; /* root mean square of the coating's height [m] */
+static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */
 
 /* The fan comes down aslant: groups land one after another, over this part of its radius. */
 static const double SLANT = 0.05;
@@ -15,6 +15,11 @@ static const double SLANT = 0.05;
 static const double SPLAY = 0.3, SPLAY_TIME = 0.01; /* [s] */
 /* From the middle of the fan to that of a group, in parts of its radius: the mean of an even disc. */
 static const double GROUP_RADIUS = 2.0 / 3.0;
+
+static const double WIRE_RESISTANCE = 0.0135; /* of one wire: see brush.h [N s/m] */
+
+/* How long a wave takes along a wire of 0.1 m and back, at the 45 m/s of 200 Hz. */
+static const double WAVE_TIME = 0.0045; /* [s] */
 
 static const double LAYING = 0.05; /* speed of a brush that is laid down [m/s] */
 static const double LIFTING = 0.5, LIFTING_TIME = 0.2; /* pull of a hand that lifts [N]; most [s] */
@@ -74,17 +79,6 @@ static double stride(const TbView *view, const TbBrush *brush, uint32_t group, d
 
 /* ---- strokes --------------------------------------------------------------------------------- */
 
-static bool flies_free(const TbView *view, uint32_t b) {
-  if (view->state->brushes[b].swept) return false;
-  for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
-    const uint32_t slot = slot_of(b, g);
-    if (is_there(view, slot) && (view->state->slots[slot].held || tb_slots_touches(view, slot))) {
-      return false;
-    }
-  }
-  return true;
-}
-
 static void take_away(TbView *view, uint32_t b) {
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
     if (is_there(view, slot_of(b, g))) tb_slots_take_away(view, slot_of(b, g));
@@ -102,7 +96,7 @@ static void lift(TbView *view, TbBrush *brush) {
 static uint32_t spare(const TbView *view, uint32_t b, uint32_t id) {
   const TbBrush *brush = &view->state->brushes[b];
   if (!brush->active) return 3;
-  if (brush->lifting || flies_free(view, b)) return 2;
+  if (brush->lifting) return 2;
   return id != 0 && brush->id == id;
 }
 
@@ -116,7 +110,7 @@ static uint32_t obtain(TbView *view, uint32_t id) {
   if (spare(view, best, id) < 3) take_away(view, best);
   for (uint32_t b = 0; b < TB_BRUSHES && id != 0; b++) {
     TbBrush *brush = &view->state->brushes[b];
-    if (brush->active && brush->id == id && brush->swept) lift(view, brush);
+    if (brush->active && brush->id == id) lift(view, brush);
   }
   return best;
 }
@@ -159,32 +153,32 @@ static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *
   const TbBrush *brush = &view->state->brushes[b];
   const TaborStrikerDef *def = &view->model->def.striker[stroke->striker];
   const Place place = place_of(view, brush, group);
+  const bool wires = view->model->def.quality.losses != 0;
   const TbSlot striker = {.kind = TB_SLOT_STRIKER,
                           .id = stroke->id,
                           .serial = view->state->serial,
                           .mass = def->mass / TB_BRISTLE_GROUPS,
                           .bristles = 1,
                           .part = 1.0 / TB_BRISTLE_GROUPS,
+                          .resistance =
+                            wires ? WIRE_RESISTANCE * def->bristles / TB_BRISTLE_GROUPS : 0.0,
                           .coat = coat_height(view, brush, group),
                           .due = stride(view, brush, group, 0.0),
                           .definition = stroke->striker,
                           .radius = place.radius,
                           .angle = place.angle,
                           .velocity = is_sweep(stroke) ? LAYING : stroke->velocity};
+  const uint32_t slot = slot_of(b, group);
   const double above = is_sweep(stroke) ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
-  tb_slots_put(view, slot_of(b, group), &striker, above);
+  tb_slots_put(view, slot, &striker, above);
+  tb_slots_hold(view, slot, 0.0);
+  if (!is_sweep(stroke)) view->state->slots[slot].push = striker.resistance * stroke->velocity;
 }
 
 static void hold(TbView *view, uint32_t b, double pressure) {
   TbBrush *brush = &view->state->brushes[b];
   brush->press = tb_slots_press_force(pressure);
   brush->lifting = 0;
-  brush->swept = 1;
-  for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
-    const uint32_t slot = slot_of(b, g);
-    const TbSlot *s = &view->state->slots[slot];
-    if (is_there(view, slot)) tb_slots_hold(view, slot, s->held ? s->press : 0.0);
-  }
 }
 
 bool tb_brush_strike(TbView *view, const TbStroke *stroke) {
@@ -193,7 +187,11 @@ bool tb_brush_strike(TbView *view, const TbStroke *stroke) {
   begin(view, b, stroke);
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) put_group(view, b, g, stroke);
   const bool buzz = stroke->technique == TABOR_TECHNIQUE_BUZZ;
-  if (is_sweep(stroke) || buzz) hold(view, b, stroke->pressure);
+  if (is_sweep(stroke) || buzz) {
+    hold(view, b, stroke->pressure);
+  } else {
+    lift(view, &view->state->brushes[b]);
+  }
   view->state->statistics.strikes++;
   tb_live_apply(view);
   return true;
@@ -231,7 +229,7 @@ bool tb_brush_move(TbView *view, uint32_t id, double radius, double angle, doubl
   bool found = false;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
     TbBrush *brush = &view->state->brushes[b];
-    if (!is_meant(brush, id) || !brush->swept) continue;
+    if (!is_meant(brush, id)) continue;
     aim(view, brush, radius, angle, seconds);
     found = true;
   }
@@ -252,11 +250,7 @@ void tb_brush_release(TbView *view, uint32_t id) {
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
     TbBrush *brush = &view->state->brushes[b];
     if (!is_meant(brush, id)) continue;
-    if (brush->swept) {
-      lift(view, brush);
-    } else {
-      take_away(view, b);
-    }
+    lift(view, brush);
   }
 }
 
@@ -305,6 +299,7 @@ static void draw_on(TbView *view, uint32_t b, uint32_t group, double way) {
 static void press_on(TbView *view, const TbBrush *brush, TbSlot *s) {
   const double k = view->model->time_step;
   s->press += (brush->press - s->press) * (k / (k + PRESSING_TIME));
+  s->push *= 1.0 - k / WAVE_TIME;
 }
 
 static bool is_lifted(const TbView *view, const TbBrush *brush, uint32_t slot) {
@@ -320,18 +315,15 @@ static void step_group(TbView *view, uint32_t b, uint32_t group, double way, boo
     tb_slots_take_away(view, slot);
     return;
   }
-  if (s->held) press_on(view, brush, s);
+  press_on(view, brush, s);
   if (slides) tb_slots_raise(view, slot, coat_height(view, brush, group) - s->coat);
   if (brush->way >= s->due) draw_on(view, b, group, way);
 }
 
 static void step_brush(TbView *view, uint32_t b) {
   TbBrush *brush = &view->state->brushes[b];
-  double way = 0.0;
-  if (brush->swept) {
-    move_aim(brush);
-    way = follow_aim(view, brush);
-  }
+  move_aim(brush);
+  const double way = follow_aim(view, brush);
   brush->way += way;
   brush->track += way + brush->slide;
   const bool slides = way > 0.0 || brush->slide > 0.0;

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "coat.h"
 
-/* Lengths that make up the roughness, and c_j/H: Sum c_j^2 times the variance of a spline of numbers from -1
+/* Lengths that make up the roughness, and c/H: 5 c^2 times the variance of a spline of numbers from -1
  * to 1, 151/315 times 1/3, is 1. */
-#define LENGTHS 4u
-static const double PART[LENGTHS] = {0.645924564516908, 0.913475279409747, 1.291849129033817,
-                                     1.826950558819494};
+#define LENGTHS 5u
+static const double PART = 1.118774163600087;
 
 double tb_coat_draw(uint64_t seed, uint64_t place) {
   /* The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every bit. */
@@ -30,7 +29,7 @@ static double spline(uint64_t seed, double place) {
 double tb_coat_height(uint64_t seed, double s) {
   double sum = 0.0, place = s / TB_COAT_GRAIN;
   for (uint32_t j = 0; j < LENGTHS; j++, place *= 0.5) {
-    sum += PART[j] * spline(seed ^ (uint64_t)(j + 1u) << 60, place);
+    sum += PART * spline(seed ^ (uint64_t)(j + 1u) << 60, place);
   }
   return sum;
 }

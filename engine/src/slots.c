@@ -67,8 +67,8 @@ static Hand hand_of(const TbView *view, const TbSlot *s) {
   if (!s->held) return (Hand){0.0, 0.0, 0.0};
   const TaborDrumDef *def = &view->model->def;
   const double share = 2.0 * s->part * view->state->live[TB_LIVE_GRIP].now;
-  return (Hand){share * s->press, share * def->hand.stiffness,
-                def->quality.losses ? share * def->hand.damping : 0.0};
+  return (Hand){share * s->press + s->push, share * def->hand.stiffness,
+                def->quality.losses ? share * def->hand.damping + s->resistance : 0.0};
 }
 
 /* Displacement of the striker itself one step after a unit force [m/N]. */

@@ -58,6 +58,7 @@ typedef struct TbSlot {
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* it is a group of a brush's */
   double part;                              /* ... or all of a striker: 1 */
+  double resistance, push;                  /* of its wires, when held [N s/m], [N] */
   double coat;                              /* height of the coating under it [m] */
   double due;                               /* the brush's way when it slips on [m] */
   double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
@@ -67,8 +68,7 @@ typedef struct TbSlot {
 typedef struct TbBrush {
   uint32_t active, id;
   uint32_t definition;  /* which striker */
-  uint32_t swept;       /* a hand holds it on the head, */
-  uint32_t lifting;     /* ... or is lifting it, for so many samples yet */
+  uint32_t lifting;     /* the hand is lifting it, for so many samples yet */
   uint64_t seed;        /* of its tracks */
   uint64_t moved;       /* clock at the last move */
   double radius, angle; /* where the hand aims [m], [deg], */

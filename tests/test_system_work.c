@@ -56,10 +56,13 @@ COUNTED(losses, n,
         (n, count, w, next, last, sums))
 COUNTED(gather_lines, (uint64_t)bed->wires * bed->lanes * bed->lines,
         (const TbBed *bed, In x, Out lines), (bed, x, lines))
-COUNTED(wire_step, n,
-        (uint32_t n, In c, In inner, In now, In last, Out bend, Out bend_last, Out next),
-        (n, c, inner, now, last, bend, bend_last, next))
-COUNTED_RESULT(TbPair, wire_losses, n, (uint32_t n, In next, In last), (n, next, last))
+COUNTED(wire_step, (uint64_t)wires *lanes,
+        (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
+         Out bend, Out next),
+        (wires, lanes, c, inner, now, last, bend, next))
+COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
+               (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
+               (wires, lanes, c, next, last))
 COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
                (uint32_t wires, uint32_t lanes, In f, In rest, In loss, Out out),
                (wires, lanes, f, rest, loss, out))
@@ -76,9 +79,10 @@ COUNTED(balance, n,
          double sums[3]),
         (n, t, s, law, slope, f, f_last, p, p_last, sums))
 COUNTED_RESULT(double, lost, n, (uint32_t n, In s, In f, In mean), (n, s, f, mean))
-COUNTED(penetrate, n,
-        (uint32_t n, double side, double shift, In w, In v, In rest, In last, In load, Out b),
-        (n, side, shift, w, v, rest, last, load, b))
+COUNTED(penetrate, (uint64_t)wires *lanes,
+        (uint32_t wires, uint32_t lanes, double side, In shift, In w, In v, In rest, In last,
+         In load, Out b),
+        (wires, lanes, side, shift, w, v, rest, last, load, b))
 COUNTED(move, n, (uint32_t n, In own, In f, In rest, In last, In s, Out v, Out eta),
         (n, own, f, rest, last, s, v, eta))
 COUNTED(product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))

@@ -164,8 +164,7 @@ static void touch_wires(Memory *memory) {
   if (w->count == 0) return;
   TOUCH(memory, TB_STAGE_MODES, model->modes.group[model->modes.groups], model->modes.pull,
         v->modal);
-  TOUCH(memory, TB_STAGE_WIRES, w->node_count, v->next.v, v->now.v, v->last.v, v->bend,
-        v->bend_last);
+  TOUCH(memory, TB_STAGE_WIRES, w->node_count, v->next.v, v->now.v, v->last.v, v->bend);
   TOUCH(memory, TB_STAGE_WIRES, w->stride, w->inner, v->head, model->rest.eta, v->last.eta,
         v->rest_load, v->b, v->own, v->solve.force, model->rest.force, v->s, v->next.eta);
   touch(memory, TB_STAGE_WIRES, v->state->wires, w->count * sizeof *v->state->wires);

@@ -139,12 +139,10 @@ TbLosses tb_losses(const TbView *view) {
     losses.head +=
       tb_mobility_loss(tb_slot_missing(view, i), view->next.missing[i], view->last.missing[i]);
   }
-  for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) {
-    const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
-    const TbPair sums =
-      model->kernels->wire_losses(model->wires.lanes, view->next.v + at, view->last.v + at);
-    losses.wires +=
-      tb_wire_loss(&model->wires.wires[w], &view->state->wires[w], model->time_step, sums);
+  if (!view->state->lifted) {
+    losses.wires =
+      model->kernels->wire_losses(model->wires.count, model->wires.lanes, view->state->wires,
+                                  view->next.v + TB_WIRE_FRONT, view->last.v + TB_WIRE_FRONT);
   }
   return losses;
 }

@@ -353,34 +353,43 @@ static INLINE Lanes second_difference(const double *v) {
   return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
 }
 
-static void wire_step(uint32_t n, const double *c, const double *inner, const double *now,
-                      const double *last, double *bend, double *bend_last, double *next) {
+static void bend_wires(uint32_t n, const double *inner, const double *v, double *bend) {
   for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes inside = load(inner + i);
-    store(bend + i, multiply_lanes(inside, second_difference(now + i)));
-    store(bend_last + i, multiply_lanes(inside, second_difference(last + i)));
-  }
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes curve = load(bend + i);
-    Lanes push = scale(curve, c[2]);
-    push = subtract(push, scale(second_difference(bend + i), c[3]));
-    push = add(push, scale(subtract(curve, load(bend_last + i)), c[4]));
-    /* As a change: a wire that hangs far away may not lose or gain by rounding where it is. */
-    const Lanes at = load(now + i), coast = scale(subtract(at, load(last + i)), c[1]);
-    store(next + i, multiply_lanes(load(inner + i), add(at, scale(add(coast, push), c[0]))));
+    store(bend + i, multiply_lanes(load(inner + i), second_difference(v + i)));
   }
 }
 
-static TbPair wire_losses(uint32_t n, const double *next, const double *last) {
-  Lanes first = zero(), second = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes step = subtract(load(next + i), load(last + i));
-    const Lanes slope =
-      subtract(step, subtract(load_unaligned(next + i - 1), load_unaligned(last + i - 1)));
-    first = add(first, multiply_lanes(step, step));
-    second = add(second, multiply_lanes(slope, slope));
+static void wire_step(uint32_t wires, uint32_t lanes, const TbWireCoefficients *coefficients,
+                      const double *inner, const double *now, const double *last, double *bend,
+                      double *next) {
+  bend_wires(wires * lanes, inner, now, bend);
+  for (uint32_t w = 0; w < wires; w++) {
+    const TbWireCoefficients c = coefficients[w];
+    for (uint32_t i = w * lanes; i < (w + 1) * lanes; i += 8) {
+      const Lanes curve = load(bend + i);
+      Lanes push = scale(curve, c.stretch);
+      push = subtract(push, scale(second_difference(bend + i), c.bend));
+      push = add(push, scale(subtract(curve, second_difference(last + i)), c.diffuse));
+      /* As a change: a wire that hangs far away may not lose or gain by rounding where it is. */
+      const Lanes at = load(now + i), coast = scale(subtract(at, load(last + i)), c.keep);
+      store(next + i, multiply_lanes(load(inner + i), add(at, scale(add(coast, push), c.gain))));
+    }
   }
-  return (TbPair){join(first), join(second)};
+}
+
+static double wire_losses(uint32_t wires, uint32_t lanes, const TbWireCoefficients *c,
+                          const double *next, const double *last) {
+  Lanes sum = zero();
+  for (uint32_t w = 0; w < wires; w++) {
+    for (uint32_t i = w * lanes; i < (w + 1) * lanes; i += 8) {
+      const Lanes step = subtract(load(next + i), load(last + i));
+      const Lanes slope =
+        subtract(step, subtract(load_unaligned(next + i - 1), load_unaligned(last + i - 1)));
+      sum = add(sum, add(scale(multiply_lanes(step, step), c[w].loss_0),
+                         scale(multiply_lanes(slope, slope), c[w].loss_1)));
+    }
+  }
+  return join(sum);
 }
 
 static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
@@ -486,13 +495,16 @@ static double lost(uint32_t n, const double *s, const double *f, const double *m
   return join(sum);
 }
 
-static void penetrate(uint32_t n, double side, double shift, const double *w, const double *v,
-                      const double *rest, const double *last, const double *load_at, double *b) {
-  const Lanes shifted = all(shift);
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
-    const Lanes eta = add(add(deviation, load(rest + i)), shifted);
-    store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));
+static void penetrate(uint32_t wires, uint32_t lanes, double side, const double *shift,
+                      const double *w, const double *v, const double *rest, const double *last,
+                      const double *load_at, double *b) {
+  for (uint32_t wire = 0; wire < wires; wire++) {
+    const Lanes shifted = all(shift[wire]);
+    for (uint32_t i = wire * lanes; i < (wire + 1) * lanes; i += 8) {
+      const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
+      const Lanes eta = add(add(deviation, load(rest + i)), shifted);
+      store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));
+    }
   }
 }
 

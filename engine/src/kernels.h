@@ -12,6 +12,7 @@
 
 struct TbBed;
 struct TbLaw;
+struct TbWireCoefficients;
 
 typedef struct TbPair {
   double first, second;
@@ -98,13 +99,14 @@ typedef struct TbKernels {
   /* x[v], x[image] = Sum over even lines of across[v][l] lines[l] +- Sum over odd ones */
   void (*spread_lines)(const struct TbBed *bed, const double *lines, double *x);
 
-  /* Wires (wires.h): v at n lanes, readable one lane before and after; inner is 1 at inner nodes, else
-   * 0. c = {gain, keep, stretch, bend, diffuse}; `bend` and `bend_last` are scratch, readable one lane
-   * before and after. */
-  void (*wire_step)(uint32_t n, const double *c, const double *inner, const double *now,
-                    const double *last, double *bend, double *bend_last, double *next);
-  /* Sum d^2 and Sum (d[i] - d[i-1])^2, d = next - last */
-  TbPair (*wire_losses)(uint32_t n, const double *next, const double *last);
+  /* Wires (wires.h), coefficients of each and v at its `lanes`, readable one lane before and after; inner is 1
+   * at inner nodes, else 0. One step without forces; `bend` is scratch, readable like v. */
+  void (*wire_step)(uint32_t wires, uint32_t lanes, const struct TbWireCoefficients *c,
+                    const double *inner, const double *now, const double *last, double *bend,
+                    double *next);
+  /* What they lose in a step, Sum over wires of loss_0 Sum d^2 + loss_1 Sum (d[i] - d[i-1])^2, d = next - last. */
+  double (*wire_losses)(uint32_t wires, uint32_t lanes, const struct TbWireCoefficients *c,
+                        const double *next, const double *last);
   /* out[l] = Sum over wires of f[w][l] - rest[w][l]; returns Sum loss f. */
   double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
                          const double *loss, double *out);
@@ -135,9 +137,10 @@ typedef struct TbKernels {
                   double sums[3]);
   /* Sum s (f - mean) */
   double (*lost)(uint32_t n, const double *s, const double *f, const double *mean);
-  /* eta = (side w - v) + rest + shift, b = (eta - last) + load */
-  void (*penetrate)(uint32_t n, double side, double shift, const double *w, const double *v,
-                    const double *rest, const double *last, const double *load, double *b);
+  /* eta = (side w - v) + rest + shift, the wire's, b = (eta - last) + load */
+  void (*penetrate)(uint32_t wires, uint32_t lanes, double side, const double *shift,
+                    const double *w, const double *v, const double *rest, const double *last,
+                    const double *load, double *b);
   /* v += own (f - rest), eta = last + s */
   void (*move)(uint32_t n, const double *own, const double *f, const double *rest,
                const double *last, const double *s, double *v, double *eta);

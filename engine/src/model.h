@@ -59,7 +59,7 @@ typedef struct TbLugs {
 
 /* Where the arrays of a drum's state lie, in bytes from its start. */
 typedef struct TbLayout {
-  size_t q[3], v[3], eta[3], bend, bend_last;
+  size_t q[3], v[3], eta[3], bend;
   size_t head, rest_load, own, b, s, force, product; /* by rows */
   size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
     weight, solution, work;

@@ -33,7 +33,6 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->eta[phase] = place(&total, rows);
   }
   layout->bend = place(&total, nodes);
-  layout->bend_last = place(&total, nodes);
   size_t *const row_arrays[] = {&layout->head,      &layout->rest_load, &layout->own,
                                 &layout->b,         &layout->s,         &layout->force,
                                 &layout->product,   &layout->previous,  &layout->previous_product,
@@ -159,7 +158,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   TbView view = {.model = model,
                  .state = state,
                  .bend = at(state, l->bend),
-                 .bend_last = at(state, l->bend_last),
                  .head = at(state, l->head),
                  .rest_load = at(state, l->rest_load),
                  .own = at(state, l->own),

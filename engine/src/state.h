@@ -125,7 +125,7 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *bend, *bend_last, *head, *rest_load, *own, *b, *s;
+  double *bend, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   double *high_drive, *high_force;
   double *stretch_pull[2];                  /* [padded]: see stretch.h */

@@ -20,20 +20,24 @@
 _Thread_local TbProfile tb_profile;
 #endif
 
-static void free_wire(TbView *view, uint32_t w) {
+/* The shape at rest is bent: a tension other than the rest's pulls it. */
+static void pull_rest(TbView *view, uint32_t w) {
   const TaborModel *model = view->model;
   const TbWire *wire = &model->wires.wires[w];
   const TbWireCoefficients *c = &view->state->wires[w];
-  const uint32_t row = w * model->wires.lanes, at = row + TB_WIRE_FRONT;
-  double five[5];
-  tb_wire_step_coefficients(c, five);
-  model->kernels->wire_step(model->wires.lanes, five, model->wires.inner + row, view->now.v + at,
-                            view->last.v + at, view->bend + at, view->bend_last + at,
-                            view->next.v + at);
+  const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
   if (c->tension == wire->tension) return;
-  /* The shape at rest is bent: a tension other than the rest's pulls it. */
   const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
   model->kernels->add_scaled(model->wires.lanes, view->next.v + at, pull, model->rest.bend + at);
+}
+
+static void free_wires(TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  const TbPhase *next = &view->next, *now = &view->now, *last = &view->last;
+  view->model->kernels->wire_step(wires->count, wires->lanes, view->state->wires, wires->inner,
+                                  now->v + TB_WIRE_FRONT, last->v + TB_WIRE_FRONT,
+                                  view->bend + TB_WIRE_FRONT, next->v + TB_WIRE_FRONT);
+  for (uint32_t w = 0; w < wires->count; w++) pull_rest(view, w);
 }
 
 /* Where head and wires would be without contact forces, into view->next. */
@@ -44,14 +48,14 @@ static void free_motion(TbView *view) {
   model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
                            view->last.q);
   TB_STAGE(WIRES);
-  for (uint32_t w = 0; w < model->wires.count && !view->state->lifted; w++) free_wire(view, w);
+  if (!view->state->lifted) free_wires(view);
   if (view->state->rings) {
     tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
   }
 }
 
 /* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
-static void free_wires(TbView *view, double *slots) {
+static void penetrate_wires(TbView *view, double *slots) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   const TbKernels *kernels = model->kernels;
@@ -63,12 +67,9 @@ static void free_wires(TbView *view, double *slots) {
   TB_STAGE(PROJECTION);
   tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
   TB_STAGE(WIRES);
-  for (uint32_t w = 0; w < wires->count; w++) {
-    const uint32_t at = w * wires->lanes;
-    kernels->penetrate(wires->lanes, wires->side, view->state->shift[w], view->head + at,
-                       view->next.v + at + TB_WIRE_FRONT, model->rest.eta + at, view->last.eta + at,
-                       view->rest_load + at, view->b + at);
-  }
+  kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
+                     view->next.v + TB_WIRE_FRONT, model->rest.eta, view->last.eta, view->rest_load,
+                     view->b);
 }
 
 /* ... and of all. */
@@ -79,7 +80,7 @@ static void free_penetration(TbView *view) {
   if (view->state->lifted) {
     tb_stretch_yield(view, slots);
   } else {
-    free_wires(view, slots);
+    penetrate_wires(view, slots);
   }
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {

@@ -193,15 +193,9 @@ void tb_wire_coefficients(const TbWire *wire, double k, double tension, double d
     .keep = 1.0 - 0.5 * damping_0 * k,
     .gain = gain,
     .compliance = k * k / (mu * h) * gain,
+    .loss_0 = mu / (4.0 * k) * damping_0 * h,
+    .loss_1 = mu / (4.0 * k) * damping_1 / h,
   };
-}
-
-void tb_wire_step_coefficients(const TbWireCoefficients *c, double *five) {
-  five[0] = c->gain;
-  five[1] = c->keep;
-  five[2] = c->stretch;
-  five[3] = c->bend;
-  five[4] = c->diffuse;
 }
 
 double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k, const double *next,
@@ -223,10 +217,4 @@ double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double k,
   return 0.5 * mu * h * kinetic + 0.5 * c->tension / h * stretch +
          0.5 * wire->bending_stiffness / (h * h * h) * bend -
          0.25 * c->damping_1 * mu * k / h * diffuse;
-}
-
-double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double k, TbPair sums) {
-  const double scale = wire->mass_per_length / (4.0 * k);
-  return scale *
-         (c->damping_0 * wire->spacing * sums.first + c->damping_1 / wire->spacing * sums.second);
 }

@@ -72,6 +72,7 @@ typedef struct TbWireCoefficients {
   double stretch, bend, diffuse;        /* T k^2/(mu h^2), EI k^2/(mu h^4), sigma1 k/h^2 */
   double keep, gain;                    /* 1 - sigma0 k/2, 1/(1 + sigma0 k/2) */
   double compliance;                    /* k^2/(mu h) gain [m/N] */
+  double loss_0, loss_1;                /* mu sigma0 h/(4k), mu sigma1/(4kh) [J/m2] */
 } TbWireCoefficients;
 
 /* Grids, contact points and laws; laws get their slope limits later, from the compliances. */
@@ -81,15 +82,8 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
 void tb_wire_coefficients(const TbWire *wire, double time_step, double tension, double damping_0,
                           double damping_1, TbWireCoefficients *coefficients);
 
-/* Coefficients in the order in which TbKernels.wire_step takes them. */
-void tb_wire_step_coefficients(const TbWireCoefficients *c, double *five);
-
 /* Energy [J] stored between two successive states of one wire. */
 double tb_wire_energy(const TbWire *wire, const TbWireCoefficients *c, double time_step,
                       const double *next, const double *now);
-
-/* Energy [J] lost in a step: Sum (v+ - v-)^2 and Sum (d(v+ - v-))^2 as TbKernels.wire_losses gives
- * them. */
-double tb_wire_loss(const TbWire *wire, const TbWireCoefficients *c, double time_step, TbPair sums);
 
 #endif

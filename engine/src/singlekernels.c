@@ -25,6 +25,46 @@ static void widen(uint32_t n, const float *x, double *out) {
   for (uint32_t i = 0; i < n; i += 8) store_double(out + i, load(x + i));
 }
 
+/* ---- modes and grid -------------------------------------------------------------------------- */
+
+/* `count` blocks side by side of each of the vectors; all constants where it is called. */
+static INLINE void gather_blocks(uint32_t vectors, uint32_t count, const TbSingleGather *g,
+                                 uint32_t block) {
+  const uint64_t stride = 8u * (uint64_t)g->n;
+  const float *matrix = g->matrix + stride * block;
+  Lanes sum[2][4] = {{zero(), zero(), zero(), zero()}, {zero(), zero(), zero(), zero()}};
+  for (uint32_t i = 0; i < g->part; i++) {
+#pragma GCC unroll 4 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < count; b++) {
+      const Lanes m = load(matrix + b * stride + 8u * (uint64_t)i);
+#pragma GCC unroll 2
+      for (uint32_t v = 0; v < vectors; v++) sum[v][b] = add(sum[v][b], scale(m, g->x[v][i]));
+    }
+  }
+  for (uint32_t v = 0; v < vectors; v++) {
+    for (uint32_t b = 0; b < count; b++) store_double(g->out[v] + 8 * (block + b), sum[v][b]);
+  }
+}
+
+static INLINE void gather_all(uint32_t vectors, const TbSingleGather *g) {
+  for (uint32_t b = 0; b < g->blocks; b += 4) {
+    switch (g->blocks - b) { /* one copy of the code for each */
+    case 1: gather_blocks(vectors, 1, g, b); break;
+    case 2: gather_blocks(vectors, 2, g, b); break;
+    case 3: gather_blocks(vectors, 3, g, b); break;
+    default: gather_blocks(vectors, 4, g, b); break;
+    }
+  }
+}
+
+static void gather(const TbSingleGather *g) {
+  if (g->vectors == 2) {
+    gather_all(2, g);
+  } else {
+    gather_all(1, g);
+  }
+}
+
 /* ---- the high band -------------------------------------------------------------------------- */
 
 /* `count` blocks of eight side by side, a constant where it is called. */
@@ -328,6 +368,7 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .narrow = narrow,
   .narrow_difference = narrow_difference,
   .widen = widen,
+  .gather = gather,
   .combine = combine,
   .contract = contract,
   .expand = expand,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of the contact solve in single precision (singlesolve.h), and of the wires' push on the high band, by
- * the rules of kernels.h: the same bits from every instruction set. */
+/* The loops of the contact solve in single precision (singlesolve.h), and of what the wires do to modes, by the
+ * rules of kernels.h: the same bits from every instruction set. */
 #ifndef TB_SINGLE_KERNELS_H
 #define TB_SINGLE_KERNELS_H
 
@@ -10,6 +10,13 @@
 struct TbLaw;
 struct TbSingleBed;
 
+/* One or two vectors that go through the first `part` of a table's n columns at once. */
+typedef struct TbSingleGather {
+  uint32_t vectors, blocks, n, part;
+  const float *matrix, *x[2];
+  double *out[2];
+} TbSingleGather;
+
 typedef struct TbSingleKernels {
   /* To single precision: out = x, and x - y. */
   void (*narrow)(uint32_t n, const double *x, float *out);
@@ -17,6 +24,8 @@ typedef struct TbSingleKernels {
   /* And back. */
   void (*widen)(uint32_t n, const float *x, double *out);
 
+  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
+  void (*gather)(const TbSingleGather *gather);
   /* out = f[0] x[0] + f[1] x[1] + ..., of `count` */
   void (*combine)(uint32_t n, uint32_t count, double *out, const float *f, const float *const *x);
 

@@ -58,6 +58,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->stretch_pull[h] = place(&total, modes);
     layout->stretch_grid[h] = place(&total, bed->size);
   }
+  layout->stretch_single = place(&total, model->single_kernels ? modes : 0); /* two floats each */
   layout->stretch_carry = place(&total, bed->size + TB_SLOTS);
   layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
   layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
@@ -177,6 +178,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
     view.delay[mic] = at(state, l->delay[mic]);
   }
   view.stretch_carry = at(state, l->stretch_carry);
+  view.stretch_single = (float *)(void *)at(state, l->stretch_single);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
     view.solve.stretch_grid[h] = at(state, l->stretch_grid[h]);

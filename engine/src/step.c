@@ -101,6 +101,30 @@ static void free_penetration(TbView *view) {
   }
 }
 
+/* What the wires' forces, counted from rest, do to modes: into view->modal. */
+static void force_modes(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbProjection *p = &model->projection;
+  model->kernels->subtract(p->bed.size, view->solve.grid, model->rest.grid, view->change);
+  if (!model->single_kernels) {
+    tb_project_forces(p, model->kernels, view->change, view->modal);
+    return;
+  }
+  float *grid = view->solve.single.answer;
+  model->singles->narrow(p->bed.size, view->change, grid);
+  for (uint32_t g = 0; g < p->groups; g++) {
+    const TbProjectionGroup *group = &p->group[g];
+    const TbSingleGather scatter = {.vectors = 1,
+                                    .blocks = group->modes / 8u,
+                                    .n = group->points,
+                                    .part = group->points,
+                                    .matrix = group->scatter_single,
+                                    .x = {grid + group->first_point},
+                                    .out = {view->modal + group->first}};
+    model->singles->gather(&scatter);
+  }
+}
+
 /* Adds what the contact forces do to the free motion in view->next, `unchanged` if they are those of the
  * last step: of the wires, */
 static void respond_to_wires(TbView *view, bool unchanged) {
@@ -113,10 +137,7 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
   TB_STAGE(PROJECTION);
-  if (!unchanged) {
-    kernels->subtract(model->projection.bed.size, view->solve.grid, model->rest.grid, view->change);
-    tb_project_forces(&model->projection, kernels, view->change, view->modal);
-  }
+  if (!unchanged) force_modes(view);
   TB_STAGE(MODES);
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
 }

@@ -106,6 +106,24 @@ static void prepare_slots(TbView *view) {
   }
 }
 
+/* As below, in single precision. */
+static void gather_group_single(TbView *view, uint32_t g) {
+  const TaborModel *model = view->model;
+  const TbProjectionGroup *group = &model->projection.group[g];
+  TbSingleGather gather = {.vectors = model->stretch.count,
+                           .blocks = group->points / 8u,
+                           .n = group->modes,
+                           .part = model->stretch.parts.size[g],
+                           .matrix = group->gather_single};
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    float *pull = view->stretch_single + h * model->modes.padded + group->first;
+    model->singles->narrow(gather.part, view->stretch_pull[h] + group->first, pull);
+    gather.x[h] = pull;
+    gather.out[h] = view->solve.stretch_grid[h] + group->first_point;
+  }
+  model->singles->gather(&gather);
+}
+
 static void gather_group(TbView *view, uint32_t g) {
   const TaborModel *model = view->model;
   const TbProjectionGroup *group = &model->projection.group[g];
@@ -126,7 +144,13 @@ static void gather_group(TbView *view, uint32_t g) {
 static void prepare_grid(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t size = model->projection.bed.size;
-  for (uint32_t g = 0; g < model->projection.groups; g++) gather_group(view, g);
+  for (uint32_t g = 0; g < model->projection.groups; g++) {
+    if (model->single_kernels) {
+      gather_group_single(view, g);
+    } else {
+      gather_group(view, g);
+    }
+  }
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     double *r = view->solve.stretch_grid[h];
     for (uint32_t i = 0; i < size; i++) r[i] *= model->wires.side;
@@ -172,16 +196,26 @@ void tb_stretch_yield(TbView *view, double *slots) {
   }
 }
 
+/* Adds what the wires' rows feel of a motion of the grid to the last forces' response. */
+static void renew_rows(TbSolve *solve, const double *motion) {
+  const TbSingle *single = &solve->single;
+  if (single->kernels) {
+    single->kernels->narrow(solve->bed->size, motion, single->answer);
+    single->kernels->expand(single->bed, single->answer, single->scratch, single->work);
+    single->kernels->widen(solve->stride, single->work, solve->work);
+  } else {
+    tb_bed_expand(solve->bed, solve->kernels, motion, solve->scratch, solve->work);
+  }
+  solve->kernels->add_scaled(solve->stride, solve->product, 1.0, solve->work);
+}
+
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
   if (solve->stretch_count == 0 || view->state->airborne) return;
   const uint32_t size = solve->bed->size;
-  double *carry = view->stretch_carry, *rows = solve->work;
+  double *carry = view->stretch_carry;
   tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry, carry + size);
-  if (!view->state->lifted) {
-    tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
-    solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
-  }
+  if (!view->state->lifted) renew_rows(solve, carry);
   solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
 }
 

@@ -30,7 +30,6 @@ static const double HAND_TIME = 0.01;                  /* T [s] */
 static const double SOONEST = 0.005, LATEST = 0.1;     /* of a move that does not say [s] */
 static const double STRIDE = 2e-3, STRIDE_TIME = 3e-3; /* [m], [s] */
 static const double LEAST_TURN = 0.02;                 /* radius of the tightest turn [m] */
-static const double OUTERMOST = 0.98;                  /* of the head's radius */
 static const double STILL = 1e-9;                      /* per sample: no motion [m] */
 static const double DEGREES = 57.295779513082320877;
 
@@ -59,8 +58,8 @@ static Place place_of(const TbView *view, const TbBrush *brush, uint32_t group) 
   double sine, cosine;
   tb_sin_cos_degrees(90.0 + 360.0 / TB_BRISTLE_GROUPS * group, &sine, &cosine);
   const double x = brush->x + spread * cosine, y = brush->y + spread * sine;
-  const double most = OUTERMOST * view->model->head.radius, radius = sqrt(x * x + y * y);
-  return (Place){radius < most ? radius : most, tb_arc_degrees(y, x)};
+  const double ring = tb_places_ring(view->model, brush->definition, sqrt(x * x + y * y));
+  return (Place){ring, tb_arc_degrees(y, x)};
 }
 
 static double coat_height(const TbView *view, const TbBrush *brush, uint32_t group) {

@@ -239,22 +239,59 @@ void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patc
   }
 }
 
+/* Of the eight modes from `from` on. */
+static void eight_waves(const TbHighBand *band, uint32_t from, double radius, const double *patch,
+                        double waves[8]) {
+  double x[8]; /* padding follows the last cosine */
+  for (uint32_t l = 0; l < 8; l++) x[l] = band->zero[from + l] * radius / band->radius;
+  tb_bessel_j8(band->order + from, x, waves);
+  for (uint32_t l = 0; l < 8; l++) {
+    const uint32_t i = from + l;
+    waves[l] = -band->g[i] * band->scale[i] * waves[l] * (patch ? patch[i] : 1.0);
+  }
+}
+
+void tb_highband_waves(const TbHighBand *band, uint32_t which, double radius, const double *patch,
+                       double *waves) {
+  const uint32_t begin = band->begin[which], count = band->cosines[which];
+  for (uint32_t at = 0; at < count; at += 8) {
+    double eight[8];
+    eight_waves(band, begin + at, radius, patch, eight);
+    for (uint32_t l = 0; l < 8 && at + l < count; l++) waves[at + l] = eight[l];
+  }
+}
+
+/* Eight cosines from `from` on, and their sines. */
+static void turn_eight(const TbHighBand *band, uint32_t which, uint32_t from, const double *waves,
+                       const double *c, const double *s, double *drive) {
+  const uint32_t end = band->begin[which] + band->cosines[which], sine = to_sine(band, which);
+  for (uint32_t i = from; i < end && i < from + 8; i++) {
+    const uint32_t m = band->order[i];
+    drive[i] = waves[i - from] * c[m];
+    if (m) drive[i + sine] = waves[i - from] * s[m];
+  }
+}
+
+void tb_highband_turn(const TbHighBand *band, uint32_t which, const double *waves, double sin_angle,
+                      double cos_angle, double *drive) {
+  double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
+  tb_angular_factors(band->orders, sin_angle, cos_angle, c, s);
+  const uint32_t begin = band->begin[which], end = begin + band->cosines[which];
+  for (uint32_t i = begin; i < band->begin[which + 1]; i++) drive[i] = 0.0;
+  for (uint32_t from = begin; from < end; from += 8) {
+    turn_eight(band, which, from, waves + (from - begin), c, s, drive);
+  }
+}
+
 void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
                        double cos_angle, const double *patch, double *drive) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_angular_factors(band->orders, sin_angle, cos_angle, c, s);
   const uint32_t begin = band->begin[which], end = begin + band->cosines[which];
-  const uint32_t sine = to_sine(band, which);
   for (uint32_t i = begin; i < band->begin[which + 1]; i++) drive[i] = 0.0;
   for (uint32_t from = begin; from < end; from += 8) {
-    double x[8], j[8]; /* padding follows the last cosine */
-    for (uint32_t l = 0; l < 8; l++) x[l] = band->zero[from + l] * radius / band->radius;
-    tb_bessel_j8(band->order + from, x, j);
-    for (uint32_t i = from; i < end && i < from + 8; i++) {
-      const uint32_t m = band->order[i];
-      const double shape = -band->g[i] * band->scale[i] * j[i - from] * (patch ? patch[i] : 1.0);
-      drive[i] = shape * c[m];
-      if (m) drive[i + sine] = shape * s[m];
-    }
+    double waves[8];
+    eight_waves(band, from, radius, patch, waves);
+    turn_eight(band, which, from, waves, c, s, drive);
   }
 }

@@ -81,4 +81,10 @@ void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patc
 void tb_highband_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
                        double cos_angle, const double *patch, double *drive);
 
+/* What of this belongs to a radius alone, waves[cosines[which]], and the drive from it. Audio-safe. */
+void tb_highband_waves(const TbHighBand *band, uint32_t which, double radius, const double *patch,
+                       double *waves);
+void tb_highband_turn(const TbHighBand *band, uint32_t which, const double *waves, double sin_angle,
+                      double cos_angle, double *drive);
+
 #endif

@@ -189,6 +189,11 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
   return TABOR_OK;
 }
 
+static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  return tb_places_prepare(model);
+}
+
 /* A head whose modes are all heard and felt has no others: a bandwidth that ends there says so. */
 static TaborStatus prepare_missing(TaborModel *model, TbArena *scratch) {
   (void)scratch;
@@ -274,9 +279,10 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,   prepare_single,
-                           prepare_stretch, tb_lift_prepare,    prepare_center, prepare_mics,
-                           prepare_patches, prepare_missing,    allocate_rest,  tb_rest_prepare};
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,    prepare_single,
+                           prepare_stretch, tb_lift_prepare,    prepare_center,  prepare_mics,
+                           prepare_patches, prepare_places,     prepare_missing, allocate_rest,
+                           tb_rest_prepare};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }

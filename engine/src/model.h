@@ -11,6 +11,7 @@
 #include "highband.h"
 #include "hoop.h"
 #include "mobility.h"
+#include "places.h"
 #include "solve.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
@@ -90,6 +91,7 @@ struct TaborModel {
   TbHighBand high;
   TbHoop hoop;
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
+  TbPlaces places[TABOR_MAX_STRIKERS];      /* of each brush */
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */

@@ -40,8 +40,13 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle) {
 void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape) {
-  double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_head_radial(head, which, radius, patch, radial);
+  tb_modes_turn(modes, head, radial, sin_angle, cos_angle, shape);
+}
+
+void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
+                   double cos_angle, double *shape) {
+  double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
   tb_angular_factors(head->order_count, sin_angle, cos_angle, c, s);
   for (uint32_t i = 0; i < modes->padded; i++) {
     const uint32_t row = modes->row[i];

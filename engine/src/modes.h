@@ -55,4 +55,8 @@ void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, do
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape);
 
+/* The same from radial shapes, radial[head.row_count]. */
+void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
+                   double cos_angle, double *shape);
+
 #endif

@@ -162,6 +162,13 @@ static void carry_hoop(const TbView *from, TbView *to) {
   to->state->rings = from->state->rings;
 }
 
+/* A striker that the other model has, and a brush if it is one. */
+static bool is_known(const TaborModel *model, const TbSlot *slot) {
+  const TaborStrikerDef *striker = &model->def.striker[slot->definition];
+  if (slot->definition >= model->def.striker_count) return false;
+  return !slot->bristles || striker->kind == TABOR_STRIKER_BRUSH;
+}
+
 static void carry_slots(const TbView *from, TbView *to) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
@@ -170,8 +177,7 @@ static void carry_slots(const TbView *from, TbView *to) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &from->state->slots[i];
     const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
-    const bool known = slot->definition < to->model->def.striker_count;
-    if (slot->kind == TB_SLOT_FREE || muffles || !known) continue;
+    if (slot->kind == TB_SLOT_FREE || muffles || !is_known(to->model, slot)) continue;
     to->state->slots[i] = *slot;
     to->state->slot_mask |= 1u << i;
     to->now.z[i] = from->now.z[i];

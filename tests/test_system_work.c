@@ -48,7 +48,7 @@ COUNTED(unstretch, modes_of(parts),
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED_RESULT(double, dot, n, (uint32_t n, In x, In y), (n, x, y))
 COUNTED(add_scaled, n, (uint32_t n, Out out, double f, In x), (n, out, f, x))
-COUNTED_RESULT(TbPair, ring, r->part[r->parts - 1].end, (const TbRing *r), (r))
+COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TbRing *r), (r))
 COUNTED(add_product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
 COUNTED_RESULT(TbPair, two_dots, n, (uint32_t n, In u, In v, In x), (n, u, v, x))
 COUNTED(losses, n,

@@ -246,6 +246,9 @@ static void touch_stretch(Memory *memory) {
   if (memory->model->wires.count) touch_bed(memory, TB_STAGE_STRETCH, false, true);
 }
 
+/* Of a double: a band of single precision touches its rounded arrays in place of those named below. */
+static size_t high_part(const TbHighBand *high) { return high->single ? 2 : 1; }
+
 static void touch_strikers(Memory *memory) {
   const TaborModel *model = memory->model;
   const TbView *v = &memory->view;
@@ -255,7 +258,8 @@ static void touch_strikers(Memory *memory) {
           v->next.q);
     TOUCH(memory, TB_STAGE_PRODUCT, model->projection.bed.size, tb_slot_coupling(v, i));
     if (v->state->slots[i].kind == TB_SLOT_STRIKER) {
-      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1], tb_slot_high_drive(v, i));
+      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high),
+            tb_slot_high_drive(v, i));
     }
   }
 }
@@ -265,18 +269,19 @@ static void touch_high(Memory *memory) {
   const TbWires *w = &memory->model->wires;
   const TbView *v = &memory->view;
   if (h->count == 0) return;
-  TOUCH(memory, TB_STAGE_HIGH, h->padded, h->a, h->b, v->next.high, v->now.high, v->last.high,
-        h->mics[0].ahead, h->mics[0].behind);
+  const size_t part = high_part(h);
+  TOUCH(memory, TB_STAGE_HIGH, h->padded / part, h->a, h->b, v->next.high, v->now.high,
+        v->last.high, h->mics[0].ahead, h->mics[0].behind);
   if (w->count == 0) return;
   for (int p = 0; p < 2; p++) {
     touch(memory, TB_STAGE_HIGH, h->push[p].table,
           (size_t)h->push[p].rows * h->push[p].size * sizeof *h->push[p].table);
   }
   touch(memory, TB_STAGE_HIGH, h->row_group, w->stride * sizeof *h->row_group);
-  TOUCH(memory, TB_STAGE_HIGH, h->driven, v->high_force);
+  touch(memory, TB_STAGE_HIGH, v->high_force, h->driven * sizeof *v->high_force);
   TOUCH(memory, TB_STAGE_HIGH, w->stride, h->row_loss, v->solve.force, memory->model->rest.force,
         v->solve.work);
-  TOUCH(memory, TB_STAGE_HIGH, h->begin[w->head + 1] - h->begin[w->head], h->hold);
+  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, h->hold);
 }
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */

@@ -22,8 +22,20 @@ static double modes_energy(const TbView *view, const TbPhase *next, const TbPhas
 
 double tb_energy_high(const TbView *view) {
   const TbHighBand *high = &view->model->high;
-  return oscillators(high->padded, view->model->sample_rate, high->stiffness, view->now.high,
-                     view->last.high);
+  const double rate = view->model->sample_rate;
+  if (!high->single) {
+    return oscillators(high->padded, rate, high->stiffness, view->now.high, view->last.high);
+  }
+  double sum = 0.0;
+  for (uint32_t i = 0; i < high->padded; i += 8) {
+    double now[8], last[8];
+    for (uint32_t lane = 0; lane < 8; lane++) {
+      now[lane] = (double)view->now.high_single[i + lane];
+      last[lane] = (double)view->last.high_single[i + lane];
+    }
+    sum += oscillators(8, rate, high->stiffness + i, now, last);
+  }
+  return sum;
 }
 
 /* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */

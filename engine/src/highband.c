@@ -212,6 +212,26 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
   return true;
 }
 
+static float *rounded(TbArena *arena, uint32_t n, const double *x) {
+  float *out = tb_arena_take(arena, n, sizeof *out);
+  for (uint32_t i = 0; out && i < n; i++) out[i] = (float)x[i];
+  return out;
+}
+
+static bool round_band(TbHighBand *band, TbArena *arena, uint32_t mics) {
+  TbHighSingle *single = &band->rounded;
+  const uint32_t n = band->padded;
+  single->a = rounded(arena, n, band->a);
+  single->b = rounded(arena, n, band->b);
+  single->hold = rounded(arena, n, band->hold);
+  for (uint32_t p = 0; p < mics; p++) {
+    single->ahead[p] = rounded(arena, n, band->mics[p].ahead);
+    single->behind[p] = rounded(arena, n, band->mics[p].behind);
+  }
+  band->single = true;
+  return !arena->failed;
+}
+
 TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborModel *model,
                                 double top) {
   *band = (TbHighBand){.radius = model->head.radius};
@@ -228,6 +248,9 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   if (done) fill_modes(band, model, &chosen);
   done = done && prepare_groups(band, arena, &scratch, &model->wires) &&
          prepare_hold(band, arena, &scratch, &model->wires, model->time_step);
+  if (model->quality <= TABOR_QUALITY_LIVE) {
+    done = done && round_band(band, arena, model->def.mic_count);
+  }
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
 }

@@ -24,7 +24,10 @@
  * Wires that touch also hold the head: by their contacts' loss, f lambda v, lambda [s/m] of a force f, a mode's
  * amplitude decays by Sum lambda f phi^2/2 more, 100 to 200 1/s on a snare drum whose modes lose 75 to 200
  * by themselves. A two-way mode feels this through the solve; here phi^2 counts by its mean over the bed. Without
- * it all is 4 to 9 dB too loud. */
+ * it all is 4 to 9 dB too loud.
+ *
+ * At draft and live the band is moved in single precision: rounding brings a mode some 1e-6 of itself, and no
+ * energy hangs on it. */
 #ifndef TB_HIGHBAND_H
 #define TB_HIGHBAND_H
 
@@ -37,6 +40,12 @@
 typedef struct TbHighMic {
   double *ahead, *behind;
 } TbHighMic;
+
+/* A model's numbers rounded, for a band of single precision: see TbHighBand. */
+typedef struct TbHighSingle {
+  float *a, *b, *hold;
+  float *ahead[TABOR_MAX_MICS], *behind[TABOR_MAX_MICS];
+} TbHighSingle;
 
 /* What groups do to neighbouring modes of their head. */
 typedef struct TbHighPush {
@@ -66,6 +75,8 @@ typedef struct TbHighBand {
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
   double *hold;  /* [padded] k phi^2/2, phi^2 its mean over the bed, of the wires' head [s/kg] */
   double radius; /* of the head [m] */
+  bool single;   /* draft and live move it in single precision */
+  TbHighSingle rounded;
 } TbHighBand;
 
 struct TaborModel;

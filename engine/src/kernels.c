@@ -5,6 +5,7 @@
 #include "bed.h"
 #include "lanes.h"
 #include "lawlanes.h"
+#include "ringlanes.h"
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {
@@ -202,54 +203,10 @@ static void add_scaled(uint32_t n, double *out, double f, const double *x) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
-static INLINE void ring_part(bool pushed, bool held, const TbRing *r, uint32_t from, uint32_t end,
-                             Lanes sum[2]) {
-  const Lanes most = all(r->most);
-  for (uint32_t i = from; i < end; i += 8) {
-    const Lanes last = load(r->last + i);
-    Lanes next = subtract(multiply_lanes(load(r->a + i), load(r->now + i)),
-                          multiply_lanes(load(r->b + i), last));
-    if (pushed) next = add(next, load(r->push + i));
-    if (held) {
-      const Lanes part = smaller(scale(load(r->hold + i), r->loss), most);
-      next = add(next, multiply_lanes(part, subtract(last, next)));
-    }
-    store(r->next + i, next);
-    sum[0] = add(sum[0], multiply_lanes(load(r->ahead + i), next));
-    sum[1] = add(sum[1], multiply_lanes(load(r->behind + i), next));
-  }
-}
-
-static TbPair ring(const TbRing *r) {
-  Lanes sum[2] = {zero(), zero()};
-  uint32_t from = 0;
-  for (uint32_t i = 0; i < r->parts; i++) {
-    const TbRingPart part = r->part[i];
-    switch (part.pushed + 2 * part.held) { /* one copy of the code for each */
-    case 0: ring_part(false, false, r, from, part.end, sum); break;
-    case 1: ring_part(true, false, r, from, part.end, sum); break;
-    case 2: ring_part(false, true, r, from, part.end, sum); break;
-    default: ring_part(true, true, r, from, part.end, sum); break;
-    }
-    from = part.end;
-  }
-  return (TbPair){join(sum[0]), join(sum[1])};
-}
-
 static void add_product(uint32_t n, double *out, const double *x, const double *y) {
   for (uint32_t i = 0; i < n; i += 8) {
     store(out + i, add(load(out + i), multiply_lanes(load(x + i), load(y + i))));
   }
-}
-
-static TbPair two_dots(uint32_t n, const double *u, const double *v, const double *x) {
-  Lanes first = zero(), second = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes value = load(x + i);
-    first = add(first, multiply_lanes(load(u + i), value));
-    second = add(second, multiply_lanes(load(v + i), value));
-  }
-  return (TbPair){join(first), join(second)};
 }
 
 static INLINE void losses_of(uint32_t count, uint32_t n, const double *const w[3],

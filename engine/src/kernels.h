@@ -47,17 +47,23 @@ typedef struct TbRingPart {
   bool pushed, held;
 } TbRingPart;
 
-/* A step of the high band, heard by one microphone (listen.h); arrays are [modes]. */
-typedef struct TbRing {
-  uint32_t parts;
+typedef struct TbRingParts {
+  uint32_t count;
   TbRingPart part[4];
-  const double *a, *b, *now, *last;
-  const double *push;           /* read where modes are pushed */
-  const double *hold;           /* ... and where they are held */
-  double loss, most;            /* of that */
-  const double *ahead, *behind; /* the microphone's weights */
-  double *next;
-} TbRing;
+  double loss, most; /* of what is held */
+} TbRingParts;
+
+/* A step of the high band, heard by one microphone (listen.h), in either precision; arrays are [modes], `push` is
+ * read where modes are pushed, `hold` where they are held. */
+#define TB_RING(name, real)                                                                        \
+  typedef struct name {                                                                            \
+    TbRingParts parts;                                                                             \
+    const real *a, *b, *now, *last, *hold, *ahead, *behind;                                        \
+    const float *push;                                                                             \
+    real *next;                                                                                    \
+  } name
+TB_RING(TbRing, double);
+TB_RING(TbSingleRing, float);
 
 typedef struct TbKernels {
   /* out = a x - b y */

@@ -5,6 +5,7 @@
 
 #include "lanes.h"
 #include "lawlanes.h"
+#include "ringlanes.h"
 #include "singlebed.h"
 
 /* ---- precision ------------------------------------------------------------------------------ */
@@ -68,7 +69,7 @@ static void gather(const TbSingleGather *g) {
 /* ---- the high band -------------------------------------------------------------------------- */
 
 /* `count` blocks of eight side by side, a constant where it is called. */
-static INLINE void combine_blocks(uint32_t blocks, uint32_t count, double *out, const float *f,
+static INLINE void combine_blocks(uint32_t blocks, uint32_t count, float *out, const float *f,
                                   const float *const *x, uint32_t at) {
   Lanes sum[4];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
@@ -78,11 +79,10 @@ static INLINE void combine_blocks(uint32_t blocks, uint32_t count, double *out, 
       sum[b] = add(sum[b], scale(load(x[row] + at + 8 * b), f[row]));
     }
   }
-  for (uint32_t b = 0; b < blocks; b++) store_double(out + at + 8 * b, sum[b]);
+  for (uint32_t b = 0; b < blocks; b++) store(out + at + 8 * b, sum[b]);
 }
 
-static void combine(uint32_t n, uint32_t count, double *out, const float *f,
-                    const float *const *x) {
+static void combine(uint32_t n, uint32_t count, float *out, const float *f, const float *const *x) {
   uint32_t at = 0;
   for (; at + 32 <= n; at += 32) combine_blocks(4, count, out, f, x, at);
   for (; at < n; at += 8) combine_blocks(1, count, out, f, x, at);
@@ -370,6 +370,8 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .widen = widen,
   .gather = gather,
   .combine = combine,
+  .ring = ring,
+  .two_dots = two_dots,
   .contract = contract,
   .expand = expand,
   .comply = comply,

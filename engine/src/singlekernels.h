@@ -4,8 +4,7 @@
 #ifndef TB_SINGLE_KERNELS_H
 #define TB_SINGLE_KERNELS_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include "kernels.h"
 
 struct TbLaw;
 struct TbSingleBed;
@@ -27,7 +26,10 @@ typedef struct TbSingleKernels {
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
   void (*gather)(const TbSingleGather *gather);
   /* out = f[0] x[0] + f[1] x[1] + ..., of `count` */
-  void (*combine)(uint32_t n, uint32_t count, double *out, const float *f, const float *const *x);
+  void (*combine)(uint32_t n, uint32_t count, float *out, const float *f, const float *const *x);
+  /* As in kernels.h. */
+  TbPair (*ring)(const TbSingleRing *ring);
+  TbPair (*two_dots)(uint32_t n, const float *u, const float *v, const float *x);
 
   /* Between rows x[wires * lanes] and the grid; `scratch` as singlebed.h says. */
   void (*contract)(const struct TbSingleBed *bed, const float *x, float *scratch, float *grid);

@@ -117,12 +117,17 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
   memset(view->state->hoop_shape[slot], 0, sizeof view->state->hoop_shape[slot]);
-  double *shape = tb_slot_shape(view, slot), *drive = tb_slot_high_drive(view, slot);
+  const bool single = model->high.single;
+  double *shape = tb_slot_shape(view, slot);
+  double *drive = single ? view->high_scratch : tb_slot_high_drive(view, slot);
   if (s->bristles) {
     tb_places_shape(model, s->definition, s->radius, s->angle, shape, drive);
   } else {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
     if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
+  }
+  if (!hand && single) {
+    model->singles->narrow(model->high.begin[1], drive, tb_slot_high_drive_single(view, slot));
   }
   s->rest_height = head_at(view, slot, model->rest.q);
 }

@@ -52,7 +52,8 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->single = place(&total, single_floats(model) / 2);
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
-  layout->high_force = place(&total, model->high.padded);
+  layout->high_scratch = place(&total, model->high.padded);
+  layout->high_force = place(&total, model->high.padded / 2u); /* two floats each */
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_pull[h] = place(&total, modes);
@@ -84,7 +85,8 @@ static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) 
                    state->z[index],
                    at(state, layout->high[index]),
                    state->missing[index],
-                   state->hoop[index]};
+                   state->hoop[index],
+                   (float *)(void *)at(state, layout->high[index])};
 }
 
 static void view_phases(TbView *view) {
@@ -167,7 +169,8 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .change = at(state, l->change),
                  .modal = at(state, l->modal),
                  .high_drive = at(state, l->high_drive),
-                 .high_force = at(state, l->high_force),
+                 .high_scratch = at(state, l->high_scratch),
+                 .high_force = (float *)(void *)at(state, l->high_force),
                  .coupling = at(state, l->coupling),
                  .slot_coupling = at(state, l->slot_coupling),
                  .shape = at(state, l->shape),

@@ -118,6 +118,7 @@ typedef struct TbState {
  * high band, what stands for the head's missing modes under each striker, and modes of the hoop. */
 typedef struct TbPhase {
   double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING], *hoop;
+  float *high_single; /* in the place of `high` where the band is of single precision */
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */
@@ -127,7 +128,8 @@ typedef struct TbView {
   TbPhase next, now, last;
   double *bend, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
-  double *high_drive, *high_force;
+  double *high_drive, *high_scratch;
+  float *high_force;
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   float *stretch_single;                    /* [2][padded]: stretch_pull, rounded */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
@@ -156,6 +158,10 @@ static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
 }
 static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
   return view->high_drive + (size_t)slot * view->model->high.padded;
+}
+/* In its place where the band is of single precision. */
+static inline float *tb_slot_high_drive_single(const TbView *view, uint32_t slot) {
+  return (float *)(void *)view->high_drive + (size_t)slot * view->model->high.padded;
 }
 static inline const TbMobility *tb_slot_missing(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];

@@ -233,14 +233,26 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
 static const double SILENT_ENERGY = 1e-18; /* [J] */
 static const uint32_t SILENT_CHECKS = 16;
-static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
+static const double VANISHED = 1e-150;       /* [m kg^1/2]; denormals begin at 1e-308, */
+static const float VANISHED_SINGLE = 1e-30f; /* ... of single precision at 1e-38 */
 
-static void clear_vanished(TbView *view) {
-  for (uint32_t i = 0; i < view->model->high.padded; i++) {
+static void clear_vanished_high(TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  for (uint32_t i = 0; i < high->padded && !high->single; i++) {
     if (fabs(view->now.high[i]) < VANISHED && fabs(view->last.high[i]) < VANISHED) {
       view->now.high[i] = view->last.high[i] = 0.0;
     }
   }
+  float *now = view->now.high_single, *last = view->last.high_single;
+  for (uint32_t i = 0; i < high->padded && high->single; i++) {
+    if (fabsf(now[i]) < VANISHED_SINGLE && fabsf(last[i]) < VANISHED_SINGLE) {
+      now[i] = last[i] = 0.0f;
+    }
+  }
+}
+
+static void clear_vanished(TbView *view) {
+  clear_vanished_high(view);
   for (uint32_t i = 0; i < view->model->modes.padded; i++) {
     if (fabs(view->now.q[i]) < VANISHED && fabs(view->last.q[i]) < VANISHED) {
       view->now.q[i] = view->last.q[i] = 0.0;

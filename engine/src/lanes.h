@@ -112,6 +112,11 @@ static INLINE Vector vector_narrow(const double *p) {
   return _mm256_set_m128(_mm256_cvtpd_ps(_mm256_load_pd(p + 4)),
                          _mm256_cvtpd_ps(_mm256_load_pd(p)));
 }
+static INLINE Vector vector_narrow_change(const double *p, const double *q) {
+  return _mm256_set_m128(
+    _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_load_pd(p + 4), _mm256_load_pd(q + 4))),
+    _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_load_pd(p), _mm256_load_pd(q))));
+}
 static INLINE void vector_widen(Vector x, double *p) {
   _mm256_store_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(x)));
   _mm256_store_pd(p + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1)));
@@ -120,6 +125,10 @@ static INLINE void vector_widen(Vector x, double *p) {
 static INLINE Vector vector_narrow(const double *p) {
   return _mm_movelh_ps(_mm_cvtpd_ps(_mm_load_pd(p)), _mm_cvtpd_ps(_mm_load_pd(p + 2)));
 }
+static INLINE Vector vector_narrow_change(const double *p, const double *q) {
+  return _mm_movelh_ps(_mm_cvtpd_ps(_mm_sub_pd(_mm_load_pd(p), _mm_load_pd(q))),
+                       _mm_cvtpd_ps(_mm_sub_pd(_mm_load_pd(p + 2), _mm_load_pd(q + 2))));
+}
 static INLINE void vector_widen(Vector x, double *p) {
   _mm_store_pd(p, _mm_cvtps_pd(x));
   _mm_store_pd(p + 2, _mm_cvtps_pd(_mm_movehl_ps(x, x)));
@@ -127,6 +136,10 @@ static INLINE void vector_widen(Vector x, double *p) {
 #  else
 static INLINE Vector vector_narrow(const double *p) {
   return (Vector){(float)p[0], (float)p[1], (float)p[2], (float)p[3]};
+}
+static INLINE Vector vector_narrow_change(const double *p, const double *q) {
+  return (Vector){(float)(p[0] - q[0]), (float)(p[1] - q[1]), (float)(p[2] - q[2]),
+                  (float)(p[3] - q[3])};
 }
 static INLINE void vector_widen(Vector x, double *p) {
   for (int i = 0; i < 4; i++) p[i] = (double)x[i];
@@ -158,6 +171,15 @@ static INLINE Lanes load(const Real *p) {
 static INLINE Lanes load_double(const double *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = vector_narrow(p + i * WIDTH);
+  return x;
+}
+
+/* p - q, rounded once it is known. */
+static INLINE Lanes load_change(const double *p, const double *q) {
+  Lanes x;
+  for (int i = 0; i < PARTS; i++) {
+    x.part[i] = vector_narrow_change(p + i * WIDTH, q + i * WIDTH);
+  }
   return x;
 }
 

@@ -32,7 +32,7 @@ static void fill_shapes(TbSingleBed *single, const TbBed *bed) {
       for (uint32_t a = 0; a < bed->columns[along]; a++, c++) {
         const float shape = (float)shape_at(bed, along, a, lane);
         single->contract[(size_t)lane * single->padded + c] = shape;
-        single->expand[((size_t)(lane / 8) * single->columns + c) * 8 + lane % 8] = shape;
+        single->expand[(size_t)c * bed->lanes + lane] = shape;
       }
     }
   }

@@ -15,7 +15,7 @@ typedef struct TbSingleBed {
   uint32_t size;                                      /* of a grid vector */
   float *across;                                      /* [wires][lines] */
   float *contract;                                    /* [lanes][padded] */
-  float *expand;                                      /* [lanes/8][columns][8] */
+  float *expand;                                      /* [columns][lanes] */
   uint32_t *place;                                    /* [lines][columns]: where in a grid vector */
   uint32_t classes;                                   /* of the compliance, */
   uint32_t first[5];                                  /* where each begins in a grid vector, */

@@ -14,16 +14,50 @@ static void narrow(uint32_t n, const double *x, float *out) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, load_double(x + i));
 }
 
-static void narrow_difference(uint32_t n, const double *x, const double *y, float *out) {
-  double left[8] __attribute__((aligned(64)));
-  for (uint32_t i = 0; i < n; i += 8) {
-    for (uint32_t lane = 0; lane < 8; lane++) left[lane] = x[i + lane] - y[i + lane];
-    store(out + i, load_double(left));
-  }
+static void narrow_change(uint32_t n, const double *x, const double *y, float *out) {
+  for (uint32_t i = 0; i < n; i += 8) store(out + i, load_change(x + i, y + i));
 }
 
 static void widen(uint32_t n, const float *x, double *out) {
   for (uint32_t i = 0; i < n; i += 8) store_double(out + i, load(x + i));
+}
+
+static void start(uint32_t n, TbSingleStart *whole) {
+  const TbSingleStart copy = *whole, *at = &copy; /* which no store can change */
+  Lanes change = zero(), deepest = zero(), most = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);
+    const Lanes f = load_double(at->from_f + i);
+    store(at->s + i, load_change(at->from_b + i, at->from_p + i));
+    store(at->b + i, b);
+    store(at->y + i, y);
+    store(at->f + i, f);
+    store(at->p + i, load_double(at->from_p + i));
+    store(at->own + i, load_double(at->from_own + i));
+    change = larger(size_of(b), change);
+    deepest = larger(y, deepest);
+    most = larger(larger(add(y, b), size_of(f)), most);
+  }
+  whole->change = largest_of(change);
+  whole->depth = largest_of(deepest);
+  whole->touches = whole->depth > 0.0f || largest_of(most) > 0.0f;
+}
+
+static void end(uint32_t n, TbSingleEnd *whole) {
+  const TbSingleEnd copy = *whole, *at = &copy;
+  Lanes sum = zero(), touching = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes f = load(at->f + i), p = load(at->p + i);
+    const Lanes moved = add(p, scale(subtract(p, load(at->p_last + i)), at->t));
+    const Lanes s = subtract(load(at->b + i), moved);
+    store_double(at->to_f + i, add(f, scale(subtract(f, load(at->f_last + i)), at->t)));
+    store_double(at->to_p + i, moved);
+    store_double(at->to_s + i, s);
+    sum = add(sum, multiply_lanes(s, subtract(load(at->law + i), load(at->mean + i))));
+    touching = add(touching, pick(greater(load(at->slope + i), zero()), all(1.0f), zero()));
+  }
+  whole->lost = join(sum);
+  whole->touching = (uint32_t)join(touching);
 }
 
 /* ---- modes and grid -------------------------------------------------------------------------- */
@@ -90,6 +124,68 @@ static void combine(uint32_t n, uint32_t count, float *out, const float *f, cons
 
 /* ---- the bed -------------------------------------------------------------------------------- */
 
+/* Tiles of sums that stay in registers: `lines` lines of `blocks` times eight lanes or columns, both constants
+ * where they are called. Each sum still runs term by term in ascending order. */
+enum { TILE_LINES = 3, TILE_BLOCKS = 3 };
+
+typedef struct Tile {
+  Lanes sum[TILE_LINES][TILE_BLOCKS];
+} Tile;
+
+static INLINE void clear_tile(Tile *tile) {
+  for (uint32_t l = 0; l < TILE_LINES; l++) {
+    for (uint32_t b = 0; b < TILE_BLOCKS; b++) tile->sum[l][b] = zero();
+  }
+}
+
+/* sum[l][b] += factor[l * step] x[b] */
+static INLINE void add_to_tile(uint32_t lines, uint32_t blocks, Tile *tile, const float *factor,
+                               uint32_t step, const Lanes *x) {
+#pragma GCC unroll 3
+  for (uint32_t l = 0; l < lines; l++) {
+#pragma GCC unroll 3
+    for (uint32_t b = 0; b < blocks; b++) {
+      tile->sum[l][b] = add(tile->sum[l][b], scale(x[b], factor[l * step]));
+    }
+  }
+}
+
+static INLINE void store_tile(uint32_t lines, uint32_t blocks, const Tile *tile, uint32_t step,
+                              float *out) {
+#pragma GCC unroll 3
+  for (uint32_t l = 0; l < lines; l++) {
+#pragma GCC unroll 3
+    for (uint32_t b = 0; b < blocks; b++) store(out + l * step + 8u * b, tile->sum[l][b]);
+  }
+}
+
+static INLINE void load_blocks(uint32_t blocks, const float *at, Lanes *x) {
+#pragma GCC unroll 3
+  for (uint32_t b = 0; b < blocks; b++) x[b] = load(at + 8u * b);
+}
+
+/* Calls tile(lines, blocks, ...) for all of `line_count` lines from `line` on and `block_count` blocks, each tile
+ * a copy of the code of its own size. */
+#define FOR_TILES(tile, first_line, line_end, block_count, ...)                                    \
+  for (uint32_t line_ = (first_line); line_ < (line_end); line_ += TILE_LINES) {                   \
+    for (uint32_t block_ = 0; block_ < (block_count); block_ += TILE_BLOCKS) {                     \
+      const uint32_t lines_ = (line_end)-line_ < TILE_LINES ? (line_end)-line_ : TILE_LINES;       \
+      const uint32_t left_ = (block_count)-block_;                                                 \
+      const uint32_t blocks_ = left_ < TILE_BLOCKS ? left_ : TILE_BLOCKS;                          \
+      switch (4u * lines_ + blocks_) {                                                             \
+      case 5: tile(1, 1, line_, 8u * block_, __VA_ARGS__); break;                                  \
+      case 6: tile(1, 2, line_, 8u * block_, __VA_ARGS__); break;                                  \
+      case 7: tile(1, 3, line_, 8u * block_, __VA_ARGS__); break;                                  \
+      case 9: tile(2, 1, line_, 8u * block_, __VA_ARGS__); break;                                  \
+      case 10: tile(2, 2, line_, 8u * block_, __VA_ARGS__); break;                                 \
+      case 11: tile(2, 3, line_, 8u * block_, __VA_ARGS__); break;                                 \
+      case 13: tile(3, 1, line_, 8u * block_, __VA_ARGS__); break;                                 \
+      case 14: tile(3, 2, line_, 8u * block_, __VA_ARGS__); break;                                 \
+      default: tile(3, 3, line_, 8u * block_, __VA_ARGS__); break;                                 \
+      }                                                                                            \
+    }                                                                                              \
+  }
+
 /* Where the mirror image of a wire stands, and one of each pair. */
 static INLINE uint32_t image_of(const TbSingleBed *bed, uint32_t wire) {
   return bed->quarters == 2 ? bed->wires - 1u - wire : wire;
@@ -98,62 +194,45 @@ static INLINE uint32_t pairs_of(const TbSingleBed *bed) {
   return bed->quarters == 2 ? (bed->wires + 1u) / 2u : bed->wires;
 }
 
-/* Up to four lines at once, `n` of them known when compiled: lines[l] = Sum across (x[v] +- x[image]). */
-static INLINE void gather_some(uint32_t n, bool odd, const TbSingleBed *bed, uint32_t line,
-                               const float *x, float *to) {
-  Lanes sum[4] = {zero(), zero(), zero(), zero()};
+/* lines[l] = Sum across (x[v] +- x[image]) */
+static INLINE void gather_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
+                               const TbSingleBed *bed, bool odd, const float *x, float *to) {
+  Tile tile;
+  clear_tile(&tile);
   for (uint32_t w = 0; w < pairs_of(bed); w++) {
     const uint32_t image = image_of(bed, w);
-    const float *c = bed->across + (uint64_t)w * bed->lines + line;
-    Lanes v = load(x + (uint64_t)w * bed->lanes);
+    Lanes own[TILE_BLOCKS], other[TILE_BLOCKS];
+    load_blocks(blocks, x + w * bed->lanes + at, own);
     if (image != w) {
-      const Lanes other = load(x + (uint64_t)image * bed->lanes);
-      v = odd ? subtract(v, other) : add(v, other);
+      load_blocks(blocks, x + image * bed->lanes + at, other);
+#pragma GCC unroll 3
+      for (uint32_t b = 0; b < blocks; b++) {
+        own[b] = odd ? subtract(own[b], other[b]) : add(own[b], other[b]);
+      }
     }
-    for (uint32_t l = 0; l < n; l++) sum[l] = add(sum[l], scale(v, c[l]));
+    add_to_tile(lines, blocks, &tile, bed->across + w * bed->lines + line, 1, own);
   }
-  for (uint32_t l = 0; l < n; l++) store(to + (uint64_t)(line + l) * bed->lanes, sum[l]);
+  store_tile(lines, blocks, &tile, bed->lanes, to + line * bed->lanes + at);
 }
 
-static INLINE void gather_parity(bool odd, const TbSingleBed *bed, const float *x, float *to) {
-  const uint32_t end = odd ? bed->lines : bed->even_lines;
-  for (uint32_t l = odd ? bed->even_lines : 0; l < end; l += 4) {
-    switch (end - l) {
-    case 1: gather_some(1, odd, bed, l, x, to); break;
-    case 2: gather_some(2, odd, bed, l, x, to); break;
-    case 3: gather_some(3, odd, bed, l, x, to); break;
-    default: gather_some(4, odd, bed, l, x, to); break;
-    }
-  }
-}
-
-/* `n` lines side by side: out[l] = table^T x[l], with 8 columns of [lanes][padded]. */
-static INLINE void columns_of(uint32_t n, const TbSingleBed *bed, const float *table,
-                              const float *x, float *out) {
-  Lanes sum[4] = {zero(), zero(), zero(), zero()};
+/* points[l] = contract^T lines[l] */
+static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
+                                const TbSingleBed *bed, const float *x, float *out) {
+  Tile tile;
+  clear_tile(&tile);
   for (uint32_t j = 0; j < bed->lanes; j++) {
-    const Lanes shape = load(table + (uint64_t)j * bed->padded);
-    for (uint32_t l = 0; l < n; l++) sum[l] = add(sum[l], scale(shape, x[l * bed->lanes + j]));
+    Lanes shape[TILE_BLOCKS];
+    load_blocks(blocks, bed->contract + j * bed->padded + at, shape);
+    add_to_tile(lines, blocks, &tile, x + line * bed->lanes + j, bed->lanes, shape);
   }
-  for (uint32_t l = 0; l < n; l++) store(out + (uint64_t)l * bed->padded, sum[l]);
+  store_tile(lines, blocks, &tile, bed->padded, out + line * bed->padded + at);
 }
 
 static void contract(const TbSingleBed *bed, const float *x, float *scratch, float *grid) {
   float *lines = scratch, *points = scratch + bed->lines * bed->lanes;
-  for (uint32_t at = 0; at < bed->lanes; at += 8) {
-    gather_parity(false, bed, x + at, lines + at);
-    gather_parity(true, bed, x + at, lines + at);
-  }
-  for (uint32_t at = 0; at < bed->padded; at += 8) {
-    const float *table = bed->contract + at;
-    uint32_t l = 0;
-    for (; l + 4 <= bed->lines; l += 4) {
-      columns_of(4, bed, table, lines + l * bed->lanes, points + l * bed->padded + at);
-    }
-    for (; l < bed->lines; l++) {
-      columns_of(1, bed, table, lines + l * bed->lanes, points + l * bed->padded + at);
-    }
-  }
+  FOR_TILES(gather_tile, 0, bed->even_lines, bed->lanes / 8u, bed, false, x, lines)
+  FOR_TILES(gather_tile, bed->even_lines, bed->lines, bed->lanes / 8u, bed, true, x, lines)
+  FOR_TILES(columns_tile, 0, bed->lines, bed->padded / 8u, bed, lines, points)
   for (uint32_t i = 0; i < bed->size; i++) grid[i] = 0.0f;
   for (uint32_t l = 0; l < bed->lines; l++) {
     const uint32_t *place = bed->place + l * bed->columns;
@@ -161,25 +240,45 @@ static void contract(const TbSingleBed *bed, const float *x, float *scratch, flo
   }
 }
 
-/* `n` lines side by side: out[l] = 8 lanes of the shapes' sum. */
-static INLINE void lanes_of(uint32_t n, const TbSingleBed *bed, const float *table,
-                            const float *points, float *out) {
-  Lanes sum[4] = {zero(), zero(), zero(), zero()};
+/* lines[l] = expand points[l] */
+static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
+                              const TbSingleBed *bed, const float *points, float *out) {
+  Tile tile;
+  clear_tile(&tile);
   for (uint32_t a = 0; a < bed->columns; a++) {
-    const Lanes shape = load(table + 8u * (uint64_t)a);
-    for (uint32_t l = 0; l < n; l++)
-      sum[l] = add(sum[l], scale(shape, points[l * bed->padded + a]));
+    Lanes shape[TILE_BLOCKS];
+    load_blocks(blocks, bed->expand + a * bed->lanes + at, shape);
+    add_to_tile(lines, blocks, &tile, points + line * bed->padded + a, bed->padded, shape);
   }
-  for (uint32_t l = 0; l < n; l++) store(out + (uint64_t)l * bed->lanes, sum[l]);
+  store_tile(lines, blocks, &tile, bed->lanes, out + line * bed->lanes + at);
 }
 
-static INLINE Lanes spread_some(const TbSingleBed *bed, uint32_t from, uint32_t end,
-                                const float *across, const float *lines) {
-  Lanes sum = zero();
+static INLINE void spread_lines(uint32_t blocks, const TbSingleBed *bed, uint32_t from,
+                                uint32_t end, const float *across, const float *lines, Lanes *sum) {
+  for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t l = from; l < end; l++) {
-    sum = add(sum, scale(load(lines + (uint64_t)l * bed->lanes), across[l]));
+#pragma GCC unroll 3
+    for (uint32_t b = 0; b < blocks; b++) {
+      sum[b] = add(sum[b], scale(load(lines + l * bed->lanes + 8u * b), across[l]));
+    }
   }
-  return sum;
+}
+
+/* x[v], x[image] = Sum over even lines +- Sum over odd ones, of one pair. */
+static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, uint32_t at,
+                               const TbSingleBed *bed, const float *from, float *x) {
+  for (uint32_t w = pair; w < pair + lines; w++) {
+    const float *across = bed->across + w * bed->lines;
+    float *own = x + w * bed->lanes + at, *image = x + image_of(bed, w) * bed->lanes + at;
+    Lanes s[TILE_BLOCKS], d[TILE_BLOCKS];
+    spread_lines(blocks, bed, 0, bed->even_lines, across, from + at, s);
+    spread_lines(blocks, bed, bed->even_lines, bed->lines, across, from + at, d);
+#pragma GCC unroll 3
+    for (uint32_t b = 0; b < blocks; b++) {
+      store(image + 8u * b, subtract(s[b], d[b]));
+      store(own + 8u * b, add(s[b], d[b]));
+    }
+  }
 }
 
 static void expand(const TbSingleBed *bed, const float *grid, float *scratch, float *x) {
@@ -188,61 +287,59 @@ static void expand(const TbSingleBed *bed, const float *grid, float *scratch, fl
     const uint32_t *place = bed->place + l * bed->columns;
     for (uint32_t a = 0; a < bed->columns; a++) points[l * bed->padded + a] = grid[place[a]];
   }
-  for (uint32_t at = 0; at < bed->lanes; at += 8) {
-    const float *table = bed->expand + (uint64_t)at * bed->columns;
-    uint32_t l = 0;
-    for (; l + 4 <= bed->lines; l += 4) {
-      lanes_of(4, bed, table, points + l * bed->padded, lines + l * bed->lanes + at);
-    }
-    for (; l < bed->lines; l++) {
-      lanes_of(1, bed, table, points + l * bed->padded, lines + l * bed->lanes + at);
-    }
-  }
-  for (uint32_t w = 0; w < pairs_of(bed); w++) {
-    const float *across = bed->across + (uint64_t)w * bed->lines;
-    float *own = x + (uint64_t)w * bed->lanes, *image = x + (uint64_t)image_of(bed, w) * bed->lanes;
-    for (uint32_t at = 0; at < bed->lanes; at += 8) {
-      const Lanes s = spread_some(bed, 0, bed->even_lines, across, lines + at);
-      const Lanes d = spread_some(bed, bed->even_lines, bed->lines, across, lines + at);
-      store(image + at, subtract(s, d));
-      store(own + at, add(s, d));
-    }
-  }
+  FOR_TILES(lanes_tile, 0, bed->lines, bed->lanes / 8u, bed, points, lines)
+  FOR_TILES(spread_tile, 0, pairs_of(bed), bed->lanes / 8u, bed, lines, x)
 }
 
+/* ---- matrices ------------------------------------------------------------------------------- */
+
 /* `count` blocks of rows side by side, a constant where it is called. */
-static INLINE void multiply_blocks(uint32_t count, uint32_t n, const float *matrix, const float *x,
-                                   float *out) {
-  const uint64_t block = 8u * (uint64_t)n;
-  Lanes sum[4] = {zero(), zero(), zero(), zero()};
+static INLINE void multiply_blocks(uint32_t count, uint32_t n, uint64_t block, const float *matrix,
+                                   const float *x, float *out) {
+  Lanes sum[6];
+#pragma GCC unroll 6
+  for (uint32_t b = 0; b < count; b++) sum[b] = zero();
   for (uint32_t i = 0; i < n; i++) {
     const float *m = matrix + 8u * (uint64_t)i;
+#pragma GCC unroll 6 /* or the sums would live in memory */
     for (uint32_t b = 0; b < count; b++) sum[b] = add(sum[b], scale(load(m + b * block), x[i]));
   }
+#pragma GCC unroll 6
   for (uint32_t b = 0; b < count; b++) store(out + 8 * b, sum[b]);
 }
 
-static void multiply(uint32_t n, const float *matrix, const float *x, float *out) {
-  const uint32_t blocks = n / 8;
-  for (uint32_t b = 0; b < blocks; b += 4) {
-    const float *m = matrix + 8u * (uint64_t)n * b;
-    switch (blocks - b) {
-    case 1: multiply_blocks(1, n, m, x, out + 8 * b); break;
-    case 2: multiply_blocks(2, n, m, x, out + 8 * b); break;
-    case 3: multiply_blocks(3, n, m, x, out + 8 * b); break;
-    default: multiply_blocks(4, n, m, x, out + 8 * b); break;
+static void multiply(uint32_t blocks, uint32_t n, const float *matrix, const float *x, float *out) {
+  const uint64_t block = 8u * (uint64_t)n;
+  for (uint32_t b = 0, take; b < blocks; b += take) {
+    const float *m = matrix + block * b;
+    take = blocks - b == 7 ? 4 : blocks - b < 6 ? blocks - b : 6;
+    switch (take) { /* one copy of the code for each */
+    case 1: multiply_blocks(1, n, block, m, x, out + 8 * b); break;
+    case 2: multiply_blocks(2, n, block, m, x, out + 8 * b); break;
+    case 3: multiply_blocks(3, n, block, m, x, out + 8 * b); break;
+    case 4: multiply_blocks(4, n, block, m, x, out + 8 * b); break;
+    case 5: multiply_blocks(5, n, block, m, x, out + 8 * b); break;
+    default: multiply_blocks(6, n, block, m, x, out + 8 * b); break;
     }
   }
 }
 
 static void comply(const TbSingleBed *bed, const float *grid, float *out) {
   for (uint32_t c = 0; c < bed->classes; c++) {
-    const uint32_t first = bed->first[c];
-    multiply(bed->first[c + 1] - first, bed->matrix[c], grid + first, out + first);
+    const uint32_t first = bed->first[c], points = bed->first[c + 1] - first;
+    multiply(points / 8u, points, bed->matrix[c], grid + first, out + first);
   }
 }
 
 /* ---- contacts ------------------------------------------------------------------------------- */
+
+static void penetrate(uint32_t n, float side, const float *w, const double *v, const double *v_last,
+                      const double *rest_load, double *b) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes change = subtract(scale(load(w + i), side), load_change(v + i, v_last + i));
+    store_double(b + i, add(change, load_double(rest_load + i)));
+  }
+}
 
 static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const float *y,
                  const float *s, float *force, float *slope, float *mean) {
@@ -250,12 +347,6 @@ static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const flo
     law_of_power(&laws_of[w], tb_law_power(&laws_of[w]), lanes,
                  (LawArrays){y + at, s + at, force + at, slope + at, mean + at});
   }
-}
-
-static float largest(uint32_t n, const float *x) {
-  Lanes most = zero();
-  for (uint32_t i = 0; i < n; i += 8) most = larger(size_of(load(x + i)), most);
-  return largest_of(most);
 }
 
 static float difference(uint32_t n, const float *x, const float *y) {
@@ -266,16 +357,16 @@ static float difference(uint32_t n, const float *x, const float *y) {
   return largest_of(most);
 }
 
-static uint32_t count(uint32_t n, const float *x) {
-  Lanes sum = zero();
+static float follow(uint32_t n, const float *law, const float *weight, const float *x,
+                    const float *b, const float *p, float *f, float *s) {
+  Lanes most = zero();
   for (uint32_t i = 0; i < n; i += 8) {
-    sum = add(sum, pick(greater(load(x + i), zero()), all(1.0f), zero()));
+    const Lanes change = subtract(load(b + i), load(p + i));
+    store(f + i, add(load(law + i), multiply_lanes(load(weight + i), load(x + i))));
+    store(s + i, change);
+    most = larger(size_of(change), most);
   }
-  return (uint32_t)join(sum);
-}
-
-static void subtract_arrays(uint32_t n, const float *x, const float *y, float *out) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
+  return largest_of(most);
 }
 
 static void add_scaled(uint32_t n, float *out, float f, const float *x) {
@@ -331,10 +422,10 @@ static void redirect(uint32_t n, float t, float *d, const float *r) {
   for (uint32_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 
-static void balance(uint32_t n, float t, const float *s_at, const float *law, const float *slope,
-                    const float *f_at, const float *f_last, const float *p, const float *p_last,
-                    float sums[3]) {
-  Lanes value = zero(), derivative = zero(), size = zero();
+static TbSingleSums balance(uint32_t n, float t, const float *s_at, const float *law,
+                            const float *slope, const float *f_at, const float *f_last,
+                            const float *p, const float *p_last) {
+  Lanes value = zero(), derivative = zero(), size = zero(), miss = zero();
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes s = load(s_at + i), f = load(f_at + i), g = subtract(f, load(f_last + i));
     const Lanes m = subtract(load(p + i), load(p_last + i)), moved = add(f, scale(g, t));
@@ -343,18 +434,9 @@ static void balance(uint32_t n, float t, const float *s_at, const float *law, co
     value = add(value, multiply_lanes(s, left));
     derivative = subtract(derivative, add(multiply_lanes(m, left), bend));
     size = add(size, size_of(multiply_lanes(s, moved)));
+    miss = larger(size_of(left), miss);
   }
-  sums[0] = join(value);
-  sums[1] = join(derivative);
-  sums[2] = join(size);
-}
-
-static float lost(uint32_t n, const float *s, const float *f, const float *mean) {
-  Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    sum = add(sum, multiply_lanes(load(s + i), subtract(load(f + i), load(mean + i))));
-  }
-  return join(sum);
+  return (TbSingleSums){join(value), join(derivative), join(size), largest_of(miss)};
 }
 
 static void extrapolate(uint32_t n, float t, const float *x, const float *before, const float *base,
@@ -366,20 +448,21 @@ static void extrapolate(uint32_t n, float t, const float *x, const float *before
 
 const TbSingleKernels TB_SINGLE_KERNELS = {
   .narrow = narrow,
-  .narrow_difference = narrow_difference,
+  .narrow_change = narrow_change,
+  .penetrate = penetrate,
   .widen = widen,
   .gather = gather,
   .combine = combine,
   .ring = ring,
   .two_dots = two_dots,
+  .start = start,
+  .end = end,
   .contract = contract,
   .expand = expand,
   .comply = comply,
   .laws = laws,
-  .largest = largest,
   .difference = difference,
-  .count = count,
-  .subtract = subtract_arrays,
+  .follow = follow,
   .add_scaled = add_scaled,
   .add_product = add_product,
   .product = product,
@@ -388,6 +471,5 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .advance = advance,
   .redirect = redirect,
   .balance = balance,
-  .lost = lost,
   .extrapolate = extrapolate,
 };

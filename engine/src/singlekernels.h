@@ -16,12 +16,37 @@ typedef struct TbSingleGather {
   double *out[2];
 } TbSingleGather;
 
+/* The way in: everything in single precision, s = b - p, the largest |b|, the largest y or 0, and whether y > 0,
+ * y + b > 0 or f != 0 anywhere. */
+typedef struct TbSingleStart {
+  const double *from_b, *from_p, *from_y, *from_own, *from_f;
+  float *b, *p, *y, *own, *f, *s;
+  float change, depth;
+  bool touches;
+} TbSingleStart;
+
+/* The way out: f + t (f - f_last), the same of p, and s = b - p, in double; Sum s (law - mean), and how many
+ * slopes > 0. */
+typedef struct TbSingleEnd {
+  float t;
+  const float *b, *f, *f_last, *p, *p_last, *law, *mean, *slope;
+  double *to_f, *to_p, *to_s;
+  float lost;
+  uint32_t touching;
+} TbSingleEnd;
+
+/* What a balance is made of (kernels.h), and the largest |law - f|. */
+typedef struct TbSingleSums {
+  float value, derivative, size, miss;
+} TbSingleSums;
+
 typedef struct TbSingleKernels {
-  /* To single precision: out = x, and x - y. */
+  /* To single precision, x and x - y, and back. */
   void (*narrow)(uint32_t n, const double *x, float *out);
-  void (*narrow_difference)(uint32_t n, const double *x, const double *y, float *out);
-  /* And back. */
+  void (*narrow_change)(uint32_t n, const double *x, const double *y, float *out);
   void (*widen)(uint32_t n, const float *x, double *out);
+  void (*start)(uint32_t n, TbSingleStart *start);
+  void (*end)(uint32_t n, TbSingleEnd *end);
 
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
   void (*gather)(const TbSingleGather *gather);
@@ -30,6 +55,10 @@ typedef struct TbSingleKernels {
   /* As in kernels.h. */
   TbPair (*ring)(const TbSingleRing *ring);
   TbPair (*two_dots)(uint32_t n, const float *u, const float *v, const float *x);
+
+  /* b = (side w - (v - v_last)) + load */
+  void (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
+                    const double *load, double *b);
 
   /* Between rows x[wires * lanes] and the grid; `scratch` as singlebed.h says. */
   void (*contract)(const struct TbSingleBed *bed, const float *x, float *scratch, float *grid);
@@ -40,12 +69,11 @@ typedef struct TbSingleKernels {
   /* The laws of `wires` wires with `lanes` rows each, as `law` in kernels.h; powers of tb_law_power(). */
   void (*laws)(uint32_t wires, uint32_t lanes, const struct TbLaw *laws, const float *y,
                const float *s, float *force, float *slope, float *mean);
-  /* Largest |x|, and largest |x - y|. */
-  float (*largest)(uint32_t n, const float *x);
+  /* Largest |x - y| */
   float (*difference)(uint32_t n, const float *x, const float *y);
-  /* How many x > 0. */
-  uint32_t (*count)(uint32_t n, const float *x);
-  void (*subtract)(uint32_t n, const float *x, const float *y, float *out);
+  /* f = law + weight x, s = b - p; largest |s| */
+  float (*follow)(uint32_t n, const float *law, const float *weight, const float *x, const float *b,
+                  const float *p, float *f, float *s);
   /* out += f x; out += x y; out = x y */
   void (*add_scaled)(uint32_t n, float *out, float f, const float *x);
   void (*add_product)(uint32_t n, float *out, const float *x, const float *y);
@@ -58,10 +86,8 @@ typedef struct TbSingleKernels {
   float (*advance)(uint32_t n, float t, float *p, const float *d, float *r, const float *m);
   void (*redirect)(uint32_t n, float t, float *d, const float *r);
   /* As in kernels.h. */
-  void (*balance)(uint32_t n, float t, const float *s, const float *law, const float *slope,
-                  const float *f, const float *f_last, const float *p, const float *p_last,
-                  float sums[3]);
-  float (*lost)(uint32_t n, const float *s, const float *f, const float *mean);
+  TbSingleSums (*balance)(uint32_t n, float t, const float *s, const float *law, const float *slope,
+                          const float *f, const float *f_last, const float *p, const float *p_last);
   /* out = base + t (x - before) */
   void (*extrapolate)(uint32_t n, float t, const float *x, const float *before, const float *base,
                       float *out);

@@ -81,8 +81,8 @@ static void apply_laws(const TbSolve *solve, const float *s) {
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* (I + W M W) p = d by conjugate gradients, as solve.c does it; adds M W p to `work`, which is M f of the laws'
- * forces, and W p on the grid to `grid`. */
+/* (I + W M W) p = d by conjugate gradients, as solve.c does it; adds M W p to `product`, which is M f of the
+ * laws' forces, and W p on the grid to `grid`. */
 static void solve_inner(const TbSolve *solve, float square) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
@@ -91,7 +91,9 @@ static void solve_inner(const TbSolve *solve, float square) {
   const float enough = square * tolerance * tolerance;
   memset(single->solution, 0, rows * sizeof(float));
   memcpy(single->residual, single->direction, rows * sizeof(float));
+  float again = 0.0f; /* how much of the last direction the next one keeps */
   for (uint32_t i = 0; i < solve->inner_cap && square > enough; i++) {
+    if (i > 0) kernels->redirect(rows, again, single->direction, single->residual);
     kernels->product(rows, single->turned, single->weight, single->direction);
     product_of(solve, single->turned, single->pushed, single->moved);
     const float bend =
@@ -99,140 +101,136 @@ static void solve_inner(const TbSolve *solve, float square) {
     const float step = square / bend;
     const float next = kernels->advance(rows, step, single->solution, single->direction,
                                         single->residual, single->turned);
-    kernels->add_scaled(rows, single->work, step, single->moved);
+    kernels->add_scaled(rows, single->product, step, single->moved);
     kernels->add_scaled(single->bed->size, single->grid, step, single->pushed);
-    kernels->redirect(rows, next / square, single->direction, single->residual);
+    again = next / square;
     square = next;
   }
 }
 
-/* From the laws at s on; force, product, grid and s follow. */
-static void newton_step(const TbSolve *solve) {
+/* From the laws at s on; force, product, grid and s follow. Returns the largest |s|. */
+static float newton_step(const TbSolve *solve) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
   const uint32_t rows = total_rows(solve);
-  product_of(solve, single->law, single->grid, single->work);
-  const float square = kernels->weigh(rows, single->slope, single->work, single->product,
+  memcpy(single->work, single->product, rows * sizeof(float));
+  product_of(solve, single->law, single->grid, single->product);
+  const float square = kernels->weigh(rows, single->slope, single->product, single->work,
                                       single->weight, single->direction);
   solve_inner(solve, square);
-  memcpy(single->force, single->law, rows * sizeof(float));
-  kernels->add_product(rows, single->force, single->weight, single->solution);
-  memcpy(single->product, single->work, rows * sizeof(float));
-  kernels->subtract(rows, single->b, single->product, single->s);
+  return kernels->follow(rows, single->law, single->weight, single->solution, single->b,
+                         single->product, single->force, single->s);
 }
 
 /* ---- the balance ---------------------------------------------------------------------------- */
 
-/* x += t (x - before) */
-static void move_on(const TbSingle *single, uint32_t n, float t, float *x, const float *before) {
-  single->kernels->extrapolate(n, t, x, before, x, x);
-}
-
-/* As balance() in solve.c; the energy left over, lost, into *over. */
-static bool balance(const TbSolve *solve, float *over) {
+/* As balance() in solve.c, with the sums at s to begin with: how far to move, the energy left over, lost, into
+ * *over; no number where there is no such place. */
+static float balance(const TbSolve *solve, TbSingleSums sums, float *over) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
   const uint32_t rows = total_rows(solve);
-  const float *s = single->s;
-  float t = 0.0f, sums[3];
+  float t = 0.0f;
   for (uint32_t i = 0;; i++) {
-    kernels->balance(rows, t, s, single->law, single->slope, single->force, single->force_last,
-                     single->product, single->product_last, sums);
-    const float miss = sums[0] + BALANCE_AIM * sums[2];
-    if (fabsf(miss) <= BALANCE_WINDOW * sums[2]) break;
-    if (i == MOST_BALANCE_STEPS) return false;
-    t -= miss / sums[1];
-    if (!(fabsf(t) <= BALANCE_REACH)) return false;
-    s = single->turned;
+    const float miss = sums.value + BALANCE_AIM * sums.size;
+    *over = -sums.value;
+    if (fabsf(miss) <= BALANCE_WINDOW * sums.size) return t;
+    t -= miss / sums.derivative;
+    if (i == MOST_BALANCE_STEPS || !(fabsf(t) <= BALANCE_REACH)) return NAN;
     kernels->extrapolate(rows, -t, single->product, single->product_last, single->s,
                          single->turned);
-    apply_laws(solve, s);
+    apply_laws(solve, single->turned);
+    sums = kernels->balance(rows, t, single->turned, single->law, single->slope, single->force,
+                            single->force_last, single->product, single->product_last);
   }
-  *over = -sums[0];
-  if (t == 0.0f) return true;
-  move_on(single, rows, t, single->force, single->force_last);
-  move_on(single, rows, t, single->product, single->product_last);
-  move_on(single, single->bed->size, t, single->grid, single->grid_last);
-  kernels->subtract(rows, single->b, single->product, single->s);
-  return true;
 }
 
 /* ---- the solve ------------------------------------------------------------------------------ */
 
-static void take_in(const TbSolve *solve) {
+static TbSingleStart take_in(const TbSolve *solve) {
   const TbSingle *single = &solve->single;
-  const TbSingleKernels *kernels = single->kernels;
-  const uint32_t rows = total_rows(solve);
-  kernels->narrow(rows, solve->y, single->y);
-  kernels->narrow(rows, solve->b, single->b);
-  kernels->narrow(rows, solve->own, single->own);
-  kernels->narrow_difference(rows, solve->b, solve->product, single->s);
-  kernels->narrow(rows, solve->force, single->force_last);
-  kernels->narrow(rows, solve->product, single->product_last);
-  kernels->narrow(single->bed->size, solve->grid, single->grid_last);
-  memcpy(single->product, single->product_last, rows * sizeof(float));
+  TbSingleStart start = {.from_b = solve->b,
+                         .from_p = solve->product,
+                         .from_y = solve->y,
+                         .from_own = solve->own,
+                         .from_f = solve->force,
+                         .b = single->b,
+                         .p = single->product_last,
+                         .y = single->y,
+                         .own = single->own,
+                         .f = single->force_last,
+                         .s = single->s};
+  single->kernels->start(total_rows(solve), &start);
+  return start;
 }
 
-static void give_back(TbSolve *solve) {
+/* Forces moved by t along their change, and what the laws lose there. */
+static void give_back(TbSolve *solve, float t, float over, TbSolveOutcome *outcome) {
   const TbSingle *single = &solve->single;
-  const uint32_t rows = total_rows(solve);
-  single->kernels->widen(rows, single->force, solve->force);
-  single->kernels->widen(rows, single->product, solve->product);
-  single->kernels->widen(rows, single->s, solve->s);
-  single->kernels->widen(single->bed->size, single->grid, solve->grid);
-}
-
-static void book(const TbSolve *solve, float over, TbSolveOutcome *outcome) {
-  const TbSingle *single = &solve->single;
-  double contact =
-    (double)(single->kernels->lost(solve->stride, single->s, single->law, single->mean) + over);
-  double damper = 0.0;
+  TbSingleEnd end = {.t = t,
+                     .b = single->b,
+                     .f = single->force,
+                     .f_last = single->force_last,
+                     .p = single->product,
+                     .p_last = single->product_last,
+                     .law = single->law,
+                     .mean = single->mean,
+                     .slope = single->slope,
+                     .to_f = solve->force,
+                     .to_p = solve->product,
+                     .to_s = solve->s};
+  single->kernels->end(total_rows(solve), &end);
+  double contact = (double)(end.lost + over), damper = 0.0;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     if (!(solve->slot_mask >> slot & 1u)) continue;
+    if (solve->slot_laws[slot].kind != TB_LAW_DAMPER) continue;
     const uint32_t row = solve->stride + slot;
-    const bool hand = solve->slot_laws[slot].kind == TB_LAW_DAMPER;
-    *(hand ? &damper : &contact) +=
-      (double)single->s[row] * ((double)single->law[row] - (double)single->mean[row]);
+    damper += solve->s[row] * ((double)single->law[row] - (double)single->mean[row]);
   }
-  outcome->contact_loss = 0.5 * contact;
+  outcome->contact_loss = 0.5 * (contact - damper);
   outcome->damper_loss = 0.5 * damper;
-  outcome->touching = single->kernels->count(total_rows(solve), single->slope);
+  outcome->touching = end.touching;
+  outcome->contact = true;
 }
 
 /* Forces that no law changes stay as they are. */
 static void stay(TbSolve *solve, TbSolveOutcome *outcome) {
   const TbSingle *single = &solve->single;
-  single->kernels->widen(total_rows(solve), single->s, solve->s);
-  book(solve, 0.0f, outcome);
-}
-
-/* No s can be larger. */
-static float farthest(const TbSolve *solve) {
-  const TbPair size = solve->kernels->sizes(total_rows(solve), solve->b, solve->y);
-  return FARTHEST * (float)(size.first + size.second);
+  const size_t bytes = total_rows(solve) * sizeof(float);
+  memcpy(single->force, single->force_last, bytes);
+  memcpy(single->product, single->product_last, bytes);
+  give_back(solve, 0.0f, 0.0f, outcome);
 }
 
 bool tb_single_solve(TbSolve *solve, TbSolveOutcome *outcome) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
-  const uint32_t rows = total_rows(solve);
-  take_in(solve);
+  const uint32_t rows = total_rows(solve), size = single->bed->size;
+  const TbSingleStart start = take_in(solve);
+  if (!start.touches && !tb_solve_slots_act(solve)) return false;
   apply_laws(solve, single->s);
   const float first = kernels->difference(rows, single->law, single->force_last);
   if (first == 0.0f) {
     stay(solve, outcome);
     return true;
   }
-  const float enough = (float)solve->tolerance * first, limit = farthest(solve);
+  kernels->narrow(size, solve->grid, single->grid_last);
+  memcpy(single->product, single->product_last, rows * sizeof(float));
+  const float enough = (float)solve->tolerance * first;
+  const float farthest = FARTHEST * (start.change + start.depth); /* no s can be larger */
   for (uint32_t i = 1; i <= solve->cap; i++) {
-    newton_step(solve);
-    if (!(kernels->largest(rows, single->s) <= limit)) return false;
+    if (!(newton_step(solve) <= farthest)) return false;
     apply_laws(solve, single->s);
-    if (!(kernels->difference(rows, single->law, single->force) <= enough)) continue;
+    const TbSingleSums sums =
+      kernels->balance(rows, 0.0f, single->s, single->law, single->slope, single->force,
+                       single->force_last, single->product, single->product_last);
+    if (!(sums.miss <= enough)) continue;
     float over = 0.0f;
-    if (!balance(solve, &over)) return false;
-    give_back(solve);
-    book(solve, over, outcome);
+    const float t = balance(solve, sums, &over);
+    if (isnan(t)) return false;
+    give_back(solve, t, over, outcome);
+    kernels->extrapolate(size, t, single->grid, single->grid_last, single->grid, single->grid);
+    kernels->widen(size, single->grid, solve->grid);
     outcome->iterations = i;
     return true;
   }

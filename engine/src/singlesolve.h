@@ -14,8 +14,12 @@
 
 #include "solve.h"
 
-/* As tb_solve() from where something may touch; false, and nothing but scratch written, where it does not
- * settle. */
+/* Whether contacts are solved here at all. */
+static inline bool tb_solves_in_single(const TbSolve *solve) {
+  return solve->single.kernels && !solve->lifted;
+}
+
+/* As tb_solve(); false, and nothing but scratch written, where nothing can touch or it does not settle. */
 bool tb_single_solve(TbSolve *solve, TbSolveOutcome *outcome);
 
 /* out = M x and x on the grid, as this solve computes them. */

@@ -79,7 +79,7 @@ static void product_of(const TbSolve *solve, bool wires, const double *x, double
 }
 
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out) {
-  if (solve->single.kernels && !solve->lifted) {
+  if (tb_solves_in_single(solve)) {
     tb_single_product(solve, x, grid, out);
   } else {
     product_of(solve, true, x, grid, out);
@@ -346,7 +346,7 @@ static bool went_astray(const TbSolve *solve, double farthest) {
   return !(solve->kernels->sizes(total_rows(solve), solve->s, solve->y).first <= farthest);
 }
 
-static bool slots_act(const TbSolve *solve) {
+bool tb_solve_slots_act(const TbSolve *solve) {
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     const uint32_t row = solve->stride + slot;
     if (!in_play(solve, slot)) continue;
@@ -429,12 +429,16 @@ static void start(TbSolve *solve) {
 
 TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
-  if (!wires_touch(solve, solve->b) && !slots_act(solve)) {
+  if (tb_solves_in_single(solve) && tb_single_solve(solve, &outcome)) return outcome;
+  if (!wires_touch(solve, solve->b) && !tb_solve_slots_act(solve)) {
     come_to_rest(solve);
     return outcome;
   }
   outcome.contact = true;
-  if (solve->single.kernels && !solve->lifted && tb_single_solve(solve, &outcome)) return outcome;
+  /* What single precision left may be of another stretch, and is rounded. */
+  if (tb_solves_in_single(solve)) {
+    product_of(solve, true, solve->force, solve->grid, solve->product);
+  }
   start(solve);
   bool astray = false;
   if (iterate(solve, &outcome, &astray)) {

@@ -42,6 +42,7 @@ typedef struct TbSingle {
   float *y, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
     *weight, *residual, *direction, *turned, *moved, *solution, *work;
   float *grid, *grid_last, *pushed, *answer; /* [bed size] */
+  float *modal;                              /* [modes padded] */
   float *scratch;                            /* [tb_single_bed_scratch] */
 } TbSingle;
 
@@ -94,6 +95,9 @@ void tb_solve_forget(TbSolve *solve);
 /* out = M x; the rest load is computed by this too, so that it cancels to the bit. `grid` receives x
  * on the grid. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
+
+/* Whether a striker, hand or muffler may touch. */
+bool tb_solve_slots_act(const TbSolve *solve);
 
 /* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
  * yield to forces on the grid (`pushed`). */

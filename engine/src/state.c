@@ -18,7 +18,7 @@ static size_t single_floats(const TaborModel *model) {
   if (!model->single_kernels) return 0;
   return SINGLE_ROWS * (size_t)(model->wires.stride + TB_SLOTS) +
          SINGLE_GRIDS * (size_t)model->single_bed.size +
-         tb_pad(tb_single_bed_scratch(&model->single_bed));
+         tb_pad(tb_single_bed_scratch(&model->single_bed)) + model->modes.padded;
 }
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
@@ -111,7 +111,8 @@ static TbSingle single_at(TbState *state, const TaborModel *model) {
                                        &single.answer};
   for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
   for (int i = 0; i < SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
-  single.scratch = next;
+  single.modal = next;
+  single.scratch = next + model->modes.padded;
   return single;
 }
 

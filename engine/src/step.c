@@ -13,6 +13,8 @@
 #include "lugs.h"
 #include "profile.h"
 #include "rod.h"
+#include "singlemotion.h"
+#include "singlesolve.h"
 #include "slots.h"
 #include "stretch.h"
 
@@ -60,11 +62,20 @@ static void penetrate_wires(TbView *view, double *slots) {
   const TbWires *wires = &model->wires;
   const TbKernels *kernels = model->kernels;
   const TbBed *bed = &model->projection.bed;
+  const bool single = tb_solves_in_single(&view->solve);
   TB_STAGE(PROJECTION);
-  tb_project(&model->projection, kernels, view->next.q, view->change);
+  if (single) {
+    tb_single_project(view);
+  } else {
+    tb_project(&model->projection, kernels, view->next.q, view->change);
+  }
   TB_STAGE(STRETCH);
   tb_stretch_yield(view, slots);
   TB_STAGE(PROJECTION);
+  if (single) {
+    tb_single_penetrate(view);
+    return;
+  }
   tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
   TB_STAGE(WIRES);
   kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
@@ -339,6 +350,7 @@ void tb_step_housekeeping(TbView *view) {
   }
   clear_vanished(view);
   tb_lift_begin(view);
+  tb_single_settle(view);
   const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) &&
                      !parameter_moves(state) && !tb_brush_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bessel.h"
+#include "singlesolve.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -196,26 +197,16 @@ void tb_stretch_yield(TbView *view, double *slots) {
   }
 }
 
-/* Adds what the wires' rows feel of a motion of the grid to the last forces' response. */
-static void renew_rows(TbSolve *solve, const double *motion) {
-  const TbSingle *single = &solve->single;
-  if (single->kernels) {
-    single->kernels->narrow(solve->bed->size, motion, single->answer);
-    single->kernels->expand(single->bed, single->answer, single->scratch, single->work);
-    single->kernels->widen(solve->stride, single->work, solve->work);
-  } else {
-    tb_bed_expand(solve->bed, solve->kernels, motion, solve->scratch, solve->work);
-  }
-  solve->kernels->add_scaled(solve->stride, solve->product, 1.0, solve->work);
-}
-
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->state->airborne) return;
+  if (solve->stretch_count == 0 || view->state->airborne || tb_solves_in_single(solve)) return;
   const uint32_t size = solve->bed->size;
-  double *carry = view->stretch_carry;
+  double *carry = view->stretch_carry, *rows = solve->work;
   tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry, carry + size);
-  if (!view->state->lifted) renew_rows(solve, carry);
+  if (!view->state->lifted) {
+    tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
+    solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
+  }
   solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
 }
 

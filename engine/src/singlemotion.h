@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* From modes to the wires' contact points in single precision, where contacts are solved in it (singlesolve.h).
+ *
+ * Penetrations are not read off displacements, of which a change over two samples is a ten-thousandth: they
+ * advance by the change itself, next - last, rounded once it is known in double. What rounding adds up to, some
+ * 1e-12 m, is taken back every 64 samples (tb_single_settle). Audio-safe. */
+#ifndef TB_SINGLE_MOTION_H
+#define TB_SINGLE_MOTION_H
+
+#include "state.h"
+
+/* view->change = what the free motion changes on the grid over two samples. */
+void tb_single_project(TbView *view);
+
+/* Their part of b from view->change. */
+void tb_single_penetrate(TbView *view);
+
+/* Penetrations of both instants as displacements have them. */
+void tb_single_settle(TbView *view);
+
+#endif

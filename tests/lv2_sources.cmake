@@ -39,7 +39,9 @@ if(LILV_FOUND)
 endif()
 
 # Tests that look inside have the plugins in themselves.
-set(TABOR_LV2_INSIDE definition_text.c instrument.c instrument_state.c model_cache.c sequence.c voice.c workshop.c)
+set(TABOR_LV2_INSIDE
+    definition_text.c instrument.c instrument_state.c model_cache.c sequence.c voice.c
+    voice_change.c voice_sound.c workshop.c)
 list(TRANSFORM TABOR_LV2_INSIDE PREPEND "${TABOR_LV2_FOLDER}/")
 list(APPEND TABOR_LV2_INSIDE ${TABOR_LV2_HOST} ${TABOR_MIDI_SOURCES} "${PROJECT_SOURCE_DIR}/host/humanize.c"
             "${PROJECT_SOURCE_DIR}/host/silencer.c")

@@ -249,6 +249,19 @@ static void test_wrong_states_change_nothing(void **state) {
   host_close(host);
 }
 
+static void test_an_empty_state_changes_nothing(void **state) {
+  (void)state;
+  const HostState empty = {.count = 0};
+  PluginHost *const host = open_changed(), *const other = open_changed();
+  assert_int_equal(host_restore(host, &empty), LV2_STATE_SUCCESS);
+  assert_string_equal(host->said, "");
+  record(host, first, 0, NULL);
+  record(other, second, 0, NULL);
+  assert_same(first, second);
+  host_close(host);
+  host_close(other);
+}
+
 /* A text need not be terminated; what later versions add is passed over. */
 static void test_unknown_keys_are_passed_over(void **state) {
   (void)state;
@@ -301,6 +314,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_what_was_restored_is_saved_before_it_is_built),
     cmocka_unit_test(test_a_knob_acts_on_a_restored_drum),
     cmocka_unit_test(test_wrong_states_change_nothing),
+    cmocka_unit_test(test_an_empty_state_changes_nothing),
     cmocka_unit_test(test_unknown_keys_are_passed_over),
     cmocka_unit_test(test_both_plugins_read_each_others_states),
   };

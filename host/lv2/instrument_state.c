@@ -111,6 +111,15 @@ static LV2_State_Status read_control(const Source *source, KnobId id, float *see
   return LV2_STATE_SUCCESS;
 }
 
+/* Hosts restore such states, too, as that of a plugin that has no other: then the drum stays. */
+static bool is_empty(const Source *source) {
+  const Urids *const urids = &source->instrument->urids;
+  uint32_t type, flags;
+  size_t size;
+  return !source->retrieve(source->state, urids->version, &size, &type, &flags) &&
+         !source->retrieve(source->state, urids->definition, &size, &type, &flags);
+}
+
 static LV2_State_Status restore(LV2_Handle handle, LV2_State_Retrieve_Function retrieve,
                                 LV2_State_Handle state, uint32_t flags,
                                 const LV2_Feature *const *features) {
@@ -119,6 +128,7 @@ static LV2_State_Status restore(LV2_Handle handle, LV2_State_Retrieve_Function r
   Instrument *const instrument = handle;
   const Source source = {instrument, retrieve, state};
   Keepsake keepsake;
+  if (is_empty(&source)) return LV2_STATE_SUCCESS;
   LV2_State_Status status = check_version(&source);
   if (status == LV2_STATE_SUCCESS) status = read_definition(&source, &keepsake.def);
   for (uint32_t i = 0; i < KNOB_KEYS && status == LV2_STATE_SUCCESS; i++) {

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* What voice.c, voice_change.c and voice_sound.c have in common. */
+#ifndef TABOR_LV2_VOICE_INSIDE_H
+#define TABOR_LV2_VOICE_INSIDE_H
+
+#include "voice.h"
+
+#define CROSS_FADE 0.008 /* [s] of a drum that leaves and the same one, changed */
+#define RING_OUT 0.03    /* [s] of a drum that another one takes the place of */
+
+/* Knobs stand where the definition says. */
+void voice_forget_turns(Wish *wish) REALTIME;
+/* Moves a live parameter at the frame that is played next. */
+void voice_push_parameter(Voice *voice, uint32_t id, double value) REALTIME;
+/* Where strokes fall, until controllers say. */
+void voice_place_strokes(Voice *voice) REALTIME;
+/* Does what MIDI wants beside strokes, until a silence that the rest has to wait for. */
+void voice_act_due(Voice *voice) REALTIME;
+/* Gives the drum its live values, if they are not its model's; after another model has come. */
+void voice_move_live(Voice *voice) REALTIME;
+/* The drum that leaves has left. */
+void voice_end_leaving(Voice *voice) REALTIME;
+
+#endif

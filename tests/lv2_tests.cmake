@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Tests of the LV2 plugins in hosts and under tools of others. The scripts find the bundle in $BUNDLE.
+
+if(NOT TABOR_BUILD_LV2 OR NOT TABOR_BUILD_PROGRAM OR NOT TABOR_BASH OR TABOR_SANITIZE OR TABOR_COVERAGE)
+  return()
+endif()
+
+tabor_add_script_test(test_lv2_validate)
+tabor_add_script_test(test_lv2_jalv)
+foreach(name IN ITEMS test_lv2_validate test_lv2_jalv)
+  set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "BUNDLE=$<TARGET_FILE_DIR:tabor-lv2>"
+                                            "TABOR=$<TARGET_FILE:tabor-program>"
+                                            "INSPECT=$<TARGET_FILE:host_inspect>")
+endforeach()
+tabor_add_script_test(test_lv2_races "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}")
+if(JACK_FOUND)
+  set_property(TEST test_lv2_jalv APPEND PROPERTY ENVIRONMENT "JACK_SEND=$<TARGET_FILE:jack_send>")
+endif()

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Two instances of the plugins in two threads, with workers and a thread that saves and restores, under
+# ThreadSanitizer.
+#
+# test_lv2_races.sh SOURCE CMAKE
+set -eu
+source=$1 cmake=$2
+compiler=
+for name in clang-22 clang-21 clang-20; do
+  if command -v "$name" >/dev/null; then compiler=$name; break; fi
+done
+if [ -z "$compiler" ]; then
+  echo "SKIPPED: ThreadSanitizer on the plugins (clang-22 is not installed)"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
+  -DCMAKE_C_FLAGS="-O1 -g -fsanitize=thread" -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+  "$cmake" --build "$work/build" --target test_lv2_threads >>"$work/log" 2>&1 || {
+  tail -20 "$work/log"
+  echo "FAILED: building with -fsanitize=thread"
+  exit 1
+}
+
+# A sanitizer that finds nothing anywhere would be worth nothing.
+cat >"$work/race.c" <<'END'
+#include <pthread.h>
+static int shared;
+static void *add(void *unused) { for (int i = 0; i < 100000; i++) shared++; return unused; }
+int main(void) {
+  pthread_t other;
+  pthread_create(&other, 0, add, 0);
+  add(0);
+  pthread_join(other, 0);
+  return 0;
+}
+END
+"$compiler" -O0 -g -fsanitize=thread "$work/race.c" -o "$work/race"
+if "$work/race" >"$work/log" 2>&1; then
+  echo "FAILED: ThreadSanitizer does not see a race"
+  exit 1
+fi
+
+TSAN_OPTIONS=halt_on_error=1 "$work/build/tests/test_lv2_threads" 150 >"$work/log" 2>&1 || {
+  tail -60 "$work/log"
+  echo "FAILED: ThreadSanitizer"
+  exit 1
+}
+grep -q 'PASSED.* 3 test' "$work/log"

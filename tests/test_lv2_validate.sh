@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# What validators say of the plugins' description, nothing; what the binary exports, one symbol; and that
+# lv2bench runs them.
+#
+# It gets $BUNDLE, and $INSPECT for host_checks.sh.
+for tool in lv2_validate sord_validate lv2bench lv2ls; do
+  command -v "$tool" >/dev/null || {
+    echo "SKIPPED: validation of the plugins' description ($tool is not installed)"
+    exit 77
+  }
+done
+. "$(dirname "$0")/host_checks.sh"
+: "${BUNDLE:?the bundle}"
+export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*}
+
+# ---- the description ----
+
+# clean FILE...: what the validator says but that it has found nothing.
+clean() { lv2_validate "$@" 2>&1 | grep -vE '^(Found 0 errors among|Skipping file)'; }
+same "lv2_validate" "" "$(clean "$BUNDLE"/*.ttl)"
+mapfile -t schemas < <(find /usr/lib/lv2 -name '*.ttl' ! -path '*/eg-*')
+same "sord_validate" "" \
+  "$(sord_validate "${schemas[@]}" "$BUNDLE"/*.ttl 2>&1 | grep -vE '^(Found 0 errors among|Skipping file)')"
+
+# A validator that finds nothing anywhere would be worth nothing.
+sed 's/lv2:symbol "gain"/lv2:symbol "5 gain"/' "$BUNDLE/tabor.ttl" >tabor.ttl
+check "it finds a bad symbol" test -n "$(clean "$BUNDLE/manifest.ttl" tabor.ttl)"
+
+same "hosts find both plugins" "urn:tabor:drum urn:tabor:drum-multi" \
+  "$(lv2ls 2>"$err" | grep '^urn:tabor' | sort | tr '\n' ' ' | sed 's/ $//')"
+same "and say nothing about them" "" "$(grep -i tabor "$err")"
+
+# ---- the binary ----
+
+same "what it exports" lv2_descriptor "$(nm -D --defined-only "$BUNDLE/tabor.so" | awk '{ print $3 }')"
+same "libraries of other builds that it needs" "" "$(readelf -d "$BUNDLE/tabor.so" | grep NEEDED | grep -i libtabor)"
+
+# ---- a host that measures ----
+
+for plugin in urn:tabor:drum urn:tabor:drum-multi; do
+  lv2bench -n 48000 "$plugin" >"$out" 2>"$err"
+  same "lv2bench of $plugin" 0 $?
+  holds "it measures something: $(cat "$out")" "$(awk '{ print $1 }' "$out") > 0"
+done
+
+finish

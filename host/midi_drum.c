@@ -46,6 +46,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->radius = def->strike.radius;
   binding->angle = def->strike.angle;
   binding->strainer = def->wires.strainer;
+  binding->presets = tabor_preset_count();
   binding->grip = find_parameter(def, "hand.grip");
   binding->strainer_parameter = find_parameter(def, "wires.strainer");
   for (int i = 0; i < MIDI_VALUES; i++) {
@@ -259,7 +260,7 @@ static bool take_control(MidiDrum *drum, const MidiMessage *message, MidiAction 
 /* ---- all of them ---- */
 
 static bool choose_preset(const MidiDrum *drum, uint8_t program, MidiAction *action) {
-  if (!drum->map->programs || program >= tabor_preset_count()) return false;
+  if (!drum->map->programs || program >= drum->binding.presets) return false;
   action->type = MIDI_ACTION_PRESET;
   action->preset = program;
   return true;

@@ -13,6 +13,7 @@
 #define TABOR_HOST_MIDI_DRUM_H
 
 #include "midi_map.h"
+#include "realtime.h"
 
 typedef enum MidiActionType {
   MIDI_ACTION_EVENT = 1, /**< for tabor_drum_process(); its frame is the caller's to set */
@@ -42,6 +43,7 @@ typedef struct MidiBinding {
   double radius, angle;           /**< of the preset's stroke [m], [deg] */
   uint32_t strikers[MIDI_VALUES]; /**< of each note: index */
   double strainer;                /**< the preset's */
+  uint32_t presets;               /**< that programs may choose */
   MidiParameter grip, strainer_parameter;
   MidiParameter parameters[MIDI_VALUES]; /**< that controllers move */
 } MidiBinding;
@@ -67,9 +69,9 @@ typedef struct MidiDrum {
 
 /** SET-UP. What @p map means on @p def. */
 void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding);
-/** SET-UP. Begins; @p map must outlive it. */
-void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *binding);
+/** AUDIO. Begins; @p map must outlive it. */
+void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *binding) REALTIME;
 /** AUDIO. True if @p message does something: then *action says what. */
-bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *action);
+bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *action) REALTIME;
 
 #endif

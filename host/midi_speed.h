@@ -11,9 +11,11 @@
 #ifndef TABOR_HOST_MIDI_SPEED_H
 #define TABOR_HOST_MIDI_SPEED_H
 
+#include "realtime.h"
+
 typedef enum MidiCurve { MIDI_CURVE_SOFT, MIDI_CURVE_LINEAR, MIDI_CURVE_HARD } MidiCurve;
 
 /** [m/s]; @p velocity 1 to 127, fractions allowed, is clamped. AUDIO. */
-double midi_speed(MidiCurve curve, double velocity);
+double midi_speed(MidiCurve curve, double velocity) REALTIME;
 
 #endif

@@ -13,6 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "realtime.h"
+
 #define MIDI_CHANNELS 16
 #define MIDI_VALUES 128 /**< of a data byte; notes, controllers, programs */
 
@@ -50,6 +52,6 @@ static inline uint8_t midi_data_count(uint8_t status) {
 }
 
 /** Takes the next byte; true if it completes @p message, which is untouched otherwise. */
-bool midi_stream_take(MidiStream *stream, uint8_t byte, MidiMessage *message);
+bool midi_stream_take(MidiStream *stream, uint8_t byte, MidiMessage *message) REALTIME;
 
 #endif

@@ -30,7 +30,7 @@ typedef struct Silencer {
 } Silencer;
 
 /** For @p rate [Hz]; the drum is heard. */
-Silencer silencer_begin(double rate);
+Silencer silencer_begin(double rate) REALTIME;
 /** Silence is wished for. */
 void silencer_wish(Silencer *silencer) REALTIME;
 /** True while messages wait. */

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The audio thread of the program under clang's checks for real-time code: -Wfunction-effects for what is
-# called, RealtimeSanitizer for what happens while test_player_realtime plays.
+# The audio threads of the program and of the plugins under clang's checks for real-time code: -Wfunction-effects
+# for what is called, RealtimeSanitizer for what happens while test_player_realtime and test_lv2_realtime play.
 #
 # test_player_effects.sh SOURCE CMAKE
 set -eu
@@ -38,10 +38,14 @@ header=$source/engine/include/tabor/tabor.h
 
 # effects FILE: what the compiler says of it.
 effects() {
-  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
+  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -I"$source/host/lv2" -include "$work/safe.h" \
     -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
-for name in player ring frame_clock ring_out silencer; do
+plugins=
+if pkg-config --exists lv2; then
+  plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_sound lv2/workshop"
+fi
+for name in player ring frame_clock ring_out silencer humanize midi_drum midi_speed midi_stream $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
 done
 # A check that finds nothing anywhere would be worth nothing.
@@ -55,19 +59,24 @@ grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
 # ---- what happens ----
 
 # sanitized FLAGS: builds and plays a few seconds.
+tests=test_player_realtime
+if [ -n "$plugins" ]; then tests+=" test_lv2_realtime"; fi
 sanitized() {
+  local test
   "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
-    "$cmake" --build "$work/build" --target test_player_realtime >>"$work/log" 2>&1 || {
+    "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
     tail -20 "$work/log"
     fail "building with -fsanitize=realtime"
     return
   }
-  "$work/build/tests/test_player_realtime" 3 >"$work/log" 2>&1 || {
-    tail -40 "$work/log"
-    fail "RealtimeSanitizer, $1"
-  }
-  grep -q 'changes of the model' "$work/log" || fail "nothing was played"
+  for test in $tests; do
+    "$work/build/tests/$test" 3 >"$work/log" 2>&1 || {
+      tail -40 "$work/log"
+      fail "RealtimeSanitizer, $1, $test"
+    }
+    grep -q 'changes of the model' "$work/log" || fail "nothing was played by $test"
+  done
 }
 sanitized -O1
 

@@ -30,10 +30,8 @@ typedef enum VoiceMic {
   VOICE_FAR,
   VOICE_LEFT,
   VOICE_RIGHT,
-  VOICE_MICS
+  VOICE_MICS = WORKSHOP_MICS
 } VoiceMic;
-
-#define VOICE_NO_MIC UINT32_MAX
 
 /** The drum as it was before a change, on its way out. */
 typedef struct Leaving {
@@ -62,7 +60,7 @@ typedef struct Voice {
   uint32_t striker_count;
   Leaving leaving;
   TaborDrum *trash[WORKSHOP_TRASH]; /**< that the worker is to destroy */
-  uint32_t mics[VOICE_MICS];        /**< of the model of now, or VOICE_NO_MIC */
+  uint32_t mics[VOICE_MICS];        /**< of the model of now, or WORKSHOP_NO_MIC */
   Silencer silencer;
   Fader gain, expression;
   Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR on */

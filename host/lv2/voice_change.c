@@ -7,8 +7,6 @@
 
 #define CROSS_HOLD 0.008 /* [s] after which a swapped drum is heard at all usual microphones */
 
-static const char *const mic_names[VOICE_MICS] = {"top", "bottom", "near", "far", "left", "right"};
-
 static void take_restoration(Voice *voice, const Offer *offer) {
   voice->wish.restoration = offer->restoration;
   voice->wish.program = voice->chosen = WORKSHOP_NO_PROGRAM;
@@ -19,24 +17,20 @@ static void take_restoration(Voice *voice, const Offer *offer) {
   }
 }
 
-static void attend(Voice *voice, const TaborDrumDef *def) {
+/* Both sides of a drum without a stereo pair are heard by its first microphone. */
+static void attend(Voice *voice, const Offer *offer) {
   for (uint32_t i = 0; i < VOICE_MICS; i++) {
-    const int mic = tabor_drum_def_find_mic(def, mic_names[i]);
     const bool may_replace = voice->stereo && i >= VOICE_LEFT;
-    voice->mics[i] = mic >= 0 ? (uint32_t)mic : VOICE_NO_MIC;
-    if (mic < 0 && may_replace) voice->mics[i] = 0;
+    voice->mics[i] = offer->mics[i] == WORKSHOP_NO_MIC && may_replace ? 0 : offer->mics[i];
   }
 }
 
-static void read_model(Voice *voice, TaborDrumDef *def) {
-  attend(voice, def);
-  voice->striker_count = def->striker_count;
-  voice->head_radius = def->shell.radius;
-  voice->built_grip = def->hand.grip;
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    const double *const field = knob_field(def, (KnobId)i);
-    voice->built[i] = field ? *field : NAN;
-  }
+static void read_model(Voice *voice, const Offer *offer) {
+  attend(voice, offer);
+  voice->striker_count = offer->def.striker_count;
+  voice->head_radius = offer->def.shell.radius;
+  voice->built_grip = offer->def.hand.grip;
+  memcpy(voice->built, offer->built, sizeof voice->built);
 }
 
 /* The value that a live knob is to have: as MIDI says, else the knob, else the drum. */
@@ -112,7 +106,7 @@ static bool speaks_of(const Voice *voice, const Offer *offer) {
   return voice->chosen == WORKSHOP_NO_PROGRAM || voice->chosen == offer->program;
 }
 
-static void land(Voice *voice, Offer *offer) {
+static void land(Voice *voice, const Offer *offer) {
   if (!offer->is_news) return;
   voice->answered = offer->number;
   voice->answered_restoration = offer->restoration;
@@ -121,7 +115,7 @@ static void land(Voice *voice, Offer *offer) {
   if (offer->drum) replace(voice, offer->drum);
   if (offer->swap) swap(voice, offer);
   if (offer->begins_anew) silencer_forget(&voice->silencer);
-  read_model(voice, &offer->def);
+  read_model(voice, offer);
   if (speaks_of(voice, offer)) voice->midi.binding = offer->binding;
   voice_place_strokes(voice);
   voice_move_live(voice);
@@ -133,7 +127,7 @@ static bool wants(const Voice *voice) {
 }
 
 void voice_receive(Voice *voice) {
-  Offer *const offer = workshop_offer(voice->workshop);
+  const Offer *const offer = workshop_offer(voice->workshop);
   if (!offer) return;
   land(voice, offer);
   workshop_accept(voice->workshop);

@@ -2,20 +2,17 @@
 /* What a voice sounds like: its drum's microphones, and those of one that leaves, at their levels. */
 #include "voice_inside.h"
 
+/* The knob of each microphone's level. */
+static const KnobId mic_levels[VOICE_MICS] = {KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,
+                                              KNOB_LEVEL_FAR, KNOB_LEVEL_PAIR,   KNOB_LEVEL_PAIR};
+
 static bool is_audible(const Voice *voice, KnobId id) {
   return voice->levels[id].now != 0 || voice->levels[id].left > 0;
 }
 
-/* The knob of a microphone's level. */
-static KnobId level_of(VoiceMic mic) {
-  static const KnobId levels[VOICE_MICS] = {KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,
-                                            KNOB_LEVEL_FAR, KNOB_LEVEL_PAIR,   KNOB_LEVEL_PAIR};
-  return levels[mic];
-}
-
 static bool hears(const Voice *voice, const VoiceOutputs *outputs, VoiceMic mic) {
   if (!voice->drum) return false;
-  return voice->stereo ? is_audible(voice, level_of(mic)) : outputs->channels[mic] != NULL;
+  return voice->stereo ? is_audible(voice, mic_levels[mic]) : outputs->channels[mic] != NULL;
 }
 
 /* Strokes that wait for the end of a silence stay. */
@@ -36,7 +33,7 @@ static uint32_t take_events(Voice *voice) {
 static void choose_planar(const bool *heard, const uint32_t *mics, float (*samples)[VOICE_PIECE],
                           float **planar) {
   for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
-    if (heard[mic] && mics[mic] != VOICE_NO_MIC) planar[mics[mic]] = samples[mics[mic]];
+    if (heard[mic] && mics[mic] != WORKSHOP_NO_MIC) planar[mics[mic]] = samples[mics[mic]];
   }
 }
 
@@ -68,11 +65,11 @@ static void gather(Voice *voice, VoiceMic mic, uint32_t frames) {
   const uint32_t index = voice->mics[mic], old = leaving->mics[mic];
   double *const sound = voice->sound[mic];
   for (uint32_t i = 0; i < frames; i++) {
-    sound[i] = index == VOICE_NO_MIC ? 0 : (double)voice->planar[index][i];
+    sound[i] = index == WORKSHOP_NO_MIC ? 0 : (double)voice->planar[index][i];
   }
   for (uint32_t i = 0; leaving->drum && i < frames; i++) {
     const double part = leaving_part(voice, i);
-    const double sample = old == VOICE_NO_MIC ? 0 : (double)voice->leaving_planar[old][i];
+    const double sample = old == WORKSHOP_NO_MIC ? 0 : (double)voice->leaving_planar[old][i];
     sound[i] += part * (sample - (leaving->is_copy ? sound[i] : 0));
   }
 }
@@ -104,7 +101,7 @@ static void mix_stereo(Voice *voice, const bool *heard, float *const *channels, 
     double left = heard[VOICE_LEFT] ? pair * voice->sound[VOICE_LEFT][frame] : 0;
     double right = heard[VOICE_RIGHT] ? pair * voice->sound[VOICE_RIGHT][frame] : 0;
     for (uint32_t mic = VOICE_TOP; mic <= VOICE_FAR; mic++) {
-      const double level = next_level(voice, level_of((VoiceMic)mic));
+      const double level = next_level(voice, mic_levels[mic]);
       const double sample = heard[mic] ? level * voice->sound[mic][frame] : 0;
       left += sample;
       right += sample;

@@ -127,6 +127,21 @@ static void compose_model(const Wish *wish, Offer *offer) {
   set_field(def, &def->hand.grip, wish->grip);
 }
 
+static const char *const mic_names[WORKSHOP_MICS] = {"top", "bottom", "near",
+                                                     "far", "left",   "right"};
+
+/* What the audio thread has to know of the model. */
+static void describe(Offer *offer) {
+  for (uint32_t i = 0; i < WORKSHOP_MICS; i++) {
+    const int mic = tabor_drum_def_find_mic(&offer->def, mic_names[i]);
+    offer->mics[i] = mic >= 0 ? (uint32_t)mic : WORKSHOP_NO_MIC;
+  }
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    const double *const field = knob_field(&offer->def, (KnobId)i);
+    offer->built[i] = field ? *field : NAN;
+  }
+}
+
 /* ---- models --------------------------------------------------------------------------------- */
 
 /* Those that the drum is done with make room. */
@@ -229,6 +244,7 @@ static void answer(Workshop *workshop) {
   offer->def = composed;
   midi_binding_make(&workshop->map, &offer->def, &offer->binding);
   compose_model(&workshop->wish, offer);
+  describe(offer);
   offer->failed = build(workshop, offer, &error) != TABOR_OK;
   if (!offer->failed) return;
   tabor_drum_destroy(offer->spare);
@@ -254,7 +270,7 @@ void workshop_ask(Workshop *workshop, const Wish *wish) {
   atomic_store(&workshop->phase, PHASE_ASKED);
 }
 
-Offer *workshop_offer(Workshop *workshop) {
+const Offer *workshop_offer(const Workshop *workshop) {
   return atomic_load(&workshop->phase) == PHASE_OFFERED ? &workshop->offer : NULL;
 }
 

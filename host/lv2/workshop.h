@@ -25,6 +25,8 @@
 #include "realtime.h"
 
 #define WORKSHOP_NO_PROGRAM (-1)
+#define WORKSHOP_NO_MIC UINT32_MAX
+#define WORKSHOP_MICS 6  /**< that the plugins know: top, bottom, near, far, left, right */
 #define WORKSHOP_TRASH 4 /**< drums that one wish can do away with */
 
 /** What the drum is to be. NaN stands for: as it is in the definition. */
@@ -54,6 +56,9 @@ typedef struct Offer {
   bool failed;           /**< nothing was built: then only what stands above counts */
   bool begins_anew;      /**< another drum: what MIDI has moved is forgotten */
   TaborDrumDef def;      /**< of the model */
+  double built[KNOB_KEYS]; /**< what it says of the knobs' keys; NaN: the drum has no such part */
+  uint32_t
+    mics[WORKSHOP_MICS]; /**< its microphones with the names of the plugins', or WORKSHOP_NO_MIC */
   MidiBinding binding;   /**< what MIDI means on it; without what MIDI has moved */
 } Offer;
 
@@ -119,7 +124,7 @@ void workshop_ask(Workshop *workshop, const Wish *wish) REALTIME;
 /** True if a wish may be made. */
 bool workshop_is_idle(const Workshop *workshop) REALTIME;
 /** The offer, until workshop_accept(); NULL while there is none. */
-Offer *workshop_offer(Workshop *workshop) REALTIME;
+const Offer *workshop_offer(const Workshop *workshop) REALTIME;
 /** The offer has been taken. */
 void workshop_accept(Workshop *workshop) REALTIME;
 

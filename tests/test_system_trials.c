@@ -43,9 +43,10 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 
 /* Keys that are drawn apart. */
 static bool is_newer(const TaborParameter *p) {
-  return strncmp(p->key, "lug_", 4) == 0 || strcmp(p->key, "pivot") == 0 ||
-         strcmp(p->key, "grip") == 0 || strcmp(p->key, "bristles") == 0 ||
-         strcmp(p->key, "spread") == 0 || strcmp(p->key, "sweep_speed") == 0;
+  return strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
+         strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
+         strcmp(p->key, "bristles") == 0 || strcmp(p->key, "spread") == 0 ||
+         strcmp(p->key, "sweep_speed") == 0;
 }
 
 /* On every other drum, of its own seed, so that older trials stay what they were. */
@@ -66,12 +67,26 @@ static void draw_brush(uint64_t seed, TaborStrikerDef *striker) {
   if (physics_random(&seed) % 2) striker->mass = exp(physics_uniform(&seed, log(1e-4), log(0.01)));
 }
 
+/* Any number of modes, some as stiff as the rate allows. */
+static void draw_hoop(uint64_t seed, TaborHoopDef *hoop) {
+  hoop->height = physics_uniform(&seed, 0.0, 0.05);
+  hoop->mass = exp(physics_uniform(&seed, log(0.05), log(20.0)));
+  hoop->contact_stiffness = exp(physics_uniform(&seed, log(1e5), log(1e11)));
+  hoop->contact_loss = physics_random(&seed) % 3 ? physics_uniform(&seed, 0.0, 2.0) : 100.0;
+  for (int i = 0; i < TABOR_HOOP_MODES; i++) {
+    const double frequency = exp(physics_uniform(&seed, log(20.0), log(20000.0)));
+    hoop->frequency[i] = physics_random(&seed) % 4 ? frequency : 0.0;
+    hoop->decay[i] = physics_random(&seed) % 4 ? physics_uniform(&seed, 0.0, 300.0) : 10000.0;
+  }
+}
+
 static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   draw_brush(seed + 2, &def->striker[0]);
   draw_lugs(seed, &def->batter);
   draw_lugs(seed + 1, &def->resonant);
   def->hand.pivot = physics_uniform(&seed, 0.0, 0.3);
   def->hand.grip = physics_uniform(&seed, 0.0, 1.0);
+  draw_hoop(seed, &def->hoop);
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {
@@ -182,6 +197,16 @@ static void draw_hands(uint64_t seed, TaborEvent *event) {
   }
 }
 
+/* ... and half of the other strokes are on the hoop. */
+static void draw_rims(uint64_t seed, TaborEvent *event) {
+  static const TaborTechnique ON_HOOP[] = {TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
+                                           TABOR_TECHNIQUE_RIM};
+  if (event->type != TABOR_EVENT_STRIKE || event->technique != TABOR_TECHNIQUE_NORMAL) return;
+  seed += 1;
+  const uint64_t draw = physics_random(&seed) % 6;
+  if (draw < 3) event->technique = ON_HOOP[draw];
+}
+
 static void check(const TaborDrum *drum, const float *samples, uint32_t count,
                   uint64_t trial_seed) {
   TaborLedger ledger;
@@ -223,6 +248,7 @@ static void play(TaborDrum *drum, const TaborDrumDef *def, uint64_t *seed, uint3
     const bool any = block == 0 || physics_random(seed) % 6 == 0;
     TaborEvent event = draw_event(seed, def);
     if (hands) draw_hands(*seed, &event);
+    if (hands) draw_rims(*seed, &event);
     const uint64_t guarded = guarded_so_far(drum);
     tabor_drum_process(drum, &event, any ? 1 : 0, outputs, 64);
     check(drum, samples, 64, name);

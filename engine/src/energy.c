@@ -92,6 +92,7 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
     sum += tb_rod_motion(view, i, next->z, now->z) +
            tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
            tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
+           2.0 * tb_rod_bending(view, i, next, now) +
            2.0 * tb_mobility_energy(tb_slot_missing(view, i), view->model->sample_rate,
                                     next->missing[i], now->missing[i]);
   }

@@ -167,6 +167,7 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   const TaborStatus status = tb_mics_prepare(model);
   if (status != TABOR_OK) return status;
   tb_hoop_prepare(model);
+  tb_stick_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
   return tb_highband_prepare(&model->high, &model->arena, model, model->top);
 }
 
@@ -237,6 +238,7 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, model->hoop.a, sizeof model->hoop.a);
   hash = hash_bytes(hash, model->hoop.b, sizeof model->hoop.b);
   hash = hash_bytes(hash, model->hoop.scale, sizeof model->hoop.scale);
+  hash = hash_bytes(hash, model->stick.free.b, sizeof model->stick.free.b);
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
   hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);

@@ -13,6 +13,7 @@
 #include "mobility.h"
 #include "places.h"
 #include "solve.h"
+#include "stick.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
@@ -91,6 +92,7 @@ struct TaborModel {
   TbMic mics[TABOR_MAX_MICS];
   TbHighBand high;
   TbHoop hoop;
+  TbStick stick;
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbPlaces places[TABOR_MAX_STRIKERS];      /* of each brush */
   TbRest rest;

@@ -39,8 +39,10 @@ static bool obtain_pair(TbView *view, uint32_t pair[2]) {
 }
 
 /* One end of the stick, 0 its tip. */
-static TbSlot end_of(TbSlot stick, const TbRod *rod, int end, uint32_t partner) {
+static TbSlot end_of(const TbView *view, TbSlot stick, const TbRod *rod, int end,
+                     uint32_t partner) {
   const TbRodEnd *at = end ? &rod->shaft : &rod->tip;
+  tb_rod_bend(view, &stick, at->along, stick.bend);
   stick.mass = at->mass;
   stick.radius = at->radius;
   stick.angle = at->angle;
@@ -55,18 +57,21 @@ static TbSlot end_of(TbSlot stick, const TbRod *rod, int end, uint32_t partner) 
 static bool strike_both(TbView *view, const TbStroke *stroke, const TbRod *rod) {
   uint32_t pair[2];
   if (!obtain_pair(view, pair)) return false;
-  const TbSlot stick = striker_of(view, stroke);
-  const TbSlot tip = end_of(stick, rod, 0, pair[1]), shaft = end_of(stick, rod, 1, pair[0]);
+  TbSlot stick = striker_of(view, stroke);
+  stick.rests = stroke->technique == TABOR_TECHNIQUE_CROSS_STICK;
+  const TbSlot tip = end_of(view, stick, rod, 0, pair[1]);
+  TbSlot shaft = end_of(view, stick, rod, 1, pair[0]);
+  shaft.rests = 0;
   tb_slots_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
   return true;
 }
 
-/* The one that lies there, or a free slot; TB_SLOTS if none. */
-static uint32_t find_palm(const TbView *view, uint32_t id) {
+/* That of the last cross-stick, or a free slot; TB_SLOTS if none. */
+static uint32_t find_palm(const TbView *view) {
   uint32_t free = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
-    if (s->palm && s->id == id) return i;
+    if (s->palm) return i;
     if (s->kind == TB_SLOT_FREE) free = i;
   }
   return free;
@@ -74,7 +79,7 @@ static uint32_t find_palm(const TbView *view, uint32_t id) {
 
 /* The hand that lies on the head while the stick in it strikes the hoop. */
 static void lay_palm(TbView *view, uint32_t id, const TbRodEnd *tip) {
-  const uint32_t slot = find_palm(view, id);
+  const uint32_t slot = find_palm(view);
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
   view->state->slots[slot] = (TbSlot){.kind = TB_SLOT_HAND,
                                       .id = id,

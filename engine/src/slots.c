@@ -12,7 +12,7 @@
 static const double AWAY = 0.005;       /* [m] */
 static const double OUT_OF_HAND = 0.05; /* [m] */
 static const double LINGER = 1.0;       /* [s] */
-static const double PALM_TIME = 0.5;    /* [s] */
+static const double PALM_TIME = 0.3;    /* [s] */
 static const double HERTZ = 1.5;        /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
@@ -29,6 +29,9 @@ static double shared_compliance(const TbView *view, uint32_t slot, uint32_t othe
                               view->state->hoop_shape[other]);
   }
   if (a->partner == other + 1u) sum += k * k * a->cross;
+  if (a->partner && (slot == other || a->partner == other + 1u)) {
+    sum += tb_rod_flexibility(view, slot, other);
+  }
   return sum;
 }
 
@@ -108,7 +111,8 @@ static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *p
   return head_at(view, slot, phase->q) +
          tb_hoop_displacement(view->state->hoop_shape[slot], phase->hoop) +
          tb_mobility_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
-         (phase->z[slot] - view->state->slots[slot].coat);
+         (phase->z[slot] - view->state->slots[slot].coat) -
+         (view->state->slots[slot].partner ? tb_rod_bow(view, slot, phase) : 0.0);
 }
 
 static void find_place_on_head(TbView *view, uint32_t slot) {
@@ -200,6 +204,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   for (int i = 0; i < 3; i++) {
     phases[i]->z[slot] = 0.0;
     memset(phases[i]->missing[slot], 0, sizeof phases[i]->missing[slot]);
+    memset(phases[i]->bow[slot], 0, sizeof phases[i]->bow[slot]);
     phases[i]->eta[row] = TB_NOTHING;
   }
   memset(tb_slot_coupling(view, slot), 0, view->model->projection.bed.size * sizeof(double));
@@ -217,6 +222,7 @@ static void book_removed(TbView *view, uint32_t slot) {
     state->sums.removed += 0.5 * (tb_rod_motion(view, slot, view->now.z, view->last.z) +
                                   tb_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
                                   tb_law_potential(&state->slot_laws[slot], view->last.eta[row]));
+    state->sums.removed += tb_rod_bending(view, slot, &view->now, &view->last);
     state->sums.removed += tb_mobility_energy(tb_slot_missing(view, slot), view->model->sample_rate,
                                               view->now.missing[slot], view->last.missing[slot]);
   }
@@ -450,6 +456,7 @@ TbHandWork tb_slots_hand_work(const TbView *view) {
   TbHandWork work = {0.0, 0.0};
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->slots[i];
+    work.lost += tb_rod_loss(view, i);
     if (!s->held) continue;
     const Hand hand = hand_of(view, s);
     const double moved = view->next.z[i] - view->last.z[i];
@@ -499,14 +506,20 @@ static bool is_leaving(const TbView *view, uint32_t slot) {
   return gap > far && view->now.z[slot] > view->last.z[slot];
 }
 
+/* A tip that only rests on the head waits for no leave. */
+static bool end_is_done(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].rests || (!row_touches(view, slot) && is_leaving(view, slot));
+}
+
 static bool is_done(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
+  if (s->partner && end_is_done(view, slot) && end_is_done(view, s->partner - 1u)) return true;
   if (tb_slots_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->sample_rate)) {
     const double gap = -view->now.eta[view->model->wires.stride + slot];
     return !s->held || gap > OUT_OF_HAND;
   }
-  return is_leaving(view, slot) && (!s->partner || is_leaving(view, s->partner - 1u));
+  return !s->partner && is_leaving(view, slot);
 }
 
 void tb_slots_retire(TbView *view) {

@@ -36,7 +36,7 @@ bool tb_slots_press(TbView *view, uint32_t id, double pressure);
 double tb_slots_free_height(const TbView *view, uint32_t slot);
 /* What the hands do to pressed strikers in the step from view->last to view->next [J]. */
 typedef struct TbHandWork {
-  double done, lost; /* by force and spring, in the damper */
+  double done, lost; /* by force and spring, in the damper and by sticks that bend in them */
 } TbHandWork;
 TbHandWork tb_slots_hand_work(const TbView *view);
 /* After the grip has changed. */

@@ -86,6 +86,7 @@ static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) 
                    at(state, layout->high[index]),
                    state->missing[index],
                    state->hoop[index],
+                   state->bow[index],
                    (float *)(void *)at(state, layout->high[index])};
 }
 

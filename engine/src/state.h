@@ -53,8 +53,10 @@ typedef struct TbSlot {
   uint32_t held;                            /* a hand presses it: see slots.h */
   uint32_t on_hoop;                         /* not on the head */
   uint32_t partner;                         /* 1 + the slot of the stick's other end, 0: none */
+  uint32_t rests;                           /* ... and this one is held onto the head */
   uint32_t palm;                            /* a hand that lifts by itself */
   double cross;                             /* C_12 of both ends [1/kg] */
+  double bend[TB_BENDS];                    /* psi m^(-1/2) of the stick's bending here [kg^-1/2] */
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* it is a group of a brush's */
   double part;                              /* ... or all of a striker: 1 */
@@ -109,15 +111,17 @@ typedef struct TbState {
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
   double hoop[3][TB_HOOP_MODES];
+  double bow[3][TB_SLOTS][TB_BENDS];          /* how sticks bend, by the slots of their tips */
   double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of the slots on it, 0 for others */
   TaborLedger sums;                           /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, modes of the
- * high band, what stands for the head's missing modes under each striker, and modes of the hoop. */
+ * high band, what stands for the head's missing modes under each striker, modes of the hoop,
+ * and how sticks bend. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING], *hoop;
+  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING], *hoop, (*bow)[TB_BENDS];
   float *high_single; /* in the place of `high` where the band is of single precision */
 } TbPhase;
 

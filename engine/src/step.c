@@ -51,6 +51,7 @@ static void free_motion(TbView *view) {
                            view->last.q);
   TB_STAGE(WIRES);
   if (!view->state->lifted) free_wires(view);
+  tb_rod_step(view);
   if (view->state->rings) {
     tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
   }
@@ -107,6 +108,7 @@ static void free_penetration(TbView *view) {
       if (view->state->slots[i].on_hoop) {
         eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
       }
+      if (view->state->slots[i].partner) eta -= tb_rod_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
@@ -173,7 +175,10 @@ static void respond(TbView *view, bool unchanged) {
       tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
     }
     view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
-    if (view->state->slots[i].partner) view->next.z[i] += tb_rod_pull(view, i);
+    if (view->state->slots[i].partner) {
+      view->next.z[i] += tb_rod_pull(view, i);
+      tb_rod_press(view, i, force[row]);
+    }
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
 }
@@ -295,6 +300,7 @@ static void fall_asleep(TbView *view) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
     memset(view->now.missing, 0, sizeof view->state->missing[0]);
     memset(view->state->hoop, 0, sizeof view->state->hoop);
+    memset(view->state->bow, 0, sizeof view->state->bow);
     view->state->rings = 0;
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
@@ -313,6 +319,7 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
   memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
   memcpy(view->last.hoop, view->now.hoop, sizeof view->state->hoop[0]);
+  memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
@@ -325,7 +332,7 @@ static void fall_asleep(TbView *view) {
 static bool striker_in_flight(const TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &view->state->slots[i];
-    if (slot->kind == TB_SLOT_STRIKER && !slot->held) return true;
+    if (slot->palm || (slot->kind == TB_SLOT_STRIKER && !slot->held)) return true;
   }
   return false;
 }

@@ -155,11 +155,13 @@ static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
   tb_mobility_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
 }
 
-static void carry_hoop(const TbView *from, TbView *to) {
+static void carry_rims(const TbView *from, TbView *to) {
   memcpy(to->now.hoop, from->now.hoop, sizeof from->state->hoop[0]);
   memcpy(to->last.hoop, from->last.hoop, sizeof from->state->hoop[0]);
   tb_hoop_carry(&from->model->hoop, &to->model->hoop, to->now.hoop, to->last.hoop);
   to->state->rings = from->state->rings;
+  memcpy(to->now.bow, from->now.bow, sizeof from->state->bow[0]);
+  memcpy(to->last.bow, from->last.bow, sizeof from->state->bow[0]);
 }
 
 /* A striker that the other model has, and a brush if it is one. */
@@ -234,7 +236,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   memcpy(state->shift, from->state->shift, sizeof state->shift);
   tb_live_apply(to);
   carry_contacts(from, to);
-  carry_hoop(from, to);
+  carry_rims(from, to);
   carry_slots(from, to);
   carry_high(from, to);
   carry_sound(from, to);

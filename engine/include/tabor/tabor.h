@@ -590,12 +590,14 @@ typedef struct TaborLedger {
   double head_loss;    /**< in the head's material */
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
-  double damper_loss;  /**< in damping hands, and in the dampers of pressing ones */
-  double shell_loss;   /**< friction, heat and absorption at the walls of the enclosed air */
-  double radiated;     /**< as sound, by the head */
-  double removed;      /**< of strikers taken away */
-  double high_band;    /**< stored in the one-way high band; outside the balance */
-  double residual;     /**< what the numerics lost (positive) or created (negative) */
+  double
+    damper_loss; /**< in damping hands, in the dampers of pressing ones, and in hands whose sticks bend */
+  double
+    shell_loss; /**< in hoop and shell; friction, heat and absorption at the walls of the enclosed air */
+  double radiated;  /**< as sound, by heads, hoop and shell */
+  double removed;   /**< of strikers taken away */
+  double high_band; /**< stored in the one-way high band; outside the balance */
+  double residual;  /**< what the numerics lost (positive) or created (negative) */
 } TaborLedger;
 
 /** A look at the newest state. Heights [m] share one datum, the undeflected head. */
@@ -603,7 +605,7 @@ typedef struct TaborProbe {
   double head;          /**< of the head's centre */
   double wire;          /**< of the first wire's midpoint; NaN without wires */
   double striker;       /**< of the newest striker in play; NaN without one */
-  double striker_force; /**< between all strikers and the head [N]; NaN without one */
+  double striker_force; /**< between all strikers and head or hoop [N]; NaN without one */
   double wire_force;    /**< between all wires and the head [N]; NaN without wires */
 } TaborProbe;
 

@@ -1,0 +1,361 @@
+/* SPDX-License-Identifier: MIT */
+/* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
+ * the same speed, cross-sticks leave the head nearly silent; their energy is accounted for, whatever else happens. */
+#include "physics.h"
+
+static const double RATE = 48000.0, PI = 3.14159265358979323846;
+
+static TaborDrumDef snares_off(void) {
+  const TaborDrumDef preset = physics_preset("snare-14x5.5-off");
+  return physics_small(&preset);
+}
+
+/* ---- how they sound ---------------------------------------------------------------------------- */
+
+enum { SOUND = 9600 };
+
+static void play(const TaborDrumDef *def, uint32_t quality, TaborTechnique technique, double radius,
+                 float *sound, TaborLedger *ledger) {
+  TaborModel *model = physics_model(def, RATE, quality);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent stroke = {.type = TABOR_EVENT_STRIKE,
+                             .velocity = 2.5,
+                             .radius = radius,
+                             .angle = 60.0,
+                             .technique = technique};
+  float *outputs[TABOR_MAX_MICS] = {sound};
+  tabor_drum_process(drum, &stroke, 1, outputs, SOUND);
+  tabor_drum_ledger(drum, ledger);
+  assert_true(fabs(ledger->residual) < physics_residual(quality) * ledger->injected);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+static double power_at(const float *sound, double frequency) {
+  const double c = cos(2.0 * PI * frequency / RATE), s = sin(2.0 * PI * frequency / RATE);
+  double re = 0.0, im = 0.0, x = 1.0, y = 0.0;
+  for (int i = 0; i < SOUND; i++) {
+    re += sound[i] * x;
+    im += sound[i] * y;
+    const double turned = x * c - y * s;
+    y = x * s + y * c;
+    x = turned;
+  }
+  return re * re + im * im;
+}
+
+/* Of the power between 50 Hz and 10 kHz [Hz]. */
+static double centroid(const float *sound) {
+  double sum = 0.0, moment = 0.0;
+  for (double frequency = 50.0; frequency < 10000.0; frequency += 5.0) {
+    const double power = power_at(sound, frequency);
+    sum += power;
+    moment += power * frequency;
+  }
+  return moment / sum;
+}
+
+/* Gain of the ear's curve A, IEC 61672-1, as a factor on the power. */
+static double weight_a(double f) {
+  const double f2 = f * f, low = 20.6 * 20.6, high = 12194.0 * 12194.0;
+  const double gain =
+    high * f2 * f2 / ((f2 + low) * (f2 + high) * sqrt((f2 + 107.7 * 107.7) * (f2 + 737.9 * 737.9)));
+  return gain * gain * pow(10.0, 0.2);
+}
+
+static double level_a(const float *sound) {
+  double sum = 0.0;
+  for (double f = 50.0; f < 10000.0; f += 5.0) sum += weight_a(f) * power_at(sound, f);
+  return 10.0 * log10(sum);
+}
+
+static double decibel(double power) { return 10.0 * log10(power); }
+
+static double energy(const float *sound) {
+  double sum = 0.0;
+  for (int i = 0; i < SOUND; i++) sum += (double)sound[i] * sound[i];
+  return sum;
+}
+
+static double peak(const float *sound) {
+  double most = 0.0;
+  for (int i = 0; i < SOUND; i++) most = fmax(most, fabs((double)sound[i]));
+  return 20.0 * log10(most);
+}
+
+/* How far a mode's power stands above that a quarter of a tone beside it [dB]. */
+static double stands_out(const float *sound, double frequency) {
+  const double beside =
+    0.5 * (power_at(sound, frequency * 0.93) + power_at(sound, frequency * 1.07));
+  return decibel(power_at(sound, frequency) / beside);
+}
+
+static void a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed(void **state) {
+  (void)state;
+  static float plain[SOUND], rimshot[SOUND];
+  const TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborLedger ledger;
+  for (double radius = 0.0; radius < 0.12; radius += 0.05) {
+    play(&def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_NORMAL, radius, plain, &ledger);
+    play(&def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_RIMSHOT, radius, rimshot, &ledger);
+    const double louder = level_a(rimshot) - level_a(plain);
+    print_message(
+      "at %.2f m: louder by %.1f dB(A), peak higher by %.1f dB; centroids %.0f, %.0f Hz\n", radius,
+      louder, peak(rimshot) - peak(plain), centroid(plain), centroid(rimshot));
+    assert_true(louder > 2.0);
+    assert_true(peak(rimshot) > peak(plain) + 2.0);
+    assert_true(centroid(rimshot) > 1.25 * centroid(plain));
+  }
+}
+
+static void modes_of_the_hoop_are_heard_in_a_rimshot(void **state) {
+  (void)state;
+  static float rimshot[SOUND], rim[SOUND];
+  const TaborDrumDef def = snares_off();
+  TaborLedger ledger;
+  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIMSHOT, 0.05, rimshot, &ledger);
+  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIM, 0.05, rim, &ledger);
+  for (int i = 2; i < 6; i++) {
+    const double frequency = def.hoop.frequency[i];
+    print_message("%.0f Hz stands out by %.1f dB on the rim, by %.1f dB in a rimshot\n", frequency,
+                  stands_out(rim, frequency), stands_out(rimshot, frequency));
+    assert_true(stands_out(rim, frequency) > 6.0);
+  }
+  assert_true(stands_out(rimshot, def.hoop.frequency[3]) > 3.0);
+}
+
+/* A rim that does not yield is silent: what is left is the head. */
+static void a_cross_stick_is_the_hoop_above_a_head_nearly_silent(void **state) {
+  (void)state;
+  static float plain[SOUND], whole[SOUND], head[SOUND];
+  TaborDrumDef def = snares_off();
+  TaborLedger ledger;
+  const double radius = 0.6 * def.shell.radius;
+  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_NORMAL, radius, plain, &ledger);
+  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, whole, &ledger);
+  assert_true(ledger.shell_loss > 20.0 * ledger.head_loss);
+  assert_true(ledger.damper_loss > 0.0);
+  TaborDrumDef rigid = def;
+  memset(rigid.hoop.frequency, 0, sizeof rigid.hoop.frequency);
+  play(&rigid, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, head, &ledger);
+  print_message(
+    "head %.1f dB below a plain stroke, %.1f dB below the whole sound; centroid %.0f Hz\n",
+    decibel(energy(plain) / energy(head)), decibel(energy(whole) / energy(head)), centroid(whole));
+  assert_true(energy(head) < 0.01 * energy(plain));
+  assert_true(energy(head) < 0.3 * energy(whole));
+  assert_true(centroid(whole) > 2.0 * centroid(plain));
+}
+
+/* ---- with all else ----------------------------------------------------------------------------- */
+
+/* Strokes of all kinds, near one another, with hands and moving parameters between them. */
+static uint32_t at_work(uint32_t frame, TaborEvent *event) {
+  static const TaborTechnique TURNS[] = {TABOR_TECHNIQUE_RIMSHOT,     TABOR_TECHNIQUE_RIM,
+                                         TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_NORMAL,
+                                         TABOR_TECHNIQUE_BUZZ,        TABOR_TECHNIQUE_RIMSHOT};
+  const uint32_t turn = frame / 231;
+  if (frame % 231 != 20) return 0;
+  *event = (TaborEvent){.type = TABOR_EVENT_STRIKE,
+                        .id = 1 + turn % 3,
+                        .velocity = 0.5 + 0.4 * (turn % 13),
+                        .radius = 0.01 * (turn * 5 % 17),
+                        .angle = 47.0 * turn,
+                        .technique = TURNS[turn % 6],
+                        .value = 0.1 * (turn % 7)};
+  if (turn % 11 == 8) *event = (TaborEvent){.type = TABOR_EVENT_PRESS, .value = 0.4};
+  if (turn % 17 == 9) *event = (TaborEvent){.type = TABOR_EVENT_RELEASE, .id = 1 + turn % 3};
+  if (turn % 19 == 4) {
+    *event =
+      (TaborEvent){.type = TABOR_EVENT_DAMP, .id = 9, .value = 0.5 * (turn % 9), .radius = 0.1};
+  }
+  return 1;
+}
+
+static void work(TaborDrum *drum, uint32_t from, uint32_t to, uint32_t block, float *out) {
+  for (uint32_t start = from; start < to; start += block) {
+    const uint32_t size = to - start < block ? to - start : block;
+    TaborEvent events[64];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < size; i++) {
+      if (!at_work(start + i, &events[count])) continue;
+      events[count++].frame = i;
+    }
+    float *outputs[TABOR_MAX_MICS] = {out + start};
+    tabor_drum_process(drum, events, count, outputs, size);
+  }
+}
+
+enum { FRAMES = 12000 };
+
+static void every_stroke_is_accounted_for_at_every_cap(void **state) {
+  (void)state;
+  static float out[FRAMES];
+  for (uint32_t cap = 1; cap <= 8; cap *= 2) {
+    for (uint32_t losses = 0; losses < 2; losses++) {
+      const TaborDrumDef preset = physics_preset(cap % 2 ? "snare-14x5.5" : "snare-14x5.5-off");
+      TaborDrumDef def = physics_small(&preset);
+      def.quality.newton_cap = cap;
+      def.quality.losses = losses;
+      def.wires.count = def.wires.count > 3 ? 3 : def.wires.count;
+      TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+      TaborDrum *drum = physics_drum(model);
+      work(drum, 0, FRAMES, 64, out);
+      TaborLedger ledger;
+      TaborStatistics statistics;
+      tabor_drum_ledger(drum, &ledger);
+      tabor_drum_statistics(drum, &statistics);
+      print_message("cap %u, losses %u: residual %.1e of %.2g J, shell %.2g J, %llu capped\n", cap,
+                    losses, ledger.residual / ledger.injected, ledger.injected, ledger.shell_loss,
+                    (unsigned long long)statistics.newton_capped);
+      assert_true(ledger.residual >= -1e-9 * ledger.injected);
+      if (statistics.newton_capped == 0) assert_true(ledger.residual < 1e-9 * ledger.injected);
+      assert_true(losses ? ledger.shell_loss > 0.0 : ledger.shell_loss == 0.0);
+      tabor_drum_destroy(drum);
+      tabor_model_release(model);
+    }
+  }
+}
+
+static void blocks_saves_and_resets_keep_every_bit(void **state) {
+  (void)state;
+  static float whole[FRAMES], parts[FRAMES];
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
+  work(drum, 0, FRAMES, FRAMES / 8, whole);
+  work(other, 0, 5000, 1, parts);
+  const size_t size = tabor_drum_state_size(other);
+  void *saved = malloc(size);
+  tabor_drum_state_save(other, saved);
+  work(other, 5000, 7000, 100, parts); /* goes astray */
+  tabor_drum_reset(drum);
+  assert_int_equal(tabor_drum_state_load(drum, saved, size), TABOR_OK);
+  work(drum, 5000, FRAMES, 77, parts);
+  assert_memory_equal(whole, parts, sizeof whole);
+  tabor_drum_reset(drum);
+  work(drum, 0, FRAMES, 1000, parts);
+  assert_memory_equal(whole, parts, sizeof whole);
+  free(saved);
+  tabor_drum_destroy(drum);
+  tabor_drum_destroy(other);
+  tabor_model_release(model);
+}
+
+static TaborDrum *swapped(TaborModel *from, TaborModel *to, float *out) {
+  TaborDrum *drum = physics_drum(from);
+  TaborSwap *swap;
+  assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
+  work(drum, 0, 1175, 100, out); /* while both ends of a stick touch */
+  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
+  tabor_drum_process(drum, &event, 1, NULL, 0);
+  work(drum, 1175, FRAMES, 100, out);
+  assert_true(tabor_swap_done(swap));
+  tabor_swap_destroy(swap);
+  return drum;
+}
+
+static void a_swap_carries_sticks_and_hoop_on(void **state) {
+  (void)state;
+  static float straight[FRAMES], out[FRAMES];
+  TaborDrumDef def = snares_off();
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborModel *twin = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  def.hoop.frequency[2] *= 1.1;
+  def.hoop.frequency[5] = 0.0;
+  def.hoop.mass *= 2.0;
+  TaborModel *heavier = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborDrum *drum = physics_drum(model);
+  work(drum, 0, FRAMES, 100, straight);
+  tabor_drum_destroy(drum);
+  drum = swapped(model, twin, out);
+  assert_memory_equal(straight, out, sizeof out);
+  tabor_drum_destroy(drum);
+  drum = swapped(model, heavier, out);
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  tabor_model_release(twin);
+  tabor_model_release(heavier);
+}
+
+static void sticks_fly_off_and_the_drum_falls_silent(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  static const TaborTechnique ON_HOOP[] = {TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
+                                           TABOR_TECHNIQUE_RIM};
+  for (int i = 0; i < 3; i++) {
+    TaborDrum *drum = physics_drum(model);
+    const TaborEvent stroke = {
+      .type = TABOR_EVENT_STRIKE, .id = 7, .velocity = 2.0, .technique = ON_HOOP[i]};
+    TaborStatistics statistics;
+    tabor_drum_process(drum, &stroke, 1, NULL, 1);
+    tabor_drum_statistics(drum, &statistics);
+    assert_int_equal(statistics.in_play, ON_HOOP[i] == TABOR_TECHNIQUE_CROSS_STICK ? 2 : 1);
+    tabor_drum_process(drum, NULL, 0, NULL, 60000);
+    tabor_drum_statistics(drum, &statistics);
+    assert_int_equal(statistics.in_play, 0);
+    for (int s = 0; s < 100 && !tabor_drum_is_silent(drum); s++) {
+      tabor_drum_process(drum, NULL, 0, NULL, 9600);
+    }
+    assert_true(tabor_drum_is_silent(drum));
+    float sound = 1.0f;
+    float *outputs[TABOR_MAX_MICS] = {&sound};
+    tabor_drum_process(drum, NULL, 0, outputs, 1);
+    assert_true(sound == 0.0f);
+    tabor_drum_destroy(drum);
+  }
+  tabor_model_release(model);
+}
+
+/* Eight slots: three hands leave room for two sticks that touch in two places; released, all are gone. */
+static void a_full_pool_drops_whole_sticks(void **state) {
+  (void)state;
+  const TaborDrumDef def = snares_off();
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborDrum *drum = physics_drum(model);
+  TaborEvent events[40];
+  for (uint32_t i = 0; i < 40; i++) {
+    events[i] = (TaborEvent){.type = TABOR_EVENT_DAMP, .id = 100 + i, .value = 1.0};
+    if (i >= 3) {
+      events[i] = (TaborEvent){.type = TABOR_EVENT_STRIKE,
+                               .id = i,
+                               .velocity = 1.0,
+                               .angle = 9.0 * i,
+                               .radius = 0.05,
+                               .technique = TABOR_TECHNIQUE_RIMSHOT};
+    }
+  }
+  tabor_drum_process(drum, events, 40, NULL, 30);
+  TaborStatistics statistics;
+  TaborLedger ledger;
+  tabor_drum_statistics(drum, &statistics);
+  tabor_drum_ledger(drum, &ledger);
+  print_message("%llu strokes, %llu dropped, %u in play\n", (unsigned long long)statistics.strikes,
+                (unsigned long long)statistics.dropped_events, statistics.in_play);
+  assert_int_equal(statistics.strikes + statistics.dropped_events, 37);
+  assert_int_equal(statistics.in_play, 3 + 2);
+  assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
+  const TaborEvent release = {.type = TABOR_EVENT_RELEASE};
+  tabor_drum_process(drum, &release, 1, NULL, 1);
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.in_play, 0);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed),
+    cmocka_unit_test(modes_of_the_hoop_are_heard_in_a_rimshot),
+    cmocka_unit_test(a_cross_stick_is_the_hoop_above_a_head_nearly_silent),
+    cmocka_unit_test(every_stroke_is_accounted_for_at_every_cap),
+    cmocka_unit_test(blocks_saves_and_resets_keep_every_bit),
+    cmocka_unit_test(a_swap_carries_sticks_and_hoop_on),
+    cmocka_unit_test(sticks_fly_off_and_the_drum_falls_silent),
+    cmocka_unit_test(a_full_pool_drops_whole_sticks),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -31,6 +31,16 @@ END
 render_events events.wav
 same_bytes "a buzz, pressed harder and lifted" strikes.wav events.wav
 
+render_strikes strikes.wav technique=rimshot time=0.1,technique=cross-stick,radius=60% time=0.2,technique=rim
+cat >strokes.csv <<'END'
+time,technique,radius
+0,rimshot,
+0.1,cross-stick,60%
+0.2,rim,
+END
+render_events events.wav
+same_bytes "strokes on the hoop" strikes.wav events.wav
+
 render_strikes strikes.wav time=0,velocity=1,radius=20%,angle=10,striker=stick,technique=normal \
   time=0.1,velocity=3 time=0.2,midi=100,radius=0.05
 cat >strokes.csv <<'END'

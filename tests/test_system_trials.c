@@ -9,6 +9,7 @@ static char playing[192]; /* the drum under test, for messages */
 static double rounding;   /* of its ledger [J] */
 static double created;    /* part of what was put in that its residual may fall below zero */
 static double of_stored;  /* and part of what is stored */
+static double put_in;     /* the most that was so far: what hands put in they take back, too [J] */
 static bool exact;        /* contacts are solved in double, whatever is drawn */
 static bool hands = true; /* sticks are held, too */
 
@@ -22,6 +23,7 @@ static const double ROUNDING_OF_STORED = 1e-10, ROUNDING_IN_SINGLE = 1e-6;
 static void expect_rounding(double rate, uint32_t quality) {
   rounding = ROUNDING * (rate / 48000.0) * (rate / 48000.0);
   created = physics_residual(quality);
+  put_in = 0.0;
   of_stored = quality <= TABOR_QUALITY_LIVE ? ROUNDING_IN_SINGLE : ROUNDING_OF_STORED;
 }
 
@@ -211,7 +213,7 @@ static void check(const TaborDrum *drum, const float *samples, uint32_t count,
                   uint64_t trial_seed) {
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
-  const double scale = ledger.injected + fabs(ledger.control);
+  const double scale = put_in = fmax(put_in, ledger.injected + fabs(ledger.control));
   const double least = created * scale + rounding + of_stored * fabs(ledger.stored);
   bool finite = isfinite(ledger.residual) && isfinite(ledger.stored);
   for (uint32_t i = 0; i < count; i++) finite = finite && isfinite(samples[i]);
@@ -242,6 +244,7 @@ static void check_alive(const TaborDrum *drum, uint64_t guarded_before, uint64_t
 /* Some events, then silence, for `blocks` blocks of 64. */
 static void play(TaborDrum *drum, const TaborDrumDef *def, uint64_t *seed, uint32_t blocks) {
   const uint64_t name = *seed;
+  put_in = 0.0;
   float samples[64];
   float *outputs[TABOR_MAX_MICS] = {samples};
   for (uint32_t block = 0; block < blocks; block++) {

@@ -215,8 +215,9 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
     const TbSlot *slot = &drum->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
     const double force = view.solve.force[model->wires.stride + i];
-    probe->striker_force = newest ? probe->striker_force + force : force;
-    if (slot->serial > newest) {
+    probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;
+    const bool shaft = slot->partner && slot->on_hoop; /* of a stick whose tip is meant */
+    if (slot->serial > newest && !shaft) {
       newest = slot->serial;
       probe->striker = slot->rest_height + view.now.z[i];
     }

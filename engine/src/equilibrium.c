@@ -308,13 +308,14 @@ static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
 static bool settle_single(TaborModel *model, TbArena *scratch) {
   const TbSingleKernels *kernels = model->single_kernels;
   const uint32_t n = model->wires.stride;
-  float *row[5], *grid = tb_arena_take(scratch, model->single_bed.size, sizeof *grid);
+  float *row[6], *grid = tb_arena_take(scratch, model->single_bed.size, sizeof *grid);
   float *fold = tb_arena_take(scratch, tb_single_bed_scratch(&model->single_bed), sizeof *fold);
-  for (int i = 0; i < 5; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
+  for (int i = 0; i < 6; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
   if (scratch->failed) return false;
   kernels->narrow(n, model->rest.eta, row[0]);
-  kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[1], row[2],
-                row[3], row[4]);
+  for (uint32_t i = 0; i < n; i++) row[5][i] = row[0][i] > 0.0f ? sqrtf(row[0][i]) : 0.0f;
+  kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[5], row[1],
+                row[2], row[3], row[4]);
   kernels->widen(n, row[2], model->rest.force);
   kernels->contract(&model->single_bed, row[2], fold, grid);
   kernels->widen(model->single_bed.size, grid, model->rest.grid);

@@ -369,7 +369,7 @@ static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, cons
 
 static void law_of(const TbLaw *law, uint32_t power, uint32_t n, const double *y, const double *s,
                    double *force, double *slope, double *mean) {
-  law_of_power(law, power, n, (LawArrays){y, s, force, slope, mean});
+  law_of_power(law, power, n, (LawArrays){y, NULL, s, force, slope, mean});
 }
 
 static bool touches(uint32_t n, const double *y, const double *s, const double *f) {

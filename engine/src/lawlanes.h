@@ -128,14 +128,14 @@ static INLINE Secant secant_of_line(const LawLanes *law, Vector y, Vector s, Vec
  * (2K/5) (q^4 + q^3 p + q^2 p^2 + q p^3 + p^4)/(q + p), and its derivative
  * (K/5) (3 q^3 + 6 q^2 p + 4 q p^2 + 2 p^3)/(q + p)^2: sums of what is not negative, for any s. */
 static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vector x, Vector y,
-                                       Vector gap, Vector *force, Vector *per_gap) {
+                                       Vector p, Vector gap, Vector *force, Vector *per_gap) {
   const Vector sum = x + y, square = sum * sum - x * y;
   if (power == 4) {
     *force = law->stiffness * (x * x);
     *per_gap = REAL(1.0) / gap;
     return (Secant){law->stiffness / REAL(3.0) * square, law->stiffness / REAL(3.0) * (sum + x)};
   }
-  const Vector p = vector_root(y), q = vector_root(x), roots = p + q, both = roots * gap;
+  const Vector q = vector_root(x), roots = p + q, both = roots * gap;
   /* One division for two; of what is so small nothing is left. */
   const Vector inverse =
     REAL(1.0) / vector_pick(vector_greater(both, every(NEGLIGIBLE)), both, every(REAL(1.0)));
@@ -147,14 +147,14 @@ static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vect
                   REAL(0.2) * law->stiffness * cubic * (per_roots * per_roots)};
 }
 
-/* An interval that begins or ends in the air has the work of the part in contact over its whole length. */
-static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector y, Vector s,
-                                     Vector x) {
+/* p = sqrt(y) where y > 0, for a = 3/2. An interval that begins or ends in the air has the work of the part in contact over its whole length. */
+static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector y, Vector p,
+                                     Vector s, Vector x) {
   const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
   const Bits air = vector_greater(none(), vector_smaller(x, y));
   const Vector gap = vector_pick(air, vector_size_of(s), every(REAL(1.0)));
   Vector force, per_s;
-  const Secant inside = secant_in_contact(law, power, end, begin, divisor(gap), &force, &per_s);
+  const Secant inside = secant_in_contact(law, power, end, begin, p, gap, &force, &per_s);
   const Vector part = inside.mean * (end + begin) * per_s;
   const Vector change = vector_pick(vector_greater(s, none()), force - part, part);
   return (Secant){vector_pick(air, part, inside.mean),
@@ -162,7 +162,7 @@ static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector
 }
 
 typedef struct LawArrays {
-  const Real *y, *s;
+  const Real *y, *root, *s; /* root = sqrt(y), 0 where y < 0, where it is at hand; else NULL */
   Real *force, *slope, *mean;
 } LawArrays;
 
@@ -190,8 +190,8 @@ static __attribute__((noinline)) void law_over_knee(const LawLanes *law, uint32_
 
 static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawArrays arrays) {
   for (uint32_t i = 0; i < n; i += WIDTH) {
-    const LawArrays at = {arrays.y + i, arrays.s + i, arrays.force + i, arrays.slope + i,
-                          arrays.mean + i};
+    const LawArrays at = {arrays.y + i,     NULL,           arrays.s + i, arrays.force + i,
+                          arrays.slope + i, arrays.mean + i};
     const Vector y = read(at.y), s = read(at.s), x = y + s, top = vector_larger(x, y);
     if (!vector_any(vector_greater(top, none()))) {
       write(at.force, none());
@@ -203,8 +203,10 @@ static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawAr
       law_over_knee(law, power, at);
       continue;
     }
+    Vector p = y;
+    if (power == 3) p = arrays.root ? read(arrays.root + i) : vector_root(vector_larger(y, none()));
     const Secant secant =
-      power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, s, x);
+      power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, p, s, x);
     law_with_loss(law, s, top, secant, at);
   }
 }

@@ -31,6 +31,7 @@ static void start(uint32_t n, TbSingleStart *whole) {
     store(at->s + i, load_change(at->from_b + i, at->from_p + i));
     store(at->b + i, b);
     store(at->y + i, y);
+    store(at->root + i, root(larger(y, zero())));
     store(at->f + i, f);
     store(at->p + i, load_double(at->from_p + i));
     store(at->own + i, load_double(at->from_own + i));
@@ -342,10 +343,10 @@ static void penetrate(uint32_t n, float side, const float *w, const double *v, c
 }
 
 static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const float *y,
-                 const float *s, float *force, float *slope, float *mean) {
+                 const float *sqrt_y, const float *s, float *force, float *slope, float *mean) {
   for (uint32_t w = 0, at = 0; w < wires; w++, at += lanes) {
     law_of_power(&laws_of[w], tb_law_power(&laws_of[w]), lanes,
-                 (LawArrays){y + at, s + at, force + at, slope + at, mean + at});
+                 (LawArrays){y + at, sqrt_y + at, s + at, force + at, slope + at, mean + at});
   }
 }
 
@@ -367,6 +368,12 @@ static float follow(uint32_t n, const float *law, const float *weight, const flo
     most = larger(size_of(change), most);
   }
   return largest_of(most);
+}
+
+static float dot(uint32_t n, const float *x, const float *y) {
+  Lanes sum = zero();
+  for (uint32_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
+  return join(sum);
 }
 
 static void add_scaled(uint32_t n, float *out, float f, const float *x) {
@@ -463,6 +470,7 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .laws = laws,
   .difference = difference,
   .follow = follow,
+  .dot = dot,
   .add_scaled = add_scaled,
   .add_product = add_product,
   .product = product,

@@ -16,11 +16,11 @@ typedef struct TbSingleGather {
   double *out[2];
 } TbSingleGather;
 
-/* The way in: everything in single precision, s = b - p, the largest |b|, the largest y or 0, and whether y > 0,
+/* The way in: everything in single precision, root = sqrt(y) or 0, s = b - p, the largest |b|, the largest y or 0, and whether y > 0,
  * y + b > 0 or f != 0 anywhere. */
 typedef struct TbSingleStart {
   const double *from_b, *from_p, *from_y, *from_own, *from_f;
-  float *b, *p, *y, *own, *f, *s;
+  float *b, *p, *y, *root, *own, *f, *s;
   float change, depth;
   bool touches;
 } TbSingleStart;
@@ -66,14 +66,17 @@ typedef struct TbSingleKernels {
   /* out = G grid, class by class. */
   void (*comply)(const struct TbSingleBed *bed, const float *grid, float *out);
 
-  /* The laws of `wires` wires with `lanes` rows each, as `law` in kernels.h; powers of tb_law_power(). */
+  /* The laws of `wires` wires with `lanes` rows each, as `law` in kernels.h; powers of tb_law_power();
+   * root = sqrt(y), 0 where y < 0. */
   void (*laws)(uint32_t wires, uint32_t lanes, const struct TbLaw *laws, const float *y,
-               const float *s, float *force, float *slope, float *mean);
+               const float *root, const float *s, float *force, float *slope, float *mean);
   /* Largest |x - y| */
   float (*difference)(uint32_t n, const float *x, const float *y);
   /* f = law + weight x, s = b - p; largest |s| */
   float (*follow)(uint32_t n, const float *law, const float *weight, const float *x, const float *b,
                   const float *p, float *f, float *s);
+  /* Sum x y */
+  float (*dot)(uint32_t n, const float *x, const float *y);
   /* out += f x; out += x y; out = x y */
   void (*add_scaled)(uint32_t n, float *out, float f, const float *x);
   void (*add_product)(uint32_t n, float *out, const float *x, const float *y);

@@ -18,9 +18,8 @@ static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLO
 
 /* ---- M x ------------------------------------------------------------------------------------ */
 
-/* What the slots and the stretching of the heads add: few numbers, in double as ever. */
-static void add_slots_and_stretch(const TbSolve *solve, const float *x, const float *grid,
-                                  float *out) {
+/* What the slots add: few numbers, in double as ever. */
+static void add_slots(const TbSolve *solve, const float *x, const float *grid, float *out) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
   const uint32_t size = single->bed->size;
@@ -34,13 +33,33 @@ static void add_slots_and_stretch(const TbSolve *solve, const float *x, const fl
   kernels->narrow(TB_SLOTS, moved, out + solve->stride);
 }
 
+/* What the stretching of the heads adds where no slot is in play. */
+static void add_stretch(const TbSolve *solve, const float *grid, float *out) {
+  const TbSingle *single = &solve->single;
+  const uint32_t size = single->bed->size;
+  float along[2] = {0.0f, 0.0f};
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    along[h] = single->kernels->dot(size, single->stretch[h], grid);
+  }
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    const double *w = solve->stretch_weight[h];
+    const float pull = -((float)w[0] * along[0] + (float)w[1] * along[1]);
+    single->kernels->add_scaled(size, single->answer, pull, single->stretch[h]);
+  }
+  memset(out + solve->stride, 0, TB_SLOTS * sizeof *out);
+}
+
 static void product_of(const TbSolve *solve, const float *x, float *grid, float *out) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
   TB_STAGE(PRODUCT);
   kernels->contract(single->bed, x, single->scratch, grid);
   kernels->comply(single->bed, grid, single->answer);
-  add_slots_and_stretch(solve, x, grid, out);
+  if (solve->slot_mask) {
+    add_slots(solve, x, grid, out);
+  } else {
+    add_stretch(solve, grid, out);
+  }
   kernels->expand(single->bed, single->answer, single->scratch, out);
   kernels->add_product(total_rows(solve), out, single->own, x);
   TB_STAGE(LAWS);
@@ -74,8 +93,8 @@ static void slot_laws(const TbSolve *solve, const float *s) {
 
 static void apply_laws(const TbSolve *solve, const float *s) {
   const TbSingle *single = &solve->single;
-  single->kernels->laws(single->bed->wires, single->bed->lanes, solve->wire_laws, single->y, s,
-                        single->law, single->slope, single->mean);
+  single->kernels->laws(single->bed->wires, single->bed->lanes, solve->wire_laws, single->y,
+                        single->root, s, single->law, single->slope, single->mean);
   slot_laws(solve, s);
 }
 
@@ -157,10 +176,14 @@ static TbSingleStart take_in(const TbSolve *solve) {
                          .b = single->b,
                          .p = single->product_last,
                          .y = single->y,
+                         .root = single->root,
                          .own = single->own,
                          .f = single->force_last,
                          .s = single->s};
   single->kernels->start(total_rows(solve), &start);
+  for (uint32_t h = 0; h < solve->stretch_count; h++) {
+    single->kernels->narrow(single->bed->size, solve->stretch_grid[h], single->stretch[h]);
+  }
   return start;
 }
 

@@ -39,11 +39,11 @@ typedef struct TbSingle {
   const TbSingleKernels *kernels;
   const TbSingleBed *bed;
   /* [stride + TB_SLOTS] */
-  float *y, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
+  float *y, *root, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
     *weight, *residual, *direction, *turned, *moved, *solution, *work;
-  float *grid, *grid_last, *pushed, *answer; /* [bed size] */
-  float *modal;                              /* [modes padded] */
-  float *scratch;                            /* [tb_single_bed_scratch] */
+  float *grid, *grid_last, *pushed, *answer, *stretch[2]; /* [bed size] */
+  float *modal;                                           /* [modes padded] */
+  float *scratch;                                         /* [tb_single_bed_scratch] */
 } TbSingle;
 
 /* Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of

@@ -12,7 +12,7 @@ static size_t place(size_t *total, size_t count) {
 }
 
 /* Arrays by rows and by points of the grid in TbSingle. */
-enum { SINGLE_ROWS = 18, SINGLE_GRIDS = 4 };
+enum { SINGLE_ROWS = 19, SINGLE_GRIDS = 6 };
 
 static size_t single_floats(const TaborModel *model) {
   if (!model->single_kernels) return 0;
@@ -104,12 +104,12 @@ static TbSingle single_at(TbState *state, const TaborModel *model) {
   if (!single.kernels) return single;
   float *next = (float *)(void *)((char *)state + model->layout.single);
   float **const rows[SINGLE_ROWS] = {
-    &single.y,       &single.b,          &single.own,          &single.s,         &single.force,
-    &single.product, &single.force_last, &single.product_last, &single.law,       &single.slope,
-    &single.mean,    &single.weight,     &single.residual,     &single.direction, &single.turned,
-    &single.moved,   &single.solution,   &single.work};
-  float **const grids[SINGLE_GRIDS] = {&single.grid, &single.grid_last, &single.pushed,
-                                       &single.answer};
+    &single.y,      &single.root,    &single.b,          &single.own,          &single.s,
+    &single.force,  &single.product, &single.force_last, &single.product_last, &single.law,
+    &single.slope,  &single.mean,    &single.weight,     &single.residual,     &single.direction,
+    &single.turned, &single.moved,   &single.solution,   &single.work};
+  float **const grids[SINGLE_GRIDS] = {&single.grid,   &single.grid_last,  &single.pushed,
+                                       &single.answer, &single.stretch[0], &single.stretch[1]};
   for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
   for (int i = 0; i < SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
   single.modal = next;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Debian packages by `cpack -G DEB` in the build folder: the library, what building against it takes,
-# and the program. For packages that belong into a system's folders configure with
+# the program, and the LV2 plugins. For packages that belong into a system's folders configure with
 #
 #   -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_SHARED_LIBS=ON
 
@@ -14,6 +14,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL library development)
 if(TABOR_BUILD_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
+endif()
+if(TABOR_BUILD_LV2)
+  list(APPEND CPACK_COMPONENTS_ALL lv2)
 endif()
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/debian-documents.cmake")
 set(TABOR_DEBIAN_LIBRARY "libtabor${TABOR_SOVERSION}")
@@ -45,6 +48,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tabor)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThis is the program tabor, which renders sound files.")
+
+set(CPACK_DEBIAN_LV2_PACKAGE_NAME tabor-lv2)
+set(CPACK_DEBIAN_LV2_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThese are the instruments for LV2 plugin hosts.")
+
 if(BUILD_SHARED_LIBS)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${TABOR_DEBIAN_SAME_VERSION}")
 else()

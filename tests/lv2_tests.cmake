@@ -9,6 +9,7 @@ tabor_add_script_test(test_lv2_validate)
 tabor_add_script_test(test_lv2_jalv)
 foreach(name IN ITEMS test_lv2_validate test_lv2_jalv)
   set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "BUNDLE=$<TARGET_FILE_DIR:tabor-lv2>"
+                                            "SOURCE=${PROJECT_SOURCE_DIR}"
                                             "TABOR=$<TARGET_FILE:tabor-program>"
                                             "INSPECT=$<TARGET_FILE:host_inspect>")
 endforeach()

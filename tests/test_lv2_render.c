@@ -124,7 +124,7 @@ typedef struct Take {
 } Take;
 
 static void open_take(Take *take, uint32_t channels) {
-  *take = (Take){.frames = MOST_FRAMES, .channels = channels};
+  *take = (Take){.frames = brief ? MOST_FRAMES / 2 : MOST_FRAMES, .channels = channels};
   for (uint32_t i = 0; i < channels; i++) {
     take->sound[i] = calloc(MOST_FRAMES, sizeof(float));
     assert_non_null(take->sound[i]);
@@ -140,8 +140,8 @@ static void render(const char *options, const char *const *mics, Take *take) {
   char command[1024], path[256];
   size_t length = (size_t)snprintf(command, sizeof command,
                                    "'%s' render -q --midi-file '%s/song.mid' --format float "
-                                   "-o '%s/song.wav' --duration 1 %s",
-                                   program, folder, folder, options);
+                                   "-o '%s/song.wav' --duration %s %s",
+                                   program, folder, folder, brief ? "0.5" : "1", options);
   for (uint32_t i = 0; i < take->channels; i++) {
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
   }

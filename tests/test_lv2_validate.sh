@@ -3,7 +3,7 @@
 # What validators say of the plugins' description, nothing; what the binary exports, one symbol; and that
 # lv2bench runs them.
 #
-# It gets $BUNDLE, and $INSPECT for host_checks.sh.
+# It gets $BUNDLE, $SOURCE, and $INSPECT for host_checks.sh.
 for tool in lv2_validate sord_validate lv2bench lv2ls; do
   command -v "$tool" >/dev/null || {
     echo "SKIPPED: validation of the plugins' description ($tool is not installed)"
@@ -30,6 +30,12 @@ check "it finds a bad symbol" test -n "$(clean "$BUNDLE/manifest.ttl" tabor.ttl)
 same "hosts find both plugins" "urn:tabor:drum urn:tabor:drum-multi" \
   "$(lv2ls 2>"$err" | grep '^urn:tabor' | sort | tr '\n' ' ' | sed 's/ $//')"
 same "and say nothing about them" "" "$(grep -i tabor "$err")"
+
+# Every control is in the documentation.
+for symbol in $(sed -n 's/^\t\tlv2:symbol "\([a-z_]*\)" ;$/\1/p' "$BUNDLE/tabor.ttl" | sort -u); do
+  case $symbol in events | freewheel | out_*) continue ;; esac
+  check "docs/lv2.md has $symbol" grep -q "\`$symbol\`" "$SOURCE/docs/lv2.md"
+done
 
 # ---- the binary ----
 

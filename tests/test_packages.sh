@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# cpack makes three Debian packages. Each has its own files and says what it needs; together, unpacked
+# cpack makes three Debian packages, and one of the LV2 plugins where these are built. Each has its own files and says what it needs; together, unpacked
 # into an empty folder, they are a program that renders and a library that can be built against.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
@@ -13,7 +13,8 @@ files_of() { dpkg-deb --fsys-tarfile packages/"$1"_*.deb | tar -t | grep -v '/$'
 version=$("$TABOR" --version | cut -d ' ' -f 2)
 soname=$(readelf -d "$SHARED_BUILD/engine/libtabor.so" | sed -nE 's/.*\(SONAME\).*libtabor\.so\.(.*)\]/\1/p')
 names=("libtabor$soname" libtabor-dev tabor)
-[ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not three packages: $(ls packages)"
+if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); fi
+[ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not these packages: $(ls packages)"
 
 # has PACKAGE PATTERN...: files that match; the pattern stands for a whole path.
 has() {
@@ -30,6 +31,13 @@ has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}
   "${library}cmake/tabor/tabor-config.cmake" /usr/share/doc/tabor/docs/embedding.md
 has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
   /usr/share/tabor/presets/snare-14x5.5.ini /usr/share/doc/tabor/README.md
+
+if [ -d "$SHARED_BUILD/lv2" ]; then
+  bundle=/usr/lib/lv2/tabor.lv2
+  has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl
+  field tabor-lv2 Depends | grep -q libtabor && complain "the plugins need the library: $(field tabor-lv2 Depends)"
+  field tabor-lv2 Depends | grep -q 'libc6' || complain "the plugins need nothing: $(field tabor-lv2 Depends)"
+fi
 
 # depends PACKAGE PATTERN...: on each of these.
 depends() {

@@ -32,10 +32,10 @@ static void take_hold(void) {
 }
 
 /* True if the program ends by itself. Several may come at once: timeout(1) sends one to the process and one
-   to its group. Quitting means at once. */
+   to its group. After SIGXCPU there is no time left. */
 static bool is_noted(int number) {
   int none = 0;
-  if (!atomic_load(&catches) || number == SIGXCPU || number == SIGQUIT) return false;
+  if (!atomic_load(&catches) || number == SIGXCPU) return false;
   (void)atomic_compare_exchange_strong(&caught, &none, number);
   return true;
 }

@@ -15,7 +15,7 @@
 void interrupt_install(void);
 
 /**
- * From now on SIGHUP, SIGINT and SIGTERM are only noted, so that the program can end by itself, and soon, and
+ * From now on SIGHUP, SIGINT, SIGQUIT and SIGTERM are only noted, so that the program can end by itself, and soon, and
  * keep what is finished.
  */
 void interrupt_catch(void);

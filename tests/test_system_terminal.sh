@@ -29,9 +29,11 @@ recorded ":quit"
 ends 130 'type \x03'
 recorded "Ctrl-C"
 ends 131 'type \x1c'
+recorded "Ctrl-\\"
 ends 143 'signal 15'
 recorded "SIGTERM"
 ends 129 'signal 1'
+recorded "SIGHUP"
 ends 134 'signal 6' # SIGABRT, as a failed assertion
 ends 132 'signal 4' # SIGILL; sanitizers have the others of this kind for themselves
 command=("${play[@]}" --duration 0.7)

@@ -34,7 +34,8 @@ struct DrumChanges {
   char preset[TABOR_TEXT_SIZE], built_preset[TABOR_TEXT_SIZE];
   uint64_t frame;              /* for the newest request */
   uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
-  uint64_t presets;            /* how many have been wished for */
+  uint64_t presets,
+    built_presets; /* how many have been wished for, and how many by the newest that was built */
   bool stops, has_thread;
 
   /* the builder's; if sound waits, under lock */
@@ -151,9 +152,12 @@ static void choose_mics(const DrumChanges *changes, const TaborDrumDef *def, uin
 }
 
 /* Sends the swap to @p model, which becomes the newest; takes @p model over. */
-static Outcome send_swap(DrumChanges *changes, TaborModel *model, uint64_t frame) {
-  PlayerMessage message = {
-    .frame = frame, .type = PLAYER_SWAP, .event = {.type = TABOR_EVENT_SWAP}};
+static Outcome send_swap(DrumChanges *changes, TaborModel *model, uint64_t frame,
+                         bool begins_anew) {
+  PlayerMessage message = {.frame = frame,
+                           .type = PLAYER_SWAP,
+                           .begins_anew = begins_anew,
+                           .event = {.type = TABOR_EVENT_SWAP}};
   Pending *const pending = calloc(1, sizeof *pending);
   TaborError error = {.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
   if (!pending || tabor_swap_create(changes->model, model, &pending->swap, &error) != TABOR_OK) {
@@ -207,13 +211,15 @@ static void answer(DrumChanges *changes) {
   if (!changes->waits) (void)pthread_mutex_unlock(&changes->lock);
   Outcome outcome = build(&options, &def, &model);
   if (!changes->waits) (void)pthread_mutex_lock(&changes->lock);
-  if (outcome == OUTCOME_OK) outcome = send_swap(changes, model, frame);
+  const bool begins_anew = presets != changes->built_presets;
+  if (outcome == OUTCOME_OK) outcome = send_swap(changes, model, frame, begins_anew);
   changes->answered = request;
   if (outcome != OUTCOME_OK) {
     forget_request(changes, request);
     return;
   }
   memcpy(changes->built_preset, preset, sizeof preset);
+  changes->built_presets = presets;
   if (changes->waits) return;
   wait_for_swap(changes);
   if (changes->presets == presets)

@@ -112,7 +112,7 @@ static void swap(Player *player, const PlayerMessage *message) {
   for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
   player->striker_count = message->strikers;
   player_listen(player);
-  silencer_forget(&player->silencer);
+  if (message->begins_anew) silencer_forget(&player->silencer);
   meter_event(player, &event);
 }
 

@@ -47,6 +47,7 @@ typedef struct PlayerMessage {
   uint32_t type;  /**< a PlayerMessageType */
   uint8_t mics[TABOR_MAX_MICS];
   uint32_t strikers;
+  bool begins_anew; /**< of a swap: another drum comes, with live values of its own */
   double value;
   TaborEvent event; /**< its own frame is ignored */
 } PlayerMessage;

@@ -228,6 +228,29 @@ static void silence_is_silent_and_keeps_the_drum(void **state) {
   stage_close(stage);
 }
 
+/* A heavy change of the drum leaves what moved where it is, and so does a silence after it; another preset begins
+ * anew. */
+static void silence_after_a_change_keeps_what_moved(void **state) {
+  (void)state;
+  Messages messages = {0};
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  assert_int_equal(drum_changes_set(stage->changes, 1000, "set", "batter.tension", "4321"),
+                   OUTCOME_OK);
+  assert_int_equal(drum_changes_preset(stage->changes, 6000, "frame-drum"), OUTCOME_OK);
+  messages_add(&messages, message_parameter(0, "mic.top.gain", 0));
+  messages_add(&messages, message_strike(500, 5, 0.03));
+  messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
+  messages_add(&messages, message_strike(2001, 5, 0.03));
+  messages_add(&messages, (PlayerMessage){.frame = 6500, .type = PLAYER_SILENCE});
+  messages_add(&messages, message_strike(6501, 5, 0.03));
+  stage_play(stage, &messages, FRAMES, 128);
+  stage_end(stage);
+  assert_true(stage_peak(stage, 500, 2000) == 0);
+  assert_true(stage_peak(stage, 2000, 6000) == 0);
+  assert_true(stage_peak(stage, 6500, 9000) > 1e-2);
+  stage_close(stage);
+}
+
 static void a_stroke_during_silencing_is_not_lost(void **state) {
   (void)state;
   Messages messages = {0};
@@ -443,6 +466,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(gain_does_not_click),
     cmocka_unit_test(full_scale_is_never_passed),
     cmocka_unit_test(silence_is_silent_and_keeps_the_drum),
+    cmocka_unit_test(silence_after_a_change_keeps_what_moved),
     cmocka_unit_test(a_stroke_during_silencing_is_not_lost),
     cmocka_unit_test(presets_with_less_are_played_all_the_same),
     cmocka_unit_test(changes_come_while_it_rings),

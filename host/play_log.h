@@ -12,7 +12,7 @@
 typedef struct PlayLog {
   bool has_begun, clips;
   char preset[TABOR_TEXT_SIZE];
-  uint64_t strokes, xruns, dropped, recovered;
+  uint64_t strokes, xruns, dropped, recovered, ignored_notes;
 } PlayLog;
 
 /** Tells what is new since the last look: strokes, another drum, gaps and other trouble, a line each. */

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "play_midi.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "stopwatch.h"
 
 #define BINDING_AGE 0.05 /* [s] after which the drum may be another one */
 
-/* All but what play_midi_open() sets belongs to the thread that receives. */
+/* All but what play_midi_open() sets, and the count, belongs to the thread that receives. */
 struct PlayMidi {
   MidiMap map;
   MidiDrum drum;
@@ -17,6 +18,7 @@ struct PlayMidi {
   Player *player;
   DrumChanges *changes;
   MidiInput *input;
+  atomic_uint_least64_t ignored;
 };
 
 static void bind(PlayMidi *midi, double now) {
@@ -43,7 +45,9 @@ static void receive(void *context, double time, const MidiMessage *message) {
   const double now = stopwatch_seconds(CLOCK_MONOTONIC);
   MidiAction action;
   if (now - midi->bound > BINDING_AGE) bind(midi, now);
-  if (!midi_drum_take(&midi->drum, message, &action)) return;
+  const bool acts = midi_drum_take(&midi->drum, message, &action);
+  atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
+  if (!acts) return;
   Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
   humanize(&midi->humanizer, midi->head_radius, &cue.message.event);
   if (cue.preset) {
@@ -72,6 +76,8 @@ void play_midi_status(const PlayMidi *midi, MidiInputStatus *status) {
   *status = (MidiInputStatus){0};
   if (midi && midi->input) midi_input_status(midi->input, status);
 }
+
+uint64_t play_midi_ignored(const PlayMidi *midi) { return midi ? atomic_load(&midi->ignored) : 0; }
 
 void play_midi_close(PlayMidi *midi) {
   if (!midi) return;

@@ -17,6 +17,8 @@ typedef struct PlayMidi PlayMidi;
 Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
                        PlayMidi **midi);
 void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
+/** How many notes have come that are not in the map. @p midi may be NULL. */
+uint64_t play_midi_ignored(const PlayMidi *midi);
 /** To be called before @p changes and the player go. NULL is allowed. */
 void play_midi_close(PlayMidi *midi);
 

@@ -50,19 +50,21 @@ static json_t *report_json(const Performance *performance, const PlayStatus *sta
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(status->newton_mean), "max",
               (json_int_t)status->newton_max, "capped", (json_int_t)status->newton_capped);
+  const uint64_t ignored = status->ignored_notes + performance->request->song.counts.ignored_notes;
   json_t *const device =
     json_pack("{s:s, s:o, s:o, s:I, s:o, s:b}", "backend", performance->request->backend->name,
               "name", json_text(status->device), "rate", json_number(status->rate), "buffer",
               (json_int_t)status->buffer, "latency", json_number(status->latency), "real_time",
               performance->is_urgent);
-  return json_pack("{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o}",
+  return json_pack("{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o}",
                    "preset", json_text(status->preset), "device", device, "frames",
                    (json_int_t)player_position(performance->player), "channels",
                    (json_int_t)status->channels, "strokes", (json_int_t)status->strokes, "late",
-                   (json_int_t)status->late, "dropped", (json_int_t)status->dropped, "peak",
-                   json_number(status->loudest), "clipped", (json_int_t)status->clipped, "xruns",
-                   (json_int_t)status->xruns, "recovered", (json_int_t)status->recovered, "load",
-                   load, "newton", newton, "recording", recording_json(performance, status));
+                   (json_int_t)status->late, "dropped", (json_int_t)status->dropped,
+                   "ignored_notes", (json_int_t)ignored, "peak", json_number(status->loudest),
+                   "clipped", (json_int_t)status->clipped, "xruns", (json_int_t)status->xruns,
+                   "recovered", (json_int_t)status->recovered, "load", load, "newton", newton,
+                   "recording", recording_json(performance, status));
 }
 
 /* How the device was served; of no meaning where sound waits. */
@@ -79,6 +81,10 @@ static void describe_load(const Performance *performance, const PlayStatus *stat
 static void note_summary(const Performance *performance, const PlayStatus *status) {
   const PlayRequest *const request = performance->request;
   const bool recorded = request->records && performance->unwritten == 0;
+  if (status->ignored_notes > 0) {
+    note("%llu note%s not in the MIDI map and passed over", (Count)status->ignored_notes,
+         status->ignored_notes == 1 ? " was" : "s were");
+  }
   char load[100];
   describe_load(performance, status, load, sizeof load);
   note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,

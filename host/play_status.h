@@ -38,6 +38,7 @@ typedef struct PlayStatus {
   uint64_t strokes;       /**< strokes begun */
   uint64_t late;          /**< events that came after their frame */
   uint64_t dropped;       /**< events that found no room, or that nothing could carry out */
+  uint64_t ignored_notes; /**< live MIDI notes that are not in the map */
   TaborEvent last_event;  /**< the newest that was carried out; type 0: none yet */
   double last_time;       /**< when that was [s] */
   /* recording */

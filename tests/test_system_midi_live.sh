@@ -66,16 +66,36 @@ same "nothing is dropped" 0 "$(json dropped)"
 check_onsets own.wav 0.4 0.8
 check "velocity 127 is 12 m/s" grep -q "12.00 m/s" "$err"
 
+# ---- an input that is there, and is listed ----
+
+"$JACK_SEND" - 0.1:992640 &
+sender=$!
+listed() {
+  run devices --json
+  [ "$(json midi_inputs.0.name)" = "Jack: jack_send:out" ]
+}
+check "devices lists an input" wait_for listed
+same "that is heard if it is asked for" false "$(json midi_inputs.0.default)"
+run devices
+check "in a line" grep -qx 'Jack: jack_send:out: MIDI input' "$out"
+start_play --midi-in jack_s
+wait $sender
+same "the sender's status" 0 $?
+sleep 0.2
+end_play
+same "its stroke" 1 "$(json strokes)"
+
 # ---- an input that comes later, by its name ----
 
 start_play --midi-in jack_s --midi-channel 2 --record named.wav
 check "it is said that there is none" grep -q "^tabor: warning: --midi-in 'jack_s': no MIDI input" "$err"
-check "notes are sent" "$JACK_SEND" - 0.1:912630 0.3:922630 0.5:91267f
+check "notes are sent" "$JACK_SEND" - 0.1:912630 0.3:922630 0.5:91267f 0.6:913c7f 0.7:91017f 0.7:910100
 sleep 0.2
 check "its coming is said" grep -q "^MIDI from Jack: jack_send:out" "$err"
 check "its going is said" wait_for grep -q "^MIDI: 'jack_send:out' is gone" "$err"
 end_play
 same "strokes on channel 2" 2 "$(json strokes)"
+same "notes that are not in the map" 2 "$(json ignored_notes)"
 check_onsets named.wav 0.4
 
 # ---- presets, maps, silence ----

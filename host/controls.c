@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "command_words.h"
 #include "number.h"
-#include "suggest.h"
 
 #define LEAST_GAIN (-60.0)
 #define LARGEST_GAIN 24.0
@@ -228,13 +228,6 @@ Controls controls_begin(Player *player, DrumChanges *changes, double rate, doubl
 
 /* ---- commands ---- */
 
-/* A command's word, and what it does with the text behind it. */
-typedef struct CommandWord {
-  const char *word;
-  const char *usage; /* what has to follow; NULL: nothing may */
-  void (*run)(Controls *controls, const char *text, double time);
-} CommandWord;
-
 static void run_set(Controls *controls, const char *text, double time) {
   const size_t length = strcspn(text, " =");
   char key[CONTROLS_TEXT_SIZE];
@@ -305,52 +298,15 @@ static void run_quit(Controls *controls, const char *text, double time) {
   controls->quits = true;
 }
 
-static const CommandWord commands[] = {
-  {"set", "KEY VALUE", run_set},
-  {"preset", "NAME", run_preset},
-  {"gain", "DB", run_gain},
-  {"speed", "M/S", run_speed},
-  {"humanize", "AMOUNT", run_humanize},
-  {"silence", NULL, run_silence},
-  {"help", NULL, run_help},
-  {"quit", NULL, run_quit},
-};
-#define COMMANDS (sizeof commands / sizeof commands[0])
-
-static const char *command_at(const void *list, size_t index) {
-  (void)list;
-  return index < COMMANDS ? commands[index].word : NULL;
-}
-
-static const CommandWord *find_command(const char *word, size_t length) {
-  if (length == 1 && *word == 'q') return &commands[COMMANDS - 1];
-  for (size_t i = 0; i < COMMANDS; i++) {
-    if (strlen(commands[i].word) == length && memcmp(commands[i].word, word, length) == 0)
-      return &commands[i];
-  }
-  return NULL;
-}
-
-static void refuse_command(const char *word, size_t length) {
-  char name[32] = "", hint[200];
-  if (length < sizeof name) memcpy(name, word, length);
-  suggest_choice(hint, sizeof hint, name, "", command_at, NULL);
-  (void)refuse("unknown command '%.*s'%s", (int)(length < 80 ? length : 80), word, hint);
-}
-
-static void run_word(Controls *controls, const char *text, double time) {
-  const size_t length = strcspn(text, " ");
-  const char *const rest = text + length + strspn(text + length, " ");
-  const CommandWord *const command = find_command(text, length);
-  if (!command) {
-    refuse_command(text, length);
-  } else if (!*rest && command->usage) {
-    (void)refuse("%s needs more: %s %s", command->word, command->word, command->usage);
-  } else if (*rest && !command->usage) {
-    (void)refuse("nothing may follow '%s'", command->word);
-  } else {
-    command->run(controls, rest, time);
-  }
+static void run_command(Controls *controls, const char *text, double time) {
+  static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
+    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
+    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
+    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
+  };
+  CommandWord command;
+  const char *rest;
+  if (command_words_read(text, &command, &rest) == OUTCOME_OK) runs[command](controls, rest, time);
 }
 
 void controls_run(Controls *controls, const char *command, double time) {
@@ -360,7 +316,7 @@ void controls_run(Controls *controls, const char *command, double time) {
   begin_text(controls);
   if (!*text) return;
   const MessageCapture before = message_capture(trouble, sizeof trouble);
-  run_word(controls, text, time);
+  run_command(controls, text, time);
   message_release(before);
   if (!*trouble) return;
   (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
@@ -372,9 +328,9 @@ void controls_run(Controls *controls, const char *command, double time) {
 /* Word @p index of those that may stand there, perhaps in @p room; NULL past the last. */
 typedef const char *WordAt(size_t index, char room[2 * TABOR_NAME_SIZE]);
 
-static const char *command_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+static const char *typed_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
   (void)room;
-  return command_at(NULL, index);
+  return command_word_at(NULL, index);
 }
 
 static const char *preset_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
@@ -430,7 +386,7 @@ bool controls_complete(const char *command, size_t cursor, size_t *start, char *
   static const struct {
     const char *before;
     WordAt *word_at;
-  } places[] = {{"", command_word_at}, {"set ", key_word_at}, {"preset ", preset_word_at}};
+  } places[] = {{"", typed_word_at}, {"set ", key_word_at}, {"preset ", preset_word_at}};
   *start = cursor;
   while (*start > 0 && command[*start - 1] != ' ') (*start)--;
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {

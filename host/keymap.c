@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "command_words.h"
 #include "number.h"
 #include "preset_file.h"
 #include "suggest.h"
@@ -201,9 +202,16 @@ static const char *word_at(const void *list, size_t index) {
 
 static bool read_command(Line *line) {
   line->binding.kind = ACTION_RUN;
-  const char *const text = line->action + 1;
+  const char *text = line->action + 1, *rest;
+  CommandWord command;
+  char reason[TABOR_TEXT_SIZE];
   (void)snprintf(line->binding.text, sizeof line->binding.text, "%s", text);
-  return *text != '\0' || refuse_action(line, "no command follows the ':'");
+  text += strspn(text, " ");
+  if (*text == '\0') return refuse_action(line, "no command follows the ':'");
+  const MessageCapture before = message_capture(reason, sizeof reason);
+  const Outcome outcome = command_words_read(text, &command, &rest);
+  message_release(before);
+  return outcome == OUTCOME_OK || refuse_action(line, reason);
 }
 
 static bool read_action(Line *line) {

@@ -79,7 +79,7 @@ same "no strokes while typing" 0 "$(strokes)"
 types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e[A' \
   'wait :set batter.tension 9000' 'type \x7f\x7f\x7f\x7f1\r' 'wait is outside 100 to 20000 N/m' \
   'type :set wires.tenson 3\r' 'wait did you mean' 'type :foo\r' "wait unknown command 'foo'" \
-  'type :preset nodrum\r' "wait nodrum" 'type :gain 3\r' 'wait gain +3.0 dB' 'type ++-' \
+  'type :preset nodrum\r' "wait nodrum" 'type :preset tom-21\r' "wait did you mean 'tom-12'" 'type :gain 3\r' 'wait gain +3.0 dB' 'type ++-' \
   'wait gain +4.0 dB' 'type :gain 99\r' 'wait allowed: -60 to 24' 'type :speed 4\r' 'wait 4.00 m/s' \
   'type :humanize 0.5\r' 'wait humanize 0.5' 'type :set' 'sleep 0.1' 'type \e' 'wait ? help' \
   'type :gain\r' 'wait gain needs more: gain DB' 'type :silence now\r' "wait nothing may follow 'silence'"

@@ -57,6 +57,16 @@ static Outcome add_song(Performance *performance) {
   return outcome;
 }
 
+/* As in rendering, what would not be heard is a mistake. */
+static Outcome check_duration(const Performance *performance) {
+  const PlayRequest *const request = performance->request;
+  const double rate = request->model.sample_rate,
+               last = (double)score_last_stroke(&performance->score);
+  if (request->duration == 0 || last < round(request->duration * rate)) return OUTCOME_OK;
+  return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s",
+                arguments_value(request->arguments, "duration"), last / rate);
+}
+
 static Outcome read_score(Performance *performance) {
   Strokes strokes;
   Outcome outcome = read_strokes(performance, &strokes);
@@ -64,7 +74,7 @@ static Outcome read_score(Performance *performance) {
   if (outcome == OUTCOME_OK) outcome = add_song(performance);
   strokes_free(&strokes);
   score_sort(&performance->score);
-  return outcome;
+  return outcome == OUTCOME_OK ? check_duration(performance) : outcome;
 }
 
 static Outcome create_drum(Performance *performance) {
@@ -234,6 +244,7 @@ void performance_status(Performance *performance, PlayStatus *status) {
   MidiInputStatus midi;
   play_midi_status(performance->midi, &midi);
   status->dropped += midi.dropped;
+  status->ignored_notes = play_midi_ignored(performance->midi);
 }
 
 /* ---- closing -------------------------------------------------------------------------------- */

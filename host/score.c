@@ -44,6 +44,17 @@ uint64_t score_last_frame(const Score *score) {
   return score->count > 0 ? score->cues[score->count - 1].message.frame : 0;
 }
 
+static bool is_release(const Cue *cue) {
+  return !cue->preset && cue->message.type == PLAYER_EVENT &&
+         cue->message.event.type == TABOR_EVENT_RELEASE;
+}
+
+uint64_t score_last_stroke(const Score *score) {
+  size_t last = score->count;
+  while (last > 0 && is_release(&score->cues[last - 1])) last--;
+  return last > 0 ? score->cues[last - 1].message.frame : 0;
+}
+
 void score_free(Score *score) {
   free(score->cues);
   *score = (Score){0};

@@ -30,6 +30,8 @@ Outcome score_add_strokes(Score *score, const Strokes *strokes);
 void score_sort(Score *score);
 /** Frame of the last cue; 0 without any. */
 uint64_t score_last_frame(const Score *score);
+/** The same, but for releases. */
+uint64_t score_last_stroke(const Score *score);
 void score_free(Score *score);
 
 /** Passes on what comes before frame @p until, as far as the player has room. */

@@ -148,6 +148,10 @@ refused "--buffer '4097'" play --buffer 4097
 refused "--buffer '64.5'" play --buffer 64.5
 refused "--rate '8000'" play --backend null --rate 8000
 refused "--duration '0'" play --backend null --duration 0
+refused "--duration '0.2': too short; the last stroke comes at " play --backend null --events strokes.csv \
+  --duration 0.2
+refused "--duration '0.2': too short; the last stroke comes at " play --backend file --record x.wav \
+  --events strokes.csv --duration 0.2
 refused "--quality 'best'" play --quality best
 refused "--gain 'loud'" play --gain loud
 refused "--mic 'nope': the drum has no such microphone" play --mic nope
@@ -168,6 +172,7 @@ failed "exists and is not overwritten" play --backend null --duration 0.1 --reco
 "$TABOR" devices --json >"$out" 2>"$err"
 same "status of devices" 0 $?
 same "devices prints nothing but facts" "" "$(cat "$err")"
+same "of sound and MIDI" "devices midi_inputs" "$(json keys)"
 if [ "$(json devices.size)" = 0 ]; then
   failed 'there is no sound output; --backend null plays without one' play
   failed 'there is no sound output' play --device 'ALSA: hw'

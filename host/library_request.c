@@ -131,10 +131,10 @@ static Outcome read_folder(const Arguments *arguments, LibraryRequest *request) 
   return request->instrument ? OUTCOME_OK : fail_memory();
 }
 
-/* As the first sound will be; all the others are alike. */
+/* As every sound will be. None of their names is taken: what is finished may be write-protected. */
 static Outcome read_rendering(const Arguments *arguments, LibraryRequest *request) {
   Arguments first;
-  char *const path = folder_path(request->folder, request->plan.sounds[0].file);
+  char *const path = folder_path(request->folder, ".tabor-sound.wav");
   Outcome outcome = arguments_copy(arguments, arguments->operand, &first);
   if (outcome == OUTCOME_OK && !path) outcome = fail_memory();
   if (outcome == OUTCOME_OK) {

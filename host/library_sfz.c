@@ -51,7 +51,8 @@ static Outcome print_text(const LibraryRequest *request, char **text) {
 Outcome library_sfz_write(const LibraryRequest *request, const char *path) {
   char *text = NULL;
   Outcome outcome = print_text(request, &text);
-  if (outcome == OUTCOME_OK) outcome = text_file_write(path, text, false);
+  const bool is_there = outcome == OUTCOME_OK && text_file_holds(path, text);
+  if (outcome == OUTCOME_OK && !is_there) outcome = text_file_write(path, text, false);
   free(text);
   return outcome;
 }

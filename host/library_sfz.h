@@ -9,7 +9,7 @@
 
 #include "library_request.h"
 
-/** Writes FOLDER/PRESET.sfz as @p path. */
+/** Writes FOLDER/PRESET.sfz as @p path, unless it is there already. */
 Outcome library_sfz_write(const LibraryRequest *request, const char *path);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "text_file.h"
 
+#include <stdio.h>
 #include <string.h>
 
 Outcome text_file_write(const char *path, const char *text, bool keep_existing) {
@@ -13,4 +14,13 @@ Outcome text_file_write(const char *path, const char *text, bool keep_existing) 
   if (outcome == OUTCOME_OK) outcome = output_deliver(files, 1);
   output_discard(&file);
   return outcome;
+}
+
+bool text_file_holds(const char *path, const char *text) {
+  FILE *const file = fopen(path, "r");
+  bool same = file != NULL;
+  while (same && *text) same = getc(file) == (unsigned char)*text++;
+  same = same && getc(file) == EOF;
+  if (file) (void)fclose(file);
+  return same;
 }

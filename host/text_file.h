@@ -10,5 +10,7 @@
 
 /** Writes @p text into the file @p path; with @p keep_existing fails if it exists. */
 Outcome text_file_write(const char *path, const char *text, bool keep_existing);
+/** True if the file @p path holds @p text and nothing else. */
+bool text_file_holds(const char *path, const char *text);
 
 #endif

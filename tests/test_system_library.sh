@@ -275,6 +275,22 @@ same "facts" "null 0 0 2" "$(json instrument) $(json rendered) $(json kept) $(js
 same "no instrument, nothing half-written" "tabor-library.json " "$(files failing)"
 done_quietly "${two[@]}" -q
 same "with room again" 2 "$(sounds failing)"
+
+# Nothing is to be done, and nobody may write there; root may everywhere, and does it as somebody else.
+chmod 755 "$private" "$work"
+chmod 555 failing
+somebody=()
+if [ "$(id -u)" = 0 ]; then somebody=(setpriv --reuid 65534 --regid 65534 --clear-groups); fi
+if "${somebody[@]}" "$TABOR" --version >"$out" 2>&1 && ! "${somebody[@]}" touch failing/x 2>"$err"; then
+  before=$(snapshot)
+  "${somebody[@]}" "$TABOR" "${two[@]}" --json >"$out" 2>"$err"
+  same "status where nobody may write" "0 " "$? $(cat "$err")"
+  same "all is there" "failing/tabor.sfz 0 2" "$(json instrument) $(json rendered) $(json kept)"
+  same "and stays" "$before" "$(snapshot)"
+else
+  skipped="a library where nobody may write (it needs setpriv)"
+fi
+chmod 755 failing
 if "$TABOR" "${two[@]}" --json >/dev/full 2>"$err"; then complain "standard output is full"; fi
 check "which is said" grep -q '^tabor: .*standard output: No space left' "$err"
 

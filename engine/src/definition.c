@@ -58,10 +58,7 @@ static const char *group_word(TbGroup group) {
 }
 
 TaborStatus tb_check_struct(const TaborDrumDef *def, TaborError *error) {
-  if (!def) {
-    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,
-                        "the definition is NULL");
-  }
+  if (!def) return tb_error_null(error, "definition");
   if (def->struct_size != sizeof *def) {
     return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,
                         "the definition's struct_size %u is not that of this library, %zu",

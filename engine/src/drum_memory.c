@@ -12,11 +12,9 @@ static TaborStatus memory_error(TaborError *error, const char *what) {
 }
 
 TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *error) {
-  if (!out) return TABOR_ERROR_ARGUMENT;
+  if (!out) return tb_error_null(error, "place for the drum");
   *out = NULL;
-  if (!model) {
-    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN, "no model was given");
-  }
+  if (!model) return tb_error_null(error, "model");
   const TaborAllocator allocator = model->arena.allocator;
   TaborDrum *drum = allocator.allocate(sizeof *drum, allocator.context);
   if (!drum) return memory_error(error, "drum");
@@ -49,9 +47,8 @@ static bool same_allocator(const TaborModel *a, const TaborModel *b) {
 
 static TaborStatus check_models(const TaborModel *old_model, const TaborModel *new_model,
                                 TaborError *error) {
-  if (!old_model || !new_model) {
-    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN, "no model was given");
-  }
+  if (!old_model) return tb_error_null(error, "old model");
+  if (!new_model) return tb_error_null(error, "new model");
   if (old_model->sample_rate != new_model->sample_rate) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", NULL, old_model->sample_rate,
                         old_model->sample_rate, "a drum at %g Hz cannot continue at %g Hz",
@@ -66,7 +63,7 @@ static TaborStatus check_models(const TaborModel *old_model, const TaborModel *n
 
 TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model, TaborSwap **out,
                               TaborError *error) {
-  if (!out) return TABOR_ERROR_ARGUMENT;
+  if (!out) return tb_error_null(error, "place for the swap");
   *out = NULL;
   const TaborStatus status = check_models(old_model, new_model, error);
   if (status != TABOR_OK) return status;

@@ -88,6 +88,11 @@ TaborStatus tb_error_set(TaborError *error, TaborStatus status, const char *key,
   return status;
 }
 
+TaborStatus tb_error_null(TaborError *error, const char *what) {
+  return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, (double)NAN, (double)NAN,
+                      "the %s is NULL", what);
+}
+
 TaborStatus tb_error_clear(TaborError *error) {
   return tb_error_set(error, TABOR_OK, NULL, NULL, (double)NAN, (double)NAN, "%s", "");
 }

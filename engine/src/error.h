@@ -31,6 +31,9 @@
 TaborStatus tb_error_set(TaborError *error, TaborStatus status, const char *key, const char *value,
                          double minimum, double maximum, const char *format, ...) TB_PRINTF(7, 8);
 
+/** The same for an argument that is NULL: "the WHAT is NULL". */
+TaborStatus tb_error_null(TaborError *error, const char *what);
+
 /** Sets @p error, if it is not NULL, to TABOR_OK without key, value, range or message. */
 TaborStatus tb_error_clear(TaborError *error);
 

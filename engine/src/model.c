@@ -11,6 +11,7 @@
 #include "power.h"
 #include "state.h"
 #include "stretch.h"
+#include "text.h"
 
 /* What a quality level stands for. */
 typedef struct Level {
@@ -309,16 +310,20 @@ static TaborStatus check_options(const TaborModelOptions *options, TaborError *e
     return tb_error_set(error, TABOR_ERROR_ARGUMENT, "allocator", NULL, NAN, NAN,
                         "the allocator has only one of its two functions");
   }
+  char value[TB_NUMBER_SIZE];
   if (!(options->sample_rate >= 22050.0 && options->sample_rate <= 192000.0)) {
-    return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", NULL, 22050.0, 192000.0,
+    tb_number_print(options->sample_rate, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", value, 22050.0, 192000.0,
                         "sample rate %g Hz is outside 22050 to 192000 Hz", options->sample_rate);
   }
   if (options->quality > TABOR_QUALITY_REFERENCE) {
-    return tb_error_set(error, TABOR_ERROR_RANGE, "quality", NULL, 0.0, TABOR_QUALITY_REFERENCE,
+    tb_number_print(options->quality, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "quality", value, 0.0, TABOR_QUALITY_REFERENCE,
                         "unknown quality %u", (unsigned)options->quality);
   }
   if (options->instructions > TABOR_INSTRUCTIONS_AVX512) {
-    return tb_error_set(error, TABOR_ERROR_RANGE, "instructions", NULL, 0.0,
+    tb_number_print(options->instructions, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "instructions", value, 0.0,
                         TABOR_INSTRUCTIONS_AVX512, "unknown instruction set %u",
                         (unsigned)options->instructions);
   }
@@ -332,7 +337,7 @@ static TaborStatus memory_error(TaborError *error) {
 
 TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                TaborModel **out, TaborError *error) {
-  if (!out) return TABOR_ERROR_ARGUMENT;
+  if (!out) return tb_error_null(error, "place for the model");
   *out = NULL;
   TaborModelOptions defaults;
   tabor_model_options_default(&defaults);

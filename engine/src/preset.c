@@ -38,10 +38,8 @@ static TaborStatus refuse_preset(const char *name, TaborError *error) {
 }
 
 TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
-  if (!def || !name) {
-    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, name, NAN, NAN, "the %s is NULL",
-                        def ? "preset's name" : "definition");
-  }
+  if (!def) return tb_error_null(error, "definition");
+  if (!name) return tb_error_null(error, "preset's name");
   const TbPreset *const preset = find_preset(name);
   if (!preset) return refuse_preset(name, error);
   TaborDrumDef read;

@@ -13,9 +13,12 @@
 #define LARGEST_GAIN 24.0
 #define MUFFLE 2.0 /* [N s/m]: a pad of gel, where the preset has none */
 #define BUZZ_PRESSURE 0.2
-#define CROSS_STICK_PLACE 0.6  /* of the radius, where its tip lies on the head */
-#define BUZZ_TIME 0.3          /* of a buzz, unless its hand strikes again before [s] */
-#define FIRST_HAND 0xFFFFFF00u /* id of its strokes; the other has the next */
+#define CROSS_STICK_PLACE 0.6 /* of the radius, where its tip lies on the head */
+#define BUZZ_TIME 0.3         /* of a buzz, unless its hand strikes again before [s] */
+#define SWEEP_PRESSURE 0.5
+#define SWEEP_TIME 0.6         /* of a sweep, unless its key comes again before [s] */
+#define BRUSH_HAND 2u          /* the one that sweeps */
+#define FIRST_HAND 0xFFFFFF00u /* id of its strokes; the others have the next */
 #define MUFFLE_PLACE 0.75      /* of the radius: where it lies then */
 
 /* ---- saying ---- */
@@ -154,11 +157,37 @@ static void hold(Controls *controls, TaborEvent *event, double time) {
   controls->hand = 1 - controls->hand;
 }
 
+/* With the drum's first brush, at its own speed; a key that is held down goes on. */
+static void sweep(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  uint32_t brush = 0;
+  while (brush < def.striker_count && def.striker[brush].kind != TABOR_STRIKER_BRUSH) brush++;
+  if (brush == def.striker_count) {
+    (void)refuse("this drum has no brush");
+    return;
+  }
+  double *const release = &controls->release_time[BRUSH_HAND];
+  const bool goes_on = *release != 0;
+  *release = time + SWEEP_TIME;
+  if (goes_on) return;
+  TaborEvent event = make_stroke(controls, controls->last_place, def.striker[brush].sweep_speed);
+  event.id = FIRST_HAND + BRUSH_HAND;
+  event.striker = brush;
+  event.technique = TABOR_TECHNIQUE_SWEEP;
+  event.value = SWEEP_PRESSURE;
+  send_event(controls, &event, time);
+}
+
 /* Where the last stroke was, as fast as the next; a stick that lies across has its own place. */
 static void strike_with(Controls *controls, const char *technique, double time) {
   const int number = find_technique(technique);
   if (number < 0) {
     (void)refuse("%s: this version has no such stroke yet", technique);
+    return;
+  }
+  if (number == TABOR_TECHNIQUE_SWEEP) {
+    sweep(controls, time);
     return;
   }
   const bool across = number == TABOR_TECHNIQUE_CROSS_STICK;
@@ -170,7 +199,7 @@ static void strike_with(Controls *controls, const char *technique, double time) 
 }
 
 void controls_pass(Controls *controls, double time) {
-  for (unsigned hand = 0; hand < 2; hand++) {
+  for (unsigned hand = 0; hand < CONTROLS_HANDS; hand++) {
     if (controls->release_time[hand] == 0 || time < controls->release_time[hand]) continue;
     controls->release_time[hand] = 0;
     const TaborEvent event = {.type = TABOR_EVENT_RELEASE, .id = FIRST_HAND + hand};

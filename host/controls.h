@@ -13,21 +13,24 @@
 #include "humanize.h"
 #include "keymap.h"
 
+#define CONTROLS_HANDS 3u /**< two that buzz in turn, and the one with the brush */
 #define CONTROLS_TEXT_SIZE 512
 
 typedef struct Controls {
   Player *player;
   DrumChanges *changes;
   Humanizer humanizer;
-  double rate;            /**< [Hz] */
-  double speed;           /**< of strokes [m/s] */
-  double gain_db;         /**< of the output [dB] */
-  double strainer;        /**< to which the snares are switched on */
-  double muffle;          /**< to which the muffle is switched on [N s/m] */
-  double last_place;      /**< of the last stroke, as a share of the head's radius */
-  double last_speed;      /**< [m/s] */
-  unsigned hand;          /**< that makes the next buzz, 0 or 1 */
-  double release_time[2]; /**< when each hand lifts its buzzing stick [s]; 0: it holds none */
+  double rate;       /**< [Hz] */
+  double speed;      /**< of strokes [m/s] */
+  double gain_db;    /**< of the output [dB] */
+  double strainer;   /**< to which the snares are switched on */
+  double muffle;     /**< to which the muffle is switched on [N s/m] */
+  double last_place; /**< of the last stroke, as a share of the head's radius */
+  double last_speed; /**< [m/s] */
+  unsigned hand;     /**< that makes the next buzz, 0 or 1 */
+  double release_time
+    [CONTROLS_HANDS]; /**< when each hand lifts its buzzing stick, and the last one the sweeping
+                                            brush [s]; 0: it holds none */
   bool opens_command, shows_help,
     quits;                       /**< what the user wants next; the caller resets the first */
   char text[CONTROLS_TEXT_SIZE]; /**< what is to be said of the last action, "" for nothing */
@@ -39,7 +42,7 @@ Controls controls_begin(Player *player, DrumChanges *changes, double rate, doubl
                         Humanizer humanizer);
 /** Carries out what a key does, pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
-/** Lifts sticks that have buzzed long enough: there is no telling when a key is let go. To be called often. */
+/** Lifts sticks that have buzzed and brushes that have swept long enough: there is no telling when a key is let go. To be called often. */
 void controls_pass(Controls *controls, double time);
 /** Carries out a command, as "set wires.tension 20", given at @p time. */
 void controls_run(Controls *controls, const char *command, double time);

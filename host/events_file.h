@@ -4,7 +4,7 @@
  * `--events`: strokes as comma-separated values.
  *
  * The first line names the columns: any of stroke.h's fields, each once, in any order. Every further
- * line is a stroke, or with `press` or `release` in the column `event` a change to sticks in play; an empty field is the preset's, an empty time 0. Lines that are blank, hold
+ * line is a stroke, or with `press`, `release` or `move` in the column `event` a change to what is in play; an empty field is the preset's, an empty time 0. Lines that are blank, hold
  * nothing but commas, or begin with '#' are passed over. Blanks around fields do not count; a field
  * may stand in double quotes, as spreadsheets write them. Line ends are LF or CR LF.
  */

@@ -63,6 +63,7 @@ void keymap_default(Keymap *keymap) {
   bind_technique(keymap, 'x', "cross-stick");
   bind_technique(keymap, 'c', "rim");
   bind_technique(keymap, 'v', "buzz");
+  bind_technique(keymap, 'm', "sweep");
   bind_plain(keymap, 'b', ACTION_SNARES, 0);
   bind_plain(keymap, 'n', ACTION_MUFFLE, 0);
   bind_plain(keymap, '[', ACTION_PRESET, -1);
@@ -176,21 +177,14 @@ static const struct ActionWord {
   ActionKind kind;
   ArgumentReader *read;
 } words[] = {
-  {"none", ACTION_NONE, read_nothing},
-  {"stroke", ACTION_STROKE, read_place},
-  {"ghost", ACTION_GHOST, read_place},
-  {"repeat", ACTION_REPEAT, read_nothing},
-  {"rimshot", ACTION_TECHNIQUE, read_technique},
-  {"cross-stick", ACTION_TECHNIQUE, read_technique},
-  {"rim", ACTION_TECHNIQUE, read_technique},
-  {"buzz", ACTION_TECHNIQUE, read_technique},
-  {"speed", ACTION_SPEED, read_speed},
-  {"snares", ACTION_SNARES, read_nothing},
-  {"muffle", ACTION_MUFFLE, read_nothing},
-  {"preset", ACTION_PRESET, read_direction},
-  {"gain", ACTION_GAIN, read_gain},
-  {"command", ACTION_COMMAND, read_nothing},
-  {"help", ACTION_HELP, read_nothing},
+  {"none", ACTION_NONE, read_nothing},           {"stroke", ACTION_STROKE, read_place},
+  {"ghost", ACTION_GHOST, read_place},           {"repeat", ACTION_REPEAT, read_nothing},
+  {"rimshot", ACTION_TECHNIQUE, read_technique}, {"cross-stick", ACTION_TECHNIQUE, read_technique},
+  {"rim", ACTION_TECHNIQUE, read_technique},     {"buzz", ACTION_TECHNIQUE, read_technique},
+  {"sweep", ACTION_TECHNIQUE, read_technique},   {"speed", ACTION_SPEED, read_speed},
+  {"snares", ACTION_SNARES, read_nothing},       {"muffle", ACTION_MUFFLE, read_nothing},
+  {"preset", ACTION_PRESET, read_direction},     {"gain", ACTION_GAIN, read_gain},
+  {"command", ACTION_COMMAND, read_nothing},     {"help", ACTION_HELP, read_nothing},
   {"quit", ACTION_QUIT, read_nothing},
 };
 #define WORDS (sizeof words / sizeof words[0])

@@ -21,7 +21,7 @@ typedef enum ActionKind {
   ACTION_STROKE,    /**< value: the place, as a share of the head's radius */
   ACTION_GHOST,     /**< the same at a third of the speed */
   ACTION_REPEAT,    /**< the last stroke once more */
-  ACTION_TECHNIQUE, /**< text: "rimshot", "cross-stick", "rim", "buzz": such a stroke */
+  ACTION_TECHNIQUE, /**< text: "rimshot", "cross-stick", "rim", "buzz", "sweep": such a stroke */
   ACTION_SPEED,     /**< value: of the strokes to come [m/s] */
   ACTION_SNARES,    /**< on or off */
   ACTION_MUFFLE,    /**< on or off */

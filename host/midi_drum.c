@@ -40,6 +40,21 @@ static uint32_t find_striker(const TaborDrumDef *def, const char *name) {
   return usual > 0 ? (uint32_t)usual : 0;
 }
 
+/* The note's striker if it is a brush, else the drum's first brush. */
+static uint32_t find_brush(const TaborDrumDef *def, uint32_t wanted) {
+  if (def->striker[wanted].kind == TABOR_STRIKER_BRUSH) return wanted;
+  for (uint32_t i = 0; i < def->striker_count; i++) {
+    if (def->striker[i].kind == TABOR_STRIKER_BRUSH) return i;
+  }
+  return MIDI_NO_BRUSH;
+}
+
+static void bind_sweep(const TaborDrumDef *def, MidiBinding *binding, int note) {
+  const uint32_t brush = find_brush(def, binding->strikers[note]);
+  binding->strikers[note] = brush;
+  if (brush != MIDI_NO_BRUSH) binding->sweep_speed[note] = def->striker[brush].sweep_speed;
+}
+
 void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding) {
   memset(binding, 0, sizeof *binding);
   binding->head_radius = def->shell.radius;
@@ -51,6 +66,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->strainer_parameter = find_parameter(def, "wires.strainer");
   for (int i = 0; i < MIDI_VALUES; i++) {
     binding->strikers[i] = find_striker(def, map->notes[i].striker);
+    if (map->notes[i].stroke == MIDI_STROKE_SWEEP) bind_sweep(def, binding, i);
     if (map->controls[i].target == MIDI_TARGET_PARAMETER) {
       binding->parameters[i] = find_parameter(def, map->controls[i].key);
     }
@@ -62,6 +78,7 @@ void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *bind
   drum->map = map;
   drum->binding = *binding;
   drum->radius = drum->angle = NAN;
+  drum->sweeping = -1;
 }
 
 /* ---- notes ---- */
@@ -98,6 +115,7 @@ static bool act_on_stick(MidiDrum *drum, uint8_t key, TaborEventType type, doubl
                          MidiAction *action) {
   if (!drum->held[key]) return false;
   drum->held[key] = type != TABOR_EVENT_RELEASE;
+  if (!drum->held[key] && drum->sweeping == key) drum->sweeping = -1;
   action->type = MIDI_ACTION_EVENT;
   action->event = (TaborEvent){.type = type, .id = FIRST_BUZZ + key, .value = pressure};
   return true;
@@ -114,6 +132,7 @@ static TaborTechnique technique_of(MidiStroke stroke) {
   case MIDI_STROKE_CROSS_STICK: return TABOR_TECHNIQUE_CROSS_STICK;
   case MIDI_STROKE_RIM: return TABOR_TECHNIQUE_RIM;
   case MIDI_STROKE_BUZZ: return TABOR_TECHNIQUE_BUZZ;
+  case MIDI_STROKE_SWEEP: return TABOR_TECHNIQUE_SWEEP;
   default: return TABOR_TECHNIQUE_NORMAL;
   }
 }
@@ -124,12 +143,20 @@ static void hold(MidiDrum *drum, uint8_t key, TaborEvent *event) {
   event->value = BUZZ_PRESSURE;
 }
 
+/* As loud as a note is a sweep fast. */
+static void sweep(MidiDrum *drum, uint8_t key, double velocity, TaborEvent *event) {
+  hold(drum, key, event);
+  drum->sweeping = key;
+  event->velocity = drum->map->notes[key].speed * drum->binding.sweep_speed[key] * velocity / 64;
+}
+
 static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t key = message->data[0];
   const MidiNote *const note = &drum->map->notes[key];
   const double velocity = take_velocity(drum, message);
   if (message->data[1] == 0) return end_note(drum, key, action);
-  if (note->stroke == MIDI_STROKE_NONE) {
+  const bool lacks_brush = drum->binding.strikers[key] == MIDI_NO_BRUSH;
+  if (note->stroke == MIDI_STROKE_NONE || lacks_brush) {
     drum->counts.ignored_notes++;
     return false;
   }
@@ -145,6 +172,7 @@ static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *ac
     .angle = choose(note->angle, drum->angle, drum->binding.angle),
   };
   if (note->stroke == MIDI_STROKE_BUZZ) hold(drum, key, &action->event);
+  if (note->stroke == MIDI_STROKE_SWEEP) sweep(drum, key, velocity, &action->event);
   return true;
 }
 
@@ -168,11 +196,19 @@ static bool press_hand(MidiDrum *drum, uint32_t hand, uint8_t pressure, MidiActi
 static bool take_key_pressure(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
   const MidiStroke stroke = drum->map->notes[message->data[0]].stroke;
   if (!drum->map->pressure || stroke == MIDI_STROKE_NONE) return false;
-  if (stroke == MIDI_STROKE_BUZZ) {
+  if (stroke == MIDI_STROKE_BUZZ || stroke == MIDI_STROKE_SWEEP) {
     return act_on_stick(drum, message->data[0], TABOR_EVENT_PRESS, message->data[1] / 127.0,
                         action);
   }
   return press_hand(drum, 1, message->data[1], action);
+}
+
+/* The channel's is the brush's while one sweeps, else a hand's. */
+static bool take_channel_pressure(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+  if (!drum->map->pressure) return false;
+  if (drum->sweeping < 0) return press_hand(drum, 0, message->data[0], action);
+  return act_on_stick(drum, (uint8_t)drum->sweeping, TABOR_EVENT_PRESS, message->data[0] / 127.0,
+                      action);
 }
 
 /* ---- controllers ---- */
@@ -221,7 +257,21 @@ static bool set_gain(const MidiDrum *drum, MidiAction *action) {
 static bool silence(MidiDrum *drum, MidiAction *action) {
   drum->hands[0] = drum->hands[1] = false;
   memset(drum->held, 0, sizeof drum->held);
+  drum->sweeping = -1;
   action->type = MIDI_ACTION_SILENCE;
+  return true;
+}
+
+/* A brush that sweeps goes to where the controllers say. */
+static bool move_brush(const MidiDrum *drum, MidiAction *action) {
+  if (drum->sweeping < 0) return false;
+  const MidiBinding *const binding = &drum->binding;
+  action->type = MIDI_ACTION_EVENT;
+  action->event =
+    (TaborEvent){.type = TABOR_EVENT_MOVE,
+                 .id = FIRST_BUZZ + (uint32_t)drum->sweeping,
+                 .radius = choose(NAN, drum->radius * binding->head_radius, binding->radius),
+                 .angle = choose(NAN, drum->angle, binding->angle)};
   return true;
 }
 
@@ -231,8 +281,10 @@ static bool move(MidiDrum *drum, uint8_t number, MidiAction *action) {
   const uint8_t value = drum->values[number];
   switch (control->target) {
   case MIDI_TARGET_NONE: break;
-  case MIDI_TARGET_RADIUS: drum->radius = RIM_RADIUS * value / 127; break;
-  case MIDI_TARGET_ANGLE: drum->angle = 360.0 * value / MIDI_VALUES; break;
+  case MIDI_TARGET_RADIUS: drum->radius = RIM_RADIUS * value / 127; return move_brush(drum, action);
+  case MIDI_TARGET_ANGLE:
+    drum->angle = 360.0 * value / MIDI_VALUES;
+    return move_brush(drum, action);
   case MIDI_TARGET_GRIP:
     return move_over(&binding->grip, binding->grip.minimum, binding->grip.maximum, value, action);
   case MIDI_TARGET_STRAINER:
@@ -278,8 +330,7 @@ bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *acti
   case MIDI_POLY_PRESSURE: return take_key_pressure(drum, message, action);
   case MIDI_CONTROL: return take_control(drum, message, action);
   case MIDI_PROGRAM: return choose_preset(drum, message->data[0], action);
-  case MIDI_CHANNEL_PRESSURE:
-    return drum->map->pressure && press_hand(drum, 0, message->data[0], action);
+  case MIDI_CHANNEL_PRESSURE: return take_channel_pressure(drum, message, action);
   default: return false;
   }
 }

@@ -8,6 +8,10 @@
  * before. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
  * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. That is the hand that mutes best; a stronger one holds
  * the head still where it lies, and lets it ring around.
+ *
+ * A note that sweeps begins where strokes fall, around the centre, as fast as its brush's sweep_speed at velocity 64 and
+ * in proportion; controllers of place then move it. Its own key's pressure, and while it lasts the channel's,
+ * is the brush's.
  */
 #ifndef TABOR_HOST_MIDI_DRUM_H
 #define TABOR_HOST_MIDI_DRUM_H
@@ -37,13 +41,17 @@ typedef struct MidiParameter {
   bool logarithmic;
 } MidiParameter;
 
+#define MIDI_NO_BRUSH UINT32_MAX
+
 /** What the map means on one drum. Plain data: copy it by assignment. */
 typedef struct MidiBinding {
-  double head_radius;             /**< [m] */
-  double radius, angle;           /**< of the preset's stroke [m], [deg] */
-  uint32_t strikers[MIDI_VALUES]; /**< of each note: index */
-  double strainer;                /**< the preset's */
-  uint32_t presets;               /**< that programs may choose */
+  double head_radius;   /**< [m] */
+  double radius, angle; /**< of the preset's stroke [m], [deg] */
+  uint32_t
+    strikers[MIDI_VALUES]; /**< of each note: index; of a sweep MIDI_NO_BRUSH if there is none */
+  double sweep_speed[MIDI_VALUES]; /**< of each note that sweeps [m/s] */
+  double strainer;                 /**< the preset's */
+  uint32_t presets;                /**< that programs may choose */
   MidiParameter grip, strainer_parameter;
   MidiParameter parameters[MIDI_VALUES]; /**< that controllers move */
 } MidiBinding;
@@ -62,7 +70,8 @@ typedef struct MidiDrum {
   double radius, angle;            /**< by controllers: of the head's radius, [deg]; NaN before */
   uint8_t prefixes[MIDI_CHANNELS]; /**< low bits for the next note's velocity */
   bool hands[2];                   /**< by channel and by key pressure: on the head */
-  bool held[MIDI_VALUES];          /**< notes that buzz */
+  bool held[MIDI_VALUES];          /**< notes that buzz or sweep */
+  int sweeping;                    /**< the last note that began to sweep, while it does; else -1 */
   uint32_t next_id;                /**< of a stroke */
   MidiCounts counts;
 } MidiDrum;

@@ -42,7 +42,8 @@ typedef enum MidiStroke {
   MIDI_STROKE_RIMSHOT,
   MIDI_STROKE_CROSS_STICK,
   MIDI_STROKE_RIM,
-  MIDI_STROKE_BUZZ /**< pressed until the note ends; key pressure presses */
+  MIDI_STROKE_BUZZ, /**< pressed until the note ends; key pressure presses */
+  MIDI_STROKE_SWEEP /**< of a brush, until the note ends; place and pressure move it */
 } MidiStroke;
 
 typedef struct MidiNote {

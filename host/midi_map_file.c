@@ -104,7 +104,7 @@ static Outcome set_number(const Reader *reader, const char *value, double minimu
 
 static Outcome set_stroke(const Reader *reader, const char *value, MidiNote *note) {
   static const char *const names[] = {"none", "head", "rimshot", "cross-stick",
-                                      "rim",  "buzz", NULL};
+                                      "rim",  "buzz", "sweep",   NULL};
   size_t index = 0;
   const Outcome outcome = read_word(reader->where, value, names, &index);
   if (outcome == OUTCOME_OK) note->stroke = (MidiStroke)index;

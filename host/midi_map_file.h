@@ -12,7 +12,7 @@
  *     programs = yes          ; no: program changes do nothing
  *
  *     [note.60]               ; 0 to 127
- *     stroke = head           ; head (as it is without this), rimshot, cross-stick, rim, buzz,
+ *     stroke = head           ; head (as it is without this), rimshot, cross-stick, rim, buzz, sweep,
  *                             ; none
  *     radius = 30             ; per cent of the head, 0 to 100
  *     angle = 90              ; degrees, -360 to 360

@@ -272,7 +272,7 @@ static const struct {
   {ACTION_GHOST, "ghost notes: a third as fast"},
   {ACTION_REPEAT, "the last stroke again"},
   {ACTION_SPEED, "speed of the strokes"},
-  {ACTION_TECHNIQUE, "rimshot, cross-stick, rim, buzz"},
+  {ACTION_TECHNIQUE, "rimshot, cross-stick, rim, buzz, sweep"},
   {ACTION_SNARES, "snares on and off"},
   {ACTION_MUFFLE, "muffle on and off"},
   {ACTION_PRESET, "another drum"},

@@ -128,13 +128,13 @@ static Outcome read_id(Stroke *stroke, const Label *label, const char *value) {
 
 static const char *event_at(const void *list, size_t index) {
   (void)list;
-  static const char *const names[] = {"strike", "press", "release", NULL};
+  static const char *const names[] = {"strike", "press", "release", "move", NULL};
   return names[index];
 }
 
 static Outcome read_event(Stroke *stroke, const Label *label, const char *value) {
-  static const TaborEventType types[] = {TABOR_EVENT_STRIKE, TABOR_EVENT_PRESS,
-                                         TABOR_EVENT_RELEASE};
+  static const TaborEventType types[] = {TABOR_EVENT_STRIKE, TABOR_EVENT_PRESS, TABOR_EVENT_RELEASE,
+                                         TABOR_EVENT_MOVE};
   for (size_t i = 0; event_at(NULL, i); i++) {
     if (strcmp(value, event_at(NULL, i)) != 0) continue;
     stroke->event.type = types[i];
@@ -146,6 +146,7 @@ static Outcome read_event(Stroke *stroke, const Label *label, const char *value)
 }
 
 #define SETS_VELOCITY 2u
+#define SETS_HOLD 128u
 
 static const StrokeField fields[STROKE_FIELDS] = {
   {"time", read_time, 1},
@@ -156,7 +157,7 @@ static const StrokeField fields[STROKE_FIELDS] = {
   {"striker", read_striker, 16},
   {"technique", read_technique, 32},
   {"pressure", read_pressure, 64},
-  {"hold", read_hold, 128},
+  {"hold", read_hold, SETS_HOLD},
   {"id", read_id, 256},
   {"event", read_event, 512},
 };
@@ -201,8 +202,11 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
                             .technique = def->strike.technique}};
 }
 
+bool stroke_says_hold(const Stroke *stroke) { return stroke->set & SETS_HOLD; }
+
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
+  if (event->type == TABOR_EVENT_MOVE) event->value = 0; /* seconds: from row to row */
   const bool sweep = event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_SWEEP;
   if (!sweep) return OUTCOME_OK;
   if (striker->kind != TABOR_STRIKER_BRUSH) {

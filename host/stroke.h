@@ -2,7 +2,7 @@
 /**
  * @file stroke.h
  * One stroke, put together from fields such as "velocity" and "2.5", which come from a --strike
- * option or from a line of an events file. With the field "event" it presses or lifts sticks instead.
+ * option or from a line of an events file. With the field "event" it presses, lifts or moves what is in play instead.
  */
 #ifndef TABOR_HOST_STROKE_H
 #define TABOR_HOST_STROKE_H
@@ -14,7 +14,7 @@
 /** time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event */
 #define STROKE_FIELDS 11
 
-#define STROKE_HOLD 0.5        /**< of a buzz that does not say how long [s] */
+#define STROKE_HOLD 0.5        /**< of a buzz or a sweep that does not say how long [s] */
 #define STROKE_MOST_ID 1000000 /**< larger ids are the program's own */
 
 typedef struct StrokeField StrokeField;
@@ -25,10 +25,12 @@ typedef struct Stroke {
   const char *where; /**< "--strike" or "drums.csv:3:", for messages; not copied */
   unsigned set;      /**< what its fields have set so far */
   double time;       /**< [s] */
-  double hold;       /**< after which a buzz is lifted [s] */
+  double hold;       /**< after which a buzz or a sweep is lifted [s] */
   TaborEvent event;
 } Stroke;
 
+/** Whether a field says after which time it is lifted. */
+bool stroke_says_hold(const Stroke *stroke);
 /** Fields that all have been read: fills in what depends on others; a sweep needs a brush. */
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** The preset's own stroke, at time 0. */

@@ -51,10 +51,15 @@ static Outcome add_event(Strokes *strokes, const TaborEvent *event, double time)
   return OUTCOME_OK;
 }
 
-/* The release that lifts the stick of a buzz; `parameter` marks it as such until they are sorted. */
-static Outcome add_lift(Strokes *strokes, const Stroke *stroke, const TaborEvent *buzz) {
-  const TaborEvent lift = {
-    .type = TABOR_EVENT_RELEASE, .id = buzz->id, .index = buzz->index, .parameter = 1};
+/* What `parameter` marks a release as until they are sorted: the end of a buzz or a sweep, at the time that the stroke
+   says, or at the usual one. */
+enum { LIFT = 1, USUAL_LIFT = 2 };
+
+static Outcome add_lift(Strokes *strokes, const Stroke *stroke, const TaborEvent *held) {
+  const TaborEvent lift = {.type = TABOR_EVENT_RELEASE,
+                           .id = held->id,
+                           .index = held->index,
+                           .parameter = stroke_says_hold(stroke) ? LIFT : USUAL_LIFT};
   return add_event(strokes, &lift, stroke->time + stroke->hold);
 }
 
@@ -74,14 +79,16 @@ Outcome strokes_add(Strokes *strokes, const Stroke *stroke) {
   return outcome == OUTCOME_OK && held ? add_lift(strokes, stroke, &event) : outcome;
 }
 
-/* By time; strokes of one frame stay in the order in which they were given. */
+/* By time; strokes of one frame stay in the order in which they were given, before moves. */
 static int compare_events(const void *left, const void *right) {
   const TaborEvent *const a = left, *const b = right;
   if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
+  const bool a_moves = a->type == TABOR_EVENT_MOVE, b_moves = b->type == TABOR_EVENT_MOVE;
+  if (a_moves != b_moves) return a_moves ? 1 : -1;
   return a->index < b->index ? -1 : a->index > b->index;
 }
 
-/* The hand has struck again since the buzz that this would lift: that stick is gone already. */
+/* The hand has struck again since the stroke that this would lift: that stick is gone already. */
 static bool is_outdated(const TaborEvent *events, size_t lift) {
   if (!events[lift].parameter) return false;
   for (size_t i = lift; i-- > 0;) {
@@ -91,8 +98,51 @@ static bool is_outdated(const TaborEvent *events, size_t lift) {
   return false;
 }
 
+static bool is_meant(const TaborEvent *event, uint32_t id) {
+  return id == 0 || event->id == 0 || event->id == id;
+}
+
+static bool is_sweep(const TaborEvent *event) {
+  return event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_SWEEP;
+}
+
+/* A sweep whose way goes on behind its usual end lasts as long as its way. */
+static void prolong(TaborEvent *events, size_t count, size_t lift) {
+  for (size_t i = lift + 1; i < count; i++) {
+    const bool meant = is_meant(&events[i], events[lift].id);
+    if (meant && events[i].type == TABOR_EVENT_STRIKE) break;
+    if (meant && events[i].type == TABOR_EVENT_MOVE) events[lift].frame = events[i].frame;
+  }
+}
+
+/* Where a move's brush sets out: at the frame of its last place before. */
+static uint32_t set_out(const TaborEvent *events, size_t move) {
+  for (size_t i = move; i-- > 0;) {
+    const bool place = is_sweep(&events[i]) || events[i].type == TABOR_EVENT_MOVE;
+    if (place && is_meant(&events[i], events[move].id)) return events[i].frame;
+  }
+  return events[move].frame;
+}
+
+/* A row says where a brush is; an event, where it goes from now on. From the last one back, so that all see
+   where the rows before them are. */
+static void draw_ways(Strokes *strokes) {
+  TaborEvent *const events = strokes->events;
+  for (size_t i = strokes->count; i-- > 0;) {
+    if (events[i].parameter == USUAL_LIFT) prolong(events, strokes->count, i);
+  }
+  for (size_t i = strokes->count; i-- > 0;) {
+    if (events[i].type != TABOR_EVENT_MOVE) continue;
+    const uint32_t from = set_out(events, i);
+    events[i].value = (events[i].frame - from) / strokes->rate;
+    events[i].frame = from;
+  }
+}
+
 static void sort(Strokes *strokes) {
   TaborEvent *const events = strokes->events;
+  qsort(events, strokes->count, sizeof *events, compare_events);
+  draw_ways(strokes);
   qsort(events, strokes->count, sizeof *events, compare_events);
   for (size_t i = 0; i < strokes->count; i++) {
     if (is_outdated(events, i)) events[i].type = 0;

@@ -17,8 +17,8 @@
   { "events", 0, "FILE", "strokes from a CSV file (repeatable), '-' for standard input; see below" }
 
 /**
- * Events in order of time; event.frame counts from the beginning of the sound. A buzz is followed by
- * the release that lifts its stick.
+ * Events in order of time; event.frame counts from the beginning of the sound. A buzz or a sweep is
+ * followed by the release that lifts it; a move stands where it begins.
  */
 typedef struct Strokes {
   TaborEvent *events;

@@ -450,7 +450,7 @@ static void test_set_refusals(void **state) {
   refuse_set("resonant.tension", "99", TABOR_ERROR_RANGE, "outside 100 to 20000 N/m");
   refuse_set("resonant.damping_0", "x", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("striker.stick.kind", "rake", TABOR_ERROR_VALUE, "stick, mallet, finger, brush");
-  refuse_set("strike.technique", "sweep", TABOR_ERROR_VALUE, "is none of: normal, buzz");
+  refuse_set("strike.technique", "sweeps", TABOR_ERROR_VALUE, "is none of: normal, buzz");
   refuse_set("hoop.frequency_2", "19", TABOR_ERROR_RANGE, "neither 0 nor in 20 to 20000 Hz");
   refuse_set("wire.1.tension", "nan", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("wire.1.tension", " ", TABOR_ERROR_VALUE, "is not a number");

@@ -354,6 +354,55 @@ static void test_buzz(void **state) {
   assert_int_equal(action.event.technique, TABOR_TECHNIQUE_NORMAL);
 }
 
+static void expect_move(uint32_t id, double radius, double angle) {
+  assert_int_equal(action.event.type, TABOR_EVENT_MOVE);
+  assert_int_equal(action.event.id, id);
+  same(action.event.radius, radius);
+  same(action.event.angle, angle);
+  same(action.event.value, 0);
+}
+
+/* The drum's brush, whatever its usual striker; place and pressure are its while it lasts. */
+static void test_sweep(void **state) {
+  (void)state;
+  const int brush = tabor_drum_def_find_striker(&def, "brush");
+  map.notes[60].stroke = MIDI_STROKE_SWEEP;
+  begin();
+  assert_int_equal(send3(0xB0, 17, 32), 0); /* nothing sweeps yet */
+  assert_int_equal(send3(0x90, 60, 32), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_STRIKE);
+  assert_int_equal(action.event.technique, TABOR_TECHNIQUE_SWEEP);
+  assert_int_equal(action.event.striker, brush);
+  same(action.event.velocity, 0.5 * def.striker[brush].sweep_speed);
+  same(action.event.angle, 90);
+  const uint32_t id = action.event.id;
+  assert_int_equal(send3(0xB0, 16, 127), 1);
+  expect_move(id, 0.98 * def.shell.radius, 90);
+  assert_int_equal(send3(0xB0, 17, 64), 1);
+  expect_move(id, 0.98 * def.shell.radius, 180);
+  for (int channel = 0; channel < 2; channel++) {
+    assert_int_equal(channel ? send3(0xD0, 127, 0) : send3(0xA0, 60, 127), 1);
+    assert_int_equal(action.event.type, TABOR_EVENT_PRESS);
+    assert_int_equal(action.event.id, id);
+    same(action.event.value, 1);
+  }
+  assert_int_equal(send3(0x80, 60, 0), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_RELEASE);
+  assert_int_equal(action.event.id, id);
+  assert_int_equal(send3(0xB0, 16, 0), 0); /* it has ended */
+  assert_int_equal(send3(0xD0, 127, 0), 1);
+  assert_int_equal(action.event.type, TABOR_EVENT_DAMP);
+}
+
+static void test_no_brush(void **state) {
+  (void)state;
+  map.notes[60].stroke = MIDI_STROKE_SWEEP;
+  def.striker_count = 1;
+  begin();
+  assert_int_equal(send3(0x90, 60, 64), 0);
+  assert_int_equal(drum.counts.ignored_notes, 1);
+}
+
 static void test_other_map(void **state) {
   (void)state;
   map.notes[60] = (MidiNote){.stroke = MIDI_STROKE_HEAD, .radius = 0.25, .angle = 45, .speed = 0.5};
@@ -392,6 +441,8 @@ int main(void) {
     cmocka_unit_test_setup(test_pressure, set_up),
     cmocka_unit_test_setup(test_choke, set_up),
     cmocka_unit_test_setup(test_buzz, set_up),
+    cmocka_unit_test_setup(test_sweep, set_up),
+    cmocka_unit_test_setup(test_no_brush, set_up),
     cmocka_unit_test_setup(test_other_map, set_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -176,7 +176,7 @@ static void help_explains_the_keys_that_there_are(void **state) {
   draw(80, 24);
   expect("a s d f g h j k l      strokes, from the centre to the rim");
   expect("q w e r t y u i o p    ghost notes");
-  expect("z x c v                rimshot, cross-stick, rim, buzz");
+  expect("z x c v m              rimshot, cross-stick, rim, buzz, sweep");
   expect("- + =                  gain");
   expect("space                  the last stroke again");
   expect("Escape twice, Ctrl-C   quit");

@@ -31,6 +31,7 @@ END
 render_events events.wav
 same_bytes "a buzz, pressed harder and lifted" strikes.wav events.wav
 
+<<<<<<< HEAD
 render_strikes strikes.wav technique=rimshot time=0.1,technique=cross-stick,radius=60% time=0.2,technique=rim
 cat >strokes.csv <<'END'
 time,technique,radius
@@ -40,6 +41,30 @@ time,technique,radius
 END
 render_events events.wav
 same_bytes "strokes on the hoop" strikes.wav events.wav
+=======
+# rows say where a brush is; a sweep lasts as long as its way, in whatever order its rows come
+render_way() {
+  done_quietly render snare-14x5.5 -q --quality draft --duration 0.7 --events strokes.csv -o "$1"
+}
+cat >strokes.csv <<'END'
+time,technique,striker,radius,angle,id,hold,event
+0,sweep,brush,30%,0,1,0.6,
+0.3,,,70%,90,1,,move
+0.6,,,20%,180,1,,move
+END
+render_way way.wav
+cat >strokes.csv <<'END'
+time,technique,striker,radius,angle,id,event
+0.6,,,20%,180,1,move
+0.3,,,70%,90,,move
+0,sweep,brush,30%,0,1,
+END
+render_way rows.wav
+same_bytes "a brush's way" way.wav rows.wav
+sed -i /0.3,/d strokes.csv
+render_way rows.wav
+other_bytes "a place left out of a brush's way" way.wav rows.wav
+>>>>>>> 0a46085 (Brushes follow rows of events files, MIDI controllers and pressure, and a key)
 
 render_strikes strikes.wav time=0,velocity=1,radius=20%,angle=10,striker=stick,technique=normal \
   time=0.1,velocity=3 time=0.2,midi=100,radius=0.05
@@ -162,6 +187,7 @@ bad "bad.csv:2: radius in per cent '101'.*allowed: 0 to 100" radius 101%
 bad "bad.csv:2: striker 'stik'.*did you mean 'stick'" striker stik
 bad "bad.csv:2: technique 'norml'.*did you mean 'normal'" technique norml
 bad "bad.csv:2: event 'pres': unknown.*did you mean 'press'" event pres
+bad "bad.csv:2: technique 'sweep': striker 'stick' is no brush" technique sweep
 bad "bad.csv:2: pressure '1.1'.*allowed: 0 to 1" pressure 1.1
 bad "bad.csv:2: hold '0'.*allowed: 0.001 to 60" hold 0
 bad "bad.csv:2: id '-1'.*allowed: 0 to 1000000" id -1

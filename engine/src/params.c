@@ -334,7 +334,7 @@ const TbParam tb_params[] = {
        TEXT),
    SIZED(strike.striker), .identifier = true},
   {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made",
-       CHOICE("normal|buzz|rimshot|cross-stick|rim", TABOR_TECHNIQUE_NORMAL)),
+       CHOICE("normal|buzz|rimshot|cross-stick|rim|sweep", TABOR_TECHNIQUE_NORMAL)),
    AT(strike.technique)},
 
   {ROW(TB_PARAM_MIC_RADIUS, "mic.", "radius", "m", "distance from the drum's axis",

@@ -134,8 +134,15 @@ static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
                         "strike.radius = %s is beyond shell.radius, %g m", value,
                         def->shell.radius);
   }
-  if (tb_strike_striker(def) >= 0) return TABOR_OK;
-  return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
+  const int striker = tb_strike_striker(def);
+  if (striker < 0) {
+    return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
+  }
+  const bool sweeps = def->strike.technique == TABOR_TECHNIQUE_SWEEP;
+  if (!sweeps || def->striker[striker].kind == TABOR_STRIKER_BRUSH) return TABOR_OK;
+  return tb_error_set(error, TABOR_ERROR_RANGE, "strike.technique", "sweep", NAN, NAN,
+                      "strike.technique = sweep: striker %s is no brush",
+                      def->striker[striker].name);
 }
 
 /* Every wire crosses the head. It may be longer than its chord: what lies beyond touches

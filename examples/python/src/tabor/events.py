@@ -19,19 +19,27 @@ class Event(NamedTuple):
 #: How a stroke can be made.
 TECHNIQUES = {"normal": lib.TABOR_TECHNIQUE_NORMAL, "buzz": lib.TABOR_TECHNIQUE_BUZZ,
               "rimshot": lib.TABOR_TECHNIQUE_RIMSHOT, "cross-stick": lib.TABOR_TECHNIQUE_CROSS_STICK,
-              "rim": lib.TABOR_TECHNIQUE_RIM}
+              "rim": lib.TABOR_TECHNIQUE_RIM, "sweep": lib.TABOR_TECHNIQUE_SWEEP}
 
 
 def strike(frame: int = 0, velocity: float = 2.5, radius: float = 0.05, angle: float = 0.0,
            striker: Union[str, int] = 0, id: int = 0, technique: str = "normal",
            pressure: float = 0.5) -> Event:
-    """A stroke: velocity [m/s], radius from the centre [m]; id is a name for later events. A "buzz" stays
-    under pressure, 0 to 1, until it is released."""
+    """A stroke: velocity [m/s], radius from the centre [m]; id is a name for later events. A "buzz" and a
+    brush's "sweep" stay under pressure, 0 to 1, until they are released."""
     if technique not in TECHNIQUES:
         raise ValueError(f"unknown technique {technique!r}; there are {', '.join(TECHNIQUES)}")
     return Event(frame, lib.TABOR_EVENT_STRIKE,
                  {"velocity": velocity, "radius": radius, "angle": angle, "striker": striker, "id": id,
                   "technique": TECHNIQUES[technique], "value": pressure})
+
+
+def move(frame: int = 0, radius: float = 0.05, angle: float = 0.0, seconds: float = 0.0,
+         id: int = 0) -> Event:
+    """Sends the sweeping brush called id, or all, to a place, the shorter way round, in so many seconds; 0: in as
+    long as since its last move, as a stream of moves wants it."""
+    return Event(frame, lib.TABOR_EVENT_MOVE,
+                 {"radius": radius, "angle": angle, "value": seconds, "id": id})
 
 
 def press(frame: int = 0, value: float = 0.5, id: int = 0) -> Event:

@@ -131,18 +131,21 @@ static void gather(const TbGather *g) {
   }
 }
 
-static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *s) {
+/* From a copy of `out`, which what is stored might else change, for all that the compiler knows. */
+static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *out) {
+  const TbStretching s = *out;
   Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint32_t end = parts->from[part] + parts->size[part];
     for (uint32_t i = parts->from[part]; i < end; i += 8) {
-      const Lanes q = load(s->q + i), g = load(s->g + i);
-      const Lanes moved = add(load(s->next + i), load(s->last + i));
+      const Lanes q = load(s.q + i), g = load(s.g + i);
+      const Lanes moved = add(load(s.next + i), load(s.last + i));
       Lanes y[2], pull[2];
+#pragma GCC unroll 2 /* or the sums would live in memory */
       for (uint32_t h = 0; h < heads; h++) {
-        y[h] = multiply_lanes(load(s->gain[h] + i), q);
+        y[h] = multiply_lanes(load(s.gain[h] + i), q);
         pull[h] = multiply_lanes(g, y[h]);
-        store(s->pull[h] + i, pull[h]);
+        store(s.pull[h] + i, pull[h]);
         along[h] = add(along[h], multiply_lanes(y[h], moved));
         for (uint32_t l = 0; l <= h; l++) {
           own[h][l] = add(own[h][l], multiply_lanes(y[h], pull[l]));
@@ -151,8 +154,8 @@ static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretch
     }
   }
   for (uint32_t h = 0; h < heads; h++) {
-    s->along[h] = join(along[h]);
-    for (uint32_t l = 0; l <= h; l++) s->own[h][l] = s->own[l][h] = join(own[h][l]);
+    out->along[h] = join(along[h]);
+    for (uint32_t l = 0; l <= h; l++) out->own[h][l] = out->own[l][h] = join(own[h][l]);
   }
 }
 
@@ -166,11 +169,13 @@ static void stretch(const TbParts *parts, TbStretching *s) {
 
 static INLINE void unstretch_heads(uint32_t heads, const TbParts *parts, const double f[2],
                                    const double *const pull[2], double *next) {
+  const double first = f[0], second = f[heads - 1];
+  const double *const first_pull = pull[0], *const second_pull = pull[heads - 1];
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint32_t end = parts->from[part] + parts->size[part];
     for (uint32_t i = parts->from[part]; i < end; i += 8) {
-      Lanes sum = load(next + i);
-      for (uint32_t h = 0; h < heads; h++) sum = add(sum, scale(load(pull[h] + i), f[h]));
+      Lanes sum = add(load(next + i), scale(load(first_pull + i), first));
+      if (heads == 2) sum = add(sum, scale(load(second_pull + i), second));
       store(next + i, sum);
     }
   }

@@ -14,21 +14,23 @@ typedef TbRing Ring;
 static INLINE Lanes load_push(const float *p) { return load_single(p); }
 #endif
 
-static INLINE void ring_part(bool pushed, bool held, const Ring *r, uint32_t from, uint32_t end,
+/* `ring` by value: what is stored in `next` might else change it, for all that the compiler knows. */
+static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint32_t end,
                              Lanes sum[2]) {
-  const Lanes most = all(REAL(r->parts.most));
+  const Lanes most = all(REAL(r.parts.most));
+  const Real loss = REAL(r.parts.loss);
   for (uint32_t i = from; i < end; i += 8) {
-    const Lanes last = load(r->last + i);
-    Lanes next = subtract(multiply_lanes(load(r->a + i), load(r->now + i)),
-                          multiply_lanes(load(r->b + i), last));
-    if (pushed) next = add(next, load_push(r->push + i));
+    const Lanes last = load(r.last + i);
+    Lanes next =
+      subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
+    if (pushed) next = add(next, load_push(r.push + i));
     if (held) {
-      const Lanes part = smaller(scale(load(r->hold + i), REAL(r->parts.loss)), most);
+      const Lanes part = smaller(scale(load(r.hold + i), loss), most);
       next = add(next, multiply_lanes(part, subtract(last, next)));
     }
-    store(r->next + i, next);
-    sum[0] = add(sum[0], multiply_lanes(load(r->ahead + i), next));
-    sum[1] = add(sum[1], multiply_lanes(load(r->behind + i), next));
+    store(r.next + i, next);
+    sum[0] = add(sum[0], multiply_lanes(load(r.ahead + i), next));
+    sum[1] = add(sum[1], multiply_lanes(load(r.behind + i), next));
   }
 }
 
@@ -38,10 +40,10 @@ static TbPair ring(const Ring *r) {
   for (uint32_t i = 0; i < r->parts.count; i++) {
     const TbRingPart part = r->parts.part[i];
     switch (part.pushed + 2 * part.held) { /* one copy of the code for each */
-    case 0: ring_part(false, false, r, from, part.end, sum); break;
-    case 1: ring_part(true, false, r, from, part.end, sum); break;
-    case 2: ring_part(false, true, r, from, part.end, sum); break;
-    default: ring_part(true, true, r, from, part.end, sum); break;
+    case 0: ring_part(false, false, *r, from, part.end, sum); break;
+    case 1: ring_part(true, false, *r, from, part.end, sum); break;
+    case 2: ring_part(false, true, *r, from, part.end, sum); break;
+    default: ring_part(true, true, *r, from, part.end, sum); break;
     }
     from = part.end;
   }

@@ -93,17 +93,19 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
   return w[0] * along[0] + w[1] * along[1];
 }
 
-/* r = Y^T g Phi at the slots. */
+/* side r = side Y^T g Phi at the slots: the solve needs r but for its sign, and on the grid under the wires
+ * displacements of their head are the simpler. */
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-      double *r = &view->solve.stretch_slots[h][slot];
-      *r = 0.0;
-      if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-      *r =
-        model->kernels->dot(model->modes.padded, tb_slot_shape(view, slot), view->stretch_pull[h]);
-    }
+  const uint32_t last = model->stretch.count - 1u;
+  memset(view->solve.stretch_slots, 0, sizeof view->solve.stretch_slots);
+  if (view->state->slot_mask == 0) return;
+  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+    if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
+    const TbPair r = model->kernels->two_dots(model->modes.padded, view->stretch_pull[0],
+                                              view->stretch_pull[last], tb_slot_shape(view, slot));
+    view->solve.stretch_slots[0][slot] = model->wires.side * r.first;
+    view->solve.stretch_slots[last][slot] = model->wires.side * r.second;
   }
 }
 
@@ -141,7 +143,7 @@ static void gather_group(TbView *view, uint32_t g) {
   model->kernels->gather(&gather);
 }
 
-/* r on the grid under the wires, signed as penetrations are. */
+/* side r on the grid under the wires. */
 static void prepare_grid(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t size = model->projection.bed.size;
@@ -153,9 +155,8 @@ static void prepare_grid(TbView *view) {
     }
   }
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    double *r = view->solve.stretch_grid[h];
-    for (uint32_t i = 0; i < size; i++) r[i] *= model->wires.side;
-    view->stretch_rest[h] = model->kernels->dot(size, r, model->rest.grid);
+    view->stretch_rest[h] =
+      model->wires.side * model->kernels->dot(size, view->solve.stretch_grid[h], model->rest.grid);
   }
 }
 
@@ -190,9 +191,10 @@ void tb_stretch_yield(TbView *view, double *slots) {
   }
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     const double pull = -tension(view, h, along);
-    model->kernels->add_scaled(TB_SLOTS, slots, pull, view->solve.stretch_slots[h]);
+    model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
+                               view->solve.stretch_slots[h]);
     if (view->state->lifted) continue;
-    model->kernels->add_scaled(model->projection.bed.size, view->change, model->wires.side * pull,
+    model->kernels->add_scaled(model->projection.bed.size, view->change, pull,
                                view->solve.stretch_grid[h]);
   }
 }
@@ -210,7 +212,7 @@ void tb_stretch_renew(TbView *view) {
   solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
 }
 
-/* r f, by all contacts. */
+/* side r f, by all contacts. */
 static double pushed_along(const TbView *view, uint32_t h) {
   const TbSolve *solve = &view->solve;
   const double slots =
@@ -226,7 +228,7 @@ void tb_stretch_respond(TbView *view) {
   double pushed[2] = {0.0}, along[2] = {0.0}, pull[2];
   for (uint32_t h = 0; h < stretch->count; h++) {
     pushed[h] = pushed_along(view, h);
-    along[h] = view->stretch_along[h] - (pushed[h] - view->stretch_rest[h]);
+    along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
   }
   tb_stretch_clear(view);
   const uint32_t size = model->projection.bed.size;

@@ -31,7 +31,6 @@ END
 render_events events.wav
 same_bytes "a buzz, pressed harder and lifted" strikes.wav events.wav
 
-<<<<<<< HEAD
 render_strikes strikes.wav technique=rimshot time=0.1,technique=cross-stick,radius=60% time=0.2,technique=rim
 cat >strokes.csv <<'END'
 time,technique,radius
@@ -41,7 +40,7 @@ time,technique,radius
 END
 render_events events.wav
 same_bytes "strokes on the hoop" strikes.wav events.wav
-=======
+
 # rows say where a brush is; a sweep lasts as long as its way, in whatever order its rows come
 render_way() {
   done_quietly render snare-14x5.5 -q --quality draft --duration 0.7 --events strokes.csv -o "$1"
@@ -64,7 +63,6 @@ same_bytes "a brush's way" way.wav rows.wav
 sed -i /0.3,/d strokes.csv
 render_way rows.wav
 other_bytes "a place left out of a brush's way" way.wav rows.wav
->>>>>>> 0a46085 (Brushes follow rows of events files, MIDI controllers and pressure, and a key)
 
 render_strikes strikes.wav time=0,velocity=1,radius=20%,angle=10,striker=stick,technique=normal \
   time=0.1,velocity=3 time=0.2,midi=100,radius=0.05

@@ -44,8 +44,7 @@ holds() {
 
 # Everything in the folder, with contents.
 snapshot() {
-  find . -printf '%p %y %m %l\n' | sort
-  find . -type f -exec cksum {} + 2>&1 | sort
+  { find . -printf '%p %y %m %l\n'; find . -type f -exec cksum {} + 2>&1; } | sort
 }
 
 # run ARGUMENT...: runs the program; its output is in $out, its messages in $err.

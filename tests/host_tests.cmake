@@ -33,7 +33,7 @@ if(TARGET tabor-program)
                         test_system_play test_system_play_jack test_system_play_random
                         test_system_preset_files test_system_program test_system_requests
                         test_system_split test_system_terminal)
-    tabor_add_host_test(${name})
+    tabor_add_host_test(${name} ${${name}_ARGUMENTS})
   endforeach()
   tabor_add_host_test(test_system_keys_jack SCRIPT test_system_keys jack)
   if(TARGET man-page)

@@ -4,7 +4,8 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-quick=(--quality draft --repeat 1)
+few=(--set quality.two_way_bandwidth=1000) # modes
+quick=(--quality draft --repeat 1 "${few[@]}")
 
 done_quietly bench frame-drum "${quick[@]}" --json
 same "keys" "preset rate block quality real_time_factor idle_factor block_time_us modes contacts" \
@@ -24,7 +25,7 @@ holds "block times" "$(json block_time_us.median) > 0 && \
 holds "they belong to it" \
   "$(json block_time_us.median) < 2 * $(json real_time_factor) * 64 / 48000 * 1e6"
 modes=$(json modes)
-done_quietly modes frame-drum --quality draft --json
+done_quietly modes frame-drum --quality draft "${few[@]}" --json
 holds "modes, copies apart" "$modes >= $(json modes.size) && $modes <= 2 * $(json modes.size)"
 
 done_quietly bench tabor "${quick[@]}" --json
@@ -32,14 +33,14 @@ holds "its string touches" "$(json contacts.points) > 10 && $(json contacts.mean
   $(json contacts.max) >= $(json contacts.mean) && \
   $(json contacts.max) <= $(json contacts.points) + 8" # and strikers do
 facts="$(json contacts.mean) $(json contacts.max)"
-done_quietly bench tabor --quality draft --repeat 3 --json --block 1000
+done_quietly bench tabor "${few[@]}" --quality draft --repeat 3 --json --block 1000
 same "contacts depend neither on blocks nor repeats" "$facts" \
   "$(json contacts.mean) $(json contacts.max)"
 same "the block" 1000 "$(json block)"
-done_quietly bench --quality draft --rate 44100 --repeat 1 --json --set wires.count=0
+done_quietly bench "${quick[@]}" --rate 44100 --json --set wires.count=0
 same "rate and --set" "44100 0" "$(json rate) $(json contacts.points)"
 same "the default preset" snare-14x5.5 "$(json preset)"
-done_quietly bench frame-drum --set quality.level=draft --repeat 1 --json
+done_quietly bench frame-drum "${few[@]}" --set quality.level=draft --repeat 1 --json
 same "the drum's quality" draft "$(json quality)"
 done_quietly bench frame-drum --quality live --repeat 1
 check "a table" grep -qE '^real-time factor +[0-9.]+$' "$out"

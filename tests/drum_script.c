@@ -75,6 +75,12 @@ void script_everything(Script *script) {
                                   .value = 6.0});
   script_add(script, script_parameter(2121, "wires.damping_1", 0.003));
   script_add(script, script_strike(2303, 2.0, 0.05, 45.0));
+  TaborEvent rimshot = script_strike(2411, 3.0, 0.05, 120.0);
+  rimshot.technique = TABOR_TECHNIQUE_RIMSHOT;
+  script_add(script, rimshot);
+  TaborEvent across = script_strike(2533, 1.5, 0.06, 300.0);
+  across.technique = TABOR_TECHNIQUE_CROSS_STICK;
+  script_add(script, across);
   script_add(script, (TaborEvent){.frame = 2751, .type = TABOR_EVENT_RELEASE, .id = 9});
   script_add(script, script_parameter(2752, "wires.strainer", 1.0));
   script_add(script, script_strike(3201, 5.0, 0.09, 10.0));

@@ -2,7 +2,7 @@
 /* The hoop and the shell under it: a few damped modes, struck on the rim and heard from the wall.
  *
  * Mode i has n = i + 1 nodal diameters, as a ring that bends without stretching: where the stick meets it, it
- * yields by w = q cos(n theta), and moves along itself by q sin(n theta)/n [FletcherRossing] section 3.7. So its
+ * yields by w = q cos(n theta), and moves along itself by q sin(n theta)/n [Rayleigh1877]. So its
  * mass is m_n = (m/2) (1 + 1/n^2), m that of the hoop with what moves along of the shell; its frequency and
  * what the material takes are the definition's. It has a sine copy: struck anywhere, it answers alike there.
  * The wall below moves out by as much, the same from top to bottom: this one ratio is chosen (shells that bend
@@ -11,7 +11,7 @@
  * The wall, radius R, from z = 0 down to -h, is heard as a layer of sources of strength w_tt per area in free
  * space, the drum's body being no obstacle to them:
  *   p = -omega^2 rho0 R I cos(n theta) q,  I = Int_-h^0 Int_0^2pi cos(n t) e^{-i k r}/(4 pi r) dt dz
- * [MorseIngard] section 7.1; its far field takes from the mode the power
+ * [MorseIngard] chapter 7; its far field takes from the mode the power
  *   P = omega^4 rho0 R^2 h^2 pi |q|^2/(8 c0) Int_0^pi [J_n(x sin t) sinc((k h/2) cos t)]^2 sin t dt,  x = k R,
  * hence a rate of decay P/(m_n omega^2 |q|^2). An open drum's wall has air on both sides, which it shifts from the one
  * to the other: only what stands above the head counts, h = height of the hoop.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How a stick bends: the first modes of a uniform beam, of length L and mass m, free at both ends, or pinned at its
- * tip where fingers hold it there [FletcherRossing] section 2.18:
+ * tip where fingers hold it there [Rayleigh1877]:
  *   free:   psi = cosh u + cos u - s (sinh u + sin u), s = (sinh b + sin b)/(cosh b - cos b), cos b cosh b = 1,
  *   pinned: psi ~ sin u + (sin b/sinh b) sinh u, tan b = tanh b,
  * u = b x/L, x from the tip, Int psi^2 dx = L; so each has the mass m. Frequencies go with b^2; the lowest of a free

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/rudiments: a rudiment and a file of strokes become sounds with pictures, and what cannot be played is said.
+#
+# test_rudiments.sh SOURCE-FOLDER
+
+. "$(dirname "$0")/host_checks.sh"
+tool=$1/tools/rudiments
+
+if ! python3 -c 'import numpy, scipy, matplotlib, PIL' 2>/dev/null; then
+  echo "SKIPPED: python3 with numpy, scipy, matplotlib and PIL is not installed"
+  exit 77
+fi
+export PYTHONDONTWRITEBYTECODE=1
+play() { "$tool" --program "$TABOR" --quality draft --humanize 0 "$@" >"$out" 2>"$err"; }
+
+is_picture() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
+
+check "a rudiment" play -o made -r flams
+same "what it says" made/flams.wav "$(cat "$out")"
+check "its picture" is_picture made/flams.png
+check "its strokes are what was played" "$TABOR" render snare-14x5.5 -q --quality draft --humanize 0 --normalize \
+  --events made/flams.csv -o again.wav
+same_bytes "a rudiment" made/flams.wav again.wav
+
+printf 'time,striker,technique,hold\n0,brush,sweep,0.1\n' >sweep.csv
+check "a file" play -o own sweep.csv
+check "the picture of a file" is_picture own/sweep.png
+
+play -o none -r flams --preset nobody
+same "a preset that there is not" 2 $?
+play -o none nobody.csv
+same "a file that there is not" "2 rudiments: nobody.csv: no such file" "$? $(cat "$err")"
+finish

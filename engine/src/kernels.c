@@ -9,7 +9,7 @@
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     store(out + i, subtract(multiply_lanes(load(a + i), load(x + i)),
                             multiply_lanes(load(b + i), load(y + i))));
   }
@@ -137,7 +137,7 @@ static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretch
   Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint32_t end = parts->from[part] + parts->size[part];
-    for (uint32_t i = parts->from[part]; i < end; i += 8) {
+    for (uint64_t i = parts->from[part]; i < end; i += 8) {
       const Lanes q = load(s.q + i), g = load(s.g + i);
       const Lanes moved = add(load(s.next + i), load(s.last + i));
       Lanes y[2], pull[2];
@@ -173,7 +173,7 @@ static INLINE void unstretch_heads(uint32_t heads, const TbParts *parts, const d
   const double *const first_pull = pull[0], *const second_pull = pull[heads - 1];
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint32_t end = parts->from[part] + parts->size[part];
-    for (uint32_t i = parts->from[part]; i < end; i += 8) {
+    for (uint64_t i = parts->from[part]; i < end; i += 8) {
       Lanes sum = add(load(next + i), scale(load(first_pull + i), first));
       if (heads == 2) sum = add(sum, scale(load(second_pull + i), second));
       store(next + i, sum);
@@ -192,7 +192,7 @@ static void unstretch(const TbParts *parts, uint32_t heads, const double f[2],
 
 static double reach(uint32_t n, const double *c, const double *x) {
   Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     sum = add(sum, multiply_lanes(load(c + i), size_of(load(x + i))));
   }
   return join(sum);
@@ -200,16 +200,16 @@ static double reach(uint32_t n, const double *c, const double *x) {
 
 static double dot(uint32_t n, const double *x, const double *y) {
   Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
+  for (uint64_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
   return join(sum);
 }
 
 static void add_scaled(uint32_t n, double *out, double f, const double *x) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
+  for (uint64_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
 static void add_product(uint32_t n, double *out, const double *x, const double *y) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     store(out + i, add(load(out + i), multiply_lanes(load(x + i), load(y + i))));
   }
 }
@@ -217,7 +217,7 @@ static void add_product(uint32_t n, double *out, const double *x, const double *
 static INLINE void losses_of(uint32_t count, uint32_t n, const double *const w[3],
                              const double *next, const double *last, double sums[3]) {
   Lanes sum[3] = {zero(), zero(), zero()};
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes step = subtract(load(next + i), load(last + i));
     const Lanes square = multiply_lanes(step, step);
     for (uint32_t j = 0; j < count; j++) {
@@ -316,7 +316,7 @@ static INLINE Lanes second_difference(const double *v) {
 }
 
 static void bend_wires(uint32_t n, const double *inner, const double *v, double *bend) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     store(bend + i, multiply_lanes(load(inner + i), second_difference(v + i)));
   }
 }
@@ -379,7 +379,7 @@ static void law_of(const TbLaw *law, uint32_t power, uint32_t n, const double *y
 
 static bool touches(uint32_t n, const double *y, const double *s, const double *f) {
   Lanes most = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes before = load(y + i), after = add(before, load(s + i));
     most = larger(most, larger(larger(before, after), size_of(load(f + i))));
   }
@@ -388,7 +388,7 @@ static bool touches(uint32_t n, const double *y, const double *s, const double *
 
 static TbPair sizes(uint32_t n, const double *b, const double *y) {
   Lanes most = zero(), deepest = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     most = larger(size_of(load(b + i)), most);
     deepest = larger(load(y + i), deepest);
   }
@@ -397,25 +397,25 @@ static TbPair sizes(uint32_t n, const double *b, const double *y) {
 
 static double difference(uint32_t n, const double *x, const double *y) {
   Lanes most = zero();
-  for (uint32_t i = 0; i < n; i += 8)
+  for (uint64_t i = 0; i < n; i += 8)
     most = larger(size_of(subtract(load(x + i), load(y + i))), most);
   return largest_of(most);
 }
 
 static void subtract_arrays(uint32_t n, const double *x, const double *y, double *out) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
+  for (uint64_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
 }
 
 static void extrapolate(uint32_t n, double t, const double *x, const double *before,
                         const double *base, double *out) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     store(out + i, add(load(base + i), scale(subtract(load(x + i), load(before + i)), t)));
   }
 }
 
 static double residual(uint32_t n, const double *s, const double *b, const double *p, double *r) {
   Lanes most = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes left = add(load(p + i), subtract(load(s + i), load(b + i)));
     store(r + i, left);
     most = larger(size_of(left), most);
@@ -424,7 +424,7 @@ static double residual(uint32_t n, const double *s, const double *b, const doubl
 }
 
 static void weigh(uint32_t n, const double *slope, double *weight, double *r) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes w = root(load(slope + i));
     store(weight + i, w);
     store(r + i, subtract(zero(), multiply_lanes(w, load(r + i))));
@@ -435,7 +435,7 @@ static void balance(uint32_t n, double t, const double *s_at, const double *law,
                     const double *slope, const double *f_at, const double *f_last, const double *p,
                     const double *p_last, double sums[3]) {
   Lanes value = zero(), derivative = zero(), size = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes s = load(s_at + i), f = load(f_at + i), g = subtract(f, load(f_last + i));
     const Lanes m = subtract(load(p + i), load(p_last + i)), moved = add(f, scale(g, t));
     const Lanes left = subtract(load(law + i), moved);
@@ -451,7 +451,7 @@ static void balance(uint32_t n, double t, const double *s_at, const double *law,
 
 static double lost(uint32_t n, const double *s, const double *f, const double *mean) {
   Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     sum = add(sum, multiply_lanes(load(s + i), subtract(load(f + i), load(mean + i))));
   }
   return join(sum);
@@ -472,7 +472,7 @@ static void penetrate(uint32_t wires, uint32_t lanes, double side, const double 
 
 static void move(uint32_t n, const double *own, const double *f, const double *rest,
                  const double *last, const double *s, double *v, double *eta) {
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes change = subtract(load(f + i), load(rest + i));
     store(v + i, add(load(v + i), multiply_lanes(load(own + i), change)));
     store(eta + i, add(load(last + i), load(s + i)));
@@ -482,12 +482,12 @@ static void move(uint32_t n, const double *own, const double *f, const double *r
 /* ---- conjugate gradients -------------------------------------------------------------------- */
 
 static void product(uint32_t n, double *out, const double *x, const double *y) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
+  for (uint64_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
 }
 
 static double turn(uint32_t n, double *out, const double *d, const double *w, const double *m) {
   Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes direction = load(d + i);
     const Lanes turned = add(direction, multiply_lanes(load(w + i), load(m + i)));
     store(out + i, turned);
@@ -499,7 +499,7 @@ static double turn(uint32_t n, double *out, const double *d, const double *w, co
 static double advance(uint32_t n, double t, double *p, const double *d, double *r,
                       const double *m) {
   Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     store(p + i, add(load(p + i), scale(load(d + i), t)));
     const Lanes left = subtract(load(r + i), scale(load(m + i), t));
     store(r + i, left);
@@ -509,7 +509,7 @@ static double advance(uint32_t n, double t, double *p, const double *d, double *
 }
 
 static void redirect(uint32_t n, double t, double *d, const double *r) {
-  for (uint32_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
+  for (uint64_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 
 const TbKernels TB_KERNELS = {

@@ -19,7 +19,7 @@ static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint
                              Lanes sum[2]) {
   const Lanes most = all(REAL(r.parts.most));
   const Real loss = REAL(r.parts.loss);
-  for (uint32_t i = from; i < end; i += 8) {
+  for (uint64_t i = from; i < end; i += 8) {
     const Lanes last = load(r.last + i);
     Lanes next =
       subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
@@ -52,7 +52,7 @@ static TbPair ring(const Ring *r) {
 
 static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) {
   Lanes first = zero(), second = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
+  for (uint64_t i = 0; i < n; i += 8) {
     const Lanes value = load(x + i);
     first = add(first, multiply_lanes(load(u + i), value));
     second = add(second, multiply_lanes(load(v + i), value));

@@ -147,7 +147,7 @@ TbLosses tb_losses(const TbView *view) {
     losses.shell += hoop.shell;
     losses.radiated += hoop.radiated;
   }
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
     losses.head +=
       tb_mobility_loss(tb_slot_missing(view, i), view->next.missing[i], view->last.missing[i]);

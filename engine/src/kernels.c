@@ -327,7 +327,7 @@ static void wire_step(uint32_t wires, uint32_t lanes, const TbWireCoefficients *
   bend_wires(wires * lanes, inner, now, bend);
   for (uint32_t w = 0; w < wires; w++) {
     const TbWireCoefficients c = coefficients[w];
-    for (uint32_t i = w * lanes; i < (w + 1) * lanes; i += 8) {
+    for (uint64_t i = w * lanes; i < (w + 1u) * lanes; i += 8) {
       const Lanes curve = load(bend + i);
       Lanes push = scale(curve, c.stretch);
       push = subtract(push, scale(second_difference(bend + i), c.bend));
@@ -343,7 +343,7 @@ static double wire_losses(uint32_t wires, uint32_t lanes, const TbWireCoefficien
                           const double *next, const double *last) {
   Lanes sum = zero();
   for (uint32_t w = 0; w < wires; w++) {
-    for (uint32_t i = w * lanes; i < (w + 1) * lanes; i += 8) {
+    for (uint64_t i = w * lanes; i < (w + 1u) * lanes; i += 8) {
       const Lanes step = subtract(load(next + i), load(last + i));
       const Lanes slope =
         subtract(step, subtract(load_unaligned(next + i - 1), load_unaligned(last + i - 1)));
@@ -462,7 +462,7 @@ static void penetrate(uint32_t wires, uint32_t lanes, double side, const double 
                       const double *load_at, double *b) {
   for (uint32_t wire = 0; wire < wires; wire++) {
     const Lanes shifted = all(shift[wire]);
-    for (uint32_t i = wire * lanes; i < (wire + 1) * lanes; i += 8) {
+    for (uint64_t i = wire * lanes; i < (wire + 1u) * lanes; i += 8) {
       const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
       const Lanes eta = add(add(deviation, load(rest + i)), shifted);
       store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));

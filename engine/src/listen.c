@@ -100,7 +100,7 @@ static bool strike_high(TbView *view) {
   const TaborModel *model = view->model;
   const TbHighBand *high = &model->high;
   bool struck = false;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     const double push = view->solve.force[model->wires.stride + i];
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;

@@ -454,7 +454,7 @@ double tb_slots_free_height(const TbView *view, uint32_t slot) {
 
 TbHandWork tb_slots_hand_work(const TbView *view) {
   TbHandWork work = {0.0, 0.0};
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     const TbSlot *s = &view->state->slots[i];
     work.lost += tb_rod_loss(view, i);
     if (!s->held) continue;

@@ -193,8 +193,12 @@ TbView tb_view(TbState *state, const TaborModel *model) {
 }
 
 void tb_view_rotate(TbView *view) {
+  const TbPhase oldest = view->last;
   view->state->newest = (view->state->newest + 1) % 3;
-  view_phases(view);
+  view->last = view->now;
+  view->now = view->next;
+  view->next = oldest;
+  view->solve.y = view->last.eta;
 }
 
 void tb_state_reset(TbState *state, const TaborModel *model) {

@@ -92,7 +92,7 @@ typedef struct TbState {
   uint64_t clock;  /* samples stepped since reset */
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
-  uint32_t slot_mask;
+  uint32_t slot_mask; /* slots in play */
   uint32_t lifted;   /* wires hang clear of the head: see lift.h */
   double gap;        /* ... by this at least [m] */
   uint32_t rings;    /* the hoop moves, or something may strike it */

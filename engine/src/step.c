@@ -95,7 +95,7 @@ static void free_penetration(TbView *view) {
     penetrate_wires(view, slots);
   }
   TB_STAGE(STRIKERS);
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
@@ -164,7 +164,7 @@ static void respond(TbView *view, bool unchanged) {
   const double *force = view->solve.force;
   if (!view->state->lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {

@@ -99,8 +99,7 @@ static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t last = model->stretch.count - 1u;
   memset(view->solve.stretch_slots, 0, sizeof view->solve.stretch_slots);
-  if (view->state->slot_mask == 0) return;
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+  for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
     if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
     const TbPair r = model->kernels->two_dots(model->modes.padded, view->stretch_pull[0],
                                               view->stretch_pull[last], tb_slot_shape(view, slot));

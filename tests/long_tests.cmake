@@ -17,6 +17,16 @@ if(COMMAND tabor_add_embed_test)
   set_tests_properties(test_packages_in_root PROPERTIES TIMEOUT 1800 LABELS long)
 endif()
 
+if(TEST test_lv2_jalv)
+  add_test(NAME test_lv2_ardour COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_lv2_ardour.sh")
+  tabor_test_properties(test_lv2_ardour)
+  set_tests_properties(test_lv2_ardour PROPERTIES TIMEOUT 2400 LABELS long)
+  set_property(TEST test_lv2_ardour APPEND PROPERTY ENVIRONMENT "BUNDLE=$<TARGET_FILE_DIR:tabor-lv2>"
+                                                    "SOURCE=${PROJECT_SOURCE_DIR}"
+                                                    "TABOR=$<TARGET_FILE:tabor-program>"
+                                                    "INSPECT=$<TARGET_FILE:host_inspect>")
+endif()
+
 # The engine for another processor, under an emulator.
 if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
   add_test(NAME test_arm COMMAND "${PROJECT_SOURCE_DIR}/tools/check-arm")

@@ -135,7 +135,9 @@ static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
   tb_wire_coefficients(wire, model->time_step, wire->tension, wire->damping_0, wire->damping_1, &c);
   double head = 0.0;
   for (uint32_t i = 0; i < wire->row_count; i++) {
-    head = fmax(head, head_compliance(model, probe, wire->first_row + i));
+    const double here = head_compliance(model, probe, wire->first_row + i);
+    model->yield[wire->first_row + i] = (float)here;
+    head = fmax(head, here);
   }
   tb_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing, wire->contact_exponent,
                  wire->contact_loss, model->time_step, TB_SLOPE_LIMIT / (c.compliance + head));
@@ -147,7 +149,8 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
                        .grid = tb_arena_doubles(scratch, bed->size),
                        .answer = tb_arena_doubles(scratch, bed->size),
                        .fold = tb_arena_doubles(scratch, tb_bed_scratch(bed))};
-  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  model->yield = tb_arena_take(&model->arena, model->wires.stride, sizeof *model->yield);
+  if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
   return TABOR_OK;
 }

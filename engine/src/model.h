@@ -98,7 +98,8 @@ struct TaborModel {
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
-  TbSingleBed single_bed;  /* of both, where contacts are solved in single precision, */
+  float *yield; /* [wires.stride] of the head at a contact point, to a force there alone [m/N] */
+  TbSingleBed single_bed; /* of both, where contacts are solved in single precision, */
   const TbSingleKernels *single_kernels; /* ... by these; else NULL */
   TbStretch stretch;
   TbLugs lugs;

@@ -358,6 +358,25 @@ static float difference(uint32_t n, const float *x, const float *y) {
   return largest_of(most);
 }
 
+static void relax(uint32_t n, const float *law, const float *slope, const float *own,
+                  const float *head, const float *f_last, float *f) {
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes before = load(f_last + i), yield = add(load(own + i), load(head + i));
+    const Lanes firm = add(all(1.0f), multiply_lanes(load(slope + i), yield));
+    store(f + i, add(before, divide(subtract(load(law + i), before), firm)));
+  }
+}
+
+static float change(uint32_t n, const float *b, const float *p, float *s) {
+  Lanes most = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes left = subtract(load(b + i), load(p + i));
+    store(s + i, left);
+    most = larger(size_of(left), most);
+  }
+  return largest_of(most);
+}
+
 static float follow(uint32_t n, const float *law, const float *weight, const float *x,
                     const float *b, const float *p, float *f, float *s) {
   Lanes most = zero();
@@ -469,6 +488,8 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .comply = comply,
   .laws = laws,
   .difference = difference,
+  .relax = relax,
+  .change = change,
   .follow = follow,
   .dot = dot,
   .add_scaled = add_scaled,

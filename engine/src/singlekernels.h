@@ -72,6 +72,11 @@ typedef struct TbSingleKernels {
                const float *root, const float *s, float *force, float *slope, float *mean);
   /* Largest |x - y| */
   float (*difference)(uint32_t n, const float *x, const float *y);
+  /* f = f_last + (law - f_last)/(1 + slope (own + head)) */
+  void (*relax)(uint32_t n, const float *law, const float *slope, const float *own,
+                const float *head, const float *f_last, float *f);
+  /* s = b - p; largest |s| */
+  float (*change)(uint32_t n, const float *b, const float *p, float *s);
   /* f = law + weight x, s = b - p; largest |s| */
   float (*follow)(uint32_t n, const float *law, const float *weight, const float *x, const float *b,
                   const float *p, float *f, float *s);

@@ -98,6 +98,26 @@ static void apply_laws(const TbSolve *solve, const float *s) {
   slot_laws(solve, s);
 }
 
+/* ---- one step without the others ------------------------------------------------------------- */
+
+/* Each row as if its own yielding and the head's right below it were all: with the wires' own the larger
+ * part, that is nearly always enough, for one product instead of two. Returns the largest |s|. */
+static float relax(const TbSolve *solve) {
+  const TbSingle *single = &solve->single;
+  const TbSingleKernels *kernels = single->kernels;
+  const uint32_t at = solve->stride;
+  _Alignas(64) float slots[TB_SLOTS];
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    slots[i] = solve->slot_mask >> i & 1u ? (float)solve->slot_coupling[i * (TB_SLOTS + 1u)] : 0.0f;
+  }
+  kernels->relax(at, single->law, single->slope, single->own, single->yield, single->force_last,
+                 single->force);
+  kernels->relax(TB_SLOTS, single->law + at, single->slope + at, single->own + at, slots,
+                 single->force_last + at, single->force + at);
+  product_of(solve, single->force, single->grid, single->product);
+  return kernels->change(total_rows(solve), single->b, single->product, single->s);
+}
+
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
 /* (I + W M W) p = d by conjugate gradients, as solve.c does it; adds M W p to `product`, which is M f of the
@@ -225,32 +245,41 @@ static void stay(TbSolve *solve, TbSolveOutcome *outcome) {
   give_back(solve, 0.0f, 0.0f, outcome);
 }
 
+/* Whether forces and laws agree to `enough` at s, and how forces have to move then to be balanced; no number
+ * where they do not. */
+static float judge(const TbSolve *solve, float enough, float *over) {
+  const TbSingle *single = &solve->single;
+  apply_laws(solve, single->s);
+  const TbSingleSums sums = single->kernels->balance(
+    total_rows(solve), 0.0f, single->s, single->law, single->slope, single->force,
+    single->force_last, single->product, single->product_last);
+  if (!(sums.miss <= enough)) return NAN;
+  const float t = balance(solve, sums, over);
+  if (isnan(t)) apply_laws(solve, single->s); /* it has left the laws of another place */
+  return t;
+}
+
 bool tb_single_solve(TbSolve *solve, TbSolveOutcome *outcome) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
-  const uint32_t rows = total_rows(solve), size = single->bed->size;
+  const uint32_t size = single->bed->size;
   const TbSingleStart start = take_in(solve);
   if (!start.touches && !tb_solve_slots_act(solve)) return false;
   apply_laws(solve, single->s);
-  const float first = kernels->difference(rows, single->law, single->force_last);
+  const float first = kernels->difference(total_rows(solve), single->law, single->force_last);
   if (first == 0.0f) {
     stay(solve, outcome);
     return true;
   }
   kernels->narrow(size, solve->grid, single->grid_last);
-  memcpy(single->product, single->product_last, rows * sizeof(float));
   const float enough = (float)solve->tolerance * first;
   const float farthest = FARTHEST * (start.change + start.depth); /* no s can be larger */
-  for (uint32_t i = 1; i <= solve->cap; i++) {
-    if (!(newton_step(solve) <= farthest)) return false;
-    apply_laws(solve, single->s);
-    const TbSingleSums sums =
-      kernels->balance(rows, 0.0f, single->s, single->law, single->slope, single->force,
-                       single->force_last, single->product, single->product_last);
-    if (!(sums.miss <= enough)) continue;
+  for (uint32_t i = 0; i <= solve->cap; i++) {
+    const float way = i == 0 ? relax(solve) : newton_step(solve);
+    if (!(way <= farthest)) return false;
     float over = 0.0f;
-    const float t = balance(solve, sums, &over);
-    if (isnan(t)) return false;
+    const float t = judge(solve, enough, &over);
+    if (isnan(t)) continue;
     give_back(solve, t, over, outcome);
     kernels->extrapolate(size, t, single->grid, single->grid_last, single->grid, single->grid);
     kernels->widen(size, single->grid, solve->grid);

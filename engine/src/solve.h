@@ -43,6 +43,7 @@ typedef struct TbSingle {
     *weight, *residual, *direction, *turned, *moved, *solution, *work;
   float *grid, *grid_last, *pushed, *answer, *stretch[2]; /* [bed size] */
   float *modal;                                           /* [modes padded] */
+  const float *yield;                                     /* [stride], as in the model */
   float *scratch;                                         /* [tb_single_bed_scratch] */
 } TbSingle;
 

@@ -100,7 +100,8 @@ static void view_phases(TbView *view) {
 }
 
 static TbSingle single_at(TbState *state, const TaborModel *model) {
-  TbSingle single = {.kernels = model->single_kernels, .bed = &model->single_bed};
+  TbSingle single = {
+    .kernels = model->single_kernels, .bed = &model->single_bed, .yield = model->yield};
   if (!single.kernels) return single;
   float *next = (float *)(void *)((char *)state + model->layout.single);
   float **const rows[SINGLE_ROWS] = {

@@ -48,11 +48,24 @@ static void right_angles_are_exact(void **state) {
   }
 }
 
+static void directions_agree_with_libm(void **state) {
+  (void)state;
+  double worst = 0.0;
+  for (double angle = -179.9; angle < 180.0; angle += 0.173) {
+    const double radians = angle * 3.14159265358979323846 / 180.0;
+    worst = fmax(worst, fabs(tb_arc_degrees(0.3 * sin(radians), 0.3 * cos(radians)) - angle));
+  }
+  print_message("largest error %.1e degrees\n", worst);
+  assert_true(worst < 1e-12);
+  assert_true(tb_arc_degrees(0.0, 0.0) == 0.0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(powers_agree_with_libm),
     cmocka_unit_test(sines_agree_with_libm),
     cmocka_unit_test(right_angles_are_exact),
+    cmocka_unit_test(directions_agree_with_libm),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

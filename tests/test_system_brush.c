@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and are the same
  * whatever the blocks. */
+#include <time.h>
+
 #include "physics.h"
 
 static const double RATE = 48000.0;
@@ -108,6 +110,183 @@ static void a_sweep_goes_on_until_it_is_lifted_and_then_all_is_silent(void **sta
   assert_true(tabor_drum_is_silent(drum));
   check_closed(drum);
   tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* Level of half a second of a sweep, once it is under way [dB]. */
+static double level_of(TaborModel *model, double velocity, double pressure) {
+  static float sound[24000];
+  TaborDrum *drum = physics_drum(model);
+  TaborEvent sweep = SWEEP;
+  sweep.velocity = velocity;
+  sweep.value = pressure;
+  tabor_drum_process(drum, &sweep, 1, NULL, 7200);
+  float *outputs[TABOR_MAX_MICS] = {sound};
+  tabor_drum_process(drum, NULL, 0, outputs, 24000);
+  tabor_drum_destroy(drum);
+  double sum = 0.0;
+  for (int i = 0; i < 24000; i++) sum += (double)sound[i] * sound[i];
+  return 10.0 * log10(sum / 24000.0);
+}
+
+static void the_level_follows_speed_and_pressure(void **state) {
+  (void)state;
+  TaborDrumDef def = brushed("frame-drum");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  double last = -INFINITY;
+  for (double speed = 0.2; speed < 4.0; speed *= 2.0) {
+    const double level = level_of(model, speed, 0.5);
+    print_message("%.1f m/s: %.1f dB\n", speed, level);
+    assert_true(level > last + 2.0);
+    last = level;
+  }
+  last = -INFINITY;
+  for (double pressure = 0.0; pressure <= 1.0; pressure += 0.5) {
+    const double level = level_of(model, 0.8, pressure);
+    print_message("pressure %.1f: %.1f dB\n", pressure, level);
+    assert_true(level > last + 2.0);
+    last = level;
+  }
+  tabor_model_release(model);
+}
+
+static void a_brush_that_stays_is_not_heard(void **state) {
+  (void)state;
+  TaborDrumDef def = brushed("frame-drum");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent stay = {.type = TABOR_EVENT_MOVE, .id = 1, .radius = 0.09, .angle = 60.0};
+  tabor_drum_process(drum, &SWEEP, 1, NULL, 4800);
+  tabor_drum_process(drum, &stay, 1, NULL, 96000);
+  for (int i = 0; i < 40 && !tabor_drum_is_silent(drum); i++) {
+    tabor_drum_process(drum, NULL, 0, NULL, 9600);
+  }
+  assert_true(tabor_drum_is_silent(drum)); /* with the brush on it */
+  TaborProbe probe;
+  tabor_drum_probe(drum, &probe);
+  assert_true(probe.striker_force > 0.1);
+  const TaborEvent on = {.type = TABOR_EVENT_MOVE, .id = 1, .radius = 0.05, .angle = 90.0};
+  tabor_drum_process(drum, &on, 1, NULL, 4800);
+  assert_false(tabor_drum_is_silent(drum));
+  check_closed(drum);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* ---- texture --------------------------------------------------------------------------------- */
+
+enum { SEGMENT = 1024, SEGMENTS = 160, LOWEST = 10, HIGHEST = 250, NEIGHBOURS = 12 };
+
+/* Power of bin `bin` of a segment under a Hann window. */
+static double power_at(const double *x, int bin) {
+  const double pi = 3.14159265358979323846, turn = 2.0 * pi * bin / SEGMENT;
+  double re = 0.0, im = 0.0;
+  for (int i = 0; i < SEGMENT; i++) {
+    const double w = 0.5 - 0.5 * cos(2.0 * pi * i / SEGMENT);
+    re += w * x[i] * cos(turn * i);
+    im += w * x[i] * sin(turn * i);
+  }
+  return re * re + im * im;
+}
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return x < y ? -1 : x > y;
+}
+
+/* By how much some line of the spectrum stands above the median of its neighbours, at most [dB]. */
+static double highest_line(const double *x) {
+  static double power[HIGHEST + NEIGHBOURS + 1];
+  for (int bin = LOWEST - NEIGHBOURS < 1 ? 1 : LOWEST - NEIGHBOURS; bin <= HIGHEST + NEIGHBOURS;
+       bin++) {
+    power[bin] = 0.0;
+    for (int s = 0; s < SEGMENTS; s++) power[bin] += power_at(x + s * SEGMENT, bin);
+  }
+  double most = 0.0;
+  for (int bin = LOWEST + NEIGHBOURS; bin <= HIGHEST; bin++) {
+    double around[2 * NEIGHBOURS + 1];
+    memcpy(around, power + bin - NEIGHBOURS, sizeof around);
+    qsort(around, 2 * NEIGHBOURS + 1, sizeof *around, compare);
+    most = fmax(most, 10.0 * log10(power[bin] / around[NEIGHBOURS]));
+  }
+  return most;
+}
+
+/* The force of a sweep on a head that rings no longer than it is pushed: 1 to 12 kHz. A tone of 15 % of its strength
+ * would be found. */
+static void a_sweep_is_noise_without_a_tone(void **state) {
+  (void)state;
+  static double force[SEGMENT * SEGMENTS];
+  TaborDrumDef def = brushed("frame-drum");
+  def.batter.damping_0 = 1000.0;
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  for (double speed = 0.3; speed < 3.0; speed *= 3.0) {
+    TaborDrum *drum = physics_drum(model);
+    TaborEvent sweep = SWEEP;
+    sweep.velocity = speed;
+    tabor_drum_process(drum, &sweep, 1, NULL, 7200);
+    double mean = 0.0, square = 0.0;
+    for (int i = 0; i < SEGMENT * SEGMENTS; i++) {
+      TaborProbe probe;
+      tabor_drum_process(drum, NULL, 0, NULL, 1);
+      tabor_drum_probe(drum, &probe);
+      force[i] = probe.striker_force;
+      mean += force[i] / (SEGMENT * SEGMENTS);
+    }
+    for (int i = 0; i < SEGMENT * SEGMENTS; i++) {
+      force[i] -= mean;
+      square += force[i] * force[i] / (SEGMENT * SEGMENTS);
+    }
+    const double line = highest_line(force);
+    for (int i = 0; i < SEGMENT * SEGMENTS; i++) {
+      force[i] += 0.15 * sqrt(2.0 * square) * sin(2.0 * 3.14159265358979323846 * 3000.0 / RATE * i);
+    }
+    const double with = highest_line(force);
+    print_message(
+      "%.1f m/s: force %.2f N, %.0f mN of noise, highest line %.1f dB; with a tone %.1f dB\n",
+      speed, mean, 1e3 * sqrt(square), line, with);
+    assert_true(line < 4.0);
+    assert_true(with > 4.0);
+    tabor_drum_destroy(drum);
+  }
+  tabor_model_release(model);
+}
+
+/* ---- cost ------------------------------------------------------------------------------------ */
+
+/* Processor time of a tenth of a second of strokes [s], with a sweep or without. */
+static double time_of(TaborModel *model, bool sweeps) {
+  TaborDrum *drum = physics_drum(model);
+  float sound[64];
+  float *outputs[TABOR_MAX_MICS] = {sound};
+  if (sweeps) tabor_drum_process(drum, &SWEEP, 1, outputs, 64);
+  const clock_t begin = clock();
+  for (int block = 0; block < 75; block++) {
+    const TaborEvent stroke = {
+      .type = TABOR_EVENT_STRIKE, .velocity = 1.0 + block % 4, .radius = 0.002 * block};
+    tabor_drum_process(drum, &stroke, block % 25 == 0, outputs, 64);
+  }
+  const clock_t end = clock();
+  tabor_drum_destroy(drum);
+  return (double)(end - begin) / CLOCKS_PER_SEC;
+}
+
+static void a_sweep_costs_half_a_drum_at_most(void **state) {
+  (void)state;
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+  skip(); /* it is not what people play */
+#endif
+  TaborDrumDef def = brushed("snare-14x5.5");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  double plain = INFINITY, swept = INFINITY;
+  for (int i = 0; i < 15; i++) {
+    plain = fmin(plain, time_of(model, false));
+    swept = fmin(swept, time_of(model, true));
+  }
+  print_message(
+    "a snare drum being played and swept at live takes %.2f times that of one being played\n",
+    swept / plain);
+  assert_true(swept < 1.5 * plain);
   tabor_model_release(model);
 }
 
@@ -226,6 +405,10 @@ int main(void) {
     cmocka_unit_test(a_slap_brings_the_energy_of_its_wires),
     cmocka_unit_test(a_stick_does_not_sweep),
     cmocka_unit_test(a_sweep_goes_on_until_it_is_lifted_and_then_all_is_silent),
+    cmocka_unit_test(the_level_follows_speed_and_pressure),
+    cmocka_unit_test(a_brush_that_stays_is_not_heard),
+    cmocka_unit_test(a_sweep_is_noise_without_a_tone),
+    cmocka_unit_test(a_sweep_costs_half_a_drum_at_most),
     cmocka_unit_test(all_is_accounted_for_at_every_cap),
     cmocka_unit_test(blocks_saves_and_swaps_change_no_bit),
   };

@@ -21,12 +21,22 @@
  * is that of its next place; modes and tip go on as they were, and the change of the contact's potential is
  * the hand's work as well. Strides are random and the groups' are independent, or they would be a tone.
  *
+ * The wires behind their ends: a long wire answers a push at its end by the waves of bending that it sends away,
+ *   Z = EI k^3 (1 + i)/(2 omega), k^4 = rho A omega^2/EI
+ * (w = A (e^{-ikx} + e^{-kx}), so that w_xx = 0 at the end, and f = EI w_xxx). Of 0.3 mm of steel, EI = 8e-5 N m2 and
+ * rho A = 5.6e-4 kg/m, that is a resistance of 0.0135 N s/m at 1 kHz and as much of mass, 2 mg; both change slowly, with the
+ * square root of the frequency and against it. The resistance stands beside the hand's damper; the mass is the
+ * striker's. It mutes the head as a brush that lies on it does. In a slap the waves come down with the wires' speed v, and
+ * push by Z v until they have run up and down the wire; then the hand lifts the brush.
+ *
  * The hand: force F0, spring and damper of slots.h, a group's part each; F0 follows the pressure within some
  * milliseconds. It goes around the drum's centre until it is told to move; then it goes where the moves say, its
  * way smoothed as by a mass on a critically damped spring, p_tt = (P - p)/T^2 - 2 p_t/T. A slap spreads the
  * wires: they slide over the coating at a part of the speed of the stroke, which is over soon.
  *
- * Limits: speed 0 or a smooth coat leaves a light striker on the head; pressure 0 still presses with 0.3 N.
+ * Chosen, not measured: the coating's height and grain, strides, splay, slant. Limits: speed 0 leaves a light striker
+ * that rests on the head, which falls silent; pressure 0 still presses with 0.3 N; without losses wires have no
+ * resistance and bring nothing but their mass.
  * Audio-safe. */
 #ifndef TB_BRUSH_H
 #define TB_BRUSH_H

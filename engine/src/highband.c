@@ -239,7 +239,7 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbHighModes chosen;
-  const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST / 2 : TB_HIGH_MOST;
+  const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST / 4 : TB_HIGH_MOST;
   bool done = tb_high_modes_choose(&chosen, &scratch, model, top, most);
   if (done) {
     count_modes(band, &chosen);

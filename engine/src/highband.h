@@ -13,7 +13,7 @@
  * to 108, tests/test_highband.c), so they are measured on the upper two-way modes. Per sixth of an
  * octave the modes are sorted by the energy that they can bring to a microphone,
  * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head, or less of every band
- * where those were more than TB_HIGH_MOST (half of it at live); they carry the energy of those left out.
+ * where those were more than TB_HIGH_MOST (a quarter of it at live); they carry the energy of those left out.
  *
  * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each
  * group pushing at its middle. Forces along a wire cancel at the head's own wavelength but for the little that

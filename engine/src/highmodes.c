@@ -345,7 +345,7 @@ static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t
 static void thin(Builder *b, uint32_t most, TbHighModes *chosen) {
   qsort(b->candidates, b->count, sizeof *b->candidates, louder);
   double lost = 0.001;
-  while (copies_for(b, 1.0 - lost) > most) lost *= 1.5;
+  while (copies_for(b, 1.0 - lost) > most) lost *= 1.1;
   *chosen = (TbHighModes){
     .modes = b->candidates, .candidates = b->count, .copies = copies_for(b, 1.0 - lost)};
   for (uint32_t from = 0, to; from < b->count; from = to) {

@@ -121,6 +121,12 @@ static INLINE void vector_widen(Vector x, double *p) {
   _mm256_store_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(x)));
   _mm256_store_pd(p + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1)));
 }
+static INLINE void vector_add_wide(Vector x, double *p) {
+  const __m256d low = _mm256_cvtps_pd(_mm256_castps256_ps128(x));
+  const __m256d high = _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1));
+  _mm256_store_pd(p, _mm256_add_pd(_mm256_load_pd(p), low));
+  _mm256_store_pd(p + 4, _mm256_add_pd(_mm256_load_pd(p + 4), high));
+}
 #  elif defined(__SSE2__)
 static INLINE Vector vector_narrow(const double *p) {
   return _mm_movelh_ps(_mm_cvtpd_ps(_mm_load_pd(p)), _mm_cvtpd_ps(_mm_load_pd(p + 2)));
@@ -133,6 +139,10 @@ static INLINE void vector_widen(Vector x, double *p) {
   _mm_store_pd(p, _mm_cvtps_pd(x));
   _mm_store_pd(p + 2, _mm_cvtps_pd(_mm_movehl_ps(x, x)));
 }
+static INLINE void vector_add_wide(Vector x, double *p) {
+  _mm_store_pd(p, _mm_add_pd(_mm_load_pd(p), _mm_cvtps_pd(x)));
+  _mm_store_pd(p + 2, _mm_add_pd(_mm_load_pd(p + 2), _mm_cvtps_pd(_mm_movehl_ps(x, x))));
+}
 #  else
 static INLINE Vector vector_narrow(const double *p) {
   return (Vector){(float)p[0], (float)p[1], (float)p[2], (float)p[3]};
@@ -143,6 +153,9 @@ static INLINE Vector vector_narrow_change(const double *p, const double *q) {
 }
 static INLINE void vector_widen(Vector x, double *p) {
   for (int i = 0; i < 4; i++) p[i] = (double)x[i];
+}
+static INLINE void vector_add_wide(Vector x, double *p) {
+  for (int i = 0; i < 4; i++) p[i] += (double)x[i];
 }
 #  endif
 #elif WIDTH == 8
@@ -185,6 +198,10 @@ static INLINE Lanes load_change(const double *p, const double *q) {
 
 static INLINE void store_double(double *p, Lanes x) {
   for (int i = 0; i < PARTS; i++) vector_widen(x.part[i], p + i * WIDTH);
+}
+
+static INLINE void add_double(double *p, Lanes x) {
+  for (int i = 0; i < PARTS; i++) vector_add_wide(x.part[i], p + i * WIDTH);
 }
 #else
 static INLINE Lanes load_single(const float *p) {

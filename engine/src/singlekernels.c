@@ -22,6 +22,10 @@ static void widen(uint32_t n, const float *x, double *out) {
   for (uint32_t i = 0; i < n; i += 8) store_double(out + i, load(x + i));
 }
 
+static void add_widened(uint32_t n, const float *x, double *out) {
+  for (uint32_t i = 0; i < n; i += 8) add_double(out + i, load(x + i));
+}
+
 static void start(uint32_t n, TbSingleStart *whole) {
   const TbSingleStart copy = *whole, *at = &copy; /* which no store can change */
   Lanes change = zero(), deepest = zero(), most = zero();
@@ -481,6 +485,7 @@ const TbSingleKernels TB_SINGLE_KERNELS = {
   .combine = combine,
   .ring = ring,
   .two_dots = two_dots,
+  .add_widened = add_widened,
   .start = start,
   .end = end,
   .contract = contract,

@@ -45,6 +45,8 @@ typedef struct TbSingleKernels {
   void (*narrow)(uint32_t n, const double *x, float *out);
   void (*narrow_change)(uint32_t n, const double *x, const double *y, float *out);
   void (*widen)(uint32_t n, const float *x, double *out);
+  /* out += x */
+  void (*add_widened)(uint32_t n, const float *x, double *out);
   void (*start)(uint32_t n, TbSingleStart *start);
   void (*end)(uint32_t n, TbSingleEnd *end);
 

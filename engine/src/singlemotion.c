@@ -32,6 +32,13 @@ void tb_single_penetrate(TbView *view) {
                              view->rest_load, view->b);
 }
 
+void tb_single_renew(TbView *view, const double *motion) {
+  const TbSingle *single = &view->solve.single;
+  single->kernels->narrow(single->bed->size, motion, single->answer);
+  single->kernels->expand(single->bed, single->answer, single->scratch, single->moved);
+  single->kernels->add_widened(view->solve.stride, single->moved, view->solve.product);
+}
+
 void tb_single_settle(TbView *view) {
   if (!tb_solves_in_single(&view->solve)) return;
   tb_lift_penetrations(view, &view->now);

@@ -15,6 +15,9 @@ void tb_single_project(TbView *view);
 /* Their part of b from view->change. */
 void tb_single_penetrate(TbView *view);
 
+/* solve.product[stride] += what a motion of the grid means at the points. */
+void tb_single_renew(TbView *view, const double *motion);
+
 /* Penetrations of both instants as displacements have them. */
 void tb_single_settle(TbView *view);
 

@@ -435,7 +435,7 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
     return outcome;
   }
   outcome.contact = true;
-  /* What single precision left may be of another stretch, and is rounded. */
+  /* What single precision left is rounded. */
   if (tb_solves_in_single(solve)) {
     product_of(solve, true, solve->force, solve->grid, solve->product);
   }

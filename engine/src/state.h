@@ -93,10 +93,10 @@ typedef struct TbState {
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
   uint32_t slot_mask; /* slots in play */
-  uint32_t lifted;   /* wires hang clear of the head: see lift.h */
-  double gap;        /* ... by this at least [m] */
-  uint32_t rings;    /* the hoop moves, or something may strike it */
-  uint32_t airborne; /* nothing touched in the last step: `modal` and `high_force` hold for this */
+  uint32_t lifted;    /* wires hang clear of the head: see lift.h */
+  double gap;         /* ... by this at least [m] */
+  uint32_t rings;     /* the hoop moves, or something may strike it */
+  uint32_t airborne;  /* nothing touched in the last step: `modal` and `high_force` hold for this */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see treble.h */

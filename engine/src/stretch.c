@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bessel.h"
+#include "singlemotion.h"
 #include "singlesolve.h"
 
 static const double PI = 3.14159265358979323846;
@@ -200,11 +201,13 @@ void tb_stretch_yield(TbView *view, double *slots) {
 
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->state->airborne || tb_solves_in_single(solve)) return;
+  if (solve->stretch_count == 0 || view->state->airborne) return;
   const uint32_t size = solve->bed->size;
   double *carry = view->stretch_carry, *rows = solve->work;
   tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry, carry + size);
-  if (!view->state->lifted) {
+  if (tb_solves_in_single(solve)) {
+    tb_single_renew(view, carry);
+  } else if (!view->state->lifted) {
     tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
     solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
   }

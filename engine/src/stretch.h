@@ -31,8 +31,7 @@ void tb_stretch_free(TbView *view);
  * of it: adds it to view->change, and slots[TB_SLOTS] receives it for the strikers' b. */
 void tb_stretch_yield(TbView *view, double *slots);
 /* Before the solve: the last forces' response M f, which the solve starts from and moves along, with the
- * stretch of this sample instead of the last one's. In single precision the solve starts from the last one's: it may
- * start anywhere, and moves them along by so little that the difference is rounding. */
+ * stretch of this sample instead of the last one's. */
 void tb_stretch_renew(TbView *view);
 /* After the contacts have moved the modes: adds the force. They changed Y^T q+ by -r f, so theta is known. */
 void tb_stretch_respond(TbView *view);

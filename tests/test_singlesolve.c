@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT */
+/* Contacts in single precision against those in double: the grid under the wires, the laws, whole strokes. */
+#include "drum.h"
+#include "lift.h"
+#include "physics.h"
+#include "singlesolve.h"
+
+static const double RATE = 48000.0;
+static const char *const DRUMS[] = {"snare-14x5.5", "bodhran-d-string", "marching-14x12"};
+enum { DRUM_COUNT = sizeof DRUMS / sizeof DRUMS[0] };
+
+static TaborModel *live_model(const char *name) {
+  const TaborDrumDef def = physics_preset(name);
+  return physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+}
+
+static double *take(TbArena *arena, size_t count) {
+  double *room = tb_arena_doubles(arena, count);
+  assert_non_null(room);
+  return room;
+}
+
+static float *take_single(TbArena *arena, size_t count) {
+  float *room = tb_arena_take(arena, count, sizeof *room);
+  assert_non_null(room);
+  return room;
+}
+
+/* Largest difference in units of the largest double. */
+static double off(uint32_t n, const float *single, const double *exact) {
+  double most = 0.0, worst = 0.0;
+  for (uint32_t i = 0; i < n; i++) {
+    most = fmax(most, fabs(exact[i]));
+    worst = fmax(worst, fabs((double)single[i] - exact[i]));
+  }
+  return worst / most;
+}
+
+static void both_precisions_mean_the_same_grid(void **state) {
+  (void)state;
+  uint64_t seed = physics_seed();
+  for (int d = 0; d < DRUM_COUNT; d++) {
+    TaborModel *model = live_model(DRUMS[d]);
+    const TbBed *bed = &model->projection.bed;
+    const TbSingleBed *single = &model->single_bed;
+    const TbSingleKernels *kernels = model->single_kernels;
+    const uint32_t rows = model->wires.stride;
+    const TaborAllocator allocator = tb_allocator_resolve(NULL);
+    TbArena arena;
+    tb_arena_prepare(&arena, &allocator);
+    double *x = take(&arena, rows), *grid = take(&arena, bed->size),
+           *answer = take(&arena, bed->size);
+    double *scratch = take(&arena, tb_bed_scratch(bed));
+    float *x1 = take_single(&arena, rows), *grid1 = take_single(&arena, bed->size);
+    float *answer1 = take_single(&arena, bed->size);
+    float *scratch1 = take_single(&arena, tb_single_bed_scratch(single));
+    for (uint32_t row = 0; row < rows; row++) {
+      x1[row] = (float)(model->wires.real[row] * physics_uniform(&seed, -1.0, 1.0));
+      x[row] = (double)x1[row];
+    }
+    tb_bed_contract(bed, model->kernels, x, scratch, grid);
+    kernels->contract(single, x1, scratch1, grid1);
+    assert_true(off(bed->size, grid1, grid) < 2e-6);
+    tb_compliance_apply(&model->compliance, model->kernels, grid, answer);
+    kernels->comply(single, grid1, answer1);
+    assert_true(off(bed->size, answer1, answer) < 4e-6);
+    tb_bed_expand(bed, model->kernels, answer, scratch, x);
+    kernels->expand(single, answer1, scratch1, x1);
+    const double worst = off(rows, x1, x);
+    print_message("%s: %u points of the grid, %u of the wires, off by %.1e\n", DRUMS[d], bed->size,
+                  rows, worst);
+    assert_true(worst < 6e-6);
+    tb_arena_release(&arena);
+    tabor_model_release(model);
+  }
+}
+
+/* Force, slope and mean over intervals that touch, leave, enter and pass the knee. */
+static void laws_agree(void **state) {
+  (void)state;
+  uint64_t seed = physics_seed();
+  static const double EXPONENTS[] = {1.0, 1.5, 2.0};
+  TaborModel *model = live_model("snare-14x5.5");
+  enum { POINTS = 24 };
+  for (int trial = 0; trial < 2000; trial++) {
+    TbLaw law;
+    const double stiffness = exp(physics_uniform(&seed, log(1e3), log(1e9)));
+    tb_law_prepare(&law, stiffness, EXPONENTS[trial % 3], 0.3, 1.0 / RATE, trial % 2 ? 1e5 : 1e30);
+    _Alignas(64) float y[POINTS], root[POINTS], s[POINTS], force[POINTS], slope[POINTS],
+      mean[POINTS];
+    const double depth = exp(physics_uniform(&seed, log(1e-8), log(1e-3)));
+    for (int i = 0; i < POINTS; i++) {
+      y[i] = (float)physics_uniform(&seed, -depth, depth);
+      s[i] = (float)(0.5 * physics_uniform(&seed, -depth, depth));
+      root[i] = y[i] > 0.0f ? sqrtf(y[i]) : 0.0f;
+    }
+    model->single_kernels->laws(1, POINTS, &law, y, root, s, force, slope, mean);
+    for (int i = 0; i < POINTS; i++) {
+      const TbLawResult exact = tb_law_force(&law, (double)y[i], (double)s[i]);
+      const double force_scale = tb_law_static_force(&law, depth),
+                   slope_scale = force_scale / depth;
+      assert_true(fabs((double)force[i] - exact.force) < 1e-5 * (exact.force + force_scale));
+      assert_true(fabs((double)mean[i] - exact.mean) < 1e-5 * (exact.mean + force_scale));
+      assert_true(fabs((double)slope[i] - exact.slope) < 2e-2 * (exact.slope + slope_scale));
+    }
+  }
+  tabor_model_release(model);
+}
+
+/* The same drum at live, and at studio made as small: until the wires' small differences have grown large, the
+ * stick has the same force and the head the same height. */
+static void a_stroke_is_the_same_for_some_milliseconds(void **state) {
+  (void)state;
+  enum { SAMPLES = 96 };
+  for (int d = 0; d < DRUM_COUNT; d++) {
+    const TaborDrumDef preset = physics_preset(DRUMS[d]), def = physics_small(&preset);
+    double height[2][SAMPLES], most = 0.0, worst = 0.0;
+    for (int exact = 0; exact < 2; exact++) {
+      TaborModel *model =
+        physics_model(&def, RATE, exact ? TABOR_QUALITY_STUDIO : TABOR_QUALITY_LIVE);
+      assert_true((model->single_kernels == NULL) == exact);
+      TaborDrum *drum = physics_drum(model);
+      const TaborEvent strike = physics_strike(&def);
+      for (int i = 0; i < SAMPLES; i++) {
+        TaborProbe probe;
+        tabor_drum_process(drum, &strike, i == 0, NULL, 1);
+        tabor_drum_probe(drum, &probe);
+        height[exact][i] = probe.head;
+      }
+      tabor_drum_destroy(drum);
+      tabor_model_release(model);
+    }
+    for (int i = 0; i < SAMPLES; i++) {
+      const double moved = height[1][i] - height[1][0];
+      most = fmax(most, fabs(moved));
+      worst = fmax(worst, fabs(height[0][i] - height[0][0] - moved));
+    }
+    print_message("%s: the head moves %.2g m, differs by %.1e m\n", DRUMS[d], most, worst);
+    assert_true(worst < 0.02 * most);
+  }
+}
+
+static void a_drum_at_rest_stays_there(void **state) {
+  (void)state;
+  for (int d = 0; d < DRUM_COUNT; d++) {
+    const TaborDrumDef def = physics_preset(DRUMS[d]);
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+    TaborDrum *drum = physics_drum(model);
+    /* Set to the value that it has: the drum wakes, and nothing moves. */
+    const TaborEvent wake = {.type = TABOR_EVENT_PARAMETER,
+                             .parameter = tabor_parameter_find("wires.tension")->id,
+                             .value = def.wires.tension};
+    float samples[480], *outputs[TABOR_MAX_MICS] = {samples};
+    tabor_drum_process(drum, &wake, 1, outputs, 480);
+    for (int i = 0; i < 480; i++) assert_true(samples[i] == 0.0f);
+    TaborLedger ledger;
+    TaborStatistics statistics;
+    tabor_drum_ledger(drum, &ledger);
+    tabor_drum_statistics(drum, &statistics);
+    assert_true(ledger.stored == 0.0 && ledger.residual == 0.0 && ledger.contact_loss == 0.0);
+    assert_true(statistics.solves > 100); /* it was awake */
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+}
+
+/* Just before they are settled, penetrations that advanced by rounded changes are still those of the
+ * displacements, to a millionth of how far heads and wires swing. */
+static void penetrations_do_not_drift(void **state) {
+  (void)state;
+  for (int d = 0; d < DRUM_COUNT; d++) {
+    const TaborDrumDef def = physics_preset(DRUMS[d]);
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+    TaborDrum *drum = physics_drum(model);
+    TaborEvent strike = physics_strike(&def);
+    strike.velocity = 6.0;
+    tabor_drum_process(drum, &strike, 1, NULL, 64 * 60 - 1);
+    TbView view = tb_view(drum->state, model);
+    double most = 0.0, worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
+    memcpy(kept, view.now.eta, model->wires.stride * sizeof *kept);
+    tb_lift_penetrations(&view, &view.now);
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
+      if (model->wires.real[row] == 0.0) continue;
+      most = fmax(most, fabs(kept[row]));
+      worst = fmax(worst, fabs(view.now.eta[row] - kept[row]));
+    }
+    print_message("%s: %.1e m apart at most, penetrations off by %.1e m\n", DRUMS[d], most, worst);
+    assert_true(worst > 0.0 && worst < 1e-6 * most);
+    free(kept);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+}
+
+/* A drum without wires is linear but for the stick: only its high band is of single precision at live. */
+static void linear_drums_sound_the_same_to_90_decibels(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_preset("tom-12");
+  def.quality.two_way_bandwidth = 2500.0;
+  def.quality.bandwidth = 3300.0; /* so few modes that both keep the same */
+  def.batter.stretch_stiffness = def.resonant.stretch_stiffness = 0.0;
+  enum { SAMPLES = 48000 };
+  static float sound[2][SAMPLES];
+  for (int exact = 0; exact < 2; exact++) {
+    TaborModel *model =
+      physics_model(&def, RATE, exact ? TABOR_QUALITY_STUDIO : TABOR_QUALITY_LIVE);
+    assert_true(model->high.count > 50 && model->high.single == !exact);
+    TaborDrum *drum = physics_drum(model);
+    const TaborEvent strike = physics_strike(&def);
+    float *outputs[TABOR_MAX_MICS] = {sound[exact]};
+    tabor_drum_process(drum, &strike, 1, outputs, SAMPLES);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+  double most = 0.0, worst = 0.0;
+  for (int i = 0; i < SAMPLES; i++) {
+    most = fmax(most, fabs((double)sound[1][i]));
+    worst = fmax(worst, fabs((double)sound[0][i] - (double)sound[1][i]));
+  }
+  const double decibel = 20.0 * log10(worst / most);
+  print_message("live differs from studio by %.0f dB\n", decibel);
+  assert_true(worst > 0.0 && decibel < -90.0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(both_precisions_mean_the_same_grid),
+    cmocka_unit_test(laws_agree),
+    cmocka_unit_test(a_stroke_is_the_same_for_some_milliseconds),
+    cmocka_unit_test(a_drum_at_rest_stays_there),
+    cmocka_unit_test(penetrations_do_not_drift),
+    cmocka_unit_test(linear_drums_sound_the_same_to_90_decibels),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -165,7 +165,7 @@ static void a_drum_at_rest_stays_there(void **state) {
 }
 
 /* Just before they are settled, penetrations that advanced by rounded changes are still those of the
- * displacements, to a millionth of how far heads and wires swing. */
+ * displacements: heads and wires swing by millimetres. */
 static void penetrations_do_not_drift(void **state) {
   (void)state;
   for (int d = 0; d < DRUM_COUNT; d++) {
@@ -176,16 +176,15 @@ static void penetrations_do_not_drift(void **state) {
     strike.velocity = 6.0;
     tabor_drum_process(drum, &strike, 1, NULL, 64 * 60 - 1);
     TbView view = tb_view(drum->state, model);
-    double most = 0.0, worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
+    double worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
     memcpy(kept, view.now.eta, model->wires.stride * sizeof *kept);
     tb_lift_penetrations(&view, &view.now);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       if (model->wires.real[row] == 0.0) continue;
-      most = fmax(most, fabs(kept[row]));
       worst = fmax(worst, fabs(view.now.eta[row] - kept[row]));
     }
-    print_message("%s: %.1e m apart at most, penetrations off by %.1e m\n", DRUMS[d], most, worst);
-    assert_true(worst > 0.0 && worst < 1e-6 * most);
+    print_message("%s: penetrations off by %.1e m\n", DRUMS[d], worst);
+    assert_true(worst > 0.0 && worst < 1e-9);
     free(kept);
     tabor_drum_destroy(drum);
     tabor_model_release(model);

@@ -18,10 +18,12 @@ static bool hands = true; /* sticks are held, too */
  * the drum fell through, of which a part may be lost. */
 static const double ROUNDING = 1e-15; /* [J] at 48 kHz; the softest stroke brings 1e-6 J */
 static const double ROUNDING_OF_STORED = 1e-10, ROUNDING_IN_SINGLE = 1e-6;
+static const double FLOOR_IN_SINGLE = 1e-12; /* [J] a millionth of the softest stroke */
 
 /* A displacement rounded to a part e is pushed by m e u/k^2. */
 static void expect_rounding(double rate, uint32_t quality) {
   rounding = ROUNDING * (rate / 48000.0) * (rate / 48000.0);
+  if (quality <= TABOR_QUALITY_LIVE) rounding += FLOOR_IN_SINGLE;
   created = physics_residual(quality);
   put_in = 0.0;
   of_stored = quality <= TABOR_QUALITY_LIVE ? ROUNDING_IN_SINGLE : ROUNDING_OF_STORED;

@@ -6,6 +6,7 @@
 #include "lanes.h"
 #include "lawlanes.h"
 #include "ringlanes.h"
+#include "rowlanes.h"
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {
@@ -198,22 +199,6 @@ static double reach(uint32_t n, const double *c, const double *x) {
   return join(sum);
 }
 
-static double dot(uint32_t n, const double *x, const double *y) {
-  Lanes sum = zero();
-  for (uint64_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
-  return join(sum);
-}
-
-static void add_scaled(uint32_t n, double *out, double f, const double *x) {
-  for (uint64_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
-}
-
-static void add_product(uint32_t n, double *out, const double *x, const double *y) {
-  for (uint64_t i = 0; i < n; i += 8) {
-    store(out + i, add(load(out + i), multiply_lanes(load(x + i), load(y + i))));
-  }
-}
-
 static INLINE void losses_of(uint32_t count, uint32_t n, const double *const w[3],
                              const double *next, const double *last, double sums[3]) {
   Lanes sum[3] = {zero(), zero(), zero()};
@@ -395,22 +380,8 @@ static TbPair sizes(uint32_t n, const double *b, const double *y) {
   return (TbPair){largest_of(most), largest_of(deepest)};
 }
 
-static double difference(uint32_t n, const double *x, const double *y) {
-  Lanes most = zero();
-  for (uint64_t i = 0; i < n; i += 8)
-    most = larger(size_of(subtract(load(x + i), load(y + i))), most);
-  return largest_of(most);
-}
-
 static void subtract_arrays(uint32_t n, const double *x, const double *y, double *out) {
   for (uint64_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
-}
-
-static void extrapolate(uint32_t n, double t, const double *x, const double *before,
-                        const double *base, double *out) {
-  for (uint64_t i = 0; i < n; i += 8) {
-    store(out + i, add(load(base + i), scale(subtract(load(x + i), load(before + i)), t)));
-  }
 }
 
 static double residual(uint32_t n, const double *s, const double *b, const double *p, double *r) {
@@ -477,39 +448,6 @@ static void move(uint32_t n, const double *own, const double *f, const double *r
     store(v + i, add(load(v + i), multiply_lanes(load(own + i), change)));
     store(eta + i, add(load(last + i), load(s + i)));
   }
-}
-
-/* ---- conjugate gradients -------------------------------------------------------------------- */
-
-static void product(uint32_t n, double *out, const double *x, const double *y) {
-  for (uint64_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
-}
-
-static double turn(uint32_t n, double *out, const double *d, const double *w, const double *m) {
-  Lanes sum = zero();
-  for (uint64_t i = 0; i < n; i += 8) {
-    const Lanes direction = load(d + i);
-    const Lanes turned = add(direction, multiply_lanes(load(w + i), load(m + i)));
-    store(out + i, turned);
-    sum = add(sum, multiply_lanes(direction, turned));
-  }
-  return join(sum);
-}
-
-static double advance(uint32_t n, double t, double *p, const double *d, double *r,
-                      const double *m) {
-  Lanes sum = zero();
-  for (uint64_t i = 0; i < n; i += 8) {
-    store(p + i, add(load(p + i), scale(load(d + i), t)));
-    const Lanes left = subtract(load(r + i), scale(load(m + i), t));
-    store(r + i, left);
-    sum = add(sum, multiply_lanes(left, left));
-  }
-  return join(sum);
-}
-
-static void redirect(uint32_t n, double t, double *d, const double *r) {
-  for (uint64_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 
 const TbKernels TB_KERNELS = {

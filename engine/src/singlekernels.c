@@ -6,6 +6,7 @@
 #include "lanes.h"
 #include "lawlanes.h"
 #include "ringlanes.h"
+#include "rowlanes.h"
 #include "singlebed.h"
 
 /* ---- precision ------------------------------------------------------------------------------ */
@@ -354,14 +355,6 @@ static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const flo
   }
 }
 
-static float difference(uint32_t n, const float *x, const float *y) {
-  Lanes most = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    most = larger(size_of(subtract(load(x + i), load(y + i))), most);
-  }
-  return largest_of(most);
-}
-
 static void relax(uint32_t n, const float *law, const float *slope, const float *own,
                   const float *head, const float *f_last, float *f) {
   for (uint32_t i = 0; i < n; i += 8) {
@@ -393,26 +386,6 @@ static float follow(uint32_t n, const float *law, const float *weight, const flo
   return largest_of(most);
 }
 
-static float dot(uint32_t n, const float *x, const float *y) {
-  Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) sum = add(sum, multiply_lanes(load(x + i), load(y + i)));
-  return join(sum);
-}
-
-static void add_scaled(uint32_t n, float *out, float f, const float *x) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
-}
-
-static void add_product(uint32_t n, float *out, const float *x, const float *y) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    store(out + i, add(load(out + i), multiply_lanes(load(x + i), load(y + i))));
-  }
-}
-
-static void product(uint32_t n, float *out, const float *x, const float *y) {
-  for (uint32_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
-}
-
 static float weigh(uint32_t n, const float *slope, const float *p, const float *p_last,
                    float *weight, float *d) {
   Lanes sum = zero();
@@ -424,32 +397,6 @@ static float weigh(uint32_t n, const float *slope, const float *p, const float *
     sum = add(sum, multiply_lanes(down, down));
   }
   return join(sum);
-}
-
-static float turn(uint32_t n, float *out, const float *d, const float *w, const float *m) {
-  Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes direction = load(d + i);
-    const Lanes turned = add(direction, multiply_lanes(load(w + i), load(m + i)));
-    store(out + i, turned);
-    sum = add(sum, multiply_lanes(direction, turned));
-  }
-  return join(sum);
-}
-
-static float advance(uint32_t n, float t, float *p, const float *d, float *r, const float *m) {
-  Lanes sum = zero();
-  for (uint32_t i = 0; i < n; i += 8) {
-    store(p + i, add(load(p + i), scale(load(d + i), t)));
-    const Lanes left = subtract(load(r + i), scale(load(m + i), t));
-    store(r + i, left);
-    sum = add(sum, multiply_lanes(left, left));
-  }
-  return join(sum);
-}
-
-static void redirect(uint32_t n, float t, float *d, const float *r) {
-  for (uint32_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 
 static TbSingleSums balance(uint32_t n, float t, const float *s_at, const float *law,
@@ -467,13 +414,6 @@ static TbSingleSums balance(uint32_t n, float t, const float *s_at, const float 
     miss = larger(size_of(left), miss);
   }
   return (TbSingleSums){join(value), join(derivative), join(size), largest_of(miss)};
-}
-
-static void extrapolate(uint32_t n, float t, const float *x, const float *before, const float *base,
-                        float *out) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    store(out + i, add(load(base + i), scale(subtract(load(x + i), load(before + i)), t)));
-  }
 }
 
 const TbSingleKernels TB_SINGLE_KERNELS = {

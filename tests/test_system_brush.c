@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and are the same
  * whatever the blocks. */
-#include <time.h>
 
 #include "physics.h"
 
@@ -252,44 +251,6 @@ static void a_sweep_is_noise_without_a_tone(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- cost ------------------------------------------------------------------------------------ */
-
-/* Processor time of a tenth of a second of strokes [s], with a sweep or without. */
-static double time_of(TaborModel *model, bool sweeps) {
-  TaborDrum *drum = physics_drum(model);
-  float sound[64];
-  float *outputs[TABOR_MAX_MICS] = {sound};
-  if (sweeps) tabor_drum_process(drum, &SWEEP, 1, outputs, 64);
-  const clock_t begin = clock();
-  for (int block = 0; block < 75; block++) {
-    const TaborEvent stroke = {
-      .type = TABOR_EVENT_STRIKE, .velocity = 1.0 + block % 4, .radius = 0.002 * block};
-    tabor_drum_process(drum, &stroke, block % 25 == 0, outputs, 64);
-  }
-  const clock_t end = clock();
-  tabor_drum_destroy(drum);
-  return (double)(end - begin) / CLOCKS_PER_SEC;
-}
-
-static void a_sweep_costs_half_a_drum_at_most(void **state) {
-  (void)state;
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-  skip(); /* it is not what people play */
-#endif
-  TaborDrumDef def = brushed("snare-14x5.5");
-  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
-  double plain = INFINITY, swept = INFINITY;
-  for (int i = 0; i < 15; i++) {
-    plain = fmin(plain, time_of(model, false));
-    swept = fmin(swept, time_of(model, true));
-  }
-  print_message(
-    "a snare drum being played and swept at live takes %.2f times that of one being played\n",
-    swept / plain);
-  assert_true(swept < 1.5 * plain);
-  tabor_model_release(model);
-}
-
 /* ---- two hands at work ----------------------------------------------------------------------- */
 
 /* Sweeps, moves, presses, slaps and lifts, in turn and at once. */
@@ -408,7 +369,6 @@ int main(void) {
     cmocka_unit_test(the_level_follows_speed_and_pressure),
     cmocka_unit_test(a_brush_that_stays_is_not_heard),
     cmocka_unit_test(a_sweep_is_noise_without_a_tone),
-    cmocka_unit_test(a_sweep_costs_half_a_drum_at_most),
     cmocka_unit_test(all_is_accounted_for_at_every_cap),
     cmocka_unit_test(blocks_saves_and_swaps_change_no_bit),
   };

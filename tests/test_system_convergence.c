@@ -38,7 +38,10 @@ static TaborDrumDef definition(double slow) {
                                      .contact_stiffness = 3e6 / square,
                                      .contact_exponent = 2.0,
                                      .contact_loss = 0.05 * slow,
-                                     .contact_radius = 0.006};
+                                     .contact_radius = 0.006,
+                                     .bristles = 200,
+                                     .spread = 0.04,
+                                     .sweep_speed = 0.8};
   def.strike.velocity = 1.3 / slow;
   def.air.sound_speed /= slow;
   def.air.gravity /= square;

@@ -402,7 +402,8 @@ static float weigh(uint32_t n, const float *slope, const float *p, const float *
 static TbSingleSums balance(uint32_t n, float t, const float *s_at, const float *law,
                             const float *slope, const float *f_at, const float *f_last,
                             const float *p, const float *p_last) {
-  Lanes value = zero(), derivative = zero(), size = zero(), miss = zero();
+  Lanes value = zero(), derivative = zero(), size = zero();
+  Lanes miss = zero(), most = zero();
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes s = load(s_at + i), f = load(f_at + i), g = subtract(f, load(f_last + i));
     const Lanes m = subtract(load(p + i), load(p_last + i)), moved = add(f, scale(g, t));
@@ -412,8 +413,10 @@ static TbSingleSums balance(uint32_t n, float t, const float *s_at, const float 
     derivative = subtract(derivative, add(multiply_lanes(m, left), bend));
     size = add(size, size_of(multiply_lanes(s, moved)));
     miss = larger(size_of(left), miss);
+    most = larger(size_of(moved), most);
   }
-  return (TbSingleSums){join(value), join(derivative), join(size), largest_of(miss)};
+  return (TbSingleSums){join(value), join(derivative), join(size), largest_of(miss),
+                        largest_of(most)};
 }
 
 const TbSingleKernels TB_SINGLE_KERNELS = {

@@ -35,9 +35,9 @@ typedef struct TbSingleEnd {
   uint32_t touching;
 } TbSingleEnd;
 
-/* What a balance is made of (kernels.h), and the largest |law - f|. */
+/* What a balance is made of (kernels.h), the largest |law - f|, and the largest |f|. */
 typedef struct TbSingleSums {
-  float value, derivative, size, miss;
+  float value, derivative, size, miss, most;
 } TbSingleSums;
 
 typedef struct TbSingleKernels {

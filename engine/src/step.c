@@ -248,6 +248,9 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
 
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
 static const double SILENT_ENERGY = 1e-18; /* [J] */
+/* Where contacts are solved in single precision, rounding keeps wires that lie on a head moving: 5e-17 J for the
+ * heaviest of the presets' wires. */
+static const double SILENT_IN_SINGLE = 1e-15;
 static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150;       /* [m kg^1/2]; denormals begin at 1e-308, */
 static const float VANISHED_SINGLE = 1e-30f; /* ... of single precision at 1e-38 */
@@ -291,10 +294,15 @@ static void clear_high(TbView *view) {
   memset(view->last.high, 0, bytes);
 }
 
+static double silent_energy(const TaborModel *model) {
+  return model->single_kernels ? SILENT_IN_SINGLE : SILENT_ENERGY;
+}
+
 /* Stops all motion; a drum within rounding of its rest returns to it exactly. */
 static void fall_asleep(TbView *view) {
   const TaborModel *model = view->model;
-  const bool at_rest = fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * SILENT_ENERGY;
+  const bool at_rest =
+    fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * silent_energy(model);
   const uint32_t rows = model->wires.stride + TB_SLOTS;
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
@@ -358,7 +366,7 @@ void tb_step_housekeeping(TbView *view) {
   clear_vanished(view);
   tb_lift_begin(view);
   tb_single_settle(view);
-  const bool quiet = motion < SILENT_ENERGY && !striker_in_flight(view) &&
+  const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
                      !parameter_moves(state) && !tb_brush_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);

@@ -13,6 +13,8 @@ static const double AWAY = 0.005;       /* [m] */
 static const double OUT_OF_HAND = 0.05; /* [m] */
 static const double LINGER = 1.0;       /* [s] */
 static const double PALM_TIME = 0.3;    /* [s] */
+static const double LIFT_TIME = 0.008;  /* [s] in which a hand lets go and pulls, */
+static const double LIFT = 2.0;         /* [N] ... this hard in the end: 5 mm in as long again */
 static const double HERTZ = 1.5;        /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
@@ -288,7 +290,8 @@ uint32_t tb_slots_obtain(TbView *view) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
-    if (s->kind != TB_SLOT_STRIKER || s->held || tb_slots_touches(view, i)) continue;
+    if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving) || tb_slots_touches(view, i))
+      continue;
     if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
   }
   if (oldest < TB_SLOTS) tb_slots_take_away(view, oldest);
@@ -310,11 +313,31 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
   return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
 }
 
+/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back. Nobody finds it by
+ * its id any more. */
+static void lift(TbSlot *s) {
+  s->leaving = 1;
+  s->id = 0;
+}
+
+/* One sample of it: the pressing force goes, the pulling one comes. */
+static void pull_up(const TbView *view, TbSlot *s) {
+  const double whole = LIFT_TIME * view->model->sample_rate, left = whole - s->leaving;
+  if (left <= 0.0) return;
+  s->leaving++;
+  s->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
+  s->push = left > 1.0 ? -LIFT * s->leaving / whole : -LIFT;
+}
+
+static bool is_pressed(const TbSlot *s) {
+  return s->kind == TB_SLOT_STRIKER && s->held && !s->bristles && !s->partner;
+}
+
 /* A hand that strikes again lifts the stick that it pressed. */
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
-    const TbSlot *s = &view->state->slots[i];
-    if (s->kind == TB_SLOT_STRIKER && s->held && s->id == id) tb_slots_take_away(view, i);
+    TbSlot *s = &view->state->slots[i];
+    if (is_pressed(s) && s->id == id) lift(s);
   }
 }
 
@@ -422,7 +445,7 @@ bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
-    if (s->on_hoop || s->partner) continue;
+    if (s->on_hoop || s->partner || s->leaving) continue;
     tb_slots_hold(view, i, tb_slots_press_force(pressure));
     found = true;
   }
@@ -494,15 +517,21 @@ bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, do
 void tb_slots_release(TbView *view, uint32_t id) {
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    if (in_play(view, i) && (id == 0 || view->state->slots[i].id == id))
+    TbSlot *s = &view->state->slots[i];
+    if (!in_play(view, i) || s->leaving || (id != 0 && s->id != id)) continue;
+    if (is_pressed(s) && tb_slots_touches(view, i)) {
+      lift(s);
+    } else {
       tb_slots_take_away(view, i);
+    }
   }
 }
 
 /* Off and away: nothing touches, nor will it in a moment. */
 static bool is_leaving(const TbView *view, uint32_t slot) {
   const double gap = -view->now.eta[view->model->wires.stride + slot];
-  const double far = view->state->slots[slot].held ? OUT_OF_HAND : AWAY;
+  const TbSlot *s = &view->state->slots[slot];
+  const double far = s->held && !s->leaving ? OUT_OF_HAND : AWAY;
   return gap > far && view->now.z[slot] > view->last.z[slot];
 }
 
@@ -517,7 +546,7 @@ static bool is_done(const TbView *view, uint32_t slot) {
   if (tb_slots_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->sample_rate)) {
     const double gap = -view->now.eta[view->model->wires.stride + slot];
-    return !s->held || gap > OUT_OF_HAND;
+    return !s->held || s->leaving || gap > OUT_OF_HAND;
   }
   return !s->partner && is_leaving(view, slot);
 }
@@ -529,6 +558,7 @@ void tb_slots_retire(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
     if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
+    if (s->leaving) pull_up(view, s);
     if (s->palm ? s->age > palm_time : s->kind == TB_SLOT_STRIKER && is_done(view, i)) {
       tb_slots_take_away(view, i);
     }

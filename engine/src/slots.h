@@ -9,7 +9,8 @@
  *
  * A striker that a hand presses moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), damper centred, g
  * the grip, z0 where the hand took hold; it bounces, and stays until it is released or leaps 50 mm off,
- * out of the hand. What force and spring do is injected energy, what the damper takes is lost. g = 0 is
+ * out of the hand. Released on the head it is lifted: in 8 ms the force F0 becomes a pull of 2 N, and off it goes. What
+ * force and spring do is injected energy, what the damper takes is lost. g = 0 is
  * a free rebound. A hand holds one stick: a stroke takes away the pressed one with its id. Held at a
  * distance p from its butt, a rod of length L and mass m weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at
  * its tip. Strikers pass the wires by. On the hoop, or on both, a stick is as rod.h says, and no hand presses it. */

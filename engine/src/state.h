@@ -60,6 +60,7 @@ typedef struct TbSlot {
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* it is a group of a brush's */
   double part;                              /* ... or all of a striker: 1 */
+  uint32_t leaving;                         /* samples since the hand began to lift it, or 0 */
   double resistance, push;                  /* of its wires, when held [N s/m], [N] */
   double coat;                              /* height of the coating under it [m] */
   double due;                               /* the brush's way when it slips on [m] */

@@ -186,6 +186,29 @@ static void test_knobs_that_are_no_numbers(void **state) {
   on_both(turn_wildly);
 }
 
+/* Knobs that have never been numbers stand at their defaults. */
+static void test_knobs_that_are_no_numbers_from_the_start(void **state) {
+  (void)state;
+  for (int i = 0; i < 2; i++) {
+    const LV2_Descriptor *const plugin = host_descriptor(plugins, plugin_uris[i]);
+    PluginHost *const host = host_open(plugin, HOST_WITHOUT_WORKER);
+    PluginHost *const usual = host_open(plugin, HOST_WITHOUT_WORKER);
+    PluginHost *const both[] = {host, usual};
+    for (uint32_t knob = 0; knob < KNOB_COUNT; knob++) host->knobs[knob] = NAN;
+    for (int k = 0; k < 2; k++) {
+      both[k]->freewheel = 1;
+      host_note(both[k], 0, 38, 100);
+      host_run(both[k], FRAMES);
+    }
+    for (uint32_t output = 0; output < host->outputs; output++) {
+      assert_true(host_peak(usual->sound[output], FRAMES) > 1e-5);
+      assert_memory_equal(host->sound[output], usual->sound[output], FRAMES * sizeof(float));
+    }
+    host_close(host);
+    host_close(usual);
+  }
+}
+
 static void run_nothing(PluginHost *host) {
   for (int i = 0; i < 100; i++) {
     host_event(host, 0, 3, (const uint8_t[]){0xB9, 16, 20});
@@ -256,6 +279,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_damaged_sequences),
     cmocka_unit_test(test_atoms_of_other_kinds),
     cmocka_unit_test(test_knobs_that_are_no_numbers),
+    cmocka_unit_test(test_knobs_that_are_no_numbers_from_the_start),
     cmocka_unit_test(test_runs_of_no_frames),
     cmocka_unit_test(test_a_note_in_a_run_without_frames),
     cmocka_unit_test(test_optional_ports),

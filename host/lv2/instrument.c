@@ -125,14 +125,19 @@ static void activate(LV2_Handle handle) {
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
-/* What is no number leaves the knob where it is. */
+/* What is no number leaves the knob where it is: at first at its default. */
+static float knob_value(const Instrument *instrument, uint32_t id) {
+  const float *const port = instrument->knob_ports[id];
+  const float last = instrument->voice.seen[id];
+  if (port && isfinite(*port)) return *port;
+  return port && !isnan(last) ? last : instrument->ranges[id].fallback;
+}
+
 static void read_knobs(Instrument *instrument) {
   const uint32_t count = instrument->voice.stereo ? KNOB_COUNT : KNOB_MULTI_COUNT;
   for (uint32_t i = 0; i < count; i++) {
     const KnobRange *const range = &instrument->ranges[i];
-    const float *const port = instrument->knob_ports[i];
-    const float value = port ? *port : range->fallback;
-    if (!isfinite(value)) continue;
+    const float value = knob_value(instrument, i);
     voice_turn(&instrument->voice, (KnobId)i, fminf(fmaxf(value, range->minimum), range->maximum));
   }
 }

@@ -221,7 +221,7 @@ static void refused_definition(const char *text, const char *said) {
 
 static void test_wrong_states_change_nothing(void **state) {
   (void)state;
-  const int32_t later = STATE_VERSION + 1;
+  const int32_t later = STATE_VERSION + 1, never[] = {0, -1, INT32_MIN};
   const int64_t wide = STATE_VERSION;
   const double number = 1;
   static char endless[70000];
@@ -231,6 +231,9 @@ static void test_wrong_states_change_nothing(void **state) {
   record(host, first, 0, NULL);
   refused(URI_STATE_VERSION, NULL, NULL, 0, "it has no version");
   refused(URI_STATE_VERSION, LV2_ATOM__Int, &later, sizeof later, "of a later version");
+  for (size_t i = 0; i < sizeof never / sizeof never[0]; i++) {
+    refused(URI_STATE_VERSION, LV2_ATOM__Int, &never[i], sizeof never[i], "is not one of Tabor's");
+  }
   refused(URI_STATE_VERSION, LV2_ATOM__Int, &wide, sizeof wide, "its version is none");
   refused(URI_STATE_VERSION, LV2_ATOM__Long, &wide, sizeof wide, "it has no version");
   refused(URI_STATE_DEFINITION, NULL, NULL, 0, "no definition");

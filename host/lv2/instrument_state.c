@@ -84,7 +84,10 @@ static LV2_State_Status check_version(const Source *source) {
   if (size != sizeof version) return refuse(source, LV2_STATE_ERR_BAD_TYPE, "its version is none");
   memcpy(&version, value, sizeof version);
   if (version == STATE_VERSION) return LV2_STATE_SUCCESS;
-  return refuse(source, LV2_STATE_ERR_UNKNOWN, "it is of a later version of Tabor");
+  if (version > STATE_VERSION) {
+    return refuse(source, LV2_STATE_ERR_UNKNOWN, "it is of a later version of Tabor");
+  }
+  return refuse(source, LV2_STATE_ERR_UNKNOWN, "its version is not one of Tabor's");
 }
 
 static LV2_State_Status read_definition(const Source *source, TaborDrumDef *def) {

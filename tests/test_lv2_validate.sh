@@ -4,7 +4,7 @@
 # lv2bench runs them.
 #
 # It gets $BUNDLE, $SOURCE, and $INSPECT for host_checks.sh.
-for tool in lv2_validate sord_validate lv2bench lv2ls; do
+for tool in lv2_validate sord_validate lv2bench lv2ls lv2info; do
   command -v "$tool" >/dev/null || {
     echo "SKIPPED: validation of the plugins' description ($tool is not installed)"
     exit 77
@@ -36,6 +36,25 @@ for symbol in $(sed -n 's/^\t\tlv2:symbol "\([a-z_]*\)" ;$/\1/p' "$BUNDLE/tabor.
   case $symbol in events | freewheel | out_*) continue ;; esac
   check "docs/lv2.md has $symbol" grep -q "\`$symbol\`" "$SOURCE/docs/lv2.md"
 done
+
+# ---- installing ----
+
+# What the README and the documentation say, where no plugin has been installed yet.
+mkdir build && ln -s "${BUNDLE%/lv2/*}" build/release
+for page in README.md docs/lv2.md; do
+  command=$(grep -oE '(mkdir[^`]*)?cp -r build/release/lv2/tabor\.lv2 [^`]*/' "$SOURCE/$page")
+  home=$work/home-${page##*/}
+  mkdir "$home"
+  check "$page: '$command'" env HOME="$home" bash -c "$command"
+  same "$page: the bundle" "" "$(diff -r "$BUNDLE" "$home/.lv2/tabor.lv2" 2>&1)"
+done
+
+# In a prefix of one's own it is found with the path that is said there.
+local=$work/home/.local/lib/lv2
+mkdir -p "$local" && cp -r "$BUNDLE" "$local"
+path=$(grep -o 'export LV2_PATH=.*' "$SOURCE/docs/lv2.md")
+check "found with '$path'" grep -qF "$local/tabor.lv2" \
+  <(HOME=$work/home bash -c "$path; lv2info urn:tabor:drum" 2>&1)
 
 # ---- the binary ----
 

@@ -34,11 +34,19 @@ static void warn_of_saturation(const Session *session) {
 static const double RESIDUAL_HEARD =
   1e-4; /* of the energy put in: less than a thousandth of a decibel */
 
-static void warn_of_drops(const TaborStatistics *statistics) {
-  if (statistics->dropped_events > 0) {
+static void warn_of_drops(const SessionDrops *drops) {
+  if (drops->strokes > 0) {
     warn("%llu strokes were dropped: more than %d strikers at once",
-         (unsigned long long)statistics->dropped_events, TABOR_MAX_ACTIVE);
+         (unsigned long long)drops->strokes, TABOR_MAX_ACTIVE);
   }
+  if (drops->others > 0) {
+    warn("%llu events were dropped: a press or a move met no such stick or brush in play, or a "
+         "hand found no room on the head",
+         (unsigned long long)drops->others);
+  }
+}
+
+static void warn_of_resets(const TaborStatistics *statistics) {
   if (statistics->recovered > 0) {
     warn("the drum was reset %llu times because its state was not finite",
          (unsigned long long)statistics->recovered);
@@ -149,7 +157,8 @@ Outcome render_report(const Session *session, json_t **report) {
   tabor_drum_ledger(session->drum, &ledger);
   warn_of_saturation(session);
   warn_of_silence(session);
-  warn_of_drops(&statistics);
+  warn_of_drops(&session->drops);
+  warn_of_resets(&statistics);
   warn_of_residual(&statistics, &ledger);
   if (session->request->verbose) note_details(session, &statistics, &ledger);
   if (session->request->json) {

@@ -12,6 +12,7 @@ Outcome session_open(Session *session, RenderRequest *request) {
   session->next_event = session->next_item = 0;
   session->position = 0;
   session->peak = session->computing = 0;
+  session->drops = (SessionDrops){0};
   session->expression = fader_at(1, rate);
   session->silencer = silencer_begin(rate);
   for (uint32_t i = 0; i < request->channels; i++) session->mics[i] = request->mics[i];
@@ -115,6 +116,26 @@ static void interleave(Session *session, uint32_t at, uint32_t frames) {
   }
 }
 
+static uint32_t count_strokes(const TaborEvent *events, uint32_t count) {
+  uint32_t strokes = 0;
+  for (uint32_t i = 0; i < count; i++) strokes += events[i].type == TABOR_EVENT_STRIKE;
+  return strokes;
+}
+
+/* The drum counts all that it drops alike, but also the strokes that it begins. */
+static void process(Session *session, const TaborEvent *events, uint32_t count,
+                    float *const *outputs, uint32_t frames) {
+  TaborStatistics before, after;
+  tabor_drum_statistics(session->drum, &before);
+  tabor_drum_process(session->drum, events, count, outputs, frames);
+  tabor_drum_statistics(session->drum, &after);
+  const uint64_t begun = after.strikes - before.strikes;
+  const uint64_t dropped = after.dropped_events - before.dropped_events;
+  const uint64_t strokes = count_strokes(events, count) - begun;
+  session->drops.strokes += strokes;
+  session->drops.others += dropped - strokes;
+}
+
 static void play_piece(Session *session, uint32_t at, uint32_t frames) {
   const RenderRequest *const request = session->request;
   float *outputs[TABOR_MAX_MICS] = {NULL}; /* for microphones that nobody hears */
@@ -125,7 +146,7 @@ static void play_piece(Session *session, uint32_t at, uint32_t frames) {
   TaborEvent *const events = request->strokes.events + session->next_event;
   const uint32_t count = take_events(session, frames);
   const double start = processor_time();
-  tabor_drum_process(session->drum, events, count, outputs, frames);
+  process(session, events, count, outputs, frames);
   session->computing += processor_time() - start;
   session->position += frames;
   interleave(session, at, frames);

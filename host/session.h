@@ -18,6 +18,12 @@
 
 #define SESSION_BLOCK AUDIO_BLOCK
 
+/** Events that the drum did not carry out. */
+typedef struct SessionDrops {
+  uint64_t strokes; /**< nothing was free to strike them */
+  uint64_t others;  /**< presses or moves of what is not in play, and hands too many */
+} SessionDrops;
+
 typedef struct Session {
   RenderRequest *request;
   TaborDrum *drum;
@@ -26,6 +32,7 @@ typedef struct Session {
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest sample in size */
   double computing;             /**< processor time that the drum took [s] */
+  SessionDrops drops;           /**< through silences, too, which reset the drum's own counters */
   Fader expression;             /**< factor beside the request's gain */
   Silencer silencer;
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */

@@ -204,6 +204,14 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
 
 bool stroke_says_hold(const Stroke *stroke) { return stroke->set & SETS_HOLD; }
 
+/* How fast a brush is drawn is limited as its preset's speed is, below the speed of strokes. */
+static Outcome limit_sweep(const Stroke *stroke, const TaborEvent *event) {
+  const TaborParameter *const speed = tabor_parameter_find("striker.brush.sweep_speed");
+  if (event->velocity >= speed->minimum && event->velocity <= speed->maximum) return OUTCOME_OK;
+  return refuse("%s velocity '%.10g': out of range for a sweep; allowed: %.10g to %.10g",
+                stroke->where, event->velocity, speed->minimum, speed->maximum);
+}
+
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
   if (event->type == TABOR_EVENT_MOVE) event->value = 0; /* seconds: from row to row */
@@ -213,7 +221,7 @@ Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
     return refuse("%s technique 'sweep': striker '%s' is no brush", stroke->where, striker->name);
   }
   if (!(stroke->set & SETS_VELOCITY)) event->velocity = striker->sweep_speed;
-  return OUTCOME_OK;
+  return limit_sweep(stroke, event);
 }
 
 Outcome stroke_set(Stroke *stroke, const StrokeField *field, const char *value, size_t length) {

@@ -31,7 +31,8 @@ typedef struct Stroke {
 
 /** Whether a field says after which time it is lifted. */
 bool stroke_says_hold(const Stroke *stroke);
-/** Fields that all have been read: fills in what depends on others; a sweep needs a brush. */
+/** Fields that all have been read: fills in what depends on others; a sweep needs a brush,
+    and is no faster than one can be drawn. */
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** The preset's own stroke, at time 0. */
 Stroke stroke_default(const TaborDrumDef *def, const char *where);

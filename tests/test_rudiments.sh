@@ -29,6 +29,11 @@ check "the picture of a file" is_picture own/sweep.png
 
 play -o none -r flams --preset nobody
 same "a preset that there is not" 2 $?
+play -o none -r foo
+same "a rudiment that there is not" 2 $?
+same "in one line" 1 "$(wc -l <"$err")"
+check "which says what there is" \
+  grep -qE "^rudiments: .*'foo'.*single-stroke-roll.*flams.*press-roll.*brush-pattern" "$err"
 play -o none nobody.csv
 same "a file that there is not" "2 rudiments: nobody.csv: no such file" "$? $(cat "$err")"
 finish

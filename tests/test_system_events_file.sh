@@ -31,6 +31,26 @@ END
 render_events events.wav
 same_bytes "a buzz, pressed harder and lifted" strikes.wav events.wav
 
+# what a drum cannot do is said for what it is: a press or a move of nothing, a striker too many
+drops() {
+  run render snare-14x5.5 -q --quality draft --duration 0.3 --events strokes.csv -o dropped.wav
+  same "status" 0 "$status"
+  sed 's/^tabor: warning: //; s/ in play, or a hand.*//' "$err"
+}
+nothing_met="events were dropped: a press or a move met no such stick or brush"
+printf 'time,technique,velocity,pressure,id,event\n0,buzz,1.5,0,1,\n0.2,,,0.6,7,press\n0.2,,,,1,move\n' >strokes.csv
+same "a press of no stick, a move of no brush" "2 $nothing_met" "$(drops)"
+printf 'time,technique,velocity,pressure,id,event\n0,buzz,1.5,0,1,\n0.2,,,0.6,1,press\n' >strokes.csv
+same "a press of a stick" "" "$(drops)"
+{
+  printf 'time,technique,id,event\n'
+  for id in {1..11}; do printf '0,buzz,%s,\n' "$id"; done
+} >strokes.csv
+same "strikers too many" "3 strokes were dropped: more than 8 strikers at once" "$(drops)"
+printf '0.1,,99,press\n' >>strokes.csv
+same "both" "3 strokes were dropped: more than 8 strikers at once
+1 $nothing_met" "$(drops)"
+
 render_strikes strikes.wav technique=rimshot time=0.1,technique=cross-stick,radius=60% time=0.2,technique=rim
 cat >strokes.csv <<'END'
 time,technique,radius
@@ -186,6 +206,7 @@ bad "bad.csv:2: striker 'stik'.*did you mean 'stick'" striker stik
 bad "bad.csv:2: technique 'norml'.*did you mean 'normal'" technique norml
 bad "bad.csv:2: event 'pres': unknown.*did you mean 'press'" event pres
 bad "bad.csv:2: technique 'sweep': striker 'stick' is no brush" technique sweep
+bad "bad.csv:2: velocity '6': out of range for a sweep; allowed: 0.01 to 5$" technique,striker,velocity sweep,brush,6
 bad "bad.csv:2: pressure '1.1'.*allowed: 0 to 1" pressure 1.1
 bad "bad.csv:2: hold '0'.*allowed: 0.001 to 60" hold 0
 bad "bad.csv:2: id '-1'.*allowed: 0 to 1000000" id -1

@@ -47,7 +47,7 @@ void play_log_take(PlayLog *log, const PlayStatus *status, double head_radius) {
   tell_preset(log, status);
   tell_count(&log->xruns, status->xruns, status, "gap", "the computer was too slow");
   tell_count(&log->dropped, status->dropped, status, "event",
-             "dropped, as there were too many at once");
+             "dropped: too many at once, or nothing in play to press or move");
   tell_count(&log->recovered, status->recovered, status, "reset", "the state was not finite");
   tell_count(&log->ignored_notes, status->ignored_notes, status, "note", "not in the MIDI map");
   tell_clipping(log, status);

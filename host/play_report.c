@@ -23,7 +23,8 @@ static void warn_of_losses(const PlayStatus *status, double worst) {
       (Count)status->xruns, 100 * worst);
   }
   if (status->dropped > 0) {
-    warn("%llu events were dropped: too many at once", (Count)status->dropped);
+    warn("%llu events were dropped: too many at once, or a press or a move met nothing in play",
+         (Count)status->dropped);
   }
   if (status->lost_frames > 0) {
     warn("the recording has %llu frames of silence where the disk was too slow",

@@ -50,6 +50,12 @@ done_quietly render frame-drum -q -o live.wav --quality live
 done_quietly play frame-drum -q --backend file --record live-played.wav --humanize 0
 check "the default quality is live; without events it is the preset's stroke" cmp live.wav live-played.wav
 
+# a press of nothing is no stroke too many
+printf 'time,pressure,id,event\n0,,,\n0.1,0.6,7,press\n' >presses.csv
+run play frame-drum -q --backend file --record pressed.wav --events presses.csv --quality draft --duration 0.3
+same "a press of no stick" "0 tabor: warning: 1 events were dropped: too many at once, or a press or a move met nothing in play" \
+  "$status $(cat "$err")"
+
 # A song with gains, a live parameter, silence and two changes of the preset, which the sound waits for.
 track="00992660 20 99267f 08 b91420 10 b90740 18 992450 30 c901 18 992664 20 b97800 02 99287f 30 b9077f"
 track+=" 18 c900 04 992670 40 99265a 00 ff2f00"

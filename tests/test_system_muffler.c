@@ -63,7 +63,7 @@ static void a_light_muffler_adds_its_share_to_the_decay(void **state) {
   static const double STRENGTHS[] = {0.0, 0.01, 0.05};
   for (int i = 0; i < 3; i++) {
     const TaborDrumDef def = lone_mode(STRENGTHS[i]);
-    double expected;
+    double expected = NAN;
     const double measured = decay_rate(&def, &expected);
     print_message("c = %g N s/m: %.4f 1/s, expected %.4f\n", STRENGTHS[i], measured, expected);
     assert_true(fabs(measured / expected - 1.0) < 0.01);

@@ -76,13 +76,15 @@ static Entry *add(const TaborDrumDef *def, const TaborModelOptions *options) {
   return first = entry;
 }
 
-/* Leaves the lock meanwhile. */
+/* Leaves the lock meanwhile; others look at the entry's model all along. */
 static void build(Entry *entry) {
+  TaborModel *model = NULL;
   entry->building = true;
   (void)pthread_mutex_unlock(&lock);
   const TaborStatus status =
-    tabor_model_create(&entry->def, &entry->options, &entry->model, &entry->error);
+    tabor_model_create(&entry->def, &entry->options, &model, &entry->error);
   (void)pthread_mutex_lock(&lock);
+  entry->model = model;
   entry->status = status;
   entry->building = false;
   (void)pthread_cond_broadcast(&built);

@@ -290,17 +290,6 @@ static INLINE Mask greater(Lanes x, Lanes y) {
   return m;
 }
 
-static INLINE Mask either(Mask a, Mask b) {
-  for (int i = 0; i < PARTS; i++) a.part[i] |= b.part[i];
-  return a;
-}
-
-static INLINE bool any(Mask m) {
-  Bits bits = m.part[0];
-  for (int i = 1; i < PARTS; i++) bits |= m.part[i];
-  return vector_any(bits);
-}
-
 static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
   for (int i = 0; i < PARTS; i++) x.part[i] = vector_pick(m.part[i], x.part[i], y.part[i]);
   return x;

@@ -68,8 +68,7 @@ typedef struct TbLayout {
   size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
   size_t single; /* the arrays of TbSingle, one after the other */
   size_t high[3], high_drive, high_scratch, high_force, modal, stretch_pull[2], stretch_grid[2],
-    stretch_single, stretch_carry, coupling, slot_coupling, shape, drive, radial,
-    delay[TABOR_MAX_MICS];
+    stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 

@@ -4,21 +4,57 @@
 #include "lift.h"
 #include "singlesolve.h"
 
+/* A group's table from modes to points, of which the first `part` modes count. */
+static TbSingleGather from_modes(const TbProjectionGroup *group, uint32_t part) {
+  return (TbSingleGather){
+    .blocks = group->points / 8u, .n = group->modes, .part = part, .matrix = group->gather_single};
+}
+
 void tb_single_project(TbView *view) {
   const TbProjection *projection = &view->model->projection;
   const TbSingle *single = &view->solve.single;
   for (uint32_t g = 0; g < projection->groups; g++) {
     const TbProjectionGroup *group = &projection->group[g];
-    const TbSingleGather gather = {.vectors = 1,
-                                   .blocks = group->points / 8u,
-                                   .n = group->modes,
-                                   .part = group->modes,
-                                   .matrix = group->gather_single,
-                                   .x = {single->modal},
-                                   .out = {view->change + group->first_point}};
+    TbSingleGather gather = from_modes(group, group->modes);
+    gather.vectors = 1;
+    gather.x[0] = single->modal[0];
+    gather.out[0] = view->change + group->first_point;
     single->kernels->narrow_change(group->modes, view->next.q + group->first,
-                                   view->last.q + group->first, single->modal);
+                                   view->last.q + group->first, single->modal[0]);
     single->kernels->gather(&gather);
+  }
+}
+
+void tb_single_stretch(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbSingle *single = &view->solve.single;
+  for (uint32_t g = 0; g < model->projection.groups; g++) {
+    const TbProjectionGroup *group = &model->projection.group[g];
+    TbSingleGather gather = from_modes(group, model->stretch.parts.size[g]);
+    gather.vectors = model->stretch.count;
+    for (uint32_t h = 0; h < model->stretch.count; h++) {
+      single->kernels->narrow(gather.part, view->stretch_pull[h] + group->first, single->modal[h]);
+      gather.x[h] = single->modal[h];
+      gather.out[h] = view->solve.stretch_grid[h] + group->first_point;
+    }
+    single->kernels->gather(&gather);
+  }
+}
+
+void tb_single_project_forces(TbView *view) {
+  const TbProjection *projection = &view->model->projection;
+  const TbSingle *single = &view->solve.single;
+  single->kernels->narrow(projection->bed.size, view->change, single->answer);
+  for (uint32_t g = 0; g < projection->groups; g++) {
+    const TbProjectionGroup *group = &projection->group[g];
+    const TbSingleGather scatter = {.vectors = 1,
+                                    .blocks = group->modes / 8u,
+                                    .n = group->points,
+                                    .part = group->points,
+                                    .matrix = group->scatter_single,
+                                    .x = {single->answer + group->first_point},
+                                    .out = {view->modal + group->first}};
+    single->kernels->gather(&scatter);
   }
 }
 

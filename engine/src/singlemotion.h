@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From modes to the wires' contact points in single precision, where contacts are solved in it (singlesolve.h).
+/* Between modes and the wires' contact points in single precision, where contacts are solved in it (singlesolve.h).
  *
  * Penetrations are not read off displacements, of which a change over two samples is a ten-thousandth: they
  * advance by the change itself, next - last, rounded once it is known in double. What rounding adds up to, some
@@ -11,6 +11,12 @@
 
 /* view->change = what the free motion changes on the grid over two samples. */
 void tb_single_project(TbView *view);
+
+/* r of stretch.h on the grid. */
+void tb_single_stretch(TbView *view);
+
+/* view->modal from view->change, forces on the grid. */
+void tb_single_project_forces(TbView *view);
 
 /* Their part of b from view->change. */
 void tb_single_penetrate(TbView *view);

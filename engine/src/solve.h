@@ -42,7 +42,7 @@ typedef struct TbSingle {
   float *y, *root, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
     *weight, *residual, *direction, *turned, *moved, *solution, *work;
   float *grid, *grid_last, *pushed, *answer, *stretch[2]; /* [bed size] */
-  float *modal;                                           /* [modes padded] */
+  float *modal[2];                                        /* [modes padded] */
   const float *yield;                                     /* [stride], as in the model */
   float *scratch;                                         /* [tb_single_bed_scratch] */
 } TbSingle;

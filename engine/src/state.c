@@ -18,7 +18,7 @@ static size_t single_floats(const TaborModel *model) {
   if (!model->single_kernels) return 0;
   return SINGLE_ROWS * (size_t)(model->wires.stride + TB_SLOTS) +
          SINGLE_GRIDS * (size_t)model->single_bed.size +
-         tb_pad(tb_single_bed_scratch(&model->single_bed)) + model->modes.padded;
+         tb_pad(tb_single_bed_scratch(&model->single_bed)) + 2u * (size_t)model->modes.padded;
 }
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
@@ -59,7 +59,6 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->stretch_pull[h] = place(&total, modes);
     layout->stretch_grid[h] = place(&total, bed->size);
   }
-  layout->stretch_single = place(&total, model->single_kernels ? modes : 0); /* two floats each */
   layout->stretch_carry = place(&total, bed->size + TB_SLOTS);
   layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
   layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
@@ -113,8 +112,9 @@ static TbSingle single_at(TbState *state, const TaborModel *model) {
                                        &single.answer, &single.stretch[0], &single.stretch[1]};
   for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
   for (int i = 0; i < SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
-  single.modal = next;
-  single.scratch = next + model->modes.padded;
+  single.modal[0] = next;
+  single.modal[1] = next + model->modes.padded;
+  single.scratch = next + 2u * (size_t)model->modes.padded;
   return single;
 }
 
@@ -184,7 +184,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
     view.delay[mic] = at(state, l->delay[mic]);
   }
   view.stretch_carry = at(state, l->stretch_carry);
-  view.stretch_single = (float *)(void *)at(state, l->stretch_single);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
     view.solve.stretch_grid[h] = at(state, l->stretch_grid[h]);

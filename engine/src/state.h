@@ -136,7 +136,6 @@ typedef struct TbView {
   double *high_drive, *high_scratch;
   float *high_force;
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
-  float *stretch_single;                    /* [2][padded]: stretch_pull, rounded */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
   double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */
   double *coupling, *slot_coupling, *shape, *drive, *radial;

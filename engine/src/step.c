@@ -119,22 +119,10 @@ static void force_modes(TbView *view) {
   const TaborModel *model = view->model;
   const TbProjection *p = &model->projection;
   model->kernels->subtract(p->bed.size, view->solve.grid, model->rest.grid, view->change);
-  if (!model->single_kernels) {
+  if (tb_solves_in_single(&view->solve)) {
+    tb_single_project_forces(view);
+  } else {
     tb_project_forces(p, model->kernels, view->change, view->modal);
-    return;
-  }
-  float *grid = view->solve.single.answer;
-  model->singles->narrow(p->bed.size, view->change, grid);
-  for (uint32_t g = 0; g < p->groups; g++) {
-    const TbProjectionGroup *group = &p->group[g];
-    const TbSingleGather scatter = {.vectors = 1,
-                                    .blocks = group->modes / 8u,
-                                    .n = group->points,
-                                    .part = group->points,
-                                    .matrix = group->scatter_single,
-                                    .x = {grid + group->first_point},
-                                    .out = {view->modal + group->first}};
-    model->singles->gather(&scatter);
   }
 }
 

@@ -109,24 +109,6 @@ static void prepare_slots(TbView *view) {
   }
 }
 
-/* As below, in single precision. */
-static void gather_group_single(TbView *view, uint32_t g) {
-  const TaborModel *model = view->model;
-  const TbProjectionGroup *group = &model->projection.group[g];
-  TbSingleGather gather = {.vectors = model->stretch.count,
-                           .blocks = group->points / 8u,
-                           .n = group->modes,
-                           .part = model->stretch.parts.size[g],
-                           .matrix = group->gather_single};
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    float *pull = view->stretch_single + h * model->modes.padded + group->first;
-    model->singles->narrow(gather.part, view->stretch_pull[h] + group->first, pull);
-    gather.x[h] = pull;
-    gather.out[h] = view->solve.stretch_grid[h] + group->first_point;
-  }
-  model->singles->gather(&gather);
-}
-
 static void gather_group(TbView *view, uint32_t g) {
   const TaborModel *model = view->model;
   const TbProjectionGroup *group = &model->projection.group[g];
@@ -147,12 +129,10 @@ static void gather_group(TbView *view, uint32_t g) {
 static void prepare_grid(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t size = model->projection.bed.size;
-  for (uint32_t g = 0; g < model->projection.groups; g++) {
-    if (model->single_kernels) {
-      gather_group_single(view, g);
-    } else {
-      gather_group(view, g);
-    }
+  if (tb_solves_in_single(&view->solve)) {
+    tb_single_stretch(view);
+  } else {
+    for (uint32_t g = 0; g < model->projection.groups; g++) gather_group(view, g);
   }
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view->stretch_rest[h] =

@@ -2,7 +2,7 @@
 /* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and are the same
  * whatever the blocks. */
 
-#include "physics.h"
+#include "score.h"
 
 static const double RATE = 48000.0;
 
@@ -280,20 +280,6 @@ static uint32_t hands_at_work(uint32_t frame, TaborEvent *event) {
   return 1;
 }
 
-static void play_hands(TaborDrum *drum, uint32_t from, uint32_t to, uint32_t block, float *out) {
-  for (uint32_t start = from; start < to; start += block) {
-    const uint32_t size = to - start < block ? to - start : block;
-    TaborEvent events[64];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < size; i++) {
-      if (!hands_at_work(start + i, &events[count])) continue;
-      events[count++].frame = i;
-    }
-    float *outputs[TABOR_MAX_MICS] = {out + start};
-    tabor_drum_process(drum, events, count, outputs, size);
-  }
-}
-
 enum { FRAMES = 16000 };
 
 static void all_is_accounted_for_at_every_cap(void **state) {
@@ -308,7 +294,7 @@ static void all_is_accounted_for_at_every_cap(void **state) {
       def = physics_small(&def);
       TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
       TaborDrum *drum = physics_drum(model);
-      play_hands(drum, 0, FRAMES, 64, out);
+      score_play(hands_at_work, drum, 0, FRAMES, 64, out);
       TaborLedger ledger;
       TaborStatistics statistics;
       tabor_drum_ledger(drum, &ledger);
@@ -333,11 +319,11 @@ static void blocks_saves_and_swaps_change_no_bit(void **state) {
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborModel *again = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborDrum *drum = physics_drum(model);
-  play_hands(drum, 0, FRAMES, 1024, whole);
+  score_play(hands_at_work, drum, 0, FRAMES, 1024, whole);
   tabor_drum_destroy(drum);
 
   drum = physics_drum(model);
-  play_hands(drum, 0, 5000, 37, pieces);
+  score_play(hands_at_work, drum, 0, 5000, 37, pieces);
   const size_t size = tabor_drum_state_size(drum);
   void *bytes = malloc(size);
   tabor_drum_state_save(drum, bytes);
@@ -345,12 +331,12 @@ static void blocks_saves_and_swaps_change_no_bit(void **state) {
   drum = physics_drum(model);
   assert_int_equal(tabor_drum_state_load(drum, bytes, size), TABOR_OK);
   free(bytes);
-  play_hands(drum, 5000, 9000, 64, pieces);
+  score_play(hands_at_work, drum, 5000, 9000, 64, pieces);
   TaborSwap *swap;
   assert_int_equal(tabor_swap_create(model, again, &swap, NULL), TABOR_OK);
   const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
   tabor_drum_process(drum, &event, 1, NULL, 0);
-  play_hands(drum, 9000, FRAMES, 1, pieces);
+  score_play(hands_at_work, drum, 9000, FRAMES, 1, pieces);
   assert_true(tabor_swap_done(swap));
   assert_memory_equal(whole, pieces, sizeof whole);
   tabor_drum_reset(drum);

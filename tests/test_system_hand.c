@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A stick that a hand presses onto the head bounces: the harder, the faster. Its work is accounted for. */
-#include "physics.h"
+#include "score.h"
 
 static const double RATE = 48000.0;
 
@@ -253,21 +253,7 @@ static uint32_t hands_at_work(uint32_t frame, TaborEvent *event) {
   return 1;
 }
 
-static void play_hands(TaborDrum *drum, uint32_t from, uint32_t to, uint32_t block, float *out) {
-  for (uint32_t start = from; start < to; start += block) {
-    const uint32_t size = to - start < block ? to - start : block;
-    TaborEvent events[64];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < size; i++) {
-      if (!hands_at_work(start + i, &events[count])) continue;
-      events[count++].frame = i;
-    }
-    float *outputs[TABOR_MAX_MICS] = {out + start};
-    tabor_drum_process(drum, events, count, outputs, size);
-  }
-}
-
-enum { FRAMES = 12000 };
+enum { FRAMES = 12000, SWAPPED_AT = 6000 };
 
 static void changes_while_it_bounces_are_accounted_for_at_every_cap(void **state) {
   (void)state;
@@ -281,7 +267,7 @@ static void changes_while_it_bounces_are_accounted_for_at_every_cap(void **state
       def = physics_small(&def);
       TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
       TaborDrum *drum = physics_drum(model);
-      play_hands(drum, 0, FRAMES, 64, out);
+      score_play(hands_at_work, drum, 0, FRAMES, 64, out);
       TaborLedger ledger;
       TaborStatistics statistics;
       tabor_drum_ledger(drum, &ledger);
@@ -303,37 +289,8 @@ static void blocks_saves_and_resets_keep_every_bit(void **state) {
   static float whole[FRAMES], parts[FRAMES];
   const TaborDrumDef def = held_drum(0.5);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
-  TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
-  play_hands(drum, 0, FRAMES, FRAMES / 8, whole);
-  play_hands(other, 0, 5000, 1, parts);
-  const size_t size = tabor_drum_state_size(other);
-  void *saved = malloc(size);
-  tabor_drum_state_save(other, saved);
-  play_hands(other, 5000, 7000, 100, parts); /* goes astray */
-  tabor_drum_reset(drum);
-  assert_int_equal(tabor_drum_state_load(drum, saved, size), TABOR_OK);
-  play_hands(drum, 5000, FRAMES, 77, parts);
-  assert_memory_equal(whole, parts, sizeof whole);
-  tabor_drum_reset(drum);
-  play_hands(drum, 0, FRAMES, 1000, parts);
-  assert_memory_equal(whole, parts, sizeof whole);
-  free(saved);
-  tabor_drum_destroy(drum);
-  tabor_drum_destroy(other);
+  score_keeps_every_bit(hands_at_work, model, FRAMES, whole, parts);
   tabor_model_release(model);
-}
-
-static TaborDrum *swapped(TaborModel *from, TaborModel *to, float *out) {
-  TaborDrum *drum = physics_drum(from);
-  TaborSwap *swap;
-  assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
-  play_hands(drum, 0, 6000, 100, out);
-  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
-  tabor_drum_process(drum, &event, 1, NULL, 0);
-  play_hands(drum, 6000, FRAMES, 100, out);
-  assert_true(tabor_swap_done(swap));
-  tabor_swap_destroy(swap);
-  return drum;
 }
 
 static void a_swap_keeps_the_stick_in_the_hand(void **state) {
@@ -345,12 +302,12 @@ static void a_swap_keeps_the_stick_in_the_hand(void **state) {
   def.batter.tension *= 1.05;
   TaborModel *tighter = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborDrum *drum = physics_drum(model);
-  play_hands(drum, 0, FRAMES, 100, straight);
+  score_play(hands_at_work, drum, 0, FRAMES, 100, straight);
   tabor_drum_destroy(drum);
-  drum = swapped(model, twin, out);
+  drum = score_swapped(hands_at_work, model, twin, SWAPPED_AT, FRAMES, out);
   assert_memory_equal(straight, out, sizeof out);
   tabor_drum_destroy(drum);
-  drum = swapped(model, tighter, out);
+  drum = score_swapped(hands_at_work, model, tighter, SWAPPED_AT, FRAMES, out);
   TaborProbe probe;
   TaborLedger ledger;
   TaborStatistics statistics;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
  * the same speed, cross-sticks leave the head nearly silent; their energy is accounted for, whatever else happens. */
-#include "physics.h"
+#include "score.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
 
@@ -171,21 +171,7 @@ static uint32_t at_work(uint32_t frame, TaborEvent *event) {
   return 1;
 }
 
-static void work(TaborDrum *drum, uint32_t from, uint32_t to, uint32_t block, float *out) {
-  for (uint32_t start = from; start < to; start += block) {
-    const uint32_t size = to - start < block ? to - start : block;
-    TaborEvent events[64];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < size; i++) {
-      if (!at_work(start + i, &events[count])) continue;
-      events[count++].frame = i;
-    }
-    float *outputs[TABOR_MAX_MICS] = {out + start};
-    tabor_drum_process(drum, events, count, outputs, size);
-  }
-}
-
-enum { FRAMES = 12000 };
+enum { FRAMES = 12000, SWAPPED_AT = 1175 }; /* while both ends of a stick touch */
 
 static void every_stroke_is_accounted_for_at_every_cap(void **state) {
   (void)state;
@@ -199,7 +185,7 @@ static void every_stroke_is_accounted_for_at_every_cap(void **state) {
       def.wires.count = def.wires.count > 3 ? 3 : def.wires.count;
       TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
       TaborDrum *drum = physics_drum(model);
-      work(drum, 0, FRAMES, 64, out);
+      score_play(at_work, drum, 0, FRAMES, 64, out);
       TaborLedger ledger;
       TaborStatistics statistics;
       tabor_drum_ledger(drum, &ledger);
@@ -221,37 +207,8 @@ static void blocks_saves_and_resets_keep_every_bit(void **state) {
   static float whole[FRAMES], parts[FRAMES];
   const TaborDrumDef def = physics_preset("snare-14x5.5-off");
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
-  TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
-  work(drum, 0, FRAMES, FRAMES / 8, whole);
-  work(other, 0, 5000, 1, parts);
-  const size_t size = tabor_drum_state_size(other);
-  void *saved = malloc(size);
-  tabor_drum_state_save(other, saved);
-  work(other, 5000, 7000, 100, parts); /* goes astray */
-  tabor_drum_reset(drum);
-  assert_int_equal(tabor_drum_state_load(drum, saved, size), TABOR_OK);
-  work(drum, 5000, FRAMES, 77, parts);
-  assert_memory_equal(whole, parts, sizeof whole);
-  tabor_drum_reset(drum);
-  work(drum, 0, FRAMES, 1000, parts);
-  assert_memory_equal(whole, parts, sizeof whole);
-  free(saved);
-  tabor_drum_destroy(drum);
-  tabor_drum_destroy(other);
+  score_keeps_every_bit(at_work, model, FRAMES, whole, parts);
   tabor_model_release(model);
-}
-
-static TaborDrum *swapped(TaborModel *from, TaborModel *to, float *out) {
-  TaborDrum *drum = physics_drum(from);
-  TaborSwap *swap;
-  assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
-  work(drum, 0, 1175, 100, out); /* while both ends of a stick touch */
-  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
-  tabor_drum_process(drum, &event, 1, NULL, 0);
-  work(drum, 1175, FRAMES, 100, out);
-  assert_true(tabor_swap_done(swap));
-  tabor_swap_destroy(swap);
-  return drum;
 }
 
 static void a_swap_carries_sticks_and_hoop_on(void **state) {
@@ -265,12 +222,12 @@ static void a_swap_carries_sticks_and_hoop_on(void **state) {
   def.hoop.mass *= 2.0;
   TaborModel *heavier = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
-  work(drum, 0, FRAMES, 100, straight);
+  score_play(at_work, drum, 0, FRAMES, 100, straight);
   tabor_drum_destroy(drum);
-  drum = swapped(model, twin, out);
+  drum = score_swapped(at_work, model, twin, SWAPPED_AT, FRAMES, out);
   assert_memory_equal(straight, out, sizeof out);
   tabor_drum_destroy(drum);
-  drum = swapped(model, heavier, out);
+  drum = score_swapped(at_work, model, heavier, SWAPPED_AT, FRAMES, out);
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
   assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);

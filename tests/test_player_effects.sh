@@ -6,14 +6,12 @@
 # test_player_effects.sh SOURCE CMAKE
 set -eu
 source=$1 cmake=$2
-compiler=
-for name in clang-22 clang-21 clang-20; do
-  if command -v "$name" >/dev/null; then compiler=$name; break; fi
-done
-if [ -z "$compiler" ]; then
-  echo "no clang that checks real-time code (clang-22)"
+# shellcheck source=tests/find_clang.sh
+. "$source/tests/find_clang.sh"
+compiler=$(find_clang) || {
+  echo "SKIPPED: clang's checks for real-time code (clang-22 is not installed)"
   exit 77
-fi
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0

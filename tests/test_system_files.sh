@@ -75,8 +75,8 @@ if [ "$(id -u)" != 0 ]; then
   failed "Permission denied" render "${short[@]}" -o closed/a.wav
 fi
 
-# A file that appears while the drum plays is not overwritten either.
-"$TABOR" render tabor -q -n --duration 5 --quality draft -o late.wav 2>"$err" &
+# A file that appears while the drum plays is not overwritten either. (The trace keeps it playing for a second.)
+"$TABOR" render tabor -q -n --duration 10 --quality draft -o late.wav --trace late.csv 2>"$err" &
 child=$!
 check "rendering has begun" wait_for eval 'ls .tabor-* >/dev/null 2>&1'
 echo first >late.wav

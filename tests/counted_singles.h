@@ -29,7 +29,8 @@ COUNTED_SINGLE(start, n, (uint32_t n, TbSingleStart *start), (n, start))
 COUNTED_SINGLE(end, n, (uint32_t n, TbSingleEnd *end), (n, end))
 COUNTED_SINGLE(gather, 8ull * g->blocks * g->vectors * g->part, (const TbSingleGather *g), (g))
 COUNTED_SINGLE(combine, (uint64_t)n *count,
-               (uint32_t n, uint32_t count, Out1 out, In1 f, In1 const *x), (n, count, out, f, x))
+               (uint32_t n, uint32_t count, In1 f, In1 const *x, In1 base, Out1 out),
+               (n, count, f, x, base, out))
 COUNTED_SINGLE_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TbSingleRing *r),
                       (r))
 COUNTED_SINGLE_RESULT(TbPair, two_dots, n, (uint32_t n, In1 u, In1 v, In1 x), (n, u, v, x))

@@ -64,8 +64,8 @@ COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
                (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
                (wires, lanes, c, next, last))
 COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
-               (uint32_t wires, uint32_t lanes, In f, In rest, In loss, Out out),
-               (wires, lanes, f, rest, loss, out))
+               (uint32_t wires, uint32_t lanes, In f, In loss, Out out),
+               (wires, lanes, f, loss, out))
 COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
 COUNTED_RESULT(TbPair, sizes, n, (uint32_t n, In b, In y), (n, b, y))
 COUNTED_RESULT(double, difference, n, (uint32_t n, In x, In y), (n, x, y))

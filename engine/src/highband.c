@@ -2,6 +2,7 @@
 #include "highband.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "bessel.h"
 #include "highmodes.h"
@@ -153,11 +154,11 @@ static void choose_pushes(TbHighBand *band, const TbWires *wires, const Middles 
   const bool on_axis = aside <= ON_AXIS * band->radius;
   band->driven = on_axis ? to_sine(band, head) : band->begin[head + 1] - begin;
   band->folded = on_axis && uneven <= ON_AXIS * band->radius;
-  band->push[0] = (TbHighPush){begin, band->driven, groups, NULL};
+  band->push[0] = (TbHighPush){.from = begin, .size = band->driven, .rows = groups};
   if (!band->folded) return;
   const uint32_t pairs = (groups + 1u) / 2u, odd = band->odd[head];
-  band->push[0] = (TbHighPush){begin, odd, pairs, NULL};
-  band->push[1] = (TbHighPush){begin + odd, band->driven - odd, pairs, NULL};
+  band->push[0] = (TbHighPush){.from = begin, .size = odd, .rows = pairs};
+  band->push[1] = (TbHighPush){.from = begin + odd, .size = band->driven - odd, .rows = pairs};
 }
 
 /* Groups along the bed, and what a force at their middles does. */
@@ -182,6 +183,65 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     }
   }
   return true;
+}
+
+/* Sums over the points of each group. */
+static void group_forces(const TbHighBand *band, uint32_t points, const double *forces,
+                         double *groups) {
+  for (uint32_t group = 0; group < band->groups; group++) groups[group] = 0.0;
+  for (uint32_t point = 0; point < points; point++) groups[band->row_group[point]] += forces[point];
+}
+
+/* The groups that push part `which` of the modes, as sums or differences of mirror images for modes of even or odd
+ * order: their forces and their rows of the table. Returns how many. */
+static uint32_t fold_groups(const TbHighBand *band, uint32_t which, const double *groups,
+                            float *values, const float **rows) {
+  const TbHighPush *push = &band->push[which];
+  const uint32_t pairs = band->folded ? band->groups / 2u : push->rows;
+  const double sign = !band->folded ? 0.0 : which == 0 ? -1.0 : 1.0;
+  const float *table = push->table;
+  uint32_t count = 0;
+  for (uint32_t row = 0; row < pairs; row++, table += push->size) {
+    const double value = groups[row] + sign * groups[band->groups - 1u - row];
+    values[count] = (float)value;
+    rows[count] = table;
+    count += value != 0.0; /* or the next takes its place */
+  }
+  if (pairs < push->rows && which == 1) { /* the middle is its own image */
+    values[count] = (float)groups[pairs];
+    rows[count++] = table;
+  }
+  return count;
+}
+
+double tb_highband_push(const TaborModel *model, const double *force, double *sums, float *out) {
+  const TbHighBand *band = &model->high;
+  const TbWires *wires = &model->wires;
+  const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
+  const double loss = model->kernels->gather_wires(count, each, force, band->row_loss, sums);
+  double groups[TB_HIGH_GROUPS];
+  group_forces(band, each, sums, groups);
+  for (uint32_t p = 0; p < 2; p++) {
+    const TbHighPush *push = &band->push[p];
+    float values[TB_HIGH_GROUPS];
+    const float *rows[TB_HIGH_GROUPS];
+    const uint32_t pushing = fold_groups(band, p, groups, values, rows);
+    model->singles->combine(push->size, pushing, values, rows, band->rest + push->from,
+                            out + push->from);
+  }
+  return loss;
+}
+
+TaborStatus tb_highband_rest(TaborModel *model, TbArena *scratch) {
+  TbHighBand *band = &model->high;
+  if (band->count == 0 || model->wires.count == 0) return TABOR_OK;
+  double *sums = tb_arena_doubles(scratch, model->wires.stride);
+  float *push = tb_arena_take(scratch, band->padded, sizeof *push);
+  band->rest = tb_arena_take(&model->arena, band->padded, sizeof *band->rest);
+  if (!sums || !push || !band->rest) return TABOR_ERROR_MEMORY;
+  tb_highband_push(model, model->rest.force, sums, push);
+  memcpy(band->rest, push, band->padded * sizeof *push);
+  return TABOR_OK;
 }
 
 /* Mean squares of the shapes over a few wires stand for those over all. */

@@ -72,6 +72,7 @@ typedef struct TbHighBand {
   uint8_t *row_group; /* [stride] group of each contact point */
   bool folded; /* groups are their own mirror images under x -> -x: odd orders feel differences */
   TbHighPush push[2]; /* ... and even ones sums; else the first is all */
+  float *rest;        /* [padded] what wires do at rest */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
   double *hold;  /* [padded] k phi^2/2, phi^2 its mean over the bed, of the wires' head [s/kg] */
   double radius; /* of the head [m] */
@@ -83,6 +84,14 @@ struct TaborModel;
 /* Modes from the head's own up to `top` [Hz]. */
 TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const struct TaborModel *model,
                                 double top);
+
+/* What the wires do at rest, which the band does not count. */
+TaborStatus tb_highband_rest(struct TaborModel *model, TbArena *scratch);
+
+/* What forces of the wires' contact points, force[stride], do to the modes beyond those at rest, for which it is 0
+ * to the bit: out[padded], where wires push; returns Sum lambda f. sums[stride] is scratch. Audio-safe. */
+double tb_highband_push(const struct TaborModel *model, const double *force, double *sums,
+                        float *out);
 
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_highband_patch(const TbHighBand *band, double patch_radius, double *patch);

@@ -339,15 +339,15 @@ static double wire_losses(uint32_t wires, uint32_t lanes, const TbWireCoefficien
   return join(sum);
 }
 
-static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
-                           const double *loss, double *out) {
+static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
+                           double *out) {
   Lanes lost = zero();
   for (uint32_t i = 0; i < lanes; i += 8) {
     Lanes sum = zero();
     for (uint32_t w = 0; w < wires; w++) {
       const uint32_t at = w * lanes + i;
       const Lanes force = load(f + at);
-      sum = add(sum, subtract(force, load(rest + at)));
+      sum = add(sum, force);
       lost = add(lost, multiply_lanes(load(loss + at), force));
     }
     store(out + i, sum);
@@ -363,12 +363,12 @@ static void law_of(const TbLaw *law, uint32_t power, uint32_t n, const double *y
 }
 
 static bool touches(uint32_t n, const double *y, const double *s, const double *f) {
-  Lanes most = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes before = load(y + i), after = add(before, load(s + i));
-    most = larger(most, larger(larger(before, after), size_of(load(f + i))));
+    const Lanes most = larger(larger(before, after), size_of(load(f + i)));
+    if (any(greater(most, zero()))) return true;
   }
-  return largest_of(most) > 0.0;
+  return false;
 }
 
 static TbPair sizes(uint32_t n, const double *b, const double *y) {

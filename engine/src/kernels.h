@@ -113,9 +113,9 @@ typedef struct TbKernels {
   /* What they lose in a step, Sum over wires of loss_0 Sum d^2 + loss_1 Sum (d[i] - d[i-1])^2, d = next - last. */
   double (*wire_losses)(uint32_t wires, uint32_t lanes, const struct TbWireCoefficients *c,
                         const double *next, const double *last);
-  /* out[l] = Sum over wires of f[w][l] - rest[w][l]; returns Sum loss f. */
-  double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *rest,
-                         const double *loss, double *out);
+  /* out[l] = Sum over wires of f[w][l]; returns Sum loss f. */
+  double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
+                         double *out);
 
   /* Contacts (solve.h), law.h's formulas for an exponent of 1, 3/2 or 2 (power 2, 3 or 4): force and
    * slope at s, and the mean of V' between y and y + s. */

@@ -295,6 +295,12 @@ static INLINE Lanes pick(Mask m, Lanes x, Lanes y) {
   return x;
 }
 
+static INLINE bool any(Mask m) {
+  bool found = false;
+  for (int i = 0; i < PARTS; i++) found = found || vector_any(m.part[i]);
+  return found;
+}
+
 /* ---- one number from eight ------------------------------------------------------------------ */
 
 static INLINE Real join(Lanes x) {

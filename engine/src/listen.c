@@ -11,43 +11,6 @@
 /* Half-way to where a held mode was at most: towards it energy only falls. */
 static const double MOST_HELD = 0.5;
 
-/* The groups that push, as sums or differences of mirror images for modes of even or odd order. */
-static uint32_t fold(const TbHighBand *high, uint32_t p, const double *groups, float *push,
-                     const float **rows) {
-  const TbHighPush *table = &high->push[p];
-  uint32_t count = 0;
-  for (uint32_t row = 0; row < table->rows; row++) {
-    const uint32_t image = high->groups - 1u - row;
-    double value = groups[row];
-    if (high->folded && image != row) value += p == 0 ? -groups[image] : groups[image];
-    if (high->folded && image == row && p == 0) value = 0.0;
-    if (value == 0.0) continue;
-    push[count] = (float)value;
-    rows[count++] = table->table + (size_t)row * table->size;
-  }
-  return count;
-}
-
-/* What the wires' forces, counted from rest, do to the high band, into high_force; returns Sum lambda f. */
-static double gather_high(TbView *view) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
-  const TbWires *wires = &model->wires;
-  const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
-  double *change = view->solve.work, groups[TB_HIGH_GROUPS] = {0.0};
-  const double loss = model->kernels->gather_wires(count, each, view->solve.force,
-                                                   model->rest.force, high->row_loss, change);
-  for (uint32_t row = 0; row < each; row++) groups[high->row_group[row]] += change[row];
-  for (uint32_t p = 0; p < 2; p++) {
-    float push[TB_HIGH_GROUPS];
-    const float *rows[TB_HIGH_GROUPS];
-    const uint32_t pushing = fold(high, p, groups, push, rows);
-    model->singles->combine(high->push[p].size, pushing, view->high_force + high->push[p].from,
-                            push, rows);
-  }
-  return loss;
-}
-
 /* The modes that wires push, those that they hold, and the others. */
 static TbRingParts divide(const TbView *view, double loss) {
   const TbHighBand *high = &view->model->high;
@@ -132,7 +95,11 @@ static TbPair high_sums(const TbView *view, uint32_t mic, const TbPhase *phase) 
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
   const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
-  const TbPair heard = move_high(view, mic, divide(view, pushed ? gather_high(view) : 0.0));
+  double loss = 0.0;
+  if (pushed) {
+    loss = tb_highband_push(view->model, view->solve.force, view->solve.work, view->high_force);
+  }
+  const TbPair heard = move_high(view, mic, divide(view, loss));
   return strike_high(view) ? high_sums(view, mic, &view->next) : heard;
 }
 

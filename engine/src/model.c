@@ -288,7 +288,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,    prepare_single,
                            prepare_stretch, tb_lift_prepare,    prepare_center,  prepare_mics,
                            prepare_patches, prepare_places,     prepare_missing, allocate_rest,
-                           tb_rest_prepare};
+                           tb_rest_prepare, tb_highband_rest};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }

@@ -29,7 +29,7 @@ static void add_widened(uint32_t n, const float *x, double *out) {
 
 static void start(uint32_t n, TbSingleStart *whole) {
   const TbSingleStart copy = *whole, *at = &copy; /* which no store can change */
-  Lanes change = zero(), deepest = zero(), most = zero();
+  Lanes change = zero(), deepest = zero();
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);
     const Lanes f = load_double(at->from_f + i);
@@ -42,11 +42,9 @@ static void start(uint32_t n, TbSingleStart *whole) {
     store(at->own + i, load_double(at->from_own + i));
     change = larger(size_of(b), change);
     deepest = larger(y, deepest);
-    most = larger(larger(add(y, b), size_of(f)), most);
   }
   whole->change = largest_of(change);
   whole->depth = largest_of(deepest);
-  whole->touches = whole->depth > 0.0f || largest_of(most) > 0.0f;
 }
 
 static void end(uint32_t n, TbSingleEnd *whole) {
@@ -68,32 +66,45 @@ static void end(uint32_t n, TbSingleEnd *whole) {
 
 /* ---- modes and grid -------------------------------------------------------------------------- */
 
-/* `count` blocks side by side of each of the vectors; all constants where it is called. */
-static INLINE void gather_blocks(uint32_t vectors, uint32_t count, const TbSingleGather *g,
-                                 uint32_t block) {
+/* `count` blocks side by side of each of the vectors, as `ways` sums of every so many terms, so that an addition
+ * seldom waits for the one before; all constants where it is called. */
+static INLINE void gather_blocks(uint32_t vectors, uint32_t count, uint32_t ways,
+                                 const TbSingleGather *g, uint32_t block) {
   const uint64_t stride = 8u * (uint64_t)g->n;
   const float *matrix = g->matrix + stride * block;
-  Lanes sum[2][4] = {{zero(), zero(), zero(), zero()}, {zero(), zero(), zero(), zero()}};
-  for (uint32_t i = 0; i < g->part; i++) {
+  Lanes sum[4][8];
+  for (uint32_t w = 0; w < ways; w++) {
+    for (uint32_t s = 0; s < vectors * count; s++) sum[w][s] = zero();
+  }
+  for (uint64_t i = 0; i < g->part; i += ways) {
 #pragma GCC unroll 4 /* or the sums would live in memory */
-    for (uint32_t b = 0; b < count; b++) {
-      const Lanes m = load(matrix + b * stride + 8u * (uint64_t)i);
+    for (uint32_t w = 0; w < ways; w++) {
+#pragma GCC unroll 4
+      for (uint32_t b = 0; b < count; b++) {
+        const Lanes m = load(matrix + b * stride + 8u * (i + w));
 #pragma GCC unroll 2
-      for (uint32_t v = 0; v < vectors; v++) sum[v][b] = add(sum[v][b], scale(m, g->x[v][i]));
+        for (uint32_t v = 0; v < vectors; v++) {
+          sum[w][v * count + b] = add(sum[w][v * count + b], scale(m, g->x[v][i + w]));
+        }
+      }
     }
   }
-  for (uint32_t v = 0; v < vectors; v++) {
-    for (uint32_t b = 0; b < count; b++) store_double(g->out[v] + 8 * (block + b), sum[v][b]);
+#pragma GCC unroll 8
+  for (uint32_t s = 0; s < vectors * count; s++) {
+    if (ways == 4) sum[1][s] = add(sum[1][s], sum[3][s]);
+    if (ways == 4) sum[0][s] = add(sum[0][s], sum[2][s]);
+    if (ways >= 2) sum[0][s] = add(sum[0][s], sum[1][s]);
+    store_double(g->out[s / count] + 8 * (block + s % count), sum[0][s]);
   }
 }
 
 static INLINE void gather_all(uint32_t vectors, const TbSingleGather *g) {
   for (uint32_t b = 0; b < g->blocks; b += 4) {
     switch (g->blocks - b) { /* one copy of the code for each */
-    case 1: gather_blocks(vectors, 1, g, b); break;
-    case 2: gather_blocks(vectors, 2, g, b); break;
-    case 3: gather_blocks(vectors, 3, g, b); break;
-    default: gather_blocks(vectors, 4, g, b); break;
+    case 1: gather_blocks(vectors, 1, 4 / vectors, g, b); break;
+    case 2: gather_blocks(vectors, 2, 2 / vectors, g, b); break;
+    case 3: gather_blocks(vectors, 3, 2 / vectors, g, b); break;
+    default: gather_blocks(vectors, 4, 1, g, b); break;
     }
   }
 }
@@ -109,8 +120,9 @@ static void gather(const TbSingleGather *g) {
 /* ---- the high band -------------------------------------------------------------------------- */
 
 /* `count` blocks of eight side by side, a constant where it is called. */
-static INLINE void combine_blocks(uint32_t blocks, uint32_t count, float *out, const float *f,
-                                  const float *const *x, uint32_t at) {
+static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *f,
+                                  const float *const *x, const float *base, uint32_t at,
+                                  float *out) {
   Lanes sum[4];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t row = 0; row < count; row++) {
@@ -119,13 +131,16 @@ static INLINE void combine_blocks(uint32_t blocks, uint32_t count, float *out, c
       sum[b] = add(sum[b], scale(load(x[row] + at + 8 * b), f[row]));
     }
   }
-  for (uint32_t b = 0; b < blocks; b++) store(out + at + 8 * b, sum[b]);
+  for (uint32_t b = 0; b < blocks; b++) {
+    store(out + at + 8 * b, subtract(sum[b], load(base + at + 8 * b)));
+  }
 }
 
-static void combine(uint32_t n, uint32_t count, float *out, const float *f, const float *const *x) {
+static void combine(uint32_t n, uint32_t count, const float *f, const float *const *x,
+                    const float *base, float *out) {
   uint32_t at = 0;
-  for (; at + 32 <= n; at += 32) combine_blocks(4, count, out, f, x, at);
-  for (; at < n; at += 8) combine_blocks(1, count, out, f, x, at);
+  for (; at + 32 <= n; at += 32) combine_blocks(4, count, f, x, base, at, out);
+  for (; at < n; at += 8) combine_blocks(1, count, f, x, base, at, out);
 }
 
 /* ---- the bed -------------------------------------------------------------------------------- */
@@ -234,10 +249,17 @@ static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, 
   store_tile(lines, blocks, &tile, bed->padded, out + line * bed->padded + at);
 }
 
-static void contract(const TbSingleBed *bed, const float *x, float *scratch, float *grid) {
-  float *lines = scratch, *points = scratch + bed->lines * bed->lanes;
+/* One wire has one line across, itself. */
+static const float *gather_lines(const TbSingleBed *bed, const float *x, float *lines) {
+  if (bed->wires == 1) return x;
   FOR_TILES(gather_tile, 0, bed->even_lines, bed->lanes / 8u, bed, false, x, lines)
   FOR_TILES(gather_tile, bed->even_lines, bed->lines, bed->lanes / 8u, bed, true, x, lines)
+  return lines;
+}
+
+static void contract(const TbSingleBed *bed, const float *x, float *scratch, float *grid) {
+  const float *lines = gather_lines(bed, x, scratch);
+  float *points = scratch + bed->lines * bed->lanes;
   FOR_TILES(columns_tile, 0, bed->lines, bed->padded / 8u, bed, lines, points)
   for (uint32_t i = 0; i < bed->size; i++) grid[i] = 0.0f;
   for (uint32_t l = 0; l < bed->lines; l++) {
@@ -287,7 +309,30 @@ static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, u
   }
 }
 
+/* `blocks` blocks of a wire's lanes from `at` on, a constant where it is called. */
+static INLINE void expand_blocks(uint32_t blocks, const TbSingleBed *bed, const float *grid,
+                                 uint32_t at, float *x) {
+  Lanes sum[4];
+  for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
+  for (uint32_t a = 0; a < bed->columns; a++) {
+    const float *shape = bed->expand + a * bed->lanes + at, point = grid[bed->place[a]];
+#pragma GCC unroll 4 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < blocks; b++) sum[b] = add(sum[b], scale(load(shape + 8 * b), point));
+  }
+  for (uint32_t b = 0; b < blocks; b++) store(x + at + 8 * b, sum[b]);
+}
+
+static void expand_wire(const TbSingleBed *bed, const float *grid, float *x) {
+  uint32_t at = 0;
+  for (; at + 32 <= bed->lanes; at += 32) expand_blocks(4, bed, grid, at, x);
+  for (; at < bed->lanes; at += 8) expand_blocks(1, bed, grid, at, x);
+}
+
 static void expand(const TbSingleBed *bed, const float *grid, float *scratch, float *x) {
+  if (bed->wires == 1) {
+    expand_wire(bed, grid, x);
+    return;
+  }
   float *lines = scratch, *points = scratch + bed->lines * bed->lanes;
   for (uint32_t l = 0; l < bed->lines; l++) {
     const uint32_t *place = bed->place + l * bed->columns;

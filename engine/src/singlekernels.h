@@ -16,13 +16,12 @@ typedef struct TbSingleGather {
   double *out[2];
 } TbSingleGather;
 
-/* The way in: everything in single precision, root = sqrt(y) or 0, s = b - p, the largest |b|, the largest y or 0, and whether y > 0,
- * y + b > 0 or f != 0 anywhere. */
+/* The way in: everything in single precision, root = sqrt(y) or 0, s = b - p, the largest |b|, and the largest y
+ * or 0. */
 typedef struct TbSingleStart {
   const double *from_b, *from_p, *from_y, *from_own, *from_f;
   float *b, *p, *y, *root, *own, *f, *s;
   float change, depth;
-  bool touches;
 } TbSingleStart;
 
 /* The way out: f + t (f - f_last), the same of p, and s = b - p, in double; Sum s (law - mean), and how many
@@ -52,8 +51,9 @@ typedef struct TbSingleKernels {
 
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
   void (*gather)(const TbSingleGather *gather);
-  /* out = f[0] x[0] + f[1] x[1] + ..., of `count` */
-  void (*combine)(uint32_t n, uint32_t count, float *out, const float *f, const float *const *x);
+  /* out = f[0] x[0] + f[1] x[1] + ... - base, of `count` */
+  void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x,
+                  const float *base, float *out);
   /* As in kernels.h. */
   TbPair (*ring)(const TbSingleRing *ring);
   TbPair (*two_dots)(uint32_t n, const float *u, const float *v, const float *x);

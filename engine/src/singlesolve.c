@@ -81,12 +81,13 @@ void tb_single_product(const TbSolve *solve, const double *x, double *grid, doub
 
 static void slot_laws(const TbSolve *solve, const float *s) {
   const TbSingle *single = &solve->single;
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+  float *const outputs[] = {single->law, single->slope, single->mean};
+  for (int i = 0; i < 3; i++) memset(outputs[i] + solve->stride, 0, TB_SLOTS * sizeof(float));
+  for (uint32_t slot = 0; solve->slot_mask >> slot; slot++) {
     const uint32_t row = solve->stride + slot;
-    TbLawResult law = {0.0, 0.0, 0.0};
-    if (solve->slot_mask >> slot & 1u) {
-      law = tb_law_force(&solve->slot_laws[slot], (double)single->y[row], (double)s[row]);
-    }
+    if (!(solve->slot_mask >> slot & 1u)) continue;
+    const TbLawResult law =
+      tb_law_force(&solve->slot_laws[slot], (double)single->y[row], (double)s[row]);
     single->law[row] = (float)law.force;
     single->slope[row] = (float)law.slope;
     single->mean[row] = (float)law.mean;
@@ -266,7 +267,6 @@ bool tb_single_solve(TbSolve *solve, TbSolveOutcome *outcome) {
   const TbSingleKernels *kernels = single->kernels;
   const uint32_t size = single->bed->size;
   const TbSingleStart start = take_in(solve);
-  if (!start.touches && !tb_solve_slots_act(solve)) return false;
   apply_laws(solve, single->s);
   const float first = kernels->difference(total_rows(solve), single->law, single->force_last);
   if (first == 0.0f) {

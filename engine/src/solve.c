@@ -346,8 +346,9 @@ static bool went_astray(const TbSolve *solve, double farthest) {
   return !(solve->kernels->sizes(total_rows(solve), solve->s, solve->y).first <= farthest);
 }
 
-bool tb_solve_slots_act(const TbSolve *solve) {
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+/* Whether a striker, hand or muffler may touch. */
+static bool slots_act(const TbSolve *solve) {
+  for (uint32_t slot = 0; solve->slot_mask >> slot; slot++) {
     const uint32_t row = solve->stride + slot;
     if (!in_play(solve, slot)) continue;
     if (solve->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
@@ -429,11 +430,11 @@ static void start(TbSolve *solve) {
 
 TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
-  if (tb_solves_in_single(solve) && tb_single_solve(solve, &outcome)) return outcome;
-  if (!wires_touch(solve, solve->b) && !tb_solve_slots_act(solve)) {
+  if (!wires_touch(solve, solve->b) && !slots_act(solve)) {
     come_to_rest(solve);
     return outcome;
   }
+  if (tb_solves_in_single(solve) && tb_single_solve(solve, &outcome)) return outcome;
   outcome.contact = true;
   /* What single precision left is rounded. */
   if (tb_solves_in_single(solve)) {

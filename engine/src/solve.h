@@ -97,8 +97,6 @@ void tb_solve_forget(TbSolve *solve);
  * on the grid. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
 
-/* Whether a striker, hand or muffler may touch. */
-bool tb_solve_slots_act(const TbSolve *solve);
 
 /* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
  * yield to forces on the grid (`pushed`). */

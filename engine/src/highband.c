@@ -192,26 +192,41 @@ static void group_forces(const TbHighBand *band, uint32_t points, const double *
   for (uint32_t point = 0; point < points; point++) groups[band->row_group[point]] += forces[point];
 }
 
-/* The groups that push part `which` of the modes, as sums or differences of mirror images for modes of even or odd
- * order: their forces and their rows of the table. Returns how many. */
-static uint32_t fold_groups(const TbHighBand *band, uint32_t which, const double *groups,
-                            float *values, const float **rows) {
-  const TbHighPush *push = &band->push[which];
-  const uint32_t pairs = band->folded ? band->groups / 2u : push->rows;
-  const double sign = !band->folded ? 0.0 : which == 0 ? -1.0 : 1.0;
-  const float *table = push->table;
-  uint32_t count = 0;
-  for (uint32_t row = 0; row < pairs; row++, table += push->size) {
-    const double value = groups[row] + sign * groups[band->groups - 1u - row];
-    values[count] = (float)value;
-    rows[count] = table;
-    count += value != 0.0; /* or the next takes its place */
+/* Forces, and the rows of a table that they push by. */
+typedef struct Pushers {
+  uint32_t count;
+  float values[TB_HIGH_GROUPS];
+  const float *rows[TB_HIGH_GROUPS];
+} Pushers;
+
+/* At the end of `count`, which is returned; one of nothing gives its place to the next. */
+static inline uint32_t append(Pushers *to, uint32_t count, double value, const float *row) {
+  to->values[count] = (float)value;
+  to->rows[count] = row;
+  return count + (value != 0.0);
+}
+
+/* The groups that push each part of the modes: those of odd and of even order by differences and sums of mirror
+ * images, or else all by themselves. */
+static void fold_groups(const TbHighBand *band, const double *groups, Pushers to[2]) {
+  const TbHighPush *odd = &band->push[0], *even = &band->push[1];
+  const uint32_t all = band->groups, pairs = band->folded ? all / 2u : 0u;
+  const float *odd_row = odd->table, *even_row = even->table;
+  uint32_t odds = 0, evens = 0;
+  for (uint32_t row = 0; row < pairs; row++) {
+    const double own = groups[row], image = groups[all - 1u - row];
+    odds = append(&to[0], odds, own - image, odd_row);
+    evens = append(&to[1], evens, own + image, even_row);
+    odd_row += odd->size;
+    even_row += even->size;
   }
-  if (pairs < push->rows && which == 1) { /* the middle is its own image */
-    values[count] = (float)groups[pairs];
-    rows[count++] = table;
+  if (band->folded && all % 2u) evens = append(&to[1], evens, groups[pairs], even_row);
+  for (uint32_t row = 0; !band->folded && row < all; row++) {
+    odds = append(&to[0], odds, groups[row], odd_row);
+    odd_row += odd->size;
   }
-  return count;
+  to[0].count = odds;
+  to[1].count = evens;
 }
 
 double tb_highband_push(const TaborModel *model, const double *force, double *sums, float *out) {
@@ -220,14 +235,13 @@ double tb_highband_push(const TaborModel *model, const double *force, double *su
   const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
   const double loss = model->kernels->gather_wires(count, each, force, band->row_loss, sums);
   double groups[TB_HIGH_GROUPS];
+  Pushers pushers[2];
   group_forces(band, each, sums, groups);
+  fold_groups(band, groups, pushers);
   for (uint32_t p = 0; p < 2; p++) {
     const TbHighPush *push = &band->push[p];
-    float values[TB_HIGH_GROUPS];
-    const float *rows[TB_HIGH_GROUPS];
-    const uint32_t pushing = fold_groups(band, p, groups, values, rows);
-    model->singles->combine(push->size, pushing, values, rows, band->rest + push->from,
-                            out + push->from);
+    model->singles->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,
+                            band->rest + push->from, out + push->from);
   }
   return loss;
 }
@@ -299,7 +313,7 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbHighModes chosen;
-  const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST / 4 : TB_HIGH_MOST;
+  const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST_LIVE : TB_HIGH_MOST;
   bool done = tb_high_modes_choose(&chosen, &scratch, model, top, most);
   if (done) {
     count_modes(band, &chosen);

@@ -309,14 +309,17 @@ static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, u
   }
 }
 
+/* As many sums as there are registers for. */
+enum { WIRE_BLOCKS = PARTS == 1 ? 8 : 4 };
+
 /* `blocks` blocks of a wire's lanes from `at` on, a constant where it is called. */
 static INLINE void expand_blocks(uint32_t blocks, const TbSingleBed *bed, const float *grid,
                                  uint32_t at, float *x) {
-  Lanes sum[4];
+  Lanes sum[WIRE_BLOCKS];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t a = 0; a < bed->columns; a++) {
     const float *shape = bed->expand + a * bed->lanes + at, point = grid[bed->place[a]];
-#pragma GCC unroll 4 /* or the sums would live in memory */
+#pragma GCC unroll 8 /* or the sums would live in memory */
     for (uint32_t b = 0; b < blocks; b++) sum[b] = add(sum[b], scale(load(shape + 8 * b), point));
   }
   for (uint32_t b = 0; b < blocks; b++) store(x + at + 8 * b, sum[b]);
@@ -324,7 +327,8 @@ static INLINE void expand_blocks(uint32_t blocks, const TbSingleBed *bed, const 
 
 static void expand_wire(const TbSingleBed *bed, const float *grid, float *x) {
   uint32_t at = 0;
-  for (; at + 32 <= bed->lanes; at += 32) expand_blocks(4, bed, grid, at, x);
+  const uint32_t step = 8 * WIRE_BLOCKS;
+  for (; at + step <= bed->lanes; at += step) expand_blocks(WIRE_BLOCKS, bed, grid, at, x);
   for (; at < bed->lanes; at += 8) expand_blocks(1, bed, grid, at, x);
 }
 

@@ -97,7 +97,6 @@ void tb_solve_forget(TbSolve *solve);
  * on the grid. */
 void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
 
-
 /* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
  * yield to forces on the grid (`pushed`). */
 void tb_solve_slots(const TbSolve *solve, const double *pushed, const double *slots, double *answer,

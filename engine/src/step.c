@@ -243,37 +243,33 @@ static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150;       /* [m kg^1/2]; denormals begin at 1e-308, */
 static const float VANISHED_SINGLE = 1e-30f; /* ... of single precision at 1e-38 */
 
-static void clear_vanished_high(TbView *view) {
-  const TbHighBand *high = &view->model->high;
-  for (uint32_t i = 0; i < high->padded && !high->single; i++) {
-    if (fabs(view->now.high[i]) < VANISHED && fabs(view->last.high[i]) < VANISHED) {
-      view->now.high[i] = view->last.high[i] = 0.0;
-    }
+/* Without branches: the compiler takes several at once. */
+static void clear_small(uint32_t n, double *now, double *last) {
+  for (uint32_t i = 0; i < n; i++) {
+    const bool gone = (fabs(now[i]) < VANISHED) & (fabs(last[i]) < VANISHED);
+    now[i] = gone ? 0.0 : now[i];
+    last[i] = gone ? 0.0 : last[i];
   }
-  float *now = view->now.high_single, *last = view->last.high_single;
-  for (uint32_t i = 0; i < high->padded && high->single; i++) {
-    if (fabsf(now[i]) < VANISHED_SINGLE && fabsf(last[i]) < VANISHED_SINGLE) {
-      now[i] = last[i] = 0.0f;
-    }
+}
+
+static void clear_small_single(uint32_t n, float *now, float *last) {
+  for (uint32_t i = 0; i < n; i++) {
+    const bool gone = (fabsf(now[i]) < VANISHED_SINGLE) & (fabsf(last[i]) < VANISHED_SINGLE);
+    now[i] = gone ? 0.0f : now[i];
+    last[i] = gone ? 0.0f : last[i];
   }
 }
 
 static void clear_vanished(TbView *view) {
-  clear_vanished_high(view);
-  for (uint32_t i = 0; i < view->model->modes.padded; i++) {
-    if (fabs(view->now.q[i]) < VANISHED && fabs(view->last.q[i]) < VANISHED) {
-      view->now.q[i] = view->last.q[i] = 0.0;
-    }
+  const TbHighBand *high = &view->model->high;
+  if (high->single) {
+    clear_small_single(high->padded, view->now.high_single, view->last.high_single);
+  } else {
+    clear_small(high->padded, view->now.high, view->last.high);
   }
-  for (uint32_t i = 0; i < TB_HOOP_MODES; i++) {
-    if (fabs(view->now.hoop[i]) < VANISHED && fabs(view->last.hoop[i]) < VANISHED) {
-      view->now.hoop[i] = view->last.hoop[i] = 0.0;
-    }
-  }
-  double *now = view->now.missing[0], *last = view->last.missing[0];
-  for (uint32_t i = 0; i < TB_SLOTS * TB_MISSING; i++) {
-    if (fabs(now[i]) < VANISHED && fabs(last[i]) < VANISHED) now[i] = last[i] = 0.0;
-  }
+  clear_small(view->model->modes.padded, view->now.q, view->last.q);
+  clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
+  clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
 }
 
 static void clear_high(TbView *view) {

@@ -11,12 +11,17 @@
 #include "drum_source.h"
 #include "live_headroom.h"
 
-/* A swap on its way, with the model that it leaves. */
+/* A swap on its way. */
 typedef struct Pending {
   TaborSwap *swap;
-  TaborModel *old_model;
   struct Pending *next;
 } Pending;
+
+/* A drum that the player has, will have, or lets ring out. */
+typedef struct SentDrum {
+  TaborDrum *drum;
+  struct SentDrum *next;
+} SentDrum;
 
 struct DrumChanges {
   TaborModelOptions options;
@@ -25,7 +30,6 @@ struct DrumChanges {
   TaborDrumDef first;            /* of this drum */
   bool waits;
   Player *player;
-  TaborDrum *drum;
 
   /* under lock */
   pthread_mutex_t lock;
@@ -36,11 +40,13 @@ struct DrumChanges {
   uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
   uint64_t presets,
     built_presets; /* how many have been wished for, and how many by the newest that was built */
+  bool is_listed;  /* what is wanted is a built-in preset; nothing was set since */
   bool stops, has_thread;
 
   /* the builder's; if sound waits, under lock */
   pthread_t thread;
-  TaborModel *model; /* the newest, which the drum has or will have */
+  TaborModel *model; /* the newest, which the newest drum has or will have */
+  SentDrum *drums;   /* the newest first */
   Pending *pending;
 };
 
@@ -53,9 +59,21 @@ static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
   return report_engine_error(&error);
 }
 
+static Outcome create_drum(DrumChanges *changes, TaborModel *model) {
+  SentDrum *const sent = calloc(1, sizeof *sent);
+  TaborError error;
+  if (!sent) return fail_memory();
+  if (tabor_drum_create(model, &sent->drum, &error) != TABOR_OK) {
+    free(sent);
+    return report_engine_error(&error);
+  }
+  sent->next = changes->drums;
+  changes->drums = sent;
+  return OUTCOME_OK;
+}
+
 Outcome drum_changes_create(const DrumChangesSetup *setup, DrumChanges **created) {
   DrumChanges *const changes = calloc(1, sizeof *changes);
-  TaborError error;
   *created = changes;
   if (!changes) return fail_memory();
   (void)pthread_mutex_init(&changes->lock, NULL);
@@ -65,15 +83,14 @@ Outcome drum_changes_create(const DrumChangesSetup *setup, DrumChanges **created
   memcpy(changes->mics, setup->mics, sizeof changes->mics);
   changes->first = changes->wanted = *setup->def;
   changes->waits = setup->waits;
+  changes->is_listed = setup->is_listed;
   (void)snprintf(changes->preset, sizeof changes->preset, "%s", setup->preset);
   memcpy(changes->built_preset, changes->preset, sizeof changes->preset);
   const Outcome outcome = build(&changes->options, &changes->wanted, &changes->model);
-  if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_drum_create(changes->model, &changes->drum, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
+  return outcome == OUTCOME_OK ? create_drum(changes, changes->model) : outcome;
 }
 
-TaborDrum *drum_changes_drum(const DrumChanges *changes) { return changes->drum; }
+TaborDrum *drum_changes_drum(const DrumChanges *changes) { return changes->drums->drum; }
 
 /* ---- live keys ------------------------------------------------------------------------------ */
 
@@ -125,16 +142,26 @@ static void resend_live(DrumChanges *changes, const TaborDrumDef *built) {
   }
 }
 
-/* ---- swaps ---------------------------------------------------------------------------------- */
+/* ---- swaps and drums ------------------------------------------------------------------------ */
 
 static void free_pending(Pending *pending) {
   tabor_swap_destroy(pending->swap);
-  tabor_model_release(pending->old_model);
   free(pending);
 }
 
-/* Frees what the audio thread has done with; those at the list's end are the oldest. */
+static void free_drum(DrumChanges *changes, const TaborDrum *drum) {
+  SentDrum **link = &changes->drums;
+  while ((*link)->drum != drum) link = &(*link)->next;
+  SentDrum *const sent = *link;
+  *link = sent->next;
+  tabor_drum_destroy(sent->drum);
+  free(sent);
+}
+
+/* Frees what the audio thread has done with; swaps at the list's end are the oldest. */
 static void reap(DrumChanges *changes) {
+  const TaborDrum *gone;
+  while ((gone = player_gone(changes->player)) != NULL) free_drum(changes, gone);
   Pending **link = &changes->pending;
   while (*link && !tabor_swap_done((*link)->swap)) link = &(*link)->next;
   while (*link) {
@@ -151,43 +178,63 @@ static void choose_mics(const DrumChanges *changes, const TaborDrumDef *def, uin
   }
 }
 
-/* Sends the swap to @p model, which becomes the newest; takes @p model over. */
-static Outcome send_swap(DrumChanges *changes, TaborModel *model, uint64_t frame,
-                         bool begins_anew) {
-  PlayerMessage message = {.frame = frame,
-                           .type = PLAYER_SWAP,
-                           .begins_anew = begins_anew,
-                           .event = {.type = TABOR_EVENT_SWAP}};
+static Outcome prepare_swap(DrumChanges *changes, TaborModel *model, PlayerMessage *message) {
   Pending *const pending = calloc(1, sizeof *pending);
-  TaborError error = {.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
-  if (!pending || tabor_swap_create(changes->model, model, &pending->swap, &error) != TABOR_OK) {
+  TaborError error;
+  if (!pending) return fail_memory();
+  if (tabor_swap_create(changes->model, model, &pending->swap, &error) != TABOR_OK) {
     free(pending);
-    tabor_model_release(model);
     return report_engine_error(&error);
   }
-  *pending = (Pending){pending->swap, changes->model, changes->pending};
+  pending->next = changes->pending;
   changes->pending = pending;
-  changes->model = model;
-  message.event.swap = pending->swap;
-  message.strikers = tabor_model_definition(model)->striker_count;
-  choose_mics(changes, tabor_model_definition(model), message.mics);
-  (void)player_send(changes->player, SOURCE_SWAPS, &message); /* few: there is always room */
+  message->type = PLAYER_SWAP;
+  message->event.swap = pending->swap;
   return OUTCOME_OK;
+}
+
+static Outcome prepare_drum(DrumChanges *changes, TaborModel *model, PlayerMessage *message) {
+  const Outcome outcome = create_drum(changes, model);
+  message->type = PLAYER_DRUM;
+  message->drum = changes->drums->drum;
+  return outcome;
+}
+
+/* Sends a drum of @p model, or the swap to it, which becomes the newest; takes @p model over. */
+static Outcome send_model(DrumChanges *changes, TaborModel *model, uint64_t frame,
+                          bool begins_anew) {
+  const TaborDrumDef *const def = tabor_model_definition(model);
+  PlayerMessage message = {
+    .frame = frame, .strikers = def->striker_count, .event = {.type = TABOR_EVENT_SWAP}};
+  choose_mics(changes, def, message.mics);
+  const Outcome outcome =
+    begins_anew ? prepare_drum(changes, model, &message) : prepare_swap(changes, model, &message);
+  TaborModel *const unused = outcome == OUTCOME_OK ? changes->model : model;
+  if (outcome == OUTCOME_OK) {
+    changes->model = model;
+    (void)player_send(changes->player, SOURCE_SWAPS, &message); /* few: there is always room */
+  }
+  tabor_model_release(unused); /* drums and swaps keep their own references */
+  return outcome;
 }
 
 /* ---- the builder ---------------------------------------------------------------------------- */
 
-static void pause_for_swap(void) {
+static void pause_for_change(void) {
   const struct timespec moment = {.tv_nsec = 5000000};
   (void)nanosleep(&moment, NULL);
 }
 
-/* A swap acts on the drum of the model that it was made for, so each waits for the one before. */
-static void wait_for_swap(DrumChanges *changes) {
+static bool is_under_way(const DrumChanges *changes) {
+  return changes->pending || changes->drums->next;
+}
+
+/* One change after the other: each waits until what was there before is done with. */
+static void wait_for_change(DrumChanges *changes) {
   bool stops = false;
-  for (reap(changes); changes->pending && !stops; reap(changes)) {
+  for (reap(changes); is_under_way(changes) && !stops; reap(changes)) {
     (void)pthread_mutex_unlock(&changes->lock);
-    pause_for_swap();
+    pause_for_change();
     (void)pthread_mutex_lock(&changes->lock);
     stops = changes->stops;
   }
@@ -197,6 +244,7 @@ static void wait_for_swap(DrumChanges *changes) {
 static void forget_request(DrumChanges *changes, uint64_t request) {
   if (changes->requests != request) return;
   changes->wanted = *tabor_model_definition(changes->model);
+  changes->is_listed = false;
   memcpy(changes->preset, changes->built_preset, sizeof changes->preset);
 }
 
@@ -212,7 +260,7 @@ static void answer(DrumChanges *changes) {
   Outcome outcome = build(&options, &def, &model);
   if (!changes->waits) (void)pthread_mutex_lock(&changes->lock);
   const bool begins_anew = presets != changes->built_presets;
-  if (outcome == OUTCOME_OK) outcome = send_swap(changes, model, frame, begins_anew);
+  if (outcome == OUTCOME_OK) outcome = send_model(changes, model, frame, begins_anew);
   changes->answered = request;
   if (outcome != OUTCOME_OK) {
     forget_request(changes, request);
@@ -221,7 +269,7 @@ static void answer(DrumChanges *changes) {
   memcpy(changes->built_preset, preset, sizeof preset);
   changes->built_presets = presets;
   if (changes->waits) return;
-  wait_for_swap(changes);
+  wait_for_change(changes);
   if (changes->presets == presets)
     resend_live(changes, &def); /* not what another one begins with */
 }
@@ -259,7 +307,8 @@ void drum_changes_stop(DrumChanges *changes) {
 
 void drum_changes_destroy(DrumChanges *changes) {
   if (!changes) return;
-  tabor_drum_destroy(changes->drum); /* before a swap that may still fade in it */
+  while (changes->drums)
+    free_drum(changes, changes->drums->drum); /* before swaps that may still fade in them */
   while (changes->pending) {
     Pending *const pending = changes->pending;
     changes->pending = pending->next;
@@ -294,6 +343,7 @@ Outcome drum_changes_set(DrumChanges *changes, uint64_t frame, const char *what,
     const TaborParameter *const parameter = tabor_parameter_find(key);
     const bool live = parameter && parameter->live;
     changes->wanted = def;
+    changes->is_listed = false;
     if (strcmp(key, "quality.level") == 0) changes->options.quality = def.quality.level;
     if (live) send_live(changes, frame, parameter, key);
     if (!live || outgrows(changes, key)) request(changes, frame);
@@ -302,7 +352,9 @@ Outcome drum_changes_set(DrumChanges *changes, uint64_t frame, const char *what,
   return outcome;
 }
 
-Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *preset) {
+/* A program change to the preset that is there already does nothing. */
+static Outcome choose_preset(DrumChanges *changes, uint64_t frame, const char *preset,
+                             bool by_program) {
   TaborDrumDef def;
   Outcome outcome = drum_load_preset(preset, &def);
   if (outcome == OUTCOME_OK && def.mic_count == 0) {
@@ -310,26 +362,29 @@ Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *pr
   }
   if (outcome != OUTCOME_OK) return outcome;
   (void)pthread_mutex_lock(&changes->lock);
-  changes->wanted = def;
-  changes->presets++;
-  (void)snprintf(changes->preset, sizeof changes->preset, "%s", preset);
-  if (!changes->stops) request(changes, frame);
+  if (!(by_program && changes->is_listed && strcmp(changes->preset, preset) == 0)) {
+    changes->wanted = def;
+    changes->is_listed = preset_place(preset) >= 0;
+    changes->presets++;
+    (void)snprintf(changes->preset, sizeof changes->preset, "%s", preset);
+    if (!changes->stops) request(changes, frame);
+  }
   (void)pthread_mutex_unlock(&changes->lock);
   return outcome;
 }
 
-/* Place of a preset in the list; -1 for a file. */
-static int place_of(const char *name) {
-  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
-    if (strcmp(tabor_preset(i)->name, name) == 0) return (int)i;
-  }
-  return -1;
+Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *preset) {
+  return choose_preset(changes, frame, preset, false);
+}
+
+Outcome drum_changes_program(DrumChanges *changes, uint64_t frame, const char *preset) {
+  return choose_preset(changes, frame, preset, true);
 }
 
 Outcome drum_changes_step_preset(DrumChanges *changes, uint64_t frame, int step) {
   const int count = (int)tabor_preset_count();
   (void)pthread_mutex_lock(&changes->lock);
-  const int place = place_of(changes->preset);
+  const int place = preset_place(changes->preset);
   (void)pthread_mutex_unlock(&changes->lock);
   const int from = place < 0 && step < 0 ? 0 : place;
   const int next = ((from + step) % count + count) % count;

@@ -63,6 +63,17 @@ static Outcome load_builtin(const char *name, TaborDrumDef *def) {
   return refuse("%s; 'tabor presets' lists them, and files end in .ini", error.message);
 }
 
+int preset_place(const char *preset) {
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    if (strcmp(tabor_preset(i)->name, preset) == 0) return (int)i;
+  }
+  return -1;
+}
+
+int drum_listed_preset(const Arguments *arguments) {
+  return arguments_has(arguments, "set") ? -1 : preset_place(preset_argument(arguments));
+}
+
 const char *drum_mic_name(const void *def, size_t index) {
   const TaborDrumDef *const drum = def;
   return index < drum->mic_count ? drum->mic[index].name : NULL;

@@ -43,6 +43,10 @@ uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDe
 /** Reads the preset, applies every --set in order, and validates the result. A --set adds no
  * microphone or striker: in a file a new name makes one, on a command line it is a slip. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
+/** Place of a preset in the list of those that are built in; -1 for a file. */
+int preset_place(const char *preset);
+/** The same of the preset that drum_load() reads; -1 if --set may have changed it, too. */
+int drum_listed_preset(const Arguments *arguments);
 /** Reads a preset by itself, and validates it. */
 Outcome drum_load_preset(const char *preset, TaborDrumDef *def);
 /** Sets one parameter and validates the result, or leaves @p def alone; @p what, as "--set", begins messages

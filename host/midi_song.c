@@ -2,7 +2,9 @@
 #include "midi_song.h"
 
 #include <stdlib.h>
+#include <string.h>
 
+#include "drum_source.h"
 #include "midi_file.h"
 
 /* A message of the file and its place among the others. */
@@ -47,7 +49,7 @@ static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
 
 static void take_messages(const MidiFile *file, const Place *places, MidiDrum *drum,
                           MidiSong *song) {
-  int preset = -1; /* none of the listed ones, or one with --set */
+  int preset = song->first_preset;
   for (size_t i = 0; i < file->count && song->presets <= MIDI_SONG_MOST_PRESETS; i++) {
     MidiSongItem *const item = &song->items[song->count];
     if (!midi_drum_take(drum, &file->events[places[i].index].message, &item->action)) continue;
@@ -93,7 +95,7 @@ static Outcome check_counts(const char *name, const MidiSong *song) {
 Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
                        MidiSong *song) {
   const char *const name = arguments_value(arguments, "midi-file");
-  *song = (MidiSong){0};
+  *song = (MidiSong){.first_preset = drum_listed_preset(arguments)};
   if (!name) return OUTCOME_OK;
   if (!*name) return refuse("--midi-file needs the name of a file");
   MidiFile file;
@@ -107,6 +109,53 @@ Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const Tab
   if (outcome == OUTCOME_OK) outcome = check_counts(name, song);
   midi_file_free(&file);
   return outcome;
+}
+
+/* Puts @p item before the others of its frame, which begin at @p first. */
+static void put_first(MidiSong *song, size_t first, size_t count, const MidiSongItem *item) {
+  memmove(song->items + first + 1, song->items + first, (count - first) * sizeof *item);
+  song->items[first] = *item;
+}
+
+static void drop_overtaken(MidiSong *song, double rate) {
+  size_t kept = 0, first = 0; /* of the frame */
+  bool has_preset = false;
+  for (size_t i = 0; i < song->count; i++) {
+    const MidiSongItem item = song->items[i];
+    const bool is_preset = item.action.type == MIDI_ACTION_PRESET;
+    if (kept == first ||
+        midi_song_frame(&song->items[first], rate) != midi_song_frame(&item, rate)) {
+      first = kept;
+      has_preset = false;
+    }
+    if (is_preset && has_preset) {
+      song->items[first] = item;
+    } else {
+      put_first(song, is_preset ? first : kept, kept, &item);
+      kept++;
+    }
+    has_preset = has_preset || is_preset;
+  }
+  song->count = kept;
+}
+
+static void drop_repeated(MidiSong *song) {
+  size_t kept = 0;
+  int preset = song->first_preset;
+  for (size_t i = 0; i < song->count; i++) {
+    const MidiAction *const action = &song->items[i].action;
+    if (action->type == MIDI_ACTION_PRESET) {
+      if (preset == (int)action->preset) continue;
+      preset = (int)action->preset;
+    }
+    song->items[kept++] = song->items[i];
+  }
+  song->count = kept;
+}
+
+void midi_song_settle(MidiSong *song, double rate) {
+  drop_overtaken(song, rate);
+  drop_repeated(song);
 }
 
 Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, size_t *count) {

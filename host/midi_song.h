@@ -3,7 +3,7 @@
  * @file midi_song.h
  * A MIDI file as a drum plays it: what happens at which frame.
  *
- * At one frame controllers and program changes act before notes, in whatever track they stand; of a
+ * At one time controllers and program changes act before notes, in whatever track they stand; of a
  * kind the order is the file's. A program change binds what follows to the preset that it chooses, as
  * that is listed: without the changes that --set made to the first one.
  */
@@ -31,6 +31,7 @@ typedef struct MidiSong {
   MidiSongItem *items; /**< in order */
   size_t count;
   uint32_t presets; /**< of these, changes of preset */
+  int first_preset; /**< place of the preset that it begins with, -1 if it is none that is listed */
   MidiCounts counts;
 } MidiSong;
 
@@ -50,6 +51,11 @@ Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const Tab
  * *events is the caller's to free().
  */
 Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, size_t *count);
+/**
+ * Of the program changes at one frame of @p rate [Hz] the last one counts, and acts before all else; one to the
+ * preset that is there already does nothing. To be called before the song is played.
+ */
+void midi_song_settle(MidiSong *song, double rate);
 /** Says how many notes were passed over, if any were. */
 void midi_song_note(const Arguments *arguments, const MidiSong *song);
 void midi_song_free(MidiSong *song);

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "drum_source.h"
 #include "interrupt.h"
 #include "stopwatch.h"
 
@@ -48,6 +49,7 @@ static Outcome add_song(Performance *performance) {
   PlayRequest *const request = performance->request;
   const MidiSong *const song = &request->song;
   Outcome outcome = OUTCOME_OK;
+  midi_song_settle(&request->song, request->model.sample_rate);
   for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
     Cue cue = play_midi_cue(&song->items[i].action,
                             midi_song_frame(&song->items[i], request->model.sample_rate));
@@ -80,6 +82,7 @@ static Outcome read_score(Performance *performance) {
 static Outcome create_drum(Performance *performance) {
   const PlayRequest *const request = performance->request;
   DrumChangesSetup setup = {.preset = request->preset,
+                            .is_listed = drum_listed_preset(request->arguments) >= 0,
                             .def = &request->def,
                             .options = request->model,
                             .channels = request->channels,

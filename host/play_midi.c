@@ -51,7 +51,7 @@ static void receive(void *context, double time, const MidiMessage *message) {
   Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
   humanize(&midi->humanizer, midi->head_radius, &cue.message.event);
   if (cue.preset) {
-    (void)drum_changes_preset(midi->changes, cue.message.frame, cue.preset); /* it says */
+    (void)drum_changes_program(midi->changes, cue.message.frame, cue.preset); /* it says */
     bind(midi, now);
   } else {
     (void)player_send(midi->player, SOURCE_MIDI, &cue.message); /* counts what it drops */

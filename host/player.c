@@ -41,34 +41,19 @@ static void set(atomic_ullong *meter, unsigned long long value) {
 
 static void meter_drum(Player *player) {
   PlayerMeters *const meters = &player->meters;
-  const TaborStatistics *const before = &player->counted;
+  const bool sleeps = tabor_drum_is_silent(player->drum) && player->leaving.count == 0;
   TaborStatistics now;
-  tabor_drum_statistics(player->drum, &now);
-  set(&meters->strokes, before->strikes + now.strikes);
-  set(&meters->solves, before->solves + now.solves);
-  set(&meters->iterations, before->newton_iterations + now.newton_iterations);
-  set(&meters->capped, before->newton_capped + now.newton_capped);
-  set(&meters->recovered, before->recovered + now.recovered);
-  set(&meters->dropped, before->dropped_events + now.dropped_events);
-  const uint32_t most = before->newton_max > now.newton_max ? before->newton_max : now.newton_max;
-  atomic_store_explicit(&meters->newton_max, most, memory_order_relaxed);
+  tally_statistics(&player->tally, player->drum, &now);
+  set(&meters->strokes, now.strikes);
+  set(&meters->solves, now.solves);
+  set(&meters->iterations, now.newton_iterations);
+  set(&meters->capped, now.newton_capped);
+  set(&meters->recovered, now.recovered);
+  set(&meters->dropped, now.dropped_events);
+  atomic_store_explicit(&meters->newton_max, now.newton_max, memory_order_relaxed);
   atomic_store_explicit(&meters->strikers, now.in_play, memory_order_relaxed);
-  atomic_store_explicit(&meters->sleeping, tabor_drum_is_silent(player->drum),
-                        memory_order_relaxed);
+  atomic_store_explicit(&meters->sleeping, sleeps, memory_order_relaxed);
   atomic_store_explicit(&meters->gain, player->gain.now, memory_order_relaxed);
-}
-
-/* A reset clears the drum's counters. */
-static void keep_statistics(Player *player) {
-  TaborStatistics *const kept = &player->counted, now;
-  tabor_drum_statistics(player->drum, &now);
-  kept->strikes += now.strikes;
-  kept->solves += now.solves;
-  kept->newton_iterations += now.newton_iterations;
-  kept->newton_capped += now.newton_capped;
-  kept->recovered += now.recovered;
-  kept->dropped_events += now.dropped_events;
-  if (now.newton_max > kept->newton_max) kept->newton_max = now.newton_max;
 }
 
 static void meter_event(Player *player, const TaborEvent *event) {
@@ -102,26 +87,55 @@ static void add_event(Player *player, const TaborEvent *event) {
   meter_event(player, added);
 }
 
-/* The drum goes on with another model at once, so that what follows is understood as its. */
+/* Whoever has sent it may destroy it. There is always room: he sends few. */
+static void give_back(Player *player, TaborDrum *drum) {
+  if (drum) (void)ring_push(&player->gone, &drum);
+}
+
+static void give_back_left(Player *player) {
+  TaborDrum *drum;
+  while ((drum = leaving_take(&player->leaving)) != NULL) give_back(player, drum);
+}
+
 static void swap(Player *player, const PlayerMessage *message) {
-  tabor_drum_process(player->drum, player->events, player->event_count, NULL, 0);
-  player->event_count = 0;
   TaborEvent event = message->event;
   event.frame = 0;
   tabor_drum_process(player->drum, &event, 1, NULL, 0);
+}
+
+static void replace(Player *player, const PlayerMessage *message) {
+  tally_keep(&player->tally, player->drum);
+  give_back(player, leaving_add(&player->leaving, player->drum, player->mics, player->channels));
+  player->drum = message->drum;
+  silencer_forget(&player->silencer);
+}
+
+/* At once, so that what follows is understood as meant for what has come. */
+static void change_drum(Player *player, const PlayerMessage *message) {
+  tabor_drum_process(player->drum, player->events, player->event_count, NULL, 0);
+  player->event_count = 0;
+  if (message->type == PLAYER_DRUM) {
+    replace(player, message);
+  } else {
+    swap(player, message);
+  }
   for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
   player->striker_count = message->strikers;
   player_listen(player);
-  if (message->begins_anew) silencer_forget(&player->silencer);
-  meter_event(player, &event);
+  meter_event(player, &message->event);
+}
+
+static bool changes_drum(const PlayerMessage *message) {
+  return message->type == PLAYER_SWAP || message->type == PLAYER_DRUM;
 }
 
 static void carry_out(Player *player, const PlayerMessage *message) {
   const bool passed = message->frame != PLAYER_NOW && message->frame < player->position;
-  if (passed && message->type != PLAYER_SWAP) count(&player->meters.late, 1); /* models take time */
+  if (passed && !changes_drum(message)) count(&player->meters.late, 1); /* models take time */
   switch (message->type) {
   case PLAYER_EVENT: add_event(player, &message->event); break;
-  case PLAYER_SWAP: swap(player, message); break;
+  case PLAYER_SWAP:
+  case PLAYER_DRUM: change_drum(player, message); break;
   case PLAYER_GAIN: fader_set(&player->gain, message->value); break;
   case PLAYER_EXPRESSION: fader_set(&player->expression, message->value); break;
   case PLAYER_SILENCE: silencer_wish(&player->silencer); break;
@@ -157,17 +171,38 @@ static uint32_t take_messages(Player *player, uint32_t most) {
   return silencer_waits(&player->silencer) ? most : 1; /* what is left acts one frame later */
 }
 
+static void step_silencer(Player *player) {
+  if (silencer_is_due(&player->silencer)) {
+    tally_keep(&player->tally, player->drum);
+    leaving_cut(&player->leaving);
+    give_back_left(player);
+  }
+  silencer_step(&player->silencer, player->drum);
+}
+
 /* What happens at this frame; how many of @p most frames to compute before the next. */
 static uint32_t begin_piece(Player *player, uint32_t most) {
-  Silencer *const silencer = &player->silencer;
+  const Silencer *const silencer = &player->silencer;
   player->event_count = 0;
-  if (silencer_is_due(silencer)) keep_statistics(player);
-  silencer_step(silencer, player->drum);
+  step_silencer(player);
   const uint32_t frames = silencer_waits(silencer) ? most : take_messages(player, most);
   return silencer_limit(silencer, frames);
 }
 
 /* ---- sound ---------------------------------------------------------------------------------- */
+
+/* What each channel hears of all drums. */
+static void gather(Player *player, uint32_t frames) {
+  double *sound[TABOR_MAX_MICS];
+  for (uint32_t channel = 0; channel < player->channels; channel++) {
+    const float *const samples = player->planar[player->mics[channel]];
+    sound[channel] = player->mixed[channel];
+    for (uint32_t frame = 0; frame < frames; frame++)
+      sound[channel][frame] = (double)samples[frame];
+  }
+  leaving_play(&player->leaving, sound, player->channels, frames);
+  give_back_left(player);
+}
 
 static double clip(Player *player, double sample) {
   if (fabs(sample) <= 1) return sample;
@@ -182,7 +217,7 @@ static void mix(Player *player, uint32_t frames) {
     const double gain = fader_next(&player->gain) * fader_next(&player->expression) *
                         silencer_next(&player->silencer);
     for (uint32_t channel = 0; channel < player->channels; channel++) {
-      const double sample = gain * (double)player->planar[player->mics[channel]][frame];
+      const double sample = gain * player->mixed[channel][frame];
       peak[channel] = fmax(peak[channel], fabs(sample));
       player->mixed[channel][frame] = clip(player, sample);
     }
@@ -248,6 +283,7 @@ static uint32_t piece_limit(const Player *player, uint32_t most) {
 static uint32_t play_piece(Player *player, float *samples, uint32_t most) {
   const uint32_t frames = begin_piece(player, piece_limit(player, most));
   tabor_drum_process(player->drum, player->events, player->event_count, player->outputs, frames);
+  gather(player, frames);
   mix(player, frames);
   send_out(player, samples, frames);
   if (player->records) record(player, frames);

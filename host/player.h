@@ -34,10 +34,10 @@ typedef enum PlayerSource {
 } PlayerSource;
 
 typedef enum PlayerMessageType {
-  PLAYER_EVENT,      /**< event; but swaps come as PLAYER_SWAP */
-  PLAYER_SWAP,       /**< event; mics: each channel's microphone in the new model, which has so many
-                      strikers */
-  PLAYER_GAIN,       /**< value: factor of the output, reached over 5 ms */
+  PLAYER_EVENT, /**< event; but swaps come as PLAYER_SWAP */
+  PLAYER_SWAP,  /**< event: the drum goes on with another model; see mics and strikers */
+  PLAYER_DRUM, /**< drum: another one in place of that which is played, which rings out beside it */
+  PLAYER_GAIN, /**< value: factor of the output, reached over 5 ms */
   PLAYER_EXPRESSION, /**< the same beside that one, by MIDI */
   PLAYER_SILENCE /**< the sound fades out within 5 ms, and the drum is at rest; strokes wait for it */
 } PlayerMessageType;
@@ -45,9 +45,9 @@ typedef enum PlayerMessageType {
 typedef struct PlayerMessage {
   uint64_t frame; /**< since playing began, or PLAYER_NOW */
   uint32_t type;  /**< a PlayerMessageType */
-  uint8_t mics[TABOR_MAX_MICS];
-  uint32_t strikers;
-  bool begins_anew; /**< of a swap: another drum comes, with live values of its own */
+  TaborDrum *drum;
+  uint8_t mics[TABOR_MAX_MICS]; /**< each channel's microphone on what has come */
+  uint32_t strikers;            /**< that it has */
   double value;
   TaborEvent event; /**< its own frame is ignored */
 } PlayerMessage;
@@ -61,7 +61,7 @@ typedef struct PlayerRecord {
 
 /** What a player is made for. */
 typedef struct PlayerSetup {
-  TaborDrum *drum;               /**< stays the caller's, who leaves it to the player meanwhile */
+  TaborDrum *drum;               /**< see player_gone() */
   double rate;                   /**< [Hz], the model's */
   uint32_t channels;             /**< 1 to TABOR_MAX_MICS */
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel */
@@ -95,6 +95,12 @@ size_t player_waiting(const Player *player, PlayerSource source);
 /** The frame for what happens at @p time [s of CLOCK_MONOTONIC]: as late as every other, by one
  * block of the device. PLAYER_NOW before the first block. Any thread. */
 uint64_t player_frame_at(const Player *player, double time);
+
+/**
+ * A drum that is done with, or NULL. Drums stay their sender's, who leaves them to the player until they come back
+ * here, or until it is destroyed. One thread at a time.
+ */
+TaborDrum *player_gone(Player *player);
 
 /* AUDIO */
 

@@ -24,7 +24,8 @@ static bool create_recording(Player *player) {
 }
 
 static bool create_rings(Player *player) {
-  bool created = create_recording(player);
+  bool created = create_recording(player) &&
+                 ring_create(&player->gone, sizeof(TaborDrum *), SOURCE_ROOM + LEAVING_MOST + 1);
   for (int i = 0; i < SOURCE_COUNT; i++) {
     created = created && ring_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
   }
@@ -54,6 +55,7 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   player->gain = fader_at(setup->gain, setup->rate);
   player->expression = fader_at(1, setup->rate);
   player->silencer = silencer_begin(setup->rate);
+  leaving_begin(&player->leaving, setup->rate);
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
   player->striker_count = tabor_model_definition(tabor_drum_model(setup->drum))->striker_count;
@@ -65,6 +67,7 @@ void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) ring_destroy(&player->sources[i]);
   ring_destroy(&player->recording);
+  ring_destroy(&player->gone);
   free(player->record);
   free(player);
 }
@@ -83,6 +86,13 @@ size_t player_waiting(const Player *player, PlayerSource source) {
 
 uint64_t player_frame_at(const Player *player, double time) {
   return frame_clock_frame(&player->clock, time);
+}
+
+TaborDrum *player_gone(Player *player) {
+  TaborDrum *const *const gone = ring_peek(&player->gone);
+  TaborDrum *const drum = gone ? *gone : NULL;
+  if (gone) ring_pop(&player->gone);
+  return drum;
 }
 
 /* ---- the recording -------------------------------------------------------------------------- */

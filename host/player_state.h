@@ -7,10 +7,12 @@
 
 #include "fader.h"
 #include "frame_clock.h"
+#include "leaving.h"
 #include "player.h"
 #include "ring.h"
 #include "ring_out.h"
 #include "silencer.h"
+#include "tally.h"
 
 #define PLAYER_PIECE RING_OUT_BLOCK /* frames computed at once at most, and looks at the end */
 #define PLAYER_EVENTS 32            /* of one frame; further ones act at the next */
@@ -34,14 +36,17 @@ typedef struct PlayerMeters {
 
 struct Player {
   /* set up once */
-  TaborDrum *drum;
   double rate;
   uint32_t channels, width;
   bool records, ends;
   Ring sources[SOURCE_COUNT];
   Ring recording;
+  Ring gone; /* drums that are done with */
 
   /* the audio thread's */
+  TaborDrum *drum;
+  Leaving leaving;
+  Tally tally; /* of the drum before the last silence or change */
   uint64_t position, end;
   RingOut ring_out;
   Fader gain, expression;
@@ -52,9 +57,9 @@ struct Player {
   uint32_t event_count;
   float *outputs[TABOR_MAX_MICS]; /* into planar, NULL for what nobody hears */
   float planar[TABOR_MAX_MICS][PLAYER_PIECE];
-  double mixed[TABOR_MAX_MICS][PLAYER_PIECE]; /* channels, at their level, clipped */
-  PlayerRecord *record;                       /* the block being filled */
-  TaborStatistics counted;                    /* those of drums before a reset */
+  double mixed[TABOR_MAX_MICS]
+              [PLAYER_PIECE]; /* channels of all drums, then at their level, clipped */
+  PlayerRecord *record;       /* the block being filled */
 
   /* shared */
   FrameClock clock;

@@ -153,8 +153,8 @@ static void note_details(const Session *session, const TaborStatistics *statisti
 Outcome render_report(const Session *session, json_t **report) {
   TaborStatistics statistics;
   TaborLedger ledger;
-  tabor_drum_statistics(session->drum, &statistics);
-  tabor_drum_ledger(session->drum, &ledger);
+  tally_statistics(&session->tally, session->drum, &statistics);
+  tally_ledger(&session->tally, session->drum, &ledger);
   warn_of_saturation(session);
   warn_of_silence(session);
   warn_of_drops(&session->drops);

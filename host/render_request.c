@@ -165,8 +165,10 @@ static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
   Outcome outcome = midi_map_read(arguments, &request->def, &map);
   if (outcome != OUTCOME_OK || !arguments_has(arguments, "midi-file")) return outcome;
   outcome = midi_song_read(arguments, &map, &request->def, &request->song);
-  if (outcome == OUTCOME_OK)
+  if (outcome == OUTCOME_OK) {
+    midi_song_settle(&request->song, request->model.sample_rate);
     outcome = midi_song_take_events(&request->song, request->model.sample_rate, &events, &count);
+  }
   if (outcome == OUTCOME_OK) outcome = strokes_merge(&request->strokes, events, count);
   free(events);
   if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);

@@ -15,10 +15,11 @@ Outcome session_open(Session *session, RenderRequest *request) {
   session->drops = (SessionDrops){0};
   session->expression = fader_at(1, rate);
   session->silencer = silencer_begin(rate);
+  session->presets = (PresetDrums){.options = &request->model};
+  session->tally = (Tally){0};
+  leaving_begin(&session->leaving, rate);
   for (uint32_t i = 0; i < request->channels; i++) session->mics[i] = request->mics[i];
-  const Outcome outcome = preset_swaps_begin(&session->swaps, &request->def, &request->model);
-  session->drum = session->swaps.drum;
-  return outcome;
+  return drum_create(&request->def, &request->model, &session->drum);
 }
 
 /* ---- what the song does beside strokes ---- */
@@ -32,19 +33,32 @@ static void attend(Session *session) {
   }
 }
 
+static void destroy_left(Session *session) {
+  TaborDrum *drum;
+  while ((drum = leaving_take(&session->leaving)) != NULL) tabor_drum_destroy(drum);
+}
+
+static Outcome change_drum(Session *session, uint32_t preset) {
+  TaborDrum *drum;
+  const Outcome outcome = preset_drums_create(&session->presets, preset, &drum);
+  if (outcome != OUTCOME_OK) return outcome;
+  tally_keep(&session->tally, session->drum);
+  tabor_drum_destroy(
+    leaving_add(&session->leaving, session->drum, session->mics, session->request->channels));
+  session->drum = drum;
+  silencer_forget(&session->silencer);
+  attend(session);
+  return OUTCOME_OK;
+}
+
 static Outcome act(Session *session, const MidiAction *action) {
-  Outcome outcome = OUTCOME_OK;
   switch (action->type) {
   case MIDI_ACTION_EVENT: break; /* these are among the strokes */
   case MIDI_ACTION_GAIN: fader_set(&session->expression, action->value); break;
   case MIDI_ACTION_SILENCE: silencer_wish(&session->silencer); break;
-  case MIDI_ACTION_PRESET:
-    outcome = preset_swaps_act(&session->swaps, action->preset);
-    silencer_forget(&session->silencer);
-    attend(session);
-    break;
+  case MIDI_ACTION_PRESET: return change_drum(session, action->preset);
   }
-  return outcome;
+  return OUTCOME_OK;
 }
 
 static const MidiSongItem *next_item(const Session *session) {
@@ -67,9 +81,18 @@ static Outcome act_due(Session *session) {
   return outcome;
 }
 
+static void step_silencer(Session *session) {
+  if (silencer_is_due(&session->silencer)) {
+    tally_keep(&session->tally, session->drum);
+    leaving_cut(&session->leaving);
+    destroy_left(session);
+  }
+  silencer_step(&session->silencer, session->drum);
+}
+
 /* How many of *frames frames there are until the song does something. */
 static Outcome begin_piece(Session *session, uint32_t *frames) {
-  silencer_step(&session->silencer, session->drum);
+  step_silencer(session);
   const Outcome outcome = act_due(session);
   const MidiSongItem *const item = next_item(session);
   uint32_t left = *frames;
@@ -84,6 +107,13 @@ static Outcome begin_piece(Session *session, uint32_t *frames) {
 /* This thread's: others may play other drums. */
 static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
+/* As the drum of now understands it: it may be meant for another one, which had more strikers. */
+static void adapt(const Session *session, TaborEvent *event) {
+  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
+  const bool strikes = event->type == TABOR_EVENT_STRIKE;
+  if (strikes && event->striker >= def->striker_count) event->striker = 0;
+}
+
 /* The strokes of the next @p frames frames; those that waited act at the first. */
 static uint32_t take_events(Session *session, uint32_t frames) {
   const Strokes *const strokes = &session->request->strokes;
@@ -94,11 +124,26 @@ static uint32_t take_events(Session *session, uint32_t frames) {
          events[count].frame < position + frames) {
     TaborEvent *const event = &events[count]; /* from here on counted within the piece */
     event->frame = event->frame > position ? event->frame - position : 0;
+    adapt(session, event);
     silencer_remember(&session->silencer, event);
     session->next_event++;
     count++;
   }
   return count;
+}
+
+/* What each channel hears of all drums, from frame @p at of the block on. */
+static void gather(Session *session, uint32_t at, uint32_t frames) {
+  const uint32_t channels = session->request->channels;
+  double *sound[MOST_CHANNELS];
+  for (uint32_t channel = 0; channel < channels; channel++) {
+    const float *const samples = session->planar[session->mics[channel]] + at;
+    sound[channel] = session->sound[channel] + at;
+    for (uint32_t frame = 0; frame < frames; frame++)
+      sound[channel][frame] = (double)samples[frame];
+  }
+  leaving_play(&session->leaving, sound, channels, frames);
+  destroy_left(session);
 }
 
 /* Frames from @p at on in the block. */
@@ -109,7 +154,7 @@ static void interleave(Session *session, uint32_t at, uint32_t frames) {
     const double gain =
       request->gain * fader_next(&session->expression) * silencer_next(&session->silencer);
     for (uint32_t channel = 0; channel < channels; channel++) {
-      const double sample = gain * (double)session->planar[session->mics[channel]][frame];
+      const double sample = gain * session->sound[channel][frame];
       session->interleaved[frame * channels + channel] = sample;
       session->peak = fmax(session->peak, fabs(sample));
     }
@@ -147,6 +192,7 @@ static void play_piece(Session *session, uint32_t at, uint32_t frames) {
   const uint32_t count = take_events(session, frames);
   const double start = processor_time();
   process(session, events, count, outputs, frames);
+  gather(session, at, frames);
   session->computing += processor_time() - start;
   session->position += frames;
   interleave(session, at, frames);
@@ -179,6 +225,9 @@ Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace)
 }
 
 void session_free(Session *session) {
+  leaving_cut(&session->leaving);
+  destroy_left(session);
+  tabor_drum_destroy(session->drum);
   session->drum = NULL;
-  preset_swaps_free(&session->swaps);
+  preset_drums_free(&session->presets);
 }

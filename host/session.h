@@ -4,16 +4,17 @@
  * One drum being played: strokes in, interleaved samples out.
  *
  * What a MIDI file does beside its strokes acts at its frame, before these: a gain is reached over
- * 5 ms; silence is silencer.h's; another
- * preset goes on from where the drum is.
+ * 5 ms; silence is silencer.h's; another preset is another drum, beside which the one before rings out.
  */
 #ifndef TABOR_HOST_SESSION_H
 #define TABOR_HOST_SESSION_H
 
 #include "fader.h"
-#include "preset_swaps.h"
+#include "leaving.h"
+#include "preset_drums.h"
 #include "render_request.h"
 #include "silencer.h"
+#include "tally.h"
 #include "trace_file.h"
 
 #define SESSION_BLOCK AUDIO_BLOCK
@@ -27,16 +28,19 @@ typedef struct SessionDrops {
 typedef struct Session {
   RenderRequest *request;
   TaborDrum *drum;
-  PresetSwaps swaps;
+  PresetDrums presets;
+  Leaving leaving;
+  Tally tally;                  /**< of the drum before the last silence or change */
   size_t next_event, next_item; /**< of the strokes, of the song */
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest sample in size */
   double computing;             /**< processor time that the drum took [s] */
-  SessionDrops drops;           /**< through silences, too, which reset the drum's own counters */
-  Fader expression;             /**< factor beside the request's gain */
+  SessionDrops drops;
+  Fader expression; /**< factor beside the request's gain */
   Silencer silencer;
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
   float planar[TABOR_MAX_MICS][SESSION_BLOCK];
+  double sound[MOST_CHANNELS][SESSION_BLOCK];        /**< of all drums, before their gain */
   double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */
 } Session;
 

@@ -49,7 +49,7 @@ set(TABOR_LV2_INSIDE
     voice_change.c voice_sound.c workshop.c)
 list(TRANSFORM TABOR_LV2_INSIDE PREPEND "${TABOR_LV2_FOLDER}/")
 list(APPEND TABOR_LV2_INSIDE ${TABOR_LV2_HOST} ${TABOR_MIDI_SOURCES} "${PROJECT_SOURCE_DIR}/host/humanize.c"
-            "${PROJECT_SOURCE_DIR}/host/silencer.c")
+            "${PROJECT_SOURCE_DIR}/host/leaving.c" "${PROJECT_SOURCE_DIR}/host/silencer.c")
 foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_threads)
   set(${name}_SOURCES ${TABOR_LV2_INSIDE})
   set(${name}_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES})

@@ -10,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include "player_state.h"
+
 #define RATE 48000.0
 #define WIDTH 2u
 #define LARGEST 4096u
@@ -84,6 +86,8 @@ void stage_end(Stage *stage) {
   assert_true(player_halt(stage->player, 1));
   take_recorded(stage);
 }
+
+const TaborModel *stage_model(const Stage *stage) { return tabor_drum_model(stage->player->drum); }
 
 double stage_peak(const Stage *stage, uint64_t from, uint64_t until) {
   double peak = 0;

@@ -35,6 +35,8 @@ void stage_block(Stage *stage, uint32_t frames);
 void stage_play(Stage *stage, Messages *messages, uint64_t until, uint32_t size);
 /** Hands over the last, partial block. */
 void stage_end(Stage *stage);
+/** Of the drum that is played now. */
+const TaborModel *stage_model(const Stage *stage);
 /** Largest of the samples from .. until, in size. */
 double stage_peak(const Stage *stage, uint64_t from, uint64_t until);
 

@@ -116,6 +116,98 @@ static void write_presets(void) {
   end_song();
 }
 
+/* Programs, as `tabor presets` lists them. */
+enum { SNARE = 5, SNARE_OFF, LOOSE, PICCOLO, MARCHING, TOM };
+
+static void begin_ringing(void) {
+  begin_song();
+  add(0, 0x99, 38, 110);
+}
+
+static void end_struck(void) {
+  add(100, 0x99, 38, 100);
+  end_song();
+}
+
+/* To a drum without a stereo pair. */
+static void write_other_mics(void) {
+  begin_ringing();
+  add(200, 0xC9, TOM, 0);
+  end_struck();
+}
+
+static void write_two_at_once(void) {
+  begin_ringing();
+  add(100, 0xC9, LOOSE, 0);
+  add(0, 0xC9, PICCOLO, 0);
+  add(0, 0x99, 38, 90);
+  add(100, 0xC9, MARCHING, 0);
+  add(0, 0xC9, LOOSE, 0);
+  end_struck();
+}
+
+/* What is moved stays, since nothing changes; then there is a real change. */
+static void write_there_and_back(void) {
+  begin_song();
+  add(0, 0xC9, LOOSE, 0);
+  add(0, 0x99, 38, 110);
+  add(20, 0xB9, 20, 0);
+  add(30, 0xC9, TOM, 0);
+  add(0, 0xC9, PICCOLO, 0);
+  add(0, 0xC9, LOOSE, 0);
+  add(20, 0x99, 38, 80);
+  add(50, 0xC9, TOM, 0);
+  add(0, 0xC9, LOOSE, 0);
+  add(0, 0xC9, SNARE, 0);
+  end_struck();
+}
+
+/* More drums leave within 30 ms, which are 28.8 ticks, than may at once; and one while it rings. */
+static void write_one_after_the_other(void) {
+  static const uint8_t presets[] = {TOM, SNARE, LOOSE, MARCHING, 0, 1, PICCOLO};
+  begin_ringing();
+  add(100, 0x99, 38, 100);
+  for (uint32_t i = 0; i < sizeof presets; i++) {
+    add(i == 0 ? 20 : 4, 0xC9, presets[i], 0);
+    add(0, 0x99, 38, 90);
+  }
+  add(60, 0xC9, LOOSE, 0);
+  end_struck();
+}
+
+/* Strainer and grip begin anew, on a drum that could continue this one. */
+static void write_moved_before(void) {
+  begin_ringing();
+  add(10, 0xB9, 20, 0);
+  add(0, 0xB9, 1, 127);
+  add(40, 0x99, 38, 90);
+  add(50, 0xC9, LOOSE, 0);
+  add(0, 0x99, 38, 90);
+  add(60, 0xC9, SNARE, 0);
+  add(0, 0xB9, 20, 20);
+  add(0, 0x99, 38, 90);
+  add(40, 0xB9, 20, 90);
+  add(0, 0xC9, LOOSE, 0);
+  end_struck();
+}
+
+/* Silences before, with and after changes, and changes that wait for their end. */
+static void write_silences(void) {
+  begin_ringing();
+  add(50, 0xB9, 120, 0);
+  add(0, 0xC9, LOOSE, 0);
+  add(0, 0x99, 38, 90);
+  add(50, 0xC9, TOM, 0);
+  add(3, 0xB9, 123, 0);
+  add(2, 0xC9, PICCOLO, 0);
+  add(5, 0xC9, TOM, 0);
+  add(0, 0x99, 38, 90);
+  add(40, 0xC9, SNARE, 0);
+  add(0, 0xB9, 120, 0);
+  add(0, 0xC9, TOM, 0);
+  end_struck();
+}
+
 /* ---- both ways ------------------------------------------------------------------------------ */
 
 typedef struct Take {
@@ -135,13 +227,18 @@ static void close_take(Take *take) {
   for (uint32_t i = 0; i < take->channels; i++) free(take->sound[i]);
 }
 
-/* As `tabor render` has it. */
-static void render(const char *options, const char *const *mics, Take *take) {
+static const char rendered[] = "render -o",
+                  performed[] = "play --backend file --humanize 0 --record";
+
+/* As the program has it, by one of these commands. */
+static void take_from(const char *command_name, const char *options, const char *const *mics,
+                      Take *take) {
   char command[1024], path[256];
-  size_t length = (size_t)snprintf(command, sizeof command,
-                                   "'%s' render -q --midi-file '%s/song.mid' --format float "
-                                   "-o '%s/song.wav' --duration %s %s",
-                                   program, folder, folder, brief ? "0.5" : "1", options);
+  size_t length =
+    (size_t)snprintf(command, sizeof command,
+                     "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
+                     "--format float --duration %s %s",
+                     program, command_name, folder, folder, brief ? "0.5" : "1", options);
   for (uint32_t i = 0; i < take->channels; i++) {
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
   }
@@ -181,23 +278,29 @@ static const char *const all[] = {"top", "bottom", "near", "far", "left", "right
 
 /* ---- tests ---------------------------------------------------------------------------------- */
 
-/* Set by @p prepare before the first run. */
-static void same_as_render(const char *uri, const char *options, void (*prepare)(PluginHost *),
+/* The plugin, set by @p prepare before the first run, in runs of these sizes. */
+static void same_in_plugin(const char *uri, const Take *expected, void (*prepare)(PluginHost *),
                            const uint32_t *blocks, size_t count) {
-  const bool stereo = strcmp(uri, URI_DRUM) == 0;
-  Take expected, take;
-  open_take(&expected, port_outputs(stereo));
-  open_take(&take, port_outputs(stereo));
-  render(options, stereo ? pair : all, &expected);
+  Take take;
+  open_take(&take, expected->channels);
   for (size_t i = 0; i < (brief ? 1 : count); i++) {
     PluginHost *const host = host_open(host_descriptor(plugins, uri), HOST_WITHOUT_WORKER);
     if (prepare) prepare(host);
     play(host, blocks[i], &take);
-    compare(&expected, &take, blocks[i]);
+    compare(expected, &take, blocks[i]);
     host_close(host);
   }
-  close_take(&expected);
   close_take(&take);
+}
+
+static void same_as_render(const char *uri, const char *options, void (*prepare)(PluginHost *),
+                           const uint32_t *blocks, size_t count) {
+  const bool stereo = strcmp(uri, URI_DRUM) == 0;
+  Take expected;
+  open_take(&expected, port_outputs(stereo));
+  take_from(rendered, options, stereo ? pair : all, &expected);
+  same_in_plugin(uri, &expected, prepare, blocks, count);
+  close_take(&expected);
 }
 
 static void at_draft(PluginHost *host) { host->knobs[KNOB_QUALITY] = 0; }
@@ -228,6 +331,103 @@ static void test_program_changes(void **state) {
   static const uint32_t blocks[] = {100, 4096, 0};
   write_presets();
   same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, 3);
+}
+
+static void same_everywhere(void) {
+  static const uint32_t blocks[] = {0, 100};
+  Take expected, take;
+  open_take(&expected, 2);
+  open_take(&take, 2);
+  take_from(rendered, "--quality draft", pair, &expected);
+  same_in_plugin(URI_DRUM, &expected, at_draft, blocks, 2);
+  take_from(performed, "--quality draft", pair, &take);
+  compare(&expected, &take, 0);
+  close_take(&expected);
+  close_take(&take);
+}
+
+static void test_changes_of_all_kinds(void **state) {
+  (void)state;
+  static void (*const songs[])(void) = {write_other_mics,     write_two_at_once,
+                                        write_there_and_back, write_one_after_the_other,
+                                        write_moved_before,   write_silences};
+  for (size_t i = 0; i < sizeof songs / sizeof songs[0]; i++) {
+    print_message("song %u\n", (unsigned)i + 1);
+    songs[i]();
+    same_everywhere();
+  }
+}
+
+static void test_a_change_at_live(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {512};
+  if (brief) skip();
+  write_two_at_once();
+  same_as_render(URI_DRUM, "--quality live", NULL, blocks, 1);
+}
+
+/* ---- what a program change is ---- */
+
+enum { CHANGED = 60, FADE = 1440 }; /* ticks; frames of 30 ms */
+
+static const uint32_t change_frame = CHANGED * 48000 / 2 / DIVISION;
+
+/* The old drum at its own microphones, under the fade and nothing else; the new one is not struck. */
+static void test_the_old_drum_rings_out(void **state) {
+  (void)state;
+  Take ringing, changed;
+  open_take(&ringing, 2);
+  open_take(&changed, 2);
+  begin_ringing();
+  end_song();
+  take_from(rendered, "--quality draft", pair, &ringing);
+  begin_ringing();
+  add(CHANGED, 0xC9, TOM, 0);
+  end_song();
+  take_from(rendered, "--quality draft", pair, &changed);
+  for (uint32_t channel = 0; channel < 2; channel++) {
+    for (uint32_t at = 0; at < changed.frames; at++) {
+      const uint32_t gone = at < change_frame ? 0 : at - change_frame;
+      const double part = at < change_frame ? 1 : gone < FADE ? (FADE - gone) / (FADE + 1.0) : 0;
+      const float expected = (float)(part * (double)ringing.sound[channel][at]);
+      if (changed.sound[channel][at] != expected) fail_msg("frame %u", (unsigned)at);
+    }
+    assert_true(host_peak(changed.sound[channel] + change_frame, FADE) > 1e-3);
+  }
+  close_take(&ringing);
+  close_take(&changed);
+}
+
+static void write_change(bool moves) {
+  begin_ringing();
+  if (moves) {
+    add(10, 0xB9, 20, 0);
+    add(0, 0xB9, 1, 127);
+  }
+  add(CHANGED - (moves ? 10 : 0), 0xC9, LOOSE, 0);
+  end_struck();
+}
+
+/* These two drums are alike enough to be continued, which would keep what was moved. */
+static void test_live_values_begin_anew(void **state) {
+  (void)state;
+  Take plain, moved;
+  open_take(&plain, 2);
+  open_take(&moved, 2);
+  write_change(false);
+  take_from(rendered, "--quality draft", pair, &plain);
+  write_change(true);
+  take_from(rendered, "--quality draft", pair, &moved);
+  const uint32_t first = change_frame + FADE;
+  const size_t size = (plain.frames - first) * sizeof(float);
+  for (uint32_t channel = 0; channel < 2; channel++) {
+    const float *const a = plain.sound[channel], *const b = moved.sound[channel];
+    assert_memory_not_equal(a, b, change_frame * sizeof(float));
+    assert_memory_equal(a + first, b + first, size);
+    assert_true(host_peak(a + first, plain.frames - first) > 1e-3);
+  }
+  close_take(&plain);
+  close_take(&moved);
 }
 
 static void turned(PluginHost *host) {
@@ -278,6 +478,10 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_the_usual_quality_is_live),
     cmocka_unit_test(test_an_output_per_microphone),
     cmocka_unit_test(test_program_changes),
+    cmocka_unit_test(test_changes_of_all_kinds),
+    cmocka_unit_test(test_a_change_at_live),
+    cmocka_unit_test(test_the_old_drum_rings_out),
+    cmocka_unit_test(test_live_values_begin_anew),
     cmocka_unit_test(test_knobs_are_options),
     cmocka_unit_test(test_silence_is_exactly_zero),
   };

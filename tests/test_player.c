@@ -83,7 +83,7 @@ static void sound_is_the_drums(void **state) {
   TaborEvent events[] = {messages.list[0].event, messages.list[1].event};
   events[0].frame = 77;
   events[1].frame = 5001;
-  TaborModel *const model = (TaborModel *)tabor_drum_model(drum_changes_drum(stage->changes));
+  TaborModel *const model = (TaborModel *)stage_model(stage);
   assert_int_equal(tabor_drum_create(model, &drum, NULL), TABOR_OK);
   tabor_drum_process(drum, events, 2, outputs, FRAMES);
   for (uint32_t i = 0; i < FRAMES; i++) assert_true((double)samples[i] == stage->samples[i]);
@@ -300,7 +300,7 @@ static void changes_come_while_it_rings(void **state) {
     if (i % 50 == 0) assert_true(player_send(stage->player, SOURCE_KEYS, &strike));
     stage_block(stage, 128);
     drum_changes_status(stage->changes, &status);
-    model = tabor_drum_model(drum_changes_drum(stage->changes));
+    model = stage_model(stage);
     if (!status.building && strcmp(tabor_model_definition(model)->name, status.preset) == 0) break;
     (void)nanosleep(&moment, NULL);
   }
@@ -345,6 +345,35 @@ static void presets_passed_over_are_silent(void **state) {
   stage_close(stage);
 }
 
+/* To what is there already it does nothing; to the same preset with something set, it begins anew. */
+static void a_program_change_once_more_does_nothing(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  const PlayerMessage strike = message_strike(0, 5, 0.03);
+  assert_int_equal(drum_changes_program(stage->changes, 0, "frame-drum"), OUTCOME_OK);
+  assert_true(player_send(stage->player, SOURCE_KEYS, &strike));
+  stage_block(stage, 1000);
+  const TaborModel *const model = stage_model(stage);
+  assert_string_equal(tabor_model_definition(model)->name, "frame-drum");
+  assert_int_equal(drum_changes_program(stage->changes, 1000, "frame-drum"), OUTCOME_OK);
+  stage_block(stage, 1000);
+  assert_ptr_equal(stage_model(stage), model);
+  assert_true(stage_peak(stage, 1500, stage->recorded) > 1e-4);
+  assert_int_equal(drum_changes_set(stage->changes, 2000, "set", "batter.tension", "3100"),
+                   OUTCOME_OK);
+  assert_int_equal(drum_changes_program(stage->changes, 2000, "frame-drum"), OUTCOME_OK);
+  drum_changes_definition(stage->changes, &def);
+  assert_true(def.batter.tension != 3100);
+  stage_block(stage, 3000);
+  assert_true(stage_peak(stage, 2000, 2100) > 1e-5);
+  assert_true(stage_peak(stage, 2000 + 1440, stage->recorded) == 0); /* the new one is at rest */
+  PlayStatus status;
+  player_status(stage->player, &status);
+  assert_int_equal(status.strokes, 1); /* of the drums before, too */
+  stage_close(stage);
+}
+
 /* The quality is a key like others, and a heavy one. */
 static void quality_can_be_set(void **state) {
   (void)state;
@@ -355,7 +384,7 @@ static void quality_can_be_set(void **state) {
   stage_block(stage, 128);
   drum_changes_status(stage->changes, &status);
   TaborModelInfo info;
-  tabor_model_info(tabor_drum_model(drum_changes_drum(stage->changes)), &info);
+  tabor_model_info(stage_model(stage), &info);
   assert_int_equal(info.quality, TABOR_QUALITY_LIVE);
   assert_int_equal(status.quality, TABOR_QUALITY_LIVE);
   stage_close(stage);
@@ -471,6 +500,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(presets_with_less_are_played_all_the_same),
     cmocka_unit_test(changes_come_while_it_rings),
     cmocka_unit_test(presets_passed_over_are_silent),
+    cmocka_unit_test(a_program_change_once_more_does_nothing),
     cmocka_unit_test(quality_can_be_set),
     cmocka_unit_test(wrong_changes_are_refused),
     cmocka_unit_test(presets_step_round),

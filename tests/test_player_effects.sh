@@ -43,7 +43,7 @@ plugins=
 if pkg-config --exists lv2; then
   plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_sound lv2/workshop"
 fi
-for name in player ring frame_clock ring_out silencer humanize midi_drum midi_speed midi_stream $plugins; do
+for name in player leaving ring frame_clock ring_out silencer tally humanize midi_drum midi_speed midi_stream $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
 done
 # A check that finds nothing anywhere would be worth nothing.

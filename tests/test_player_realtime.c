@@ -81,14 +81,14 @@ static void playing_calls_nothing_that_waits(void **state) {
   uint32_t changes = 0;
   PlayStatus status = {0};
   Stage *const stage = stage_open("tabor", TABOR_QUALITY_DRAFT, false, 0);
-  const TaborModel *model = tabor_drum_model(drum_changes_drum(stage->changes));
+  const TaborModel *model = stage_model(stage);
   while (stage->position < least || (changes < LEAST_CHANGES && stage->position < MOST * least)) {
     const uint32_t frames = 16 + (uint32_t)(1000 * random_next(&random));
     for (int i = 0; i < 3; i++) send_random(stage, &random);
     const long counted = calls_of_block(stage, frames);
     if (counted > 0)
       fail_msg("%ld calls at frame %llu", counted, (unsigned long long)stage->position);
-    const TaborModel *const now = tabor_drum_model(drum_changes_drum(stage->changes));
+    const TaborModel *const now = stage_model(stage);
     changes += now != model;
     model = now;
     drum_changes_status(stage->changes, &status);

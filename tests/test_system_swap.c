@@ -83,10 +83,134 @@ static void a_swap_for_another_model_is_dropped_and_done(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- drums that do not continue each other ---------------------------------------------------- */
+
+enum { FADE = 1440 }; /* 30 ms, as the engine has it */
+
+/* The frame drum's microphones, top, bottom and far, as far, top and close. */
+static TaborDrumDef other_drum(void) {
+  TaborDrumDef def = physics_preset("frame-drum");
+  def.shell.radius *= 0.8;
+  const TaborMicDef far = def.mic[2];
+  def.mic[2] = def.mic[1];
+  def.mic[1] = def.mic[0];
+  def.mic[0] = far;
+  (void)snprintf(def.mic[2].name, sizeof def.mic[2].name, "close");
+  return def;
+}
+
+static void play(TaborDrum *drum, const TaborEvent *event, uint32_t frames,
+                 float sound[3][2 * FADE]) {
+  float *outputs[TABOR_MAX_MICS] = {sound[0], sound[1], sound[2]};
+  tabor_drum_process(drum, event, event ? 1 : 0, outputs, frames);
+}
+
+/* What was at full level @p ago frames before, and has faded since. */
+static double faded(const float *sound, uint32_t i, uint32_t ago) {
+  const uint32_t gone = i + ago;
+  return gone < FADE ? (FADE - gone) / (FADE + 1.0) * (double)sound[i] : 0;
+}
+
+static const double ROUNDING =
+  2e-7; /* of single precision, to which samples are rounded here and there */
+
+static void assert_sum(double value, double a, double b) {
+  const double sum = a + b, tolerance = ROUNDING * (fabs(a) + fabs(b));
+  if (fabs(value - sum) > tolerance) fail_msg("%.9g, not %.9g + %.9g", value, a, b);
+}
+
+/* One drum rings out into the names of the next; a third comes during the fade and cuts neither. */
+static void old_drums_ring_out_by_name(void **state) {
+  (void)state;
+  enum { SECOND = 500 };
+  const TaborDrumDef first = physics_preset("frame-drum"), second = other_drum();
+  TaborDrumDef third = first;
+  third.shell.radius *= 0.9;
+  TaborModel *models[] = {physics_model(&first, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&second, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&third, 48000.0, TABOR_QUALITY_DRAFT)};
+  TaborDrum *drum = physics_drum(models[0]), *first_alone = physics_drum(models[0]),
+            *second_alone = physics_drum(models[1]);
+  static float sound[3][2 * FADE], one[3][2 * FADE], two[3][2 * FADE];
+  const TaborEvent strike = physics_strike(&first);
+  TaborSwap *swaps[2];
+  for (int i = 0; i < 2; i++) {
+    assert_int_equal(tabor_swap_create(models[i], models[i + 1], &swaps[i], NULL), TABOR_OK);
+  }
+  play(drum, &strike, 2000, sound);
+  play(first_alone, &strike, 2000, one);
+  const TaborEvent events[] = {{.type = TABOR_EVENT_SWAP, .swap = swaps[0]}, strike};
+  tabor_drum_process(drum, events, 2, NULL, 0);
+  play(drum, NULL, SECOND, sound);
+  play(first_alone, NULL, SECOND, one);
+  play(second_alone, &strike, SECOND, two);
+  double loudest = 0;
+  for (uint32_t i = 0; i < SECOND; i++) {
+    assert_sum(sound[0][i], faded(one[2], i, 0), (double)two[0][i]); /* far */
+    assert_sum(sound[1][i], faded(one[0], i, 0), (double)two[1][i]); /* top */
+    assert_sum(sound[2][i], 0, (double)two[2][i]); /* the first has no close one */
+    loudest = fmax(loudest, fabs(faded(one[0], i, 0)));
+  }
+  assert_true(loudest > 1e-3);
+  const TaborEvent again = {.type = TABOR_EVENT_SWAP, .swap = swaps[1]};
+  tabor_drum_process(drum, &again, 1, NULL, 0);
+  play(drum, NULL, 2 * FADE, sound);
+  play(first_alone, NULL, 2 * FADE, one);
+  play(second_alone, NULL, 2 * FADE, two);
+  for (uint32_t i = 0; i < 2 * FADE; i++) {
+    assert_sum(sound[0][i], faded(one[0], i, SECOND), faded(two[1], i, 0)); /* top */
+    assert_true(sound[1][i] == 0); /* bottom: the second has none, and so lost the first one's */
+    assert_sum(sound[2][i], faded(one[2], i, SECOND), faded(two[0], i, 0)); /* far */
+  }
+  assert_true(tabor_drum_is_silent(drum));
+  for (int i = 0; i < 2; i++) {
+    assert_true(tabor_swap_done(swaps[i]));
+    tabor_swap_destroy(swaps[i]);
+  }
+  TaborDrum *drums[] = {drum, first_alone, second_alone};
+  for (int i = 0; i < 3; i++) {
+    tabor_drum_destroy(drums[i]);
+    tabor_model_release(models[i]);
+  }
+}
+
+/* However many come at once, the work is bounded, and the oldest fades are cut, not lost. */
+static void the_oldest_of_many_fades_ends(void **state) {
+  (void)state;
+  enum { CHANGES = 6, MOST = 4 };
+  TaborModel *models[CHANGES + 1];
+  TaborSwap *swaps[CHANGES];
+  for (int i = 0; i <= CHANGES; i++) {
+    TaborDrumDef def = physics_preset("frame-drum");
+    def.shell.radius -= 0.005 * i;
+    models[i] = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  }
+  const TaborDrumDef def = physics_preset("frame-drum");
+  const TaborEvent strike = physics_strike(&def);
+  TaborDrum *drum = physics_drum(models[0]);
+  for (int i = 0; i < CHANGES; i++) {
+    assert_int_equal(tabor_swap_create(models[i], models[i + 1], &swaps[i], NULL), TABOR_OK);
+    const TaborEvent swap = {.type = TABOR_EVENT_SWAP, .swap = swaps[i]};
+    tabor_drum_process(drum, &strike, 1, NULL, 50);
+    tabor_drum_process(drum, &swap, 1, NULL, 50);
+    for (int j = 0; j <= i; j++) assert_int_equal(tabor_swap_done(swaps[j]), i - j >= MOST);
+  }
+  tabor_drum_reset(drum);
+  assert_true(tabor_drum_is_silent(drum));
+  for (int i = 0; i < CHANGES; i++) {
+    assert_true(tabor_swap_done(swaps[i]));
+    tabor_swap_destroy(swaps[i]);
+  }
+  tabor_drum_destroy(drum);
+  for (int i = 0; i <= CHANGES; i++) tabor_model_release(models[i]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_tension_toggled_by_ten_per_cent_pumps_no_energy),
     cmocka_unit_test(a_swap_for_another_model_is_dropped_and_done),
+    cmocka_unit_test(old_drums_ring_out_by_name),
+    cmocka_unit_test(the_oldest_of_many_fades_ends),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

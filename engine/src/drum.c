@@ -122,7 +122,7 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pre
     tb_step(view, heard, pressure);
     if (state->clock % HOUSEKEEPING == 0) tb_step_housekeeping(view);
   }
-  if (drum->fading) tb_swap_fade(drum, heard, pressure, mics);
+  if (drum->fading) tb_swap_fade(drum, heard, pressure);
 }
 
 /* The events of frames from .. until, in order; late ones at the last frame. */

@@ -20,8 +20,17 @@
 #include "step.h"
 
 static const double FADE = 0.03; /* [s] */
+enum { MOST_FADES = 4 };         /* at once; a further one ends the oldest */
 
 /* ---- set-up --------------------------------------------------------------------------------- */
+
+static void map_mics(TaborSwap *swap) {
+  const TaborDrumDef *from = &swap->old_model->def, *to = &swap->new_model->def;
+  for (uint32_t i = 0; i < from->mic_count; i++) {
+    const int mic = tabor_drum_def_find_mic(to, from->mic[i].name);
+    swap->mics[i] = mic < 0 ? TB_NO_MIC : (uint8_t)mic;
+  }
+}
 
 static bool continues(const TaborModel *a, const TaborModel *b) {
   return a->def.shell.radius == b->def.shell.radius && a->def.shell.depth == b->def.shell.depth &&
@@ -61,6 +70,7 @@ bool tb_swap_map(TaborSwap *swap) {
   TbMapping *map = &swap->mapping;
   const TaborModel *from = swap->old_model, *to = swap->new_model;
   map->continues = continues(from, to);
+  map_mics(swap);
   if (!map->continues) return true;
   const uint32_t n = to->modes.padded;
   map->mode = tb_arena_take(&swap->arena, n, sizeof *map->mode);
@@ -215,13 +225,13 @@ static void carry_high(const TbView *from, TbView *to) {
   memcpy(to->last.high, from->last.high, bytes);
 }
 
-static void carry_sound(const TbView *from, TbView *to) {
-  const TaborDrumDef *a = &from->model->def, *b = &to->model->def;
-  for (uint32_t mic = 0; mic < a->mic_count && mic < b->mic_count; mic++) {
-    if (from->model->mics[mic].delay != to->model->mics[mic].delay) continue;
-    memcpy(to->delay[mic], from->delay[mic], (to->model->mics[mic].delay + 1u) * sizeof(double));
-    to->state->delay_at[mic] = from->state->delay_at[mic];
-    memcpy(to->state->treble[mic], from->state->treble[mic], sizeof to->state->treble[mic]);
+static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
+  for (uint32_t i = 0; i < from->model->def.mic_count; i++) {
+    const uint32_t mic = swap->mics[i];
+    if (mic == TB_NO_MIC || from->model->mics[i].delay != to->model->mics[mic].delay) continue;
+    memcpy(to->delay[mic], from->delay[i], (to->model->mics[mic].delay + 1u) * sizeof(double));
+    to->state->delay_at[mic] = from->state->delay_at[i];
+    memcpy(to->state->treble[mic], from->state->treble[i], sizeof to->state->treble[mic]);
   }
 }
 
@@ -239,7 +249,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_rims(from, to);
   carry_slots(from, to);
   carry_high(from, to);
-  carry_sound(from, to);
+  carry_sound(swap, from, to);
 }
 
 static void exchange(TaborDrum *drum, TaborSwap *swap) {
@@ -251,13 +261,42 @@ static void exchange(TaborDrum *drum, TaborSwap *swap) {
   swap->held[1] = old_model; /* the drum's reference to the old one against ours to the new */
 }
 
+/* Ends the fades from *link on, the oldest included. Who is done may be freed at once. */
+static void end_fades(TaborSwap **link) {
+  TaborSwap *swap = *link;
+  *link = NULL;
+  while (swap) {
+    TaborSwap *before = swap->before;
+    atomic_store(&swap->done, true);
+    swap = before;
+  }
+}
+
+static void begin_fade(TaborDrum *drum, TaborSwap *swap) {
+  TaborSwap **link = &drum->fading;
+  for (int i = 1; *link && i < MOST_FADES; i++) link = &(*link)->before;
+  end_fades(link);
+  swap->fade_length = swap->fade_left = (uint32_t)(FADE * drum->model->sample_rate);
+  swap->before = drum->fading;
+  drum->fading = swap;
+}
+
+/* What fades already goes on into the microphones of its names. */
+static void redirect_fades(TaborDrum *drum, const TaborSwap *swap) {
+  for (TaborSwap *fading = drum->fading; fading; fading = fading->before) {
+    for (uint32_t i = 0; i < fading->old_model->def.mic_count; i++) {
+      if (fading->mics[i] != TB_NO_MIC) fading->mics[i] = swap->mics[fading->mics[i]];
+    }
+  }
+}
+
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
   if (atomic_exchange(&swap->used, true)) return false;
   if (swap->old_model != drum->model) {
     atomic_store(&swap->done, true); /* it holds nothing of this drum's: free it */
     return false;
   }
-  tb_swap_finish(drum);
+  redirect_fades(drum, swap);
   TbView from = tb_view(drum->state, drum->model);
   TbView to = tb_view(swap->state, swap->new_model);
   to.state->sums = from.state->sums;
@@ -267,32 +306,42 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
   to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
   exchange(drum, swap);
   const bool rings = !swap->mapping.continues && !swap->state->asleep;
-  if (!rings) {
+  if (rings) {
+    begin_fade(drum, swap);
+  } else {
     atomic_store(&swap->done, true);
-    return true;
   }
-  swap->fade_length = swap->fade_left = (uint32_t)(FADE * drum->model->sample_rate);
-  drum->fading = swap;
   return true;
 }
 
-void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure, uint32_t mics) {
-  TaborSwap *swap = drum->fading;
-  TbView view = tb_view(swap->state, swap->old_model);
-  double ringing[TABOR_MAX_MICS] = {0.0};
-  tb_step(&view, heard, ringing);
-  const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
-  const uint32_t shared =
-    mics < swap->old_model->def.mic_count ? mics : swap->old_model->def.mic_count;
-  for (uint32_t mic = 0; mic < shared; mic++) pressure[mic] += gain * ringing[mic];
-  if (--swap->fade_left == 0) tb_swap_finish(drum);
+/* Bits of the old drum's microphones that anybody hears. */
+static uint32_t heard_before(const TaborSwap *swap, uint32_t heard) {
+  uint32_t before = 0;
+  for (uint32_t i = 0; i < swap->old_model->def.mic_count; i++) {
+    if (swap->mics[i] != TB_NO_MIC) before |= (heard >> swap->mics[i] & 1u) << i;
+  }
+  return before;
 }
 
-void tb_swap_finish(TaborDrum *drum) {
-  if (!drum->fading) return;
-  TaborSwap *swap = drum->fading;
-  drum->fading = NULL;
-  atomic_store(&swap->done, true);
+static void fade(TaborSwap *swap, uint32_t heard, double *pressure) {
+  TbView view = tb_view(swap->state, swap->old_model);
+  double ringing[TABOR_MAX_MICS] = {0.0};
+  tb_step(&view, heard_before(swap, heard), ringing);
+  const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
+  for (uint32_t i = 0; i < swap->old_model->def.mic_count; i++) {
+    if (swap->mics[i] != TB_NO_MIC) pressure[swap->mics[i]] += gain * ringing[i];
+  }
+  swap->fade_left--;
 }
+
+/* None ends later than those that began after it. */
+void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure) {
+  TaborSwap **link = &drum->fading;
+  for (TaborSwap *swap = *link; swap; swap = swap->before) fade(swap, heard, pressure);
+  while (*link && (*link)->fade_left > 0) link = &(*link)->before;
+  end_fades(link);
+}
+
+void tb_swap_finish(TaborDrum *drum) { end_fades(&drum->fading); }
 
 bool tabor_swap_done(const TaborSwap *swap) { return atomic_load(&swap->done); }

@@ -18,7 +18,9 @@ static bool bind_presets(Voice *voice) {
     TaborDrumDef def;
     if (tabor_drum_def_preset(&def, tabor_preset(i)->name, NULL) != TABOR_OK) return false;
     midi_binding_make(&voice->map, &def, &voice->bindings[i]);
+    if (strcmp(tabor_preset(i)->name, DEFAULT_PRESET) == 0) voice->wish.program = (int32_t)i;
   }
+  voice->chosen = voice->chosen_before = voice->wish.program;
   return voice->bindings != NULL;
 }
 
@@ -44,7 +46,7 @@ static void start_over(Voice *voice, const MidiBinding *binding) {
   voice->humanizer.state = HUMANIZE_SEED;
   voice->silencer = silencer_begin(voice->rate);
   voice->expression = fader_at(1, voice->rate);
-  voice->event_count = voice->action_count = 0;
+  voice->event_count = voice->action_count = voice->held_actions = 0;
 }
 
 bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
@@ -56,8 +58,8 @@ bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
   voice->grip_id = tabor_parameter_find("hand.grip")->id;
   voice->head_radius = workshop->base.shell.radius;
   voice->gain = fader_at(1, rate);
-  voice->chosen = WORKSHOP_NO_PROGRAM;
-  voice->wish = (Wish){.number = 1, .program = WORKSHOP_NO_PROGRAM, .quality = TABOR_QUALITY_LIVE};
+  leaving_begin(&voice->leaving, rate);
+  voice->wish = (Wish){.number = 1, .quality = TABOR_QUALITY_LIVE};
   voice_forget_turns(&voice->wish);
   prepare_knobs(voice);
   midi_binding_make(&voice->map, &workshop->base, &binding);
@@ -66,7 +68,7 @@ bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
 }
 
 void voice_end(Voice *voice) {
-  tabor_drum_destroy(voice->leaving.drum);
+  voice_cut_others(voice);
   for (uint32_t i = 0; i < WORKSHOP_TRASH; i++) tabor_drum_destroy(voice->trash[i]);
   tabor_drum_destroy(voice->drum);
   free(voice->bindings);
@@ -138,9 +140,13 @@ void voice_place_strokes(Voice *voice) {
   if (!isnan(values[KNOB_STRIKE_ANGLE])) binding->angle = values[KNOB_STRIKE_ANGLE];
 }
 
+void voice_forget_choice(Voice *voice) {
+  voice->chosen = voice->chosen_before = WORKSHOP_NO_PROGRAM;
+}
+
 static void turn_key(Voice *voice, KnobId id, double value) {
   voice->wish.values[id] = value;
-  voice->chosen = WORKSHOP_NO_PROGRAM;
+  voice_forget_choice(voice);
   switch (knobs[id].kind) {
   case KNOB_LIVE: turn_live(voice, id, value); break;
   case KNOB_REBUILD: voice->wish.number++; break;
@@ -180,15 +186,41 @@ static void take_event(Voice *voice, TaborEvent *event) {
   push_event(voice, event);
 }
 
-/* The messages that follow are meant for the preset. */
+static void insert_action(Voice *voice, uint32_t place, const MidiAction *action) {
+  MidiAction *const at = &voice->actions[place];
+  memmove(at + 1, at, (voice->action_count - place) * sizeof *at);
+  *at = *action;
+  voice->action_count++;
+}
+
+static void remove_action(Voice *voice, uint32_t place) {
+  MidiAction *const at = &voice->actions[place];
+  voice->action_count--;
+  memmove(at, at + 1, (voice->action_count - place) * sizeof *at);
+}
+
+/*
+ * Of the program changes at one frame the last counts, and acts before all else; one to the drum that is there
+ * already does nothing. The messages that follow are meant for the preset.
+ */
+static void take_preset(Voice *voice, const MidiAction *action) {
+  const uint32_t first = voice->held_actions;
+  const int32_t preset = (int32_t)action->preset;
+  const bool takes_place =
+    first < voice->action_count && voice->actions[first].type == MIDI_ACTION_PRESET;
+  if (preset == voice->chosen || (voice->action_count == VOICE_ACTIONS && !takes_place)) return;
+  if (takes_place) remove_action(voice, first);
+  if (preset != voice->chosen_before) insert_action(voice, first, action);
+  voice->chosen = preset;
+  voice->midi.binding = voice->bindings[preset];
+}
+
 static void take_action(Voice *voice, const MidiAction *action) {
-  if (voice->action_count == VOICE_ACTIONS) return;
   if (action->type == MIDI_ACTION_PRESET) {
-    if (voice->chosen == (int32_t)action->preset) return;
-    voice->chosen = (int32_t)action->preset;
-    voice->midi.binding = voice->bindings[action->preset];
+    take_preset(voice, action);
+  } else if (voice->action_count < VOICE_ACTIONS) {
+    voice->actions[voice->action_count++] = *action;
   }
-  voice->actions[voice->action_count++] = *action;
 }
 
 void voice_take(Voice *voice, const MidiMessage *message) {
@@ -203,6 +235,7 @@ void voice_take(Voice *voice, const MidiMessage *message) {
 
 static void choose_preset(Voice *voice, uint32_t preset) {
   voice->wish.program = (int32_t)preset;
+  voice->wish.choice++;
   voice->wish.number++;
   voice_forget_turns(&voice->wish);
   atomic_store(&voice->workshop->program, (int)preset);
@@ -226,6 +259,7 @@ void voice_act_due(Voice *voice) {
     act(voice, &voice->actions[done++]);
   }
   voice->action_count -= done;
+  voice->held_actions -= done < voice->held_actions ? done : voice->held_actions;
   memmove(voice->actions, voice->actions + done, voice->action_count * sizeof *voice->actions);
 }
 
@@ -234,7 +268,7 @@ void voice_act_due(Voice *voice) {
 void voice_rest(Voice *voice) {
   const MidiBinding binding = voice->midi.binding;
   if (voice->drum) tabor_drum_reset(voice->drum);
-  voice_end_leaving(voice);
+  voice_cut_others(voice);
   start_over(voice, &binding);
   voice->gain = fader_at(voice->gain.target, voice->rate);
   for (uint32_t i = KNOB_LEVEL_PAIR; i < KNOB_COUNT; i++) {

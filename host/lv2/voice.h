@@ -12,6 +12,7 @@
 
 #include "fader.h"
 #include "humanize.h"
+#include "leaving.h"
 #include "midi_drum.h"
 #include "silencer.h"
 #include "workshop.h"
@@ -33,15 +34,11 @@ typedef enum VoiceMic {
   VOICE_MICS = WORKSHOP_MICS
 } VoiceMic;
 
-/** The drum as it was before a change, on its way out. */
-typedef struct Leaving {
-  TaborDrum *drum; /**< or NULL */
-  bool
-    is_copy; /**< of the drum of now: it plays along until the new one's sound is everywhere, then they
-                     cross; or else it rings out under a fade beside the new one */
-  uint32_t mics[VOICE_MICS];
+/** The drum as it was before a swap: it plays along until the new one's sound is everywhere, then they cross. */
+typedef struct Crossing {
+  TaborDrum *drum;     /**< or NULL */
   uint32_t hold, fade; /**< frames left of it */
-} Leaving;
+} Crossing;
 
 typedef struct Voice {
   /* set up once */
@@ -58,7 +55,8 @@ typedef struct Voice {
   Humanizer humanizer;
   double head_radius;
   uint32_t striker_count;
-  Leaving leaving;
+  Crossing crossing;
+  Leaving leaving;                  /**< of programs before */
   TaborDrum *trash[WORKSHOP_TRASH]; /**< that the worker is to destroy */
   uint32_t mics[VOICE_MICS];        /**< of the model of now, or WORKSHOP_NO_MIC */
   Silencer silencer;
@@ -70,7 +68,8 @@ typedef struct Voice {
   Wish wish;
   uint32_t asked, asked_restoration;       /**< of the newest wish that was made */
   uint32_t answered, answered_restoration; /**< of the newest offer that was taken */
-  int32_t chosen;          /**< program that MIDI has chosen; knobs turned since make it none */
+  int32_t chosen;          /**< program that messages are for; knobs turned since make it none */
+  int32_t chosen_before;   /**< the same before the frame of now */
   float seen[KNOB_COUNT];  /**< of the ports; NaN: not yet */
   double built[KNOB_KEYS]; /**< of the model; NaN: the drum has no such part */
   double built_grip;
@@ -82,9 +81,11 @@ typedef struct Voice {
   uint32_t event_count;
   MidiAction actions[VOICE_ACTIONS]; /**< beside them */
   uint32_t action_count;
-  float planar[TABOR_MAX_MICS][VOICE_PIECE];         /**< of the drum */
-  float leaving_planar[TABOR_MAX_MICS][VOICE_PIECE]; /**< of the one that leaves */
-  double sound[VOICE_MICS][VOICE_PIECE];             /**< of both */
+  uint32_t
+    held_actions; /**< of these, those of frames before: they wait for the end of a silence */
+  float planar[TABOR_MAX_MICS][VOICE_PIECE];          /**< of the drum */
+  float crossing_planar[TABOR_MAX_MICS][VOICE_PIECE]; /**< of what it was before a swap */
+  double sound[VOICE_MICS][VOICE_PIECE];              /**< of all drums */
 } Voice;
 
 /** Where a run's sound goes: of each output, or NULL. */

@@ -9,7 +9,8 @@
 
 static void take_restoration(Voice *voice, const Offer *offer) {
   voice->wish.restoration = offer->restoration;
-  voice->wish.program = voice->chosen = WORKSHOP_NO_PROGRAM;
+  voice->wish.program = WORKSHOP_NO_PROGRAM;
+  voice_forget_choice(voice);
   atomic_store(&voice->workshop->program, WORKSHOP_NO_PROGRAM);
   voice_forget_turns(&voice->wish);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
@@ -54,25 +55,28 @@ void voice_move_live(Voice *voice) {
   voice->grip_moved = grip != voice->built_grip;
 }
 
-static void throw_away(Voice *voice, TaborDrum *drum) {
+/* There is room: a wish empties it, and until the next two drums at most join those that sound. */
+void voice_throw_away(Voice *voice, TaborDrum *drum) {
   uint32_t i = 0;
+  if (!drum) return;
   while (i + 1 < WORKSHOP_TRASH && voice->trash[i]) i++;
-  voice->trash[i] = drum; /* there is room: wishes empty it, and leave two drums behind at most */
+  voice->trash[i] = drum;
 }
 
-void voice_end_leaving(Voice *voice) {
-  if (voice->leaving.drum) throw_away(voice, voice->leaving.drum);
-  voice->leaving.drum = NULL;
+void voice_end_crossing(Voice *voice) {
+  voice_throw_away(voice, voice->crossing.drum);
+  voice->crossing.drum = NULL;
 }
 
-static void begin_leaving(Voice *voice, TaborDrum *drum, bool is_copy) {
-  Leaving *const leaving = &voice->leaving;
-  voice_end_leaving(voice);
-  leaving->drum = drum;
-  leaving->is_copy = is_copy;
-  memcpy(leaving->mics, voice->mics, sizeof leaving->mics);
-  leaving->hold = is_copy ? (uint32_t)(CROSS_HOLD * voice->rate) : 0;
-  leaving->fade = (uint32_t)((is_copy ? CROSS_FADE : RING_OUT) * voice->rate);
+void voice_clear_up(Voice *voice) {
+  TaborDrum *drum;
+  while ((drum = leaving_take(&voice->leaving)) != NULL) voice_throw_away(voice, drum);
+}
+
+void voice_cut_others(Voice *voice) {
+  voice_end_crossing(voice);
+  leaving_cut(&voice->leaving);
+  voice_clear_up(voice);
 }
 
 /* A copy of the drum goes on as it was. */
@@ -80,10 +84,13 @@ static void copy_drum(Voice *voice, const Offer *offer) {
   tabor_drum_state_save(voice->drum, offer->state);
   const size_t size = tabor_drum_state_size(offer->spare);
   const bool copied = tabor_drum_state_load(offer->spare, offer->state, size) == TABOR_OK;
+  voice_end_crossing(voice);
   if (copied && !tabor_drum_is_silent(voice->drum)) {
-    begin_leaving(voice, offer->spare, true);
+    voice->crossing = (Crossing){.drum = offer->spare,
+                                 .hold = (uint32_t)(CROSS_HOLD * voice->rate),
+                                 .fade = (uint32_t)(CROSS_FADE * voice->rate)};
   } else {
-    throw_away(voice, offer->spare);
+    voice_throw_away(voice, offer->spare);
   }
 }
 
@@ -95,7 +102,11 @@ static void swap(Voice *voice, const Offer *offer) {
 }
 
 static void replace(Voice *voice, TaborDrum *drum) {
-  if (voice->drum) begin_leaving(voice, voice->drum, false);
+  TaborDrum *const before = voice->drum;
+  voice_end_crossing(voice);
+  if (before) {
+    voice_throw_away(voice, leaving_add(&voice->leaving, before, voice->mics, VOICE_MICS));
+  }
   voice->drum = drum;
   memset(voice->moved, 0, sizeof voice->moved);
   voice->grip_moved = false;

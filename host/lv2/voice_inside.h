@@ -6,7 +6,6 @@
 #include "voice.h"
 
 #define CROSS_FADE 0.008 /* [s] of a drum that leaves and the same one, changed */
-#define RING_OUT 0.03    /* [s] of a drum that another one takes the place of */
 
 /* Knobs stand where the definition says. */
 void voice_forget_turns(Wish *wish) REALTIME;
@@ -18,7 +17,15 @@ void voice_place_strokes(Voice *voice) REALTIME;
 void voice_act_due(Voice *voice) REALTIME;
 /* Gives the drum its live values, if they are not its model's; after another model has come. */
 void voice_move_live(Voice *voice) REALTIME;
-/* The drum that leaves has left. */
-void voice_end_leaving(Voice *voice) REALTIME;
+/* The drum is none that MIDI has chosen. */
+void voice_forget_choice(Voice *voice) REALTIME;
+/* For the worker to destroy; NULL is nothing. */
+void voice_throw_away(Voice *voice, TaborDrum *drum) REALTIME;
+/* What the drum was before its last swap is not needed any more. */
+void voice_end_crossing(Voice *voice) REALTIME;
+/* Throws drums away that have left. */
+void voice_clear_up(Voice *voice) REALTIME;
+/* Nothing sounds beside the drum any more. */
+void voice_cut_others(Voice *voice) REALTIME;
 
 #endif

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What a voice sounds like: its drum's microphones, and those of one that leaves, at their levels. */
+/* What a voice sounds like: its drum's microphones, and those of drums on their way out, at their levels. */
+#include <string.h>
+
 #include "voice_inside.h"
 
 /* The knob of each microphone's level. */
@@ -38,48 +40,58 @@ static void choose_planar(const bool *heard, const uint32_t *mics, float (*sampl
 }
 
 static void compute(Voice *voice, const bool *heard, uint32_t frames) {
-  Leaving *const leaving = &voice->leaving;
-  float *planar[TABOR_MAX_MICS] = {NULL}, *leaving_planar[TABOR_MAX_MICS] = {NULL};
+  TaborDrum *const crossing = voice->crossing.drum;
+  float *planar[TABOR_MAX_MICS] = {NULL}, *crossing_planar[TABOR_MAX_MICS] = {NULL};
   const uint32_t count = take_events(voice);
   if (!voice->drum) return;
   choose_planar(heard, voice->mics, voice->planar, planar);
   tabor_drum_process(voice->drum, voice->events, count, planar, frames);
-  if (!leaving->drum) return;
-  choose_planar(heard, leaving->mics, voice->leaving_planar, leaving_planar);
-  tabor_drum_process(leaving->drum, voice->events, leaving->is_copy ? count : 0, leaving_planar,
-                     frames);
+  if (!crossing) return;
+  choose_planar(heard, voice->mics, voice->crossing_planar, crossing_planar);
+  tabor_drum_process(crossing, voice->events, count, crossing_planar, frames);
 }
 
-/* How much of the leaving drum is heard so many frames from now. */
-static double leaving_part(const Voice *voice, uint32_t frame) {
-  const Leaving *const leaving = &voice->leaving;
-  const double length = (leaving->is_copy ? CROSS_FADE : RING_OUT) * voice->rate;
-  if (frame < leaving->hold) return 1;
-  const uint32_t gone = frame - leaving->hold;
-  return gone < leaving->fade ? (leaving->fade - gone) / (length + 1) : 0;
+/* How much of what the drum was before a swap is heard so many frames from now. */
+static double crossing_part(const Voice *voice, uint32_t frame) {
+  const Crossing *const crossing = &voice->crossing;
+  if (frame < crossing->hold) return 1;
+  const uint32_t gone = frame - crossing->hold;
+  return gone < crossing->fade ? (crossing->fade - gone) / (CROSS_FADE * voice->rate + 1) : 0;
 }
 
-/* What a microphone hears, of the drum and of the one that leaves. */
-static void gather(Voice *voice, VoiceMic mic, uint32_t frames) {
-  const Leaving *const leaving = &voice->leaving;
-  const uint32_t index = voice->mics[mic], old = leaving->mics[mic];
+/* What a microphone hears of the drum. */
+static void hear(Voice *voice, VoiceMic mic, uint32_t frames) {
+  const uint32_t index = voice->mics[mic];
   double *const sound = voice->sound[mic];
-  for (uint32_t i = 0; i < frames; i++) {
-    sound[i] = index == WORKSHOP_NO_MIC ? 0 : (double)voice->planar[index][i];
+  if (index == WORKSHOP_NO_MIC) {
+    memset(sound, 0, frames * sizeof *sound);
+    return;
   }
-  for (uint32_t i = 0; leaving->drum && i < frames; i++) {
-    const double part = leaving_part(voice, i);
-    const double sample = old == WORKSHOP_NO_MIC ? 0 : (double)voice->leaving_planar[old][i];
-    sound[i] += part * (sample - (leaving->is_copy ? sound[i] : 0));
+  for (uint32_t i = 0; i < frames; i++) sound[i] = (double)voice->planar[index][i];
+  for (uint32_t i = 0; voice->crossing.drum && i < frames; i++) {
+    sound[i] += crossing_part(voice, i) * ((double)voice->crossing_planar[index][i] - sound[i]);
   }
+}
+
+static void gather(Voice *voice, const bool *heard, uint32_t frames) {
+  double *sound[VOICE_MICS] = {NULL};
+  for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
+    if (!heard[mic]) continue;
+    sound[mic] = voice->sound[mic];
+    hear(voice, (VoiceMic)mic, frames);
+  }
+  leaving_play(&voice->leaving, sound, VOICE_MICS, frames);
 }
 
 static void pass(Voice *voice, uint32_t frames) {
-  Leaving *const leaving = &voice->leaving;
-  const uint32_t held = frames < leaving->hold ? frames : leaving->hold, rest = frames - held;
-  leaving->hold -= held;
-  leaving->fade -= rest < leaving->fade ? rest : leaving->fade;
-  if (leaving->hold + leaving->fade == 0) voice_end_leaving(voice);
+  Crossing *const crossing = &voice->crossing;
+  const uint32_t held = frames < crossing->hold ? frames : crossing->hold, rest = frames - held;
+  crossing->hold -= held;
+  crossing->fade -= rest < crossing->fade ? rest : crossing->fade;
+  if (crossing->hold + crossing->fade == 0) voice_end_crossing(voice);
+  voice_clear_up(voice);
+  voice->chosen_before = voice->chosen;
+  voice->held_actions = voice->action_count;
 }
 
 /* The gain of all channels: it moves with the frames. In the order of a rendering's factors. */
@@ -124,7 +136,7 @@ static void mix_multi(Voice *voice, const bool *heard, float *const *channels, u
 
 uint32_t voice_play(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint32_t most,
                     bool waits) {
-  if (silencer_is_due(&voice->silencer)) voice_end_leaving(voice);
+  if (silencer_is_due(&voice->silencer)) voice_cut_others(voice);
   if (voice->drum) silencer_step(&voice->silencer, voice->drum);
   voice_act_due(voice);
   if (waits && !voice_is_settled(voice)) return 0;
@@ -132,14 +144,12 @@ uint32_t voice_play(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint
   bool heard[VOICE_MICS];
   for (uint32_t mic = 0; mic < VOICE_MICS; mic++) heard[mic] = hears(voice, outputs, (VoiceMic)mic);
   compute(voice, heard, frames);
-  for (uint32_t mic = 0; mic < VOICE_MICS; mic++) {
-    if (heard[mic]) gather(voice, (VoiceMic)mic, frames);
-  }
+  gather(voice, heard, frames);
   if (voice->stereo) {
     mix_stereo(voice, heard, outputs->channels, at, frames);
   } else {
     mix_multi(voice, heard, outputs->channels, at, frames);
   }
-  if (voice->leaving.drum) pass(voice, frames);
+  pass(voice, frames);
   return frames;
 }

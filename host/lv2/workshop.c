@@ -112,8 +112,6 @@ static void compose(Workshop *workshop, Offer *offer) {
     }
     turn_knobs(wish, def);
   }
-  offer->begins_anew = offer->restoration != workshop->composed_restoration ||
-                       offer->program != workshop->composed_program;
   workshop->composed_restoration = offer->restoration;
   workshop->composed_program = offer->program;
   memcpy(workshop->composed_seen, offer->seen, sizeof offer->seen);
@@ -170,12 +168,13 @@ static TaborStatus keep(Workshop *workshop, TaborSwap *swap) {
   return TABOR_OK;
 }
 
-static bool same_mics(const TaborDrumDef *a, const TaborDrumDef *b) {
-  if (a->mic_count != b->mic_count) return false;
-  for (uint32_t i = 0; i < a->mic_count; i++) {
-    if (strcmp(a->mic[i].name, b->mic[i].name) != 0) return false;
-  }
-  return true;
+static bool was_chosen(const Workshop *workshop) {
+  return workshop->wish.choice != workshop->built_choice;
+}
+
+static bool begins_anew(const Workshop *workshop, const Offer *offer) {
+  return !workshop->model || offer->restoration != workshop->built_restoration ||
+         was_chosen(workshop);
 }
 
 /* Without memory for it, the change may be heard. */
@@ -189,12 +188,9 @@ static void prepare_spare(Workshop *workshop, Offer *offer) {
 
 /* The drum, or the way from the model before. */
 static TaborStatus prepare(Workshop *workshop, TaborModel *model, Offer *offer, TaborError *error) {
-  const bool is_first = !workshop->model;
-  if (is_first || !same_mics(tabor_model_definition(workshop->model), &offer->def)) {
-    return tabor_drum_create(model, &offer->drum, error);
-  }
-  if (workshop->model == model) return TABOR_OK;
-  if (!offer->begins_anew) prepare_spare(workshop, offer);
+  if (workshop->model == model && !was_chosen(workshop)) return TABOR_OK; /* though restored */
+  if (offer->begins_anew) return tabor_drum_create(model, &offer->drum, error);
+  prepare_spare(workshop, offer);
   const TaborStatus status = tabor_swap_create(workshop->model, model, &offer->swap, error);
   if (status != TABOR_OK) return status;
   if (keep(workshop, offer->swap) == TABOR_OK) return TABOR_OK;
@@ -209,9 +205,14 @@ static TaborStatus build(Workshop *workshop, Offer *offer, TaborError *error) {
   options.quality = workshop->wish.quality;
   TaborStatus status = model_cache_take(&offer->def, &options, &model, error);
   if (status != TABOR_OK) return status;
+  offer->begins_anew = begins_anew(workshop, offer);
   status = prepare(workshop, model, offer, error);
   TaborModel *const unused = status == TABOR_OK ? workshop->model : model;
-  if (status == TABOR_OK) workshop->model = model;
+  if (status == TABOR_OK) {
+    workshop->model = model;
+    workshop->built_restoration = offer->restoration;
+    workshop->built_choice = workshop->wish.choice;
+  }
   model_cache_give_back(unused);
   return status;
 }

@@ -8,8 +8,8 @@
  *
  *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> OFFERED --audio--> IDLE
  *
- * A drum whose microphones stand elsewhere is another one; the old one may ring out beside it. Otherwise the
- * drum is swapped; where it is the same but for some knobs, a copy of it can go on meanwhile.
+ * A preset, by MIDI or restored, is another drum, beside which the one before rings out. Knobs and quality leave
+ * the drum the same: it is swapped, and a copy of it can go on meanwhile.
  *
  * What a drum is: a definition, that of DEFAULT_PRESET or the one that was restored last, or a built-in
  * preset that MIDI has chosen since; in it the values of the knobs that were turned since.
@@ -21,21 +21,23 @@
 #include <stdatomic.h>
 
 #include "knobs.h"
+#include "leaving.h"
 #include "midi_drum.h"
 #include "realtime.h"
 
 #define WORKSHOP_NO_PROGRAM (-1)
-#define WORKSHOP_NO_MIC UINT32_MAX
-#define WORKSHOP_MICS 6  /**< that the plugins know: top, bottom, near, far, left, right */
-#define WORKSHOP_TRASH 4 /**< drums that one wish can do away with */
+#define WORKSHOP_NO_MIC LEAVING_NO_MIC
+#define WORKSHOP_MICS 6 /**< that the plugins know: top, bottom, near, far, left, right */
+#define WORKSHOP_TRASH (LEAVING_MOST + 4) /**< drums that one wish can do away with */
 
 /** What the drum is to be. NaN stands for: as it is in the definition. */
 typedef struct Wish {
   uint32_t
     number; /**< from 1; grows with every wish for another model. One that was answered already
                                  only lets the worker clear up */
-  uint32_t restoration;     /**< number of the one that the rest is about */
-  int32_t program;          /**< index of a built-in preset, or WORKSHOP_NO_PROGRAM */
+  uint32_t restoration; /**< number of the one that the rest is about */
+  int32_t program;      /**< index of a built-in preset, or WORKSHOP_NO_PROGRAM */
+  uint32_t choice; /**< number of the program, as MIDI has chosen it, even the same one again */
   double values[KNOB_KEYS]; /**< of knobs that were turned since */
   double strainer, grip;    /**< as MIDI has moved them since */
   float seen[KNOB_KEYS];    /**< what the ports say: a change of these is a turn of the knob */
@@ -90,8 +92,9 @@ typedef struct Workshop {
   int32_t composed_program;
 
   /* the worker's */
-  TaborModel *model; /**< the newest offered, from the cache */
-  TaborSwap **swaps; /**< that the drum may still need */
+  TaborModel *model;                        /**< the newest offered, from the cache */
+  uint32_t built_restoration, built_choice; /**< of that */
+  TaborSwap **swaps;                        /**< that the drum may still need */
   uint32_t swap_count, swap_room;
 } Workshop;
 

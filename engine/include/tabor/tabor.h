@@ -626,6 +626,9 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  * Prepares the change of a drum from @p old_model, which must be its model when the swap event acts,
  * to @p new_model, and holds all memory that it takes. An event of another old model is dropped, and the swap
  * is done.
+ *
+ * A drum of another size, boundary or set of wires is not continued: it rings out under a fade of 30 ms, at the
+ * microphones of the same names. Up to four ring out at once; a further one cuts the oldest short.
  */
 TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model,
                                         TaborSwap **swap, TaborError *error);

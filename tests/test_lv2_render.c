@@ -183,7 +183,9 @@ static void write_moved_before(void) {
   add(40, 0x99, 38, 90);
   add(50, 0xC9, LOOSE, 0);
   add(0, 0x99, 38, 90);
-  add(60, 0xC9, SNARE, 0);
+  add(30, 0xB9, 120, 0); /* what was moved before the change does not come back */
+  add(0, 0x99, 38, 90);
+  add(30, 0xC9, SNARE, 0);
   add(0, 0xB9, 20, 20);
   add(0, 0x99, 38, 90);
   add(40, 0xB9, 20, 90);

@@ -111,6 +111,10 @@ static void assign_groups(TbHighBand *band, const TbWires *wires) {
     band->row_group[row] = (uint8_t)(place / each);
     if (band->row_group[row] >= band->groups) band->groups = band->row_group[row] + 1u;
   }
+  band->apart = true;
+  for (uint32_t group = 0; group < band->groups && band->apart; group++) {
+    band->apart = band->row_group[group] == group;
+  }
 }
 
 static void drive_at(const TbHighBand *band, uint32_t head, double x, double y, double *drive) {
@@ -236,8 +240,8 @@ double tb_highband_push(const TaborModel *model, const double *force, double *su
   const double loss = model->kernels->gather_wires(count, each, force, band->row_loss, sums);
   double groups[TB_HIGH_GROUPS];
   Pushers pushers[2];
-  group_forces(band, each, sums, groups);
-  fold_groups(band, groups, pushers);
+  if (!band->apart) group_forces(band, each, sums, groups);
+  fold_groups(band, band->apart ? sums : groups, pushers);
   for (uint32_t p = 0; p < 2; p++) {
     const TbHighPush *push = &band->push[p];
     model->singles->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,

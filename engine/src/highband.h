@@ -71,7 +71,8 @@ typedef struct TbHighBand {
   TbHighMic mics[TABOR_MAX_MICS];
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
-  uint8_t *row_group; /* [stride] group of each contact point */
+  uint8_t *row_group; /* [stride] group of each contact point, */
+  bool apart;         /* ... each the group of its own number */
   bool folded; /* groups are their own mirror images under x -> -x: odd orders feel differences */
   TbHighPush push[2]; /* ... and even ones sums; else the first is all */
   float *rest;        /* [padded] what wires do at rest */

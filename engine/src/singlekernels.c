@@ -249,18 +249,45 @@ static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, 
   store_tile(lines, blocks, &tile, bed->padded, out + line * bed->padded + at);
 }
 
-/* One wire has one line across, itself. */
-static const float *gather_lines(const TbSingleBed *bed, const float *x, float *lines) {
-  if (bed->wires == 1) return x;
+/* One wire is its line across itself, and few of its points touch. `blocks` blocks of columns from `at` on, a
+ * constant where it is called. */
+static INLINE void contract_blocks(uint32_t blocks, const TbSingleBed *bed, const float *x,
+                                   uint32_t at, float *points) {
+  const float *shape = bed->contract + at;
+  Lanes sum[4];
+  for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
+  for (uint32_t j = 0; j < bed->lanes; j++, shape += bed->padded) {
+    if (x[j] == 0.0f) continue;
+#pragma GCC unroll 4 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < blocks; b++) sum[b] = add(sum[b], scale(load(shape + 8 * b), x[j]));
+  }
+  for (uint32_t b = 0; b < blocks; b++) store(points + at + 8 * b, sum[b]);
+}
+
+static void contract_wire(const TbSingleBed *bed, const float *x, float *points) {
+  for (uint32_t at = 0; at < bed->padded; at += 32) {
+    switch ((bed->padded - at) / 8u) { /* one copy of the code for each */
+    case 1: contract_blocks(1, bed, x, at, points); break;
+    case 2: contract_blocks(2, bed, x, at, points); break;
+    case 3: contract_blocks(3, bed, x, at, points); break;
+    default: contract_blocks(4, bed, x, at, points); break;
+    }
+  }
+}
+
+static void contract_wires(const TbSingleBed *bed, const float *x, float *lines, float *points) {
   FOR_TILES(gather_tile, 0, bed->even_lines, bed->lanes / 8u, bed, false, x, lines)
   FOR_TILES(gather_tile, bed->even_lines, bed->lines, bed->lanes / 8u, bed, true, x, lines)
-  return lines;
+  FOR_TILES(columns_tile, 0, bed->lines, bed->padded / 8u, bed, lines, points)
 }
 
 static void contract(const TbSingleBed *bed, const float *x, float *scratch, float *grid) {
-  const float *lines = gather_lines(bed, x, scratch);
   float *points = scratch + bed->lines * bed->lanes;
-  FOR_TILES(columns_tile, 0, bed->lines, bed->padded / 8u, bed, lines, points)
+  if (bed->wires == 1) {
+    contract_wire(bed, x, points);
+  } else {
+    contract_wires(bed, x, scratch, points);
+  }
   for (uint32_t i = 0; i < bed->size; i++) grid[i] = 0.0f;
   for (uint32_t l = 0; l < bed->lines; l++) {
     const uint32_t *place = bed->place + l * bed->columns;
@@ -309,27 +336,28 @@ static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, u
   }
 }
 
-/* As many sums as there are registers for. */
-enum { WIRE_BLOCKS = PARTS == 1 ? 8 : 4 };
-
 /* `blocks` blocks of a wire's lanes from `at` on, a constant where it is called. */
 static INLINE void expand_blocks(uint32_t blocks, const TbSingleBed *bed, const float *grid,
                                  uint32_t at, float *x) {
-  Lanes sum[WIRE_BLOCKS];
+  Lanes sum[4];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t a = 0; a < bed->columns; a++) {
     const float *shape = bed->expand + a * bed->lanes + at, point = grid[bed->place[a]];
-#pragma GCC unroll 8 /* or the sums would live in memory */
+#pragma GCC unroll 4 /* or the sums would live in memory */
     for (uint32_t b = 0; b < blocks; b++) sum[b] = add(sum[b], scale(load(shape + 8 * b), point));
   }
   for (uint32_t b = 0; b < blocks; b++) store(x + at + 8 * b, sum[b]);
 }
 
 static void expand_wire(const TbSingleBed *bed, const float *grid, float *x) {
-  uint32_t at = 0;
-  const uint32_t step = 8 * WIRE_BLOCKS;
-  for (; at + step <= bed->lanes; at += step) expand_blocks(WIRE_BLOCKS, bed, grid, at, x);
-  for (; at < bed->lanes; at += 8) expand_blocks(1, bed, grid, at, x);
+  for (uint32_t at = 0; at < bed->lanes; at += 32) {
+    switch ((bed->lanes - at) / 8u) { /* one copy of the code for each */
+    case 1: expand_blocks(1, bed, grid, at, x); break;
+    case 2: expand_blocks(2, bed, grid, at, x); break;
+    case 3: expand_blocks(3, bed, grid, at, x); break;
+    default: expand_blocks(4, bed, grid, at, x); break;
+    }
+  }
 }
 
 static void expand(const TbSingleBed *bed, const float *grid, float *scratch, float *x) {

@@ -16,7 +16,10 @@ static const float NOISE = 2e-6f;
 /* As in solve.c. */
 static const float FARTHEST = 100.0f;
 
-static uint32_t total_rows(const TbSolve *solve) { return solve->stride + TB_SLOTS; }
+/* Those of the slots stand last, and for nothing while none is in play. */
+static uint32_t total_rows(const TbSolve *solve) {
+  return solve->stride + (solve->slot_mask ? TB_SLOTS : 0u);
+}
 
 /* ---- M x ------------------------------------------------------------------------------------ */
 
@@ -69,7 +72,7 @@ static void product_of(const TbSolve *solve, const float *x, float *grid, float 
 
 void tb_single_product(const TbSolve *solve, const double *x, double *grid, double *out) {
   const TbSingle *single = &solve->single;
-  const uint32_t rows = total_rows(solve);
+  const uint32_t rows = solve->stride + TB_SLOTS;
   single->kernels->narrow(rows, solve->own, single->own);
   single->kernels->narrow(rows, x, single->work);
   product_of(solve, single->work, single->grid, single->moved);
@@ -82,6 +85,7 @@ void tb_single_product(const TbSolve *solve, const double *x, double *grid, doub
 static void slot_laws(const TbSolve *solve, const float *s) {
   const TbSingle *single = &solve->single;
   float *const outputs[] = {single->law, single->slope, single->mean};
+  if (!solve->slot_mask) return;
   for (int i = 0; i < 3; i++) memset(outputs[i] + solve->stride, 0, TB_SLOTS * sizeof(float));
   for (uint32_t slot = 0; solve->slot_mask >> slot; slot++) {
     const uint32_t row = solve->stride + slot;
@@ -103,20 +107,25 @@ static void apply_laws(const TbSolve *solve, const float *s) {
 
 /* ---- one step without the others ------------------------------------------------------------- */
 
+static void relax_slots(const TbSolve *solve) {
+  const TbSingle *single = &solve->single;
+  const uint32_t at = solve->stride;
+  _Alignas(64) float heads[TB_SLOTS];
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    heads[i] = solve->slot_mask >> i & 1u ? (float)solve->slot_coupling[i * (TB_SLOTS + 1u)] : 0.0f;
+  }
+  single->kernels->relax(TB_SLOTS, single->law + at, single->slope + at, single->own + at, heads,
+                         single->force_last + at, single->force + at);
+}
+
 /* Each row as if its own yielding and the head's right below it were all: with the wires' own the larger
  * part, that is nearly always enough, for one product instead of two. Returns the largest |s|. */
 static float relax(const TbSolve *solve) {
   const TbSingle *single = &solve->single;
   const TbSingleKernels *kernels = single->kernels;
-  const uint32_t at = solve->stride;
-  _Alignas(64) float slots[TB_SLOTS];
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    slots[i] = solve->slot_mask >> i & 1u ? (float)solve->slot_coupling[i * (TB_SLOTS + 1u)] : 0.0f;
-  }
-  kernels->relax(at, single->law, single->slope, single->own, single->yield, single->force_last,
-                 single->force);
-  kernels->relax(TB_SLOTS, single->law + at, single->slope + at, single->own + at, slots,
-                 single->force_last + at, single->force + at);
+  kernels->relax(solve->stride, single->law, single->slope, single->own, single->yield,
+                 single->force_last, single->force);
+  if (solve->slot_mask) relax_slots(solve);
   product_of(solve, single->force, single->grid, single->product);
   return kernels->change(total_rows(solve), single->b, single->product, single->s);
 }

@@ -34,8 +34,9 @@ COUNTED_SINGLE(combine, (uint64_t)n *count,
 COUNTED_SINGLE_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TbSingleRing *r),
                       (r))
 COUNTED_SINGLE_RESULT(TbPair, two_dots, n, (uint32_t n, In1 u, In1 v, In1 x), (n, u, v, x))
-COUNTED_SINGLE(penetrate, n, (uint32_t n, float side, In1 w, In v, In v_last, In load, Out b),
-               (n, side, w, v, v_last, load, b))
+COUNTED_SINGLE_RESULT(bool, penetrate, n,
+                      (uint32_t n, float side, In1 w, In v, In v_last, In load, In y, Out b),
+                      (n, side, w, v, v_last, load, y, b))
 COUNTED_SINGLE(contract, (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->padded),
                (Bed1 bed, In1 x, Out1 scratch, Out1 grid), (bed, x, scratch, grid))
 COUNTED_SINGLE(comply, (uint64_t)bed->size * bed->size / bed->classes,

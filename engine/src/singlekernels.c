@@ -416,12 +416,16 @@ static void comply(const TbSingleBed *bed, const float *grid, float *out) {
 
 /* ---- contacts ------------------------------------------------------------------------------- */
 
-static void penetrate(uint32_t n, float side, const float *w, const double *v, const double *v_last,
-                      const double *rest_load, double *b) {
+static bool penetrate(uint32_t n, float side, const float *w, const double *v, const double *v_last,
+                      const double *rest_load, const double *y, double *b) {
+  Lanes deepest = all(-1.0f);
   for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes change = subtract(scale(load(w + i), side), load_change(v + i, v_last + i));
-    store_double(b + i, add(change, load_double(rest_load + i)));
+    const Lanes moved = subtract(scale(load(w + i), side), load_change(v + i, v_last + i));
+    const Lanes change = add(moved, load_double(rest_load + i)), before = load_double(y + i);
+    store_double(b + i, change);
+    deepest = larger(larger(before, add(before, change)), deepest);
   }
+  return any(greater(deepest, all(-TB_NEAR)));
 }
 
 static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const float *y,

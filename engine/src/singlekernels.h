@@ -6,6 +6,9 @@
 
 #include "kernels.h"
 
+/* Penetrations of single precision that may be none: it rounds gaps of millimetres by less. [m] */
+#define TB_NEAR 1e-9f
+
 struct TbLaw;
 struct TbSingleBed;
 
@@ -58,9 +61,9 @@ typedef struct TbSingleKernels {
   TbPair (*ring)(const TbSingleRing *ring);
   TbPair (*two_dots)(uint32_t n, const float *u, const float *v, const float *x);
 
-  /* b = (side w - (v - v_last)) + load */
-  void (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
-                    const double *load, double *b);
+  /* b = (side w - (v - v_last)) + load; whether y or y + b is above -TB_NEAR anywhere. */
+  bool (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
+                    const double *load, const double *y, double *b);
 
   /* Between rows x[wires * lanes] and the grid; `scratch` as singlebed.h says. */
   void (*contract)(const struct TbSingleBed *bed, const float *x, float *scratch, float *grid);

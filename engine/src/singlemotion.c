@@ -63,9 +63,9 @@ void tb_single_penetrate(TbView *view) {
   const TbSingle *single = &view->solve.single;
   single->kernels->narrow(single->bed->size, view->change, single->answer);
   single->kernels->expand(single->bed, single->answer, single->scratch, single->moved);
-  single->kernels->penetrate(wires->stride, (float)wires->side, single->moved,
-                             view->next.v + TB_WIRE_FRONT, view->last.v + TB_WIRE_FRONT,
-                             view->rest_load, view->b);
+  view->solve.near = single->kernels->penetrate(
+    wires->stride, (float)wires->side, single->moved, view->next.v + TB_WIRE_FRONT,
+    view->last.v + TB_WIRE_FRONT, view->rest_load, view->last.eta, view->b);
 }
 
 void tb_single_renew(TbView *view, const double *motion) {

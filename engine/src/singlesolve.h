@@ -19,7 +19,7 @@ static inline bool tb_solves_in_single(const TbSolve *solve) {
   return solve->single.kernels && !solve->lifted;
 }
 
-/* As tb_solve(); false, and nothing but scratch written, where nothing can touch or it does not settle. */
+/* As tb_solve() where something may touch; false, and nothing but scratch written, where it does not settle. */
 bool tb_single_solve(TbSolve *solve, TbSolveOutcome *outcome);
 
 /* out = M x and x on the grid, as this solve computes them. */

@@ -430,7 +430,8 @@ static void start(TbSolve *solve) {
 
 TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
-  if (!wires_touch(solve, solve->b) && !slots_act(solve)) {
+  const bool near = tb_solves_in_single(solve) ? solve->near : wires_touch(solve, solve->b);
+  if (!near && !slots_act(solve)) {
     come_to_rest(solve);
     return outcome;
   }

@@ -56,6 +56,7 @@ typedef struct TbSolve {
   const TbCompliance *compliance; /* the head's, between points of the grid */
   uint32_t stride, slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */
+  bool near;   /* where contacts are solved in single precision: some point may touch */
   uint32_t cap, inner_cap;
   double tolerance, inner_tolerance;
   const double *coupling;      /* [TB_SLOTS][bed size]: the head's at the grid, of each slot */

@@ -99,10 +99,14 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
   return 0.5 * sum;
 }
 
+double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  return wires_energy(view, next, now) + contacts_energy(view, next, now);
+}
+
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
-         tb_lugs_energy(view, next->q, now->q) + wires_energy(view, next, now) +
-         contacts_energy(view, next, now) + strikers_energy(view, next, now) +
+         tb_lugs_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
+         strikers_energy(view, next, now) +
          tb_hoop_energy(&view->model->hoop, view->model->sample_rate, next->hoop, now->hoop);
 }
 

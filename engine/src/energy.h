@@ -11,6 +11,9 @@
 #include "state.h"
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
+
+/* Of these, what the wires and their contacts store. */
+double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *now);
 /* Energy of the high band, which no balance includes. */
 double tb_energy_high(const TbView *view);
 /* Kinetic energy alone, of head, wires and strikers. */

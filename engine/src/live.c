@@ -9,6 +9,7 @@
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
+enum { WIRE_SAMPLES = 8 };                      /* that wires' tension and damping take at once */
 
 static double definition_value(const TaborDrumDef *def, uint32_t index) {
   switch (index) {
@@ -127,18 +128,47 @@ static bool advance(TbLive *live, bool slewed) {
   return true;
 }
 
+static bool under_way(const TbLive *live, uint32_t first, uint32_t end) {
+  bool moving = false;
+  for (uint32_t i = first; i < end; i++) moving |= live[i].left > 0;
+  return moving;
+}
+
+static void advance_all(TbLive *live, uint32_t first, uint32_t end) {
+  for (uint32_t i = first; i < end; i++) advance(&live[i], i == TB_LIVE_TENSION);
+}
+
+/* Mufflers store no energy. */
+static void move_mufflers(TbView *view) {
+  const uint32_t mask = view->state->slot_mask;
+  if (!under_way(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
+  advance_all(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
+  tb_slots_muffle(view);
+  if (view->state->slot_mask != mask) tb_live_couple(view);
+}
+
+/* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are does not. */
+static void move_wires(TbView *view) {
+  TbLive *live = view->state->live;
+  const bool ends = under_way(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
+  const bool due = view->state->clock % WIRE_SAMPLES == 0;
+  const bool strings = due && under_way(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
+  if (!ends && !strings) return;
+  tb_lift_end(view);
+  const double before = tb_energy_wires(view, &view->now, &view->last);
+  for (uint32_t i = 0; strings && i < WIRE_SAMPLES; i++) {
+    advance_all(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
+  }
+  if (ends) advance_all(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
+  tb_live_apply(view);
+  view->state->sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
+}
+
 void tb_live_step(TbView *view) {
   TbLive *live = view->state->live;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
     if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_slots_regrip(view);
   }
-  bool pending = false;
-  for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) pending |= live[i].left > 0;
-  if (!pending) return;
-  tb_lift_end(view);
-  const double before = tb_energy_stored(view, &view->now, &view->last);
-  for (uint32_t i = 0; i < TB_LIVE_FULL_SCALE; i++) advance(&live[i], i == TB_LIVE_TENSION);
-  tb_slots_muffle(view);
-  tb_live_apply(view);
-  view->state->sums.control += tb_energy_stored(view, &view->now, &view->last) - before;
+  move_mufflers(view);
+  move_wires(view);
 }

@@ -13,8 +13,8 @@
  * to 108, tests/test_highband.c), so they are measured on the upper two-way modes. Per sixth of an
  * octave the modes are sorted by the energy that they can bring to a microphone,
  * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head, or less of every band
- * where those were more than TB_HIGH_MOST (TB_HIGH_MOST_LIVE at live, where 512 modes make no third of an octave
- * better, and 256 lack 9 dB at 5 kHz on a snare drum); they carry the energy of those left out.
+ * where those were more than TB_HIGH_MOST (TB_HIGH_MOST_LIVE at live: single thirds of an octave of a snare drum then
+ * miss up to 4 dB; with 512 no fewer do, with 256 one misses 9 dB); they carry the energy of those left out.
  *
  * Strikers drive through their patches; the wires' points are gathered in groups along the bed, each
  * group pushing at its middle. Forces along a wire cancel at the head's own wavelength but for the little that
@@ -26,6 +26,10 @@
  * amplitude decays by Sum lambda f phi^2/2 more, 100 to 200 1/s on a snare drum whose modes lose 75 to 200
  * by themselves. A two-way mode feels this through the solve; here phi^2 counts by its mean over the bed. Without
  * it all is 4 to 9 dB too loud.
+ *
+ * Limits: where wires are pressed firmly the band is too soft, not being felt by them (marching-14x12 at live lacks
+ * 16 to 22 dB at 5 to 10 kHz once the stroke is over). And at live wires' points are 12.5 mm apart on a snare drum, as
+ * long as the head's waves at 12 kHz, which they push 4 to 5 dB too much.
  *
  * At draft and live the band is moved in single precision: rounding brings a mode some 1e-6 of itself, and no
  * energy hangs on it. */

@@ -330,6 +330,46 @@ static void a_sweep_is_half_a_drum_at_most(void **state) {
   tabor_model_release(model);
 }
 
+/* A roll's work while a parameter (none: 0) moves all the time, as a host's automation does it. */
+static uint64_t automated(TaborModel *model, uint32_t parameter, double least, double most) {
+  TaborDrum *drum = physics_drum(model);
+  float samples[64], *outputs[TABOR_MAX_MICS] = {samples};
+  work = 0;
+  for (uint32_t block = 0; block < 188; block++) {
+    TaborEvent events[2] = {physics_strike(&model->def)};
+    uint32_t count = block % 94 == 0;
+    events[count].type = TABOR_EVENT_PARAMETER;
+    events[count].frame = 0;
+    events[count].parameter = parameter;
+    events[count].value = least + (most - least) * (0.5 + 0.5 * sin(0.05 * block));
+    count += parameter != 0 && block % 4 == 0;
+    tabor_drum_process(drum, events, count, outputs, 64);
+  }
+  tabor_drum_destroy(drum);
+  return work;
+}
+
+static void automation_costs_little(void **state) {
+  (void)state;
+  static const struct {
+    const char *key;
+    double least, most;
+  } moves[] = {{"wires.tension", 8.0, 16.0},
+               {"wires.damping_0", 1.0, 5.0},
+               {"batter.muffle_strength", 0.1, 1.0}};
+  const TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborModel *model = counting_model(&def);
+  const uint64_t still = automated(model, 0, 0.0, 0.0);
+  for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
+    const uint32_t parameter = tabor_parameter_find(moves[i].key)->id;
+    const uint64_t moved = automated(model, parameter, moves[i].least, moves[i].most);
+    const double ratio = (double)moved / (double)still;
+    print_message("%s under way: %.2f times the work\n", moves[i].key, ratio);
+    assert_true(ratio < 1.25);
+  }
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(every_kernel_is_counted),
@@ -337,6 +377,7 @@ int main(void) {
     cmocka_unit_test(remedies_keep_the_bound),
     cmocka_unit_test(a_roll_is_even),
     cmocka_unit_test(a_sweep_is_half_a_drum_at_most),
+    cmocka_unit_test(automation_costs_little),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,6 +46,25 @@ static void warn_of_drops(const SessionDrops *drops) {
   }
 }
 
+static bool has_sounding_hoop(const TaborDrumDef *def) {
+  bool sounds = false;
+  for (uint32_t i = 0; i < TABOR_HOOP_MODES; i++) sounds |= def->hoop.frequency[i] > 0;
+  return sounds;
+}
+
+/* Drums that a song changes to may have other hoops. */
+static void warn_of_rims(const RenderRequest *request) {
+  unsigned long long rims = 0;
+  if (request->song.presets > 0 || has_sounding_hoop(&request->def)) return;
+  for (size_t i = 0; i < request->strokes.count; i++) {
+    const TaborEvent *const event = &request->strokes.events[i];
+    rims += event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_RIM;
+  }
+  if (rims == 0) return;
+  warn("%llu strokes on the rim are silent: the hoop of '%s' has no hoop.frequency_1 to _%d", rims,
+       request->def.name, TABOR_HOOP_MODES);
+}
+
 static void warn_of_resets(const TaborStatistics *statistics) {
   if (statistics->recovered > 0) {
     warn("the drum was reset %llu times because its state was not finite",
@@ -158,6 +177,7 @@ Outcome render_report(const Session *session, json_t **report) {
   warn_of_saturation(session);
   warn_of_silence(session);
   warn_of_drops(&session->drops);
+  warn_of_rims(session->request);
   warn_of_resets(&statistics);
   warn_of_residual(&statistics, &ledger);
   if (session->request->verbose) note_details(session, &statistics, &ledger);

@@ -51,6 +51,12 @@ printf '0.1,,99,press\n' >>strokes.csv
 same "both" "3 strokes were dropped: more than 8 strikers at once
 1 $nothing_met" "$(drops)"
 
+# A rim that has no modes says that it is silent.
+run render frame-drum -q --quality draft --duration 0.3 --strike technique=rim -o rim.wav
+check "a silent rim" grep -q "^tabor: warning: 1 strokes on the rim are silent: the hoop of 'frame-drum'" "$err"
+run render tom-12 -q --quality draft --duration 0.3 --strike technique=rim -o rim.wav
+same "one that sounds" "" "$(cat "$err")"
+
 render_strikes strikes.wav technique=rimshot time=0.1,technique=cross-stick,radius=60% time=0.2,technique=rim
 cat >strokes.csv <<'END'
 time,technique,radius

@@ -4,7 +4,7 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-short=(tabor -q --quality draft --duration 0.3 --format float)
+short=(tabor -q --quality draft --duration 0.3 --format float --set hoop.frequency_1=500)
 
 # render_events NAME ARGUMENT...: renders strokes.csv without a word.
 render_events() {

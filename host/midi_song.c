@@ -1,31 +1,33 @@
 /* SPDX-License-Identifier: MIT */
 #include "midi_song.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "drum_source.h"
-#include "midi_file.h"
 
 /* A message of the file and its place among the others. */
 typedef struct Place {
-  double time;  /* [s] */
+  uint32_t frame;
   bool is_note; /* or belongs to one */
   size_t index;
 } Place;
 
 static int compare_places(const void *left, const void *right) {
   const Place *const a = left, *const b = right;
-  if (a->time != b->time) return a->time < b->time ? -1 : 1;
+  if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
   if (a->is_note != b->is_note) return a->is_note ? 1 : -1;
   return a->index < b->index ? -1 : a->index > b->index;
 }
 
-static Place *sort_messages(const MidiFile *file) {
+static Place *sort_messages(const MidiFile *file, double rate) {
   Place *const places = calloc(file->count + 1, sizeof *places);
   if (!places) return NULL;
   for (size_t i = 0; i < file->count; i++) {
-    places[i] = (Place){file->events[i].time, midi_goes_with_notes(&file->events[i].message), i};
+    const MidiFileEvent *const event = &file->events[i];
+    places[i] =
+      (Place){(uint32_t)llround(event->time * rate), midi_goes_with_notes(&event->message), i};
   }
   if (file->count > 0) qsort(places, file->count, sizeof *places, compare_places);
   return places;
@@ -47,18 +49,79 @@ static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
   return true;
 }
 
-static void take_messages(const MidiFile *file, const Place *places, MidiDrum *drum,
-                          MidiSong *song) {
+static void take_messages(const Place *places, MidiDrum *drum, MidiSong *song) {
+  const MidiFile *const file = &song->file;
   int preset = song->first_preset;
   for (size_t i = 0; i < file->count && song->presets <= MIDI_SONG_MOST_PRESETS; i++) {
     MidiSongItem *const item = &song->items[song->count];
     if (!midi_drum_take(drum, &file->events[places[i].index].message, &item->action)) continue;
     if (!changes(song, &item->action, &preset)) continue;
-    item->time = places[i].time;
-    song->count++;
     if (item->action.type == MIDI_ACTION_PRESET) bind_preset(drum, item->action.preset);
+    item->frame = places[i].frame;
+    item->place = i;
+    item->head_radius = drum->binding.head_radius;
+    song->count++;
   }
   song->counts = drum->counts;
+}
+
+/* ---- what acts first ---- */
+
+static int rank(const MidiSongItem *item) {
+  if (item->action.type == MIDI_ACTION_PRESET) return 0;
+  return item->action.type == MIDI_ACTION_EVENT ? 2 : 1;
+}
+
+static int compare_items(const void *left, const void *right) {
+  const MidiSongItem *const a = left, *const b = right;
+  if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
+  if (rank(a) != rank(b)) return rank(a) < rank(b) ? -1 : 1;
+  return a->place < b->place ? -1 : a->place > b->place;
+}
+
+static bool is_overtaken(const MidiSong *song, size_t index) {
+  const MidiSongItem *const item = &song->items[index], *const next = item + 1;
+  return index + 1 < song->count && next->action.type == MIDI_ACTION_PRESET &&
+         next->frame == item->frame;
+}
+
+/* Changes that others overtake at the same frame, or to what is there already. */
+static void drop_presets(MidiSong *song) {
+  size_t kept = 0;
+  int preset = song->first_preset;
+  for (size_t i = 0; i < song->count; i++) {
+    const MidiAction *const action = &song->items[i].action;
+    if (action->type == MIDI_ACTION_PRESET) {
+      if (is_overtaken(song, i) || preset == (int)action->preset) continue;
+      preset = (int)action->preset;
+    }
+    song->items[kept++] = song->items[i];
+  }
+  song->count = kept;
+}
+
+static void settle(MidiSong *song) {
+  if (song->count > 0) qsort(song->items, song->count, sizeof *song->items, compare_items);
+  drop_presets(song);
+}
+
+/* ---- the whole song ---- */
+
+Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def,
+                          double rate) {
+  MidiBinding binding;
+  MidiDrum drum;
+  Place *const places = sort_messages(&song->file, rate);
+  free(song->items);
+  song->items = calloc(song->file.count + 1, sizeof *song->items);
+  song->count = song->presets = 0;
+  midi_binding_make(map, def, &binding);
+  midi_drum_begin(&drum, map, &binding);
+  const bool complete = places && song->items;
+  if (complete) take_messages(places, &drum, song);
+  if (complete) settle(song);
+  free(places);
+  return complete ? OUTCOME_OK : fail_memory();
 }
 
 /* The file is in order of time. */
@@ -67,15 +130,6 @@ static Outcome check_times(const char *name, const MidiFile *file) {
   if (last <= MIDI_SONG_LONGEST) return OUTCOME_OK;
   return refuse("%s: its last event comes at %.10g s; allowed: up to %d", input_name(name), last,
                 MIDI_SONG_LONGEST);
-}
-
-static Outcome compose(const MidiFile *file, MidiDrum *drum, MidiSong *song) {
-  Place *const places = sort_messages(file);
-  song->items = calloc(file->count + 1, sizeof *song->items);
-  const bool complete = places && song->items;
-  if (complete) take_messages(file, places, drum, song);
-  free(places);
-  return complete ? OUTCOME_OK : fail_memory();
 }
 
 static Outcome check_counts(const char *name, const MidiSong *song) {
@@ -93,72 +147,18 @@ static Outcome check_counts(const char *name, const MidiSong *song) {
 }
 
 Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
-                       MidiSong *song) {
+                       double rate, MidiSong *song) {
   const char *const name = arguments_value(arguments, "midi-file");
   *song = (MidiSong){.first_preset = drum_listed_preset(arguments)};
   if (!name) return OUTCOME_OK;
   if (!*name) return refuse("--midi-file needs the name of a file");
-  MidiFile file;
-  MidiBinding binding;
-  MidiDrum drum;
-  midi_binding_make(map, def, &binding);
-  midi_drum_begin(&drum, map, &binding);
-  Outcome outcome = midi_file_read(name, &file);
-  if (outcome == OUTCOME_OK) outcome = check_times(name, &file);
-  if (outcome == OUTCOME_OK) outcome = compose(&file, &drum, song);
-  if (outcome == OUTCOME_OK) outcome = check_counts(name, song);
-  midi_file_free(&file);
-  return outcome;
+  Outcome outcome = midi_file_read(name, &song->file);
+  if (outcome == OUTCOME_OK) outcome = check_times(name, &song->file);
+  if (outcome == OUTCOME_OK) outcome = midi_song_compose(song, map, def, rate);
+  return outcome == OUTCOME_OK ? check_counts(name, song) : outcome;
 }
 
-/* Puts @p item before the others of its frame, which begin at @p first. */
-static void put_first(MidiSong *song, size_t first, size_t count, const MidiSongItem *item) {
-  memmove(song->items + first + 1, song->items + first, (count - first) * sizeof *item);
-  song->items[first] = *item;
-}
-
-static void drop_overtaken(MidiSong *song, double rate) {
-  size_t kept = 0, first = 0; /* of the frame */
-  bool has_preset = false;
-  for (size_t i = 0; i < song->count; i++) {
-    const MidiSongItem item = song->items[i];
-    const bool is_preset = item.action.type == MIDI_ACTION_PRESET;
-    if (kept == first ||
-        midi_song_frame(&song->items[first], rate) != midi_song_frame(&item, rate)) {
-      first = kept;
-      has_preset = false;
-    }
-    if (is_preset && has_preset) {
-      song->items[first] = item;
-    } else {
-      put_first(song, is_preset ? first : kept, kept, &item);
-      kept++;
-    }
-    has_preset = has_preset || is_preset;
-  }
-  song->count = kept;
-}
-
-static void drop_repeated(MidiSong *song) {
-  size_t kept = 0;
-  int preset = song->first_preset;
-  for (size_t i = 0; i < song->count; i++) {
-    const MidiAction *const action = &song->items[i].action;
-    if (action->type == MIDI_ACTION_PRESET) {
-      if (preset == (int)action->preset) continue;
-      preset = (int)action->preset;
-    }
-    song->items[kept++] = song->items[i];
-  }
-  song->count = kept;
-}
-
-void midi_song_settle(MidiSong *song, double rate) {
-  drop_overtaken(song, rate);
-  drop_repeated(song);
-}
-
-Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, size_t *count) {
+Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count) {
   size_t kept = 0;
   *count = 0;
   *events = calloc(song->count + 1, sizeof **events);
@@ -167,7 +167,7 @@ Outcome midi_song_take_events(MidiSong *song, double rate, TaborEvent **events, 
     const MidiSongItem item = song->items[i];
     if (item.action.type == MIDI_ACTION_EVENT) {
       (*events)[*count] = item.action.event;
-      (*events)[(*count)++].frame = midi_song_frame(&item, rate);
+      (*events)[(*count)++].frame = item.frame;
     } else {
       song->items[kept++] = item;
     }
@@ -185,6 +185,7 @@ void midi_song_note(const Arguments *arguments, const MidiSong *song) {
 }
 
 void midi_song_free(MidiSong *song) {
+  midi_file_free(&song->file);
   free(song->items);
   *song = (MidiSong){0};
 }

@@ -47,13 +47,13 @@ static Outcome read_strokes(Performance *performance, Strokes *strokes) {
 
 static Outcome add_song(Performance *performance) {
   PlayRequest *const request = performance->request;
-  const MidiSong *const song = &request->song;
-  Outcome outcome = OUTCOME_OK;
-  midi_song_settle(&request->song, request->model.sample_rate);
+  MidiSong *const song = &request->song;
+  Outcome outcome =
+    midi_song_compose(song, &request->midi_map, &request->def, request->model.sample_rate);
   for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
-    Cue cue = play_midi_cue(&song->items[i].action,
-                            midi_song_frame(&song->items[i], request->model.sample_rate));
-    humanize(&request->humanizer, request->def.shell.radius, &cue.message.event);
+    const MidiSongItem *const item = &song->items[i];
+    Cue cue = play_midi_cue(&item->action, item->frame);
+    humanize(&request->humanizer, item->head_radius, &cue.message.event);
     outcome = score_add(&performance->score, &cue);
   }
   return outcome;

@@ -13,7 +13,6 @@ struct PlayMidi {
   MidiMap map;
   MidiDrum drum;
   double bound; /* when the drum was looked at [s] */
-  double head_radius;
   Humanizer humanizer;
   Player *player;
   DrumChanges *changes;
@@ -25,7 +24,6 @@ static void bind(PlayMidi *midi, double now) {
   TaborDrumDef def;
   drum_changes_definition(midi->changes, &def);
   midi_binding_make(&midi->map, &def, &midi->drum.binding);
-  midi->head_radius = def.shell.radius;
   midi->bound = now;
 }
 
@@ -49,7 +47,7 @@ static void receive(void *context, double time, const MidiMessage *message) {
   atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
   if (!acts) return;
   Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
-  humanize(&midi->humanizer, midi->head_radius, &cue.message.event);
+  humanize(&midi->humanizer, midi->drum.binding.head_radius, &cue.message.event);
   if (cue.preset) {
     (void)drum_changes_program(midi->changes, cue.message.frame, cue.preset); /* it says */
     bind(midi, now);

@@ -82,7 +82,8 @@ static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
   Outcome outcome = midi_map_read(arguments, &request->def, &request->midi_map);
   if (wanted && !*wanted) return refuse("--midi-in needs a part of a name");
   if (outcome == OUTCOME_OK) {
-    outcome = midi_song_read(arguments, &request->midi_map, &request->def, &request->song);
+    outcome = midi_song_read(arguments, &request->midi_map, &request->def,
+                             request->model.sample_rate, &request->song);
   }
   if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
   return outcome;
@@ -196,8 +197,8 @@ static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) 
 
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   static Outcome (*const steps[])(const Arguments *, PlayRequest *) = {
-    read_flags, read_numbers, read_keys,    read_drum,   read_midi,
-    read_model, read_mics,    read_backend, read_record, protect_inputs,
+    read_flags, read_numbers, read_keys,    read_drum,   read_model,
+    read_midi,  read_mics,    read_backend, read_record, protect_inputs,
   };
   memset(request, 0, sizeof *request);
   request->record = OUTPUT_FILE_NONE;

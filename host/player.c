@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the audio thread runs. It allocates nothing, locks nothing, makes no system call (the clock is
- * read in user space), and its work is bounded: by the frames, and by PLAYER_EVENTS messages a frame.
+ * read in user space), and its work is bounded: by the frames, by PLAYER_EVENTS events a frame, and by what the
+ * rings hold.
  *
  * A block is played in pieces that begin where a message acts, and every PLAYER_PIECE frames. So a
  * message acts at its frame whatever the blocks are, and the end is looked for at the same frames as
@@ -159,7 +160,7 @@ static int first_source(const Player *player, uint64_t *frame) {
 static uint32_t take_messages(Player *player, uint32_t most) {
   uint64_t frame = 0;
   int source;
-  for (uint32_t taken = 0; taken < PLAYER_EVENTS && !silencer_waits(&player->silencer); taken++) {
+  while (player->event_count < PLAYER_EVENTS && !silencer_waits(&player->silencer)) {
     source = first_source(player, &frame);
     if (source < 0) return most;
     if (frame > player->position) {

@@ -15,7 +15,7 @@
 #include "tally.h"
 
 #define PLAYER_PIECE RING_OUT_BLOCK /* frames computed at once at most, and looks at the end */
-#define PLAYER_EVENTS 32            /* of one frame; further ones act at the next */
+#define PLAYER_EVENTS 256           /* of one frame; further ones act at the next */
 #define LOAD_BINS 256               /* of the load, in steps of 1 %; the last is for all above */
 
 /* What the audio thread tells. Each is written by it alone, relaxed: numbers, not order. */

@@ -54,9 +54,7 @@ static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
 /* The later of a frame and the song's last. */
 static uint32_t or_song_end(const RenderRequest *request, uint32_t frame) {
   const MidiSong *const song = &request->song;
-  const uint32_t last =
-    song->count > 0 ? midi_song_frame(&song->items[song->count - 1], request->model.sample_rate)
-                    : 0;
+  const uint32_t last = song->count > 0 ? song->items[song->count - 1].frame : 0;
   return frame > last ? frame : last;
 }
 
@@ -164,24 +162,31 @@ static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
   size_t count = 0;
   Outcome outcome = midi_map_read(arguments, &request->def, &map);
   if (outcome != OUTCOME_OK || !arguments_has(arguments, "midi-file")) return outcome;
-  outcome = midi_song_read(arguments, &map, &request->def, &request->song);
-  if (outcome == OUTCOME_OK) {
-    midi_song_settle(&request->song, request->model.sample_rate);
-    outcome = midi_song_take_events(&request->song, request->model.sample_rate, &events, &count);
-  }
+  outcome =
+    midi_song_read(arguments, &map, &request->def, request->model.sample_rate, &request->song);
+  if (outcome == OUTCOME_OK) outcome = midi_song_take_events(&request->song, &events, &count);
   if (outcome == OUTCOME_OK) outcome = strokes_merge(&request->strokes, events, count);
   free(events);
   if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
   return outcome;
 }
 
-/* Strokes are in order of time by now, so that the order in which they were given does not matter. */
+/* Strokes are in order of time by now, so that the order in which they were given does not matter; each falls on
+   the drum that the song has put there. */
 static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *request) {
+  const MidiSong *const song = &request->song;
   Humanizer player;
+  size_t next = 0;
+  double head_radius = request->def.shell.radius;
   const Outcome outcome = humanize_read(arguments, 0, &player);
   if (outcome != OUTCOME_OK) return outcome;
   for (size_t i = 0; i < request->strokes.count; i++) {
-    humanize(&player, request->def.shell.radius, &request->strokes.events[i]);
+    TaborEvent *const event = &request->strokes.events[i];
+    for (; next < song->count && song->items[next].frame <= event->frame; next++) {
+      const MidiSongItem *const item = &song->items[next];
+      if (item->action.type == MIDI_ACTION_PRESET) head_radius = item->head_radius;
+    }
+    humanize(&player, head_radius, event);
   }
   return OUTCOME_OK;
 }

@@ -22,6 +22,53 @@ Outcome session_open(Session *session, RenderRequest *request) {
   return drum_create(&request->def, &request->model, &session->drum);
 }
 
+/* ---- strokes ---- */
+
+/* As the drum of now understands it: it may be meant for another one, which had more strikers. */
+static void adapt(const Session *session, TaborEvent *event) {
+  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
+  const bool strikes = event->type == TABOR_EVENT_STRIKE;
+  if (strikes && event->striker >= def->striker_count) event->striker = 0;
+}
+
+/* The strokes before frame @p end; those that waited act at the first. */
+static uint32_t take_events(Session *session, uint32_t end) {
+  const Strokes *const strokes = &session->request->strokes;
+  TaborEvent *const events = strokes->events + session->next_event;
+  const uint32_t position = session->position;
+  uint32_t count = 0;
+  while (!silencer_waits(&session->silencer) && session->next_event < strokes->count &&
+         events[count].frame < end) {
+    TaborEvent *const event = &events[count]; /* from here on counted within the piece */
+    event->frame = event->frame > position ? event->frame - position : 0;
+    adapt(session, event);
+    silencer_remember(&session->silencer, event);
+    session->next_event++;
+    count++;
+  }
+  return count;
+}
+
+static uint32_t count_strokes(const TaborEvent *events, uint32_t count) {
+  uint32_t strokes = 0;
+  for (uint32_t i = 0; i < count; i++) strokes += events[i].type == TABOR_EVENT_STRIKE;
+  return strokes;
+}
+
+/* The drum counts all that it drops alike, but also the strokes that it begins. */
+static void process(Session *session, const TaborEvent *events, uint32_t count,
+                    float *const *outputs, uint32_t frames) {
+  TaborStatistics before, after;
+  tabor_drum_statistics(session->drum, &before);
+  tabor_drum_process(session->drum, events, count, outputs, frames);
+  tabor_drum_statistics(session->drum, &after);
+  const uint64_t begun = after.strikes - before.strikes;
+  const uint64_t dropped = after.dropped_events - before.dropped_events;
+  const uint64_t strokes = count_strokes(events, count) - begun;
+  session->drops.strokes += strokes;
+  session->drops.others += dropped - strokes;
+}
+
 /* ---- what the song does beside strokes ---- */
 
 /* The same microphones on the new preset. */
@@ -66,16 +113,21 @@ static const MidiSongItem *next_item(const Session *session) {
   return session->next_item < song->count ? &song->items[session->next_item] : NULL;
 }
 
-static uint32_t item_frame(const Session *session, const MidiSongItem *item) {
-  return midi_song_frame(item, session->request->model.sample_rate);
+/* What has waited for the end of a silence acts in its order: strokes are for the drum of their time. */
+static void strike_before(Session *session, const MidiSongItem *item) {
+  TaborEvent *const events = session->request->strokes.events + session->next_event;
+  if (item->action.type == MIDI_ACTION_GAIN) return;
+  const uint32_t count = take_events(session, item->frame);
+  if (count > 0) process(session, events, count, NULL, 0);
 }
 
 static Outcome act_due(Session *session) {
   const MidiSongItem *item;
   Outcome outcome = OUTCOME_OK;
   while (outcome == OUTCOME_OK && !silencer_waits(&session->silencer) &&
-         (item = next_item(session)) && item_frame(session, item) <= session->position) {
+         (item = next_item(session)) && item->frame <= session->position) {
     session->next_item++;
+    strike_before(session, item);
     outcome = act(session, &item->action);
   }
   return outcome;
@@ -96,7 +148,7 @@ static Outcome begin_piece(Session *session, uint32_t *frames) {
   const Outcome outcome = act_due(session);
   const MidiSongItem *const item = next_item(session);
   uint32_t left = *frames;
-  if (item) left = item_frame(session, item) - session->position;
+  if (item) left = item->frame - session->position;
   if (silencer_waits(&session->silencer) || left > *frames) left = *frames;
   *frames = silencer_limit(&session->silencer, left);
   return outcome;
@@ -106,31 +158,6 @@ static Outcome begin_piece(Session *session, uint32_t *frames) {
 
 /* This thread's: others may play other drums. */
 static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
-
-/* As the drum of now understands it: it may be meant for another one, which had more strikers. */
-static void adapt(const Session *session, TaborEvent *event) {
-  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
-  const bool strikes = event->type == TABOR_EVENT_STRIKE;
-  if (strikes && event->striker >= def->striker_count) event->striker = 0;
-}
-
-/* The strokes of the next @p frames frames; those that waited act at the first. */
-static uint32_t take_events(Session *session, uint32_t frames) {
-  const Strokes *const strokes = &session->request->strokes;
-  TaborEvent *const events = strokes->events + session->next_event;
-  const uint32_t position = session->position;
-  uint32_t count = 0;
-  while (!silencer_waits(&session->silencer) && session->next_event < strokes->count &&
-         events[count].frame < position + frames) {
-    TaborEvent *const event = &events[count]; /* from here on counted within the piece */
-    event->frame = event->frame > position ? event->frame - position : 0;
-    adapt(session, event);
-    silencer_remember(&session->silencer, event);
-    session->next_event++;
-    count++;
-  }
-  return count;
-}
 
 /* What each channel hears of all drums, from frame @p at of the block on. */
 static void gather(Session *session, uint32_t at, uint32_t frames) {
@@ -161,26 +188,6 @@ static void interleave(Session *session, uint32_t at, uint32_t frames) {
   }
 }
 
-static uint32_t count_strokes(const TaborEvent *events, uint32_t count) {
-  uint32_t strokes = 0;
-  for (uint32_t i = 0; i < count; i++) strokes += events[i].type == TABOR_EVENT_STRIKE;
-  return strokes;
-}
-
-/* The drum counts all that it drops alike, but also the strokes that it begins. */
-static void process(Session *session, const TaborEvent *events, uint32_t count,
-                    float *const *outputs, uint32_t frames) {
-  TaborStatistics before, after;
-  tabor_drum_statistics(session->drum, &before);
-  tabor_drum_process(session->drum, events, count, outputs, frames);
-  tabor_drum_statistics(session->drum, &after);
-  const uint64_t begun = after.strikes - before.strikes;
-  const uint64_t dropped = after.dropped_events - before.dropped_events;
-  const uint64_t strokes = count_strokes(events, count) - begun;
-  session->drops.strokes += strokes;
-  session->drops.others += dropped - strokes;
-}
-
 static void play_piece(Session *session, uint32_t at, uint32_t frames) {
   const RenderRequest *const request = session->request;
   float *outputs[TABOR_MAX_MICS] = {NULL}; /* for microphones that nobody hears */
@@ -189,7 +196,7 @@ static void play_piece(Session *session, uint32_t at, uint32_t frames) {
     outputs[mic] = session->planar[mic] + at;
   }
   TaborEvent *const events = request->strokes.events + session->next_event;
-  const uint32_t count = take_events(session, frames);
+  const uint32_t count = take_events(session, session->position + frames);
   const double start = processor_time();
   process(session, events, count, outputs, frames);
   gather(session, at, frames);

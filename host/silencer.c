@@ -2,10 +2,11 @@
 #include "silencer.h"
 
 Silencer silencer_begin(double rate) {
-  return (Silencer){.phase = SILENCER_HEARD, .fader = fader_at(1, rate)};
+  return (Silencer){.phase = SILENCER_HEARD, .at_rest = true, .fader = fader_at(1, rate)};
 }
 
 void silencer_wish(Silencer *silencer) {
+  if (silencer->at_rest) return;
   fader_set(&silencer->fader, 0);
   silencer->phase = SILENCER_FADING;
 }
@@ -14,6 +15,7 @@ void silencer_wish(Silencer *silencer) {
 
 void silencer_remember(Silencer *silencer, const TaborEvent *event) {
   uint32_t i = 0;
+  silencer->at_rest = false;
   if (event->type != TABOR_EVENT_PARAMETER) return;
   while (i < silencer->live_count && (silencer->live[i].parameter != event->parameter ||
                                       silencer->live[i].index != event->index)) {
@@ -38,6 +40,7 @@ static void rest(Silencer *silencer, TaborDrum *drum) {
   tabor_drum_process(drum, silencer->live, silencer->live_count, NULL, 0);
   silencer->resting = 2 * silencer->fader.length; /* its parameters move meanwhile */
   silencer->phase = SILENCER_RESTING;
+  silencer->at_rest = true;
 }
 
 void silencer_step(Silencer *silencer, TaborDrum *drum) {

@@ -2,6 +2,7 @@
 /**
  * @file silencer.h
  * Silence at once: the sound fades out within 5 ms, the drum goes to rest, and is heard again 15 ms after the wish.
+ * A drum that nothing has acted on since it was at rest is silent already: there a wish does nothing.
  *
  * Until it may be heard, strokes wait. A drum at rest has the values of its model: live parameters that were
  * moved since are moved again, unheard. Everything depends on frames alone, not on blocks. Real-time safe.
@@ -23,13 +24,14 @@ typedef enum SilencerPhase {
 
 typedef struct Silencer {
   SilencerPhase phase;
+  bool at_rest; /**< nothing has acted on the drum since it was */
   Fader fader;
   uint32_t resting; /**< frames left of that phase */
   TaborEvent live[SILENCER_LIVE];
   uint32_t live_count;
 } Silencer;
 
-/** For @p rate [Hz]; the drum is heard. */
+/** For @p rate [Hz]; the drum is at rest and heard. */
 Silencer silencer_begin(double rate) REALTIME;
 /** Silence is wished for. */
 void silencer_wish(Silencer *silencer) REALTIME;
@@ -38,7 +40,7 @@ static inline bool silencer_waits(const Silencer *silencer) {
   return silencer->phase != SILENCER_HEARD;
 }
 
-/** A live parameter is moved by @p event; other events are passed over. */
+/** An @p event acts on the drum: if it moves a live parameter, that is to outlive a silence. */
 void silencer_remember(Silencer *silencer, const TaborEvent *event) REALTIME;
 /** Another model has come, with values of its own. */
 void silencer_forget(Silencer *silencer) REALTIME;

@@ -259,6 +259,40 @@ static void test_what_midi_has_moved_outlives_a_retuning(void **state) {
   host_close(other);
 }
 
+/* The drum without snares, on which MIDI has thrown them on; @p overtaken lands while that waits for a silence. */
+static void play_snares_thrown_on(bool overtaken, float *sound, uint32_t frames) {
+  enum { OFF = 6, LOOSE };
+  PluginHost *const host = open_at_draft(URI_DRUM, HOST_WORKER_AT_ONCE);
+  host_wait(host);
+  host_note(host, 0, 38, 110);
+  if (overtaken) host_event(host, 10, 2, (const uint8_t[]){0xC9, LOOSE});
+  host_run(host, 64);
+  host_event(host, 0, 3, (const uint8_t[]){0xB9, 120, 0});
+  host_event(host, 1, 2, (const uint8_t[]){0xC9, OFF});
+  host_event(host, 2, 3, (const uint8_t[]){0xB9, 20, 127});
+  for (int run = 0; run < 20; run++) host_run(host, 64);
+  host_wait(host);
+  for (int run = 0; run < 30; run++) host_run(host, 4096); /* until it is quiet */
+  host_note(host, 0, 38, 110);
+  host_run(host, frames);
+  memcpy(sound, host->sound[0], frames * sizeof *sound);
+  host_close(host);
+}
+
+static void test_what_waits_is_for_the_newest_drum(void **state) {
+  (void)state;
+  enum { LONG = 8000 };
+  static float alone[LONG], overtaken[LONG];
+  play_snares_thrown_on(false, alone, LONG);
+  play_snares_thrown_on(true, overtaken, LONG);
+  double difference = 0;
+  for (int i = 0; i < LONG; i++) {
+    difference = fmax(difference, fabs((double)alone[i] - (double)overtaken[i]));
+  }
+  printf("difference %.3g of a peak of %.3g\n", difference, host_peak(alone, LONG));
+  assert_true(difference < 1e-3 * host_peak(alone, LONG));
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_instantiation_is_quick),
@@ -270,6 +304,7 @@ int main(void) {
     cmocka_unit_test(test_changes_make_no_click),
     cmocka_unit_test(test_a_click_would_be_seen),
     cmocka_unit_test(test_what_midi_has_moved_outlives_a_retuning),
+    cmocka_unit_test(test_what_waits_is_for_the_newest_drum),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

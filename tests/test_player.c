@@ -265,6 +265,38 @@ static void a_stroke_during_silencing_is_not_lost(void **state) {
   stage_close(stage);
 }
 
+/* More than events may act at one frame, with something else between: and still they last no longer than one. */
+static void silences_at_once_are_one(void **state) {
+  (void)state;
+  Messages messages = {0};
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  messages_add(&messages, message_strike(0, 5, 0.03));
+  for (uint32_t i = 0; i < 60; i++) {
+    messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
+    messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_GAIN, .value = 1});
+  }
+  messages_add(&messages, message_strike(2001, 5, 0.03));
+  stage_play(stage, &messages, FRAMES, 128);
+  stage_end(stage);
+  assert_true(stage_peak(stage, 2239, 2239 + 480) == 0);
+  assert_true(stage_peak(stage, 2239 + 480, 2239 + 480 + 960) > 1e-2);
+  stage_close(stage);
+}
+
+static void a_stroke_before_another_silence_is_silent(void **state) {
+  (void)state;
+  Messages messages = {0};
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  messages_add(&messages, message_strike(0, 5, 0.03));
+  messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
+  messages_add(&messages, message_strike(2001, 5, 0.03));
+  messages_add(&messages, (PlayerMessage){.frame = 2002, .type = PLAYER_SILENCE});
+  stage_play(stage, &messages, FRAMES, 128);
+  stage_end(stage);
+  assert_true(stage_peak(stage, 2239, 9000) == 0);
+  stage_close(stage);
+}
+
 /* A preset with fewer strikers and microphones gets strokes that were meant for another. */
 static void presets_with_less_are_played_all_the_same(void **state) {
   (void)state;
@@ -497,6 +529,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(silence_is_silent_and_keeps_the_drum),
     cmocka_unit_test(silence_after_a_change_keeps_what_moved),
     cmocka_unit_test(a_stroke_during_silencing_is_not_lost),
+    cmocka_unit_test(silences_at_once_are_one),
+    cmocka_unit_test(a_stroke_before_another_silence_is_silent),
     cmocka_unit_test(presets_with_less_are_played_all_the_same),
     cmocka_unit_test(changes_come_while_it_rings),
     cmocka_unit_test(presets_passed_over_are_silent),

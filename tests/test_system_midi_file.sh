@@ -120,6 +120,20 @@ song song.mid 0 "00 992640 18 b07b00 00 992640"
 play again.wav
 holds "a stroke at the same time is heard" "$("$INSPECT" rms again.wav 0.2 0.6) > 0"
 
+# Panics come on all channels: that is one silence, and none where nothing sounds.
+panic=
+for ((i = 0; i < 16; i++)); do panic+=" 00 b$(number 1 $i)7800 00 b$(number 1 $i)7b00"; done
+song song.mid 0 "00 992640 18 b07b00 01 992640"
+play one.wav
+song song.mid 0 "00 992640 18 b07b00$panic 01 992640"
+play all.wav
+same_bytes "silences at one time are one" one.wav all.wav
+song song.mid 0 "00 992640"
+play plain.wav
+song song.mid 0 "00 b07b00 00 992640"
+play first.wav
+same_bytes "a drum at rest is silent" plain.wav first.wav
+
 song song.mid 0 "00 992664 10 d97f"
 play choked.wav
 song song.mid 0 "00 992664 10 d900"
@@ -141,6 +155,11 @@ song song.mid 0 "00 992664 00 c9$tom"
 play changed.wav
 done_quietly render tom-12 "${short[@]:1}" --strike midi=100 -o tom.wav
 same_bytes "a program change" tom.wav changed.wav
+song song.mid 0 "00 b0107f 00 992664 20 992664 20 992664"
+done_quietly render tom-12 "${short[@]:1}" --midi-file song.mid --humanize 0.5 -o tom-song.wav
+song song.mid 0 "00 c9$tom 00 b0107f 00 992664 20 992664 20 992664"
+play changed.wav --humanize 0.5
+same_bytes "strokes are scattered by the size of the drum that they fall on" tom-song.wav changed.wav
 song song.mid 0 "00 992664 60 c9$tom 00 992664"
 play changed.wav
 same "the new drum alone" "$("$INSPECT" rms tom.wav 0.05 0.1)" \

@@ -140,6 +140,10 @@ static void put_knob(KnobId id) {
   }
   if (knob->choices) put_choices(knob->choices);
   if (!isnan(knob->off)) put_point("Off", 3, knob->off);
+  if (id == KNOB_STRAINER) {
+    put_point("Off", 3, 0);
+    put_point("On", 2, 1);
+  }
   if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
   put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
   put_text(knob->comment);

@@ -194,7 +194,7 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
 }
 
 double knob_factor(KnobId id, float value) {
-  return (double)value <= knobs[id].off ? 0 : pow(10, (double)value / 20);
+  return (double)value <= knobs[id].off ? 0 : pow(10, knob_decimal(value) / 20);
 }
 
 double knob_decimal(float value) {

@@ -46,7 +46,8 @@ static void start_over(Voice *voice, const MidiBinding *binding) {
   voice->humanizer.state = HUMANIZE_SEED;
   voice->silencer = silencer_begin(voice->rate);
   voice->expression = fader_at(1, voice->rate);
-  voice->event_count = voice->action_count = voice->held_actions = 0;
+  voice->event_count = voice->action_count = 0;
+  voice->held_events = voice->held_actions = 0;
 }
 
 bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
@@ -56,7 +57,6 @@ bool voice_begin(Voice *voice, Workshop *workshop, double rate, bool stereo) {
   voice->stereo = stereo;
   voice->map = workshop->map;
   voice->grip_id = tabor_parameter_find("hand.grip")->id;
-  voice->head_radius = workshop->base.shell.radius;
   voice->gain = fader_at(1, rate);
   leaving_begin(&voice->leaving, rate);
   voice->wish = (Wish){.number = 1, .quality = TABOR_QUALITY_LIVE};
@@ -76,14 +76,70 @@ void voice_end(Voice *voice) {
 
 /* ---- events --------------------------------------------------------------------------------- */
 
+/* Where there is no room, a parameter's last value counts. */
+static void replace_parameter(Voice *voice, const TaborEvent *event) {
+  if (event->type != TABOR_EVENT_PARAMETER) return;
+  for (uint32_t i = voice->event_count; i-- > 0;) {
+    TaborEvent *const other = &voice->events[i];
+    if (other->type != TABOR_EVENT_PARAMETER || other->parameter != event->parameter) continue;
+    other->value = event->value;
+    return;
+  }
+}
+
 static void push_event(Voice *voice, const TaborEvent *event) {
-  if (voice->event_count == VOICE_EVENTS) return;
+  if (voice->event_count == VOICE_EVENTS) {
+    replace_parameter(voice, event);
+    return;
+  }
   voice->events[voice->event_count] = *event;
   voice->events[voice->event_count++].frame = 0;
 }
 
-void voice_push_parameter(Voice *voice, uint32_t id, double value) {
-  push_event(voice, &(TaborEvent){.type = TABOR_EVENT_PARAMETER, .parameter = id, .value = value});
+static void process_at_once(Voice *voice, const TaborEvent *events, uint32_t count) {
+  TaborDrum *const crossing = voice->crossing.drum;
+  if (!voice->drum || count == 0) return;
+  tabor_drum_process(voice->drum, events, count, NULL, 0);
+  if (crossing) tabor_drum_process(crossing, events, count, NULL, 0);
+}
+
+void voice_move_parameter(Voice *voice, uint32_t id, double value) {
+  const TaborEvent event = {.type = TABOR_EVENT_PARAMETER, .parameter = id, .value = value};
+  silencer_remember(&voice->silencer, &event);
+  process_at_once(voice, &event, 1);
+}
+
+/* What MIDI moves stays so on the next model, unless that is another drum. */
+static void note_parameter(Voice *voice, const TaborEvent *event) {
+  if (event->type != TABOR_EVENT_PARAMETER) return;
+  if (event->parameter == voice->ids[KNOB_STRAINER]) {
+    voice->wish.strainer = event->value;
+    voice->moved[KNOB_STRAINER] = true;
+  }
+  if (event->parameter == voice->grip_id) {
+    voice->wish.grip = event->value;
+    voice->grip_moved = true;
+  }
+}
+
+void voice_note_events(Voice *voice, uint32_t count) {
+  for (uint32_t i = 0; i < count; i++) {
+    TaborEvent *const event = &voice->events[i];
+    /* meant for another preset, which had more of them */
+    if (event->type == TABOR_EVENT_STRIKE && event->striker >= voice->striker_count)
+      event->striker = 0;
+    note_parameter(voice, event);
+    silencer_remember(&voice->silencer, event);
+  }
+}
+
+void voice_let_act(Voice *voice, uint32_t count) {
+  voice_note_events(voice, count);
+  process_at_once(voice, voice->events, count);
+  voice->event_count -= count;
+  voice->held_events -= count;
+  memmove(voice->events, voice->events + count, voice->event_count * sizeof *voice->events);
+  for (uint32_t i = 0; i < voice->action_count; i++) voice->actions[i].after -= count;
 }
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
@@ -127,7 +183,7 @@ static void turn_live(Voice *voice, KnobId id, double value) {
   if (outgrows(voice, id, value)) voice->wish.number++;
   if (isnan(voice->built[id])) return; /* the drum has no such part, or there is none yet */
   voice->moved[id] = true;
-  voice_push_parameter(voice, voice->ids[id], value);
+  voice_move_parameter(voice, voice->ids[id], value);
 }
 
 /* Where strokes fall, until controllers say. */
@@ -167,34 +223,20 @@ void voice_turn(Voice *voice, KnobId id, float value) {
 
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
-/* What MIDI moves stays so on the next model, unless that is another drum. */
-static void note_parameter(Voice *voice, const TaborEvent *event) {
-  if (event->type != TABOR_EVENT_PARAMETER) return;
-  if (event->parameter == voice->ids[KNOB_STRAINER]) {
-    voice->wish.strainer = event->value;
-    voice->moved[KNOB_STRAINER] = true;
-  }
-  if (event->parameter == voice->grip_id) {
-    voice->wish.grip = event->value;
-    voice->grip_moved = true;
-  }
-}
-
 static void take_event(Voice *voice, TaborEvent *event) {
-  humanize(&voice->humanizer, voice->head_radius, event);
-  note_parameter(voice, event);
+  humanize(&voice->humanizer, voice->midi.binding.head_radius, event);
   push_event(voice, event);
 }
 
 static void insert_action(Voice *voice, uint32_t place, const MidiAction *action) {
-  MidiAction *const at = &voice->actions[place];
+  VoiceAction *const at = &voice->actions[place];
   memmove(at + 1, at, (voice->action_count - place) * sizeof *at);
-  *at = *action;
+  *at = (VoiceAction){.action = *action, .after = voice->held_events};
   voice->action_count++;
 }
 
 static void remove_action(Voice *voice, uint32_t place) {
-  MidiAction *const at = &voice->actions[place];
+  VoiceAction *const at = &voice->actions[place];
   voice->action_count--;
   memmove(at, at + 1, (voice->action_count - place) * sizeof *at);
 }
@@ -207,7 +249,7 @@ static void take_preset(Voice *voice, const MidiAction *action) {
   const uint32_t first = voice->held_actions;
   const int32_t preset = (int32_t)action->preset;
   const bool takes_place =
-    first < voice->action_count && voice->actions[first].type == MIDI_ACTION_PRESET;
+    first < voice->action_count && voice->actions[first].action.type == MIDI_ACTION_PRESET;
   if (preset == voice->chosen || (voice->action_count == VOICE_ACTIONS && !takes_place)) return;
   if (takes_place) remove_action(voice, first);
   if (preset != voice->chosen_before) insert_action(voice, first, action);
@@ -215,11 +257,39 @@ static void take_preset(Voice *voice, const MidiAction *action) {
   voice->midi.binding = voice->bindings[preset];
 }
 
+/* Where one that waits sets the gain after the last silence, the later value counts. */
+static void take_gain(Voice *voice, const MidiAction *action) {
+  for (uint32_t i = voice->action_count; i-- > 0;) {
+    MidiAction *const other = &voice->actions[i].action;
+    if (other->type == MIDI_ACTION_SILENCE) break;
+    if (other->type != MIDI_ACTION_GAIN) continue;
+    other->value = action->value;
+    return;
+  }
+  if (voice->action_count < VOICE_ACTIONS) insert_action(voice, voice->action_count, action);
+}
+
+/* Nothing will have acted on the drum since the silence before. */
+static bool is_silenced(const Voice *voice) {
+  for (uint32_t i = voice->action_count; i-- > 0;) {
+    const VoiceAction *const other = &voice->actions[i];
+    if (other->after != voice->held_events) return false;
+    if (other->action.type == MIDI_ACTION_SILENCE) return true;
+  }
+  return silencer_waits(&voice->silencer) && voice->held_events == 0;
+}
+
+static void take_silence(Voice *voice, const MidiAction *action) {
+  if (is_silenced(voice) || voice->action_count == VOICE_ACTIONS) return;
+  insert_action(voice, voice->action_count, action);
+}
+
 static void take_action(Voice *voice, const MidiAction *action) {
-  if (action->type == MIDI_ACTION_PRESET) {
-    take_preset(voice, action);
-  } else if (voice->action_count < VOICE_ACTIONS) {
-    voice->actions[voice->action_count++] = *action;
+  switch (action->type) {
+  case MIDI_ACTION_EVENT: break; /* these wait elsewhere */
+  case MIDI_ACTION_GAIN: take_gain(voice, action); break;
+  case MIDI_ACTION_SILENCE: take_silence(voice, action); break;
+  case MIDI_ACTION_PRESET: take_preset(voice, action); break;
   }
 }
 
@@ -252,21 +322,36 @@ static void act(Voice *voice, const MidiAction *action) {
   }
 }
 
-/* Until a silence that the others have to wait for. */
-void voice_act_due(Voice *voice) {
-  uint32_t done = 0;
-  while (done < voice->action_count && !silencer_waits(&voice->silencer)) {
-    act(voice, &voice->actions[done++]);
+/* What has waited for the end of a silence acts in its order: strokes are for the drum of their time. */
+static void act_first(Voice *voice) {
+  const VoiceAction first = voice->actions[0];
+  if (first.action.type != MIDI_ACTION_GAIN) voice_let_act(voice, first.after);
+  remove_action(voice, 0);
+  if (voice->held_actions > 0) voice->held_actions--;
+  act(voice, &first.action);
+}
+
+void voice_act_due(Voice *voice, bool waits) {
+  bool goes_on = true;
+  while (goes_on && voice->action_count > 0 && !silencer_waits(&voice->silencer)) {
+    goes_on = !waits || voice->actions[0].action.type != MIDI_ACTION_PRESET;
+    act_first(voice);
   }
-  voice->action_count -= done;
-  voice->held_actions -= done < voice->held_actions ? done : voice->held_actions;
-  memmove(voice->actions, voice->actions + done, voice->action_count * sizeof *voice->actions);
 }
 
 /* ---- a new beginning ------------------------------------------------------------------------- */
 
+/* The messages that have come are meant for it already. */
+static void choose_waiting(Voice *voice) {
+  for (uint32_t i = 0; i < voice->action_count; i++) {
+    const MidiAction *const action = &voice->actions[i].action;
+    if (action->type == MIDI_ACTION_PRESET) choose_preset(voice, action->preset);
+  }
+}
+
 void voice_rest(Voice *voice) {
   const MidiBinding binding = voice->midi.binding;
+  choose_waiting(voice);
   if (voice->drum) tabor_drum_reset(voice->drum);
   voice_cut_others(voice);
   start_over(voice, &binding);
@@ -279,4 +364,5 @@ void voice_rest(Voice *voice) {
   memset(voice->moved, 0, sizeof voice->moved); /* the drum has the values of its model */
   voice->grip_moved = false;
   voice_move_live(voice);
+  voice->silencer.at_rest = true; /* these values are how it begins */
 }

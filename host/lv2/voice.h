@@ -17,8 +17,9 @@
 #include "silencer.h"
 #include "workshop.h"
 
-#define VOICE_PIECE 256  /**< frames computed at once at most */
-#define VOICE_EVENTS 256 /**< that may wait, or act at one frame; further ones are dropped */
+#define VOICE_PIECE 256 /**< frames computed at once at most */
+#define VOICE_EVENTS                                                                               \
+  256 /**< that may wait, or act at one frame; see docs/lv2.md for further ones */
 #define VOICE_ACTIONS 64 /**< likewise beside them */
 
 #define VOICE_WAIT 0.04 /**< [s] until what is under way to a microphone has arrived for sure */
@@ -40,6 +41,12 @@ typedef struct Crossing {
   uint32_t hold, fade; /**< frames left of it */
 } Crossing;
 
+/** What MIDI wants beside strokes. */
+typedef struct VoiceAction {
+  MidiAction action;
+  uint32_t after; /**< of the events that wait, those of frames before: they act first */
+} VoiceAction;
+
 typedef struct Voice {
   /* set up once */
   Workshop *workshop;
@@ -53,7 +60,6 @@ typedef struct Voice {
   TaborDrum *drum; /**< NULL until there is one */
   MidiDrum midi;
   Humanizer humanizer;
-  double head_radius;
   uint32_t striker_count;
   Crossing crossing;
   Leaving leaving;                  /**< of programs before */
@@ -73,15 +79,16 @@ typedef struct Voice {
   float seen[KNOB_COUNT];  /**< of the ports; NaN: not yet */
   double built[KNOB_KEYS]; /**< of the model; NaN: the drum has no such part */
   double built_grip;
+  double strainer;       /**< of the drum's definition, whatever MIDI has moved */
   bool moved[KNOB_KEYS]; /**< live values of the drum, from those of its model */
   bool grip_moved;
   const TaborSwap *swap; /**< the newest, while it may have to be cleared up */
 
   TaborEvent events[VOICE_EVENTS]; /**< for the drum, at the frame of now */
   uint32_t event_count;
-  MidiAction actions[VOICE_ACTIONS]; /**< beside them */
+  VoiceAction actions[VOICE_ACTIONS]; /**< beside them */
   uint32_t action_count;
-  uint32_t
+  uint32_t held_events,
     held_actions; /**< of these, those of frames before: they wait for the end of a silence */
   float planar[TABOR_MAX_MICS][VOICE_PIECE];          /**< of the drum */
   float crossing_planar[TABOR_MAX_MICS][VOICE_PIECE]; /**< of what it was before a swap */

@@ -29,8 +29,8 @@ static void attend(Voice *voice, const Offer *offer) {
 static void read_model(Voice *voice, const Offer *offer) {
   attend(voice, offer);
   voice->striker_count = offer->def.striker_count;
-  voice->head_radius = offer->def.shell.radius;
   voice->built_grip = offer->def.hand.grip;
+  voice->strainer = offer->binding.strainer;
   memcpy(voice->built, offer->built, sizeof voice->built);
 }
 
@@ -38,7 +38,7 @@ static void read_model(Voice *voice, const Offer *offer) {
 static double live_value(const Voice *voice, KnobId id) {
   if (id == KNOB_STRAINER && !isnan(voice->wish.strainer)) return voice->wish.strainer;
   if (!isnan(voice->wish.values[id])) return voice->wish.values[id];
-  return id == KNOB_STRAINER ? voice->midi.binding.strainer : voice->built[id];
+  return id == KNOB_STRAINER ? voice->strainer : voice->built[id];
 }
 
 /* The engine carries what was moved over to the new model; there it is put right. */
@@ -47,11 +47,11 @@ void voice_move_live(Voice *voice) {
     if (knobs[i].kind != KNOB_LIVE || isnan(voice->built[i])) continue;
     const double value = live_value(voice, (KnobId)i);
     const bool differs = value != voice->built[i];
-    if (differs || voice->moved[i]) voice_push_parameter(voice, voice->ids[i], value);
+    if (differs || voice->moved[i]) voice_move_parameter(voice, voice->ids[i], value);
     voice->moved[i] = differs;
   }
   const double grip = isnan(voice->wish.grip) ? voice->built_grip : voice->wish.grip;
-  if (voice->grip_moved) voice_push_parameter(voice, voice->grip_id, grip);
+  if (voice->grip_moved) voice_move_parameter(voice, voice->grip_id, grip);
   voice->grip_moved = grip != voice->built_grip;
 }
 
@@ -127,8 +127,10 @@ static void land(Voice *voice, const Offer *offer) {
   if (offer->swap) swap(voice, offer);
   if (offer->begins_anew) silencer_forget(&voice->silencer);
   read_model(voice, offer);
-  if (speaks_of(voice, offer)) voice->midi.binding = offer->binding;
-  voice_place_strokes(voice);
+  if (speaks_of(voice, offer)) {
+    voice->midi.binding = offer->binding;
+    voice_place_strokes(voice);
+  }
   voice_move_live(voice);
 }
 

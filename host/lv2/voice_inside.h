@@ -9,12 +9,16 @@
 
 /* Knobs stand where the definition says. */
 void voice_forget_turns(Wish *wish) REALTIME;
-/* Moves a live parameter at the frame that is played next. */
-void voice_push_parameter(Voice *voice, uint32_t id, double value) REALTIME;
+/* Moves a live parameter of the drum at once, before what waits for it. */
+void voice_move_parameter(Voice *voice, uint32_t id, double value) REALTIME;
+/* The first @p count events, which are about to act, are what the drum is from now on. */
+void voice_note_events(Voice *voice, uint32_t count) REALTIME;
+/* The first @p count events act at once. */
+void voice_let_act(Voice *voice, uint32_t count) REALTIME;
 /* Where strokes fall, until controllers say. */
 void voice_place_strokes(Voice *voice) REALTIME;
-/* Does what MIDI wants beside strokes, until a silence that the rest has to wait for. */
-void voice_act_due(Voice *voice) REALTIME;
+/* Does what MIDI wants beside strokes, until a silence, or with @p waits a change, that the rest has to wait for. */
+void voice_act_due(Voice *voice, bool waits) REALTIME;
 /* Gives the drum its live values, if they are not its model's; after another model has come. */
 void voice_move_live(Voice *voice) REALTIME;
 /* The drum is none that MIDI has chosen. */

@@ -20,13 +20,7 @@ static bool hears(const Voice *voice, const VoiceOutputs *outputs, VoiceMic mic)
 /* Strokes that wait for the end of a silence stay. */
 static uint32_t take_events(Voice *voice) {
   const uint32_t count = silencer_waits(&voice->silencer) ? 0 : voice->event_count;
-  for (uint32_t i = 0; i < count; i++) {
-    TaborEvent *const event = &voice->events[i];
-    /* meant for another preset, which had more of them */
-    if (event->type == TABOR_EVENT_STRIKE && event->striker >= voice->striker_count)
-      event->striker = 0;
-    silencer_remember(&voice->silencer, event);
-  }
+  voice_note_events(voice, count);
   voice->event_count -= count;
   return count;
 }
@@ -91,6 +85,7 @@ static void pass(Voice *voice, uint32_t frames) {
   if (crossing->hold + crossing->fade == 0) voice_end_crossing(voice);
   voice_clear_up(voice);
   voice->chosen_before = voice->chosen;
+  voice->held_events = voice->event_count;
   voice->held_actions = voice->action_count;
 }
 
@@ -138,7 +133,7 @@ uint32_t voice_play(Voice *voice, const VoiceOutputs *outputs, uint32_t at, uint
                     bool waits) {
   if (silencer_is_due(&voice->silencer)) voice_cut_others(voice);
   if (voice->drum) silencer_step(&voice->silencer, voice->drum);
-  voice_act_due(voice);
+  voice_act_due(voice, waits);
   if (waits && !voice_is_settled(voice)) return 0;
   const uint32_t frames = silencer_limit(&voice->silencer, most < VOICE_PIECE ? most : VOICE_PIECE);
   bool heard[VOICE_MICS];

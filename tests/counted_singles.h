@@ -27,7 +27,8 @@ COUNTED_SINGLE(widen, n, (uint32_t n, In1 x, Out out), (n, x, out))
 COUNTED_SINGLE(add_widened, n, (uint32_t n, In1 x, Out out), (n, x, out))
 COUNTED_SINGLE(start, n, (uint32_t n, TbSingleStart *start), (n, start))
 COUNTED_SINGLE(end, n, (uint32_t n, TbSingleEnd *end), (n, end))
-COUNTED_SINGLE(gather, 8ull * g->blocks * g->vectors * g->part, (const TbSingleGather *g), (g))
+COUNTED_SINGLE(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part,
+               (const TbSingleGather *g), (g))
 COUNTED_SINGLE(combine, (uint64_t)n *count,
                (uint32_t n, uint32_t count, In1 f, In1 const *x, In1 base, Out1 out),
                (n, count, f, x, base, out))

@@ -351,7 +351,8 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   *group = (TbProjectionGroup){.first = fit->modes->group[g],
                                .modes = fit->modes->group[g + 1] - fit->modes->group[g],
                                .first_point = bed->first[g],
-                               .points = bed->first[g + 1] - bed->first[g]};
+                               .points = bed->first[g + 1] - bed->first[g],
+                               .used = lines_of_class(bed, across) * bed->columns[along]};
   group->gather = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   group->scatter = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   if (fit->arena->failed) return false;

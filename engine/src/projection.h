@@ -10,7 +10,8 @@
 /* One class: the modes of one group on the points of the same symmetry. */
 typedef struct TbProjectionGroup {
   uint32_t first, modes;        /* in the order of TbModes; a multiple of 8 */
-  uint32_t first_point, points; /* in a grid vector; a multiple of 8 */
+  uint32_t first_point, points; /* in a grid vector; a multiple of 8, */
+  uint32_t used;                /* ... of which so many stand for something */
   double *gather;               /* [points/8][modes][8]: to points */
   double *scatter;              /* [modes/8][points][8]: to modes */
   float *gather_single;         /* the same in single precision, or NULL: */

@@ -109,11 +109,25 @@ static INLINE void gather_all(uint32_t vectors, const TbSingleGather *g) {
   }
 }
 
+static float rest_of(const TbSingleGather *g, uint32_t row, const float *x) {
+  const float *column = g->transposed + 8u * row;
+  Lanes sum = zero();
+  for (uint64_t i = 0; i < g->part; i += 8, column += 8u * g->stride) {
+    sum = add(sum, multiply_lanes(load(column), load(x + i)));
+  }
+  return join(sum);
+}
+
 static void gather(const TbSingleGather *g) {
   if (g->vectors == 2) {
     gather_all(2, g);
   } else {
     gather_all(1, g);
+  }
+  for (uint32_t row = 0; row < g->rest; row++) {
+    for (uint32_t v = 0; v < g->vectors; v++) {
+      g->out[v][8u * g->blocks + row] = (double)rest_of(g, row, g->x[v]);
+    }
   }
 }
 

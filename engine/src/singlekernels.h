@@ -12,10 +12,13 @@
 struct TbLaw;
 struct TbSingleBed;
 
-/* One or two vectors that go through the first `part` of a table's n columns at once. */
+/* One or two vectors that go through the first `part` of a table's n columns at once; part is a multiple of 4. What few
+ * rows `blocks` blocks of eight leave come from the transposed table, [n/8][stride][8], where they are neighbours;
+ * part is a multiple of 8 then. */
 typedef struct TbSingleGather {
   uint32_t vectors, blocks, n, part;
-  const float *matrix, *x[2];
+  uint32_t rest, stride;
+  const float *matrix, *transposed, *x[2];
   double *out[2];
 } TbSingleGather;
 
@@ -52,7 +55,7 @@ typedef struct TbSingleKernels {
   void (*start)(uint32_t n, TbSingleStart *start);
   void (*end)(uint32_t n, TbSingleEnd *end);
 
-  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i ascending, i < part */
+  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part */
   void (*gather)(const TbSingleGather *gather);
   /* out = f[0] x[0] + f[1] x[1] + ... - base, of `count` */
   void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x,

@@ -4,10 +4,20 @@
 #include "lift.h"
 #include "singlesolve.h"
 
+/* So few points that a block of eight is not worth while for them. */
+static const uint32_t FEW = 2;
+
 /* A group's table from modes to points, of which the first `part` modes count. */
 static TbSingleGather from_modes(const TbProjectionGroup *group, uint32_t part) {
-  return (TbSingleGather){
-    .blocks = group->points / 8u, .n = group->modes, .part = part, .matrix = group->gather_single};
+  const uint32_t left = group->used % 8u, rest = left <= FEW ? left : 0u;
+  const uint32_t blocks = rest ? group->used / 8u : group->points / 8u;
+  return (TbSingleGather){.blocks = blocks,
+                          .n = group->modes,
+                          .part = part,
+                          .rest = rest,
+                          .stride = group->points,
+                          .matrix = group->gather_single,
+                          .transposed = group->scatter_single + 64u * blocks};
 }
 
 void tb_single_project(TbView *view) {
@@ -50,7 +60,7 @@ void tb_single_project_forces(TbView *view) {
     const TbSingleGather scatter = {.vectors = 1,
                                     .blocks = group->modes / 8u,
                                     .n = group->points,
-                                    .part = group->points,
+                                    .part = (group->used + 3u) & ~3u,
                                     .matrix = group->scatter_single,
                                     .x = {single->answer + group->first_point},
                                     .out = {view->modal + group->first}};

@@ -4,6 +4,8 @@
 #ifndef TB_LAW_LANES_H
 #define TB_LAW_LANES_H
 
+#include <stddef.h>
+
 #include "lanes.h"
 #include "law.h"
 

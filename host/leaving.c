@@ -57,6 +57,14 @@ void leaving_play(Leaving *leaving, double *const *sound, uint32_t channels, uin
   }
 }
 
+void leaving_join(Leaving *leaving, const float *const *samples, double *const *sound,
+                  uint32_t channels, uint32_t frames) {
+  for (uint32_t channel = 0; channel < channels; channel++) {
+    for (uint32_t i = 0; i < frames; i++) sound[channel][i] = (double)samples[channel][i];
+  }
+  leaving_play(leaving, sound, channels, frames);
+}
+
 void leaving_cut(Leaving *leaving) {
   for (uint32_t i = 0; i < leaving->count; i++) leaving->drums[i].left = 0;
 }

@@ -44,6 +44,9 @@ TaborDrum *leaving_add(Leaving *leaving, TaborDrum *drum, const uint32_t *mics,
 /** Adds the next @p frames frames to @p sound, [channel][frame]; NULL: nobody hears the channel. */
 void leaving_play(Leaving *leaving, double *const *sound, uint32_t channels,
                   uint32_t frames) REALTIME;
+/** The same added to @p samples of the drum that is played: @p sound is what every channel hears of all. */
+void leaving_join(Leaving *leaving, const float *const *samples, double *const *sound,
+                  uint32_t channels, uint32_t frames) REALTIME;
 /** All have left. */
 void leaving_cut(Leaving *leaving) REALTIME;
 /** Gives a drum back that has left; NULL if there is none. */

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "fit_striker.h"
 #include "player_state.h"
 #include "stopwatch.h"
 
@@ -81,9 +82,7 @@ static void add_event(Player *player, const TaborEvent *event) {
   TaborEvent *const added = &player->events[player->event_count++];
   *added = *event;
   added->frame = 0;
-  /* meant for another preset, which had more of them */
-  if (added->type == TABOR_EVENT_STRIKE && added->striker >= player->striker_count)
-    added->striker = 0;
+  fit_striker(added, player->striker_count);
   silencer_remember(&player->silencer, added);
   meter_event(player, added);
 }
@@ -194,14 +193,13 @@ static uint32_t begin_piece(Player *player, uint32_t most) {
 
 /* What each channel hears of all drums. */
 static void gather(Player *player, uint32_t frames) {
+  const float *samples[TABOR_MAX_MICS];
   double *sound[TABOR_MAX_MICS];
   for (uint32_t channel = 0; channel < player->channels; channel++) {
-    const float *const samples = player->planar[player->mics[channel]];
+    samples[channel] = player->planar[player->mics[channel]];
     sound[channel] = player->mixed[channel];
-    for (uint32_t frame = 0; frame < frames; frame++)
-      sound[channel][frame] = (double)samples[frame];
   }
-  leaving_play(&player->leaving, sound, player->channels, frames);
+  leaving_join(&player->leaving, samples, sound, player->channels, frames);
   give_back_left(player);
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "drum_source.h"
+#include "fit_striker.h"
 #include "stopwatch.h"
 
 Outcome session_open(Session *session, RenderRequest *request) {
@@ -24,16 +25,10 @@ Outcome session_open(Session *session, RenderRequest *request) {
 
 /* ---- strokes ---- */
 
-/* As the drum of now understands it: it may be meant for another one, which had more strikers. */
-static void adapt(const Session *session, TaborEvent *event) {
-  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
-  const bool strikes = event->type == TABOR_EVENT_STRIKE;
-  if (strikes && event->striker >= def->striker_count) event->striker = 0;
-}
-
 /* The strokes before frame @p end; those that waited act at the first. */
 static uint32_t take_events(Session *session, uint32_t end) {
   const Strokes *const strokes = &session->request->strokes;
+  const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(session->drum));
   TaborEvent *const events = strokes->events + session->next_event;
   const uint32_t position = session->position;
   uint32_t count = 0;
@@ -41,7 +36,7 @@ static uint32_t take_events(Session *session, uint32_t end) {
          events[count].frame < end) {
     TaborEvent *const event = &events[count]; /* from here on counted within the piece */
     event->frame = event->frame > position ? event->frame - position : 0;
-    adapt(session, event);
+    fit_striker(event, def->striker_count);
     silencer_remember(&session->silencer, event);
     session->next_event++;
     count++;
@@ -162,14 +157,13 @@ static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTI
 /* What each channel hears of all drums, from frame @p at of the block on. */
 static void gather(Session *session, uint32_t at, uint32_t frames) {
   const uint32_t channels = session->request->channels;
+  const float *samples[MOST_CHANNELS];
   double *sound[MOST_CHANNELS];
   for (uint32_t channel = 0; channel < channels; channel++) {
-    const float *const samples = session->planar[session->mics[channel]] + at;
+    samples[channel] = session->planar[session->mics[channel]] + at;
     sound[channel] = session->sound[channel] + at;
-    for (uint32_t frame = 0; frame < frames; frame++)
-      sound[channel][frame] = (double)samples[frame];
   }
-  leaving_play(&session->leaving, sound, channels, frames);
+  leaving_join(&session->leaving, samples, sound, channels, frames);
   destroy_left(session);
 }
 

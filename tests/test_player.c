@@ -251,15 +251,21 @@ static void silence_after_a_change_keeps_what_moved(void **state) {
   stage_close(stage);
 }
 
+/* A stage on which these have been played to the end; to be closed. */
+static Stage *played(Messages *messages) {
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
+  stage_play(stage, messages, FRAMES, 128);
+  stage_end(stage);
+  return stage;
+}
+
 static void a_stroke_during_silencing_is_not_lost(void **state) {
   (void)state;
   Messages messages = {0};
-  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
   messages_add(&messages, message_strike(0, 5, 0.03));
   messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
   messages_add(&messages, message_strike(2001, 5, 0.03));
-  stage_play(stage, &messages, FRAMES, 128);
-  stage_end(stage);
+  Stage *const stage = played(&messages);
   assert_true(stage_peak(stage, 2239, 2239 + 480) == 0);
   assert_true(stage_peak(stage, 2239 + 480, 6000) > 1e-2);
   stage_close(stage);
@@ -269,15 +275,13 @@ static void a_stroke_during_silencing_is_not_lost(void **state) {
 static void silences_at_once_are_one(void **state) {
   (void)state;
   Messages messages = {0};
-  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
   messages_add(&messages, message_strike(0, 5, 0.03));
   for (uint32_t i = 0; i < 60; i++) {
     messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
     messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_GAIN, .value = 1});
   }
   messages_add(&messages, message_strike(2001, 5, 0.03));
-  stage_play(stage, &messages, FRAMES, 128);
-  stage_end(stage);
+  Stage *const stage = played(&messages);
   assert_true(stage_peak(stage, 2239, 2239 + 480) == 0);
   assert_true(stage_peak(stage, 2239 + 480, 2239 + 480 + 960) > 1e-2);
   stage_close(stage);
@@ -286,13 +290,11 @@ static void silences_at_once_are_one(void **state) {
 static void a_stroke_before_another_silence_is_silent(void **state) {
   (void)state;
   Messages messages = {0};
-  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
   messages_add(&messages, message_strike(0, 5, 0.03));
   messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
   messages_add(&messages, message_strike(2001, 5, 0.03));
   messages_add(&messages, (PlayerMessage){.frame = 2002, .type = PLAYER_SILENCE});
-  stage_play(stage, &messages, FRAMES, 128);
-  stage_end(stage);
+  Stage *const stage = played(&messages);
   assert_true(stage_peak(stage, 2239, 9000) == 0);
   stage_close(stage);
 }

@@ -14,6 +14,16 @@ static TaborModel *live_model(const char *name) {
   return physics_model(&def, RATE, TABOR_QUALITY_LIVE);
 }
 
+static void for_each_live_drum(void (*look)(TaborModel *model, TaborDrum *drum)) {
+  for (int d = 0; d < DRUM_COUNT; d++) {
+    TaborModel *model = live_model(DRUMS[d]);
+    TaborDrum *drum = physics_drum(model);
+    look(model, drum);
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+}
+
 static double *take(TbArena *arena, size_t count) {
   double *room = tb_arena_doubles(arena, count);
   assert_non_null(room);
@@ -140,81 +150,72 @@ static void a_stroke_is_the_same_for_some_milliseconds(void **state) {
   }
 }
 
+static void stays_at_rest(TaborModel *model, TaborDrum *drum) {
+  /* Set to the value that it has: the drum wakes, and nothing moves. */
+  const TaborEvent wake = {.type = TABOR_EVENT_PARAMETER,
+                           .parameter = tabor_parameter_find("wires.tension")->id,
+                           .value = model->def.wires.tension};
+  float samples[480], *outputs[TABOR_MAX_MICS] = {samples};
+  tabor_drum_process(drum, &wake, 1, outputs, 480);
+  for (int i = 0; i < 480; i++) assert_true(samples[i] == 0.0f);
+  TaborLedger ledger;
+  TaborStatistics statistics;
+  tabor_drum_ledger(drum, &ledger);
+  tabor_drum_statistics(drum, &statistics);
+  assert_true(ledger.stored == 0.0 && ledger.residual == 0.0 && ledger.contact_loss == 0.0);
+  assert_true(statistics.solves > 100); /* it was awake */
+}
+
 static void a_drum_at_rest_stays_there(void **state) {
   (void)state;
-  for (int d = 0; d < DRUM_COUNT; d++) {
-    const TaborDrumDef def = physics_preset(DRUMS[d]);
-    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
-    TaborDrum *drum = physics_drum(model);
-    /* Set to the value that it has: the drum wakes, and nothing moves. */
-    const TaborEvent wake = {.type = TABOR_EVENT_PARAMETER,
-                             .parameter = tabor_parameter_find("wires.tension")->id,
-                             .value = def.wires.tension};
-    float samples[480], *outputs[TABOR_MAX_MICS] = {samples};
-    tabor_drum_process(drum, &wake, 1, outputs, 480);
-    for (int i = 0; i < 480; i++) assert_true(samples[i] == 0.0f);
-    TaborLedger ledger;
-    TaborStatistics statistics;
-    tabor_drum_ledger(drum, &ledger);
-    tabor_drum_statistics(drum, &statistics);
-    assert_true(ledger.stored == 0.0 && ledger.residual == 0.0 && ledger.contact_loss == 0.0);
-    assert_true(statistics.solves > 100); /* it was awake */
-    tabor_drum_destroy(drum);
-    tabor_model_release(model);
-  }
+  for_each_live_drum(stays_at_rest);
 }
 
 /* Just before they are settled, penetrations that advanced by rounded changes are still those of the
  * displacements: heads and wires swing by millimetres. */
+static void does_not_drift(TaborModel *model, TaborDrum *drum) {
+  TaborEvent strike = physics_strike(&model->def);
+  strike.velocity = 6.0;
+  tabor_drum_process(drum, &strike, 1, NULL, 64 * 60 - 1);
+  TbView view = tb_view(drum->state, model);
+  double worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
+  memcpy(kept, view.now.eta, model->wires.stride * sizeof *kept);
+  tb_lift_penetrations(&view, &view.now);
+  for (uint32_t row = 0; row < model->wires.stride; row++) {
+    if (model->wires.real[row] == 0.0) continue;
+    worst = fmax(worst, fabs(view.now.eta[row] - kept[row]));
+  }
+  print_message("%s: penetrations off by %.1e m\n", model->def.name, worst);
+  assert_true(worst > 0.0 && worst < 1e-9);
+  free(kept);
+}
+
 static void penetrations_do_not_drift(void **state) {
   (void)state;
-  for (int d = 0; d < DRUM_COUNT; d++) {
-    const TaborDrumDef def = physics_preset(DRUMS[d]);
-    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
-    TaborDrum *drum = physics_drum(model);
-    TaborEvent strike = physics_strike(&def);
-    strike.velocity = 6.0;
-    tabor_drum_process(drum, &strike, 1, NULL, 64 * 60 - 1);
-    TbView view = tb_view(drum->state, model);
-    double worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
-    memcpy(kept, view.now.eta, model->wires.stride * sizeof *kept);
-    tb_lift_penetrations(&view, &view.now);
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      if (model->wires.real[row] == 0.0) continue;
-      worst = fmax(worst, fabs(view.now.eta[row] - kept[row]));
-    }
-    print_message("%s: penetrations off by %.1e m\n", DRUMS[d], worst);
-    assert_true(worst > 0.0 && worst < 1e-9);
-    free(kept);
-    tabor_drum_destroy(drum);
-    tabor_model_release(model);
-  }
+  for_each_live_drum(does_not_drift);
 }
 
 /* Rounding must not keep a drum awake, nor the iteration busy with it: the marching drum's gut lay trembling with
  * 5e-17 J for good, and the snare drum's last second took as long as it sounded. */
+static void falls_asleep(TaborModel *model, TaborDrum *drum) {
+  TaborEvent strike = physics_strike(&model->def);
+  strike.velocity = 2.0;
+  uint32_t blocks = 0;
+  do {
+    tabor_drum_process(drum, &strike, blocks == 0, NULL, 480);
+  } while (++blocks < 300 && !tabor_drum_is_silent(drum));
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  const double mean = (double)statistics.newton_iterations / (double)statistics.solves;
+  print_message("%s: silent after %.2f s, %.2f Newton steps a solve\n", model->def.name,
+                0.01 * blocks, mean);
+  assert_true(tabor_drum_is_silent(drum));
+  assert_true(mean < 1.5);
+}
+
 static void a_drum_that_has_died_away_sleeps(void **state) {
   (void)state;
-  for (int d = 0; d < DRUM_COUNT; d++) {
-    const TaborDrumDef def = physics_preset(DRUMS[d]);
-    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
-    TaborDrum *drum = physics_drum(model);
-    TaborEvent strike = physics_strike(&def);
-    strike.velocity = 2.0;
-    uint32_t blocks = 0;
-    do {
-      tabor_drum_process(drum, &strike, blocks == 0, NULL, 480);
-    } while (++blocks < 300 && !tabor_drum_is_silent(drum));
-    TaborStatistics statistics;
-    tabor_drum_statistics(drum, &statistics);
-    const double mean = (double)statistics.newton_iterations / (double)statistics.solves;
-    print_message("%s: silent after %.2f s, %.2f Newton steps a solve\n", DRUMS[d], 0.01 * blocks,
-                  mean);
-    assert_true(tabor_drum_is_silent(drum));
-    assert_true(mean < 1.5);
-    tabor_drum_destroy(drum);
-    tabor_model_release(model);
-  }
+  for_each_live_drum(falls_asleep);
 }
 
 /* A drum without wires is linear but for the stick: only its high band is of single precision at live. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fit_striker.h"
 #include "live_headroom.h"
 
 #define HUMANIZE_SEED 1
@@ -125,9 +126,7 @@ static void note_parameter(Voice *voice, const TaborEvent *event) {
 void voice_note_events(Voice *voice, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     TaborEvent *const event = &voice->events[i];
-    /* meant for another preset, which had more of them */
-    if (event->type == TABOR_EVENT_STRIKE && event->striker >= voice->striker_count)
-      event->striker = 0;
+    fit_striker(event, voice->striker_count);
     note_parameter(voice, event);
     silencer_remember(&voice->silencer, event);
   }

@@ -40,7 +40,7 @@
 
 #define TB_HIGH_GROUPS 64u
 #define TB_HIGH_MOST 2048u
-#define TB_HIGH_MOST_LIVE 384u
+#define TB_HIGH_MOST_LIVE 1024u
 
 /* Weights of a microphone: see TbMic. */
 typedef struct TbHighMic {

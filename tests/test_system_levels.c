@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted [ITU-R BS.1770], by
+ * libebur128. All at live quality, in the preset's first microphone. */
+#include <ebur128.h>
+
+#include "physics.h"
+
+static const double RATE = 48000.0;
+static const double FIRM = 4.5, HARDEST = 12.0; /* [m/s] */
+enum { FRAMES = 72000, BLOCK = 480 };           /* 1.5 s; loudness is looked at every 10 ms */
+
+typedef struct Level {
+  double peak;       /* [dBFS] */
+  double momentary;  /* loudest 0.4 s [LUFS] */
+  double integrated; /* of the whole [LUFS] */
+} Level;
+
+static Level level_of(TaborModel *model, const TaborDrumDef *def, double velocity) {
+  TaborDrum *drum = physics_drum(model);
+  ebur128_state *meter =
+    ebur128_init(1, (unsigned long)RATE, EBUR128_MODE_M | EBUR128_MODE_I);
+  assert_non_null(meter);
+  TaborEvent stroke = physics_strike(def);
+  stroke.velocity = velocity;
+  Level level = {.peak = 0.0, .momentary = -HUGE_VAL};
+  for (uint32_t n = 0; n < FRAMES; n += BLOCK) {
+    float sound[BLOCK];
+    float *outputs[TABOR_MAX_MICS] = {sound};
+    tabor_drum_process(drum, &stroke, n == 0 ? 1 : 0, outputs, BLOCK);
+    for (uint32_t i = 0; i < BLOCK; i++) level.peak = fmax(level.peak, fabs((double)sound[i]));
+    double loudness;
+    assert_int_equal(ebur128_add_frames_float(meter, sound, BLOCK), EBUR128_SUCCESS);
+    assert_int_equal(ebur128_loudness_momentary(meter, &loudness), EBUR128_SUCCESS);
+    level.momentary = fmax(level.momentary, loudness);
+  }
+  assert_int_equal(ebur128_loudness_global(meter, &level.integrated), EBUR128_SUCCESS);
+  ebur128_destroy(&meter);
+  tabor_drum_destroy(drum);
+  level.peak = 20.0 * log10(level.peak);
+  return level;
+}
+
+typedef struct Levels {
+  TaborDrumDef def;
+  Level firm, hardest;
+} Levels;
+
+static Levels levels[32];
+static uint32_t presets;
+
+static int measure(void **state) {
+  (void)state;
+  presets = tabor_preset_count();
+  assert_true(presets <= sizeof levels / sizeof *levels);
+  for (uint32_t i = 0; i < presets; i++) {
+    levels[i].def = physics_preset(tabor_preset(i)->name);
+    TaborModel *model = physics_model(&levels[i].def, RATE, TABOR_QUALITY_LIVE);
+    levels[i].firm = level_of(model, &levels[i].def, FIRM);
+    levels[i].hardest = level_of(model, &levels[i].def, HARDEST);
+    tabor_model_release(model);
+    print_message("%-27s 4.5 m/s: peak %6.2f dBFS, %6.1f LUFS in 0.4 s, %6.1f in all; 12 m/s: %5.2f dBFS\n",
+                  levels[i].def.name, levels[i].firm.peak, levels[i].firm.momentary,
+                  levels[i].firm.integrated, levels[i].hardest.peak);
+  }
+  return 0;
+}
+
+static void the_default_stroke_is_a_firm_one(void **state) {
+  (void)state;
+  for (uint32_t i = 0; i < presets; i++) {
+    assert_true(fabs(levels[i].def.strike.velocity - FIRM) < 1e-9);
+    assert_true(levels[i].firm.peak >= -12.0 && levels[i].firm.peak <= -8.0);
+  }
+}
+
+static void nothing_passes_full_scale(void **state) {
+  (void)state;
+  for (uint32_t i = 0; i < presets; i++) assert_true(levels[i].hardest.peak < 0.0);
+}
+
+/* Of a drum set: a bass drum's low note weighs little in K-weighting, and its peak leaves no room. */
+static bool is_snare_or_tom(const char *name) {
+  return strncmp(name, "snare-", 6) == 0 || strncmp(name, "piccolo-", 8) == 0 ||
+         strncmp(name, "marching-", 9) == 0 || strstr(name, "tom-") != NULL;
+}
+
+static void snares_and_toms_are_as_loud_as_one_another(void **state) {
+  (void)state;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (uint32_t i = 0; i < presets; i++) {
+    if (!is_snare_or_tom(levels[i].def.name)) continue;
+    least = fmin(least, levels[i].firm.integrated);
+    most = fmax(most, levels[i].firm.integrated);
+  }
+  print_message("snares and toms: within %.1f dB\n", most - least);
+  assert_true(most - least <= 3.0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_default_stroke_is_a_firm_one),
+    cmocka_unit_test(nothing_passes_full_scale),
+    cmocka_unit_test(snares_and_toms_are_as_loud_as_one_another),
+  };
+  return cmocka_run_group_tests(tests, measure, NULL);
+}

@@ -17,8 +17,7 @@ typedef struct Level {
 
 static Level level_of(TaborModel *model, const TaborDrumDef *def, double velocity) {
   TaborDrum *drum = physics_drum(model);
-  ebur128_state *meter =
-    ebur128_init(1, (unsigned long)RATE, EBUR128_MODE_M | EBUR128_MODE_I);
+  ebur128_state *meter = ebur128_init(1, (unsigned long)RATE, EBUR128_MODE_M | EBUR128_MODE_I);
   assert_non_null(meter);
   TaborEvent stroke = physics_strike(def);
   stroke.velocity = velocity;
@@ -58,9 +57,10 @@ static int measure(void **state) {
     levels[i].firm = level_of(model, &levels[i].def, FIRM);
     levels[i].hardest = level_of(model, &levels[i].def, HARDEST);
     tabor_model_release(model);
-    print_message("%-27s 4.5 m/s: peak %6.2f dBFS, %6.1f LUFS in 0.4 s, %6.1f in all; 12 m/s: %5.2f dBFS\n",
-                  levels[i].def.name, levels[i].firm.peak, levels[i].firm.momentary,
-                  levels[i].firm.integrated, levels[i].hardest.peak);
+    print_message(
+      "%-27s 4.5 m/s: peak %6.2f dBFS, %6.1f LUFS in 0.4 s, %6.1f in all; 12 m/s: %5.2f dBFS\n",
+      levels[i].def.name, levels[i].firm.peak, levels[i].firm.momentary, levels[i].firm.integrated,
+      levels[i].hardest.peak);
   }
   return 0;
 }

@@ -180,14 +180,16 @@ static INLINE void law_with_loss(const LawLanes *law, Vector s, Vector top, Seca
   write(at.slope, vector_pick(pushing, rise * factor + law->loss * mean, none()));
 }
 
-/* Rare: out of the way of the rest. */
-static __attribute__((noinline)) void law_over_knee(const LawLanes *law, uint32_t power,
-                                                    LawArrays at) {
-  const Vector y = read(at.y), s = read(at.s), x = y + s;
-  const Secant secant = power == 2   ? secant_over_knee(law, 2, y, s, x)
-                        : power == 3 ? secant_over_knee(law, 3, y, s, x)
-                                     : secant_over_knee(law, 4, y, s, x);
-  law_with_loss(law, s, vector_larger(x, y), secant, at);
+/* The lanes beyond the knee from their own formulas, the others as they are: which lanes share a register, and
+ * so its width, must not decide about a bit. Rare: out of the way of the rest. */
+static __attribute__((noinline)) Secant with_knee(const LawLanes *law, uint32_t power, Vector y,
+                                                  Vector s, Bits beyond, const Secant *below) {
+  const Vector x = y + s;
+  const Secant over = power == 2   ? secant_over_knee(law, 2, y, s, x)
+                      : power == 3 ? secant_over_knee(law, 3, y, s, x)
+                                   : secant_over_knee(law, 4, y, s, x);
+  return (Secant){vector_pick(beyond, over.mean, below->mean),
+                  vector_pick(beyond, over.rise, below->rise)};
 }
 
 static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawArrays arrays) {
@@ -201,14 +203,12 @@ static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawAr
       write(at.mean, none());
       continue;
     }
-    if (vector_any(vector_greater(top, every(law->limit)))) {
-      law_over_knee(law, power, at);
-      continue;
-    }
     Vector p = y;
     if (power == 3) p = arrays.root ? read(arrays.root + i) : vector_root(vector_larger(y, none()));
-    const Secant secant =
+    Secant secant =
       power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, p, s, x);
+    const Bits beyond = vector_greater(top, every(law->limit));
+    if (vector_any(beyond)) secant = with_knee(law, power, y, s, beyond, &secant);
     law_with_loss(law, s, top, secant, at);
   }
 }

@@ -108,8 +108,8 @@ rm -rf two
 
 # ---- progress on a terminal ----
 
-# Half an hour of strokes: long enough that a forecast is seen, and then nobody waits for the end.
-awk 'BEGIN { print "time"; for (i = 0; i < 18000; i++) print i / 10 }' >many.csv
+# Some minutes of strokes: long enough that a forecast is seen, and then nobody waits for the end.
+awk 'BEGIN { print "time"; for (i = 0; i < 4000; i++) print i / 10 }' >many.csv
 # shows_progress PATTERN ARGUMENT...: a line like this appears while that is rendered.
 shows_progress() {
   local pattern=$1
@@ -122,7 +122,7 @@ shows_progress() {
 forecast='[0-9]+ %, about [0-9]+:[0-5][0-9] left'
 shows_progress "0 of 2 done, $forecast" tabor frame-drum --events many.csv -o two/
 shows_progress "[0-9]+ s, $forecast" tabor --events many.csv -o one.wav
-shows_progress "[0-9]+ s, $forecast" tabor --events many.csv --duration 2000 -o one.wav
+shows_progress "[0-9]+ s, $forecast" tabor --events many.csv --duration 500 -o one.wav
 if [ -n "$(command -v script)" ]; then # it gives the program a terminal, too, and keeps every byte
   script -qec "'$TABOR' render tabor frame-drum --quality draft -o two/ --duration 0.1 -q" log </dev/null >"$out"
   same "none with -q" 0 "$(wc -c <"$out")"

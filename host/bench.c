@@ -222,7 +222,9 @@ static Outcome read_request(const Arguments *arguments, Bench *bench) {
   bench->block = (uint32_t)block;
   bench->repeats = (uint32_t)repeats;
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &bench->def);
-  if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &bench->model_options);
+  if (outcome == OUTCOME_OK) {
+    outcome = model_options_read(arguments, &bench->def, &bench->model_options);
+  }
   if (outcome != OUTCOME_OK) return outcome;
   return read_instructions(arguments, &bench->model_options.instructions);
 }

@@ -202,10 +202,21 @@ static Outcome quality_read(const char *text, uint32_t *quality) {
 
 const char *quality_name(uint32_t quality) { return quality_names[quality - TABOR_QUALITY_DRAFT]; }
 
-Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options) {
+static bool sets_level(const Arguments *arguments) {
+  static const char start[] = "quality.level=";
+  const char *setting;
+  size_t position = 0;
+  while ((setting = arguments_next(arguments, "set", &position))) {
+    if (strncmp(setting, start, sizeof start - 1) == 0) return true;
+  }
+  return false;
+}
+
+Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
+                           TaborModelOptions *options) {
   static const NumberField rate = {"--rate", 22050, 192000, true};
   tabor_model_options_default(options);
-  options->quality = TABOR_QUALITY_DEFAULT; /* what the definition says */
+  options->quality = sets_level(arguments) ? def->quality.level : (uint32_t)TABOR_QUALITY_LIVE;
   const char *const quality_text = arguments_value(arguments, "quality");
   Outcome outcome = arguments_number(arguments, &rate, &options->sample_rate);
   if (outcome == OUTCOME_OK && quality_text) {

@@ -20,7 +20,7 @@
 #define OPTION_RATE                                                                                \
   { "rate", 0, "HZ", "sample rate, 22050 to 192000 (default 48000)" }
 #define OPTION_QUALITY                                                                             \
-  { "quality", 0, "LEVEL", "draft, live, studio or reference (default: the preset's, else studio)" }
+  { "quality", 0, "LEVEL", "draft, live, studio or reference (default live)" }
 
 /** PRESET of the command line, or the default. */
 const char *preset_argument(const Arguments *arguments);
@@ -52,8 +52,10 @@ Outcome drum_load_preset(const char *preset, TaborDrumDef *def);
 /** Sets one parameter and validates the result, or leaves @p def alone; @p what, as "--set", begins messages
  * that would not name the key otherwise. Adds no microphone or striker. */
 Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const char *value);
-/** Reads --rate and --quality. */
-Outcome model_options_read(const Arguments *arguments, TaborModelOptions *options);
+/** Reads --rate and --quality. Without --quality the level is that of --set quality.level, else live: a level
+ * in the preset itself is for programs that use the library. */
+Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
+                           TaborModelOptions *options);
 /** "live" and the like for a TaborQuality that is not the default. */
 const char *quality_name(uint32_t quality);
 /** Builds a model, with one reference that is the caller's. On an error *model is NULL. */

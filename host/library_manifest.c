@@ -51,11 +51,6 @@ static json_t *techniques_json(const LibraryShape *shape) {
   return techniques;
 }
 
-static const char *effective_quality(const RenderRequest *render) {
-  const uint32_t asked = render->model.quality;
-  return quality_name(asked == TABOR_QUALITY_DEFAULT ? render->def.quality.level : asked);
-}
-
 static json_t *manifest_json(const LibraryRequest *request) {
   static const char *const curves[] = {"soft", "linear", "hard"};
   static const char *const formats[] = {"pcm16", "pcm24", "float"};
@@ -67,7 +62,7 @@ static json_t *manifest_json(const LibraryRequest *request) {
     "positions", (int)shape->positions, "takes", (int)shape->takes, "techniques",
     techniques_json(shape), "velocity-curve", curves[shape->curve], "humanize",
     json_number(shape->humanizer.amount), "seed", (json_int_t)request->seed, "rate",
-    (json_int_t)render->audio.rate, "quality", effective_quality(render), "format",
+    (json_int_t)render->audio.rate, "quality", quality_name(render->model.quality), "format",
     formats[render->audio.encoding], "mic", mics_json(render), "gain", json_number(render->gain_db),
     "frames", (json_int_t)render->frames, "drum", drum_json(&render->def));
 }

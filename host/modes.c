@@ -57,7 +57,7 @@ static Outcome run(const Arguments *arguments) {
   TaborDrumDef def;
   TaborModelOptions model_options;
   Outcome outcome = drum_load(arguments, &def);
-  if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &model_options);
+  if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &def, &model_options);
   if (outcome != OUTCOME_OK) return outcome;
   TaborModel *model = NULL;
   TaborError error;

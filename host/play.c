@@ -49,7 +49,7 @@ static const char notes[] =
   "--midi-in names, also if they are plugged in later, and from any program that connects to the\n"
   "input 'tabor-midi'. docs/midi.md has the map.\n"
   "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
-  "away: with --humanize 0 it gives the same sound as 'tabor render --quality live'.\n"
+  "away: with --humanize 0 it gives the same sound as 'tabor render'.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
 
 const Command play_command = {

@@ -24,7 +24,7 @@ const Option play_options[] = {
   {"record", 0, "FILE", "also write everything to a sound file, .wav or .au"},
   {"format", 0, "FORMAT", "of it: pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
   {"no-overwrite", 'n', NULL, "fail if that file exists"},
-  {"quality", 0, "LEVEL", "draft, live, studio or reference (default live)"},
+  OPTION_QUALITY,
   OPTION_SET,
   OPTION_EVENTS,
   OPTION_MIDI_FILE,
@@ -89,22 +89,8 @@ static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
   return outcome;
 }
 
-/* What a preset file says is for rendering; what the command line says is meant. */
-static bool sets_level(const Arguments *arguments) {
-  const char *value;
-  size_t position = 0;
-  while ((value = arguments_next(arguments, "set", &position)) != NULL) {
-    if (strncmp(value, "quality.level=", strlen("quality.level=")) == 0) return true;
-  }
-  return false;
-}
-
 static Outcome read_model(const Arguments *arguments, PlayRequest *request) {
-  const Outcome outcome = model_options_read(arguments, &request->model);
-  if (!arguments_has(arguments, "quality")) {
-    request->model.quality =
-      sets_level(arguments) ? request->def.quality.level : (uint32_t)TABOR_QUALITY_LIVE;
-  }
+  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
   if (arguments_has(arguments, "rate")) request->device.rate = request->model.sample_rate;
   return outcome;
 }

@@ -7,37 +7,22 @@
 #include "drum_source.h"
 #include "json_output.h"
 #include "render_jobs.h"
-#include "render_progress.h"
-#include "rendering.h"
-
-static void show_nothing(void *request, uint32_t frames) {
-  (void)request;
-  (void)frames;
-}
-
-static void show_seconds(void *request, uint32_t frames) {
-  render_progress_show_frames(request, frames);
-}
 
 /* The file that -o names. */
-static Outcome render_single(RenderJob *job) {
-  const bool shows = render_progress_is_wanted(&job->arguments);
-  if (job->outcome != OUTCOME_OK) return job->outcome;
-  Outcome outcome =
-    rendering_run(&job->request, shows ? show_seconds : show_nothing, &job->request, &job->report);
-  if (shows) status_line("");
-  if (outcome == OUTCOME_OK && job->report) {
-    outcome = json_print(job->report);
-    job->report = NULL;
-  }
-  return outcome;
+static Outcome render_single(RenderBatch *batch) {
+  RenderJob *const job = &batch->jobs[0];
+  const Outcome outcome = render_jobs_do(batch);
+  if (outcome != OUTCOME_OK || !job->report) return outcome;
+  json_t *const report = job->report;
+  job->report = NULL;
+  return json_print(report);
 }
 
 static Outcome run(const Arguments *arguments) {
   RenderBatch batch;
   Outcome outcome = render_batch_read(arguments, &batch);
   if (outcome == OUTCOME_OK) {
-    outcome = batch.folder ? render_jobs_run(&batch) : render_single(&batch.jobs[0]);
+    outcome = batch.folder ? render_jobs_run(&batch) : render_single(&batch);
   }
   render_batch_free(&batch);
   return outcome;

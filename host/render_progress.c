@@ -5,21 +5,12 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "ring_out.h"
-
 #define GUESSED_RING_OUT 3.0 /* [s], as long as no drum has died away */
 #define LEAST_ELAPSED 1.0    /* [s] before a forecast is ventured */
 #define LEAST_FRACTION 0.02  /* of all the sound, likewise */
 
 bool render_progress_is_wanted(const Arguments *arguments) {
   return !arguments_has(arguments, "quiet") && isatty(STDERR_FILENO);
-}
-
-void render_progress_show_frames(const RenderRequest *request, uint32_t frames) {
-  char text[32];
-  if (frames % request->audio.rate >= RING_OUT_BLOCK) return;
-  (void)snprintf(text, sizeof text, "%u s ", (unsigned)(frames / request->audio.rate));
-  status_line(text);
 }
 
 static double seconds_played(const RenderJob *job) {
@@ -55,15 +46,38 @@ static double fraction_played(const RenderBatch *batch) {
   return length > 0 ? played / length : 0;
 }
 
-void render_progress_show(const RenderBatch *batch, size_t left, double elapsed) {
+/* Nobody knows when a single drum will have died away: its end is known while strokes are still to come. */
+static bool has_known_end(const RenderBatch *batch) {
+  const RenderJob *const job = &batch->jobs[0];
+  return batch->count > 1 || job->length > 0 || seconds_played(job) < job->last_stroke;
+}
+
+/* ", 21 %", and once there is something to conclude from, ", about 0:12 left". */
+static void format_forecast(const RenderBatch *batch, double elapsed, char *text, size_t size) {
   const double fraction = fraction_played(batch);
-  char text[96];
-  const int length =
-    snprintf(text, sizeof text, "%zu of %zu done ", batch->count - left, batch->count);
-  if (elapsed >= LEAST_ELAPSED && fraction >= LEAST_FRACTION) {
-    const long remaining = lround(elapsed / fraction - elapsed);
-    (void)snprintf(text + length, sizeof text - (size_t)length, "- about %ld:%02ld left ",
-                   remaining / 60, remaining % 60);
+  const int percent = (int)fmin(100 * fraction, 99); /* something is left while this is shown */
+  if (elapsed < LEAST_ELAPSED || fraction < LEAST_FRACTION) {
+    (void)snprintf(text, size, ", %d %%", percent);
+    return;
   }
+  const long remaining = lround(elapsed / fraction - elapsed);
+  (void)snprintf(text, size, ", %d %%, about %ld:%02ld left", percent, remaining / 60,
+                 remaining % 60);
+}
+
+void render_progress_text(const RenderBatch *batch, size_t left, double elapsed, char *text,
+                          size_t size) {
+  char forecast[RENDER_PROGRESS_SIZE / 2] = "";
+  if (has_known_end(batch)) format_forecast(batch, elapsed, forecast, sizeof forecast);
+  if (batch->count > 1) {
+    (void)snprintf(text, size, "%zu of %zu done%s", batch->count - left, batch->count, forecast);
+  } else {
+    (void)snprintf(text, size, "%.0f s%s", floor(seconds_played(&batch->jobs[0])), forecast);
+  }
+}
+
+void render_progress_show(const RenderBatch *batch, size_t left, double elapsed) {
+  char text[RENDER_PROGRESS_SIZE];
+  render_progress_text(batch, left, elapsed, text, sizeof text);
   status_line(text);
 }

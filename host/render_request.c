@@ -131,7 +131,7 @@ static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
 }
 
 static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
-  const Outcome outcome = model_options_read(arguments, &request->model);
+  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
   request->audio.rate = (uint32_t)request->model.sample_rate;
   return outcome;
 }

@@ -37,6 +37,18 @@ needs() {
   done
 }
 
+# fresh_clone FOLDER: the source as somebody else would get it if all that is in the folder now were committed.
+fresh_clone() {
+  needs git tar
+  git -C "$SOURCE" ls-files -z --cached --others --exclude-standard -- README.md >"$scratch/files" 2>&1 &&
+    [ -s "$scratch/files" ] || skip "the source is not a git checkout"
+  mkdir "$1"
+  # What git knows of but was removed cannot be copied.
+  (cd "$SOURCE" && git ls-files -z --cached --others --exclude-standard | sort -zu |
+    while IFS= read -r -d '' file; do if [ -e "$file" ]; then printf '%s\0' "$file"; fi; done |
+    tar --null -T - -cf -) | tar -xf - -C "$1"
+}
+
 # install_tree BUILD-FOLDER FOLDER: installs it there by way of another folder: trees can be moved.
 install_tree() {
   quietly "$CMAKE" --install "$1" --prefix "$scratch/elsewhere"

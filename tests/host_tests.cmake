@@ -52,7 +52,9 @@ if(TARGET tabor-program)
   # Sanitizers and counters would be in what these look at or compare times with.
   if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     tabor_add_host_test(test_compare_tools "${PROJECT_SOURCE_DIR}")
+    tabor_add_host_test(test_python_tools "${PROJECT_SOURCE_DIR}")
     tabor_add_host_test(test_rudiments "${PROJECT_SOURCE_DIR}")
+    tabor_add_host_test(test_sounds "${PROJECT_SOURCE_DIR}")
     tabor_add_host_test(test_sweep) # of a script: sanitizers have nothing to see in it
   endif()
   if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)

@@ -18,6 +18,8 @@ endif()
 if(COMMAND tabor_add_embed_test)
   tabor_add_embed_test(test_packages_in_root NEEDS_SHARED)
   set_tests_properties(test_packages_in_root PROPERTIES TIMEOUT 1800 LABELS long)
+  tabor_add_embed_test(test_first_page_in_root)
+  set_tests_properties(test_first_page_in_root PROPERTIES TIMEOUT 7200 LABELS long)
 endif()
 
 if(TEST test_lv2_jalv)

@@ -5,21 +5,11 @@
 # nothing. Takes root, a network and some minutes.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs debootstrap dpkg-deb dpkg-shlibdeps chroot
-[ "$(id -u)" = 0 ] || skip "a clean system takes root"
-# shellcheck source=/dev/null
-. /etc/os-release
-[ -e "/usr/share/debootstrap/scripts/${VERSION_CODENAME:-none}" ] || skip "debootstrap does not know this system"
+needs dpkg-deb dpkg-shlibdeps
+# shellcheck source=tests/bare_system.sh
+. "$(dirname "$0")/bare_system.sh"
 
 quietly "$(dirname "$CMAKE")/cpack" --config "$SHARED_BUILD/CPackConfig.cmake" -G DEB -B "$scratch/packages"
-mirror=$(apt-cache policy base-files | awk '$2 ~ /^http/ { print $2; exit }')
-root=$scratch/root
-timeout 900 debootstrap --variant=minbase "$VERSION_CODENAME" "$root" "$mirror" >log 2>&1 || {
-  tail -n 20 log >&2
-  skip "a clean system could not be made from $mirror"
-}
-cp /etc/resolv.conf "$root/etc/resolv.conf"
-within() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
 everything() { (cd "$root" && find etc opt srv usr var/lib ! -name '*.cache*' | sort); }
 quietly within apt-get -q -y --no-install-recommends install gcc libc6-dev pkg-config
 everything >before

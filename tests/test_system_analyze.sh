@@ -175,10 +175,10 @@ expect_error 1 "standard output: No space left"
 
 # ---- a drum ----
 
-done_quietly modes frame-drum --json
+done_quietly modes frame-drum --quality studio --json
 for mode in 0 1 2; do frequencies[mode]=$(json "modes.$mode.frequency"); done
 for container in wav flac au; do
-  done_quietly render frame-drum -q --duration 1.5 --mic bottom -o drum.$container
+  done_quietly render frame-drum --quality studio -q --duration 1.5 --mic bottom -o drum.$container
   done_quietly analyze drum.$container --json --count 50
   rows_of_json <"$out" >rows
   for frequency in "${frequencies[@]}"; do
@@ -186,7 +186,7 @@ for container in wav flac au; do
       { c = 1200 * log($1 / f) / log(2) } c * c < 4 { found = 1 } END { exit !found }' rows
   done
 done
-"$TABOR" render frame-drum -q --duration 1.5 --mic bottom -o - | "$TABOR" analyze - --json --count 50 >piped
+"$TABOR" render frame-drum --quality studio -q --duration 1.5 --mic bottom -o - | "$TABOR" analyze - --json --count 50 >piped
 sed 's/"file": "[^"]*"/"file": "-"/' "$out" | diff - piped >/dev/null
 same "through a pipe" 0 $?
 

@@ -41,7 +41,9 @@ done_quietly bench "${quick[@]}" --rate 44100 --json --set wires.count=0
 same "rate and --set" "44100 0" "$(json rate) $(json contacts.points)"
 same "the default preset" snare-14x5.5 "$(json preset)"
 done_quietly bench frame-drum "${few[@]}" --set quality.level=draft --repeat 1 --json
-same "the drum's quality" draft "$(json quality)"
+same "the quality that --set says" draft "$(json quality)"
+done_quietly bench frame-drum "${few[@]}" --repeat 1 --json
+same "the default quality" live "$(json quality)"
 done_quietly bench frame-drum --quality live --repeat 1
 check "a table" grep -qE '^real-time factor +[0-9.]+$' "$out"
 check "and idle" grep -qE '^idle factor +0\.[0-9]+$' "$out"

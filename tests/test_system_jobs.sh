@@ -106,11 +106,25 @@ same "so do warnings" "0 2" \
   "$status $(grep -cE '^tabor: warning: two/(tabor|frame-drum): the peak' "$err")"
 rm -rf two
 
-if [ -n "$(command -v script)" ]; then # it gives the program a terminal
-  terminal() { script -qec "'$TABOR' render tabor frame-drum --quality draft -o two/ $*" log </dev/null; }
-  terminal --duration 1 >"$out"
-  check "progress on a terminal" grep -q '0 of 2 done' "$out"
-  terminal --duration 0.1 -q >"$out"
+# ---- progress on a terminal ----
+
+# Some minutes of strokes: long enough that a forecast is seen, and then nobody waits for the end.
+awk 'BEGIN { print "time"; for (i = 0; i < 4000; i++) print i / 10 }' >many.csv
+# shows_progress PATTERN ARGUMENT...: a line like this appears while that is rendered.
+shows_progress() {
+  local pattern=$1
+  shift
+  printf 'wait left\nshow\nsignal 2\n' >script
+  "$TYPIST" script "$TABOR" render --quality draft "$@" >"$out"
+  check "progress of: $*" grep -qxE "\|$pattern" "$out"
+  same "the end of: $*" "status 130" "$(grep '^status' "$out")"
+}
+forecast='[0-9]+ %, about [0-9]+:[0-5][0-9] left'
+shows_progress "0 of 2 done, $forecast" tabor frame-drum --events many.csv -o two/
+shows_progress "[0-9]+ s, $forecast" tabor --events many.csv -o one.wav
+shows_progress "[0-9]+ s, $forecast" tabor --events many.csv --duration 500 -o one.wav
+if [ -n "$(command -v script)" ]; then # it gives the program a terminal, too, and keeps every byte
+  script -qec "'$TABOR' render tabor frame-drum --quality draft -o two/ --duration 0.1 -q" log </dev/null >"$out"
   same "none with -q" 0 "$(wc -c <"$out")"
   rm -rf two log
 else

@@ -269,10 +269,23 @@ other_bytes "--set is heard" plain.wav tight.wav
 brief draft.wav --quality draft
 brief studio.wav --quality studio
 other_bytes "--quality is heard" draft.wav studio.wav
+brief live.wav --quality live
 done_quietly render tabor -q --duration 0.1 -o default.wav
-same_bytes "studio is the default" studio.wav default.wav
+same_bytes "live is the default" live.wav default.wav
 done_quietly render tabor -q --duration 0.1 -o key.wav --set quality.level=draft
-same_bytes "unless the drum says otherwise" draft.wav key.wav
+same_bytes "unless --set says otherwise" draft.wav key.wav
+brief key.wav --set quality.level=draft --quality studio
+same_bytes "--quality says it louder" studio.wav key.wav
+"$TABOR" show tabor | sed 's/^level = [a-z]*/level = draft/' >level.ini
+check "a preset with a level" grep -q '^level = draft' level.ini
+done_quietly render ./level.ini -q --duration 0.1 -o preset.wav
+same_bytes "what a preset says is for programs that use the library" live.wav preset.wav
+done_quietly modes tabor
+cp "$out" modes
+done_quietly modes tabor --quality live
+same_bytes "modes are those of live, too" "$out" modes
+done_quietly modes tabor --quality studio
+other_bytes "of studio there are others" "$out" modes
 strokes=()
 for ((i = 0; i < 10000; i++)); do strokes+=(--strike "time=0.$((i % 10))"); done
 sound many.wav "${strokes[@]}" --duration 1

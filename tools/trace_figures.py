@@ -2,25 +2,20 @@
 """Reads traces and sound files of `tabor render` and draws them. Used by plot-trace and make-validation."""
 import warnings
 
-import numpy as np
+from python_packages import Module
 
-try:
-    import matplotlib
-
-    matplotlib.use("Agg")  # no display needed
-    import matplotlib.pyplot as plt
-    from PIL import Image
-    from scipy.io import wavfile
-    from scipy.signal import spectrogram
-except ImportError as error:
-    raise SystemExit(f"this needs {error.name}: ./tools/setup --all installs it")
+np = Module("numpy")
+matplotlib = Module("matplotlib")
+plt = Module("matplotlib.pyplot")
+Image = Module("PIL.Image")  # which comes with matplotlib
+signal = Module("scipy.signal")  # both for sounds only
+wavfile = Module("scipy.io.wavfile")
 
 COLUMNS = ("time_s", "head_m", "wire_m", "striker_m", "striker_force_n", "wire_force_n", "energy_j")
 OPEN_GAP, CLOSED_GAP = 1e-4, 2e-5  # [m]: a bounce opens the gap beyond one, then closes it to the other
 HEAD_COLOUR, WIRE_COLOUR, TOUCH_COLOUR = "#1f5a99", "#c2491d", "#777777"
-
-plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "lines.linewidth": 1.0,
-                     "svg.hashsalt": "tabor", "axes.titlesize": 9, "legend.fontsize": 8})
+STYLE = {"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "lines.linewidth": 1.0, "svg.hashsalt": "tabor",
+         "axes.titlesize": 9, "legend.fontsize": 8}
 
 
 class Unreadable(Exception):
@@ -99,7 +94,7 @@ def draw_waveform(axes, rate, sound, title=""):
 
 def draw_spectrogram(axes, rate, sound, title="", top=16000.0, depth=90.0):
     length = min(1024, sound.size)
-    frequency, time, power = spectrogram(sound, rate, "hann", length, length * 3 // 4)
+    frequency, time, power = signal.spectrogram(sound, rate, "hann", length, length * 3 // 4)
     if time.size < 2:
         raise Unreadable(f"{title or 'the sound'}: too short for a spectrogram")
     level = 10.0 * np.log10(np.maximum(power, 1e-30))
@@ -113,6 +108,8 @@ def draw_spectrogram(axes, rate, sound, title="", top=16000.0, depth=90.0):
 
 def panels(count, height, columns=1, width=7.0):
     """A figure of count rows, and its axes as rows of columns."""
+    matplotlib.use("Agg")  # no display needed
+    plt.rcParams.update(STYLE)
     return plt.subplots(count, columns, figsize=(width, height * count), squeeze=False,
                         layout="constrained")
 

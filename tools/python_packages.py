@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""Packages that Python does not bring along. They are imported when they are first used, so that --help needs none."""
+import importlib
+import importlib.util
+import sys
+
+DEBIAN = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib"}
+
+
+class Module:
+    """Stands for the module of that name, and imports it once something of it is asked for."""
+
+    def __init__(self, name):
+        self._name = name
+
+    def __getattr__(self, attribute):
+        return getattr(importlib.import_module(self._name), attribute)
+
+
+def require(tool, *packages):
+    """Ends the tool, and names what is missing, unless all of these are installed."""
+    missing = [package for package in packages if importlib.util.find_spec(package) is None]
+    if missing:
+        sys.exit(f"{tool}: this Python has no {' and no '.join(missing)}; on Debian and Ubuntu: "
+                 f"apt install {' '.join(DEBIAN[package] for package in missing)}")

@@ -43,6 +43,7 @@ asks_for "python3-numpy python3-matplotlib" plot-trace strike.csv
 asks_for "python3-numpy python3-matplotlib python3-scipy" plot-trace strike.csv --wav strike.wav
 asks_for "python3-numpy python3-matplotlib" bench
 asks_for "python3-numpy python3-scipy" make-reference.py
+asks_for "$sounds python3-soundfile" compare-recordings
 for tool in compare-qualities make-playing make-validation render-examples rudiments; do asks_for "$sounds" $tool; done
 
 if python=$(find_python numpy,matplotlib); then

@@ -4,7 +4,8 @@ import importlib
 import importlib.util
 import sys
 
-DEBIAN = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib"}
+DEBIAN = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib",
+          "soundfile": "python3-soundfile"}
 
 
 class Module:

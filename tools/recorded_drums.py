@@ -6,8 +6,7 @@ percentile, the median and the 90th percentile over them."""
 import json
 import math
 import pathlib
-
-import numpy as np
+from statistics import fmean
 
 import sound_features
 
@@ -78,8 +77,8 @@ def distance(values, recorded):
         squares = [((values[name] - spread[2]) / ((spread[3] - spread[1]) / NORMAL_RANGE)) ** 2
                    for name, spread in ((name, recorded[name]) for name in names if name in recorded)
                    if math.isfinite(values[name])]
-        means.append(np.mean(squares))
-    return float(np.mean(means))
+        means.append(fmean(squares))
+    return fmean(means)
 
 
 def nearest(values, recorded):

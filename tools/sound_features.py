@@ -7,14 +7,16 @@ resampled to 44.1 kHz, begins 0.5 ms before its first sample above 3 % of its pe
 frequencies in Hz."""
 from math import gcd
 
-import numpy as np
-from scipy import signal
+from python_packages import Module
+
+np = Module("numpy")
+signal = Module("scipy.signal")
 
 RATE = 44100
 WINDOWS = {"e50": (0.0, 0.05, 0.0), "m200": (0.05, 0.2, 0.1)}  # start and end [s], part that fades in
 FADE_OUT = 0.2  # the part of a window that fades out
 WHOLE = (40.0, 16000.0)  # [Hz]: levels are relative to the energy between these
-THIRD_OCTAVES = 1000.0 * 2.0 ** (np.arange(-12, 13) / 3.0)  # centres, 62.5 Hz to 16 kHz
+THIRD_OCTAVES = [1000.0 * 2.0 ** (i / 3.0) for i in range(-12, 13)]  # centres, 62.5 Hz to 16 kHz
 OCTAVES = (125, 250, 500, 1000, 2000, 4000, 8000)
 BANDS = {"low": (100, 300), "mid": (300, 1000), "him": (1000, 3000), "pres": (3000, 8000), "air": (8000, 16000)}
 TREBLE = (2000.0, 12000.0)
@@ -79,7 +81,7 @@ def third_octaves(sound, window):
     frequency, power = power_spectrum(windowed(sound, *WINDOWS[window]))
     whole = energy(frequency, power, *WHOLE)
     edge = 2.0 ** (1.0 / 6.0)
-    return np.array([decibel(energy(frequency, power, f / edge, f * edge) / whole) for f in THIRD_OCTAVES])
+    return [decibel(energy(frequency, power, f / edge, f * edge) / whole) for f in THIRD_OCTAVES]
 
 
 def spectral(sound):

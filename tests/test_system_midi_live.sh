@@ -64,7 +64,7 @@ done
 same "strokes" 3 "$(json strokes)"
 same "nothing is dropped" 0 "$(json dropped)"
 check_onsets own.wav 0.4 0.8
-check "velocity 127 is 12 m/s" grep -q "12.00 m/s" "$err"
+check "velocity 127 is 10 m/s" grep -q "10.00 m/s" "$err"
 
 # ---- an input that is there, and is listed ----
 

@@ -5,6 +5,9 @@
 #
 # They get from ctest: SOURCE, the source folder; CMAKE, CC and, where there is one, CXX; STATIC_BUILD
 # and SHARED_BUILD, build folders of both kinds; TABOR, the program; INSPECT, host_inspect.
+# shellcheck source=tests/skips.sh
+. "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
+
 set -euo pipefail
 export LC_ALL=C
 : "${SOURCE:?}" "${CMAKE:?}" "${CC:?}"
@@ -21,20 +24,6 @@ complain() {
 # quietly COMMAND...: shows what it said only if it failed, which ends the test.
 quietly() {
   "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; complain "$*"; }
-}
-
-# skip REASON: for want of an optional tool the whole test is skipped.
-skip() {
-  echo "SKIPPED: $1"
-  exit 77
-}
-
-# needs TOOL...: skips the test unless all of them are there.
-needs() {
-  local tool
-  for tool in "$@"; do
-    command -v "$tool" >/dev/null || skip "$tool is not installed"
-  done
 }
 
 # install_tree BUILD-FOLDER FOLDER: installs it there by way of another folder: trees can be moved.

@@ -8,10 +8,8 @@
 . "$(dirname "$0")/host_checks.sh"
 tools=$1/tools
 
-if ! python3 -c 'import numpy, scipy, matplotlib' 2>/dev/null; then
-  echo "SKIPPED: python3 with numpy, scipy and matplotlib is not installed"
-  exit 77
-fi
+python3 -c 'import numpy, scipy, matplotlib' 2>/dev/null ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib"
 
 # Two decaying sines, one an octave above the other, and a push of 5 ms that comes back later.
 check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" python3 - "$tools" <<'PYTHON'

@@ -342,7 +342,7 @@ int main(int argc, char **argv) {
 #else
 
 int main(void) {
-  puts("SKIPPED: the plugins' description (liblilv-dev is not installed)");
+  puts("SKIPPED: needs liblilv-dev");
   return 77;
 }
 

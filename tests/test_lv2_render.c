@@ -500,7 +500,10 @@ static void test_strokes_are_scattered_on_their_drum(void **state) {
 static void test_a_change_at_live(void **state) {
   (void)state;
   static const uint32_t blocks[] = {512};
-  if (brief) skip();
+  if (brief) {
+    print_message("SKIPPED: it takes too long under sanitizers\n");
+    skip();
+  }
   write_two_at_once();
   same_as_render(URI_DRUM, "--quality live", NULL, blocks, 1);
 }

@@ -4,7 +4,9 @@
 # into an empty folder, they are a program that renders and a library that can be built against.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs dpkg-deb dpkg-shlibdeps gzip
+needs dpkg dpkg-deb
+needs dpkg-dev dpkg-shlibdeps
+needs gzip gzip
 
 quietly "$(dirname "$CMAKE")/cpack" --config "$SHARED_BUILD/CPackConfig.cmake" -G DEB -B "$scratch/packages"
 field() { dpkg-deb --field packages/"$1"_*.deb "$2"; }

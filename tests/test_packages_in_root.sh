@@ -5,7 +5,10 @@
 # nothing. Takes root, a network and some minutes.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs debootstrap dpkg-deb dpkg-shlibdeps chroot
+needs debootstrap debootstrap
+needs dpkg dpkg-deb
+needs dpkg-dev dpkg-shlibdeps
+needs coreutils chroot
 [ "$(id -u)" = 0 ] || skip "a clean system takes root"
 # shellcheck source=/dev/null
 . /etc/os-release

@@ -7,10 +7,8 @@
 . "$(dirname "$0")/host_checks.sh"
 tool=$1/tools/rudiments
 
-if ! python3 -c 'import numpy, scipy, matplotlib, PIL' 2>/dev/null; then
-  echo "SKIPPED: python3 with numpy, scipy, matplotlib and PIL is not installed"
-  exit 77
-fi
+python3 -c 'import numpy, scipy, matplotlib, PIL' 2>/dev/null ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib python3-pil"
 export PYTHONDONTWRITEBYTECODE=1
 play() { "$tool" --program "$TABOR" --quality draft --humanize 0 "$@" >"$out" 2>"$err"; }
 

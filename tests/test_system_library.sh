@@ -146,7 +146,7 @@ if [ -n "$(command -v script)" ]; then # it gives the program a terminal
     log </dev/null >"$out"
   check "progress on a terminal" grep -q '0 of 2 done' "$out"
 else
-  skipped=terminal
+  skip_part "progress on a terminal: needs bsdutils"
 fi
 
 # Names that samplers would misread.
@@ -300,7 +300,7 @@ if "${somebody[@]}" "$TABOR" --version >"$out" 2>&1 && ! "${somebody[@]}" touch 
   same "all is there" "failing/tabor.sfz 0 2" "$(json instrument) $(json rendered) $(json kept)"
   same "and stays" "$before" "$(snapshot)"
 else
-  skipped="a library where nobody may write (it needs setpriv)"
+  skip_part "a library where nobody may write: needs util-linux"
 fi
 chmod 755 failing
 if "$TABOR" "${two[@]}" --json >/dev/full 2>"$err"; then complain "standard output is full"; fi

@@ -164,7 +164,7 @@ if [ -n "$(command -v script)" ]; then # it gives the program a terminal
     rm -f log
   done
 else
-  skipped=terminal
+  skip_part "sound for a terminal: needs bsdutils"
 fi
 refused "--gain and --normalize" render --gain 3 --normalize
 refused "--normalize takes no value" render --normalize=-1

@@ -196,6 +196,8 @@ same_played() {
 }
 song song.mid 0 "00 992664 08 b00740 08 992664 02 99267f 08 b07b00 00 992664 10 b00b60 00 d940"
 same_played "notes, gain, silence, pressure" --gain -3.3
+song song.mid 0 "00 992601 18 992640 18 99267f"
+same_played "the full range of velocities" --velocity-range full --velocity-curve soft
 song song.mid 0 "00 992664 18 c9$tom 00 992664 08 992640 18 c900 01 992650"
 same_played "presets"
 run play "${short[@]}" --midi-file song.mid --backend null --humanize 0 --record played.wav --json

@@ -5,10 +5,10 @@
 
 tests=$(cd "$(dirname "$0")" && pwd)
 . "$tests/host_checks.sh"
+# shellcheck source=tests/find_python.sh
+. "$tests/find_python.sh"
 
-python=${PYTHON:-python3}
-"$python" -c 'import numpy' 2>/dev/null || skip "needs python3 python3-numpy"
-"$python" -c 'import pysfizz' 2>/dev/null || skip "$python has no pysfizz, which is no package of Debian's"
+python=${PYTHON:-$(find_python numpy,pysfizz)} || skip "there is no pysfizz, which is no package of Debian's"
 # Short: what is longer than 8192 frames sfizz loads beside playing, and may miss.
 "$TABOR" library tabor -o library --velocities 5 --positions 2 --takes 2 --humanize 1 --quality draft \
   --duration 0.1 --json >"$out" || complain "the library"

@@ -34,8 +34,10 @@ static void stop(int number) {
   stopped = 1;
 }
 
-/* 0.3 to 12 m/s in equal ratios, for 1 to 127. */
-static double speed_of(unsigned velocity) { return 0.3 * pow(12 / 0.3, (velocity - 1) / 126.0); }
+/* In equal ratios: 1 to 10 m/s for 20 to 127, and from there down to 0.3 m/s for 1. */
+static double speed_of(unsigned velocity) {
+  return velocity < 20 ? pow(0.3, (20 - velocity) / 19.0) : pow(10, (velocity - 20) / 107.0);
+}
 
 static bool is_stroke(const jack_midi_event_t *midi) {
   return midi->size == 3 && (midi->buffer[0] & STATUS_MASK) == NOTE_ON && midi->buffer[2] > 0;

@@ -93,6 +93,7 @@ static Outcome read_header(Reader *reader, char *line) {
 
 static Outcome read_row(Reader *reader, char *line) {
   Stroke stroke = stroke_default(reader->def, reader->where);
+  stroke.response = reader->strokes->response;
   size_t count = 0;
   for (char *cursor = line; cursor; count++) {
     Field value;

@@ -52,15 +52,15 @@ static json_t *techniques_json(const LibraryShape *shape) {
 }
 
 static json_t *manifest_json(const LibraryRequest *request) {
-  static const char *const curves[] = {"soft", "linear", "hard"};
   static const char *const formats[] = {"pcm16", "pcm24", "float"};
   const LibraryShape *const shape = &request->plan.shape;
   const RenderRequest *const render = &request->render;
   return json_pack(
-    "{s:s, s:o, s:i, s:i, s:i, s:o, s:s, s:o, s:I, s:I, s:s, s:s, s:o, s:o, s:I, s:o}", "tabor",
-    tabor_version(), "preset", json_text(request->stem), "velocities", (int)shape->velocities,
-    "positions", (int)shape->positions, "takes", (int)shape->takes, "techniques",
-    techniques_json(shape), "velocity-curve", curves[shape->curve], "humanize",
+    "{s:s, s:o, s:i, s:i, s:i, s:o, s:s, s:s, s:o, s:I, s:I, s:s, s:s, s:o, s:o, s:I, s:o}",
+    "tabor", tabor_version(), "preset", json_text(request->stem), "velocities",
+    (int)shape->velocities, "positions", (int)shape->positions, "takes", (int)shape->takes,
+    "techniques", techniques_json(shape), "velocity-curve", midi_curve_names[shape->response.curve],
+    "velocity-range", midi_range_names[shape->response.range], "humanize",
     json_number(shape->humanizer.amount), "seed", (json_int_t)request->seed, "rate",
     (json_int_t)render->audio.rate, "quality", quality_name(render->model.quality), "format",
     formats[render->audio.encoding], "mic", mics_json(render), "gain", json_number(render->gain_db),

@@ -86,7 +86,7 @@ static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shap
   sound.event.technique = (uint32_t)technique->technique;
   set_place(&sound, def, layer / shape->velocities, shape->positions);
   set_layer(&sound, layer % shape->velocities, shape->velocities);
-  sound.event.velocity = midi_speed(shape->curve, sound.midi);
+  sound.event.velocity = midi_speed(shape->response, sound.midi);
   return sound;
 }
 

@@ -37,7 +37,7 @@ typedef struct LibraryShape {
     positions;    /**< from the centre to 80 % of the head's radius; of one, the preset's place */
   uint32_t takes; /**< of each */
   bool techniques[LIBRARY_TECHNIQUES]; /**< which of library_techniques */
-  MidiCurve curve;
+  MidiResponse response;
   Humanizer humanizer; /**< of the takes, in the order of the sounds */
 } LibraryShape;
 

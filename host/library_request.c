@@ -8,7 +8,6 @@
 #include "drum_source.h"
 #include "folder.h"
 #include "humanize_options.h"
-#include "midi_map_file.h"
 #include "midi_options.h"
 #include "render_batch.h"
 
@@ -24,6 +23,7 @@ const Option library_options[] = {
   OPTION_HUMANIZE("0.3, of one take 0"),
   OPTION_SEED,
   OPTION_VELOCITY_CURVE,
+  OPTION_VELOCITY_RANGE,
   OPTION_FORMAT,
   OPTION_RATE,
   OPTION_QUALITY,
@@ -48,7 +48,8 @@ static Outcome read_count(const Arguments *arguments, const char *name, uint32_t
 }
 
 static Outcome read_counts(const Arguments *arguments, LibraryShape *shape) {
-  *shape = (LibraryShape){.velocities = 8, .positions = 3, .takes = 4};
+  *shape =
+    (LibraryShape){.velocities = 8, .positions = 3, .takes = 4, .response = midi_response_default};
   Outcome outcome = read_count(arguments, "--velocities", 127, &shape->velocities);
   if (outcome == OUTCOME_OK) {
     outcome = read_count(arguments, "--positions", LIBRARY_MOST_POSITIONS, &shape->positions);
@@ -75,12 +76,6 @@ static Outcome read_scatter(const Arguments *arguments, LibraryRequest *request,
   return refuse("--takes %u: takes are all the same with --humanize 0; allowed: 1, or a --humanize "
                 "above 0",
                 (unsigned)shape->takes);
-}
-
-static Outcome read_curve(const Arguments *arguments, LibraryShape *shape) {
-  const char *const text = arguments_value(arguments, "velocity-curve");
-  shape->curve = MIDI_CURVE_LINEAR;
-  return text ? midi_curve_read("--velocity-curve", text, &shape->curve) : OUTCOME_OK;
 }
 
 /* One word of the list, "rimshot" of "normal,rimshot": what strokes refuse, strokes say. */
@@ -153,7 +148,7 @@ static Outcome read_sounds(const Arguments *arguments, LibraryRequest *request) 
   LibraryShape shape;
   Outcome outcome = read_counts(arguments, &shape);
   if (outcome == OUTCOME_OK) outcome = read_scatter(arguments, request, &shape);
-  if (outcome == OUTCOME_OK) outcome = read_curve(arguments, &shape);
+  if (outcome == OUTCOME_OK) outcome = midi_response_read(arguments, &shape.response);
   if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &def);
   if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def, &shape);
   if (outcome == OUTCOME_OK) outcome = check_count(&shape);

@@ -24,7 +24,7 @@ static void print_head(FILE *stream, const LibraryRequest *request) {
 static void print_group(FILE *stream, const LibrarySound *sound, const LibraryShape *shape) {
   (void)fprintf(
     stream, "\n// %s, %u %% of the radius, %.3g m/s\n<group>\nkey=%u\nlovel=%u\nhivel=%u\n",
-    sound->technique->name, (unsigned)sound->radius_share, midi_speed(shape->curve, sound->midi),
+    sound->technique->name, (unsigned)sound->radius_share, midi_speed(shape->response, sound->midi),
     (unsigned)sound->key, (unsigned)sound->low, (unsigned)sound->high);
   if (shape->takes > 1) (void)fprintf(stream, "seq_length=%u\n", (unsigned)shape->takes);
 }

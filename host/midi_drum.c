@@ -167,7 +167,7 @@ static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *ac
     .id = new_id(drum),
     .striker = drum->binding.strikers[key],
     .technique = technique_of(note->stroke),
-    .velocity = note->speed * midi_speed(drum->map->curve, velocity),
+    .velocity = note->speed * midi_speed(drum->map->response, velocity),
     .radius = stroke_radius(drum, note),
     .angle = choose(note->angle, drum->angle, drum->binding.angle),
   };

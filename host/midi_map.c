@@ -36,7 +36,7 @@ static void map_controls(MidiMap *map) {
 
 void midi_map_default(MidiMap *map) {
   memset(map, 0, sizeof *map);
-  map->curve = MIDI_CURVE_LINEAR;
+  map->response = midi_response_default;
   map->channel = MIDI_OMNI;
   map->pressure = map->programs = true;
   map_notes(map);

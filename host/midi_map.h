@@ -76,13 +76,13 @@ typedef struct MidiControl {
 typedef struct MidiMap {
   MidiNote notes[MIDI_VALUES];
   MidiControl controls[MIDI_VALUES];
-  MidiCurve curve;
+  MidiResponse response;
   int channel;   /**< 0 to 15, or MIDI_OMNI */
   bool pressure; /**< channel and key pressure damp */
   bool programs; /**< program changes choose presets */
 } MidiMap;
 
-/** The map above: linear curve, every channel, pressure and programs. */
+/** The map above: linear curve, normal range, every channel, pressure and programs. */
 void midi_map_default(MidiMap *map);
 
 #endif

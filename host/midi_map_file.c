@@ -42,10 +42,16 @@ static Outcome read_word(const char *where, const char *text, const char *const 
 }
 
 Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve) {
-  static const char *const names[] = {"soft", "linear", "hard", NULL};
   size_t index = 0;
-  const Outcome outcome = read_word(where, text, names, &index);
+  const Outcome outcome = read_word(where, text, midi_curve_names, &index);
   if (outcome == OUTCOME_OK) *curve = (MidiCurve)index;
+  return outcome;
+}
+
+Outcome midi_range_read(const char *where, const char *text, MidiRange *range) {
+  size_t index = 0;
+  const Outcome outcome = read_word(where, text, midi_range_names, &index);
+  if (outcome == OUTCOME_OK) *range = (MidiRange)index;
   return outcome;
 }
 
@@ -80,16 +86,17 @@ static Outcome empty_map(Reader *reader, const char *value) {
   return OUTCOME_OK;
 }
 
-static const char *const map_keys[] = {"channel",  "velocity", "defaults",
-                                       "pressure", "programs", NULL};
+static const char *const map_keys[] = {
+  "channel", "velocity", "velocity_range", "defaults", "pressure", "programs", NULL};
 
 static Outcome set_map(Reader *reader, size_t key, const char *value) {
   MidiMap *const map = reader->map;
   switch (key) {
   case 0: return midi_channel_read(reader->where, value, &map->channel);
-  case 1: return midi_curve_read(reader->where, value, &map->curve);
-  case 2: return empty_map(reader, value);
-  case 3: return read_switch(reader->where, value, &map->pressure);
+  case 1: return midi_curve_read(reader->where, value, &map->response.curve);
+  case 2: return midi_range_read(reader->where, value, &map->response.range);
+  case 3: return empty_map(reader, value);
+  case 4: return read_switch(reader->where, value, &map->pressure);
   default: return read_switch(reader->where, value, &map->programs);
   }
 }

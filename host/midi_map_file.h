@@ -7,6 +7,7 @@
  *     [map]                   ; stands first
  *     channel = 10            ; 1 to 16, or omni
  *     velocity = soft         ; soft, linear, hard
+ *     velocity_range = full   ; normal, full
  *     defaults = yes          ; no: begin with an empty map
  *     pressure = yes          ; no: pressure does nothing
  *     programs = yes          ; no: program changes do nothing
@@ -34,6 +35,8 @@
 Outcome midi_map_file_read(const char *path, MidiMap *map);
 /** Refuses, as @p where says, a name that is none of soft, linear, hard. */
 Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve);
+/** Likewise one that is neither normal nor full. */
+Outcome midi_range_read(const char *where, const char *text, MidiRange *range);
 /** "omni" or a number from 1 to 16, which *channel counts from 0. */
 Outcome midi_channel_read(const char *where, const char *text, int *channel);
 

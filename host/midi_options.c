@@ -23,18 +23,25 @@ static Outcome read_file(const char *path, const TaborDrumDef *def, MidiMap *map
   return outcome == OUTCOME_OK ? check_strikers(path, def, map) : outcome;
 }
 
+Outcome midi_response_read(const Arguments *arguments, MidiResponse *response) {
+  const char *const curve = arguments_value(arguments, "velocity-curve");
+  const char *const range = arguments_value(arguments, "velocity-range");
+  Outcome outcome = OUTCOME_OK;
+  if (curve) outcome = midi_curve_read("--velocity-curve", curve, &response->curve);
+  if (outcome == OUTCOME_OK && range) {
+    outcome = midi_range_read("--velocity-range", range, &response->range);
+  }
+  return outcome;
+}
+
 Outcome midi_map_read(const Arguments *arguments, const TaborDrumDef *def, MidiMap *map) {
   const char *const path = arguments_value(arguments, "midi-map");
   const char *const channel = arguments_value(arguments, "midi-channel");
-  const char *const curve = arguments_value(arguments, "velocity-curve");
   Outcome outcome = OUTCOME_OK;
   midi_map_default(map);
   if (path) outcome = read_file(path, def, map);
   if (outcome == OUTCOME_OK && channel) {
     outcome = midi_channel_read("--midi-channel", channel, &map->channel);
   }
-  if (outcome == OUTCOME_OK && curve) {
-    outcome = midi_curve_read("--velocity-curve", curve, &map->curve);
-  }
-  return outcome;
+  return outcome == OUTCOME_OK ? midi_response_read(arguments, &map->response) : outcome;
 }

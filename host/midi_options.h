@@ -15,11 +15,21 @@
 #define OPTION_MIDI_CHANNEL                                                                        \
   { "midi-channel", 0, "N", "hear one channel only, 1 to 16 (default omni: all)" }
 #define OPTION_VELOCITY_CURVE                                                                      \
-  { "velocity-curve", 0, "CURVE", "of MIDI notes: soft, linear or hard (default linear)" }
+  {                                                                                                \
+    "velocity-curve", 0, "CURVE",                                                                  \
+      "soft, linear or hard (default linear): how MIDI velocities become speeds"                   \
+  }
+#define OPTION_VELOCITY_RANGE                                                                      \
+  {                                                                                                \
+    "velocity-range", 0, "RANGE",                                                                  \
+      "normal or full (default normal): 1 to 10 m/s or 0.3 to 12; docs/midi.md"                    \
+  }
 
+/** Puts --velocity-curve and --velocity-range, where they are given, into *response. */
+Outcome midi_response_read(const Arguments *arguments, MidiResponse *response);
 /**
- * The usual map, or that of --midi-map, with --midi-channel and --velocity-curve. Refuses one that
- * names a striker which @p def has not got.
+ * The usual map, or that of --midi-map, with the other options above. Refuses one that names a striker
+ * which @p def has not got.
  */
 Outcome midi_map_read(const Arguments *arguments, const TaborDrumDef *def, MidiMap *map);
 

@@ -2,13 +2,32 @@
 #include "midi_speed.h"
 
 #include <math.h>
+#include <stddef.h>
 
-static const double SLOWEST = 0.3; /* [m/s] */
-static const double FASTEST = 12;  /* [m/s] */
+/* Velocities and their speeds [m/s]; between them equal steps are equal ratios. */
+typedef struct Span {
+  double from, to;
+  double slowest, fastest;
+} Span;
 
-double midi_speed(MidiCurve curve, double velocity) {
-  double x = (fmin(fmax(velocity, 1), 127) - 1) / 126;
-  if (curve == MIDI_CURVE_SOFT) x = pow(x, 2.0 / 3);
-  if (curve == MIDI_CURVE_HARD) x = pow(x, 3.0 / 2);
-  return SLOWEST * pow(FASTEST / SLOWEST, x);
+static const Span ghost_notes = {1, 20, 0.3, 1};
+static const Span normal = {20, 127, 1, 10};
+static const Span full = {1, 127, 0.3, 12};
+
+const MidiResponse midi_response_default = {MIDI_CURVE_LINEAR, MIDI_RANGE_NORMAL};
+const char *const midi_curve_names[] = {"soft", "linear", "hard", NULL};
+const char *const midi_range_names[] = {"normal", "full", NULL};
+
+static const Span *span_of(MidiRange range, double velocity) {
+  if (range == MIDI_RANGE_FULL) return &full;
+  return velocity < normal.from ? &ghost_notes : &normal;
+}
+
+double midi_speed(MidiResponse response, double velocity) {
+  const Span *const span = span_of(response.range, velocity);
+  const double inside = fmin(fmax(velocity, span->from), span->to);
+  double x = (inside - span->from) / (span->to - span->from);
+  if (response.curve == MIDI_CURVE_SOFT) x = pow(x, 2.0 / 3);
+  if (response.curve == MIDI_CURVE_HARD) x = pow(x, 3.0 / 2);
+  return span->slowest * pow(span->fastest / span->slowest, x);
 }

@@ -32,6 +32,7 @@ const Option play_options[] = {
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,
   OPTION_VELOCITY_CURVE,
+  OPTION_VELOCITY_RANGE,
   OPTION_HUMANIZE("0.3"),
   OPTION_SEED,
   {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/keyboard.md"},

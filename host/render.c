@@ -31,7 +31,7 @@ static Outcome run(const Arguments *arguments) {
 static const char notes[] =
   "A stroke is written --strike time=0,velocity=2.5,radius=0.05,angle=30,striker=stick:\n"
   "  time       when [s], 0 to 3600\n"
-  "  velocity   how fast [m/s], 0.01 to 30, or midi=1..127 for 0.3 to 12 m/s\n"
+  "  velocity   how fast [m/s], 0.01 to 30, or midi=1..127 as --velocity-range has it\n"
   "  radius     how far from the centre [m], or in per cent of the head, as 80%\n"
   "  angle      in which direction [degrees], counter-clockwise from +x\n"
   "  striker    one of the preset's, by name\n"

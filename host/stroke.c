@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "drum_source.h"
-#include "midi_speed.h"
 #include "number.h"
 #include "suggest.h"
 
@@ -44,7 +43,7 @@ static Outcome read_midi(Stroke *stroke, const Label *label, const char *value) 
   const NumberField field = {label->text, 1, 127, true};
   double velocity = 0;
   const Outcome outcome = number_read(&field, value, &velocity);
-  stroke->event.velocity = midi_speed(MIDI_CURVE_LINEAR, velocity);
+  stroke->event.velocity = midi_speed(stroke->response, velocity);
   return outcome;
 }
 
@@ -194,6 +193,7 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
   return (Stroke){.def = def,
                   .where = where,
                   .hold = STROKE_HOLD,
+                  .response = midi_response_default,
                   .event = {.type = TABOR_EVENT_STRIKE,
                             .striker = striker > 0 ? (uint32_t)striker : 0,
                             .velocity = def->strike.velocity,

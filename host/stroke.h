@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include "message.h"
+#include "midi_speed.h"
 
 /** time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event */
 #define STROKE_FIELDS 11
@@ -22,10 +23,11 @@ typedef struct StrokeField StrokeField;
 /** A stroke while its fields are being read. */
 typedef struct Stroke {
   const TaborDrumDef *def;
-  const char *where; /**< "--strike" or "drums.csv:3:", for messages; not copied */
-  unsigned set;      /**< what its fields have set so far */
-  double time;       /**< [s] */
-  double hold;       /**< after which a buzz or a sweep is lifted [s] */
+  const char *where;     /**< "--strike" or "drums.csv:3:", for messages; not copied */
+  unsigned set;          /**< what its fields have set so far */
+  double time;           /**< [s] */
+  double hold;           /**< after which a buzz or a sweep is lifted [s] */
+  MidiResponse response; /**< of the field midi */
   TaborEvent event;
 } Stroke;
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "events_file.h"
+#include "midi_options.h"
 
 /* One NAME=VALUE of @p length bytes. */
 static Outcome read_field(Stroke *stroke, const char *text, size_t length) {
@@ -170,6 +171,7 @@ static Outcome read_options(const Arguments *arguments, const TaborDrumDef *def,
   size_t position = 0;
   while (outcome == OUTCOME_OK && (text = arguments_next(arguments, "strike", &position))) {
     Stroke stroke = stroke_default(def, "--strike");
+    stroke.response = strokes->response;
     outcome = read_stroke(text, &stroke);
     if (outcome == OUTCOME_OK) outcome = strokes_add(strokes, &stroke);
   }
@@ -178,10 +180,11 @@ static Outcome read_options(const Arguments *arguments, const TaborDrumDef *def,
 
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes) {
-  *strokes = (Strokes){.rate = rate};
+  *strokes = (Strokes){.rate = rate, .response = midi_response_default};
   const char *file;
   size_t position = 0;
-  Outcome outcome = read_options(arguments, def, strokes);
+  Outcome outcome = midi_response_read(arguments, &strokes->response);
+  if (outcome == OUTCOME_OK) outcome = read_options(arguments, def, strokes);
   while (outcome == OUTCOME_OK && (file = arguments_next(arguments, "events", &position))) {
     outcome = events_file_read(file, def, strokes);
   }

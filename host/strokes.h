@@ -23,12 +23,14 @@
 typedef struct Strokes {
   TaborEvent *events;
   size_t count, capacity;
-  double rate; /**< [Hz] */
+  double rate;           /**< [Hz] */
+  MidiResponse response; /**< of velocities given as midi */
 } Strokes;
 
 /**
  * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, and
- * without --midi-file, the preset's own stroke at time 0. Free with strokes_free(), whatever the outcome.
+ * without --midi-file, the preset's own stroke at time 0. Velocities that are given as MIDI's become speeds
+ * as --velocity-curve and --velocity-range say. Free with strokes_free(), whatever the outcome.
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes);

@@ -3,7 +3,8 @@
 # Sourced, after embed_checks.sh, by tests that take a system with nothing but Debian's base: makes one in $root.
 # Takes being root, a network and a minute; skips the test where it cannot be had.
 
-needs debootstrap chroot
+needs debootstrap debootstrap
+needs coreutils chroot
 [ "$(id -u)" = 0 ] || skip "a clean system takes root"
 # shellcheck source=/dev/null
 . /etc/os-release

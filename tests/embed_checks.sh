@@ -5,6 +5,9 @@
 #
 # They get from ctest: SOURCE, the source folder; CMAKE, CC and, where there is one, CXX; STATIC_BUILD
 # and SHARED_BUILD, build folders of both kinds; TABOR, the program; INSPECT, host_inspect.
+# shellcheck source=tests/skips.sh
+. "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
+
 set -euo pipefail
 export LC_ALL=C
 : "${SOURCE:?}" "${CMAKE:?}" "${CC:?}"
@@ -23,23 +26,10 @@ quietly() {
   "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; complain "$*"; }
 }
 
-# skip REASON: for want of an optional tool the whole test is skipped.
-skip() {
-  echo "SKIPPED: $1"
-  exit 77
-}
-
-# needs TOOL...: skips the test unless all of them are there.
-needs() {
-  local tool
-  for tool in "$@"; do
-    command -v "$tool" >/dev/null || skip "$tool is not installed"
-  done
-}
-
 # fresh_clone FOLDER: the source as somebody else would get it if all that is in the folder now were committed.
 fresh_clone() {
-  needs git tar
+  needs git git
+  needs tar tar
   git -C "$SOURCE" ls-files -z --cached --others --exclude-standard -- README.md >"$scratch/files" 2>&1 &&
     [ -s "$scratch/files" ] || skip "the source is not a git checkout"
   mkdir "$1"

@@ -3,7 +3,7 @@
 # build with the shared library, which test_shared_build makes first. Sanitizers and counters would have
 # to be in all of it, so these are for builds without them.
 
-if(NOT TABOR_BASH OR NOT TARGET tabor-program OR NOT TABOR_INSTALL OR BUILD_SHARED_LIBS
+if(NOT TARGET tabor-program OR NOT TABOR_INSTALL OR BUILD_SHARED_LIBS
    OR TABOR_SANITIZE OR TABOR_COVERAGE)
   return()
 endif()

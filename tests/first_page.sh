@@ -96,7 +96,7 @@ check_plugin() {
   local bundle=~/.lv2/tabor.lv2
   have "$bundle"/{tabor.so,manifest.ttl,tabor.ttl,presets.ttl}
   if ! command -v lv2info >/dev/null || ! command -v lv2bench >/dev/null; then
-    echo "SKIPPED: opening the plugins of the first page (lilv-utils is not installed)"
+    echo "SKIPPED: opening the plugins of the first page: needs lilv-utils"
     return
   fi
   lv2info urn:tabor:drum >"$log" 2>&1 || complain "$command: hosts do not find the plugin"
@@ -124,6 +124,6 @@ while IFS= read -r line; do
   count=$((count + 1))
 done <"$private/commands"
 [ "$count" -gt 15 ] || complain "only $count commands were found"
-can_draw || echo "SKIPPED: drawing the trace of the first page (NumPy and matplotlib are not installed)"
+can_draw || echo "SKIPPED: drawing the trace of the first page: needs python3-numpy python3-matplotlib"
 check_links
 echo "$count commands of the first page do what it says"

@@ -51,6 +51,7 @@ if(TARGET tabor-program)
 
   # Sanitizers and counters would be in what these look at or compare times with.
   if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+    tabor_add_host_test(test_compare_recordings "${PROJECT_SOURCE_DIR}")
     tabor_add_host_test(test_compare_tools "${PROJECT_SOURCE_DIR}")
     tabor_add_host_test(test_python_tools "${PROJECT_SOURCE_DIR}")
     tabor_add_host_test(test_rudiments "${PROJECT_SOURCE_DIR}")

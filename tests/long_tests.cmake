@@ -22,8 +22,8 @@ if(COMMAND tabor_add_embed_test)
   set_tests_properties(test_first_page_in_root PROPERTIES TIMEOUT 7200 LABELS long)
 endif()
 
-if(TEST test_lv2_jalv)
-  add_test(NAME test_lv2_ardour COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_lv2_ardour.sh")
+if(TABOR_BUILD_LV2 AND TEST test_lv2_jalv)
+  add_test(NAME test_lv2_ardour COMMAND "${TABOR_BASH}" "${CMAKE_CURRENT_SOURCE_DIR}/test_lv2_ardour.sh")
   tabor_test_properties(test_lv2_ardour)
   set_tests_properties(test_lv2_ardour PROPERTIES TIMEOUT 2400 LABELS long)
   set_property(TEST test_lv2_ardour APPEND PROPERTY ENVIRONMENT "BUNDLE=$<TARGET_FILE_DIR:tabor-lv2>"

@@ -5,7 +5,7 @@
 # is renewed.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs abidiff
+needs abigail-tools abidiff
 record=$SOURCE/tests/abi
 
 # abidiff takes a file that is not there for one without a difference.

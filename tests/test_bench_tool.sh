@@ -30,8 +30,7 @@ holds "it counts memory" \
 same "an unknown preset" "2 1" "$? $(wc -l <"$err")"
 
 if ! command -v python3 >/dev/null; then
-  echo "SKIPPED: tools/bench --quick (python3 is not installed)"
-  skipped="tools/bench --quick"
+  skip_part "tools/bench --quick: needs python3"
   finish
   exit
 fi

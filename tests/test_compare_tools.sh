@@ -5,16 +5,17 @@
 #
 # test_compare_tools.sh SOURCE-FOLDER
 
+# shellcheck source=tests/find_python.sh
+. "$(dirname "$0")/find_python.sh"
+# shellcheck source=tests/host_checks.sh
 . "$(dirname "$0")/host_checks.sh"
 tools=$1/tools
 
-if ! python3 -c 'import numpy, scipy, matplotlib' 2>/dev/null; then
-  echo "SKIPPED: python3 with numpy, scipy and matplotlib is not installed"
-  exit 77
-fi
+python=$(find_python numpy,scipy,matplotlib) ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib"
 
 # Two decaying sines, one an octave above the other, and a push of 5 ms that comes back later.
-check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" python3 - "$tools" <<'PYTHON'
+check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" "$python" - "$tools" <<'PYTHON'
 import sys
 from importlib.machinery import SourceFileLoader
 
@@ -36,14 +37,14 @@ assert abs(tool.contact_duration({"time_s": time, "striker_force_n": force}) - 0
 PYTHON
 
 for tool in compare-synthesizers compare-qualities; do
-  "$tools/$tool" --program ./none --docs . >"$out" 2>"$err"
+  "$python" "$tools/$tool" --program ./none --docs . >"$out" 2>"$err"
   same "$tool without a program" "1 1 $tool: none: no such program" "$? $(wc -l <"$err") $(cat "$err")"
-  "$tools/$tool" --wrong >"$out" 2>"$err"
+  "$python" "$tools/$tool" --wrong >"$out" 2>"$err"
   same "$tool, a wrong option" "2 1" "$? $(wc -l <"$err")"
 done
 
 # Where nothing is on the path Tabor is measured and the others are named.
-python=$(python3 -c 'import sys; print(sys.executable)')
+python=$("$python" -c 'import sys; print(sys.executable)')
 PATH=$PWD "$python" "$tools/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 2 \
   --quality draft >"$out" 2>"$err" || complain "compare-synthesizers: $(cat "$err")"
 same "those who played" "3" "$(json rows.size)"

@@ -96,4 +96,4 @@ for page in "$docs"/*.md; do
   done <links
 done
 
-if [ -z "${CXX:-}" ]; then echo "SKIPPED: programs in C++ (no compiler)"; fi
+if [ -z "${CXX:-}" ]; then skip_part "programs in C++: needs g++"; fi

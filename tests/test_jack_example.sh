@@ -4,8 +4,9 @@
 # sends are heard, it says when there is no server or preset, and SIGTERM ends it.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs jackd jack_wait jack_rec jack_midiseq jack_connect jack_lsp pkg-config
-pkg-config --exists jack || skip "JACK's headers are not installed"
+needs jackd2 jackd jack_wait jack_rec jack_midiseq jack_connect jack_lsp
+needs pkg-config pkg-config
+pkg-config --exists jack || skip "needs libjack-jackd2-dev"
 
 install_tree "$STATIC_BUILD" "$scratch/tree"
 use_pkg_config "$scratch/tree"

@@ -7,10 +7,9 @@
 set -euo pipefail
 program=$1 cycles=$2
 
-if ! command -v valgrind >/dev/null; then
-  echo "SKIPPED: leaks (valgrind is not installed)"
-  exit 77
-fi
+# shellcheck source=tests/skips.sh
+. "$(dirname "$0")/skips.sh"
+needs valgrind valgrind
 said=$(valgrind -q --leak-check=full --show-leak-kinds=all --errors-for-leak-kinds=all --error-exitcode=9 \
   "$program" "$cycles" 'nothing_is_left*' 2>&1) || { echo "$said" >&2; exit 1; }
 grep -q 'PASSED.* 1 test' <<<"$said"

@@ -5,12 +5,10 @@
 
 tests=$(cd "$(dirname "$0")" && pwd)
 . "$tests/host_checks.sh"
+# shellcheck source=tests/find_python.sh
+. "$tests/find_python.sh"
 
-python=${PYTHON:-python3}
-if ! "$python" -c 'import numpy, pysfizz' 2>/dev/null; then
-  echo "SKIPPED: a library in a sampler ($python has no pysfizz: pip install pysfizz)"
-  exit 77
-fi
+python=${PYTHON:-$(find_python numpy,pysfizz)} || skip "there is no pysfizz, which is no package of Debian's"
 # Short: what is longer than 8192 frames sfizz loads beside playing, and may miss.
 "$TABOR" library tabor -o library --velocities 5 --positions 2 --takes 2 --humanize 1 --quality draft \
   --duration 0.1 --json >"$out" || complain "the library"

@@ -4,11 +4,8 @@
 # are heard, and are found when the session is opened again.
 #
 # It gets $BUNDLE, $SOURCE, and $INSPECT for host_checks.sh.
-command -v ardour7-lua >/dev/null || {
-  echo "SKIPPED: the plugin in Ardour (ardour is not installed)"
-  exit 77
-}
 . "$(dirname "$0")/host_checks.sh"
+needs ardour ardour7-lua
 : "${BUNDLE:?the bundle}" "${SOURCE:?the source folder}"
 export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*} HOME=$private FOLDER=$work
 
@@ -22,8 +19,7 @@ step() {
     if [ -d "$2" ]; then cp -r "$2" "$work/session"; fi
     STEP=$1 timeout 120 ardour7-lua "$SOURCE/tests/ardour_export.lua" >"$private/$1.txt" 2>"$err" && return
   done 2>/dev/null
-  echo "SKIPPED: the plugin in Ardour (it crashed eight times)"
-  exit 77
+  skip "Ardour crashed eight times"
 }
 step make none
 cp -r session made

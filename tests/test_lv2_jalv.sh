@@ -4,13 +4,11 @@
 # move controls.
 #
 # It gets $BUNDLE, $JACK_SEND, and $INSPECT for host_checks.sh.
-for tool in jalv jackd jack_wait jack_rec "${JACK_SEND:-jack_send}"; do
-  command -v "$tool" >/dev/null || {
-    echo "SKIPPED: the plugin in jalv ($tool is not installed)"
-    exit 77
-  }
-done
 . "$(dirname "$0")/host_checks.sh"
+needs jalv jalv
+needs jackd2 jackd jack_wait jack_rec
+needs libjack-jackd2-dev "${JACK_SEND:-jack_send}"
+needs lilv-utils lv2info
 : "${BUNDLE:?the bundle}"
 export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*}
 
@@ -56,7 +54,7 @@ heard() {
 }
 check "a note is heard" wait_for heard
 if grep -qi xrun "$private/jackd.log"; then
-  skipped="how many strokes are heard: the machine missed blocks"
+  skip_part "how many strokes are heard: the machine missed blocks"
 else
   mapfile -t onsets < <("$INSPECT" onsets heard.wav)
   same "it is one stroke" 1 "${#onsets[@]}"

@@ -8,10 +8,9 @@ set -eu
 source=$1 cmake=$2
 # shellcheck source=tests/find_clang.sh
 . "$source/tests/find_clang.sh"
-compiler=$(find_clang) || {
-  echo "SKIPPED: ThreadSanitizer on the plugins (clang-22 is not installed)"
-  exit 77
-}
+# shellcheck source=tests/skips.sh
+. "$source/tests/skips.sh"
+compiler=$(find_clang) || skip "needs clang-22"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

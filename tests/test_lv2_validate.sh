@@ -4,13 +4,10 @@
 # lv2bench runs them.
 #
 # It gets $BUNDLE, $SOURCE, and $INSPECT for host_checks.sh.
-for tool in lv2_validate sord_validate lv2bench lv2ls lv2info; do
-  command -v "$tool" >/dev/null || {
-    echo "SKIPPED: validation of the plugins' description ($tool is not installed)"
-    exit 77
-  }
-done
 . "$(dirname "$0")/host_checks.sh"
+needs lv2-dev lv2_validate
+needs sordi sord_validate
+needs lilv-utils lv2bench lv2ls lv2info
 : "${BUNDLE:?the bundle}"
 export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*}
 

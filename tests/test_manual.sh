@@ -4,7 +4,7 @@
 # is described, and every reference leads somewhere.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs doxygen
+needs doxygen doxygen
 
 quietly "$CMAKE" -S "$SOURCE" -B build -DCMAKE_C_COMPILER="$CC" -DTABOR_BUILD_TESTS=OFF -DTABOR_BUILD_PROGRAM=OFF
 quietly "$CMAKE" --build build --target manual

@@ -81,7 +81,7 @@ int main(void) {
 #else
 
 int main(void) {
-  puts("skipped: libsmf is missing (tools/setup --all)");
+  puts("SKIPPED: needs libsmf-dev");
   return 77;
 }
 

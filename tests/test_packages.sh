@@ -4,7 +4,9 @@
 # into an empty folder, they are a program that renders and a library that can be built against.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs dpkg-deb dpkg-shlibdeps gzip
+needs dpkg dpkg-deb
+needs dpkg-dev dpkg-shlibdeps
+needs gzip gzip
 
 quietly "$(dirname "$CMAKE")/cpack" --config "$SHARED_BUILD/CPackConfig.cmake" -G DEB -B "$scratch/packages"
 field() { dpkg-deb --field packages/"$1"_*.deb "$2"; }
@@ -13,7 +15,7 @@ files_of() { dpkg-deb --fsys-tarfile packages/"$1"_*.deb | tar -t | grep -v '/$'
 version=$("$TABOR" --version | cut -d ' ' -f 2)
 soname=$(readelf -d "$SHARED_BUILD/engine/libtabor.so" | sed -nE 's/.*\(SONAME\).*libtabor\.so\.(.*)\]/\1/p')
 names=("libtabor$soname" libtabor-dev tabor)
-if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); fi
+if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); else skip_part "the plugins' package: needs lv2-dev"; fi
 [ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not these packages: $(ls packages)"
 
 # has PACKAGE PATTERN...: files that match; the pattern stands for a whole path.

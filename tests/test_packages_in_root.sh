@@ -5,7 +5,8 @@
 # nothing. Takes root, a network and some minutes.
 # shellcheck source=tests/embed_checks.sh
 . "$(dirname "$0")/embed_checks.sh"
-needs dpkg-deb dpkg-shlibdeps
+needs dpkg dpkg-deb
+needs dpkg-dev dpkg-shlibdeps
 # shellcheck source=tests/bare_system.sh
 . "$(dirname "$0")/bare_system.sh"
 

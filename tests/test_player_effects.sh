@@ -8,10 +8,9 @@ set -eu
 source=$1 cmake=$2
 # shellcheck source=tests/find_clang.sh
 . "$source/tests/find_clang.sh"
-compiler=$(find_clang) || {
-  echo "SKIPPED: clang's checks for real-time code (clang-22 is not installed)"
-  exit 77
-}
+# shellcheck source=tests/skips.sh
+. "$source/tests/skips.sh"
+compiler=$(find_clang) || skip "needs clang-22"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0
@@ -42,6 +41,8 @@ effects() {
 plugins=
 if pkg-config --exists lv2; then
   plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_sound lv2/workshop"
+else
+  skip_part "the plugins: needs lv2-dev"
 fi
 for name in player leaving ring frame_clock ring_out silencer tally humanize midi_drum midi_speed midi_stream $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"

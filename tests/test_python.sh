@@ -8,7 +8,7 @@
 . "$SOURCE/tests/find_python.sh"
 
 python=$(find_python cffi,numpy,setuptools,wheel,venv,ensurepip) ||
-  skip "no Python with cffi, numpy, setuptools, wheel and venv"
+  skip "needs python3 python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv"
 
 # pip leaves things where it builds, so it gets a copy.
 mkdir -p tree/examples tree/engine
@@ -32,5 +32,5 @@ if environment/bin/python -c 'import matplotlib' 2>/dev/null; then
   quietly environment/bin/python "$SOURCE/examples/python/tension_sweep.py" --preset frame-drum --steps 3 -o sweep.png
   [ "$(head -c 4 sweep.png | tail -c 3)" = PNG ] || complain "the sweep draws nothing"
 else
-  echo "SKIPPED: the sweep's picture (matplotlib is not installed)"
+  skip_part "the sweep's picture: needs python3-matplotlib"
 fi

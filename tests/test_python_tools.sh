@@ -8,10 +8,7 @@ tests=$(cd "$(dirname "$0")" && pwd)
 source=$1
 . "$tests/host_checks.sh"
 . "$tests/find_python.sh"
-if ! command -v python3 >/dev/null; then
-  echo "SKIPPED: python3 is not installed"
-  exit 77
-fi
+needs python3 python3
 export PYTHONDONTWRITEBYTECODE=1
 
 # bare ARGUMENT...: runs a Python that finds nothing but its own library.
@@ -51,8 +48,7 @@ if python=$(find_python numpy,matplotlib); then
   check "plot-trace draws a trace" "$python" "$source/tools/plot-trace" strike.csv --energy -o trace.png
   same "a picture" PNG "$(head -c 4 trace.png | tail -c 3)"
 else
-  skipped="drawing (NumPy and matplotlib are not installed)"
-  echo "SKIPPED: $skipped"
+  skip_part "drawing: needs python3-numpy python3-matplotlib"
 fi
 if python=$(find_python numpy,matplotlib,scipy); then
   check "and a sound" "$python" "$source/tools/plot-trace" --wav strike.wav -o sound.png

@@ -4,15 +4,16 @@
 #
 # test_rudiments.sh SOURCE-FOLDER
 
+# shellcheck source=tests/find_python.sh
+. "$(dirname "$0")/find_python.sh"
+# shellcheck source=tests/host_checks.sh
 . "$(dirname "$0")/host_checks.sh"
 tool=$1/tools/rudiments
 
-if ! python3 -c 'import numpy, scipy, matplotlib, PIL' 2>/dev/null; then
-  echo "SKIPPED: python3 with numpy, scipy, matplotlib and PIL is not installed"
-  exit 77
-fi
+python=$(find_python numpy,scipy,matplotlib,PIL) ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib python3-pil"
 export PYTHONDONTWRITEBYTECODE=1
-play() { "$tool" --program "$TABOR" --quality draft --humanize 0 "$@" >"$out" 2>"$err"; }
+play() { "$python" "$tool" --program "$TABOR" --quality draft --humanize 0 "$@" >"$out" 2>"$err"; }
 
 is_picture() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
 

@@ -6,10 +6,7 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 . "$source/tests/host_checks.sh"
 . "$source/tests/find_python.sh"
 
-if ! python=$(find_python dask,distributed); then
-  echo "SKIPPED: sweeps over a cluster (no Python with distributed)"
-  exit 77
-fi
+python=$(find_python dask,distributed) || skip "needs python3 python3-distributed"
 
 # What the workers call: the program, which notes what it renders, and waits or fails if it is told to.
 cat >program <<END

@@ -33,6 +33,8 @@ completes "live" render --quality li
 completes "draft live reference studio" render --quality ""
 completes "live" render --quality = l
 completes "pcm16 pcm24" render --format pcm
+completes "hard linear soft" play --velocity-curve ""
+completes "full normal" library --velocity-range ""
 completes "bodhran-d-string bodhran-d-string-tensioned" show bodhran-d
 completes "wires.strainer= wires.strainer_travel=" render snare-14x5.5 --set wires.strainer
 completes "" render frame-drum --mic near

@@ -136,7 +136,9 @@ limited render tabor -q --quality draft --duration 1 --split -o new.wav
 traced() {
   ASAN_OPTIONS=detect_leaks=0 strace -f -qq -o "$private/calls" "$@" >"$out" 2>"$err"
 }
-if traced -e trace=write true; then
+if ! command -v strace >/dev/null; then
+  skip_part "failing writes: needs strace"
+elif traced -e trace=write true; then
   for name in plain.wav plain.flac plain.au; do
     words=("$TABOR" render "${short[@]}" -o $name --trace whole.csv)
     traced -e trace=write "${words[@]}"
@@ -151,7 +153,7 @@ if traced -e trace=write true; then
     done
   done
 else
-  skipped="failing writes (needs strace)"
+  skip_part "failing writes: strace may not look into programs here"
 fi
 
 # A reader that leaves early ends the program with an error, not with a signal.

@@ -128,7 +128,7 @@ if [ -n "$(command -v script)" ]; then # it gives the program a terminal, too, a
   same "none with -q" 0 "$(wc -c <"$out")"
   rm -rf two log
 else
-  skipped=terminal
+  skip_part "progress on a terminal: needs bsdutils"
 fi
 
 # ---- wrong requests: nothing is rendered, and no folder created ----

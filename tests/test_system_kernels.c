@@ -54,7 +54,10 @@ static void compare_kernels(const char *preset, TaborQuality quality, TaborInstr
 
 static void avx2_gives_the_same_bits_as_baseline(void **state) {
   (void)state;
-  if (!processor_has_avx2()) skip();
+  if (!processor_has_avx2()) {
+    print_message("SKIPPED: the processor has no AVX2\n");
+    skip();
+  }
   for (int quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_REFERENCE;
        quality += brief ? 2 : 1) {
     compare_kernels("tabor", (TaborQuality)quality, TABOR_INSTRUCTIONS_AVX2);

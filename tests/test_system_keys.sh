@@ -9,15 +9,13 @@ export TERM=xterm
 
 via=${1-null}
 if [ "$via" = jack ]; then
-  for tool in jackd jack_wait; do
-    command -v $tool >/dev/null || { echo "skipped: there is no $tool"; exit 77; }
-  done
+  needs jackd2 jackd jack_wait
   export JACK_DEFAULT_SERVER=tabor-keys-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
   jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p 1024 >/dev/null 2>&1 &
   server=$!
   trap 'kill $server; wait $server; rm -rf "$private"' EXIT
   jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null 2>&1 ||
-    { echo "skipped: no JACK server can be started"; exit 77; }
+    skip "no JACK server can be started"
   backend=(--device "JACK: system")
 else
   backend=(--backend null)

@@ -34,7 +34,6 @@ same "nothing is left of the template" "" "$(grep -o '@[A-Z_]*@' "$page")"
 if command -v mandoc >/dev/null; then
   same "form" "" "$(mandoc -T lint -W warning "$page")"
 else
-  skipped="the page's form (mandoc is not installed)"
-  echo "SKIPPED: $skipped"
+  skip_part "the page's form: needs mandoc"
 fi
 finish

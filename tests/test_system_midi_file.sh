@@ -95,6 +95,12 @@ play soft.wav --velocity-curve soft
 play hard.wav --velocity-curve hard
 holds "soft is loud, hard is quiet" "$("$INSPECT" peak soft.wav) > $("$INSPECT" peak song.wav) && \
   $("$INSPECT" peak song.wav) > $("$INSPECT" peak hard.wav)"
+song song.mid 0 "00 99267f"
+for row in normal:10 full:12; do
+  render_strikes strikes.wav "time=0,velocity=${row#*:}"
+  play song.wav --velocity-range "${row%:*}"
+  same_bytes "velocity 127 in the range ${row%:*}" strikes.wav song.wav
+done
 # A controller counts for the notes of its own time, whatever its track is.
 song song.mid 1 "00 992640" "00 b01000 00 b01120"
 render_strikes strikes.wav time=0,midi=64,radius=0,angle=90
@@ -190,6 +196,8 @@ same_played() {
 }
 song song.mid 0 "00 992664 08 b00740 08 992664 02 99267f 08 b07b00 00 992664 10 b00b60 00 d940"
 same_played "notes, gain, silence, pressure" --gain -3.3
+song song.mid 0 "00 992601 18 992640 18 99267f"
+same_played "the full range of velocities" --velocity-range full --velocity-curve soft
 song song.mid 0 "00 992664 18 c9$tom 00 992664 08 992640 18 c900 01 992650"
 same_played "presets"
 run play "${short[@]}" --midi-file song.mid --backend null --humanize 0 --record played.wav --json
@@ -210,7 +218,7 @@ map() { printf '%s\n' "$@" >map.ini; }
 song song.mid 0 "00 b04a7f 00 993c40"
 map "[note.60]" "radius = 25" "angle = 45 ; degrees" "speed = 0.5" "striker = stick"
 play song.wav --midi-map map.ini
-speed=$(awk 'BEGIN { printf "%.17g", 0.5 * 0.3 * 40 ^ (63 / 126) }')
+speed=$(awk 'BEGIN { printf "%.17g", 0.5 * 10 ^ (44 / 107) }')
 render_strikes strikes.wav "time=0,velocity=$speed,radius=25%,angle=45"
 holds "a note of one's own" "$("$INSPECT" distance song.wav strikes.wav) < 1e-6"
 map "[map]" "velocity = hard" "channel = 10" "" "[note.60]" "[controller.74]" "moves = radius"
@@ -218,6 +226,12 @@ play song.wav --midi-map map.ini
 song song.mid 0 "00 992640"
 play hard.wav --velocity-curve hard
 same_bytes "a curve in the map" hard.wav song.wav
+map "[map]" "velocity_range = full"
+play song.wav --midi-map map.ini
+play full.wav --velocity-range full
+same_bytes "a range in the map" full.wav song.wav
+play song.wav --midi-map map.ini --velocity-range normal
+other_bytes "the option counts for more" full.wav song.wav
 song song.mid 0 "00 b04a7f 00 993c40"
 map "[map]" "velocity = hard" "" "[note.60]"
 play both.wav --midi-map map.ini --velocity-curve linear
@@ -253,6 +267,7 @@ bad "map.ini:2: \[map\]: has to stand first" "[note.1]" "[map]"
 bad "map.ini:2: chanel: unknown key; did you mean 'channel'" "[map]" "chanel = 1"
 bad "map.ini:2: channel '17': out of range; allowed: 1 to 16" "[map]" "channel = 17"
 bad "map.ini:2: velocity 'sft': unknown; did you mean 'soft'" "[map]" "velocity = sft"
+bad "map.ini:2: velocity_range 'ful': unknown; did you mean 'full'" "[map]" "velocity_range = ful"
 bad "map.ini:2: programs 'maybe': unknown; there are: no, yes" "[map]" "programs = maybe"
 bad "map.ini:2: stroke 'rimsot': unknown; did you mean 'rimshot'" "[note.60]" "stroke = rimsot"
 bad "map.ini:2: radius '101': out of range; allowed: 0 to 100" "[note.60]" "radius = 101"
@@ -270,6 +285,7 @@ bad "map.ini:1: 'x' stands before the first section" "x = 1"
 failed "missing.ini: No such file" render --midi-file song.mid --midi-map missing.ini
 refused "needs the name of a file" render --midi-file song.mid --midi-map ''
 refused "velocity-curve 'x': unknown; there are: soft, linear, hard" render --velocity-curve x
+refused "velocity-range 'x': unknown; there are: normal, full" render --velocity-range x
 refused "midi-channel '0': out of range; allowed: 1 to 16" render --midi-channel 0
 done_quietly render "${short[@]}" --midi-channel omni --duration 0.1 -o omni.wav
 

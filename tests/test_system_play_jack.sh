@@ -2,11 +2,8 @@
 # SPDX-License-Identifier: MIT
 # play through PortAudio and JACK: a server of its own, which drives no sound card.
 
-command -v jackd >/dev/null && command -v jack_wait >/dev/null && command -v jack_rec >/dev/null || {
-  echo "jackd2 is not installed"
-  exit 77
-}
 . "$(dirname "$0")/host_checks.sh"
+needs jackd2 jackd jack_wait jack_rec
 
 export JACK_DEFAULT_SERVER=tabor-test-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
 period=1024
@@ -84,7 +81,7 @@ if [ "$gaps" = 0 ]; then
   samples heard.wav >heard.txt
   same "frames that JACK heard as they were played" 60000 "$(heard_frames played.txt heard.txt)"
 else
-  skipped="comparing what JACK heard: the machine missed $gaps blocks"
+  skip_part "comparing what JACK heard: the machine missed $gaps blocks"
 fi
 
 # ---- another rate than the server's ----

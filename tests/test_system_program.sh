@@ -246,13 +246,24 @@ same "0.1 s later" $(($("$INSPECT" first none.wav) + 4800)) "$("$INSPECT" first 
 sound two.wav --duration 0.3 --format float --strike time=0.1,velocity=1 --strike time=0
 sound turned.wav --duration 0.3 --format float --strike time=0 --strike velocity=1,time=0.1
 same_bytes "strokes in any order" two.wav turned.wav
-brief fast.wav --strike velocity=12
-brief midi.wav --strike midi=127
-same_bytes "midi=127 is 12 m/s" fast.wav midi.wav
-brief slow.wav --strike velocity=0.3
-brief midi.wav --strike midi=1
-same_bytes "midi=1 is 0.3 m/s" slow.wav midi.wav
-other_bytes "and another sound" slow.wav fast.wav
+# speed_of VELOCITY SPEED [OPTION...]
+speed_of() {
+  brief speed.wav --strike "velocity=$2"
+  brief midi.wav --strike "midi=$1" "${@:3}"
+  same_bytes "midi=$1 ${*:3} is $2 m/s" speed.wav midi.wav
+}
+speed_of 127 10
+cp speed.wav fast.wav
+speed_of 20 1
+speed_of 1 0.3
+other_bytes "and another sound" speed.wav fast.wav
+speed_of 127 12 --velocity-range full
+speed_of 1 0.3 --velocity-range full
+speed_of 127 10 --velocity-curve hard
+printf 'midi\n127\n' >events.csv
+brief speed.wav --strike velocity=12
+brief midi.wav --events events.csv --velocity-range full
+same_bytes "in a file of events" speed.wav midi.wav
 brief metres.wav --strike "radius=$(awk "BEGIN { printf \"%.17g\", $radius / 2 }")"
 brief percent.wav --strike radius=50%
 same_bytes "50 % of the head" metres.wav percent.wav

@@ -134,11 +134,11 @@ static float knob_value(const Instrument *instrument, uint32_t id) {
 }
 
 static void read_knobs(Instrument *instrument) {
-  const uint32_t count = instrument->voice.stereo ? KNOB_COUNT : KNOB_MULTI_COUNT;
-  for (uint32_t i = 0; i < count; i++) {
-    const KnobRange *const range = &instrument->ranges[i];
-    const float value = knob_value(instrument, i);
-    voice_turn(&instrument->voice, (KnobId)i, fminf(fmaxf(value, range->minimum), range->maximum));
+  KnobId id;
+  for (uint32_t i = 0; (id = knob_at(instrument->voice.stereo, i)) < KNOB_COUNT; i++) {
+    const KnobRange *const range = &instrument->ranges[id];
+    const float value = knob_value(instrument, id);
+    voice_turn(&instrument->voice, id, fminf(fmaxf(value, range->minimum), range->maximum));
   }
 }
 

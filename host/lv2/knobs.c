@@ -155,6 +155,17 @@ const Knob knobs[KNOB_COUNT] = {
                       .name = "Far microphone",
                       LEVEL(LOWEST_LEVEL),
                       .comment = "Level of the microphone some way off."},
+  [KNOB_VELOCITY_RANGE] = {.symbol = "velocity_range",
+                           .name = "Velocity range",
+                           .group = "stick",
+                           .kind = KNOB_SETTING,
+                           RANGE(0, 1),
+                           .fallback = 0,
+                           .unit = "",
+                           .choices = "Normal|Full",
+                           .off = NAN,
+                           .comment = "Normal: 1 to 10 m/s, and softer ghost notes below velocity "
+                                      "20. Full: 0.3 to 12 m/s."},
 };
 
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {

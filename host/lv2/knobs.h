@@ -31,16 +31,16 @@ typedef enum KnobId {
   KNOB_HUMANIZE,
   KNOB_QUALITY,
   KNOB_GAIN,
-  KNOB_LEVEL_PAIR, /**< from here on of the stereo plugin alone */
+  KNOB_LEVEL_PAIR, /**< from here to KNOB_LEVEL_FAR of the stereo plugin alone */
   KNOB_LEVEL_TOP,
   KNOB_LEVEL_BOTTOM,
   KNOB_LEVEL_NEAR,
-  KNOB_LEVEL_FAR,
+  KNOB_LEVEL_FAR, /**< the last of these */
+  KNOB_VELOCITY_RANGE,
   KNOB_COUNT
 } KnobId;
 
 #define KNOB_KEYS (KNOB_STRIKE_ANGLE + 1) /**< the first so many stand for keys */
-#define KNOB_MULTI_COUNT KNOB_LEVEL_PAIR  /**< knobs of the plugin with an output per microphone */
 
 /** What turning a knob takes. */
 typedef enum KnobKind {
@@ -72,6 +72,13 @@ typedef struct KnobRange {
 } KnobRange;
 
 extern const Knob knobs[KNOB_COUNT];
+
+/** Knob number @p place of the stereo plugin, or of the other one; KNOB_COUNT past the last. */
+static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
+  const uint32_t levels = KNOB_LEVEL_FAR - KNOB_LEVEL_PAIR + 1;
+  const uint32_t id = stereo || place < KNOB_LEVEL_PAIR ? place : place + levels;
+  return id < KNOB_COUNT ? (KnobId)id : KNOB_COUNT;
+}
 
 /** SET-UP. @p usual is the definition of DEFAULT_PRESET. */
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual);

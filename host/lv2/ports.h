@@ -37,13 +37,12 @@ static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 6; }
 /** Port number @p number of the stereo plugin, or of the other one. */
 static inline Port port_at(bool stereo, uint32_t number) REALTIME {
   const uint32_t outputs = port_outputs(stereo);
-  const uint32_t knob_count = stereo ? KNOB_COUNT : KNOB_MULTI_COUNT;
   if (number == 0) return (Port){PORT_EVENTS, 0};
   if (number <= outputs) return (Port){PORT_OUTPUT, number - 1};
   if (number == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
   if (number == outputs + 2) return (Port){PORT_READY, 0};
-  if (number < outputs + 3 + knob_count) return (Port){PORT_KNOB, number - outputs - 3};
-  return (Port){PORT_NONE, 0};
+  const KnobId knob = knob_at(stereo, number - outputs - 3);
+  return (Port){knob < KNOB_COUNT ? PORT_KNOB : PORT_NONE, knob};
 }
 
 #endif

@@ -161,7 +161,8 @@ static void turn_level(Voice *voice, KnobId id, double factor, bool at_once) {
 
 static void turn_setting(Voice *voice, KnobId id, float value, bool at_once) {
   switch (id) {
-  case KNOB_VELOCITY_CURVE: voice->map.curve = (MidiCurve)lroundf(value); break;
+  case KNOB_VELOCITY_CURVE: voice->map.response.curve = (MidiCurve)lroundf(value); break;
+  case KNOB_VELOCITY_RANGE: voice->map.response.range = (MidiRange)lroundf(value); break;
   case KNOB_HUMANIZE: voice->humanizer.amount = knob_decimal(value); break;
   case KNOB_QUALITY:
     voice->wish.quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
@@ -355,7 +356,7 @@ void voice_rest(Voice *voice) {
   voice_cut_others(voice);
   start_over(voice, &binding);
   voice->gain = fader_at(voice->gain.target, voice->rate);
-  for (uint32_t i = KNOB_LEVEL_PAIR; i < KNOB_COUNT; i++) {
+  for (uint32_t i = KNOB_LEVEL_PAIR; i <= KNOB_LEVEL_FAR; i++) {
     voice->levels[i] = fader_at(voice->levels[i].target, voice->rate);
     voice->waits[i] = 0;
   }

@@ -67,7 +67,7 @@ typedef struct Voice {
   uint32_t mics[VOICE_MICS];        /**< of the model of now, or WORKSHOP_NO_MIC */
   Silencer silencer;
   Fader gain, expression;
-  Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR on */
+  Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR to KNOB_LEVEL_FAR */
   uint32_t
     waits[KNOB_COUNT]; /**< frames until a level moves: the microphone has just been switched on */
 

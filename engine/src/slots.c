@@ -333,11 +333,21 @@ static bool is_pressed(const TbSlot *s) {
   return s->kind == TB_SLOT_STRIKER && s->held && !s->bristles && !s->partner;
 }
 
-/* A hand that strikes again lifts the stick that it pressed. */
+/* A pressed stick that touches is lifted, everything else is gone at once. */
+static void let_go(TbView *view, uint32_t i) {
+  TbSlot *s = &view->state->slots[i];
+  if (is_pressed(s) && tb_slots_touches(view, i)) {
+    lift(s);
+  } else {
+    tb_slots_take_away(view, i);
+  }
+}
+
+/* A hand that strikes again lets go of the stick that it pressed. */
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
-    TbSlot *s = &view->state->slots[i];
-    if (is_pressed(s) && s->id == id) lift(s);
+    const TbSlot *s = &view->state->slots[i];
+    if (is_pressed(s) && s->id == id) let_go(view, i);
   }
 }
 
@@ -517,13 +527,8 @@ bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, do
 void tb_slots_release(TbView *view, uint32_t id) {
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    TbSlot *s = &view->state->slots[i];
-    if (!in_play(view, i) || s->leaving || (id != 0 && s->id != id)) continue;
-    if (is_pressed(s) && tb_slots_touches(view, i)) {
-      lift(s);
-    } else {
-      tb_slots_take_away(view, i);
-    }
+    const TbSlot *s = &view->state->slots[i];
+    if (in_play(view, i) && !s->leaving && (id == 0 || s->id == id)) let_go(view, i);
   }
 }
 

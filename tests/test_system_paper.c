@@ -5,7 +5,7 @@
 
 static const double SECONDS = 0.12, LATE = 0.08;
 /* The paper's stroke, which it does not give: this one moves the centre by some 0.7 mm [m/s]. */
-static const double SPEED = 1.44;
+static const double SPEED = 1.42;
 /* A bounce: the gap at the midpoint opens beyond the first, then closes to the second [m]. */
 static const double OPEN = 1e-4, CLOSED = 2e-5;
 /* "Around 1 mm and 2-3 mm" [m]. */

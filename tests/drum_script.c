@@ -11,19 +11,27 @@
 
 #include <cmocka.h>
 
-TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions) {
-  TaborDrumDef def;
+TaborModel *script_model_of(const TaborDrumDef *def, TaborQuality quality,
+                            TaborInstructions instructions) {
   TaborError error;
   TaborModelOptions options;
   TaborModel *model = NULL;
   tabor_model_options_default(&options);
   options.quality = quality;
   options.instructions = instructions;
-  if (tabor_drum_def_preset(&def, preset, &error) != TABOR_OK ||
-      tabor_model_create(&def, &options, &model, &error) != TABOR_OK) {
-    fail_msg("%s: %s", preset, error.message);
+  if (tabor_model_create(def, &options, &model, &error) != TABOR_OK) {
+    fail_msg("%s: %s", def->name, error.message);
   }
   return model;
+}
+
+TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions) {
+  TaborDrumDef def;
+  TaborError error;
+  if (tabor_drum_def_preset(&def, preset, &error) != TABOR_OK) {
+    fail_msg("%s: %s", preset, error.message);
+  }
+  return script_model_of(&def, quality, instructions);
 }
 
 TaborDrum *script_drum(TaborModel *model) {

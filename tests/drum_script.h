@@ -30,6 +30,9 @@ typedef uint32_t BlockSize(void *context);
 
 /** A model of built-in preset @p preset at 48 kHz; fails the test if there is an error. */
 TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions);
+/** The same of a definition. */
+TaborModel *script_model_of(const TaborDrumDef *def, TaborQuality quality,
+                            TaborInstructions instructions);
 /** A drum of @p model; fails the test if there is an error. */
 TaborDrum *script_drum(TaborModel *model);
 

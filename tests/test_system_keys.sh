@@ -115,7 +115,7 @@ lines() {
   same "settings without a screen" "settings same" "$(grep ^settings typed)"
 }
 lines --no-ui
-for line in ' s: stroke at 0 % of the radius, 20 degrees, 2.50 m/s' 'allowed: -60 to 24' \
+for line in ' s: stroke at 0 % of the radius, 20 degrees, 4.50 m/s' 'allowed: -60 to 24' \
   'gain +2.0 dB' 'a s d f g h j k l      strokes, from' 'Escape again quits'; do
   check "--no-ui says: $line" grep -qF -e "$line" err.txt
 done

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted [ITU-R BS.1770], by
+/* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted [BS1770], by
  * libebur128. All at live quality, in the preset's first microphone. */
 #include <ebur128.h>
 

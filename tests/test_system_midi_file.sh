@@ -4,8 +4,7 @@
 
 . "$(dirname "$0")/host_checks.sh"
 
-# The gut of the preset is too stiff for draft at half the rate, which it would say.
-short=(tabor -q --quality draft --rate 22050 --format float --duration 0.6 --set wires.contact_stiffness=1e8)
+short=(tabor -q --quality draft --rate 22050 --format float --duration 0.6)
 
 # bytes HEX...: these bytes; blanks between them do not count.
 bytes() {

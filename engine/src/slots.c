@@ -9,13 +9,14 @@
 #include "rimstroke.h"
 #include "rod.h"
 
-static const double AWAY = 0.005;       /* [m] */
-static const double OUT_OF_HAND = 0.05; /* [m] */
-static const double LINGER = 1.0;       /* [s] */
-static const double PALM_TIME = 0.3;    /* [s] */
-static const double LIFT_TIME = 0.008;  /* [s] in which a hand lets go and pulls, */
-static const double LIFT = 2.0;         /* [N] ... this hard in the end: 5 mm in as long again */
-static const double HERTZ = 1.5;        /* round wood on a round edge */
+static const double AWAY = 0.005; /* [m] */
+/* [m]: the tip of a stick that has turned by 45 degrees about a hand 0.28 m away from it */
+static const double OUT_OF_HAND = 0.2;
+static const double LINGER = 1.0;      /* [s] */
+static const double PALM_TIME = 0.3;   /* [s] */
+static const double LIFT_TIME = 0.008; /* [s] in which a hand lets go and pulls, */
+static const double LIFT = 2.0;        /* [N] ... this hard in the end: 5 mm in as long again */
+static const double HERTZ = 1.5;       /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
   return view->state->slots[slot].kind != TB_SLOT_FREE;

@@ -8,7 +8,7 @@
  * off beyond 5 mm, or touches nothing a second after the stroke.
  *
  * A striker that a hand presses moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), damper centred, g
- * the grip, z0 where the hand took hold; it bounces, and stays until it is released or leaps 50 mm off,
+ * the grip, z0 where the hand took hold; it bounces, and stays until it is released or leaps 0.2 m off,
  * out of the hand. Released on the head it is lifted: in 8 ms the force F0 becomes a pull of 2 N, and off it goes. What
  * force and spring do is injected energy, what the damper takes is lost. g = 0 is
  * a free rebound. A hand holds one stick: a stroke takes away the pressed one with its id. Held at a

@@ -530,7 +530,7 @@ typedef enum TaborEventType {
                                 holds one stick */
   TABOR_EVENT_PRESS = 2, /**< id, or 0 for all: presses strikers in play onto the head, value 0 to
                                 1 for 0.3 to 8 N in equal ratios at a grip of 0.5; they bounce (a buzz)
-                                and stay until released or 50 mm away. Again: changes the pressure */
+                                and stay until released or 0.2 m away. Again: changes the pressure */
   TABOR_EVENT_DAMP = 3,  /**< id, radius, angle, value: a hand of @p value [N s/m] on the head */
   TABOR_EVENT_RELEASE =
     4, /**< id, or 0 for all: lifts damping hands and brushes, takes strikers away */

@@ -36,16 +36,30 @@ options=()
 strokes() { awk 'END { print NR }' onsets; }
 peak() { awk -v n="$1" 'NR == n { print $2 }' onsets; }
 
+# in_time FUNCTION: what comes late on a busy machine is typed again, up to four times. The function succeeds if
+# nothing was late.
+in_time() {
+  local try
+  for try in 1 2 3 4; do
+    if "$1"; then return; fi
+    echo "$1: late at try $try: keys and strokes apart by up to $(tail -n 1 late) s, $(strokes) strokes; once more"
+  done
+  "$1"
+}
+
 # ---- when, and how fast ----
 
-types 'type 9' 'sleep 0.2' 'type a' 'sleep 0.3' 'type s' 'sleep 0.21' 'type s' 'sleep 0.47' 'type w' \
-  'sleep 0.3' 'type  ' 'sleep 0.3' 'type 5' 'sleep 0.1' 'type s' 'sleep 0.3' 'type  ' 'sleep 0.1'
+type_strokes() {
+  types 'type 9' 'sleep 0.2' 'type a' 'sleep 0.3' 'type s' 'sleep 0.21' 'type s' 'sleep 0.47' 'type w' \
+    'sleep 0.3' 'type  ' 'sleep 0.3' 'type 5' 'sleep 0.1' 'type s' 'sleep 0.3' 'type  ' 'sleep 0.1'
+  grep ^typed typed | sed -n '2,6p; 8,9p' >keys
+  # Intervals, so that the constant latency cancels.
+  paste -d ' ' keys onsets |
+    awk 'NR > 1 { d = ($2 - t) - ($3 - s); print d < 0 ? -d : d } { t = $2; s = $3 }' | sort -g >late
+  [ "$(strokes)" = 7 ] && awk 'NR == 3 && $1 >= 0.01 || $1 >= 0.1 { exit 1 }' late
+}
+in_time type_strokes
 same "every key is a stroke" 7 "$(strokes)"
-grep ^typed typed | sed -n '2,6p; 8,9p' >keys
-# Intervals, so that the constant latency cancels. A busy machine may be late with some of them.
-paste -d ' ' keys onsets |
-  awk 'NR > 1 { d = ($2 - t) - ($3 - s); print d < 0 ? -d : d } { t = $2; s = $3 }' | sort -g >late
-echo "intervals between keys and between strokes differ by, in s:" $(cat late)
 holds "half of the strokes are in time" "$(sed -n 3p late) < 0.01"
 holds "no stroke is far from its time" "$(tail -n 1 late) < 0.1"
 holds "a ghost note is much softer" "$(peak 4) < 0.6 * $(peak 3)"
@@ -62,7 +76,11 @@ fi
 
 roll=()
 for ((i = 0; i < 10; i++)); do roll+=('type d' 'sleep 0.2'); done
-types "${roll[@]}"
+type_roll() {
+  types "${roll[@]}"
+  [ "$(strokes)" = 10 ]
+}
+in_time type_roll
 same "a held key is a roll" 10 "$(strokes)"
 types 'type asd' 'wait strokes 3'
 same "a batch is played at once" 1 "$(strokes)"

@@ -7,11 +7,13 @@
 
 #include "physics.h"
 
-/* Processor time for one model [s]: two hundred times what the slowest takes that a player meets, and room
- * for sanitizers; with its integrals growing with the distance the first of these took minutes. */
-static const double BOUND = 20.0;
+/* Processor time for one model over that for the drum that a player meets, in the same run: 25 is the most here, 45 under
+ * sanitizers. With its integrals growing with the distance the first of these took a thousand times as long. */
+static const double BOUND = 200.0;
 
 static bool brief;
+
+static double usual; /* [s] for the drum that a player meets */
 
 static double seconds_to_build(const TaborDrumDef *def, uint32_t quality) {
   const clock_t start = clock();
@@ -21,8 +23,8 @@ static double seconds_to_build(const TaborDrumDef *def, uint32_t quality) {
 
 static void check(const char *name, const TaborDrumDef *def) {
   const double seconds = seconds_to_build(def, TABOR_QUALITY_STUDIO);
-  print_message("%s: %.3f s\n", name, seconds);
-  assert_true(seconds < BOUND);
+  print_message("%s: %.3f s, %.1f times the usual\n", name, seconds, seconds / usual);
+  assert_true(seconds < BOUND * usual);
 }
 
 static TaborDrumDef with_distant_mic(double radius, double mic_radius, double mic_height) {
@@ -64,26 +66,39 @@ static void slow_air_is_bounded(void **state) {
   }
 }
 
-/* The drum that a player meets: 14 inch, two heads, six microphones. Under half a second on one core of
- * 2018; ten times that is let pass here, for sanitizers and busy machines. */
-static void a_two_headed_drum_with_six_microphones(void **state) {
-  (void)state;
+/* The drum that a player meets: 14 inch, two heads, `mics` microphones. */
+static TaborDrumDef usual_drum(uint32_t mics) {
   static const double PLACES[6][2] = {{0.05, 0.10}, {0.08, -0.25}, {0.9, 0.5},
                                       {1.5, 1.2},   {0.5, 2.0},    {0.25, 0.04}};
   TaborDrumDef def;
   tabor_drum_def_default(&def);
   def.two_headed = 1;
   def.shell.radius = 0.1778;
-  def.mic_count = 6;
-  for (int i = 0; i < 6; i++) {
+  def.mic_count = mics;
+  for (uint32_t i = 0; i < mics; i++) {
     def.mic[i] = def.mic[0];
-    snprintf(def.mic[i].name, sizeof def.mic[i].name, "mic%d", i);
+    snprintf(def.mic[i].name, sizeof def.mic[i].name, "mic%u", i);
     def.mic[i].radius = PLACES[i][0];
     def.mic[i].height = PLACES[i][1];
   }
+  return def;
+}
+
+static int build_the_usual_drum(void **state) {
+  (void)state;
+  const TaborDrumDef def = usual_drum(6);
+  usual = seconds_to_build(&def, TABOR_QUALITY_LIVE);
+  print_message("two heads, six microphones: %.3f s\n", usual);
+  return 0;
+}
+
+/* What microphones share is computed once. */
+static void six_microphones_cost_less_than_six_drums(void **state) {
+  (void)state;
+  const TaborDrumDef def = usual_drum(1);
   const double seconds = seconds_to_build(&def, TABOR_QUALITY_LIVE);
-  print_message("two heads, six microphones: %.3f s\n", seconds);
-  assert_true(seconds < 5.0);
+  print_message("with one microphone: %.3f s\n", seconds);
+  assert_true(usual < 6.0 * seconds);
 }
 
 int main(int count, char **words) {
@@ -91,7 +106,7 @@ int main(int count, char **words) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(distant_microphones_are_bounded),
     cmocka_unit_test(slow_air_is_bounded),
-    cmocka_unit_test(a_two_headed_drum_with_six_microphones),
+    cmocka_unit_test(six_microphones_cost_less_than_six_drums),
   };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return cmocka_run_group_tests(tests, build_the_usual_drum, NULL);
 }

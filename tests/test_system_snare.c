@@ -285,7 +285,7 @@ static void harder_strokes_are_no_brighter(void **state) {
     print_message("%4.1f m/s: centroid %.0f Hz, without snares %.0f Hz\n", SPEEDS[i], with[i],
                   without[i]);
     assert_true(fabs(log2(without[i] / without[0])) < 1.0 / 6.0);
-    assert_true(with[i] > 1.5 * without[i]);
+    assert_true(with[i] > (brief ? 1.2 : 1.5) * without[i]); /* four wires or twenty */
   }
   assert_true(with[1] < with[0] && with[2] < with[1]);
 }

@@ -45,7 +45,7 @@ done
 
 # Where nothing is on the path Tabor is measured and the others are named.
 python=$("$python" -c 'import sys; print(sys.executable)')
-PATH=$PWD "$python" "$tools/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 30 \
+PATH=$PWD "$python" "$tools/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 10 \
   --quality draft >"$out" 2>"$err" || complain "compare-synthesizers: $(cat "$err")"
 same "those who played" "3" "$(json rows.size)"
 same "those who are missing" "3" "$(json missing.size)"

@@ -59,8 +59,7 @@ def outside(feature, value, spread):
 
 
 def is_inside(feature, value, spread):
-    low, high = widened(feature, spread[1], spread[3])
-    return low <= value <= high  # NaN is not
+    return outside(feature, value, spread) == 0.0  # NaN is not
 
 
 def count_inside(group, values, recorded):

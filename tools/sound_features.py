@@ -76,21 +76,14 @@ def energy(frequency, power, low, high):
     return power[(frequency >= low) & (frequency < high)].sum()
 
 
-def third_octaves(sound, window):
-    """Levels [dB] of THIRD_OCTAVES in a window, relative to the energy of WHOLE; `sound` is prepared."""
-    frequency, power = power_spectrum(windowed(sound, *WINDOWS[window]))
-    whole = energy(frequency, power, *WHOLE)
-    edge = 2.0 ** (1.0 / 6.0)
-    return [decibel(energy(frequency, power, f / edge, f * edge) / whole) for f in THIRD_OCTAVES]
-
-
 def spectral(sound):
     found = {}
+    edge = 2.0 ** (1.0 / 6.0)
     for window, limits in WINDOWS.items():
-        levels = third_octaves(sound, window)
-        found |= {f"to_{window}_{round(f)}": level for f, level in zip(THIRD_OCTAVES, levels)}
         frequency, power = power_spectrum(windowed(sound, *limits))
         whole = energy(frequency, power, *WHOLE)
+        found |= {f"to_{window}_{round(f)}": decibel(energy(frequency, power, f / edge, f * edge) / whole)
+                  for f in THIRD_OCTAVES}
         found |= {f"b_{name}_{window}": decibel(energy(frequency, power, *edges) / whole)
                   for name, edges in BANDS.items()}
         found[f"hfbody_{window}"] = decibel(energy(frequency, power, *TREBLE) / energy(frequency, power, *BODY))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * embed-presets OUT.c A.ini B.ini ...: writes preset files as the C table of engine/src/preset.h,
+ * embed-presets OUT.c A.ini B.ini ...: writes preset files as the C table of engine/src/definition/preset.h,
  * in this order. Part of the build, not of the product. What the values are worth is tested later
  * (tests/test_preset.c); here a file only has to be a sound INI file.
  */
@@ -99,7 +99,7 @@ static bool write_table(FILE *out, char **paths, unsigned count) {
   Writer *const writers = calloc(count, sizeof *writers);
   bool good = writers != NULL;
   fputs("/* Written by embed-presets from the files of presets/. */\n#include "
-        "\"preset.h\"\n#include <stddef.h>\n",
+        "\"definition/preset.h\"\n#include <stddef.h>\n",
         out);
   for (unsigned i = 0; good && i < count; i++) good = write_preset(out, paths[i], i, &writers[i]);
   fputs("\nconst TbPreset tb_presets[] = {\n", out);

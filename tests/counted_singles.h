@@ -3,7 +3,7 @@
 #ifndef TEST_COUNTED_SINGLES_H
 #define TEST_COUNTED_SINGLES_H
 
-#include "singlekernels.h"
+#include "kernels/singlekernels.h"
 
 static const TbSingleKernels *single_counted = &tb_single_kernels_baseline;
 

@@ -18,7 +18,7 @@
 #include <cmocka.h>
 
 #include "drum_script.h"
-#include "model.h"
+#include "model/model.h"
 
 #define ADDRESS ((char *)0x100000000000) /* far from where programs and their libraries are put */
 #define SIZE ((size_t)1 << 30)

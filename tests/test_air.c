@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "air.h"
-#include "bessel.h"
-#include "quadrature.h"
+#include "acoustics/air.h"
+#include "math/bessel.h"
+#include "math/quadrature.h"
 #include "reference.h"
 
 static const double PI = 3.14159265358979323846;

@@ -25,7 +25,7 @@ if [ ! -f "$commands" ]; then
 fi
 # Of sources compiled more than once, every command counts.
 # A path with a blank in it stands in quotes, which JSON writes as \".
-engine_commands=$(grep '"command":' "$commands" | grep -E -- ' -c .*/engine/src/[^/]*\.c(\\")?",?$' || true)
+engine_commands=$(grep '"command":' "$commands" | grep -E -- ' -c .*/engine/src/[^/]*/[^/]*\.c(\\")?",?$' || true)
 if [ -z "$engine_commands" ]; then
   echo "$commands compiles no engine source" >&2
   exit 1

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "bessel.h"
-#include "besseltable.h"
+#include "math/bessel.h"
+#include "math/besseltable.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "coat.h"
+#include "step/coat.h"
 
 enum { POINTS = 400000 };
 

@@ -4,8 +4,8 @@
 
 #include <jansson.h>
 
-#include "bessel.h"
-#include "coupled.h"
+#include "acoustics/coupled.h"
+#include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameter table, setting and getting, and the validation of definitions from anywhere. */
 #define _GNU_SOURCE /* mkdtemp, setenv */
-#include "definition.h"
-#include "error.h"
-#include "key.h"
-#include "params.h"
-#include "text.h"
+#include "definition/definition.h"
+#include "definition/error.h"
+#include "definition/key.h"
+#include "definition/params.h"
+#include "definition/text.h"
 
 #include <float.h>
 #include <locale.h>

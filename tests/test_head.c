@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The head's modes: Bessel zeros in vacuo, losses, air loading against measurement and closed forms,
  * shapes and patches. */
-#include "arena.h"
-#include "bessel.h"
-#include "head.h"
+#include "acoustics/head.h"
+#include "math/arena.h"
+#include "math/bessel.h"
 #include "physics.h"
 
 static const double PI = 3.14159265358979323846;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The one-way high band against a sum over all modes, each with its own air. */
-#include "air.h"
-#include "bessel.h"
-#include "model.h"
+#include "acoustics/air.h"
+#include "math/bessel.h"
+#include "model/model.h"
 #include "physics.h"
-#include "treble.h"
+#include "step/treble.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 96000.0;

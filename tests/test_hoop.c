@@ -3,10 +3,10 @@
  * loses energy, and goes on in another model. */
 #include "physics.h"
 
-#include "bessel.h"
-#include "hoop.h"
-#include "model.h"
-#include "state.h"
+#include "math/bessel.h"
+#include "model/hoop.h"
+#include "model/model.h"
+#include "step/state.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 48000.0;

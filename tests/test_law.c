@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "kernels.h"
-#include "law.h"
+#include "kernels/kernels.h"
+#include "kernels/law.h"
 
 static const double K = 1.0 / 48000.0;
 static const double exponents[] = {1.0, 1.2, 1.5, 1.7, 2.0, 2.5, 3.0};

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "linear.h"
+#include "math/linear.h"
 
 enum { N = 40 };
 

@@ -3,8 +3,8 @@
  * a part of the drum's state and energy. */
 #include "physics.h"
 
-#include "bessel.h"
-#include "mobility.h"
+#include "math/bessel.h"
+#include "model/mobility.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 48000.0;

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "power.h"
+#include "math/power.h"
 
 static void powers_agree_with_libm(void **state) {
   (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The built-in presets, and the files that they are made of. */
-#include "definition.h"
-#include "preset.h"
+#include "definition/definition.h"
+#include "definition/preset.h"
 
 #include <math.h>
 #include <setjmp.h>

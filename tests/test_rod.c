@@ -2,8 +2,8 @@
 /* The stick as a rod: what its two ends weigh, what a stroke brings, and the limit of a plain striker. */
 #include "physics.h"
 
-#include "drum.h"
-#include "rod.h"
+#include "drum/drum.h"
+#include "step/rod.h"
 
 static const double RATE = 48000.0;
 static const double MASS = 0.011; /* [kg] */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Contacts in single precision against those in double: the grid under the wires, the laws, whole strokes. */
-#include "drum.h"
-#include "lift.h"
+#include "drum/drum.h"
 #include "physics.h"
-#include "singlesolve.h"
+#include "step/lift.h"
+#include "step/singlesolve.h"
 
 static const double RATE = 48000.0;
 static const char *const DRUMS[] = {"snare-14x5.5", "bodhran-d-string", "marching-14x12"};

@@ -2,8 +2,8 @@
 /* Mufflers: a light one adds c phi^2/2 to each mode's decay rate; one of strength 0 is not there. */
 #include "physics.h"
 
-#include "live.h"
-#include "params.h"
+#include "definition/params.h"
+#include "step/live.h"
 
 /* One mode rings alone in vacuo: all others die at once. */
 static TaborDrumDef lone_mode(double strength) {

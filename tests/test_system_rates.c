@@ -4,7 +4,7 @@
  * usage: test_system_rates [brief]: the modes alone, at 44.1 kHz. */
 #include "physics.h"
 
-#include "treble.h"
+#include "step/treble.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATES[4] = {44100.0, 48000.0, 96000.0, 192000.0};

@@ -4,8 +4,8 @@
  * usage: test_system_stretch [brief]: one mode at one amplitude. */
 #include "physics.h"
 
-#include "drum.h"
-#include "stretch.h"
+#include "drum/drum.h"
+#include "step/stretch.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 192000.0;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* How much work a sample is, counted: elements that the kernels (kernels.h) pass through, whatever the machine.
  * It has a bound that no playing can exceed, and playing stays far below it. */
-#include "drum.h"
-#include "kernels.h"
-#include "law.h"
+#include "drum/drum.h"
+#include "kernels/kernels.h"
+#include "kernels/law.h"
 #include "physics.h"
 
 static const double RATE = 48000.0;

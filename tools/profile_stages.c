@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drum.h"
-#include "profile.h"
+#include "drum/drum.h"
+#include "kernels/profile.h"
 #include "stopwatch.h"
 #include "workload.h"
 

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "acoustics/head.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "acoustics/enclosed.h"
+#include "acoustics/single.h"
+#include "math/bessel.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* About z^2/4 - z/2 modes lie below z, sine copies counted: 2048 of them below this. */
+static const double TOP_ZERO = 91.0;
+
+/* Most of the air's integrals end at this many times the basis' highest zero. */
+static const double AIR_REACH = 4.0;
+
+/* Estimate with the air's mass rho0/K on each side: enough to choose the basis. */
+static double frequency_at(const TaborDrumDef *def, const TaborHeadDef *head, double zero) {
+  const double wavenumber = zero / def->shell.radius;
+  const double mass = head->surface_density + 2.0 * def->air.density / wavenumber;
+  return sqrt(tb_head_stiffness(head, wavenumber) / mass) / (2.0 * PI);
+}
+
+static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *head,
+                                double frequency) {
+  double lo = 0.5, hi = TOP_ZERO;
+  if (frequency_at(def, head, hi) <= frequency) return hi;
+  for (int i = 0; i < 60; i++) {
+    const double middle = 0.5 * (lo + hi);
+    if (frequency_at(def, head, middle) < frequency) {
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  return hi;
+}
+
+static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                               const TbBesselTable *table, TbHeadOrder *order) {
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  const double limit = 2.0 * PI * head->bandwidth;
+  TbHeadMode *modes = head->modes + head->row_count;
+  const uint32_t room = TB_MAX_MODES - head->row_count;
+  TbAirOrder air;
+  TaborStatus status = TABOR_ERROR_MEMORY;
+  if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
+    air.table = table;
+    status = tb_has_cavity(def)
+               ? tb_enclosed_order(def, arena, &scratch, &air, limit, order, modes, room)
+               : tb_single_order(def, arena, &scratch, &air, limit, order, modes, room);
+  }
+  order->rows = tb_arena_take(arena, order->mode_count + 1u, sizeof *order->rows);
+  if (arena->failed) status = TABOR_ERROR_MEMORY;
+  head->row_count += order->mode_count;
+  tb_arena_release(&scratch);
+  return status;
+}
+
+static int compare_modes(const void *a, const void *b) {
+  const TbHeadMode *x = a, *y = b;
+  if (x->omega != y->omega) return x->omega < y->omega ? -1 : 1;
+  return x->m < y->m ? -1 : (x->m > y->m ? 1 : (x->index < y->index ? -1 : x->index > y->index));
+}
+
+/* Sorts the modes of all orders by frequency and tells each order where its own went. */
+static void sort_modes(TbHead *head) {
+  qsort(head->modes, head->row_count, sizeof *head->modes, compare_modes);
+  for (uint32_t row = 0; row < head->row_count; row++) {
+    const TbHeadMode *mode = &head->modes[row];
+    head->orders[mode->m].rows[mode->place] = row;
+  }
+}
+
+/* The basis and the bandwidth that it holds: of both heads, the slower needs more functions; and with the
+ * air between them there must be room for all modes. */
+static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwidth) {
+  const TaborHeadDef *const heads[TB_HEADS] = {&def->batter, &def->resonant};
+  double top = 0.0;
+  head->bandwidth = bandwidth;
+  for (uint32_t h = 0; h < head->heads; h++) {
+    const double own = zero_at_frequency(def, heads[h], 1.03 * bandwidth);
+    top = fmax(top, own);
+    head->bandwidth = fmin(head->bandwidth, frequency_at(def, heads[h], own));
+  }
+  if (head->heads == 2) head->bandwidth = tb_enclosed_bandwidth(def, head->bandwidth);
+  return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
+}
+
+static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                                const TbBesselTable *table, double basis_top, uint32_t most) {
+  const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
+  for (uint32_t m = 0; m < most; m++) {
+    TbHeadOrder *order = &head->orders[m];
+    order->m = m;
+    order->first_zero = head->zero_count;
+    order->zeros = tb_arena_doubles(arena, room);
+    if (arena->failed) return TABOR_ERROR_MEMORY;
+    order->zero_count = tb_bessel_zeros(m, basis_top, order->zeros, room);
+    if (order->zero_count == 0) break;
+    const TaborStatus status = build_order(head, arena, def, table, order);
+    if (status != TABOR_OK) return status;
+    head->zero_count += order->zero_count;
+    head->order_count++;
+  }
+  return TABOR_OK;
+}
+
+TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
+                            double bandwidth) {
+  *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1, .radius = def->shell.radius};
+  const double basis_top = choose_basis(head, def, bandwidth);
+  const uint32_t most_orders = (uint32_t)basis_top + 1u;
+  head->orders = tb_arena_take(arena, most_orders, sizeof *head->orders);
+  head->modes = tb_arena_take(arena, TB_MAX_MODES, sizeof *head->modes);
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  TbBesselTable table;
+  TaborStatus status = TABOR_ERROR_MEMORY;
+  if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
+      !arena->failed) {
+    status = build_orders(head, arena, def, &table, basis_top, most_orders);
+  }
+  tb_arena_release(&scratch);
+  if (status == TABOR_OK) sort_modes(head);
+  return status;
+}
+
+TaborModeInfo tb_head_mode_info(const TbHeadMode *mode) {
+  return (TaborModeInfo){.m = mode->m,
+                         .n = mode->n,
+                         .frequency = mode->omega / (2.0 * PI),
+                         .decay_rate = mode->decay_rate,
+                         .radiation_rate = mode->radiation_rate,
+                         .part = (TaborModePart)mode->part,
+                         .phase = mode->phase,
+                         .multiplicity = mode->m ? 2 : 1};
+}
+
+void tb_head_patch(const TbHead *head, double patch_radius, double *patch) {
+  uint32_t index = 0;
+  for (uint32_t m = 0; m < head->order_count; m++) {
+    const TbHeadOrder *order = &head->orders[m];
+    for (uint32_t i = 0; i < order->zero_count; i++, index++) {
+      const double ka = order->zeros[i] * patch_radius / head->radius;
+      patch[index] = ka > 1e-6 ? 2.0 * tb_bessel_j(1, ka) / ka : 1.0;
+    }
+  }
+}
+
+/* Values of all Bessel functions of one order at r, eight at a time. */
+static void order_values(const TbHeadOrder *order, double r, const double *patch, double *values) {
+  const uint32_t m = order->m;
+  const uint32_t orders[8] = {m, m, m, m, m, m, m, m};
+  for (uint32_t i = 0; i < order->zero_count; i += 8) {
+    double argument[8], j[8];
+    for (uint32_t l = 0; l < 8; l++) {
+      argument[l] = i + l < order->zero_count ? order->zeros[i + l] * r : 0.0;
+    }
+    tb_bessel_j8(orders, argument, j);
+    for (uint32_t l = 0; l < 8 && i + l < order->zero_count; l++) {
+      values[i + l] = patch ? j[l] * patch[i + l] : j[l];
+    }
+  }
+}
+
+void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
+                    double *radial) {
+  double values[TB_MAX_ZEROS];
+  for (uint32_t m = 0; m < head->order_count; m++) {
+    const TbHeadOrder *order = &head->orders[m];
+    order_values(order, r / head->radius, patch ? patch + order->first_zero : NULL, values);
+    for (uint32_t k = 0; k < order->mode_count; k++) {
+      const double *v = order->vectors[which] + (size_t)k * order->zero_count;
+      double sum = 0.0;
+      for (uint32_t i = 0; i < order->zero_count; i++) sum += v[i] * values[i];
+      radial[order->rows[k]] = sum;
+    }
+  }
+}

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT */
+#include "definition/definition.h"
+#include "definition/error.h"
+#include "definition/key.h"
+#include "definition/text.h"
+#include "definition/value.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Sets the fields of one element of a group to their defaults. */
+static void set_defaults(TaborDrumDef *def, TbGroup group, uint32_t element) {
+  for (uint32_t i = 0; i < tb_param_count; i++) {
+    const TbParam *const param = &tb_params[i];
+    if (param->group != group) continue;
+    const TbValue value = tb_value_default(param);
+    tb_value_store(param, tb_param_field(param, def, element), &value);
+  }
+}
+
+/* Takes the next element of a group that has room. @p name is valid. */
+static uint32_t add_element(TaborDrumDef *def, TbGroup group, const char *name) {
+  if (group == TB_GROUP_RESONANT) {
+    def->two_headed = 1;
+    set_defaults(def, group, 0);
+    return 0;
+  }
+  const bool is_mic = group == TB_GROUP_MIC;
+  uint32_t *const count = is_mic ? &def->mic_count : &def->striker_count;
+  const uint32_t element = (*count)++;
+  char *const to = is_mic ? def->mic[element].name : def->striker[element].name;
+  memset(to, 0, TABOR_NAME_SIZE);
+  memcpy(to, name, strlen(name));
+  set_defaults(def, group, element);
+  return element;
+}
+
+void tabor_drum_def_clear(TaborDrumDef *def) {
+  if (!def) return;
+  memset(def, 0, sizeof *def); /* padding too: equal definitions are equal bytes */
+  def->struct_size = (uint32_t)sizeof *def;
+  set_defaults(def, TB_GROUP_SINGLE, 0);
+  set_defaults(def, TB_GROUP_RESONANT, 0); /* for who sets two_headed by hand */
+  for (uint32_t i = 0; i < TABOR_MAX_WIRES; i++) set_defaults(def, TB_GROUP_WIRE, i);
+}
+
+void tabor_drum_def_default(TaborDrumDef *def) {
+  if (!def) return;
+  tabor_drum_def_clear(def);
+  (void)add_element(def, TB_GROUP_STRIKER, "stick");
+  (void)add_element(def, TB_GROUP_MIC, "top");
+}
+
+static const char *group_word(TbGroup group) {
+  return group == TB_GROUP_MIC ? "microphone" : "striker";
+}
+
+TaborStatus tb_check_struct(const TaborDrumDef *def, TaborError *error) {
+  if (!def) return tb_error_null(error, "definition");
+  if (def->struct_size != sizeof *def) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,
+                        "the definition's struct_size %u is not that of this library, %zu",
+                        (unsigned)def->struct_size, sizeof *def);
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus check_arguments(const TaborDrumDef *def, const char *key, const char *text,
+                                   TaborError *error) {
+  const TaborStatus status = tb_check_struct(def, error);
+  if (status != TABOR_OK || (key && text)) return status;
+  return tb_error_set(error, TABOR_ERROR_ARGUMENT, key, NULL, NAN, NAN, "the %s is NULL",
+                      key ? "text" : "key");
+}
+
+/* A key or section @p text, as @p what says, whose element has a name or number that is none. */
+static TaborStatus refuse_element(TbKeyStatus status, const char *what, const char *text,
+                                  TaborError *error) {
+  if (status == TB_KEY_BAD_NUMBER) {
+    return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, 1, TABOR_MAX_WIRES,
+                        "unknown %s '%s': wires are numbered 1 to %d", what, text, TABOR_MAX_WIRES);
+  }
+  return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN,
+                      "unknown %s '%s': a name has 1 to %d letters, digits, '-' and '_'", what,
+                      text, TABOR_NAME_LENGTH);
+}
+
+static TaborStatus refuse_unknown(const char *what, const char *text, const char *nearest,
+                                  TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN, "unknown %s '%s'%s%s%s", what,
+                      text, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
+}
+
+static TaborStatus parse_key(const TaborDrumDef *def, const char *text, TbKey *key,
+                             TaborError *error) {
+  const TbKeyStatus status = tb_key_parse(text, key);
+  if (status == TB_KEY_OK) return TABOR_OK;
+  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "key", text, error);
+  char nearest[TB_KEY_SIZE];
+  tb_key_nearest(def, text, nearest);
+  return refuse_unknown("key", text, nearest, error);
+}
+
+static TaborStatus parse_section(const char *text, TbKey *key, TaborError *error) {
+  const TbKeyStatus status = tb_section_parse(text, key);
+  if (status == TB_KEY_OK) return TABOR_OK;
+  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "section", text, error);
+  char nearest[TB_KEY_SIZE];
+  tb_section_nearest(text, nearest);
+  return refuse_unknown("section", text, nearest, error);
+}
+
+/* Index of the element that the key names; of one that is not there, where it would go. */
+static uint32_t find_element(const TaborDrumDef *def, const TbKey *key, bool *is_new) {
+  *is_new = false;
+  const TbGroup group = key->param->group;
+  if (group == TB_GROUP_RESONANT) *is_new = tb_group_count(def, group) == 0;
+  if (group != TB_GROUP_STRIKER && group != TB_GROUP_MIC) return key->wire;
+  const int found = tb_element_find(def, group, key->name);
+  *is_new = found < 0;
+  return *is_new ? tb_group_count(def, group) : (uint32_t)found;
+}
+
+static TaborStatus refuse_full(TbGroup group, const char *key, TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_FULL, key, NULL, NAN, NAN, "%s: a drum has at most %u %ss",
+                      key, (unsigned)tb_group_capacity(group), group_word(group));
+}
+
+TaborStatus tabor_drum_def_section(TaborDrumDef *def, const char *section, TaborError *error) {
+  TbKey parsed;
+  bool is_new;
+  TaborStatus status = check_arguments(def, section, "", error);
+  if (status == TABOR_OK) status = parse_section(section, &parsed, error);
+  if (status != TABOR_OK) return status;
+  const TbGroup group = parsed.param->group;
+  const uint32_t element = find_element(def, &parsed, &is_new);
+  if (element >= tb_group_capacity(group)) return refuse_full(group, section, error);
+  if (is_new) (void)add_element(def, group, parsed.name);
+  return tb_error_clear(error);
+}
+
+TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,
+                               TaborError *error) {
+  TbKey parsed;
+  TaborStatus status = check_arguments(def, key, value, error);
+  if (status == TABOR_OK) status = parse_key(def, key, &parsed, error);
+  if (status != TABOR_OK) return status;
+
+  bool is_new;
+  const TbGroup group = parsed.param->group;
+  uint32_t element = find_element(def, &parsed, &is_new);
+  if (element >= tb_group_capacity(group)) return refuse_full(group, key, error);
+  TbValue converted;
+  status = tb_value_parse(parsed.param, key, value, &converted, error);
+  if (status != TABOR_OK) return status;
+
+  if (is_new) element = add_element(def, group, parsed.name);
+  tb_value_store(parsed.param, tb_param_field(parsed.param, def, element), &converted);
+  return tb_error_clear(error);
+}
+
+/* The name of the group's elements that is nearest to @p name, "" if none is near. */
+static void nearest_element(const TaborDrumDef *def, TbGroup group, const char *name,
+                            char nearest[TABOR_NAME_SIZE]) {
+  size_t smallest = SIZE_MAX;
+  nearest[0] = '\0';
+  for (uint32_t i = 0; i < tb_group_count(def, group); i++) {
+    char candidate[TABOR_NAME_SIZE];
+    tb_element_name(def, group, i, candidate);
+    const size_t distance = tb_word_distance(name, candidate);
+    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
+    smallest = distance;
+    memcpy(nearest, candidate, sizeof candidate);
+  }
+}
+
+/* "stick, mallet" */
+static void list_elements(const TaborDrumDef *def, TbGroup group, char list[TABOR_TEXT_SIZE]) {
+  size_t length = 0;
+  list[0] = '\0';
+  for (uint32_t i = 0; i < tb_group_count(def, group) && length < TABOR_TEXT_SIZE; i++) {
+    char name[TABOR_NAME_SIZE];
+    tb_element_name(def, group, i, name);
+    length +=
+      (size_t)snprintf(list + length, TABOR_TEXT_SIZE - length, "%s%s", i > 0 ? ", " : "", name);
+  }
+}
+
+TaborStatus tb_refuse_name(const TaborDrumDef *def, bool is_mic, const char *key, const char *name,
+                           TaborError *error) {
+  const TbGroup group = is_mic ? TB_GROUP_MIC : TB_GROUP_STRIKER;
+  char nearest[TABOR_NAME_SIZE], list[TABOR_TEXT_SIZE];
+  nearest_element(def, group, name, nearest);
+  if (*nearest) {
+    return tb_error_set(error, TABOR_ERROR_NAME, key, name, NAN, NAN,
+                        "%s: the drum has no %s '%s'; did you mean '%s'?", key, group_word(group),
+                        name, nearest);
+  }
+  list_elements(def, group, list);
+  return tb_error_set(error, TABOR_ERROR_NAME, key, name, NAN, NAN,
+                      "%s: the drum has no %s '%s'; it has: %s", key, group_word(group), name,
+                      list);
+}
+
+static TaborStatus refuse_absent(const TaborDrumDef *def, const TbKey *parsed, const char *key,
+                                 TaborError *error) {
+  const TbGroup group = parsed->param->group;
+  if (group != TB_GROUP_RESONANT) {
+    return tb_refuse_name(def, group == TB_GROUP_MIC, key, parsed->name, error);
+  }
+  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN,
+                      "%s: the drum has no resonant head", key);
+}
+
+TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *text, size_t size,
+                               TaborError *error) {
+  TbKey parsed;
+  if (text && size > 0) text[0] = '\0';
+  TaborStatus status = check_arguments(def, key, text, error);
+  if (status == TABOR_OK) status = parse_key(def, key, &parsed, error);
+  if (status != TABOR_OK) return status;
+
+  bool is_new;
+  const TbParam *const param = parsed.param;
+  const uint32_t element = find_element(def, &parsed, &is_new);
+  if (is_new) return refuse_absent(def, &parsed, key, error);
+  const TbValue value = tb_value_load(param, tb_param_field_const(param, def, element));
+  if (tb_value_print(param, &value, text, size)) return tb_error_clear(error);
+  status = tb_value_check(param, key, &value, error);
+  if (status != TABOR_OK) return status;
+  return tb_error_set(error, TABOR_ERROR_ARGUMENT, key, NULL, NAN, NAN,
+                      "%s: the value does not fit into %zu bytes", key, size);
+}
+
+/* The walk to key number `left`. */
+typedef struct KeySearch {
+  const TaborDrumDef *def;
+  uint32_t left;
+  const TbParam *param;
+  uint32_t element;
+} KeySearch;
+
+static bool count_key(void *context, const TbParam *param, uint32_t element) {
+  KeySearch *const search = context;
+  const TbValue value = tb_value_load(param, tb_param_field_const(param, search->def, element));
+  if (tb_value_follows(param, &value) || search->left-- > 0) return true;
+  search->param = param;
+  search->element = element;
+  return false;
+}
+
+bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char *key, size_t size) {
+  if (!def || !key) return false;
+  KeySearch search = {.def = def, .left = index};
+  if (tb_walk(def, count_key, &search)) return false;
+  char text[TB_KEY_SIZE];
+  tb_key_write(def, search.param, search.element, text);
+  if (strlen(text) >= size) return false;
+  memcpy(key, text, strlen(text) + 1);
+  return true;
+}
+
+int tabor_drum_def_find_striker(const TaborDrumDef *def, const char *name) {
+  return def && name ? tb_element_find(def, TB_GROUP_STRIKER, name) : -1;
+}
+
+int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name) {
+  return def && name ? tb_element_find(def, TB_GROUP_MIC, name) : -1;
+}
+
+int tb_strike_striker(const TaborDrumDef *def) {
+  if (!memchr(def->strike.striker, '\0', sizeof def->strike.striker)) return -1;
+  if (!*def->strike.striker) return tb_group_count(def, TB_GROUP_STRIKER) > 0 ? 0 : -1;
+  return tabor_drum_def_find_striker(def, def->strike.striker);
+}
+
+double tb_deviate(uint32_t seed, uint32_t index) {
+  /* The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every bit. */
+  uint64_t z = ((uint64_t)seed << 32 | index) + 0x9E3779B97F4A7C15u;
+  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
+  z ^= z >> 31;
+  const double whole = (double)(z >> 12); /* 52 bits: 2 whole + 1 below is exact */
+  return (2 * whole + 1) * 0x1p-52 - 1;
+}
+
+static void take_default(double *own, double shared) {
+  if (isnan(*own)) *own = shared;
+}
+
+void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire) {
+  assert(index < TABOR_MAX_WIRES);
+  const TaborWiresDef *const wires = &def->wires;
+  const double deviation = wires->tension_spread * tb_deviate(wires->seed, index);
+  const double place = (double)index - ((double)wires->count - 1) / 2;
+  *wire = def->wire[index];
+  take_default(&wire->length, wires->length);
+  take_default(&wire->mass_per_length, wires->mass_per_length);
+  take_default(&wire->tension, wires->tension * (1 + deviation));
+  take_default(&wire->bending_stiffness, wires->bending_stiffness);
+  take_default(&wire->damping_0, wires->damping_0);
+  take_default(&wire->damping_1, wires->damping_1);
+  take_default(&wire->rest_offset, wires->rest_offset);
+  take_default(&wire->contact_stiffness, wires->contact_stiffness);
+  take_default(&wire->contact_exponent, wires->contact_exponent);
+  take_default(&wire->contact_loss, wires->contact_loss);
+  take_default(&wire->angle, wires->angle);
+  take_default(&wire->offset, wires->offset + place * wires->spacing);
+}

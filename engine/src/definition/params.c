@@ -1,0 +1,422 @@
+/* SPDX-License-Identifier: MIT */
+#include "definition/params.h"
+
+#include <math.h>
+
+/* What a row says of its value. */
+#define NUMBER(low, high, value)                                                                   \
+  .type = TABOR_TYPE_NUMBER, .minimum = (low), .maximum = (high), .fallback = (value)
+#define WHOLE(low, high, value)                                                                    \
+  .type = TABOR_TYPE_WHOLE, .minimum = (low), .maximum = (high), .fallback = (value)
+#define CHOICE(words, value)                                                                       \
+  .type = TABOR_TYPE_CHOICE, .minimum = NAN, .maximum = NAN, .fallback = (value), .choices = (words)
+#define TEXT .type = TABOR_TYPE_TEXT, .minimum = NAN, .maximum = NAN, .fallback = NAN
+#define LOGARITHMIC .logarithmic = true
+#define LIVE .live = true
+#define FOLLOWS                                                                                    \
+  NAN /* the fallback of a wire's value, what [wires] says, and of a lug's, as drawn */
+
+/* Where a row's field is. */
+#define AT(member) .group = TB_GROUP_SINGLE, .offset = offsetof(TaborDrumDef, member)
+#define SIZED(member) AT(member), .size = sizeof(((TaborDrumDef *)0)->member)
+#define IN_ARRAY(array, type, member)                                                              \
+  .offset = offsetof(TaborDrumDef, array) + offsetof(type, member), .stride = sizeof(type)
+#define IN_RESONANT(member)                                                                        \
+  .group = TB_GROUP_RESONANT,                                                                      \
+  .offset = offsetof(TaborDrumDef, resonant) + offsetof(TaborHeadDef, member)
+#define IN_BATTER(member) AT(batter.member)
+#define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
+#define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
+#define IN_MIC(member) .group = TB_GROUP_MIC, IN_ARRAY(mic, TaborMicDef, member)
+
+#define ROW(id_, section_, key_, unit_, text_, ...)                                                \
+  .info = {.id = (id_),                                                                            \
+           .section = (section_),                                                                  \
+           .key = (key_),                                                                          \
+           .unit = (unit_),                                                                        \
+           .text = (text_),                                                                        \
+           __VA_ARGS__}
+
+/* All lugs of one head; `place` says where its fields are. */
+#define LUG(number, id_, section_, place)                                                          \
+  {                                                                                                \
+    ROW((id_) + (number)-1, section_, "lug_" #number, "",                                          \
+        "own relative deviation of the tension at lug " #number, NUMBER(-0.5, 0.5, FOLLOWS)),      \
+      place(lug[(number)-1])                                                                       \
+  }
+#define LUGS(id, section, place)                                                                   \
+  LUG(1, id, section, place), LUG(2, id, section, place), LUG(3, id, section, place),              \
+    LUG(4, id, section, place), LUG(5, id, section, place), LUG(6, id, section, place),            \
+    LUG(7, id, section, place), LUG(8, id, section, place), LUG(9, id, section, place),            \
+    LUG(10, id, section, place), LUG(11, id, section, place), LUG(12, id, section, place),         \
+    LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
+    LUG(16, id, section, place)
+
+/* One mode of the hoop. */
+#define HOOP_MODE(number)                                                                          \
+  {ROW(TB_PARAM_HOOP_FREQUENCY + (number)-1, "hoop", "frequency_" #number, "Hz",                   \
+       "frequency of the hoop's mode " #number ", 0: it has none", NUMBER(0, 20000, 0)),           \
+   AT(hoop.frequency[(number)-1]), .least = 20, .zero = true},                                     \
+  {                                                                                                \
+    ROW(TB_PARAM_HOOP_DECAY + (number)-1, "hoop", "decay_" #number, "1/s",                         \
+        "decay of its amplitude, without what leaves as sound", NUMBER(0, 10000, 50)),             \
+      AT(hoop.decay[(number)-1])                                                                   \
+  }
+
+const TbParam tb_params[] = {
+  {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
+  {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
+  {ROW(TB_PARAM_DRUM_LICENSE, "drum", "license", "", "licence of the preset", TEXT),
+   SIZED(license)},
+
+  {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads",
+       NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),
+   AT(shell.radius)},
+  {ROW(TB_PARAM_SHELL_DEPTH, "shell", "depth", "m",
+       "depth of the air below the batter head, with a resonant head or closed",
+       NUMBER(0.01, 1.5, 0.14), LOGARITHMIC),
+   AT(shell.depth)},
+  {ROW(TB_PARAM_SHELL_BOUNDARY, "shell", "boundary", "",
+       "of a single head; open: free air; baffled: each side in a baffle; closed: over a cavity",
+       CHOICE("open|baffled|closed", TABOR_BOUNDARY_OPEN)),
+   AT(shell.boundary)},
+
+  {ROW(TB_PARAM_BATTER_TENSION, "batter", "tension", "N/m", "tension of the head",
+       NUMBER(100, 20000, 3000), LOGARITHMIC),
+   AT(batter.tension)},
+  {ROW(TB_PARAM_BATTER_SURFACE_DENSITY, "batter", "surface_density", "kg/m2",
+       "mass of the head per area", NUMBER(0.02, 5, 0.262), LOGARITHMIC),
+   AT(batter.surface_density)},
+  {ROW(TB_PARAM_BATTER_BENDING_STIFFNESS, "batter", "bending_stiffness", "N m",
+       "bending stiffness of the head's sheet", NUMBER(0, 1, 0.0023)),
+   AT(batter.bending_stiffness)},
+  {ROW(TB_PARAM_BATTER_DAMPING_0, "batter", "damping_0", "1/s",
+       "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),
+   AT(batter.damping_0)},
+  {ROW(TB_PARAM_BATTER_DAMPING_1, "batter", "damping_1", "m2/s",
+       "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
+   AT(batter.damping_1)},
+  {ROW(TB_PARAM_BATTER_STRETCH_STIFFNESS, "batter", "stretch_stiffness", "N/m",
+       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
+   AT(batter.stretch_stiffness)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_RADIUS, "batter", "muffle_radius", "m",
+       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
+   AT(batter.muffle_radius)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_ANGLE, "batter", "muffle_angle", "deg",
+       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
+   AT(batter.muffle_angle)},
+  {ROW(TB_PARAM_BATTER_MUFFLE_STRENGTH, "batter", "muffle_strength", "N s/m",
+       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
+   AT(batter.muffle_strength)},
+  {ROW(TB_PARAM_BATTER_LUG_COUNT, "batter", "lug_count", "", "number of lugs around the head",
+       WHOLE(3, TABOR_MAX_LUGS, 10)),
+   IN_BATTER(lug_count)},
+  {ROW(TB_PARAM_BATTER_LUG_SPREAD, "batter", "lug_spread", "",
+       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
+   IN_BATTER(lug_spread)},
+  {ROW(TB_PARAM_BATTER_LUG_SEED, "batter", "lug_seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   IN_BATTER(lug_seed)},
+  LUGS(TB_PARAM_BATTER_LUG, "batter", IN_BATTER),
+
+  /* The usual snare-side head: 3 mil (76 um) of Mylar, 1390 kg/m3, E = 3.8 GPa, nu = 0.3, so that
+   * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material, hence
+   * its losses. */
+  {ROW(TB_PARAM_RESONANT_TENSION, "resonant", "tension", "N/m", "tension of the lower head",
+       NUMBER(100, 20000, 2600), LOGARITHMIC),
+   IN_RESONANT(tension)},
+  {ROW(TB_PARAM_RESONANT_SURFACE_DENSITY, "resonant", "surface_density", "kg/m2",
+       "mass of the head per area", NUMBER(0.02, 5, 0.105), LOGARITHMIC),
+   IN_RESONANT(surface_density)},
+  {ROW(TB_PARAM_RESONANT_BENDING_STIFFNESS, "resonant", "bending_stiffness", "N m",
+       "bending stiffness of the head's sheet", NUMBER(0, 1, 1.5e-4)),
+   IN_RESONANT(bending_stiffness)},
+  {ROW(TB_PARAM_RESONANT_DAMPING_0, "resonant", "damping_0", "1/s",
+       "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),
+   IN_RESONANT(damping_0)},
+  {ROW(TB_PARAM_RESONANT_DAMPING_1, "resonant", "damping_1", "m2/s",
+       "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
+   IN_RESONANT(damping_1)},
+  {ROW(TB_PARAM_RESONANT_STRETCH_STIFFNESS, "resonant", "stretch_stiffness", "N/m",
+       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
+   IN_RESONANT(stretch_stiffness)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_RADIUS, "resonant", "muffle_radius", "m",
+       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
+   IN_RESONANT(muffle_radius)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_ANGLE, "resonant", "muffle_angle", "deg",
+       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
+   IN_RESONANT(muffle_angle)},
+  {ROW(TB_PARAM_RESONANT_MUFFLE_STRENGTH, "resonant", "muffle_strength", "N s/m",
+       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
+   IN_RESONANT(muffle_strength)},
+  {ROW(TB_PARAM_RESONANT_LUG_COUNT, "resonant", "lug_count", "", "number of lugs around the head",
+       WHOLE(3, TABOR_MAX_LUGS, 10)),
+   IN_RESONANT(lug_count)},
+  {ROW(TB_PARAM_RESONANT_LUG_SPREAD, "resonant", "lug_spread", "",
+       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
+   IN_RESONANT(lug_spread)},
+  {ROW(TB_PARAM_RESONANT_LUG_SEED, "resonant", "lug_seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   IN_RESONANT(lug_seed)},
+  LUGS(TB_PARAM_RESONANT_LUG, "resonant", IN_RESONANT),
+
+  {ROW(TB_PARAM_WIRES_HEAD, "wires", "head", "", "head on which the wires lie",
+       CHOICE("batter|resonant", TABOR_HEAD_BATTER)),
+   AT(wires.head)},
+  {ROW(TB_PARAM_WIRES_COUNT, "wires", "count", "", "number of wires", WHOLE(0, TABOR_MAX_WIRES, 0)),
+   AT(wires.count)},
+  {ROW(TB_PARAM_WIRES_SIDE, "wires", "side", "", "face of the head on which the wires lie",
+       CHOICE("above|below", TABOR_SIDE_ABOVE)),
+   AT(wires.side)},
+  {ROW(TB_PARAM_WIRES_LENGTH, "wires", "length", "m", "length between the ends",
+       NUMBER(0.02, 1.5, 0.30), LOGARITHMIC),
+   AT(wires.length)},
+  {ROW(TB_PARAM_WIRES_SPACING, "wires", "spacing", "m", "distance between neighbours",
+       NUMBER(0, 0.1, 0.002)),
+   AT(wires.spacing)},
+  {ROW(TB_PARAM_WIRES_ANGLE, "wires", "angle", "deg", "direction in which the wires run",
+       NUMBER(-360, 360, 0)),
+   AT(wires.angle)},
+  {ROW(TB_PARAM_WIRES_OFFSET, "wires", "offset", "m",
+       "distance of the bed's middle from the head's centre, across the wires",
+       NUMBER(-0.6, 0.6, 0)),
+   AT(wires.offset)},
+  {ROW(TB_PARAM_WIRES_MASS_PER_LENGTH, "wires", "mass_per_length", "kg/m", "mass of a wire",
+       NUMBER(1e-4, 0.1, 1.6e-3), LOGARITHMIC),
+   AT(wires.mass_per_length)},
+  {ROW(TB_PARAM_WIRES_TENSION, "wires", "tension", "N", "tension of a wire", NUMBER(0.01, 200, 5),
+       LOGARITHMIC, LIVE),
+   AT(wires.tension)},
+  {ROW(TB_PARAM_WIRES_TENSION_SPREAD, "wires", "tension_spread", "",
+       "largest relative deviation of a wire's tension", NUMBER(0, 0.9, 0)),
+   AT(wires.tension_spread)},
+  {ROW(TB_PARAM_WIRES_SEED, "wires", "seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   AT(wires.seed)},
+  {ROW(TB_PARAM_WIRES_BENDING_STIFFNESS, "wires", "bending_stiffness", "N m2",
+       "bending stiffness of a wire", NUMBER(0, 0.1, 1e-6)),
+   AT(wires.bending_stiffness)},
+  {ROW(TB_PARAM_WIRES_DAMPING_0, "wires", "damping_0", "1/s",
+       "loss of a wire, the same at all frequencies", NUMBER(0, 1000, 2), LIVE),
+   AT(wires.damping_0)},
+  {ROW(TB_PARAM_WIRES_DAMPING_1, "wires", "damping_1", "m2/s",
+       "loss of a wire that grows with the square of the wave number", NUMBER(0, 0.1, 0.001), LIVE),
+   AT(wires.damping_1)},
+  {ROW(TB_PARAM_WIRES_STRAINER, "wires", "strainer", "", "0: thrown off, 1: on", NUMBER(0, 1, 1),
+       LIVE),
+   AT(wires.strainer)},
+  {ROW(TB_PARAM_WIRES_STRAINER_TRAVEL, "wires", "strainer_travel", "m",
+       "how far the ends lift when the strainer is thrown off", NUMBER(0, 0.02, 0.004)),
+   AT(wires.strainer_travel)},
+  {ROW(TB_PARAM_WIRES_REST_OFFSET, "wires", "rest_offset", "m",
+       "ends of the wires from the undeflected head, positive is away", NUMBER(-0.01, 0.02, 0),
+       LIVE),
+   AT(wires.rest_offset)},
+  {ROW(TB_PARAM_WIRES_CONTACT_STIFFNESS, "wires", "contact_stiffness", "N/m^(exponent+1)",
+       "stiffness of the contact per length of wire", NUMBER(1e4, 1e13, 1e8), LOGARITHMIC),
+   AT(wires.contact_stiffness)},
+  {ROW(TB_PARAM_WIRES_CONTACT_EXPONENT, "wires", "contact_exponent", "",
+       "power of the penetration in the contact force", NUMBER(1, 3, 1.5)),
+   AT(wires.contact_exponent)},
+  {ROW(TB_PARAM_WIRES_CONTACT_LOSS, "wires", "contact_loss", "s/m",
+       "Hunt-Crossley loss of the contact", NUMBER(0, 100, 0.3)),
+   AT(wires.contact_loss)},
+
+  {ROW(TB_PARAM_WIRE_LENGTH, "wire.", "length", "m", "its own length", NUMBER(0.02, 1.5, FOLLOWS),
+       LOGARITHMIC),
+   IN_WIRE(length)},
+  {ROW(TB_PARAM_WIRE_ANGLE, "wire.", "angle", "deg", "its own direction",
+       NUMBER(-360, 360, FOLLOWS)),
+   IN_WIRE(angle)},
+  {ROW(TB_PARAM_WIRE_OFFSET, "wire.", "offset", "m",
+       "its own distance from the head's centre, across", NUMBER(-0.6, 0.6, FOLLOWS)),
+   IN_WIRE(offset)},
+  {ROW(TB_PARAM_WIRE_MASS_PER_LENGTH, "wire.", "mass_per_length", "kg/m", "its own mass",
+       NUMBER(1e-4, 0.1, FOLLOWS), LOGARITHMIC),
+   IN_WIRE(mass_per_length)},
+  {ROW(TB_PARAM_WIRE_TENSION, "wire.", "tension", "N", "its own tension, without the spread",
+       NUMBER(0.01, 200, FOLLOWS), LOGARITHMIC),
+   IN_WIRE(tension)},
+  {ROW(TB_PARAM_WIRE_BENDING_STIFFNESS, "wire.", "bending_stiffness", "N m2",
+       "its own bending stiffness", NUMBER(0, 0.1, FOLLOWS)),
+   IN_WIRE(bending_stiffness)},
+  {ROW(TB_PARAM_WIRE_DAMPING_0, "wire.", "damping_0", "1/s",
+       "its own loss, the same at all frequencies", NUMBER(0, 1000, FOLLOWS)),
+   IN_WIRE(damping_0)},
+  {ROW(TB_PARAM_WIRE_DAMPING_1, "wire.", "damping_1", "m2/s",
+       "its own loss that grows with the square of the wave number", NUMBER(0, 0.1, FOLLOWS)),
+   IN_WIRE(damping_1)},
+  {ROW(TB_PARAM_WIRE_REST_OFFSET, "wire.", "rest_offset", "m",
+       "its own ends from the undeflected head, positive is away", NUMBER(-0.01, 0.02, FOLLOWS)),
+   IN_WIRE(rest_offset)},
+  {ROW(TB_PARAM_WIRE_CONTACT_STIFFNESS, "wire.", "contact_stiffness", "N/m^(exponent+1)",
+       "its own stiffness of the contact per length", NUMBER(1e4, 1e13, FOLLOWS), LOGARITHMIC),
+   IN_WIRE(contact_stiffness)},
+  {ROW(TB_PARAM_WIRE_CONTACT_EXPONENT, "wire.", "contact_exponent", "",
+       "its own power of the penetration", NUMBER(1, 3, FOLLOWS)),
+   IN_WIRE(contact_exponent)},
+  {ROW(TB_PARAM_WIRE_CONTACT_LOSS, "wire.", "contact_loss", "s/m", "its own Hunt-Crossley loss",
+       NUMBER(0, 100, FOLLOWS)),
+   IN_WIRE(contact_loss)},
+
+  {ROW(TB_PARAM_STRIKER_KIND, "striker.", "kind", "", "what it is",
+       CHOICE("stick|mallet|finger|brush", TABOR_STRIKER_STICK)),
+   IN_STRIKER(kind)},
+  {ROW(TB_PARAM_STRIKER_MASS, "striker.", "mass", "kg", "effective mass of the tip",
+       NUMBER(1e-4, 1, 0.012), LOGARITHMIC),
+   IN_STRIKER(mass)},
+  {ROW(TB_PARAM_STRIKER_CONTACT_STIFFNESS, "striker.", "contact_stiffness", "N/m^exponent",
+       "stiffness of the contact", NUMBER(1e3, 1e13, 3e6), LOGARITHMIC),
+   IN_STRIKER(contact_stiffness)},
+  {ROW(TB_PARAM_STRIKER_CONTACT_EXPONENT, "striker.", "contact_exponent", "",
+       "power of the penetration in the contact force", NUMBER(1, 3, 1.5)),
+   IN_STRIKER(contact_exponent)},
+  {ROW(TB_PARAM_STRIKER_CONTACT_LOSS, "striker.", "contact_loss", "s/m",
+       "Hunt-Crossley loss of the contact", NUMBER(0, 100, 0.05)),
+   IN_STRIKER(contact_loss)},
+  {ROW(TB_PARAM_STRIKER_CONTACT_RADIUS, "striker.", "contact_radius", "m",
+       "radius of the patch over which the force spreads", NUMBER(0, 0.05, 0.006)),
+   IN_STRIKER(contact_radius)},
+  {ROW(TB_PARAM_STRIKER_BRISTLES, "striker.", "bristles", "", "wires of a brush",
+       WHOLE(3, 1000, 200), LOGARITHMIC),
+   IN_STRIKER(bristles)},
+  {ROW(TB_PARAM_STRIKER_SPREAD, "striker.", "spread", "m", "radius of a brush's fan",
+       NUMBER(0.005, 0.15, 0.04), LOGARITHMIC),
+   IN_STRIKER(spread)},
+  {ROW(TB_PARAM_STRIKER_SWEEP_SPEED, "striker.", "sweep_speed", "m/s",
+       "speed of a brush along the head in a sweep", NUMBER(0.01, 5, 0.8), LOGARITHMIC),
+   IN_STRIKER(sweep_speed)},
+
+  {ROW(TB_PARAM_HAND_STIFFNESS, "hand", "stiffness", "N/m", "spring of a hand that presses a stick",
+       NUMBER(0, 1000, 20)),
+   AT(hand.stiffness)},
+  {ROW(TB_PARAM_HAND_DAMPING, "hand", "damping", "N s/m", "damping of a hand that presses a stick",
+       NUMBER(0, 10, 0.2)),
+   AT(hand.damping)},
+  {ROW(TB_PARAM_HAND_PIVOT, "hand", "pivot", "m",
+       "from the stick's butt to where the hand holds it", NUMBER(0, 0.3, 0.12)),
+   AT(hand.pivot)},
+  {ROW(TB_PARAM_HAND_GRIP, "hand", "grip", "", "how firmly the hand holds the stick, 0: not at all",
+       NUMBER(0, 1, 0.5), LIVE),
+   AT(hand.grip)},
+
+  {ROW(TB_PARAM_HOOP_HEIGHT, "hoop", "height", "m", "height of the hoop's edge above the head",
+       NUMBER(0, 0.05, 0.012)),
+   AT(hoop.height)},
+  {ROW(TB_PARAM_HOOP_MASS, "hoop", "mass", "kg",
+       "mass of the hoop with what moves along of the shell", NUMBER(0.05, 20, 1.2), LOGARITHMIC),
+   AT(hoop.mass)},
+  {ROW(TB_PARAM_HOOP_CONTACT_STIFFNESS, "hoop", "contact_stiffness", "N/m^1.5",
+       "stiffness of the contact of a stick with the hoop", NUMBER(1e5, 1e11, 1e8), LOGARITHMIC),
+   AT(hoop.contact_stiffness)},
+  {ROW(TB_PARAM_HOOP_CONTACT_LOSS, "hoop", "contact_loss", "s/m",
+       "Hunt-Crossley loss of the contact of a stick with the hoop", NUMBER(0, 100, 0.1)),
+   AT(hoop.contact_loss)},
+  HOOP_MODE(1),
+  HOOP_MODE(2),
+  HOOP_MODE(3),
+  HOOP_MODE(4),
+  HOOP_MODE(5),
+  HOOP_MODE(6),
+  HOOP_MODE(7),
+  HOOP_MODE(8),
+
+  {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
+       NUMBER(0.01, 30, 2.5), LOGARITHMIC),
+   AT(strike.velocity)},
+  {ROW(TB_PARAM_STRIKE_RADIUS, "strike", "radius", "m", "its distance from the head's centre",
+       NUMBER(0, 0.6, 0.05)),
+   AT(strike.radius)},
+  {ROW(TB_PARAM_STRIKE_ANGLE, "strike", "angle", "deg", "its direction from the head's centre",
+       NUMBER(-360, 360, 0)),
+   AT(strike.angle)},
+  {ROW(TB_PARAM_STRIKE_STRIKER, "strike", "striker", "", "name of its striker; empty: the first",
+       TEXT),
+   SIZED(strike.striker), .identifier = true},
+  {ROW(TB_PARAM_STRIKE_TECHNIQUE, "strike", "technique", "", "how it is made",
+       CHOICE("normal|buzz|rimshot|cross-stick|rim|sweep", TABOR_TECHNIQUE_NORMAL)),
+   AT(strike.technique)},
+
+  {ROW(TB_PARAM_MIC_RADIUS, "mic.", "radius", "m", "distance from the drum's axis",
+       NUMBER(0, 10, 0.05)),
+   IN_MIC(radius)},
+  {ROW(TB_PARAM_MIC_ANGLE, "mic.", "angle", "deg", "direction from the drum's axis",
+       NUMBER(-360, 360, 90)),
+   IN_MIC(angle)},
+  {ROW(TB_PARAM_MIC_HEIGHT, "mic.", "height", "m",
+       "height above the batter head, negative below, at least 0.01 either way",
+       NUMBER(-10, 10, 0.10)),
+   IN_MIC(height), .least = 0.01},
+  {ROW(TB_PARAM_MIC_GAIN, "mic.", "gain", "", "factor on its signal", NUMBER(0, 100, 1), LIVE),
+   IN_MIC(gain)},
+
+  {ROW(TB_PARAM_AIR_DENSITY, "air", "density", "kg/m3", "density of the air, 0 is vacuum",
+       NUMBER(0, 5, 1.205)),
+   AT(air.density)},
+  {ROW(TB_PARAM_AIR_SOUND_SPEED, "air", "sound_speed", "m/s", "speed of sound",
+       NUMBER(100, 2000, 343), LOGARITHMIC),
+   AT(air.sound_speed)},
+  {ROW(TB_PARAM_AIR_GRAVITY, "air", "gravity", "m/s2", "gravity", NUMBER(0, 30, 9.81)),
+   AT(air.gravity)},
+
+  {ROW(TB_PARAM_QUALITY_LEVEL, "quality", "level", "", "accuracy against cost",
+       CHOICE("draft|live|studio|reference", TABOR_QUALITY_STUDIO - TABOR_QUALITY_DRAFT)),
+   AT(quality.level), .base = TABOR_QUALITY_DRAFT},
+  {ROW(TB_PARAM_QUALITY_TWO_WAY_BANDWIDTH, "quality", "two_way_bandwidth", "Hz",
+       "modes up to here feel the contacts, 0: by level", NUMBER(0, 40000, 0)),
+   AT(quality.two_way_bandwidth)},
+  {ROW(TB_PARAM_QUALITY_BANDWIDTH, "quality", "bandwidth", "Hz",
+       "modes up to here are heard, 0: by level", NUMBER(0, 40000, 0)),
+   AT(quality.bandwidth)},
+  {ROW(TB_PARAM_QUALITY_NEWTON_CAP, "quality", "newton_cap", "",
+       "iterations of the contact solver a sample at most, 0: by level", WHOLE(0, 16, 0)),
+   AT(quality.newton_cap)},
+  {ROW(TB_PARAM_QUALITY_WIRE_POINTS, "quality", "wire_points", "",
+       "cells of a wire at most, 0: by level, otherwise from 8", WHOLE(0, 400, 0)),
+   AT(quality.wire_points), .least = 8, .zero = true},
+  {ROW(TB_PARAM_QUALITY_LOSSES, "quality", "losses", "",
+       "1, or 0 to switch off every loss and radiation", WHOLE(0, 1, 1)),
+   AT(quality.losses)},
+
+  {ROW(TB_PARAM_OUTPUT_FULL_SCALE, "output", "full_scale", "Pa", "sound pressure at 0 dBFS",
+       NUMBER(1e-3, 1e5, 20), LOGARITHMIC, LIVE),
+   AT(full_scale)},
+};
+
+const uint32_t tb_param_count = (uint32_t)(sizeof tb_params / sizeof tb_params[0]);
+
+uint32_t tabor_parameter_count(void) { return tb_param_count; }
+
+const TaborParameter *tabor_parameter(uint32_t index) {
+  return index < tb_param_count ? &tb_params[index].info : NULL;
+}
+
+const TbParam *tb_param_by_id(uint32_t id) {
+  for (uint32_t i = 0; i < tb_param_count; i++) {
+    if (tb_params[i].info.id == id) return &tb_params[i];
+  }
+  return NULL;
+}
+
+uint32_t tb_group_capacity(TbGroup group) {
+  switch (group) {
+  case TB_GROUP_WIRE: return TABOR_MAX_WIRES;
+  case TB_GROUP_STRIKER: return TABOR_MAX_STRIKERS;
+  case TB_GROUP_MIC: return TABOR_MAX_MICS;
+  case TB_GROUP_SINGLE:
+  case TB_GROUP_RESONANT: break;
+  }
+  return 1;
+}
+
+bool tb_group_is_array(TbGroup group) {
+  return group != TB_GROUP_SINGLE && group != TB_GROUP_RESONANT;
+}
+
+void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element) {
+  return (unsigned char *)def + param->offset + element * param->stride;
+}
+
+const void *tb_param_field_const(const TbParam *param, const TaborDrumDef *def, uint32_t element) {
+  return (const unsigned char *)def + param->offset + element * param->stride;
+}

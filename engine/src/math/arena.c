@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "math/arena.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct TbArenaChunk {
+  TbArenaChunk *next;
+  char padding[TB_ALIGNMENT - sizeof(TbArenaChunk *)];
+};
+
+static void *system_allocate(size_t size, void *context) {
+  (void)context;
+  void *memory = NULL;
+  return posix_memalign(&memory, TB_ALIGNMENT, size) == 0 ? memory : NULL;
+}
+
+static void system_release(void *memory, void *context) {
+  (void)context;
+  free(memory);
+}
+
+TaborAllocator tb_allocator_resolve(const TaborAllocator *allocator) {
+  if (allocator && allocator->allocate && allocator->release) return *allocator;
+  return (TaborAllocator){system_allocate, system_release, NULL};
+}
+
+void tb_arena_prepare(TbArena *arena, const TaborAllocator *allocator) {
+  *arena = (TbArena){.allocator = *allocator};
+}
+
+void *tb_arena_take(TbArena *arena, size_t count, size_t size) {
+  if (count == 0) count = 1;
+  if (count > (SIZE_MAX / 2) / size) {
+    arena->failed = true;
+    return NULL;
+  }
+  const size_t bytes =
+    (count * size + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT + sizeof(TbArenaChunk);
+  TbArenaChunk *chunk = arena->allocator.allocate(bytes, arena->allocator.context);
+  if (!chunk) {
+    arena->failed = true;
+    return NULL;
+  }
+  memset(chunk, 0, bytes);
+  chunk->next = arena->chunks;
+  arena->chunks = chunk;
+  arena->bytes += bytes;
+  return chunk + 1;
+}
+
+double *tb_arena_doubles(TbArena *arena, size_t count) {
+  return tb_arena_take(arena, count, sizeof(double));
+}
+
+void tb_arena_release(TbArena *arena) {
+  while (arena->chunks) {
+    TbArenaChunk *next = arena->chunks->next;
+    arena->allocator.release(arena->chunks, arena->allocator.context);
+    arena->chunks = next;
+  }
+  arena->bytes = 0;
+}

@@ -1,0 +1,407 @@
+/* SPDX-License-Identifier: MIT */
+/* Set-up of the grid under the bed: shapes of all modes at the contact points, their principal
+ * components across and along, and the modes' tables on them. */
+#include <math.h>
+#include <string.h>
+
+#include "math/linear.h"
+#include "model/projection.h"
+
+/* Thinning along must leave at most this part of the lanes to be worth its two multiplications. */
+static const double WORTH_THINNING = 0.75;
+
+typedef struct Fit {
+  TbProjection *projection;
+  const TbModes *modes;
+  const TbHead *head;
+  const TbWires *wires;
+  TbArena *arena, *scratch;
+  double tolerance;
+  uint32_t modes_coupled;
+  double *shapes;  /* [coupled mode][wire][half lane] */
+  double *lines;   /* [coupled mode][line of its class][half lane] */
+  uint32_t stride; /* doubles of a mode in both */
+} Fit;
+
+/* ---- shapes --------------------------------------------------------------------------------- */
+
+static bool shapes_at(const Fit *fit, uint32_t row, double *radial, double *shape) {
+  const double x = fit->wires->row_x[row], y = fit->wires->row_y[row], r = sqrt(x * x + y * y);
+  if (r >= fit->head->radius) return false; /* beside the head: nothing moves, nothing touches */
+  tb_modes_shape(fit->modes, fit->head, fit->wires->head, r, r > 0.0 ? y / r : 0.0,
+                 r > 0.0 ? x / r : 1.0, NULL, radial, shape);
+  return true;
+}
+
+static bool collect_shapes(Fit *fit) {
+  const TbBed *bed = &fit->projection->bed;
+  double *radial = tb_arena_doubles(fit->scratch, fit->head->row_count);
+  double *shape = tb_arena_doubles(fit->scratch, fit->modes->padded);
+  fit->shapes = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
+  fit->lines = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
+  if (fit->scratch->failed) return false;
+  const uint32_t lanes = bed->halves == 2 ? bed->middle + 1 : bed->lanes;
+  for (uint32_t w = 0; w < bed->wires; w++) {
+    const uint32_t image = bed->wires - 1 - w;
+    for (uint32_t j = 0; j < lanes; j++) {
+      if (bed->quarters == 2 && image < w) { /* the same bits as its image */
+        for (uint32_t i = 0; i < fit->modes_coupled; i++) {
+          double *at = fit->shapes + (size_t)i * fit->stride + j;
+          const double sign = fit->modes->sine[i] ? -1.0 : 1.0;
+          at[w * bed->half] = sign * at[image * bed->half];
+        }
+        continue;
+      }
+      if (!shapes_at(fit, w * bed->lanes + j, radial, shape)) continue;
+      for (uint32_t i = 0; i < fit->modes_coupled; i++) {
+        fit->shapes[(size_t)i * fit->stride + w * bed->half + j] = shape[i];
+      }
+    }
+  }
+  return true;
+}
+
+/* ---- principal components ------------------------------------------------------------------- */
+
+/* Vectors of `length` at data[m * stride + v * step + k * spread], m < modes, v < vectors. */
+typedef struct Samples {
+  const double *data;
+  uint32_t modes, vectors, length;
+  size_t stride, step, spread;
+} Samples;
+
+static double sample(const Samples *s, uint32_t m, uint32_t v, uint32_t k) {
+  return s->data[m * s->stride + v * s->step + k * s->spread];
+}
+
+static void gram(const Samples *s, const double *weight, double *matrix) {
+  const uint32_t n = s->length;
+  for (uint32_t m = 0; m < s->modes; m++) {
+    for (uint32_t v = 0; v < s->vectors; v++) {
+      for (uint32_t i = 0; i < n; i++) {
+        const double x = weight[i] * sample(s, m, v, i);
+        for (uint32_t j = 0; j <= i; j++) matrix[i * n + j] += x * weight[j] * sample(s, m, v, j);
+      }
+    }
+  }
+  for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t j = 0; j < i; j++) matrix[j * n + i] = matrix[i * n + j];
+  }
+}
+
+/* Largest element of what the components leave of a sample, over all samples. */
+static double remainder_of(const Samples *s, const double *weight, const double *basis,
+                           uint32_t components) {
+  const uint32_t n = s->length;
+  double worst = 0.0;
+  for (uint32_t m = 0; m < s->modes; m++) {
+    for (uint32_t v = 0; v < s->vectors; v++) {
+      double rest[1024];
+      for (uint32_t i = 0; i < n; i++) rest[i] = weight[i] * sample(s, m, v, i);
+      for (uint32_t c = 0; c < components; c++) {
+        double part = 0.0;
+        for (uint32_t i = 0; i < n; i++) part += basis[c * n + i] * rest[i];
+        for (uint32_t i = 0; i < n; i++) rest[i] -= part * basis[c * n + i];
+      }
+      for (uint32_t i = 0; i < n; i++) worst = fmax(worst, fabs(rest[i]) / weight[i]);
+    }
+  }
+  return worst;
+}
+
+/* All n orthonormal components, largest first, basis[component][n]. */
+static bool all_components(TbArena *scratch, const Samples *s, const double *weight,
+                           double *basis) {
+  const uint32_t n = s->length;
+  double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
+  double *unit = tb_arena_doubles(scratch, (size_t)n * n);
+  double *values = tb_arena_doubles(scratch, n);
+  double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
+  if (scratch->failed) return false;
+  gram(s, weight, matrix);
+  for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
+  if (!tb_eigen_symmetric(scratch, n, matrix, unit, values, vectors)) return false;
+  for (uint32_t c = 0; c < n; c++) {
+    memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
+  }
+  return true;
+}
+
+/* The fewest components that leave at most `error` of any sample; at most `most`. weight[] > 0. */
+static bool principal_components(TbArena *scratch, const Samples *s, const double *weight,
+                                 double error, uint32_t most, double *basis, uint32_t *components) {
+  if (!all_components(scratch, s, weight, basis)) return false;
+  uint32_t low = 0, high = most;
+  while (low < high) { /* the remainder falls with their number */
+    const uint32_t count = (low + high) / 2;
+    if (remainder_of(s, weight, basis, count) <= error) {
+      high = count;
+    } else {
+      low = count + 1;
+    }
+  }
+  *components = low;
+  return true;
+}
+
+/* ---- across --------------------------------------------------------------------------------- */
+
+static double largest_shape(const Fit *fit) {
+  double most = 0.0;
+  const size_t count = (size_t)fit->modes_coupled * fit->stride;
+  for (size_t i = 0; i < count; i++) most = fmax(most, fabs(fit->shapes[i]));
+  return most;
+}
+
+/* Modes even or odd across, gathered from the groups into one run. */
+static uint32_t gather_modes(const Fit *fit, const double *from, uint32_t across, uint32_t along,
+                             double *to) {
+  const TbModes *modes = fit->modes;
+  const uint32_t quarters = modes->quarters;
+  uint32_t count = 0;
+  for (uint32_t g = 0; g < modes->groups; g++) {
+    if (across < 2 && g % quarters != across) continue;
+    if (along < 2 && g / quarters != along) continue;
+    for (uint32_t i = modes->group[g]; i < modes->group[g + 1]; i++) {
+      memcpy(to + (size_t)count++ * fit->stride, from + (size_t)i * fit->stride,
+             fit->stride * sizeof *to);
+    }
+  }
+  return count;
+}
+
+static bool fit_across_class(Fit *fit, uint32_t across, double *work, double *basis) {
+  TbBed *bed = &fit->projection->bed;
+  double weight[TABOR_MAX_WIRES];
+  for (uint32_t w = 0; w < bed->wires; w++) weight[w] = 1.0;
+  const Samples samples = {.data = work,
+                           .modes = gather_modes(fit, fit->shapes, across, 2, work),
+                           .vectors = bed->half,
+                           .length = bed->wires,
+                           .stride = fit->stride,
+                           .step = 1,
+                           .spread = bed->half};
+  uint32_t most = bed->wires;
+  if (bed->quarters == 2) most = across ? bed->wires / 2 : (bed->wires + 1) / 2;
+  uint32_t count;
+  if (!principal_components(fit->scratch, &samples, weight, fit->tolerance * largest_shape(fit),
+                            most, basis + (size_t)bed->lines * bed->wires, &count)) {
+    return false;
+  }
+  bed->lines += count;
+  bed->first_line[across + 1] = bed->lines;
+  return true;
+}
+
+static void each_wire_its_line(TbBed *bed, double *basis) {
+  memset(basis, 0, (size_t)bed->wires * bed->wires * sizeof *basis);
+  for (uint32_t w = 0; w < bed->wires; w++) basis[w * bed->wires + w] = 1.0;
+  bed->lines = bed->first_line[1] = bed->first_line[2] = bed->wires;
+}
+
+static bool fit_across(Fit *fit) {
+  TbBed *bed = &fit->projection->bed;
+  const uint32_t n = bed->wires;
+  if (n == 0) return true;
+  double *basis = tb_arena_doubles(fit->scratch, (size_t)3 * n * n);
+  double *work = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
+  if (fit->scratch->failed) return false;
+  if (fit->wires->aligned && n > 1) {
+    for (uint32_t across = 0; across < bed->quarters; across++) {
+      if (!fit_across_class(fit, across, work, basis)) return false;
+    }
+  }
+  if (bed->quarters == 1 && (bed->lines == 0 || bed->lines == n)) each_wire_its_line(bed, basis);
+  bed->across = tb_arena_doubles(fit->arena, (size_t)n * bed->lines);
+  if (fit->arena->failed) return false;
+  for (uint32_t w = 0; w < n; w++) {
+    for (uint32_t l = 0; l < bed->lines; l++) {
+      /* Images to the bit: what the eigenvectors are up to rounding. */
+      const double image =
+        l < bed->first_line[1] ? basis[l * n + n - 1 - w] : -basis[l * n + n - 1 - w];
+      const double own = basis[l * n + w];
+      bed->across[w * bed->lines + l] = bed->quarters == 2 ? 0.5 * (own + image) : own;
+    }
+  }
+  return true;
+}
+
+static uint32_t lines_of_class(const TbBed *bed, uint32_t across) {
+  return bed->first_line[across + 1] - bed->first_line[across];
+}
+
+/* Every mode's amplitudes on the lines of its class. */
+static void shapes_on_lines(Fit *fit) {
+  const TbBed *bed = &fit->projection->bed;
+  for (uint32_t g = 0; g < fit->modes->groups; g++) {
+    const uint32_t across = g % bed->quarters;
+    for (uint32_t i = fit->modes->group[g]; i < fit->modes->group[g + 1]; i++) {
+      double *to = fit->lines + (size_t)i * fit->stride;
+      const double *from = fit->shapes + (size_t)i * fit->stride;
+      for (uint32_t l = 0; l < lines_of_class(bed, across); l++) {
+        for (uint32_t w = 0; w < bed->wires; w++) {
+          const double part = bed->across[w * bed->lines + bed->first_line[across] + l];
+          for (uint32_t j = 0; j < bed->half; j++) {
+            to[l * bed->half + j] += part * from[w * bed->half + j];
+          }
+        }
+      }
+    }
+  }
+}
+
+/* ---- along ---------------------------------------------------------------------------------- */
+
+/* A lane off the middle stands for two. */
+static void lane_weights(const TbBed *bed, double *weight) {
+  for (uint32_t j = 0; j < bed->half; j++) weight[j] = j == bed->middle ? 1.0 : sqrt(2.0);
+}
+
+/* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the wires. */
+static bool fit_along_class(Fit *fit, uint32_t along, double *work, double *basis) {
+  TbBed *bed = &fit->projection->bed;
+  double weight[1024];
+  lane_weights(bed, weight);
+  const Samples samples = {.data = work,
+                           .modes = gather_modes(fit, fit->lines, 2, along, work),
+                           .vectors = bed->lines < bed->wires ? bed->lines : bed->wires,
+                           .length = bed->half,
+                           .stride = fit->stride,
+                           .step = bed->half,
+                           .spread = 1};
+  return principal_components(fit->scratch, &samples, weight, fit->tolerance * largest_shape(fit),
+                              bed->half, basis, &bed->columns[along]);
+}
+
+static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
+  TbBed *bed = &fit->projection->bed;
+  const uint32_t columns = bed->columns[along], half = bed->half;
+  double weight[1024];
+  lane_weights(bed, weight);
+  double *squeeze = tb_arena_doubles(fit->arena, (size_t)tb_pad(columns) * half);
+  double *spread = tb_arena_doubles(fit->arena, (size_t)columns * half);
+  if (fit->arena->failed) return false;
+  for (uint32_t a = 0; a < columns; a++) {
+    for (uint32_t j = 0; j < half; j++) {
+      const double value = basis[a * half + j] / weight[j];
+      squeeze[((size_t)(a / 8) * half + j) * 8 + a % 8] = value;
+      spread[((size_t)(j / 8) * columns + a) * 8 + j % 8] = value;
+    }
+  }
+  bed->squeeze[along] = squeeze;
+  bed->spread[along] = spread;
+  return true;
+}
+
+static void leave_lanes_alone(TbBed *bed) {
+  const uint32_t lanes = bed->halves == 2 ? bed->middle + 1 : bed->lanes;
+  bed->columns[0] = bed->columns[1] = lanes;
+  bed->thinned = false;
+}
+
+static bool fit_along(Fit *fit, double *basis[2]) {
+  TbBed *bed = &fit->projection->bed;
+  leave_lanes_alone(bed);
+  if (bed->wires == 0 || bed->halves == 1 || !fit->wires->aligned || bed->half > 1024) return true;
+  double *work = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
+  for (uint32_t along = 0; along < 2; along++) {
+    basis[along] = tb_arena_doubles(fit->scratch, (size_t)bed->half * bed->half);
+    if (fit->scratch->failed || !fit_along_class(fit, along, work, basis[along])) return false;
+  }
+  bed->thinned =
+    bed->columns[0] + bed->columns[1] <= (uint32_t)(WORTH_THINNING * 2.0 * (bed->middle + 1));
+  if (!bed->thinned) {
+    leave_lanes_alone(bed);
+    return true;
+  }
+  return fill_along(fit, 0, basis[0]) && fill_along(fit, 1, basis[1]);
+}
+
+/* ---- tables --------------------------------------------------------------------------------- */
+
+static void place_classes(TbProjection *p) {
+  TbBed *bed = &p->bed;
+  for (uint32_t along = 0; along < bed->halves; along++) {
+    for (uint32_t across = 0; across < bed->quarters; across++) {
+      const uint32_t c = tb_bed_class(bed, along, across);
+      bed->first[c] = bed->size;
+      bed->size += tb_pad(lines_of_class(bed, across) * bed->columns[along]);
+    }
+  }
+  bed->first[p->groups] = bed->size;
+}
+
+/* Amplitude of mode i at one point of its class. */
+static double amplitude(const Fit *fit, double *const basis[2], uint32_t i, uint32_t along,
+                        uint32_t line, uint32_t column) {
+  const TbBed *bed = &fit->projection->bed;
+  const double *values = fit->lines + (size_t)i * fit->stride + line * bed->half;
+  if (!bed->thinned) return values[column];
+  double sum = 0.0;
+  for (uint32_t j = 0; j < bed->half; j++) {
+    sum += basis[along][column * bed->half + j] * (j == bed->middle ? 1.0 : sqrt(2.0)) * values[j];
+  }
+  return sum;
+}
+
+static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
+  const TbBed *bed = &fit->projection->bed;
+  TbProjectionGroup *group = &fit->projection->group[g];
+  const uint32_t along = g / bed->quarters, across = g % bed->quarters;
+  *group = (TbProjectionGroup){.first = fit->modes->group[g],
+                               .modes = fit->modes->group[g + 1] - fit->modes->group[g],
+                               .first_point = bed->first[g],
+                               .points = bed->first[g + 1] - bed->first[g],
+                               .used = lines_of_class(bed, across) * bed->columns[along]};
+  group->gather = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
+  group->scatter = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
+  if (fit->arena->failed) return false;
+  for (uint32_t i = 0; i < group->modes; i++) {
+    for (uint32_t l = 0; l < lines_of_class(bed, across); l++) {
+      for (uint32_t a = 0; a < bed->columns[along]; a++) {
+        const double value = amplitude(fit, basis, group->first + i, along, l, a);
+        const uint32_t point = l * bed->columns[along] + a;
+        group->gather[((size_t)(point / 8) * group->modes + i) * 8 + point % 8] = value;
+        group->scatter[((size_t)(i / 8) * group->points + point) * 8 + i % 8] = value;
+      }
+    }
+  }
+  return true;
+}
+
+static void start_bed(TbBed *bed, const TbModes *modes, const TbWires *wires) {
+  *bed = (TbBed){.wires = wires->count,
+                 .lanes = wires->lanes,
+                 .middle = wires->middle,
+                 .halves = modes->halves,
+                 .quarters = modes->quarters};
+  bed->half = bed->halves == 2 ? tb_pad(bed->middle + 1) : bed->lanes;
+  if (wires->count == 0) bed->half = 0;
+}
+
+TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes *modes,
+                                  const TbHead *head, const TbWires *wires, double tolerance) {
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  *p = (TbProjection){.groups = modes->groups};
+  start_bed(&p->bed, modes, wires);
+  Fit fit = {.projection = p,
+             .modes = modes,
+             .head = head,
+             .wires = wires,
+             .arena = arena,
+             .scratch = &scratch,
+             .tolerance = tolerance,
+             .modes_coupled = modes->group[modes->groups],
+             .stride = wires->count * p->bed.half};
+  double *basis[2] = {NULL, NULL};
+  bool done = collect_shapes(&fit) && fit_across(&fit);
+  if (done) shapes_on_lines(&fit);
+  done = done && fit_along(&fit, basis);
+  if (done) place_classes(p);
+  for (uint32_t g = 0; done && g < p->groups; g++) done = fill_table(&fit, basis, g);
+  const bool starved = arena->failed || scratch.failed;
+  tb_arena_release(&scratch);
+  if (done) return TABOR_OK;
+  return starved ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
+}

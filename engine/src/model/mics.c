@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* Microphones: pressure computed from each mode's radiation, with its phase and its delay. */
+#include "model/mics.h"
+
+#include <math.h>
+
+#include "math/power.h"
+#include "model/model.h"
+
+/* ---- microphones ---------------------------------------------------------------------------- */
+
+/* Travel time to the nearest point of a head, in whole samples. */
+static uint32_t travel_delay(const TaborModel *model, const TaborMicDef *mic) {
+  const double aside = fmax(0.0, mic->radius - model->head.radius);
+  double height = fabs(mic->height);
+  if (model->def.two_headed) height = fmin(height, fabs(mic->height + model->def.shell.depth));
+  const double distance = sqrt(height * height + aside * aside);
+  return (uint32_t)(distance / model->def.air.sound_speed * model->sample_rate);
+}
+
+/* Real u, v with u (l - 2 + 1/l) + v (l - 1/l) = gain for the pole l: the weights that turn a mode's
+ * acceleration and velocity into a pressure of this size and phase. */
+static void realise(const TbPole *pole, double gain_re, double gain_im, double omega_k, double *u,
+                    double *v) {
+  *v = 0.0;
+  if (pole->im == 0.0) { /* overdamped: no phase to match */
+    *u = -gain_re / (omega_k * omega_k);
+    return;
+  }
+  const double square = pole->re * pole->re + pole->im * pole->im;
+  const double inverse_re = pole->re / square, inverse_im = -pole->im / square;
+  const double bend_re = pole->re - 2.0 + inverse_re, bend_im = pole->im + inverse_im;
+  const double step_re = pole->re - inverse_re, step_im = pole->im - inverse_im;
+  const double determinant = bend_re * step_im - bend_im * step_re;
+  *u = (gain_re * step_im - gain_im * step_re) / determinant;
+  *v = (bend_re * gain_im - bend_im * gain_re) / determinant;
+}
+
+void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const TbPole *pole,
+                    uint32_t m, bool sine_copy, const double *field, double *ahead,
+                    double *behind) {
+  double sine, cosine;
+  tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
+  const double turn = omega * model->time_step;
+  const double size = -omega * omega * model->def.air.density * model->head.radius *
+                      tb_angular(m, sine_copy, sine, cosine) * sin(turn) / turn;
+  const double phase = turn * (double)model->mics[index].delay;
+  double u, v;
+  realise(pole, size * (field[0] * cos(phase) - field[1] * sin(phase)),
+          size * (field[0] * sin(phase) + field[1] * cos(phase)), turn, &u, &v);
+  *ahead = u + v;
+  *behind = u - v;
+}
+
+static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
+  for (uint32_t i = 0; i < model->modes.padded; i++) {
+    if (model->modes.row[i] == TB_NO_MODE) continue;
+    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
+    tb_mic_weights(model, index, mode->omega, &pole, mode->m, model->modes.sine[i],
+                   mode->fields + 2 * index, &mic->ahead[i], &mic->behind[i]);
+  }
+}
+
+TaborStatus tb_mics_prepare(TaborModel *model) {
+  for (uint32_t index = 0; index < model->def.mic_count; index++) {
+    TbMic *mic = &model->mics[index];
+    mic->delay = travel_delay(model, &model->def.mic[index]);
+    mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);
+    mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
+    if (model->arena.failed) return TABOR_ERROR_MEMORY;
+    mode_weights(model, index, mic);
+  }
+  return TABOR_OK;
+}

@@ -1,0 +1,428 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/model.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "definition/error.h"
+#include "definition/text.h"
+#include "math/power.h"
+#include "model/mics.h"
+#include "step/lift.h"
+#include "step/lugs.h"
+#include "step/state.h"
+#include "step/stretch.h"
+
+/* What a quality level stands for. */
+typedef struct Level {
+  double bandwidth, top; /* two-way, and with the high band [Hz] */
+  uint32_t newton_cap, inner_cap, wire_cells;
+  double tolerance, inner_tolerance; /* of the contact solve */
+  double grid_tolerance;             /* of the grid under the wires */
+} Level;
+
+static Level level_of(uint32_t quality) {
+  switch (quality) {
+  case TABOR_QUALITY_DRAFT: return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
+  case TABOR_QUALITY_LIVE: return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2};
+  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3};
+  }
+}
+
+/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
+static const double TOP_OF_RATE = 0.2;
+
+/* The one-way band needs no more than that its modes be told apart from their images. */
+static const double TOP_OF_HEARING = 0.42;
+
+/* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
+ * than half the head's shortest wavelength. */
+static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
+
+static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
+  Level level = level_of(quality);
+  if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
+  if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
+  if (def->wires.count > MANY_WIRES) level.wire_cells = CELLS_OF_MANY[quality];
+  if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
+  if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
+  level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * rate);
+  level.top = fmin(level.top, TOP_OF_HEARING * rate);
+  return level;
+}
+
+void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
+                    const double *patch, double *radial, double *shape) {
+  double sine, cosine;
+  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_modes_shape(&model->modes, &model->head, which, radius, sine, cosine, patch, radial, shape);
+}
+
+void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
+                         double *drive) {
+  double sine, cosine;
+  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_highband_drive(&model->high, TABOR_HEAD_BATTER, radius, sine, cosine,
+                    model->high_patches[striker], drive);
+}
+
+/* No set is wider than AVX2's where eight numbers are one register. */
+static const TbSingleKernels *single_kernels_of(const TbKernels *kernels) {
+#ifdef TB_HAVE_AVX2
+  if (kernels != &tb_kernels_baseline) return &tb_single_kernels_avx2;
+#endif
+  (void)kernels;
+  return &tb_single_kernels_baseline;
+}
+
+/* ---- contacts ------------------------------------------------------------------------------- */
+
+/* What the head does one step after a force. */
+static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  return tb_compliance_prepare(&model->compliance, &model->arena, &model->projection,
+                               model->modes.g);
+}
+
+/* After the laws, which tell whether it can be. */
+static TaborStatus prepare_single(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  if (model->quality > TABOR_QUALITY_LIVE || model->wires.count == 0) return TABOR_OK;
+  for (uint32_t w = 0; w < model->wires.count; w++) {
+    if (!tb_law_power(&model->wires.laws[w])) return TABOR_OK;
+  }
+  model->single_kernels = model->singles;
+  return tb_single_bed_prepare(&model->single_bed, &model->arena, &model->projection.bed,
+                               &model->compliance)
+           ? TABOR_OK
+           : TABOR_ERROR_MEMORY;
+}
+
+static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  return tb_stretch_prepare(model);
+}
+
+static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
+  double *radial = tb_arena_doubles(scratch, model->head.row_count);
+  model->center = tb_arena_doubles(&model->arena, model->modes.padded);
+  if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
+  tb_model_shape(model, model->wires.head, 0.0, 0.0, NULL, radial, model->center);
+  return TABOR_OK;
+}
+
+/* Room for a unit force's way through the head. */
+typedef struct Probe {
+  double *force, *grid, *answer, *fold;
+} Probe;
+
+/* Displacement of the head at a contact point one step after a unit force there. */
+static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
+  const TbBed *bed = &model->projection.bed;
+  probe->force[row] = 1.0;
+  tb_bed_contract(bed, model->kernels, probe->force, probe->fold, probe->grid);
+  probe->force[row] = 0.0;
+  tb_compliance_apply(&model->compliance, model->kernels, probe->grid, probe->answer);
+  return model->kernels->dot(bed->size, probe->grid, probe->answer);
+}
+
+/* Wire contacts are per length: a node carries K h. */
+static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
+  const TbWires *wires = &model->wires;
+  const TbWire *wire = &wires->wires[w];
+  TbWireCoefficients c;
+  tb_wire_coefficients(wire, model->time_step, wire->tension, wire->damping_0, wire->damping_1, &c);
+  double head = 0.0;
+  for (uint32_t i = 0; i < wire->row_count; i++) {
+    const double here = head_compliance(model, probe, wire->first_row + i);
+    model->yield[wire->first_row + i] = (float)here;
+    head = fmax(head, here);
+  }
+  tb_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing, wire->contact_exponent,
+                 wire->contact_loss, model->time_step, TB_SLOPE_LIMIT / (c.compliance + head));
+}
+
+static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
+  const TbBed *bed = &model->projection.bed;
+  const Probe probe = {.force = tb_arena_doubles(scratch, model->wires.stride),
+                       .grid = tb_arena_doubles(scratch, bed->size),
+                       .answer = tb_arena_doubles(scratch, bed->size),
+                       .fold = tb_arena_doubles(scratch, tb_bed_scratch(bed))};
+  model->yield = tb_arena_take(&model->arena, model->wires.stride, sizeof *model->yield);
+  if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
+  return TABOR_OK;
+}
+
+static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  TaborStatus status =
+    tb_modes_prepare(&model->modes, &model->arena, &model->head, &model->wires, model->time_step);
+  if (status != TABOR_OK) return status;
+  status = tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
+                                 &model->wires, model->grid_tolerance);
+  if (status != TABOR_OK || model->quality == TABOR_QUALITY_REFERENCE) return status;
+  return tb_projection_round(&model->projection, &model->arena) ? TABOR_OK : TABOR_ERROR_MEMORY;
+}
+
+static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  const TaborStatus status = tb_mics_prepare(model);
+  if (status != TABOR_OK) return status;
+  tb_hoop_prepare(model);
+  tb_stick_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
+  return tb_highband_prepare(&model->high, &model->arena, model, model->top);
+}
+
+/* ---- strikers and rest ---------------------------------------------------------------------- */
+
+static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  for (uint32_t i = 0; i <= model->def.striker_count; i++) {
+    const bool hand = i == model->def.striker_count;
+    double *patch = tb_arena_doubles(&model->arena, model->head.zero_count);
+    if (!patch) return TABOR_ERROR_MEMORY;
+    tb_head_patch(&model->head, hand ? TB_HAND_RADIUS : model->def.striker[i].contact_radius,
+                  patch);
+    model->patches[hand ? TABOR_MAX_STRIKERS : i] = patch;
+    if (hand) break;
+    model->high_patches[i] = tb_arena_doubles(&model->arena, model->high.padded);
+    if (!model->high_patches[i]) return TABOR_ERROR_MEMORY;
+    tb_highband_patch(&model->high, model->def.striker[i].contact_radius, model->high_patches[i]);
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  return tb_places_prepare(model);
+}
+
+/* A head whose modes are all heard and felt has no others: a bandwidth that ends there says so. */
+static TaborStatus prepare_missing(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  const double bandwidth = model->def.quality.bandwidth;
+  if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
+  for (uint32_t i = 0; i < model->def.striker_count; i++) {
+    tb_mobility_prepare(&model->missing[i], &model->def, model->head.bandwidth,
+                        model->def.striker[i].contact_radius, model->time_step);
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus allocate_rest(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  TbRest *rest = &model->rest;
+  rest->q = tb_arena_doubles(&model->arena, model->modes.padded);
+  rest->v = tb_arena_doubles(&model->arena, model->wires.node_count);
+  rest->bend = tb_arena_doubles(&model->arena, model->wires.node_count);
+  rest->eta = tb_arena_doubles(&model->arena, model->wires.stride);
+  rest->force = tb_arena_doubles(&model->arena, model->wires.stride + TB_SLOTS);
+  rest->grid = tb_arena_doubles(&model->arena, model->projection.bed.size);
+  rest->offset = tb_arena_doubles(&model->arena, model->wires.count);
+  return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
+}
+
+/* FNV-1a over what a saved state depends on. */
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size) {
+  const unsigned char *p = bytes;
+  for (size_t i = 0; i < size; i++) hash = (hash ^ p[i]) * 1099511628211u;
+  return hash;
+}
+
+static uint64_t fingerprint(const TaborModel *model) {
+  uint64_t hash = 14695981039346656037u;
+  hash = hash_bytes(hash, &model->sample_rate, sizeof model->sample_rate);
+  hash = hash_bytes(hash, &model->modes.count, sizeof model->modes.count);
+  hash = hash_bytes(hash, &model->wires.stride, sizeof model->wires.stride);
+  hash = hash_bytes(hash, &model->layout, sizeof model->layout);
+  hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
+  hash = hash_bytes(hash, model->missing, sizeof model->missing);
+  hash = hash_bytes(hash, model->hoop.a, sizeof model->hoop.a);
+  hash = hash_bytes(hash, model->hoop.b, sizeof model->hoop.b);
+  hash = hash_bytes(hash, model->hoop.scale, sizeof model->hoop.scale);
+  hash = hash_bytes(hash, model->stick.free.b, sizeof model->stick.free.b);
+  hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
+  const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
+  hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);
+  return hash;
+}
+
+/* ---- public --------------------------------------------------------------------------------- */
+
+#ifdef TB_HAVE_AVX512
+static bool has_avx512(void) {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
+}
+#endif
+
+static const TbKernels *choose_kernels(uint32_t instructions) {
+  const uint32_t most = instructions ? instructions : TABOR_INSTRUCTIONS_AVX512;
+  (void)most;
+#ifdef TB_HAVE_AVX512
+  if (most >= TABOR_INSTRUCTIONS_AVX512 && has_avx512()) return &tb_kernels_avx512;
+#endif
+#ifdef TB_HAVE_AVX2
+  if (most >= TABOR_INSTRUCTIONS_AVX2 && __builtin_cpu_supports("avx2")) return &tb_kernels_avx2;
+#endif
+  return &tb_kernels_baseline;
+}
+
+static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level,
+                         TaborError *error) {
+  TaborStatus status = tb_head_prepare(&model->head, &model->arena, &model->def, level->bandwidth);
+  if (status != TABOR_OK) return status;
+  if (model->head.row_count == 0) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
+                        "no mode of this head lies below the two-way bandwidth of %g Hz: it is too "
+                        "small, light or tense",
+                        model->head.bandwidth);
+  }
+  status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
+                            level->wire_cells, error);
+  if (status != TABOR_OK) return status;
+
+  typedef TaborStatus Stage(TaborModel *, TbArena *);
+  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,    prepare_single,
+                           prepare_stretch, tb_lift_prepare,    prepare_center,  prepare_mics,
+                           prepare_patches, prepare_places,     prepare_missing, allocate_rest,
+                           tb_rest_prepare, tb_highband_rest};
+  for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
+    status = stages[i](model, scratch);
+  }
+  if (status == TABOR_OK) status = tb_lugs_prepare(model, error);
+  if (status == TABOR_OK) {
+    tb_layout_prepare(&model->layout, model);
+    model->fingerprint = fingerprint(model);
+  }
+  return status;
+}
+
+void tabor_model_options_default(TaborModelOptions *options) {
+  *options = (TaborModelOptions){.struct_size = sizeof *options, .sample_rate = 48000.0};
+}
+
+static TaborStatus check_options(const TaborModelOptions *options, TaborError *error) {
+  if (options->struct_size != sizeof *options) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, NULL, NULL, NAN, NAN,
+                        "model options were not set by tabor_model_options_default()");
+  }
+  if (!options->allocator.allocate != !options->allocator.release) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, "allocator", NULL, NAN, NAN,
+                        "the allocator has only one of its two functions");
+  }
+  char value[TB_NUMBER_SIZE];
+  if (!(options->sample_rate >= 22050.0 && options->sample_rate <= 192000.0)) {
+    tb_number_print(options->sample_rate, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "sample_rate", value, 22050.0, 192000.0,
+                        "sample rate %g Hz is outside 22050 to 192000 Hz", options->sample_rate);
+  }
+  if (options->quality > TABOR_QUALITY_REFERENCE) {
+    tb_number_print(options->quality, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "quality", value, 0.0, TABOR_QUALITY_REFERENCE,
+                        "unknown quality %u", (unsigned)options->quality);
+  }
+  if (options->instructions > TABOR_INSTRUCTIONS_AVX512) {
+    tb_number_print(options->instructions, value);
+    return tb_error_set(error, TABOR_ERROR_RANGE, "instructions", value, 0.0,
+                        TABOR_INSTRUCTIONS_AVX512, "unknown instruction set %u",
+                        (unsigned)options->instructions);
+  }
+  return TABOR_OK;
+}
+
+static TaborStatus memory_error(TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,
+                      "out of memory while building a model");
+}
+
+TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
+                               TaborModel **out, TaborError *error) {
+  if (!out) return tb_error_null(error, "place for the model");
+  *out = NULL;
+  TaborModelOptions defaults;
+  tabor_model_options_default(&defaults);
+  if (!options) options = &defaults;
+  TaborStatus status = tabor_drum_def_validate(def, error);
+  if (status == TABOR_OK) status = check_options(options, error);
+  if (status != TABOR_OK) return status;
+
+  const TaborAllocator allocator = tb_allocator_resolve(&options->allocator);
+  TaborModel *model = allocator.allocate(sizeof *model, allocator.context);
+  if (!model) return memory_error(error);
+  memset(model, 0, sizeof *model);
+  atomic_init(&model->references, 1u);
+  tb_arena_prepare(&model->arena, &allocator);
+  model->def = *def;
+  model->quality = options->quality ? options->quality : def->quality.level;
+  model->sample_rate = options->sample_rate;
+  model->time_step = 1.0 / options->sample_rate;
+  model->kernels = choose_kernels(options->instructions);
+  model->singles = single_kernels_of(model->kernels);
+  const Level level = resolve_level(def, model->quality, model->sample_rate);
+  model->newton_cap = level.newton_cap;
+  model->inner_cap = level.inner_cap;
+  model->tolerance = level.tolerance;
+  model->inner_tolerance = level.inner_tolerance;
+  model->grid_tolerance = level.grid_tolerance;
+  model->top = level.top;
+
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &allocator);
+  if (error) error->status = TABOR_OK;
+  status = build(model, &scratch, &level, error);
+  tb_arena_release(&scratch);
+  if (status != TABOR_OK) {
+    tabor_model_release(model);
+    if (status == TABOR_ERROR_MEMORY) return memory_error(error);
+    if (status == TABOR_ERROR_RANGE) return status; /* whoever found it has named it */
+    return tb_error_set(error, status, NULL, NULL, NAN, NAN,
+                        "the modes or the rest state of this drum could not be computed");
+  }
+  *out = model;
+  return TABOR_OK;
+}
+
+TaborModel *tabor_model_retain(TaborModel *model) {
+  atomic_fetch_add(&model->references, 1u);
+  return model;
+}
+
+void tabor_model_release(TaborModel *model) {
+  if (!model || atomic_fetch_sub(&model->references, 1u) != 1u) return;
+  const TaborAllocator allocator = model->arena.allocator;
+  tb_arena_release(&model->arena);
+  allocator.release(model, allocator.context);
+}
+
+static uint32_t row_count(const TaborModel *model) {
+  return model->lugs.count ? model->lugs.row_count : model->head.row_count;
+}
+
+const TaborDrumDef *tabor_model_definition(const TaborModel *model) { return &model->def; }
+
+void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
+  *info = (TaborModelInfo){
+    .sample_rate = model->sample_rate,
+    .quality = model->quality,
+    .mode_count = model->modes.count,
+    .mode_rows = row_count(model),
+    .two_way_bandwidth = model->head.bandwidth,
+    .bandwidth = model->high.count ? model->top : model->head.bandwidth,
+    .high_mode_count = model->high.count,
+    .newton_cap = model->newton_cap,
+    .wire_count = model->wires.count,
+    .contact_points = model->wires.contact_points,
+    .mic_count = model->def.mic_count,
+    .model_bytes = model->arena.bytes + sizeof *model,
+    .drum_bytes = tb_state_bytes(model),
+  };
+}
+
+bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
+  if (row >= row_count(model)) return false;
+  *info = model->lugs.count ? model->lugs.rows[row] : tb_head_mode_info(&model->head.modes[row]);
+  return true;
+}

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Everything computed once from a definition and a sample rate; immutable afterwards.
+ *
+ * All state counts from the static equilibrium (rest): strainer, gravity, contact. Then a drum at
+ * rest is exactly zero, and stays so. */
+#ifndef TB_MODEL_H
+#define TB_MODEL_H
+
+#include <stdatomic.h>
+
+#include "model/highband.h"
+#include "model/hoop.h"
+#include "model/mobility.h"
+#include "model/places.h"
+#include "model/stick.h"
+#include "step/solve.h"
+
+/* Patch over which a damping hand spreads its force [m]. */
+#define TB_HAND_RADIUS 0.018
+/* Contact curvature times compliance: the stiffest contact that one sample resolves. */
+#define TB_SLOPE_LIMIT 10.0
+
+/* A microphone hears A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n, B(n) = Sum behind q^n, `delay`
+ * samples later: see mics.h. */
+typedef struct TbMic {
+  double *ahead, *behind; /* [padded] */
+  uint32_t delay;
+} TbMic;
+
+typedef struct TbRest {
+  double *q;      /* [padded] modal displacement at rest [m kg^1/2] */
+  double *v;      /* [node_count] wires [m] */
+  double *bend;   /* [node_count] their second differences [m] */
+  double *eta;    /* [stride] penetration [m] */
+  double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the slots */
+  double *grid;   /* [bed size] the same on the grid under the wires */
+  double *offset; /* [wires] of the ends [m] */
+  double head;    /* height of the centre of the head that has the wires [m] */
+} TbRest;
+
+/* What the heads' stretching needs, see stretch.h. */
+typedef struct TbStretch {
+  uint32_t count;   /* heads that stretch */
+  TbParts parts;    /* the modes that count, at the beginning of each group (modes.h) */
+  double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
+  double factor[2]; /* S/2A [N/m3] */
+} TbStretch;
+
+/* Uneven lugs couple at most this many modes, copies and padding counted. */
+#define TB_LUG_MODES 128u
+
+/* What uneven lugs do, see lugs.h. */
+typedef struct TbLugs {
+  uint32_t count;      /* coupled modes, with padding; 0 where all lugs are alike */
+  uint32_t from[5];    /* where they begin in each group (modes.h), */
+  uint32_t size[5];    /* ... and how many they are, a multiple of 8 */
+  float *pull;         /* [count/8][count][8] dK */
+  uint32_t row_count;  /* modes of the uneven heads, copies counted apart where they are coupled */
+  TaborModeInfo *rows; /* ... sorted by frequency */
+} TbLugs;
+
+/* Where the arrays of a drum's state lie, in bytes from its start. */
+typedef struct TbLayout {
+  size_t q[3], v[3], eta[3], bend;
+  size_t head, rest_load, own, b, s, force, product; /* by rows */
+  size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
+    weight, solution, work;
+  size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
+  size_t single; /* the arrays of TbSingle, one after the other */
+  size_t high[3], high_drive, high_scratch, high_force, modal, stretch_pull[2], stretch_grid[2],
+    stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+  size_t total;
+} TbLayout;
+
+struct TaborModel {
+  atomic_uint references;
+  TbArena arena;
+  TaborDrumDef def;
+  uint32_t quality;
+  double sample_rate, time_step; /* [Hz], k [s] */
+  double top;                    /* of the high band [Hz] */
+  uint32_t newton_cap, inner_cap;
+  double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
+  double grid_tolerance;             /* see projection.h */
+  double *reach;                     /* [modes padded] see lift.h */
+  const TbKernels *kernels;          /* for this processor, */
+  const TbSingleKernels *singles;    /* ... and in single precision, for the high band */
+  TbHead head;
+  TbWires wires;
+  TbModes modes;
+  TbMic mics[TABOR_MAX_MICS];
+  TbHighBand high;
+  TbHoop hoop;
+  TbStick stick;
+  double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
+  TbPlaces places[TABOR_MAX_STRIKERS];      /* of each brush */
+  TbRest rest;
+  TbProjection projection;
+  TbCompliance compliance; /* of the head over one step */
+  float *yield; /* [wires.stride] of the head at a contact point, to a force there alone [m/N] */
+  TbSingleBed single_bed; /* of both, where contacts are solved in single precision, */
+  const TbSingleKernels *single_kernels; /* ... by these; else NULL */
+  TbStretch stretch;
+  TbLugs lugs;
+  double *patches[TABOR_MAX_STRIKERS + 1];    /* of each striker, then of a hand */
+  TbMobility missing[TABOR_MAX_STRIKERS + 1]; /* likewise; none for a hand */
+  double *center; /* [padded]: shape at the centre of the head that has the wires */
+  TbLayout layout;
+  uint64_t fingerprint; /* of everything that a saved state depends on */
+};
+
+/* Static equilibrium into model->rest (equilibrium.c). */
+TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
+
+/* Shape of every mode on a TaborHead at radius [m] and angle [deg, absolute], `patch` as in
+ * tb_head_radial(); radial is scratch of head.row_count. shape[padded]. Audio-safe. */
+void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
+                    const double *patch, double *radial, double *shape);
+
+/* The high band's answer to a unit force of a striker there: drive[high.padded]. Audio-safe. */
+void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
+                         double *drive);
+
+#endif

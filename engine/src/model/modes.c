@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/modes.h"
+
+#include <math.h>
+
+TbPole tb_pole(double omega, double s, double k) {
+  const double square = omega * omega - s * s;
+  const double damped = sqrt(fabs(square)) * k;
+  const double turn = square >= 0.0 ? cos(damped) : cosh(damped);
+  const double shrink = exp(-s * k), slow = tanh(s * k);
+  return (TbPole){.a = 2.0 * shrink * turn,
+                  .b = shrink * shrink,
+                  .g = k * k / (1.0 + slow),
+                  .stiffness = 2.0 / (k * k) * (1.0 - turn / cosh(s * k)),
+                  .loss = slow / (2.0 * k * k),
+                  .re = shrink * turn,
+                  .im = square >= 0.0 ? shrink * sin(damped) : 0.0};
+}
+
+/* cos(m t) and sin(m t) for all orders at once, by Chebyshev's recurrence. */
+void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s) {
+  c[0] = 1.0;
+  s[0] = 0.0;
+  if (orders > 1) {
+    c[1] = cos_angle;
+    s[1] = sin_angle;
+  }
+  for (uint32_t m = 2; m < orders; m++) {
+    c[m] = 2.0 * cos_angle * c[m - 1] - c[m - 2];
+    s[m] = 2.0 * cos_angle * s[m - 1] - s[m - 2];
+  }
+}
+
+double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle) {
+  double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
+  tb_angular_factors(m + 1, sin_angle, cos_angle, c, s);
+  return sine ? s[m] : c[m];
+}
+
+void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
+                    double sin_angle, double cos_angle, const double *patch, double *radial,
+                    double *shape) {
+  tb_head_radial(head, which, radius, patch, radial);
+  tb_modes_turn(modes, head, radial, sin_angle, cos_angle, shape);
+}
+
+void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
+                   double cos_angle, double *shape) {
+  double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
+  tb_angular_factors(head->order_count, sin_angle, cos_angle, c, s);
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    const uint32_t row = modes->row[i];
+    if (row == TB_NO_MODE) {
+      shape[i] = 0.0;
+      continue;
+    }
+    const uint32_t m = head->modes[row].m;
+    shape[i] = radial[row] * (modes->sine[i] ? s[m] : c[m]);
+  }
+}
+
+/* All modes with their copies, by frequency, as long as they fit. */
+static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
+  *list = (TbModes){0};
+  list->row = tb_arena_take(scratch, TB_MAX_MODES, sizeof *list->row);
+  list->sine = tb_arena_take(scratch, TB_MAX_MODES, sizeof *list->sine);
+  if (scratch->failed) return false;
+  for (uint32_t row = 0; row < head->row_count; row++) {
+    const uint32_t copies = head->modes[row].m ? 2 : 1;
+    if (list->count + copies > TB_MAX_MODES) break;
+    for (uint32_t copy = 0; copy < copies; copy++) {
+      list->row[list->count] = row;
+      list->sine[list->count++] = (uint8_t)copy;
+    }
+  }
+  list->padded = list->count;
+  return true;
+}
+
+/* A mode is felt if it moves some contact point by more than this part of what the most felt one does:
+ * its compliance is then 1e-4 of that one's. */
+static const double FELT = 1e-2;
+
+/* most[i]: largest shape of listed mode i over the contact points. */
+static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *head,
+                           const TbWires *wires, double *most) {
+  double *radial = tb_arena_doubles(scratch, head->row_count);
+  double *shape = tb_arena_doubles(scratch, list->padded);
+  if (scratch->failed) return false;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    const bool image = (wires->mirrored && row % wires->lanes > wires->middle) ||
+                       (wires->balanced && row / wires->lanes > wires->count / 2);
+    if (image || wires->real[row] == 0.0) continue;
+    const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
+    tb_modes_shape(list, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
+                   radial, shape);
+    for (uint32_t i = 0; i < list->count; i++) most[i] = fmax(most[i], fabs(shape[i]));
+  }
+  return true;
+}
+
+static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
+                      const TbWires *wires, uint8_t *felt) {
+  double *most = tb_arena_doubles(scratch, list->padded);
+  if (scratch->failed || !largest_shapes(list, scratch, head, wires, most)) return false;
+  double largest = 0.0;
+  for (uint32_t i = 0; i < list->count; i++) largest = fmax(largest, most[i]);
+  for (uint32_t i = 0; i < list->count; i++) felt[i] = most[i] > FELT * largest;
+  return true;
+}
+
+/* Under x -> -x, theta -> pi - theta: cos(m theta) is even for even m, sin(m theta) for odd m. */
+static bool is_odd_along(const TbHead *head, uint32_t row, bool sine) {
+  return (head->modes[row].m % 2 == 0) == sine;
+}
+
+/* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. Under y -> -y, theta ->
+ * -theta, the cosines are even. */
+static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbHead *head, uint32_t i,
+                         bool felt) {
+  if (!felt) return modes->groups;
+  const bool along = modes->halves == 2 && is_odd_along(head, list->row[i], list->sine[i]);
+  const bool across = modes->quarters == 2 && list->sine[i];
+  return (along ? modes->quarters : 0u) + (across ? 1u : 0u);
+}
+
+static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, const TbHead *head,
+                        const uint8_t *felt) {
+  const uint32_t room = tb_pad(list->count) + 8u * modes->groups;
+  modes->count = list->count;
+  modes->row = tb_arena_take(arena, room, sizeof *modes->row);
+  modes->sine = tb_arena_take(arena, room, sizeof *modes->sine);
+  if (arena->failed) return false;
+  uint32_t next = 0;
+  for (uint32_t group = 0; group <= modes->groups; group++) {
+    modes->group[group] = next;
+    for (uint32_t i = 0; i < list->count; i++) {
+      if (group_of(modes, list, head, i, felt[i]) != group) continue;
+      modes->row[next] = list->row[i];
+      modes->sine[next++] = list->sine[i];
+    }
+    while (next % 8 != 0) modes->row[next++] = TB_NO_MODE;
+  }
+  modes->padded = next;
+  return true;
+}
+
+static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head, double side,
+                              double k) {
+  double **arrays[] = {&modes->a,         &modes->b,        &modes->g,          &modes->stiffness,
+                       &modes->loss_head, &modes->loss_air, &modes->loss_shell, &modes->pull};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+    *arrays[i] = tb_arena_doubles(arena, modes->padded);
+  }
+  if (arena->failed) return false;
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    if (modes->row[i] == TB_NO_MODE) continue;
+    const TbHeadMode *mode = &head->modes[modes->row[i]];
+    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, k);
+    const double each = mode->decay_rate > 0.0 ? pole.loss / mode->decay_rate : 0.0;
+    modes->a[i] = pole.a;
+    modes->b[i] = pole.b;
+    modes->g[i] = pole.g;
+    modes->pull[i] = -side * pole.g;
+    modes->stiffness[i] = pole.stiffness;
+    modes->loss_air[i] = each * mode->radiation_rate;
+    modes->loss_shell[i] = each * mode->shell_rate;
+    modes->loss_head[i] = pole.loss - modes->loss_air[i] - modes->loss_shell[i];
+    modes->walls = modes->walls || mode->shell_rate > 0.0;
+  }
+  return true;
+}
+
+TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
+                             const TbWires *wires, double time_step) {
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &arena->allocator);
+  *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
+  modes->groups = modes->halves * modes->quarters;
+  TbModes list;
+  uint8_t *felt = tb_arena_take(&scratch, TB_MAX_MODES, sizeof *felt);
+  const bool done = felt && list_modes(&list, &scratch, head) &&
+                    find_felt(&list, &scratch, head, wires, felt) &&
+                    order_modes(modes, arena, &list, head, felt) &&
+                    mode_coefficients(modes, arena, head, wires->side, time_step);
+  tb_arena_release(&scratch);
+  return done ? TABOR_OK : TABOR_ERROR_MEMORY;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* Between modes and the grid under the wires, both ways through the same table:
+ * c_p = Sum_i table_pi q_i, F_i = Sum_p table_pi C_p, class by class (bed.h). */
+#ifndef TB_PROJECTION_H
+#define TB_PROJECTION_H
+
+#include "kernels/bed.h"
+#include "model/modes.h"
+
+/* One class: the modes of one group on the points of the same symmetry. */
+typedef struct TbProjectionGroup {
+  uint32_t first, modes;        /* in the order of TbModes; a multiple of 8 */
+  uint32_t first_point, points; /* in a grid vector; a multiple of 8, */
+  uint32_t used;                /* ... of which so many stand for something */
+  double *gather;               /* [points/8][modes][8]: to points */
+  double *scatter;              /* [modes/8][points][8]: to modes */
+  float *gather_single;         /* the same in single precision, or NULL: */
+  float *scatter_single;        /* see tb_projection_round() */
+} TbProjectionGroup;
+
+typedef struct TbProjection {
+  TbBed bed;
+  uint32_t groups;
+  TbProjectionGroup group[4];
+} TbProjection;
+
+/* Chooses a grid on which every mode's shape is right to `tolerance` of the largest shape at every
+ * contact point, and fills the tables. */
+TaborStatus tb_projection_prepare(TbProjection *projection, TbArena *arena, const TbModes *modes,
+                                  const TbHead *head, const TbWires *wires, double tolerance);
+
+/* Rounds the tables to single precision, both alike, so that forces still do the work that the ledger
+ * books: half the memory to read every sample, and shapes right to 6e-8. */
+bool tb_projection_round(TbProjection *projection, TbArena *arena);
+
+/* c[bed.size] from modal displacements q[padded]. Audio-safe. */
+void tb_project(const TbProjection *projection, const TbKernels *kernels, const double *q,
+                double *grid);
+
+/* Modal forces of the coupled modes, F[group[groups]], from C[bed.size]. Audio-safe. */
+void tb_project_forces(const TbProjection *projection, const TbKernels *kernels, const double *grid,
+                       double *modal);
+
+#endif

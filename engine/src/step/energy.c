@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/energy.h"
+
+#include "step/lugs.h"
+#include "step/rod.h"
+#include "step/stretch.h"
+
+static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
+                          const double *now) {
+  double sum = 0.0;
+  for (uint32_t i = 0; i < n; i++) {
+    const double velocity = (next[i] - now[i]) * rate;
+    sum += velocity * velocity + stiffness[i] * next[i] * now[i];
+  }
+  return 0.5 * sum;
+}
+
+static double modes_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbModes *modes = &view->model->modes;
+  return oscillators(modes->padded, view->model->sample_rate, modes->stiffness, next->q, now->q);
+}
+
+double tb_energy_high(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  const double rate = view->model->sample_rate;
+  if (!high->single) {
+    return oscillators(high->padded, rate, high->stiffness, view->now.high, view->last.high);
+  }
+  double sum = 0.0;
+  for (uint32_t i = 0; i < high->padded; i += 8) {
+    double now[8], last[8];
+    for (uint32_t lane = 0; lane < 8; lane++) {
+      now[lane] = (double)view->now.high_single[i + lane];
+      last[lane] = (double)view->last.high_single[i + lane];
+    }
+    sum += oscillators(8, rate, high->stiffness + i, now, last);
+  }
+  return sum;
+}
+
+/* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */
+static double tension_energy(const TbView *view, const TbWire *wire, double change,
+                             const double *next, const double *now) {
+  const double *rest = view->model->rest.v + wire->first_node;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < wire->cells; i++) {
+    const double slope = rest[i + 1] - rest[i];
+    const double moved = 0.5 * ((next[i + 1] - next[i]) + (now[i + 1] - now[i]));
+    sum += slope * (0.5 * slope + moved);
+  }
+  return change * sum / wire->spacing;
+}
+
+static double wires_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbWires *wires = &view->model->wires;
+  double sum = 0.0;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    const TbWireCoefficients *c = &view->state->wires[w];
+    const double *v1 = next->v + wire->first_node, *v0 = now->v + wire->first_node;
+    sum += tb_wire_energy(wire, c, view->model->time_step, v1, v0);
+    const double change = c->tension - wire->tension;
+    if (change != 0.0) sum += tension_energy(view, wire, change, v1, v0);
+  }
+  return sum;
+}
+
+static double contact_energy(const TbView *view, uint32_t row, double eta) {
+  const TbRest *rest = &view->model->rest;
+  const uint32_t w = view->model->wires.row_wire[row];
+  const double moved = eta - rest->eta[row];
+  return tb_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
+         rest->force[row] * (moved - view->state->shift[w]);
+}
+
+static double contacts_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  double sum = 0.0;
+  for (uint32_t row = 0; row < view->model->wires.stride; row++) {
+    if (view->model->wires.real[row] == 0.0) continue;
+    sum += contact_energy(view, row, next->eta[row]) + contact_energy(view, row, now->eta[row]);
+  }
+  return 0.5 * sum;
+}
+
+/* Of strikers, their contacts, and what the head yields to them by its missing modes. */
+static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const uint32_t first = view->model->wires.stride;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER) continue;
+    sum += tb_rod_motion(view, i, next->z, now->z) +
+           tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
+           tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
+           2.0 * tb_rod_bending(view, i, next, now) +
+           2.0 * tb_mobility_energy(tb_slot_missing(view, i), view->model->sample_rate,
+                                    next->missing[i], now->missing[i]);
+  }
+  return 0.5 * sum;
+}
+
+double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  return wires_energy(view, next, now) + contacts_energy(view, next, now);
+}
+
+double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
+         tb_lugs_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
+         strikers_energy(view, next, now) +
+         tb_hoop_energy(&view->model->hoop, view->model->sample_rate, next->hoop, now->hoop);
+}
+
+double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  const TbModes *modes = &view->model->modes;
+  const TbWires *wires = &view->model->wires;
+  double head = 0.0, all = 0.0;
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    const double step = next->q[i] - now->q[i];
+    head += step * step;
+  }
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    double sum = 0.0;
+    for (uint32_t i = 1; i < wire->cells; i++) {
+      const double step = next->v[wire->first_node + i] - now->v[wire->first_node + i];
+      sum += step * step;
+    }
+    all += wire->mass_per_length * wire->spacing * sum;
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const double step = next->z[i] - now->z[i];
+    all += view->state->slots[i].mass * step * step;
+  }
+  for (uint32_t i = 0; i < view->model->hoop.count; i++) {
+    const double step = next->hoop[i] - now->hoop[i];
+    all += step * step;
+  }
+  return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
+}
+
+TbLosses tb_losses(const TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const double *const origins[3] = {modes->loss_head, modes->loss_air, modes->loss_shell};
+  double by[3] = {0.0};
+  model->kernels->losses(modes->padded, modes->walls ? 3 : 2, origins, view->next.q, view->last.q,
+                         by);
+  TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
+  if (view->state->rings) {
+    const TbHoopLosses hoop = tb_hoop_losses(&model->hoop, view->next.hoop, view->last.hoop);
+    losses.shell += hoop.shell;
+    losses.radiated += hoop.radiated;
+  }
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
+    if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
+    losses.head +=
+      tb_mobility_loss(tb_slot_missing(view, i), view->next.missing[i], view->last.missing[i]);
+  }
+  if (!view->state->lifted) {
+    losses.wires =
+      model->kernels->wire_losses(model->wires.count, model->wires.lanes, view->state->wires,
+                                  view->next.v + TB_WIRE_FRONT, view->last.v + TB_WIRE_FRONT);
+  }
+  return losses;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Energy stored between two successive instants, counted from the rest state [J]. Audio-safe.
+ *
+ * Modes and wires are quadratic in their deviation from rest. A contact contributes the mean over the
+ * two instants of V(eta) - V(eta_r) - f_r (eta - eta_r - shift): the linear terms of head, wires and
+ * gravity around the equilibrium sum up to -f_r times the deviation. A wire whose tension has moved by
+ * dT since rest adds dT Int (v_r'^2/2 + v_r' v') dx. */
+#ifndef TB_ENERGY_H
+#define TB_ENERGY_H
+
+#include "step/state.h"
+
+double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
+
+/* Of these, what the wires and their contacts store. */
+double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *now);
+/* Energy of the high band, which no balance includes. */
+double tb_energy_high(const TbView *view);
+/* Kinetic energy alone, of head, wires and strikers. */
+double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
+
+/* Losses [J] of the step from view->last to view->next, contacts apart. */
+typedef struct TbLosses {
+  double head, radiated, shell, wires;
+} TbLosses;
+TbLosses tb_losses(const TbView *view);
+
+#endif

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/lift.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "step/live.h"
+
+static const double LEAST_GAP = 3e-3; /* [m] */
+static const double STILL = 1e-12;    /* [m], a deviation that is none */
+
+static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
+                           double *fold, double *rows, double *reach) {
+  const TbBed *bed = &model->projection.bed;
+  for (uint32_t i = 0; i < group->modes; i++) {
+    for (uint32_t p = 0; p < group->points; p++) {
+      grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
+    }
+    tb_bed_expand(bed, model->kernels, grid, fold, rows);
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
+      reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
+    }
+  }
+  memset(grid + group->first_point, 0, group->points * sizeof *grid);
+}
+
+TaborStatus tb_lift_prepare(TaborModel *model, TbArena *scratch) {
+  const TbProjection *p = &model->projection;
+  double *grid = tb_arena_doubles(scratch, p->bed.size);
+  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&p->bed));
+  double *rows = tb_arena_doubles(scratch, model->wires.stride);
+  model->reach = tb_arena_doubles(&model->arena, model->modes.padded);
+  if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
+  if (model->wires.count == 0) return TABOR_OK;
+  for (uint32_t g = 0; g < p->groups; g++) {
+    largest_shapes(model, &p->group[g], grid, fold, rows, model->reach);
+  }
+  return TABOR_OK;
+}
+
+/* ---- step ----------------------------------------------------------------------------------- */
+
+static double least_gap(const TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  double gap = INFINITY;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] == 0.0) continue;
+    const double eta = view->model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    gap = -eta < gap ? -eta : gap;
+  }
+  return gap;
+}
+
+static bool out_of_reach(const TbView *view) {
+  const TbModes *modes = &view->model->modes;
+  const double most =
+    view->model->kernels->reach(modes->group[modes->groups], view->model->reach, view->now.q);
+  return most < 0.5 * view->state->gap;
+}
+
+static bool lie_still(const TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  for (uint32_t i = 0; i < wires->node_count; i++) {
+    if (fabs(view->now.v[i]) > STILL || fabs(view->last.v[i]) > STILL) return false;
+  }
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (view->solve.force[row] != 0.0) return false;
+  }
+  for (uint32_t w = 0; w < wires->count; w++) {
+    if (view->state->wires[w].tension != wires->wires[w].tension) return false;
+  }
+  return true;
+}
+
+static void rest_phase(const TbView *view, TbPhase *phase) {
+  const TbWires *wires = &view->model->wires;
+  memset(phase->v, 0, wires->node_count * sizeof(double));
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    phase->eta[row] = view->model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+  }
+}
+
+void tb_lift_begin(TbView *view) {
+  TbState *state = view->state;
+  if (state->lifted || view->model->wires.count == 0) return;
+  state->gap = least_gap(view);
+  if (!(state->gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
+  state->lifted = 1;
+  view->solve.lifted = true;
+  TbPhase *const phases[3] = {&view->now, &view->last, &view->next};
+  for (int i = 0; i < 3; i++) rest_phase(view, phases[i]);
+  memset(view->b, 0, view->model->wires.stride * sizeof(double));
+  memset(view->solve.product, 0, view->model->wires.stride * sizeof(double));
+}
+
+void tb_lift_follow(TbView *view) {
+  if (view->state->lifted && !out_of_reach(view)) tb_lift_end(view);
+}
+
+void tb_lift_end(TbView *view) {
+  if (!view->state->lifted) return;
+  view->state->lifted = 0;
+  view->solve.lifted = false;
+  tb_lift_penetrations(view, &view->now);
+  tb_lift_penetrations(view, &view->last);
+  tb_live_apply(view);
+}
+
+void tb_lift_penetrations(TbView *view, TbPhase *phase) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  tb_project(&model->projection, model->kernels, phase->q, view->change);
+  tb_bed_expand(&model->projection.bed, model->kernels, view->change, view->solve.scratch,
+                phase->eta);
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
+    phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+  }
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* Strokes on the hoop: placing the sticks of rod.h into slots. Audio-safe. */
+#ifndef TB_RIMSTROKE_H
+#define TB_RIMSTROKE_H
+
+#include "step/slots.h"
+
+/* Places a rimshot, a cross-stick or a stroke on the rim; false if there is no room for it. tb_live_apply() is the
+ * caller's. */
+bool tb_rimstroke(TbView *view, const TbStroke *stroke);
+
+#endif

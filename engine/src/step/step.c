@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/step.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "kernels/profile.h"
+#include "step/brush.h"
+#include "step/energy.h"
+#include "step/guard.h"
+#include "step/lift.h"
+#include "step/listen.h"
+#include "step/live.h"
+#include "step/lugs.h"
+#include "step/rod.h"
+#include "step/singlemotion.h"
+#include "step/singlesolve.h"
+#include "step/slots.h"
+#include "step/stretch.h"
+
+#ifdef TABOR_PROFILE
+_Thread_local TbProfile tb_profile;
+#endif
+
+/* The shape at rest is bent: a tension other than the rest's pulls it. */
+static void pull_rest(TbView *view, uint32_t w) {
+  const TaborModel *model = view->model;
+  const TbWire *wire = &model->wires.wires[w];
+  const TbWireCoefficients *c = &view->state->wires[w];
+  const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
+  if (c->tension == wire->tension) return;
+  const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
+  model->kernels->add_scaled(model->wires.lanes, view->next.v + at, pull, model->rest.bend + at);
+}
+
+static void free_wires(TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  const TbPhase *next = &view->next, *now = &view->now, *last = &view->last;
+  view->model->kernels->wire_step(wires->count, wires->lanes, view->state->wires, wires->inner,
+                                  now->v + TB_WIRE_FRONT, last->v + TB_WIRE_FRONT,
+                                  view->bend + TB_WIRE_FRONT, next->v + TB_WIRE_FRONT);
+  for (uint32_t w = 0; w < wires->count; w++) pull_rest(view, w);
+}
+
+/* Where head and wires would be without contact forces, into view->next. */
+static void free_motion(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  TB_STAGE(MODES);
+  model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
+                           view->last.q);
+  TB_STAGE(WIRES);
+  if (!view->state->lifted) free_wires(view);
+  tb_rod_step(view);
+  if (view->state->rings) {
+    tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
+  }
+}
+
+/* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
+static void penetrate_wires(TbView *view, double *slots) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  const TbKernels *kernels = model->kernels;
+  const TbBed *bed = &model->projection.bed;
+  const bool single = tb_solves_in_single(&view->solve);
+  TB_STAGE(PROJECTION);
+  if (single) {
+    tb_single_project(view);
+  } else {
+    tb_project(&model->projection, kernels, view->next.q, view->change);
+  }
+  TB_STAGE(STRETCH);
+  tb_stretch_yield(view, slots);
+  TB_STAGE(PROJECTION);
+  if (single) {
+    tb_single_penetrate(view);
+    return;
+  }
+  tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
+  TB_STAGE(WIRES);
+  kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
+                     view->next.v + TB_WIRE_FRONT, model->rest.eta, view->last.eta, view->rest_load,
+                     view->b);
+}
+
+/* ... and of all. */
+static void free_penetration(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbKernels *kernels = model->kernels;
+  _Alignas(64) double slots[TB_SLOTS] = {0.0};
+  if (view->state->lifted) {
+    tb_stretch_yield(view, slots);
+  } else {
+    penetrate_wires(view, slots);
+  }
+  TB_STAGE(STRIKERS);
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
+    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+    const uint32_t row = model->wires.stride + i;
+    const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
+    double eta = head;
+    if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
+      const TbMobility *missing = tb_slot_missing(view, i);
+      tb_mobility_step(missing, view->next.missing[i], view->now.missing[i], view->last.missing[i]);
+      eta += tb_mobility_displacement(missing, view->next.missing[i]) -
+             (tb_slots_free_height(view, i) - view->state->slots[i].coat);
+      if (view->state->slots[i].on_hoop) {
+        eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
+      }
+      if (view->state->slots[i].partner) eta -= tb_rod_bow(view, i, &view->next);
+    }
+    view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
+  }
+}
+
+/* What the wires' forces, counted from rest, do to modes: into view->modal. */
+static void force_modes(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbProjection *p = &model->projection;
+  model->kernels->subtract(p->bed.size, view->solve.grid, model->rest.grid, view->change);
+  if (tb_solves_in_single(&view->solve)) {
+    tb_single_project_forces(view);
+  } else {
+    tb_project_forces(p, model->kernels, view->change, view->modal);
+  }
+}
+
+/* Adds what the contact forces do to the free motion in view->next, `unchanged` if they are those of the
+ * last step: of the wires, */
+static void respond_to_wires(TbView *view, bool unchanged) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = model->wires.stride;
+  const double *force = view->solve.force;
+  TB_STAGE(WIRES);
+  kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
+                view->next.v + TB_WIRE_FRONT, view->next.eta);
+  TB_STAGE(PROJECTION);
+  if (!unchanged) force_modes(view);
+  TB_STAGE(MODES);
+  kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
+}
+
+/* ... and of all. */
+static void respond(TbView *view, bool unchanged) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t stride = model->wires.stride;
+  const double *force = view->solve.force;
+  if (!view->state->lifted) respond_to_wires(view, unchanged);
+  TB_STAGE(STRIKERS);
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
+    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+    const uint32_t row = stride + i;
+    if (force[row] != 0.0) {
+      kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
+      tb_mobility_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
+    }
+    if (view->state->slots[i].on_hoop) {
+      tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
+    }
+    view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
+    if (view->state->slots[i].partner) {
+      view->next.z[i] += tb_rod_pull(view, i);
+      tb_rod_press(view, i, force[row]);
+    }
+    view->next.eta[row] = view->last.eta[row] + view->s[row];
+  }
+}
+
+static void book_losses(TbView *view) {
+  const TbLosses losses = tb_losses(view);
+  TaborLedger *sums = &view->state->sums;
+  sums->head_loss += losses.head;
+  sums->radiated += losses.radiated;
+  sums->shell_loss += losses.shell;
+  sums->wire_loss += losses.wires;
+  const TbHandWork hands = tb_slots_hand_work(view);
+  sums->injected += hands.done;
+  sums->damper_loss += hands.lost;
+}
+
+static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
+  if (!outcome->contact) return;
+  statistics->solves++;
+  statistics->newton_iterations += outcome->iterations;
+  if (outcome->iterations > statistics->newton_max) statistics->newton_max = outcome->iterations;
+  statistics->newton_capped += outcome->capped;
+  statistics->work_corrected += outcome->corrected;
+  statistics->fallbacks += outcome->fallback;
+  statistics->contact_sum += outcome->touching;
+  if (outcome->touching > statistics->contact_max) statistics->contact_max = outcome->touching;
+}
+
+void tb_step(TbView *view, uint32_t heard, double *pressure) {
+  tb_live_step(view);
+  TB_STAGE(STRIKERS);
+  tb_brush_step(view);
+  free_motion(view);
+  tb_lugs_pull(view);
+  TB_STAGE(STRETCH);
+  tb_stretch_free(view);
+  free_penetration(view);
+  TB_STAGE(STRETCH);
+  tb_stretch_renew(view);
+  TB_STAGE(LAWS);
+  const TbSolveOutcome outcome = tb_solve(&view->solve);
+  count(&view->state->statistics, &outcome);
+  const bool unchanged = !outcome.contact && view->state->airborne;
+  respond(view, unchanged);
+  TB_STAGE(STRETCH);
+  tb_stretch_respond(view);
+  TB_STAGE(LEDGER);
+  const bool shortened = outcome.excess > 0.0 && tb_guard(view);
+  if (shortened) {
+    tb_solve_forget(&view->solve);
+    tb_stretch_clear(view);
+  } else {
+    view->state->sums.contact_loss += outcome.contact_loss;
+    view->state->sums.damper_loss += outcome.damper_loss;
+  }
+  book_losses(view);
+  tb_listen(view, heard, unchanged, pressure);
+  TB_STAGE(OTHER);
+  view->state->airborne = !outcome.contact;
+  view->state->clock++;
+  tb_view_rotate(view);
+  tb_slots_retire(view);
+  tb_lift_follow(view);
+}
+
+/* ---- housekeeping --------------------------------------------------------------------------- */
+
+/* Far below anything audible: a medium stroke brings some 1e-2 J. */
+static const double SILENT_ENERGY = 1e-18; /* [J] */
+/* Where contacts are solved in single precision, rounding keeps wires that lie on a head moving: 5e-17 J for the
+ * heaviest of the presets' wires. */
+static const double SILENT_IN_SINGLE = 1e-15;
+static const uint32_t SILENT_CHECKS = 16;
+static const double VANISHED = 1e-150;       /* [m kg^1/2]; denormals begin at 1e-308, */
+static const float VANISHED_SINGLE = 1e-30f; /* ... of single precision at 1e-38 */
+
+/* Without branches: the compiler takes several at once. */
+static void clear_small(uint32_t n, double *now, double *last) {
+  for (uint32_t i = 0; i < n; i++) {
+    const bool gone = (fabs(now[i]) < VANISHED) & (fabs(last[i]) < VANISHED);
+    now[i] = gone ? 0.0 : now[i];
+    last[i] = gone ? 0.0 : last[i];
+  }
+}
+
+static void clear_small_single(uint32_t n, float *now, float *last) {
+  for (uint32_t i = 0; i < n; i++) {
+    const bool gone = (fabsf(now[i]) < VANISHED_SINGLE) & (fabsf(last[i]) < VANISHED_SINGLE);
+    now[i] = gone ? 0.0f : now[i];
+    last[i] = gone ? 0.0f : last[i];
+  }
+}
+
+static void clear_vanished(TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  if (high->single) {
+    clear_small_single(high->padded, view->now.high_single, view->last.high_single);
+  } else {
+    clear_small(high->padded, view->now.high, view->last.high);
+  }
+  clear_small(view->model->modes.padded, view->now.q, view->last.q);
+  clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
+  clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
+}
+
+static void clear_high(TbView *view) {
+  const size_t bytes = view->model->high.padded * sizeof(double);
+  memset(view->now.high, 0, bytes);
+  memset(view->last.high, 0, bytes);
+}
+
+static double silent_energy(const TaborModel *model) {
+  return model->single_kernels ? SILENT_IN_SINGLE : SILENT_ENERGY;
+}
+
+/* Stops all motion; a drum within rounding of its rest returns to it exactly. */
+static void fall_asleep(TbView *view) {
+  const TaborModel *model = view->model;
+  const bool at_rest =
+    fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * silent_energy(model);
+  const uint32_t rows = model->wires.stride + TB_SLOTS;
+  if (at_rest) {
+    memset(view->now.q, 0, model->modes.padded * sizeof(double));
+    memset(view->now.missing, 0, sizeof view->state->missing[0]);
+    memset(view->state->hoop, 0, sizeof view->state->hoop);
+    memset(view->state->bow, 0, sizeof view->state->bow);
+    view->state->rings = 0;
+    memset(view->now.v, 0, model->wires.node_count * sizeof(double));
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
+      view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
+      view->solve.force[row] = model->rest.force[row];
+    }
+    for (uint32_t i = 0; i < TB_SLOTS; i++) {
+      if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
+    }
+    tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
+    tb_stretch_clear(view);
+  }
+  memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
+  memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
+  memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
+  memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
+  memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
+  memcpy(view->last.hoop, view->now.hoop, sizeof view->state->hoop[0]);
+  memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
+  }
+  memset(view->state->treble, 0, sizeof view->state->treble);
+  clear_high(view);
+  view->state->heard = 0;
+  view->state->asleep = 1;
+}
+
+static bool striker_in_flight(const TbView *view) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->palm || (slot->kind == TB_SLOT_STRIKER && !slot->held)) return true;
+  }
+  return false;
+}
+
+static bool parameter_moves(const TbState *state) {
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    if (state->live[i].left) return true;
+  }
+  return false;
+}
+
+void tb_step_housekeeping(TbView *view) {
+  TbState *state = view->state;
+  const double motion = tb_energy_motion(view, &view->now, &view->last);
+  if (!isfinite(motion)) {
+    const TaborStatistics statistics = state->statistics;
+    tb_state_reset(state, view->model);
+    state->statistics = statistics;
+    state->statistics.recovered++;
+    *view = tb_view(state, view->model);
+    return;
+  }
+  clear_vanished(view);
+  tb_lift_begin(view);
+  tb_single_settle(view);
+  const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
+                     !parameter_moves(state) && !tb_brush_moves(state);
+  state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
+  if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* One sample of one drum. Audio-safe. */
+#ifndef TB_STEP_H
+#define TB_STEP_H
+
+#include "step/state.h"
+
+/* Advances by one sample; pressure[mic] [Pa times gain over full_scale] of the microphones whose bit is
+ * set in `heard`, 0 of the others. */
+void tb_step(TbView *view, uint32_t heard, double *pressure);
+
+/* Call every 64 samples: puts a drum that has died away to sleep, clears vanished modes, recovers
+ * from a state that is not finite. */
+void tb_step_housekeeping(TbView *view);
+
+#endif

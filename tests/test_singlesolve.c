@@ -180,7 +180,7 @@ static void does_not_drift(TaborModel *model, TaborDrum *drum) {
   TbView view = tb_view(drum->state, model);
   double worst = 0.0, *kept = malloc(model->wires.stride * sizeof *kept);
   memcpy(kept, view.now.eta, model->wires.stride * sizeof *kept);
-  tb_lift_penetrations(&view, &view.now);
+  tb_penetrations_from_displacements(&view, &view.now);
   for (uint32_t row = 0; row < model->wires.stride; row++) {
     if (model->wires.real[row] == 0.0) continue;
     worst = fmax(worst, fabs(view.now.eta[row] - kept[row]));

@@ -11,8 +11,9 @@
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live.h"
-#include "step/slots.h"
+#include "step/reset.h"
 #include "step/step.h"
+#include "step/strokes.h"
 
 static const uint64_t HOUSEKEEPING = 64; /* samples */
 
@@ -41,16 +42,16 @@ static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
                            .radius = place_radius(drum, event->radius),
                            .angle = clamp(event->angle, -1e6, 1e6),
                            .pressure = clamp(event->value, 0.0, 1.0)};
-  return tb_slots_strike(view, &stroke);
+  return tb_strike(view, &stroke);
 }
 
 static bool press(TbView *view, const TaborEvent *event) {
-  return tb_slots_press(view, event->id, clamp(event->value, 0.0, 1.0));
+  return tb_press(view, event->id, clamp(event->value, 0.0, 1.0));
 }
 
 static bool damp(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  return tb_slots_damp(view, event->id, clamp(event->value, 0.0, 100.0),
-                       place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
+  return tb_damp(view, event->id, clamp(event->value, 0.0, 100.0),
+                 place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
 }
 
 static bool move(TaborDrum *drum, TbView *view, const TaborEvent *event) {
@@ -72,7 +73,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   case TABOR_EVENT_PRESS: return press(view, event);
   case TABOR_EVENT_DAMP: return damp(drum, view, event);
   case TABOR_EVENT_MOVE: return move(drum, view, event);
-  case TABOR_EVENT_RELEASE: tb_slots_release(view, event->id); return true;
+  case TABOR_EVENT_RELEASE: tb_release(view, event->id); return true;
   case TABOR_EVENT_PARAMETER:
     return tb_live_set(view, event->parameter, event->index, event->value);
   case TABOR_EVENT_SWAP:

@@ -14,8 +14,8 @@
 #include "drum/drum.h"
 #include "drum/drum_memory.h"
 #include "step/energy.h"
-#include "step/lift.h"
 #include "step/live.h"
+#include "step/penetration.h"
 #include "step/slots.h"
 #include "step/step.h"
 
@@ -154,8 +154,8 @@ static void carry_contacts(const TbView *from, TbView *to) {
     to->solve.lifted = from->solve.lifted;
     return;
   }
-  tb_lift_penetrations(to, &to->now);
-  tb_lift_penetrations(to, &to->last);
+  tb_penetrations_from_displacements(to, &to->now);
+  tb_penetrations_from_displacements(to, &to->last);
 }
 
 static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {

@@ -14,7 +14,7 @@
 
 #include "math/bessel.h"
 #include "math/linear.h"
-#include "step/state.h"
+#include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -7,11 +7,11 @@
 #include "definition/error.h"
 #include "definition/text.h"
 #include "math/power.h"
+#include "model/lug_modes.h"
 #include "model/mics.h"
-#include "step/lift.h"
-#include "step/lugs.h"
-#include "step/state.h"
-#include "step/stretch.h"
+#include "model/state_layout.h"
+#include "model/stretch_gain.h"
+#include "model/wire_reach.h"
 
 /* What a quality level stands for. */
 typedef struct Level {
@@ -285,9 +285,9 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance, prepare_laws,    prepare_single,
-                           prepare_stretch, tb_lift_prepare,    prepare_center,  prepare_mics,
-                           prepare_patches, prepare_places,     prepare_missing, allocate_rest,
+  Stage *const stages[] = {prepare_modes,   prepare_compliance,    prepare_laws,    prepare_single,
+                           prepare_stretch, tb_wire_reach_prepare, prepare_center,  prepare_mics,
+                           prepare_patches, prepare_places,        prepare_missing, allocate_rest,
                            tb_rest_prepare, tb_highband_rest};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
@@ -397,32 +397,4 @@ void tabor_model_release(TaborModel *model) {
   allocator.release(model, allocator.context);
 }
 
-static uint32_t row_count(const TaborModel *model) {
-  return model->lugs.count ? model->lugs.row_count : model->head.row_count;
-}
-
 const TaborDrumDef *tabor_model_definition(const TaborModel *model) { return &model->def; }
-
-void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
-  *info = (TaborModelInfo){
-    .sample_rate = model->sample_rate,
-    .quality = model->quality,
-    .mode_count = model->modes.count,
-    .mode_rows = row_count(model),
-    .two_way_bandwidth = model->head.bandwidth,
-    .bandwidth = model->high.count ? model->top : model->head.bandwidth,
-    .high_mode_count = model->high.count,
-    .newton_cap = model->newton_cap,
-    .wire_count = model->wires.count,
-    .contact_points = model->wires.contact_points,
-    .mic_count = model->def.mic_count,
-    .model_bytes = model->arena.bytes + sizeof *model,
-    .drum_bytes = tb_state_bytes(model),
-  };
-}
-
-bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
-  if (row >= row_count(model)) return false;
-  *info = model->lugs.count ? model->lugs.rows[row] : tb_head_mode_info(&model->head.modes[row]);
-  return true;
-}

@@ -8,12 +8,14 @@
 
 #include <stdatomic.h>
 
+#include "kernels/singlekernels.h"
+#include "model/contact_rows.h"
 #include "model/highband.h"
 #include "model/hoop.h"
 #include "model/mobility.h"
 #include "model/places.h"
+#include "model/singlebed.h"
 #include "model/stick.h"
-#include "step/solve.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
@@ -59,7 +61,7 @@ typedef struct TbLugs {
   TaborModeInfo *rows; /* ... sorted by frequency */
 } TbLugs;
 
-/* Where the arrays of a drum's state lie, in bytes from its start. */
+/* Where the arrays of a drum's state lie, in bytes from the first of them (state_layout.h). */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
   size_t head, rest_load, own, b, s, force, product; /* by rows */

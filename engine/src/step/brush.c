@@ -5,7 +5,6 @@
 
 #include "math/power.h"
 #include "step/coat.h"
-#include "step/live.h"
 
 static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */
 
@@ -192,7 +191,6 @@ bool tb_brush_strike(TbView *view, const TbStroke *stroke) {
     lift(view, &view->state->brushes[b]);
   }
   view->state->statistics.strikes++;
-  tb_live_apply(view);
   return true;
 }
 

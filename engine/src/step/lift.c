@@ -4,41 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "step/live.h"
+#include "step/coupling.h"
+#include "step/penetration.h"
 
 static const double LEAST_GAP = 3e-3; /* [m] */
 static const double STILL = 1e-12;    /* [m], a deviation that is none */
-
-static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
-                           double *fold, double *rows, double *reach) {
-  const TbBed *bed = &model->projection.bed;
-  for (uint32_t i = 0; i < group->modes; i++) {
-    for (uint32_t p = 0; p < group->points; p++) {
-      grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
-    }
-    tb_bed_expand(bed, model->kernels, grid, fold, rows);
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
-    }
-  }
-  memset(grid + group->first_point, 0, group->points * sizeof *grid);
-}
-
-TaborStatus tb_lift_prepare(TaborModel *model, TbArena *scratch) {
-  const TbProjection *p = &model->projection;
-  double *grid = tb_arena_doubles(scratch, p->bed.size);
-  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&p->bed));
-  double *rows = tb_arena_doubles(scratch, model->wires.stride);
-  model->reach = tb_arena_doubles(&model->arena, model->modes.padded);
-  if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  if (model->wires.count == 0) return TABOR_OK;
-  for (uint32_t g = 0; g < p->groups; g++) {
-    largest_shapes(model, &p->group[g], grid, fold, rows, model->reach);
-  }
-  return TABOR_OK;
-}
-
-/* ---- step ----------------------------------------------------------------------------------- */
 
 static double least_gap(const TbView *view) {
   const TbWires *wires = &view->model->wires;
@@ -101,19 +71,7 @@ void tb_lift_end(TbView *view) {
   if (!view->state->lifted) return;
   view->state->lifted = 0;
   view->solve.lifted = false;
-  tb_lift_penetrations(view, &view->now);
-  tb_lift_penetrations(view, &view->last);
-  tb_live_apply(view);
-}
-
-void tb_lift_penetrations(TbView *view, TbPhase *phase) {
-  const TaborModel *model = view->model;
-  const TbWires *wires = &model->wires;
-  tb_project(&model->projection, model->kernels, phase->q, view->change);
-  tb_bed_expand(&model->projection.bed, model->kernels, view->change, view->solve.scratch,
-                phase->eta);
-  for (uint32_t row = 0; row < wires->stride; row++) {
-    const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
-    phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
-  }
+  tb_penetrations_from_displacements(view, &view->now);
+  tb_penetrations_from_displacements(view, &view->last);
+  tb_coupling_renew(view);
 }

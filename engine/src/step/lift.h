@@ -5,17 +5,12 @@
  * that. While no point of the head can come near one of them, neither the wires nor the head's motion
  * under them is computed: their deviations, contact forces and changes of penetration are exactly 0.
  *
- * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i|, the largest over all contact
- * points. The wires count as lifted while that stays below half of the least gap; it would take 30 m/s to
- * cross the other half of the least gap that counts within one sample, even at 22,050 Hz. Audio-safe but for
- * tb_lift_prepare(). */
+ * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i| (model/wire_reach.h). The wires count as lifted while that stays below half of the least gap; it would take 30 m/s to
+ * cross the other half of the least gap that counts within one sample, even at 22,050 Hz. Audio-safe. */
 #ifndef TB_LIFT_H
 #define TB_LIFT_H
 
 #include "step/state.h"
-
-/* max |phi| of each mode that some wire feels. */
-TaborStatus tb_lift_prepare(TaborModel *model, TbArena *scratch);
 
 /* Lifts wires that lie still and out of reach. */
 void tb_lift_begin(TbView *view);
@@ -23,8 +18,5 @@ void tb_lift_begin(TbView *view);
 void tb_lift_follow(TbView *view);
 /* Lowers them: all that was left out is made good. Before anything of theirs is moved. */
 void tb_lift_end(TbView *view);
-
-/* Penetrations that follow from the displacements of `phase`. */
-void tb_lift_penetrations(TbView *view, TbPhase *phase);
 
 #endif

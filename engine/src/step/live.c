@@ -2,10 +2,10 @@
 #include "step/live.h"
 
 #include "definition/params.h"
+#include "step/coupling.h"
 #include "step/energy.h"
 #include "step/lift.h"
 #include "step/slots.h"
-#include "step/stretch.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
@@ -62,14 +62,7 @@ void tb_live_apply(TbView *view) {
   for (uint32_t row = 0; row < wires->stride; row++) {
     view->own[row] = wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
   }
-  tb_live_couple(view);
-}
-
-void tb_live_couple(TbView *view) {
-  view->solve.slot_mask = view->state->slot_mask;
-  tb_solve_product(&view->solve, view->model->rest.force, view->change, view->rest_load);
-  tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
-  tb_stretch_clear(view);
+  tb_coupling_renew(view);
 }
 
 void tb_live_definition(const TaborModel *model, TbLive *live) {
@@ -140,11 +133,9 @@ static void advance_all(TbLive *live, uint32_t first, uint32_t end) {
 
 /* Mufflers store no energy. */
 static void move_mufflers(TbView *view) {
-  const uint32_t mask = view->state->slot_mask;
   if (!under_way(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
   advance_all(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
   tb_slots_muffle(view);
-  if (view->state->slot_mask != mask) tb_live_couple(view);
 }
 
 /* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are does not. */

@@ -14,9 +14,7 @@ void tb_live_reset(TbView *view);
 bool tb_live_set(TbView *view, uint32_t parameter, uint32_t index, double value);
 /* Moves what is under way by one sample. */
 void tb_live_step(TbView *view);
-/* Recomputes what follows from the live values and from the slots in play. */
+/* Recomputes what follows from the live values. */
 void tb_live_apply(TbView *view);
-/* The same from the slots alone. */
-void tb_live_couple(TbView *view);
 
 #endif

@@ -9,15 +9,12 @@
  * answers too much, so that split frequencies are right as well.
  *
  * Limits: a uniform deviation d moves w^2 of a membrane in vacuo by a part d. Modes above the coupled ones
- * stay pairs. The rest state is the even head's. Audio-safe but for tb_lugs_prepare(). */
+ * stay pairs. The rest state is the even head's. dK is prepared by
+ * model/lug_modes.h. Audio-safe. */
 #ifndef TB_LUGS_H
 #define TB_LUGS_H
 
 #include "step/state.h"
-
-/* dK of the heads' lower modes, and the modes that come of it, into model->lugs.
- * TABOR_ERROR_RANGE, and `error` says why, if a head would go slack. */
-TaborStatus tb_lugs_prepare(TaborModel *model, TaborError *error);
 
 /* After the modes' free motion: takes what dK pulls from view->next. */
 void tb_lugs_pull(TbView *view);

@@ -81,16 +81,15 @@ static uint32_t find_palm(const TbView *view) {
 static void lay_palm(TbView *view, uint32_t id, const TbRodEnd *tip) {
   const uint32_t slot = find_palm(view);
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
-  view->state->slots[slot] = (TbSlot){.kind = TB_SLOT_HAND,
-                                      .id = id,
-                                      .serial = ++view->state->serial,
-                                      .palm = 1,
-                                      .part = 1.0,
-                                      .radius = tip->radius,
-                                      .angle = tip->angle,
-                                      .strength = PALM};
-  view->state->slot_mask |= 1u << slot;
-  tb_slots_rebuild(view, slot);
+  const TbSlot palm = {.kind = TB_SLOT_HAND,
+                       .id = id,
+                       .serial = ++view->state->serial,
+                       .palm = 1,
+                       .part = 1.0,
+                       .radius = tip->radius,
+                       .angle = tip->angle,
+                       .strength = PALM};
+  tb_slots_put_hand(view, slot, &palm);
 }
 
 bool tb_rimstroke(TbView *view, const TbStroke *stroke) {

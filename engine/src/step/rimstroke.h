@@ -5,8 +5,7 @@
 
 #include "step/slots.h"
 
-/* Places a rimshot, a cross-stick or a stroke on the rim; false if there is no room for it. tb_live_apply() is the
- * caller's. */
+/* Places a rimshot, a cross-stick or a stroke on the rim; false if there is no room for it. */
 bool tb_rimstroke(TbView *view, const TbStroke *stroke);
 
 #endif

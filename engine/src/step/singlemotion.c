@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/singlemotion.h"
 
-#include "step/lift.h"
+#include "step/penetration.h"
 #include "step/singlesolve.h"
 
 /* So few points that a block of eight is not worth while for them. */
@@ -87,6 +87,6 @@ void tb_single_renew(TbView *view, const double *motion) {
 
 void tb_single_settle(TbView *view) {
   if (!tb_solves_in_single(&view->solve)) return;
-  tb_lift_penetrations(view, &view->now);
-  tb_lift_penetrations(view, &view->last);
+  tb_penetrations_from_displacements(view, &view->now);
+  tb_penetrations_from_displacements(view, &view->last);
 }

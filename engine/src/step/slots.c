@@ -4,9 +4,7 @@
 #include <string.h>
 
 #include "math/power.h"
-#include "step/brush.h"
-#include "step/live.h"
-#include "step/rimstroke.h"
+#include "step/coupling.h"
 #include "step/rod.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -197,7 +195,7 @@ void tb_slots_draw(TbView *view, uint32_t slot, double radius, double angle) {
   find_place(view, slot);
   find_penetration(view, slot);
   view->state->sums.injected += contact_energy(view, slot) - before;
-  tb_live_couple(view);
+  tb_coupling_renew(view);
 }
 
 /* Makes a row stand for nothing: see TbSolve. */
@@ -245,7 +243,7 @@ void tb_slots_take_away(TbView *view, uint32_t slot) {
   if (partner) book_removed(view, partner - 1u);
   clear_slot(view, slot);
   if (partner) clear_slot(view, partner - 1u);
-  tb_live_apply(view);
+  tb_coupling_renew(view);
 }
 
 void tb_slots_muffle(TbView *view) {
@@ -262,16 +260,16 @@ void tb_slots_muffle(TbView *view) {
       continue;
     }
     const bool there = s->kind == TB_SLOT_HAND;
-    *s = (TbSlot){.kind = TB_SLOT_HAND,
-                  .head = h,
-                  .radius = heads[h]->muffle_radius,
-                  .angle = heads[h]->muffle_angle,
-                  .strength = strength};
-    view->state->slot_mask |= 1u << slot;
+    const TbSlot hand = {.kind = TB_SLOT_HAND,
+                         .head = h,
+                         .radius = heads[h]->muffle_radius,
+                         .angle = heads[h]->muffle_angle,
+                         .strength = strength};
     if (there) {
+      *s = hand;
       prepare_law(view, slot);
     } else {
-      tb_slots_rebuild(view, slot);
+      tb_slots_put_hand(view, slot, &hand);
     }
   }
 }
@@ -299,57 +297,13 @@ uint32_t tb_slots_obtain(TbView *view) {
   return oldest;
 }
 
-static const double STICK = 0.4, USUAL_PIVOT = 0.12; /* [m] */
-
-/* Mass at the tip of a rod held at `pivot` from its butt, in units of its mass. */
-static double tip_part(double pivot) {
-  const double place = pivot / STICK, aside = 0.5 - place, lever = 1.0 - place;
-  return (1.0 / 12.0 + aside * aside) / (lever * lever);
-}
-
-static double mass_of(const TbView *view, const TbStroke *stroke) {
-  const TaborDrumDef *def = &view->model->def;
-  const double mass = def->striker[stroke->striker].mass;
-  const bool buzz = stroke->technique == TABOR_TECHNIQUE_BUZZ;
-  return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
-}
-
-/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back. Nobody finds it by
- * its id any more. */
-static void lift(TbSlot *s) {
-  s->leaving = 1;
-  s->id = 0;
-}
-
-/* One sample of it: the pressing force goes, the pulling one comes. */
+/* One sample of lifting a stick: the pressing force goes, the pulling one comes. */
 static void pull_up(const TbView *view, TbSlot *s) {
   const double whole = LIFT_TIME * view->model->sample_rate, left = whole - s->leaving;
   if (left <= 0.0) return;
   s->leaving++;
   s->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
   s->push = left > 1.0 ? -LIFT * s->leaving / whole : -LIFT;
-}
-
-static bool is_pressed(const TbSlot *s) {
-  return s->kind == TB_SLOT_STRIKER && s->held && !s->bristles && !s->partner;
-}
-
-/* A pressed stick that touches is lifted, everything else is gone at once. */
-static void let_go(TbView *view, uint32_t i) {
-  TbSlot *s = &view->state->slots[i];
-  if (is_pressed(s) && tb_slots_touches(view, i)) {
-    lift(s);
-  } else {
-    tb_slots_take_away(view, i);
-  }
-}
-
-/* A hand that strikes again lets go of the stick that it pressed. */
-static void free_hand(TbView *view, uint32_t id) {
-  for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
-    const TbSlot *s = &view->state->slots[i];
-    if (is_pressed(s) && s->id == id) let_go(view, i);
-  }
 }
 
 static void raise(TbView *view, uint32_t slot, double above) {
@@ -387,6 +341,7 @@ void tb_slots_hold(TbView *view, uint32_t slot, double force) {
   s->held = 1;
   s->press = force;
   view->own[view->model->wires.stride + slot] = own_compliance(view, s);
+  tb_coupling_renew(view);
 }
 
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
@@ -400,6 +355,14 @@ void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double abo
   tb_slots_rebuild(view, slot);
   launch(view, slot, above);
   book_launch(view, slot);
+  tb_coupling_renew(view);
+}
+
+void tb_slots_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
+  view->state->slots[slot] = *hand;
+  view->state->slot_mask |= 1u << slot;
+  tb_slots_rebuild(view, slot);
+  tb_coupling_renew(view);
 }
 
 void tb_slots_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
@@ -410,58 +373,7 @@ void tb_slots_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, 
   launch(view, pair[0], 0.0);
   launch(view, pair[1], above);
   for (int end = 0; end < 2; end++) book_launch(view, pair[end]);
-}
-
-/* One tip on the head. */
-static bool strike_head(TbView *view, const TbStroke *stroke) {
-  TbState *state = view->state;
-  const uint32_t slot = tb_slots_obtain(view);
-  if (slot == TB_SLOTS) return false;
-  const TbSlot striker = {.kind = TB_SLOT_STRIKER,
-                          .id = stroke->id,
-                          .serial = ++state->serial,
-                          .mass = mass_of(view, stroke),
-                          .part = 1.0,
-                          .definition = stroke->striker,
-                          .radius = stroke->radius,
-                          .angle = stroke->angle,
-                          .velocity = stroke->velocity};
-  tb_slots_put(view, slot, &striker, 0.0);
-  if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
-    tb_slots_hold(view, slot, tb_slots_press_force(stroke->pressure));
-  }
-  return true;
-}
-
-static bool on_hoop(const TbStroke *stroke) {
-  return stroke->technique == TABOR_TECHNIQUE_RIMSHOT ||
-         stroke->technique == TABOR_TECHNIQUE_CROSS_STICK ||
-         stroke->technique == TABOR_TECHNIQUE_RIM;
-}
-
-bool tb_slots_strike(TbView *view, const TbStroke *stroke) {
-  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH && !on_hoop(stroke)) {
-    return tb_brush_strike(view, stroke);
-  }
-  if (stroke->technique == TABOR_TECHNIQUE_SWEEP) return false;
-  free_hand(view, stroke->id);
-  if (!(on_hoop(stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke))) return false;
-  view->state->statistics.strikes++;
-  tb_live_apply(view);
-  return true;
-}
-
-bool tb_slots_press(TbView *view, uint32_t id, double pressure) {
-  bool found = tb_brush_press(view, id, pressure);
-  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
-    if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
-    if (s->on_hoop || s->partner || s->leaving) continue;
-    tb_slots_hold(view, i, tb_slots_press_force(pressure));
-    found = true;
-  }
-  if (found) tb_live_apply(view);
-  return found;
+  tb_coupling_renew(view);
 }
 
 void tb_slots_regrip(TbView *view) {
@@ -472,7 +384,7 @@ void tb_slots_regrip(TbView *view) {
     view->own[view->model->wires.stride + i] = own_compliance(view, s);
     found = true;
   }
-  if (found) tb_live_apply(view);
+  if (found) tb_coupling_renew(view);
 }
 
 double tb_slots_free_height(const TbView *view, uint32_t slot) {
@@ -498,39 +410,6 @@ TbHandWork tb_slots_hand_work(const TbView *view) {
     work.lost += 0.25 * hand.damping * view->model->sample_rate * moved * moved;
   }
   return work;
-}
-
-static uint32_t find_hand(const TbView *view, uint32_t id) {
-  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
-    if (s->kind == TB_SLOT_HAND && s->id == id) return i;
-  }
-  return TB_SLOTS;
-}
-
-bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
-  uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
-  if (slot == TB_SLOTS) slot = tb_slots_obtain(view);
-  if (slot == TB_SLOTS) return false;
-  TbState *state = view->state;
-  state->slots[slot] = (TbSlot){.kind = TB_SLOT_HAND,
-                                .id = id,
-                                .serial = ++state->serial,
-                                .radius = radius,
-                                .angle = angle,
-                                .strength = strength};
-  state->slot_mask |= 1u << slot;
-  tb_slots_rebuild(view, slot);
-  tb_live_apply(view);
-  return true;
-}
-
-void tb_slots_release(TbView *view, uint32_t id) {
-  tb_brush_release(view, id);
-  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
-    if (in_play(view, i) && !s->leaving && (id == 0 || s->id == id)) let_go(view, i);
-  }
 }
 
 /* Off and away: nothing touches, nor will it in a moment. */

@@ -27,12 +27,6 @@ typedef struct TbStroke {
   double pressure; /* of a buzz or a sweep, 0 to 1 */
 } TbStroke;
 
-/* Places a stroke; false if there is no room among strikers in contact. */
-bool tb_slots_strike(TbView *view, const TbStroke *stroke);
-/* Lays a hand of `strength` [N s/m] on the head, or moves the one with this id. */
-bool tb_slots_damp(TbView *view, uint32_t id, double strength, double radius, double angle);
-/* Presses the strikers with this id, or all for 0, pressure 0 to 1; false if none is in play. */
-bool tb_slots_press(TbView *view, uint32_t id, double pressure);
 /* Height of a striker at the next instant without contact force. */
 double tb_slots_free_height(const TbView *view, uint32_t slot);
 /* What the hands do to pressed strikers in the step from view->last to view->next [J]. */
@@ -44,16 +38,16 @@ TbHandWork tb_slots_hand_work(const TbView *view);
 void tb_slots_regrip(TbView *view);
 /* Lays on, adjusts or lifts the mufflers as their live strengths say. */
 void tb_slots_muffle(TbView *view);
-/* Takes away strikers and hands with this id, or all for 0; mufflers stay. */
-void tb_slots_release(TbView *view, uint32_t id);
 /* Takes away strikers that are done; call once per sample after the rotation. */
 void tb_slots_retire(TbView *view);
-/* Puts a striker of this description, shape and law with it, into a free slot, `above` [m] the surface, and
- * books its energy; tb_live_apply() is the caller's. */
+/* Puts a striker of this description, with its shape and law, into a free slot, `above` [m] the surface, and books
+ * its energy. */
 void tb_slots_put(TbView *view, uint32_t slot, const TbSlot *striker, double above);
 /* The same for a stick that touches head and hoop, the shaft `above` the latter. */
 void tb_slots_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
                        double above);
+/* Puts a damping hand of this description into a slot. */
+void tb_slots_put_hand(TbView *view, uint32_t slot, const TbSlot *hand);
 /* A free slot, if need be that of the oldest striker which touches nothing; TB_SLOTS if none. */
 uint32_t tb_slots_obtain(TbView *view);
 /* Frees a slot, and that of the stick's other end; what a striker still carries is booked as removed. */

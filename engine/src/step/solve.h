@@ -28,11 +28,9 @@
 
 #include "kernels/law.h"
 #include "kernels/singlekernels.h"
+#include "model/contact_rows.h"
 #include "model/singlebed.h"
 #include "tabor/tabor.h"
-
-/* Strikers and hands, then a muffler for each head; a multiple of 8. */
-#define TB_SLOTS 16u
 
 /* What the solve in single precision works in (singlesolve.h); without kernels there is none. */
 typedef struct TbSingle {

@@ -1,80 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/state.h"
 
-#include <string.h>
+#include "model/state_layout.h"
 
-#include "step/live.h"
+/* Where the arrays begin, whose places the model's layout tells. */
+static const size_t HEADER = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
 
-static size_t place(size_t *total, size_t count) {
-  const size_t at = *total;
-  *total += (count * sizeof(double) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
-  return at;
-}
-
-/* Arrays by rows and by points of the grid in TbSingle. */
-enum { SINGLE_ROWS = 19, SINGLE_GRIDS = 6 };
-
-static size_t single_floats(const TaborModel *model) {
-  if (!model->single_kernels) return 0;
-  return SINGLE_ROWS * (size_t)(model->wires.stride + TB_SLOTS) +
-         SINGLE_GRIDS * (size_t)model->single_bed.size +
-         tb_pad(tb_single_bed_scratch(&model->single_bed)) + 2u * (size_t)model->modes.padded;
-}
-
-void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
-  const size_t modes = model->modes.padded, nodes = model->wires.node_count;
-  const size_t rows = model->wires.stride + TB_SLOTS;
-  const TbBed *bed = &model->projection.bed;
-  *layout = (TbLayout){0};
-  size_t total = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
-  for (int phase = 0; phase < 3; phase++) {
-    layout->q[phase] = place(&total, modes);
-    layout->v[phase] = place(&total, nodes);
-    layout->eta[phase] = place(&total, rows);
-  }
-  layout->bend = place(&total, nodes);
-  size_t *const row_arrays[] = {&layout->head,      &layout->rest_load, &layout->own,
-                                &layout->b,         &layout->s,         &layout->force,
-                                &layout->product,   &layout->previous,  &layout->previous_product,
-                                &layout->law_force, &layout->slope,     &layout->mean,
-                                &layout->residual,  &layout->direction, &layout->turned,
-                                &layout->moved,     &layout->weight,    &layout->solution,
-                                &layout->work};
-  for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
-    *row_arrays[i] = place(&total, rows);
-  }
-  size_t *const grid_arrays[] = {&layout->grid, &layout->previous_grid, &layout->change,
-                                 &layout->pushed, &layout->answer};
-  for (size_t i = 0; i < sizeof grid_arrays / sizeof *grid_arrays; i++) {
-    *grid_arrays[i] = place(&total, bed->size);
-  }
-  layout->scratch = place(&total, tb_bed_scratch(bed));
-  layout->single = place(&total, single_floats(model) / 2);
-  for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
-  layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
-  layout->high_scratch = place(&total, model->high.padded);
-  layout->high_force = place(&total, model->high.padded / 2u); /* two floats each */
-  layout->modal = place(&total, modes);
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    layout->stretch_pull[h] = place(&total, modes);
-    layout->stretch_grid[h] = place(&total, bed->size);
-  }
-  layout->stretch_carry = place(&total, bed->size + TB_SLOTS);
-  layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
-  layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
-  layout->shape = place(&total, TB_SLOTS * modes);
-  layout->drive = place(&total, TB_SLOTS * modes);
-  layout->radial = place(&total, model->head.row_count);
-  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    layout->delay[mic] = place(&total, model->mics[mic].delay + 1u);
-  }
-  layout->total = total;
-}
-
-size_t tb_state_bytes(const TaborModel *model) { return model->layout.total; }
+size_t tb_state_bytes(const TaborModel *model) { return HEADER + model->layout.total; }
 
 static double *at(TbState *state, size_t offset) {
-  return (double *)(void *)((char *)state + offset);
+  return (double *)(void *)((char *)state + HEADER + offset);
 }
 
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
@@ -102,16 +37,16 @@ static TbSingle single_at(TbState *state, const TaborModel *model) {
   TbSingle single = {
     .kernels = model->single_kernels, .bed = &model->single_bed, .yield = model->yield};
   if (!single.kernels) return single;
-  float *next = (float *)(void *)((char *)state + model->layout.single);
-  float **const rows[SINGLE_ROWS] = {
+  float *next = (float *)(void *)at(state, model->layout.single);
+  float **const rows[TB_SINGLE_ROWS] = {
     &single.y,      &single.root,    &single.b,          &single.own,          &single.s,
     &single.force,  &single.product, &single.force_last, &single.product_last, &single.law,
     &single.slope,  &single.mean,    &single.weight,     &single.residual,     &single.direction,
     &single.turned, &single.moved,   &single.solution,   &single.work};
-  float **const grids[SINGLE_GRIDS] = {&single.grid,   &single.grid_last,  &single.pushed,
-                                       &single.answer, &single.stretch[0], &single.stretch[1]};
-  for (int i = 0; i < SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
-  for (int i = 0; i < SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
+  float **const grids[TB_SINGLE_GRIDS] = {&single.grid,   &single.grid_last,  &single.pushed,
+                                          &single.answer, &single.stretch[0], &single.stretch[1]};
+  for (int i = 0; i < TB_SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < TB_SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
   single.modal[0] = next;
   single.modal[1] = next + model->modes.padded;
   single.scratch = next + 2u * (size_t)model->modes.padded;
@@ -199,19 +134,4 @@ void tb_view_rotate(TbView *view) {
   view->now = view->next;
   view->next = oldest;
   view->solve.y = view->last.eta;
-}
-
-void tb_state_reset(TbState *state, const TaborModel *model) {
-  memset(state, 0, model->layout.total);
-  state->fingerprint = model->fingerprint;
-  state->asleep = 1;
-  TbView view = tb_view(state, model);
-  const TbWires *wires = &model->wires;
-  for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {
-    const bool real = row < wires->stride;
-    const double eta = real ? model->rest.eta[row] : TB_NOTHING;
-    view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
-    view.solve.force[row] = real ? model->rest.force[row] : 0.0;
-  }
-  tb_live_reset(&view);
 }

@@ -5,6 +5,7 @@
 #define TB_STATE_H
 
 #include "model/model.h"
+#include "step/solve.h"
 
 /* Values that may move while the drum rings. */
 typedef enum TbLiveIndex {
@@ -25,9 +26,6 @@ typedef struct TbLive {
   double now, target, step; /* step per sample while `left` samples remain */
   uint32_t left;
 } TbLive;
-
-/* Penetration of a row that stands for nothing: see TbSolve [m]. */
-#define TB_NOTHING (-1e3)
 
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
@@ -143,11 +141,7 @@ typedef struct TbView {
   TbSolve solve;
 } TbView;
 
-void tb_layout_prepare(TbLayout *layout, const TaborModel *model);
 size_t tb_state_bytes(const TaborModel *model);
-
-/* Puts `state` (tb_state_bytes() large) to rest; statistics and ledger restart. */
-void tb_state_reset(TbState *state, const TaborModel *model);
 
 TbView tb_view(TbState *state, const TaborModel *model);
 /* After `next` was filled: it becomes the newest. */

@@ -12,6 +12,7 @@
 #include "step/listen.h"
 #include "step/live.h"
 #include "step/lugs.h"
+#include "step/reset.h"
 #include "step/rod.h"
 #include "step/singlemotion.h"
 #include "step/singlesolve.h"

@@ -15,14 +15,12 @@
  * the displacement without it,
  *   theta = S2 Y^T (x + q-)/2, S2 = (1 + Y^T g Y P/2)^-1, q+ = x - g Y P theta,
  * and the contacts see the compliance M - r^T W r, W = P S2/2, r = Y^T g Phi, Phi their signed shapes.
- * A contact's own slope limit uses M, which is the larger. Audio-safe but for tb_stretch_prepare(). */
+ * A contact's own slope limit uses M, which is the larger. G is prepared by
+ * model/stretch_gain.h. Audio-safe. */
 #ifndef TB_STRETCH_H
 #define TB_STRETCH_H
 
 #include "step/state.h"
-
-/* G of the heads that stretch, into model->stretch. */
-TaborStatus tb_stretch_prepare(TaborModel *model);
 
 /* After the modes' free motion, before the contacts: Y^T (x + q-), r and W. The force itself comes
  * with the contacts' (tb_stretch_respond): until then next.q is x. */

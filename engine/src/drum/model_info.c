@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* What a model says about itself and about the drums made from it. */
+#include "step/state.h"
+
+static uint32_t row_count(const TaborModel *model) {
+  return model->lugs.count ? model->lugs.row_count : model->head.row_count;
+}
+
+void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
+  *info = (TaborModelInfo){
+    .sample_rate = model->sample_rate,
+    .quality = model->quality,
+    .mode_count = model->modes.count,
+    .mode_rows = row_count(model),
+    .two_way_bandwidth = model->head.bandwidth,
+    .bandwidth = model->high.count ? model->top : model->head.bandwidth,
+    .high_mode_count = model->high.count,
+    .newton_cap = model->newton_cap,
+    .wire_count = model->wires.count,
+    .contact_points = model->wires.contact_points,
+    .mic_count = model->def.mic_count,
+    .model_bytes = model->arena.bytes + sizeof *model,
+    .drum_bytes = tb_state_bytes(model),
+  };
+}
+
+bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
+  if (row >= row_count(model)) return false;
+  *info = model->lugs.count ? model->lugs.rows[row] : tb_head_mode_info(&model->head.modes[row]);
+  return true;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/wire_reach.h"
+
+#include <math.h>
+#include <string.h>
+
+static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
+                           double *fold, double *rows, double *reach) {
+  const TbBed *bed = &model->projection.bed;
+  for (uint32_t i = 0; i < group->modes; i++) {
+    for (uint32_t p = 0; p < group->points; p++) {
+      grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
+    }
+    tb_bed_expand(bed, model->kernels, grid, fold, rows);
+    for (uint32_t row = 0; row < model->wires.stride; row++) {
+      reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
+    }
+  }
+  memset(grid + group->first_point, 0, group->points * sizeof *grid);
+}
+
+TaborStatus tb_wire_reach_prepare(TaborModel *model, TbArena *scratch) {
+  const TbProjection *p = &model->projection;
+  double *grid = tb_arena_doubles(scratch, p->bed.size);
+  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&p->bed));
+  double *rows = tb_arena_doubles(scratch, model->wires.stride);
+  model->reach = tb_arena_doubles(&model->arena, model->modes.padded);
+  if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
+  if (model->wires.count == 0) return TABOR_OK;
+  for (uint32_t g = 0; g < p->groups; g++) {
+    largest_shapes(model, &p->group[g], grid, fold, rows, model->reach);
+  }
+  return TABOR_OK;
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* Penetration of the contact points between wires and head: eta = side w - v + eta_rest + shift, w the head's and v
+ * the wire's displacement from rest, `shift` what moving the wires' ends has added [m]. Audio-safe. */
+#ifndef TB_PENETRATION_H
+#define TB_PENETRATION_H
+
+#include "step/state.h"
+
+/* Computes phase->eta[stride] from the displacements of `phase`. */
+void tb_penetrations_from_displacements(TbView *view, TbPhase *phase);
+
+#endif

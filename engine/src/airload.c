@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "airfield.h"
-#include "linear.h"
+#include "ldlt.h"
 #include "quadrature.h"
 
 static const double PI = 3.14159265358979323846;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "linear.h"
+#include "eigen.h"
 
 static const double PI = 3.14159265358979323846;
 

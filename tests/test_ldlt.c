@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "linear.h"
+#include "ldlt.h"
 
 enum { N = 40 };
 

@@ -57,7 +57,6 @@ if(BUILD_SHARED_LIBS)
 else()
   # A static library is needed by nobody who runs programs.
   list(REMOVE_ITEM CPACK_COMPONENTS_ALL library)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "liblapacke-dev, liblapack-dev, libblas-dev, libgfortran5")
 endif()
 
 include(CPack)

@@ -28,18 +28,16 @@ install(
 install(
   FILES "${CMAKE_CURRENT_BINARY_DIR}/tabor-config.cmake"
         "${CMAKE_CURRENT_BINARY_DIR}/tabor-config-version.cmake"
-        "${PROJECT_SOURCE_DIR}/cmake/FindLAPACKE.cmake"
   DESTINATION "${TABOR_PACKAGE_DIR}"
   COMPONENT development)
 
-# The pkg-config file. What a shared libtabor has linked already stands in Libs.private; whoever links
-# a static one needs all of it, with --static and without.
-string(REPLACE ";" " " TABOR_PC_NEEDS " ${LAPACKE_LIBRARIES} -lm")
+# The pkg-config file. A shared libtabor has linked libm already; whoever links a static one needs it, with
+# --static and without.
 if(BUILD_SHARED_LIBS)
   set(TABOR_PC_CFLAGS " -DTABOR_SHARED")
-  set(TABOR_PC_LIBS_PRIVATE "${TABOR_PC_NEEDS}")
+  set(TABOR_PC_LIBS_PRIVATE " -lm")
 else()
-  set(TABOR_PC_LIBS "${TABOR_PC_NEEDS}")
+  set(TABOR_PC_LIBS " -lm")
 endif()
 
 # Found from the file's own place, so that an installed tree can be moved.

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "acoustics/airfield.h"
-#include "math/linear.h"
+#include "math/ldlt.h"
 #include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "math/linear.h"
+#include "math/eigen.h"
 
 static const double PI = 3.14159265358979323846;
 

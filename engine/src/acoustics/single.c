@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "acoustics/coupled.h"
-#include "math/linear.h"
+#include "math/eigen.h"
 
 static const double PI = 3.14159265358979323846;
 

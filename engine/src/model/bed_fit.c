@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "math/linear.h"
+#include "math/eigen.h"
 #include "model/projection.h"
 
 /* Thinning along must leave at most this part of the lanes to be worth its two multiplications. */
@@ -114,13 +114,11 @@ static bool all_components(TbArena *scratch, const Samples *s, const double *wei
                            double *basis) {
   const uint32_t n = s->length;
   double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
-  double *unit = tb_arena_doubles(scratch, (size_t)n * n);
   double *values = tb_arena_doubles(scratch, n);
   double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
   if (scratch->failed) return false;
   gram(s, weight, matrix);
-  for (uint32_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
-  if (!tb_eigen_symmetric(scratch, n, matrix, unit, values, vectors)) return false;
+  if (!tb_eigen_symmetric(scratch, n, matrix, NULL, values, vectors)) return false;
   for (uint32_t c = 0; c < n; c++) {
     memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
   }

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "math/bessel.h"
-#include "math/linear.h"
+#include "math/cholesky.h"
 #include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
@@ -155,13 +155,12 @@ static bool factor_wires(const TaborModel *model, Statics *s, const double *root
   return true;
 }
 
-static bool precondition(const TaborModel *model, const Statics *s, const double *r, double *z) {
+static void precondition(const TaborModel *model, const Statics *s, const double *r, double *z) {
   for (uint32_t a = 0; a < s->n; a++) z[a] = r[a];
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
-    if (!tb_solve_with_factor(wire->row_count, s->factors[w], z + wire->first_row)) return false;
+    tb_solve_with_factor(wire->row_count, s->factors[w], z + wire->first_row);
   }
-  return true;
 }
 
 static double dot(uint32_t n, const double *x, const double *y) {
@@ -180,7 +179,8 @@ static bool solve_direction(const TaborModel *model, Statics *s, const double *r
                             double *w) {
   const uint32_t n = s->n;
   for (uint32_t a = 0; a < n; a++) w[a] = 0.0;
-  if (!factor_wires(model, s, root) || !precondition(model, s, in->r, in->z)) return false;
+  if (!factor_wires(model, s, root)) return false;
+  precondition(model, s, in->r, in->z);
   memcpy(in->d, in->z, n * sizeof *in->d);
   double square = dot(n, in->r, in->z);
   const double enough = 1e-24 * square;
@@ -193,7 +193,7 @@ static bool solve_direction(const TaborModel *model, Statics *s, const double *r
       w[a] += step * in->d[a];
       in->r[a] -= step * in->md[a];
     }
-    if (!precondition(model, s, in->r, in->z)) return false;
+    precondition(model, s, in->r, in->z);
     const double next = dot(n, in->r, in->z);
     for (uint32_t a = 0; a < n; a++) in->d[a] = in->z[a] + next / square * in->d[a];
     square = next;

@@ -7,7 +7,7 @@
 
 #include "acoustics/lugfield.h"
 #include "definition/error.h"
-#include "math/linear.h"
+#include "math/eigen.h"
 #include "model/lugcoupling.h"
 
 static const double PI = 3.14159265358979323846;
@@ -93,7 +93,6 @@ static TaborStatus find_rows(TaborModel *model, TbArena *scratch, const uint32_t
                              uint32_t rows, const double *coupling, double *lowest) {
   TbLugs *lugs = &model->lugs;
   double *stiffness = tb_arena_doubles(scratch, (size_t)n * n);
-  double *unit = tb_arena_doubles(scratch, (size_t)n * n);
   double *squares = tb_arena_doubles(scratch, n);
   double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
   lugs->row_count = n + model->head.row_count - rows;
@@ -103,9 +102,8 @@ static TaborStatus find_rows(TaborModel *model, TbArena *scratch, const uint32_t
   for (uint32_t i = 0; i < n; i++) {
     const double omega = omega_of(model, mode[i]);
     stiffness[(size_t)i * n + i] += omega * omega;
-    unit[(size_t)i * n + i] = 1.0;
   }
-  if (!tb_eigen_symmetric(scratch, n, stiffness, unit, squares, vectors)) {
+  if (!tb_eigen_symmetric(scratch, n, stiffness, NULL, squares, vectors)) {
     return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
   }
   *lowest = squares[0];

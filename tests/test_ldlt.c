@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "math/linear.h"
+#include "math/ldlt.h"
 
 enum { N = 40 };
 

@@ -20,11 +20,10 @@ endif()
 set(TABOR_LV2_FOLDER "${PROJECT_SOURCE_DIR}/host/lv2")
 set(TABOR_LV2_HOST plugin_host.c "${TABOR_LV2_FOLDER}/knobs.c")
 set(TABOR_LV2_HOST_LIBRARIES PkgConfig::LV2 ${CMAKE_DL_LIBS})
-include_directories("${TABOR_LV2_FOLDER}")
 
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
-set(test_lv2_render_SOURCES ${TABOR_LV2_HOST} midi_writer.c said.c "${PROJECT_SOURCE_DIR}/host/input_file.c"
-                            "${PROJECT_SOURCE_DIR}/host/midi_file.c")
+set(test_lv2_render_SOURCES ${TABOR_LV2_HOST} midi_writer.c said.c "${PROJECT_SOURCE_DIR}/host/base/input_file.c"
+                            "${PROJECT_SOURCE_DIR}/host/midi/midi_file.c")
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES} PkgConfig::SNDFILE)
 set(test_lv2_render_NEEDS tabor-program tabor-lv2)
 set(test_lv2_render_DEFINITIONS _XOPEN_SOURCE=700)
@@ -56,8 +55,8 @@ set(TABOR_LV2_INSIDE
     definition_text.c instrument.c instrument_state.c model_cache.c sequence.c voice.c
     voice_change.c voice_sound.c workshop.c)
 list(TRANSFORM TABOR_LV2_INSIDE PREPEND "${TABOR_LV2_FOLDER}/")
-list(APPEND TABOR_LV2_INSIDE ${TABOR_LV2_HOST} ${TABOR_MIDI_SOURCES} "${PROJECT_SOURCE_DIR}/host/humanize.c"
-            "${PROJECT_SOURCE_DIR}/host/leaving.c" "${PROJECT_SOURCE_DIR}/host/silencer.c")
+list(APPEND TABOR_LV2_INSIDE ${TABOR_LV2_HOST} ${TABOR_MIDI_SOURCES} "${PROJECT_SOURCE_DIR}/host/strokes/humanize.c"
+            "${PROJECT_SOURCE_DIR}/host/sound/leaving.c" "${PROJECT_SOURCE_DIR}/host/sound/silencer.c")
 foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_threads)
   set(${name}_SOURCES ${TABOR_LV2_INSIDE})
   set(${name}_LIBRARIES ${TABOR_LV2_HOST_LIBRARIES})

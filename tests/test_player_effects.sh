@@ -65,7 +65,7 @@ if [ -n "$plugins" ]; then tests+=" test_lv2_realtime"; fi
 sanitized() {
   local test
   "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
     "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
     tail -20 "$work/log"
     fail "building with -fsanitize=realtime"

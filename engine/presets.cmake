@@ -25,9 +25,10 @@ set(TABOR_PRESET_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/preset_table.c")
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(INIH REQUIRED IMPORTED_TARGET inih)
 
-add_executable(embed-presets "${PROJECT_SOURCE_DIR}/host/embed_presets.c"
-                             "${PROJECT_SOURCE_DIR}/host/preset_file.c")
+add_executable(embed-presets "${PROJECT_SOURCE_DIR}/host/drums/embed_presets.c"
+                             "${PROJECT_SOURCE_DIR}/host/drums/preset_file.c")
 tabor_target_defaults(embed-presets)
+target_include_directories(embed-presets PRIVATE "${PROJECT_SOURCE_DIR}/host")
 target_link_libraries(embed-presets PRIVATE PkgConfig::INIH)
 
 add_custom_command(

@@ -8,10 +8,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "command.h"
-#include "interrupt.h"
-#include "json_output.h"
-#include "suggest.h"
+#include "base/command.h"
+#include "base/interrupt.h"
+#include "base/json_output.h"
+#include "base/suggest.h"
 
 static const Command *const commands[] = {
   &render_command, &library_command, &play_command,    &presets_command, &show_command,

@@ -61,7 +61,8 @@ if(TARGET tabor-program)
   if(NOT BUILD_SHARED_LIBS AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
     # What the program's audio thread may call, and what compilers that know such threads say.
     tabor_add_script_test(test_player_symbols SCRIPT test_realtime_symbols "$<TARGET_FILE:tabor>"
-                          "${PROJECT_SOURCE_DIR}/engine/include/tabor/tabor.h" "$<TARGET_OBJECTS:tabor-program>")
+                          "${PROJECT_SOURCE_DIR}/engine/include/tabor/tabor.h" "$<TARGET_FILE:tabor-host>"
+                          "$<TARGET_FILE:tabor-host-core>")
     tabor_add_script_test(test_player_effects "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}")
     # It builds a profiling library of its own.
     tabor_add_host_test(test_bench_tool "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}"

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "midi_stream.h"
+#include "midi/midi_stream.h"
 
 #define MIDI_WRITER_ROOM (1u << 17)
 

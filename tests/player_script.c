@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "player_state.h"
+#include "sound/player_state.h"
 
 #define RATE 48000.0
 #define WIDTH 2u

@@ -6,7 +6,7 @@
 #ifndef TEST_PLAYER_SCRIPT_H
 #define TEST_PLAYER_SCRIPT_H
 
-#include "drum_changes.h"
+#include "play/drum_changes.h"
 
 enum { PLAYER_SCRIPT_MOST = 4096 };
 

@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-#include "uris.h"
+#include "lv2/uris.h"
 
 #define MOST_URIS 256
 

@@ -17,9 +17,9 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "knobs.h"
-#include "midi_stream.h"
-#include "ports.h"
+#include "lv2/knobs.h"
+#include "lv2/ports.h"
+#include "midi/midi_stream.h"
 
 #define HOST_BLOCK 8192 /**< frames of a run at most */
 #define HOST_OUTPUTS 6

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "message.h"
+#include "base/message.h"
 
 char said[1024];
 unsigned said_count;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file said.h
- * Stands in for host/message.h's messages in the tests of single modules: what would have been printed
+ * Stands in for host/base/message.h's messages in the tests of single modules: what would have been printed
  * is kept.
  */
 #ifndef TABOR_TESTS_SAID_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What is drawn comes to be shown, by as few bytes as it takes; judged by a small terminal of the test's. */
-#include "canvas.h"
+#include "ui/canvas.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "keys.h"
+#include "ui/keys.h"
 
 /* A terminal that knows the sequences which canvas.c uses, and fails at others. */
 typedef struct Terminal {

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "frame_clock.h"
+#include "sound/frame_clock.h"
 
 #define RATE 48000.0
 #define BLOCK 128u

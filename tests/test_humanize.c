@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The scatter of strokes: its bounds, its distribution, its seeds. */
-#include "humanize.h"
+#include "strokes/humanize.h"
 
 #include <math.h>
 #include <setjmp.h>

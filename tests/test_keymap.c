@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The usual keys, and files that change them. */
-#include "keymap.h"
+#include "ui/keymap.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Keys from bytes, however these are divided, and their names. */
-#include "keys.h"
+#include "ui/keys.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

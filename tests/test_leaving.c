@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Drums that ring out beside another one, and what they have counted. */
-#include "leaving.h"
+#include "sound/leaving.h"
 
 #include "physics.h"
-#include "tally.h"
+#include "sound/tally.h"
 
 enum { FADE = 1440, MICS = 3 }; /* frames of 30 ms at 48 kHz; of the frame drum */
 

@@ -21,8 +21,8 @@
 #  include <lilv/lilv.h>
 #  include <lv2/presets/presets.h>
 
-#  include "definition_text.h"
-#  include "uris.h"
+#  include "lv2/definition_text.h"
+#  include "lv2/uris.h"
 
 static const char *bundle;
 static LilvWorld *world;

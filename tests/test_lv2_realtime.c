@@ -25,8 +25,8 @@
 #endif
 
 #include "counted_calls.h"
-#include "model_cache.h"
-#include "uris.h"
+#include "lv2/model_cache.h"
+#include "lv2/uris.h"
 
 static double seconds = 30;
 

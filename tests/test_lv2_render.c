@@ -7,7 +7,7 @@
  */
 #include "plugin_host.h"
 
-#include "midi_file.h" /* before cmocka, which takes the name of fail() */
+#include "midi/midi_file.h" /* before cmocka, which takes the name of fail() */
 #include <math.h>
 #include <setjmp.h>
 #include <sndfile.h>
@@ -20,8 +20,8 @@
 
 #include <cmocka.h>
 
+#include "lv2/uris.h"
 #include "midi_writer.h"
-#include "uris.h"
 
 #define DIVISION 480 /* ticks of a quarter, which is half a second */
 #define MOST_FRAMES 48000

@@ -18,7 +18,7 @@
 
 #include <cmocka.h>
 
-#include "uris.h"
+#include "lv2/uris.h"
 
 #define FRAMES 4800u
 

@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "uris.h"
+#include "lv2/uris.h"
 
 #define FRAMES 12000u
 #define FRAME_DRUM 1 /* place of the preset among the built-in ones */

@@ -17,8 +17,8 @@
 
 #include <cmocka.h>
 
-#include "model_cache.h"
-#include "uris.h"
+#include "lv2/model_cache.h"
+#include "lv2/uris.h"
 
 #define FRAMES 512
 

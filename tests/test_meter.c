@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Ballistics of the meters. */
-#include "meter.h"
+#include "ui/meter.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of Standard MIDI Files (host/midi_file.h): times by hand, everything that is refused, and
+/* The reader of Standard MIDI Files (host/midi/midi_file.h): times by hand, everything that is refused, and
  * damaged files, which end in a message and never in a wrong access (under the sanitizers). */
-#include "midi_file.h"
+#include "midi/midi_file.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The reader of Standard MIDI Files against another one, libsmf: messages and times of random files. */
-#include "midi_file.h"
+#include "midi/midi_file.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Live MIDI (host/midi_input.h, midi_clock.h) with inputs that the test plugs in and plays on, in the
+/* Live MIDI (host/midi/midi_input.h, midi_clock.h) with inputs that the test plugs in and plays on, in the
  * place of RtMidi's. */
-#include "midi_input.h"
+#include "midi/midi_input.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "midi_clock.h"
-#include "midi_port.h"
+#include "midi/midi_clock.h"
+#include "midi/midi_port.h"
 
 /* ---- in the place of RtMidi ---- */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What MIDI bytes do to a drum: host/midi_stream.h, midi_map.h, midi_speed.h, midi_drum.h. */
-#include "midi_drum.h"
+/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_drum.h. */
+#include "midi/midi_drum.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A drum being played: messages act at their frames whatever the device's blocks are. */
+#include "base/stopwatch.h"
 #include "player_script.h"
-#include "stopwatch.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -35,7 +35,7 @@ header=$source/engine/include/tabor/tabor.h
 
 # effects FILE: what the compiler says of it.
 effects() {
-  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -I"$source/host/lv2" -include "$work/safe.h" \
+  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
     -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
 plugins=
@@ -44,13 +44,15 @@ if pkg-config --exists lv2; then
 else
   skip_part "the plugins: needs lv2-dev"
 fi
-for name in player leaving ring frame_clock ring_out silencer tally humanize midi_drum midi_speed midi_stream $plugins; do
+names="sound/player sound/leaving base/ring sound/frame_clock sound/ring_out sound/silencer sound/tally strokes/humanize
+  midi/midi_drum midi/midi_speed midi/midi_stream"
+for name in $names $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
 done
 # A check that finds nothing anywhere would be worth nothing.
 sed 's/^  introduce_thread(player);$/&/; s/^    introduce_thread(player);$/&\n    player->record = realloc(player->record, 1);/' \
-  "$source/host/player.c" | sed '1i #include <stdlib.h>' >"$work/wrong.c"
-if cmp -s "$source/host/player.c" "$work/wrong.c" || effects "$work/wrong.c" >"$work/said"; then
+  "$source/host/sound/player.c" | sed '1i #include <stdlib.h>' >"$work/wrong.c"
+if cmp -s "$source/host/sound/player.c" "$work/wrong.c" || effects "$work/wrong.c" >"$work/said"; then
   fail "-Wfunction-effects does not see realloc()"
 fi
 grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
@@ -63,7 +65,7 @@ if [ -n "$plugins" ]; then tests+=" test_lv2_realtime"; fi
 sanitized() {
   local test
   "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
     "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
     tail -20 "$work/log"
     fail "building with -fsanitize=realtime"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The traps of INI files in general and of inih 55 in particular (host/preset_file.h). */
+/* The traps of INI files in general and of inih 55 in particular (host/drums/preset_file.h). */
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE /* mkdtemp */
-#include "preset_file.h"
+#include "drums/preset_file.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -5,10 +5,10 @@
 # reference to other sections, tables of functions included, and looks at what is reached outside the
 # library. What it cannot see is a pointer that the user gave: the allocator, which test_realtime counts.
 #
-# With objects of the program it is the same for its audio thread, which adds a clock that is read in user
+# With archives of the program it is the same for its audio thread, which adds a clock that is read in user
 # space.
 #
-# test_realtime_symbols.sh LIBTABOR.A TABOR.H [OBJECT]...
+# test_realtime_symbols.sh LIBTABOR.A TABOR.H [ARCHIVE]...
 set -euo pipefail
 library=$1 header=$2
 shift 2

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What is said of how far a rendering is. */
-#include "render_progress.h"
+#include "render/render_progress.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "ring.h"
+#include "base/ring.h"
 
 typedef struct Numbers {
   uint64_t number, twice, more[6];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the screen says at usual and at tiny sizes. */
-#include "screen.h"
+#include "ui/screen.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

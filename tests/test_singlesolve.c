@@ -2,7 +2,7 @@
 /* Contacts in single precision against those in double: the grid under the wires, the laws, whole strokes. */
 #include "drum/drum.h"
 #include "physics.h"
-#include "step/lift.h"
+#include "step/penetration.h"
 #include "step/singlesolve.h"
 
 static const double RATE = 48000.0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* On a pseudo-terminal: its settings after every way of leaving are those before. */
-#include "terminal.h"
+#include "ui/terminal.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -21,7 +21,7 @@
 
 #include <cmocka.h>
 
-#include "interrupt.h"
+#include "base/interrupt.h"
 
 #define PATIENCE 10000 /* for what happens at once on an idle machine [ms] */
 

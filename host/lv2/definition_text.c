@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "definition_text.h"
+#include "lv2/definition_text.h"
 
 #include <math.h>
 #include <stdio.h>

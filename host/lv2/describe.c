@@ -15,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "definition_text.h"
-#include "ports.h"
-#include "uris.h"
+#include "lv2/definition_text.h"
+#include "lv2/ports.h"
+#include "lv2/uris.h"
 
 static FILE *file; /* that is being written */
 static TaborDrumDef usual;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "instrument.h"
+#include "lv2/instrument.h"
 
 #include <lv2/core/lv2.h>
 #include <lv2/core/lv2_util.h>
@@ -10,8 +10,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "sequence.h"
-#include "uris.h"
+#include "lv2/sequence.h"
+#include "lv2/uris.h"
 
 #define LEAST_RATE 22050 /* [Hz] */
 #define MOST_RATE 192000 /* [Hz] */

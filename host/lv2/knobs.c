@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "knobs.h"
+#include "lv2/knobs.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -13,8 +13,8 @@
 
 #include <tabor/tabor.h>
 
-#include "default_preset.h"
-#include "realtime.h"
+#include "base/realtime.h"
+#include "drums/default_preset.h"
 
 /** In the order of the ports. */
 typedef enum KnobId {

@@ -14,8 +14,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "knobs.h"
-#include "realtime.h"
+#include "base/realtime.h"
+#include "lv2/knobs.h"
 
 typedef enum PortKind {
   PORT_EVENTS,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "sequence.h"
+#include "lv2/sequence.h"
 
 #include <stddef.h>
 

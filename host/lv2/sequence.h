@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "realtime.h"
+#include "base/realtime.h"
 
 /** A place in a sequence. */
 typedef struct Sequence {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "voice_inside.h"
+#include "lv2/voice_inside.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fit_striker.h"
-#include "live_headroom.h"
+#include "drums/live_headroom.h"
+#include "strokes/fit_striker.h"
 
 #define HUMANIZE_SEED 1
 

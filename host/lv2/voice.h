@@ -10,12 +10,12 @@
 #ifndef TABOR_LV2_VOICE_H
 #define TABOR_LV2_VOICE_H
 
-#include "fader.h"
-#include "humanize.h"
-#include "leaving.h"
-#include "midi_drum.h"
-#include "silencer.h"
-#include "workshop.h"
+#include "lv2/workshop.h"
+#include "midi/midi_drum.h"
+#include "sound/fader.h"
+#include "sound/leaving.h"
+#include "sound/silencer.h"
+#include "strokes/humanize.h"
 
 #define VOICE_PIECE 256 /**< frames computed at once at most */
 #define VOICE_EVENTS                                                                               \

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "voice_inside.h"
+#include "lv2/voice_inside.h"
 
 #define CROSS_HOLD 0.008 /* [s] after which a swapped drum is heard at all usual microphones */
 

@@ -3,7 +3,7 @@
 #ifndef TABOR_LV2_VOICE_INSIDE_H
 #define TABOR_LV2_VOICE_INSIDE_H
 
-#include "voice.h"
+#include "lv2/voice.h"
 
 #define CROSS_FADE 0.008 /* [s] of a drum that leaves and the same one, changed */
 

@@ -2,7 +2,7 @@
 /* What a voice sounds like: its drum's microphones, and those of drums on their way out, at their levels. */
 #include <string.h>
 
-#include "voice_inside.h"
+#include "lv2/voice_inside.h"
 
 /* The knob of each microphone's level. */
 static const KnobId mic_levels[VOICE_MICS] = {KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,

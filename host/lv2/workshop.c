@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "workshop.h"
+#include "lv2/workshop.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "model_cache.h"
+#include "lv2/model_cache.h"
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 

@@ -20,10 +20,10 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-#include "knobs.h"
-#include "leaving.h"
-#include "midi_drum.h"
-#include "realtime.h"
+#include "base/realtime.h"
+#include "lv2/knobs.h"
+#include "midi/midi_drum.h"
+#include "sound/leaving.h"
 
 #define WORKSHOP_NO_PROGRAM (-1)
 #define WORKSHOP_NO_MIC LEAVING_NO_MIC

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/input_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FIRST_CAPACITY 65536
+
+/* One byte more than allowed shows that there are too many. */
+static Outcome read_stream(const char *name, FILE *stream, size_t limit, char **bytes,
+                           size_t *length) {
+  size_t capacity = 0;
+  while (*length == capacity && capacity <= limit) {
+    capacity = capacity ? 4 * capacity : FIRST_CAPACITY;
+    if (capacity > limit) capacity = limit + 1;
+    char *const grown = realloc(*bytes, capacity + 1);
+    if (!grown) return fail_memory();
+    *bytes = grown;
+    *length += fread(grown + *length, 1, capacity - *length, stream);
+  }
+  if (ferror(stream)) {
+    if (errno == EISDIR) return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
+    return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+  }
+  (*bytes)[*length] = '\0';
+  if (*length <= limit) return OUTCOME_OK;
+  return refuse("%s: the file is larger than %zu bytes", input_name(name), limit);
+}
+
+Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *length) {
+  *bytes = NULL;
+  *length = 0;
+  if (strcmp(name, "-") == 0) return read_stream(name, stdin, limit, bytes, length);
+  FILE *const stream = fopen(name, "rb");
+  if (!stream) return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+  const Outcome outcome = read_stream(name, stream, limit, bytes, length);
+  (void)fclose(stream);
+  return outcome;
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file audio_file.h
+ * Sound files: WAV (RF64 beyond 4 GiB), FLAC, AU. The same samples give the same bytes.
+ */
+#ifndef TABOR_HOST_AUDIO_FILE_H
+#define TABOR_HOST_AUDIO_FILE_H
+
+#include <sndfile.h>
+#include <stdint.h>
+
+#include "base/output_file.h"
+#include "files/recorded_io.h"
+
+typedef enum AudioContainer { AUDIO_WAV, AUDIO_FLAC, AUDIO_AU } AudioContainer;
+typedef enum AudioEncoding { AUDIO_PCM16, AUDIO_PCM24, AUDIO_FLOAT } AudioEncoding;
+
+typedef struct AudioFormat {
+  AudioContainer container;
+  AudioEncoding encoding;
+  uint32_t rate; /**< [Hz] */
+  uint32_t channels;
+  uint64_t most_frames; /**< how long the sound may become */
+} AudioFormat;
+
+/** A sound file being written to an open OutputFile, which it does not own. Stays where it is. */
+typedef struct AudioFile {
+  OutputFile *output;
+  AudioFormat format;
+  RecordedIo io; /**< what stream writes to, unless that is a pipe */
+  SNDFILE *stream;
+  void *buffer; /**< the encoded samples of one block */
+  uint64_t frames;
+} AudioFile;
+
+/** Frames that audio_file_write() takes at most. */
+#define AUDIO_BLOCK 256
+
+/** Container by the extension of @p name; false if it has none of those. */
+bool audio_container(const char *name, AudioContainer *container);
+/** Encoding called @p name ("pcm16", "pcm24", "float"). */
+Outcome audio_encoding(const char *name, AudioEncoding *encoding);
+/** Refuses what a container cannot hold: FLAC has no float, 8 channels, and round rates only. */
+Outcome audio_format_check(const AudioFormat *format);
+/** Largest sample that the encoding holds (1 is full scale; infinite for float). */
+double audio_largest(AudioEncoding encoding);
+
+/** Half of the encoding's step: what is smaller becomes zero (0 for float). */
+double audio_least(AudioEncoding encoding);
+
+/** Starts the file. Free with audio_file_free(), whatever the outcome. */
+Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
+/** Appends @p frames frames, interleaved; integer encodings round and saturate. */
+Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
+/** Completes the file; where it can be read back, reopens it and checks that it is complete. */
+Outcome audio_file_finish(AudioFile *file);
+/**
+ * After audio_file_write() has failed: makes a whole file of the frames before. Only where it can be
+ * read back, and not for FLAC.
+ */
+Outcome audio_file_salvage(AudioFile *file);
+void audio_file_free(AudioFile *file);
+
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+#include "library/library_batch.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/folder.h"
+#include "library/library_sound.h"
+
+/* The preset's own stroke gives way to that of the sound. */
+static Outcome take_stroke(const LibrarySound *sound, RenderRequest *request) {
+  Stroke stroke = stroke_default(&request->def, "[strike]");
+  stroke.event = sound->event;
+  return strokes_replace(&request->strokes, &stroke);
+}
+
+static Outcome add_job(const Arguments *arguments, const LibrarySound *sound, char *path,
+                       RenderBatch *batch) {
+  RenderJob *const job = &batch->jobs[batch->count++];
+  render_request_clear(&job->request);
+  job->output = path;
+  job->name = strdup(path);
+  Outcome outcome = arguments_copy(arguments, arguments->operand, &job->arguments);
+  if (outcome == OUTCOME_OK && !job->name) outcome = fail_memory();
+  if (outcome != OUTCOME_OK) return outcome;
+  arguments_replace(&job->arguments, "output", path);
+  outcome = render_job_read(job);
+  if (outcome != OUTCOME_OK) return outcome;
+  job->request.json = false;
+  job->request.quiet = !arguments_has(arguments, "verbose") || job->request.quiet;
+  return take_stroke(sound, &job->request);
+}
+
+static Outcome add_missing(const Arguments *arguments, const LibraryRequest *request,
+                           const LibrarySound *sound, RenderBatch *batch) {
+  char *const path = folder_path(request->folder, sound->file);
+  if (!path) return fail_memory();
+  if (library_sound_is_finished(path, &request->render)) {
+    free(path);
+    return OUTCOME_OK;
+  }
+  return add_job(arguments, sound, path, batch);
+}
+
+Outcome library_batch_make(const Arguments *arguments, const LibraryRequest *request,
+                           RenderBatch *batch) {
+  const LibraryPlan *const plan = &request->plan;
+  *batch =
+    (RenderBatch){.threads = request->threads, .jobs = calloc(plan->count, sizeof *batch->jobs)};
+  Outcome outcome = batch->jobs ? OUTCOME_OK : fail_memory();
+  for (size_t i = 0; i < plan->count && outcome == OUTCOME_OK; i++) {
+    outcome = add_missing(arguments, request, &plan->sounds[i], batch);
+  }
+  return outcome;
+}

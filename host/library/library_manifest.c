@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+#include "library/library_manifest.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "base/folder.h"
+#include "base/json_output.h"
+#include "base/text_file.h"
+#include "drums/drum_source.h"
+
+#define VALUE_FLAGS (JSON_ENCODE_ANY | JSON_REAL_PRECISION(15))
+#define TEMPORARY_PREFIX ".tabor-"
+#define TEMPORARY_LENGTH 13 /* ".tabor-XXXXXX" */
+
+/* ---- what a library is made from ---- */
+
+/* Every parameter but name, comment and licence: text that reads back to the same bits. */
+static json_t *drum_json(const TaborDrumDef *def) {
+  json_t *const drum = json_object();
+  char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
+  TaborError error;
+  for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
+    if (strncmp(key, "drum.", strlen("drum.")) == 0) continue;
+    if (tabor_drum_def_get(def, key, value, sizeof value, &error) != TABOR_OK) continue;
+    (void)json_object_set_new(drum, key, json_text(value));
+  }
+  return drum;
+}
+
+static json_t *mics_json(const RenderRequest *render) {
+  json_t *const mics = json_array();
+  for (uint32_t i = 0; i < render->channels; i++) {
+    (void)json_array_append_new(mics, json_text(render->def.mic[render->mics[i]].name));
+  }
+  return mics;
+}
+
+static json_t *techniques_json(const LibraryShape *shape) {
+  json_t *const techniques = json_array();
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (!shape->techniques[i]) continue;
+    (void)json_array_append_new(techniques, json_text(library_techniques[i].name));
+  }
+  return techniques;
+}
+
+static json_t *manifest_json(const LibraryRequest *request) {
+  static const char *const formats[] = {"pcm16", "pcm24", "float"};
+  const LibraryShape *const shape = &request->plan.shape;
+  const RenderRequest *const render = &request->render;
+  return json_pack(
+    "{s:s, s:o, s:i, s:i, s:i, s:o, s:s, s:s, s:o, s:I, s:I, s:s, s:s, s:o, s:o, s:I, s:o}",
+    "tabor", tabor_version(), "preset", json_text(request->stem), "velocities",
+    (int)shape->velocities, "positions", (int)shape->positions, "takes", (int)shape->takes,
+    "techniques", techniques_json(shape), "velocity-curve", midi_curve_names[shape->response.curve],
+    "velocity-range", midi_range_names[shape->response.range], "humanize",
+    json_number(shape->humanizer.amount), "seed", (json_int_t)request->seed, "rate",
+    (json_int_t)render->audio.rate, "quality", quality_name(render->model.quality), "format",
+    formats[render->audio.encoding], "mic", mics_json(render), "gain", json_number(render->gain_db),
+    "frames", (json_int_t)render->frames, "drum", drum_json(&render->def));
+}
+
+/* ---- the same, or another ---- */
+
+static char *value_text(const json_t *value) {
+  return value ? json_dumps(value, VALUE_FLAGS) : strdup("nothing");
+}
+
+/* Refuses the first entry of @p wanted, but for the drum, that differs in @p found. */
+static Outcome compare(const char *folder, json_t *found, json_t *wanted) {
+  const char *key;
+  json_t *value;
+  Outcome outcome = OUTCOME_OK;
+  json_object_foreach(wanted, key, value) {
+    if (outcome != OUTCOME_OK || json_is_object(value)) continue;
+    char *const mine = value_text(value), *const other = value_text(json_object_get(found, key));
+    if (!mine || !other) {
+      outcome = fail_memory();
+    } else if (strcmp(mine, other) != 0) {
+      outcome = refuse("'%s' holds another library, with %s %s, not %s", folder, key, other, mine);
+    }
+    free(mine);
+    free(other);
+  }
+  return outcome;
+}
+
+/* Entries that only one of them has count, too, as a second head's. */
+static Outcome compare_drums(const char *folder, json_t *found, json_t *wanted) {
+  Outcome outcome = compare(folder, found, wanted);
+  if (outcome != OUTCOME_OK || json_object_size(found) == json_object_size(wanted)) return outcome;
+  return refuse("'%s' holds another library, of a drum with other parts", folder);
+}
+
+static Outcome compare_manifest(const char *folder, const char *path, json_t *wanted) {
+  json_error_t error;
+  json_t *const found = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+  if (!found) return refuse("'%s' is no library's: %s", path, error.text);
+  Outcome outcome = json_is_string(json_object_get(found, "tabor"))
+                      ? compare(folder, found, wanted)
+                      : refuse("'%s' is no library's: it names no version of tabor", path);
+  if (outcome == OUTCOME_OK) {
+    outcome =
+      compare_drums(folder, json_object_get(found, "drum"), json_object_get(wanted, "drum"));
+  }
+  json_decref(found);
+  return outcome;
+}
+
+/* ---- taking the folder ---- */
+
+/* Files that somebody else has put there are neither finished sounds nor ours to replace. */
+static Outcome check_absent(const LibraryRequest *request, const char *path) {
+  if (access(path, F_OK) != 0) return OUTCOME_OK;
+  return refuse("'%s' exists, but '%s' holds no library", path, request->folder);
+}
+
+static Outcome check_foreign(const LibraryRequest *request) {
+  Outcome outcome = check_absent(request, request->instrument);
+  for (size_t i = 0; i < request->plan.count && outcome == OUTCOME_OK; i++) {
+    char *const path = folder_path(request->folder, request->plan.sounds[i].file);
+    if (!path) return fail_memory();
+    outcome = check_absent(request, path);
+    free(path);
+  }
+  return outcome;
+}
+
+static Outcome write_manifest(const LibraryRequest *request, const char *path, json_t *wanted) {
+  Outcome outcome = check_foreign(request);
+  if (outcome == OUTCOME_OK) outcome = folder_create(request->folder);
+  if (outcome != OUTCOME_OK) return outcome;
+  char *const text = json_dumps(wanted, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+  outcome = text ? text_file_write(path, text, true) : fail_memory();
+  free(text);
+  return outcome;
+}
+
+/* Ends with the process, however that ends. Systems without such locks do without. */
+static Outcome lock(const char *folder, const char *path, int *hold) {
+  *hold = open(path, O_RDONLY | O_CLOEXEC);
+  if (*hold < 0) return fail("cannot read '%s': %s", path, strerror(errno));
+  if (flock(*hold, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return OUTCOME_OK;
+  return fail("another run is at work in '%s'", folder);
+}
+
+/* Of runs that were killed; before there was a manifest, none of the folder's files were a library's. */
+static void remove_leftovers(const char *folder) {
+  DIR *const directory = opendir(folder);
+  const struct dirent *entry;
+  while (directory && (entry = readdir(directory))) {
+    const char *const name = entry->d_name;
+    if (strncmp(name, TEMPORARY_PREFIX, strlen(TEMPORARY_PREFIX)) == 0 &&
+        strlen(name) == TEMPORARY_LENGTH) {
+      (void)unlinkat(dirfd(directory), name, 0);
+    }
+  }
+  if (directory) (void)closedir(directory);
+}
+
+static Outcome claim(const LibraryRequest *request, const char *path, json_t *wanted, int *hold) {
+  const bool is_there = access(path, F_OK) == 0;
+  Outcome outcome = is_there ? compare_manifest(request->folder, path, wanted)
+                             : write_manifest(request, path, wanted);
+  if (outcome == OUTCOME_OK) outcome = lock(request->folder, path, hold);
+  if (outcome == OUTCOME_OK && is_there) remove_leftovers(request->folder);
+  return outcome;
+}
+
+Outcome library_manifest_claim(const LibraryRequest *request, int *hold) {
+  *hold = -1;
+  json_t *const wanted = manifest_json(request);
+  char *const path = folder_path(request->folder, LIBRARY_MANIFEST);
+  const Outcome outcome = wanted && path ? claim(request, path, wanted, hold) : fail_memory();
+  free(path);
+  json_decref(wanted);
+  return outcome;
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+#include "library/library_request.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/folder.h"
+#include "drums/drum_source.h"
+#include "midi/midi_options.h"
+#include "render/render_batch.h"
+#include "strokes/humanize_options.h"
+
+#define MOST_SAMPLER_CHANNELS 2
+#define DEFAULT_HUMANIZE 0.3 /* where there are takes to differ */
+
+const Option library_options[] = {
+  {"output", 'o', "FOLDER", "where the library goes; created if need be"},
+  {"velocities", 0, "N", "velocity layers, 1 to 127 (default 8)"},
+  {"positions", 0, "N", "places from the centre outwards, 1 to 8 (default 3); see below"},
+  {"takes", 0, "N", "round robins, 1 to 32: strokes that differ by --humanize (default 4)"},
+  {"techniques", 0, "LIST", "of normal and buzz, as normal,buzz (default normal)"},
+  OPTION_HUMANIZE("0.3, of one take 0"),
+  OPTION_SEED,
+  OPTION_VELOCITY_CURVE,
+  OPTION_VELOCITY_RANGE,
+  OPTION_FORMAT,
+  OPTION_RATE,
+  OPTION_QUALITY,
+  OPTION_DURATION,
+  OPTION_SET,
+  OPTION_MIC,
+  OPTION_GAIN,
+  OPTION_JOBS,
+  {"verbose", 'v', NULL, "print a line or more for every sound"},
+  {0},
+};
+
+/* ---- the shape ---- */
+
+static Outcome read_count(const Arguments *arguments, const char *name, uint32_t most,
+                          uint32_t *count) {
+  const NumberField field = {name, 1, most, true};
+  double number = *count;
+  const Outcome outcome = arguments_number(arguments, &field, &number);
+  *count = (uint32_t)number;
+  return outcome;
+}
+
+static Outcome read_counts(const Arguments *arguments, LibraryShape *shape) {
+  *shape =
+    (LibraryShape){.velocities = 8, .positions = 3, .takes = 4, .response = midi_response_default};
+  Outcome outcome = read_count(arguments, "--velocities", 127, &shape->velocities);
+  if (outcome == OUTCOME_OK) {
+    outcome = read_count(arguments, "--positions", LIBRARY_MOST_POSITIONS, &shape->positions);
+  }
+  if (outcome == OUTCOME_OK) {
+    outcome = read_count(arguments, "--takes", LIBRARY_MOST_TAKES, &shape->takes);
+  }
+  return outcome;
+}
+
+static Outcome check_count(const LibraryShape *shape) {
+  const uint32_t sounds = library_count(shape);
+  if (sounds <= LIBRARY_MOST_SOUNDS) return OUTCOME_OK;
+  return refuse("--velocities, --positions and --takes make %u sounds; allowed: up to %d",
+                (unsigned)sounds, LIBRARY_MOST_SOUNDS);
+}
+
+static Outcome read_scatter(const Arguments *arguments, LibraryRequest *request,
+                            LibraryShape *shape) {
+  const double fallback = shape->takes > 1 ? DEFAULT_HUMANIZE : 0;
+  const Outcome outcome = humanize_read(arguments, fallback, &shape->humanizer);
+  request->seed = (uint32_t)shape->humanizer.state;
+  if (outcome != OUTCOME_OK || shape->takes == 1 || shape->humanizer.amount > 0) return outcome;
+  return refuse("--takes %u: takes are all the same with --humanize 0; allowed: 1, or a --humanize "
+                "above 0",
+                (unsigned)shape->takes);
+}
+
+/* One word of the list, "rimshot" of "normal,rimshot": what strokes refuse, strokes say. */
+static Outcome add_technique(const TaborDrumDef *def, const char *word, size_t length,
+                             LibraryShape *shape) {
+  Stroke stroke = stroke_default(def, "--techniques:");
+  const StrokeField *const field = stroke_field("technique", strlen("technique"));
+  const Outcome outcome = stroke_set(&stroke, field, word, length);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (stroke.event.technique != (uint32_t)library_techniques[i].technique) continue;
+    if (shape->techniques[i]) return refuse("--techniques: '%.*s' given twice", (int)length, word);
+    shape->techniques[i] = true;
+    return OUTCOME_OK;
+  }
+  return refuse("--techniques '%.*s': libraries have no keys for it", (int)length, word);
+}
+
+static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *def,
+                               LibraryShape *shape) {
+  const char *text = arguments_value(arguments, "techniques");
+  Outcome outcome = OUTCOME_OK;
+  if (!text) text = library_techniques[0].name;
+  while (text && outcome == OUTCOME_OK) {
+    const size_t length = strcspn(text, ",");
+    outcome = add_technique(def, text, length, shape);
+    text = text[length] ? text + length + 1 : NULL;
+  }
+  return outcome;
+}
+
+/* ---- the folder, and how sounds are rendered ---- */
+
+static char *instrument_path(const LibraryRequest *request) {
+  const size_t size = strlen(request->folder) + strlen(request->stem) + sizeof ".sfz";
+  char *const path = malloc(size);
+  if (path) (void)snprintf(path, size, "%s%s.sfz", request->folder, request->stem);
+  return path;
+}
+
+static Outcome read_folder(const Arguments *arguments, LibraryRequest *request) {
+  const char *const path = arguments_value(arguments, "output");
+  if (!path || !*path) return refuse("a library needs a folder: -o FOLDER");
+  const Outcome outcome = folder_check(path);
+  if (outcome != OUTCOME_OK) return outcome;
+  request->folder = folder_name(path);
+  request->instrument = request->folder ? instrument_path(request) : NULL;
+  return request->instrument ? OUTCOME_OK : fail_memory();
+}
+
+/* As every sound will be. None of their names is taken: what is finished may be write-protected. */
+static Outcome read_rendering(const Arguments *arguments, LibraryRequest *request) {
+  Arguments first;
+  char *const path = folder_path(request->folder, ".tabor-sound.wav");
+  Outcome outcome = arguments_copy(arguments, arguments->operand, &first);
+  if (outcome == OUTCOME_OK && !path) outcome = fail_memory();
+  if (outcome == OUTCOME_OK) {
+    arguments_replace(&first, "output", path);
+    outcome = render_request_read(&first, &request->render);
+  }
+  arguments_free(&first);
+  free(path);
+  if (outcome != OUTCOME_OK || request->render.channels <= MOST_SAMPLER_CHANNELS) return outcome;
+  return refuse("--mic: %u given; allowed: up to %d, as samplers play mono and stereo sounds",
+                (unsigned)request->render.channels, MOST_SAMPLER_CHANNELS);
+}
+
+static Outcome read_sounds(const Arguments *arguments, LibraryRequest *request) {
+  TaborDrumDef def;
+  LibraryShape shape;
+  Outcome outcome = read_counts(arguments, &shape);
+  if (outcome == OUTCOME_OK) outcome = read_scatter(arguments, request, &shape);
+  if (outcome == OUTCOME_OK) outcome = midi_response_read(arguments, &shape.response);
+  if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &def);
+  if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def, &shape);
+  if (outcome == OUTCOME_OK) outcome = check_count(&shape);
+  if (outcome != OUTCOME_OK) return outcome;
+  return library_plan_make(&def, request->preset, &shape, &request->plan);
+}
+
+Outcome library_request_read(const Arguments *arguments, LibraryRequest *request) {
+  *request = (LibraryRequest){.preset = preset_argument(arguments)};
+  render_request_clear(&request->render);
+  request->stem = library_stem(request->preset);
+  Outcome outcome = request->stem ? OUTCOME_OK : fail_memory();
+  if (outcome == OUTCOME_OK) outcome = render_threads_read(arguments, &request->threads);
+  if (outcome == OUTCOME_OK) outcome = read_sounds(arguments, request);
+  if (outcome == OUTCOME_OK) outcome = read_folder(arguments, request);
+  if (outcome == OUTCOME_OK) outcome = read_rendering(arguments, request);
+  return outcome;
+}
+
+void library_request_free(LibraryRequest *request) {
+  render_request_free(&request->render);
+  library_plan_free(&request->plan);
+  free(request->instrument);
+  free(request->folder);
+  free(request->stem);
+  *request = (LibraryRequest){0};
+}

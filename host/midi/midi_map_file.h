@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file midi_map_file.h
+ * `--midi-map`: a MIDI map from a file, which changes the usual one or, with `defaults = no`, replaces
+ * it. The file is an INI file and checked like a preset (preset_file.h):
+ *
+ *     [map]                   ; stands first
+ *     channel = 10            ; 1 to 16, or omni
+ *     velocity = soft         ; soft, linear, hard
+ *     velocity_range = full   ; normal, full
+ *     defaults = yes          ; no: begin with an empty map
+ *     pressure = yes          ; no: pressure does nothing
+ *     programs = yes          ; no: program changes do nothing
+ *
+ *     [note.60]               ; 0 to 127
+ *     stroke = head           ; head (as it is without this), rimshot, cross-stick, rim, buzz, sweep,
+ *                             ; none
+ *     radius = 30             ; per cent of the head, 0 to 100
+ *     angle = 90              ; degrees, -360 to 360
+ *     speed = 0.5             ; factor, 0.01 to 10
+ *     striker = mallet        ; one of the drum's, by name
+ *
+ *     [controller.74]         ; 0 to 127
+ *     moves = wires.tension   ; a live key; radius, angle, grip, strainer, gain, silence, none
+ *     from = 2                ; the key's value for 0, and
+ *     to = 12                 ; for 127; without these, its whole range
+ */
+#ifndef TABOR_HOST_MIDI_MAP_FILE_H
+#define TABOR_HOST_MIDI_MAP_FILE_H
+
+#include "base/message.h"
+#include "midi/midi_map.h"
+
+/** Reads file @p path into *map, and refuses what is wrong in it with its line. */
+Outcome midi_map_file_read(const char *path, MidiMap *map);
+/** Refuses, as @p where says, a name that is none of soft, linear, hard. */
+Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve);
+/** Likewise one that is neither normal nor full. */
+Outcome midi_range_read(const char *where, const char *text, MidiRange *range);
+/** "omni" or a number from 1 to 16, which *channel counts from 0. */
+Outcome midi_channel_read(const char *where, const char *text, int *channel);
+
+#endif

@@ -1,0 +1,427 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/controls.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "ui/command_words.h"
+
+#define LEAST_GAIN (-60.0)
+#define LARGEST_GAIN 24.0
+#define MUFFLE 2.0 /* [N s/m]: a pad of gel, where the preset has none */
+#define BUZZ_PRESSURE 0.2
+#define CROSS_STICK_PLACE 0.6 /* of the radius, where its tip lies on the head */
+#define BUZZ_TIME 0.3         /* of a buzz, unless its hand strikes again before [s] */
+#define SWEEP_PRESSURE 0.5
+#define SWEEP_TIME 0.6         /* of a sweep, unless its key comes again before [s] */
+#define BRUSH_HAND 2u          /* the one that sweeps */
+#define FIRST_HAND 0xFFFFFF00u /* id of its strokes; the others have the next */
+#define MUFFLE_PLACE 0.75      /* of the radius: where it lies then */
+
+/* ---- saying ---- */
+
+#ifdef __GNUC__
+__attribute__((format(printf, 2, 3)))
+#endif
+static void
+tell(Controls *controls, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(controls->text, sizeof controls->text, format, arguments);
+  va_end(arguments);
+  controls->is_trouble = false;
+}
+
+/* What went wrong has been said into the text. */
+static void begin_text(Controls *controls) {
+  controls->text[0] = '\0';
+  controls->is_trouble = true;
+}
+
+/* ---- the drum ---- */
+
+/* The first frame that an event of this time can have. */
+static uint64_t frame_at(const Controls *controls, double time) {
+  return player_frame_at(controls->player, time);
+}
+
+static void set_number(Controls *controls, double time, const char *key, double value) {
+  char text[32];
+  (void)snprintf(text, sizeof text, "%.9g", value);
+  (void)drum_changes_set(controls->changes, frame_at(controls, time), "set", key, text);
+}
+
+static void switch_snares(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  if (def.wires.count == 0) {
+    (void)refuse("this drum has no snares");
+    return;
+  }
+  const bool were_on = def.wires.strainer > 0;
+  if (were_on) controls->strainer = def.wires.strainer;
+  set_number(controls, time, "wires.strainer", were_on ? 0 : controls->strainer);
+  tell(controls, "snares %s", were_on ? "off" : "on");
+}
+
+static void switch_muffle(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  const bool was_on = def.batter.muffle_strength > 0;
+  if (was_on) controls->muffle = def.batter.muffle_strength;
+  if (!was_on && def.batter.muffle_radius == 0) {
+    set_number(controls, time, "batter.muffle_radius", MUFFLE_PLACE * def.shell.radius);
+  }
+  set_number(controls, time, "batter.muffle_strength", was_on ? 0 : controls->muffle);
+  tell(controls, "muffle %s", was_on ? "off" : "on");
+}
+
+/* Another drum has its own. */
+static void forget_switches(Controls *controls) {
+  controls->strainer = 1;
+  controls->muffle = MUFFLE;
+}
+
+static void step_preset(Controls *controls, int step, double time) {
+  PlayStatus status;
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_step_preset(controls->changes, frame, step) != OUTCOME_OK) return;
+  forget_switches(controls);
+  drum_changes_status(controls->changes, &status);
+  tell(controls, "preset %s", status.preset);
+}
+
+static void set_gain(Controls *controls, double gain_db, double time) {
+  controls->gain_db = fmin(fmax(gain_db, LEAST_GAIN), LARGEST_GAIN);
+  const PlayerMessage message = {.frame = frame_at(controls, time),
+                                 .type = PLAYER_GAIN,
+                                 .value = pow(10, controls->gain_db / 20)};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  tell(controls, "gain %+.1f dB", controls->gain_db);
+}
+
+static void set_speed(Controls *controls, double speed) {
+  controls->speed = speed;
+  tell(controls, "%.2f m/s", speed);
+}
+
+/* ---- strokes ---- */
+
+static void send_event(Controls *controls, const TaborEvent *event, double time) {
+  const PlayerMessage message = {
+    .frame = frame_at(controls, time), .type = PLAYER_EVENT, .event = *event};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+}
+
+/* A place is a share of the radius, so that it is the same on every drum. */
+static TaborEvent make_stroke(Controls *controls, double place, double speed) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  const int striker = tabor_drum_def_find_striker(&def, def.strike.striker);
+  TaborEvent event = {.type = TABOR_EVENT_STRIKE,
+                      .striker = striker > 0 ? (uint32_t)striker : 0,
+                      .velocity = speed,
+                      .radius = place * def.shell.radius,
+                      .angle = def.strike.angle};
+  humanize(&controls->humanizer, def.shell.radius, &event);
+  return event;
+}
+
+static void strike(Controls *controls, double place, double speed, double time) {
+  const TaborEvent event = make_stroke(controls, place, speed);
+  send_event(controls, &event, time);
+  controls->last_place = place;
+  controls->last_speed = speed;
+}
+
+/* Those that the engine knows stand in its table, in the order of their numbers: -1 if it is none of them. */
+static int find_technique(const char *technique) {
+  const TaborParameter *const parameter = tabor_parameter_find("strike.technique");
+  const char *word = parameter ? parameter->choices : NULL;
+  for (int i = 0; word && *word; i++) {
+    const size_t length = strcspn(word, "|");
+    if (strlen(technique) == length && memcmp(word, technique, length) == 0) return i;
+    word += length + (word[length] == '|');
+  }
+  return -1;
+}
+
+/* Hands take turns, so that a key held down is a closed roll. */
+static void hold(Controls *controls, TaborEvent *event, double time) {
+  event->id = FIRST_HAND + controls->hand;
+  event->value = BUZZ_PRESSURE;
+  controls->release_time[controls->hand] = time + BUZZ_TIME;
+  controls->hand = 1 - controls->hand;
+}
+
+/* With the drum's first brush, at its own speed; a key that is held down goes on. */
+static void sweep(Controls *controls, double time) {
+  TaborDrumDef def;
+  drum_changes_definition(controls->changes, &def);
+  uint32_t brush = 0;
+  while (brush < def.striker_count && def.striker[brush].kind != TABOR_STRIKER_BRUSH) brush++;
+  if (brush == def.striker_count) {
+    (void)refuse("this drum has no brush");
+    return;
+  }
+  double *const release = &controls->release_time[BRUSH_HAND];
+  const bool goes_on = *release != 0;
+  *release = time + SWEEP_TIME;
+  if (goes_on) return;
+  TaborEvent event = make_stroke(controls, controls->last_place, def.striker[brush].sweep_speed);
+  event.id = FIRST_HAND + BRUSH_HAND;
+  event.striker = brush;
+  event.technique = TABOR_TECHNIQUE_SWEEP;
+  event.value = SWEEP_PRESSURE;
+  send_event(controls, &event, time);
+}
+
+/* Where the last stroke was, as fast as the next; a stick that lies across has its own place. */
+static void strike_with(Controls *controls, const char *technique, double time) {
+  const int number = find_technique(technique);
+  if (number < 0) {
+    (void)refuse("%s: this version has no such stroke yet", technique);
+    return;
+  }
+  if (number == TABOR_TECHNIQUE_SWEEP) {
+    sweep(controls, time);
+    return;
+  }
+  const bool across = number == TABOR_TECHNIQUE_CROSS_STICK;
+  const double place = across ? CROSS_STICK_PLACE : controls->last_place;
+  TaborEvent event = make_stroke(controls, place, controls->speed);
+  event.technique = (uint32_t)number;
+  if (event.technique == TABOR_TECHNIQUE_BUZZ) hold(controls, &event, time);
+  send_event(controls, &event, time);
+}
+
+void controls_pass(Controls *controls, double time) {
+  for (unsigned hand = 0; hand < CONTROLS_HANDS; hand++) {
+    if (controls->release_time[hand] == 0 || time < controls->release_time[hand]) continue;
+    controls->release_time[hand] = 0;
+    const TaborEvent event = {.type = TABOR_EVENT_RELEASE, .id = FIRST_HAND + hand};
+    send_event(controls, &event, time);
+  }
+}
+
+/* ---- actions ---- */
+
+static void act(Controls *controls, const Action *action, double time) {
+  switch (action->kind) {
+  case ACTION_NONE: break;
+  case ACTION_STROKE: strike(controls, action->value, controls->speed, time); break;
+  case ACTION_GHOST: strike(controls, action->value, GHOST_SPEED * controls->speed, time); break;
+  case ACTION_REPEAT: strike(controls, controls->last_place, controls->last_speed, time); break;
+  case ACTION_TECHNIQUE: strike_with(controls, action->text, time); break;
+  case ACTION_SPEED: set_speed(controls, action->value); break;
+  case ACTION_SNARES: switch_snares(controls, time); break;
+  case ACTION_MUFFLE: switch_muffle(controls, time); break;
+  case ACTION_PRESET: step_preset(controls, action->value < 0 ? -1 : 1, time); break;
+  case ACTION_GAIN: set_gain(controls, controls->gain_db + action->value, time); break;
+  case ACTION_COMMAND: controls->opens_command = true; break;
+  case ACTION_RUN: controls_run(controls, action->text, time); break;
+  case ACTION_HELP: controls->shows_help = !controls->shows_help; break;
+  case ACTION_QUIT: controls->quits = true; break;
+  }
+}
+
+void controls_act(Controls *controls, const Action *action, double time) {
+  char trouble[CONTROLS_TEXT_SIZE];
+  begin_text(controls);
+  const MessageCapture before = message_capture(trouble, sizeof trouble);
+  act(controls, action, time);
+  message_release(before);
+  if (!*trouble) return;
+  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
+  controls->is_trouble = true;
+}
+
+Controls controls_begin(Player *player, DrumChanges *changes, double rate, double gain_db,
+                        Humanizer humanizer) {
+  TaborDrumDef def;
+  drum_changes_definition(changes, &def);
+  Controls controls = {.player = player,
+                       .changes = changes,
+                       .humanizer = humanizer,
+                       .rate = rate,
+                       .speed = def.strike.velocity,
+                       .gain_db = gain_db,
+                       .last_place = def.strike.radius / def.shell.radius,
+                       .last_speed = def.strike.velocity};
+  forget_switches(&controls);
+  return controls;
+}
+
+/* ---- commands ---- */
+
+static void run_set(Controls *controls, const char *text, double time) {
+  const size_t length = strcspn(text, " =");
+  char key[CONTROLS_TEXT_SIZE];
+  (void)snprintf(key, sizeof key, "%.*s", (int)length, text);
+  const char *value = text + length;
+  value += strspn(value, " ");
+  if (*value == '=') value++;
+  value += strspn(value, " ");
+  if (!*value) {
+    (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
+    return;
+  }
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_set(controls->changes, frame, "set", key, value) != OUTCOME_OK) return;
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  tell(controls, "%s = %s %s", key, value, parameter ? parameter->unit : "");
+}
+
+static void run_preset(Controls *controls, const char *text, double time) {
+  const uint64_t frame = frame_at(controls, time);
+  if (drum_changes_preset(controls->changes, frame, text) != OUTCOME_OK) return;
+  forget_switches(controls);
+  tell(controls, "preset %s", text);
+}
+
+static bool read_number(const char *name, double minimum, double maximum, const char *text,
+                        double *value) {
+  const NumberField field = {name, minimum, maximum, false};
+  return number_read(&field, text, value) == OUTCOME_OK;
+}
+
+static void run_gain(Controls *controls, const char *text, double time) {
+  double gain_db = 0;
+  if (read_number("gain", LEAST_GAIN, LARGEST_GAIN, text, &gain_db))
+    set_gain(controls, gain_db, time);
+}
+
+static void run_speed(Controls *controls, const char *text, double time) {
+  (void)time;
+  double speed = 0;
+  if (read_number("speed", 0.01, 30, text, &speed)) set_speed(controls, speed);
+}
+
+static void run_humanize(Controls *controls, const char *text, double time) {
+  (void)time;
+  double amount = 0;
+  if (!read_number("humanize", 0, 1, text, &amount)) return;
+  controls->humanizer.amount = amount;
+  tell(controls, "humanize %g", amount);
+}
+
+static void run_silence(Controls *controls, const char *text, double time) {
+  (void)text;
+  const PlayerMessage message = {.frame = frame_at(controls, time), .type = PLAYER_SILENCE};
+  (void)player_send(controls->player, SOURCE_KEYS, &message);
+  tell(controls, "silence");
+}
+
+static void run_help(Controls *controls, const char *text, double time) {
+  (void)text;
+  (void)time;
+  controls->shows_help = true;
+}
+
+static void run_quit(Controls *controls, const char *text, double time) {
+  (void)text;
+  (void)time;
+  controls->quits = true;
+}
+
+static void run_command(Controls *controls, const char *text, double time) {
+  static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
+    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
+    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
+    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
+  };
+  CommandWord command;
+  const char *rest;
+  if (command_words_read(text, &command, &rest) == OUTCOME_OK) runs[command](controls, rest, time);
+}
+
+void controls_run(Controls *controls, const char *command, double time) {
+  char text[CONTROLS_TEXT_SIZE], trouble[CONTROLS_TEXT_SIZE];
+  (void)snprintf(text, sizeof text, "%s", command + strspn(command, " "));
+  for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
+  begin_text(controls);
+  if (!*text) return;
+  const MessageCapture before = message_capture(trouble, sizeof trouble);
+  run_command(controls, text, time);
+  message_release(before);
+  if (!*trouble) return;
+  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
+  controls->is_trouble = true;
+}
+
+/* ---- completion ---- */
+
+/* Word @p index of those that may stand there, perhaps in @p room; NULL past the last. */
+typedef const char *WordAt(size_t index, char room[2 * TABOR_NAME_SIZE]);
+
+static const char *typed_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  (void)room;
+  return command_word_at(NULL, index);
+}
+
+static const char *preset_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  (void)room;
+  const TaborPresetInfo *const preset = tabor_preset((uint32_t)index);
+  return preset ? preset->name : NULL;
+}
+
+/* "wires.tension"; "mic." of those that have a name in between. */
+static const char *key_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  const TaborParameter *const parameter = tabor_parameter((uint32_t)index);
+  if (!parameter) return NULL;
+  const size_t length = strlen(parameter->section);
+  const bool is_family = length > 0 && parameter->section[length - 1] == '.';
+  (void)snprintf(room, 2 * TABOR_NAME_SIZE, "%s%s%s", parameter->section, is_family ? "" : ".",
+                 is_family ? "" : parameter->key);
+  return room;
+}
+
+/* Cuts @p word back to what it has in common with @p name. */
+static void keep_common(char *word, const char *name) {
+  while (*word && *word == *name) {
+    word++;
+    name++;
+  }
+  *word = '\0';
+}
+
+/* What the first @p length bytes of @p begun can go on to be. */
+static bool complete(const char *begun, size_t length, WordAt *word_at, char *word, size_t size) {
+  char room[2 * TABOR_NAME_SIZE];
+  bool found = false, is_only = true;
+  const char *name;
+  for (size_t i = 0; (name = word_at(i, room)) != NULL; i++) {
+    if (strncmp(name, begun, length) != 0) continue;
+    if (!found) {
+      (void)snprintf(word, size, "%s", name);
+    } else if (strcmp(word, name) != 0) {
+      keep_common(word, name);
+      is_only = false;
+    }
+    found = true;
+  }
+  const size_t end = found ? strlen(word) : 0;
+  if (found && is_only && word[end - 1] != '.' && end + 1 < size) {
+    word[end] = ' ';
+    word[end + 1] = '\0';
+  }
+  return found;
+}
+
+bool controls_complete(const char *command, size_t cursor, size_t *start, char *word, size_t size) {
+  static const struct {
+    const char *before;
+    WordAt *word_at;
+  } places[] = {{"", typed_word_at}, {"set ", key_word_at}, {"preset ", preset_word_at}};
+  *start = cursor;
+  while (*start > 0 && command[*start - 1] != ' ') (*start)--;
+  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+    if (strlen(places[i].before) != *start || strncmp(places[i].before, command, *start) != 0)
+      continue;
+    return complete(command + *start, cursor - *start, places[i].word_at, word, size);
+  }
+  return false;
+}

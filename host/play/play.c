@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file play.c
+ * `tabor play`: a drum to play on.
+ */
+#include "base/command.h"
+#include "drums/drum_source.h"
+#include "play/console.h"
+#include "play/play_report.h"
+
+/* The first thing that went wrong decides. */
+static Outcome worse(Outcome first, Outcome then) { return first != OUTCOME_OK ? first : then; }
+
+/* With the user at the keyboard, who has the terminal back before the last is said. */
+static Outcome perform(Performance *performance) {
+  Console *console = NULL;
+  Outcome outcome = console_open(performance, &console);
+  const PerformanceTurn turn = {.take = console_turn, .context = console};
+  if (outcome == OUTCOME_OK) outcome = performance_run(performance, &turn);
+  console_close(console);
+  return outcome;
+}
+
+static Outcome play(PlayRequest *request) {
+  Performance performance;
+  Outcome outcome = performance_open(&performance, request);
+  if (outcome == OUTCOME_OK) {
+    outcome = perform(&performance);
+    outcome = worse(outcome, performance_finish(&performance));
+    outcome = worse(outcome, play_report(&performance));
+  }
+  performance_close(&performance, outcome);
+  return outcome;
+}
+
+static Outcome run(const Arguments *arguments) {
+  PlayRequest request;
+  Outcome outcome = play_request_read(arguments, &request);
+  if (outcome == OUTCOME_OK) outcome = play(&request);
+  play_request_free(&request);
+  return outcome;
+}
+
+static const char notes[] =
+  "The drum plays until Ctrl-C, or for --duration. --events plays strokes that are written down, "
+  "as\n"
+  "'tabor render' does; its help describes the file.\n"
+  "--midi-file plays a MIDI file. Live MIDI comes from every hardware input, or from those that\n"
+  "--midi-in names, also if they are plugged in later, and from any program that connects to the\n"
+  "input 'tabor-midi'. docs/midi.md has the map.\n"
+  "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
+  "away: with --humanize 0 it gives the same sound as 'tabor render'.\n"
+  "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
+
+const Command play_command = {
+  .name = "play",
+  .operand = "[PRESET]",
+  .summary = "Play a drum live",
+  .notes = notes,
+  .options = play_options,
+  .run = run,
+};

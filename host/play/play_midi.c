@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/play_midi.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "base/stopwatch.h"
+
+#define BINDING_AGE 0.05 /* [s] after which the drum may be another one */
+
+/* All but what play_midi_open() sets, and the count, belongs to the thread that receives. */
+struct PlayMidi {
+  MidiMap map;
+  MidiDrum drum;
+  double bound; /* when the drum was looked at [s] */
+  Humanizer humanizer;
+  Player *player;
+  DrumChanges *changes;
+  MidiInput *input;
+  atomic_uint_least64_t ignored;
+};
+
+static void bind(PlayMidi *midi, double now) {
+  TaborDrumDef def;
+  drum_changes_definition(midi->changes, &def);
+  midi_binding_make(&midi->map, &def, &midi->drum.binding);
+  midi->bound = now;
+}
+
+Cue play_midi_cue(const MidiAction *action, uint64_t frame) {
+  Cue cue = {.message = {.frame = frame, .value = action->value, .event = action->event}};
+  switch (action->type) {
+  case MIDI_ACTION_EVENT: cue.message.type = PLAYER_EVENT; break;
+  case MIDI_ACTION_GAIN: cue.message.type = PLAYER_EXPRESSION; break;
+  case MIDI_ACTION_SILENCE: cue.message.type = PLAYER_SILENCE; break;
+  case MIDI_ACTION_PRESET: cue.preset = tabor_preset(action->preset)->name; break;
+  }
+  return cue;
+}
+
+static void receive(void *context, double time, const MidiMessage *message) {
+  PlayMidi *const midi = context;
+  const double now = stopwatch_seconds(CLOCK_MONOTONIC);
+  MidiAction action;
+  if (now - midi->bound > BINDING_AGE) bind(midi, now);
+  const bool acts = midi_drum_take(&midi->drum, message, &action);
+  atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
+  if (!acts) return;
+  Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
+  humanize(&midi->humanizer, midi->drum.binding.head_radius, &cue.message.event);
+  if (cue.preset) {
+    (void)drum_changes_program(midi->changes, cue.message.frame, cue.preset); /* it says */
+    bind(midi, now);
+  } else {
+    (void)player_send(midi->player, SOURCE_MIDI, &cue.message); /* counts what it drops */
+  }
+}
+
+Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
+                       PlayMidi **result) {
+  PlayMidi *const midi = *result = calloc(1, sizeof *midi);
+  if (!midi) return fail_memory();
+  midi->map = request->midi_map;
+  midi->humanizer = request->humanizer;
+  midi->player = player;
+  midi->changes = changes;
+  midi_drum_begin(&midi->drum, &midi->map, &(MidiBinding){0});
+  bind(midi, stopwatch_seconds(CLOCK_MONOTONIC));
+  return midi_input_open(arguments_value(request->arguments, "midi-in"), request->quiet, receive,
+                         midi, &midi->input);
+}
+
+void play_midi_status(const PlayMidi *midi, MidiInputStatus *status) {
+  *status = (MidiInputStatus){0};
+  if (midi && midi->input) midi_input_status(midi->input, status);
+}
+
+uint64_t play_midi_ignored(const PlayMidi *midi) { return midi ? atomic_load(&midi->ignored) : 0; }
+
+void play_midi_close(PlayMidi *midi) {
+  if (!midi) return;
+  midi_input_close(midi->input);
+  free(midi);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file play_midi.h
+ * Live MIDI for a drum that is played: what the inputs receive goes to the player, on its frame.
+ */
+#ifndef TABOR_HOST_PLAY_MIDI_H
+#define TABOR_HOST_PLAY_MIDI_H
+
+#include "midi/midi_input.h"
+#include "play/drum_changes.h"
+#include "play/play_request.h"
+#include "play/score.h"
+
+typedef struct PlayMidi PlayMidi;
+
+/** Opens the inputs that @p request asks for. *midi is valid, if not NULL, whatever the outcome. */
+Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
+                       PlayMidi **midi);
+void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
+/** How many notes have come that are not in the map. @p midi may be NULL. */
+uint64_t play_midi_ignored(const PlayMidi *midi);
+/** To be called before @p changes and the player go. NULL is allowed. */
+void play_midi_close(PlayMidi *midi);
+
+/** What MIDI does, at @p frame. */
+Cue play_midi_cue(const MidiAction *action, uint64_t frame);
+
+#endif

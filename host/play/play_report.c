@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/play_report.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/json_output.h"
+
+typedef unsigned long long Count; /* for printf */
+
+static double decibels(double factor) { return 20 * log10(factor); }
+
+static void warn_of_losses(const PlayStatus *status, double worst) {
+  if (status->clipped > 0) {
+    warn("%llu samples were clipped: the peak was %+.1f dBFS; --gain %.1f avoids it",
+         (Count)status->clipped, decibels(status->loudest),
+         floor(10 * decibels(status->gain / status->loudest)) / 10);
+  }
+  if (status->xruns > 0 && worst > 1) {
+    warn(
+      "the output ran dry %llu times: a block took up to %.0f %% of its time; a larger --buffer or "
+      "--quality draft avoids it",
+      (Count)status->xruns, 100 * worst);
+  }
+  if (status->dropped > 0) {
+    warn("%llu events were dropped: too many at once, or a press or a move met nothing in play",
+         (Count)status->dropped);
+  }
+  if (status->lost_frames > 0) {
+    warn("the recording has %llu frames of silence where the disk was too slow",
+         (Count)status->lost_frames);
+  }
+  if (status->recovered > 0) {
+    warn("the drum was reset %llu times because its state was not finite",
+         (Count)status->recovered);
+  }
+}
+
+static json_t *recording_json(const Performance *performance, const PlayStatus *status) {
+  const PlayRequest *const request = performance->request;
+  if (!request->records) return json_null();
+  return json_pack("{s:o, s:I}", "file", json_text(request->record.name), "lost_frames",
+                   (json_int_t)(status->lost_frames + performance->unwritten));
+}
+
+static json_t *report_json(const Performance *performance, const PlayStatus *status) {
+  double median, worst;
+  player_load(performance->player, &median, &worst);
+  json_t *const load =
+    json_pack("{s:o, s:o}", "median", json_number(median), "worst", json_number(worst));
+  json_t *const newton =
+    json_pack("{s:o, s:I, s:I}", "mean", json_number(status->newton_mean), "max",
+              (json_int_t)status->newton_max, "capped", (json_int_t)status->newton_capped);
+  const uint64_t ignored = status->ignored_notes + performance->request->song.counts.ignored_notes;
+  json_t *const device =
+    json_pack("{s:s, s:o, s:o, s:I, s:o, s:b}", "backend", performance->request->backend->name,
+              "name", json_text(status->device), "rate", json_number(status->rate), "buffer",
+              (json_int_t)status->buffer, "latency", json_number(status->latency), "real_time",
+              performance->is_urgent);
+  return json_pack("{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o}",
+                   "preset", json_text(status->preset), "device", device, "frames",
+                   (json_int_t)player_position(performance->player), "channels",
+                   (json_int_t)status->channels, "strokes", (json_int_t)status->strokes, "late",
+                   (json_int_t)status->late, "dropped", (json_int_t)status->dropped,
+                   "ignored_notes", (json_int_t)ignored, "peak", json_number(status->loudest),
+                   "clipped", (json_int_t)status->clipped, "xruns", (json_int_t)status->xruns,
+                   "recovered", (json_int_t)status->recovered, "load", load, "newton", newton,
+                   "recording", recording_json(performance, status));
+}
+
+/* How the device was served; of no meaning where sound waits. */
+static void describe_load(const Performance *performance, const PlayStatus *status, char *text,
+                          size_t size) {
+  double median, worst;
+  text[0] = '\0';
+  if (performance->request->backend->waits) return;
+  player_load(performance->player, &median, &worst);
+  (void)snprintf(text, size, "; load %.0f %%, at most %.0f %%; %llu gap%s", 100 * median,
+                 100 * worst, (Count)status->xruns, status->xruns == 1 ? "" : "s");
+}
+
+static void note_summary(const Performance *performance, const PlayStatus *status) {
+  const PlayRequest *const request = performance->request;
+  const bool recorded = request->records && performance->unwritten == 0;
+  if (status->ignored_notes > 0) {
+    note("%llu note%s not in the MIDI map and passed over", (Count)status->ignored_notes,
+         status->ignored_notes == 1 ? " was" : "s were");
+  }
+  char load[100];
+  describe_load(performance, status, load, sizeof load);
+  note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,
+       status->strokes == 1 ? "" : "s", load, recorded ? "; recorded in " : "",
+       recorded ? request->record.name : "");
+}
+
+Outcome play_report(Performance *performance) {
+  PlayStatus status;
+  double median, worst;
+  performance_status(performance, &status);
+  player_load(performance->player, &median, &worst);
+  warn_of_losses(&status, worst);
+  if (performance->request->json) return json_print(report_json(performance, &status));
+  if (!performance->request->quiet) note_summary(performance, &status);
+  return OUTCOME_OK;
+}

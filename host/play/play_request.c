@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/play_request.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/suggest.h"
+#include "drums/drum_source.h"
+#include "midi/midi_input.h"
+#include "midi/midi_options.h"
+#include "strokes/humanize_options.h"
+#include "strokes/strokes.h"
+
+#define DEFAULT_BUFFER 128
+#define DEFAULT_ENCODING "pcm24"
+#define DEFAULT_HUMANIZE 0.3
+
+const Option play_options[] = {
+  {"backend", 0, "NAME", "portaudio, null or file (default portaudio; null is not heard)"},
+  {"device", 0, "NAME", "output as 'tabor devices' lists it (default: the system's)"},
+  {"rate", 0, "HZ", "sample rate, 22050 to 192000 (default: the device's, else 48000)"},
+  {"buffer", 0, "FRAMES", "frames computed at once, 16 to 4096 (default 128)"},
+  {"duration", 0, "SECONDS", "stop after so long, 0.01 to 86400 (default: when told to)"},
+  {"record", 0, "FILE", "also write everything to a sound file, .wav or .au"},
+  {"format", 0, "FORMAT", "of it: pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
+  {"no-overwrite", 'n', NULL, "fail if that file exists"},
+  OPTION_QUALITY,
+  OPTION_SET,
+  OPTION_EVENTS,
+  OPTION_MIDI_FILE,
+  OPTION_MIDI_IN,
+  OPTION_MIDI_MAP,
+  OPTION_MIDI_CHANNEL,
+  OPTION_VELOCITY_CURVE,
+  OPTION_VELOCITY_RANGE,
+  OPTION_HUMANIZE("0.3"),
+  OPTION_SEED,
+  {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/keyboard.md"},
+  {"mic", 0, "NAME",
+   "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
+  {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
+  {"no-ui", 0, NULL, "no screen: print lines instead"},
+  {0},
+};
+
+static Outcome read_flags(const Arguments *arguments, PlayRequest *request) {
+  request->arguments = arguments;
+  request->json = arguments_has(arguments, "json");
+  request->quiet = arguments_has(arguments, "quiet");
+  request->no_ui = arguments_has(arguments, "no-ui");
+  return OUTCOME_OK;
+}
+
+static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
+  static const NumberField gain = {"--gain", -120, 120, false};
+  static const NumberField duration = {"--duration", 0.01, 86400, false};
+  static const NumberField buffer = {"--buffer", 16, 4096, true};
+  double gain_db = 0, frames = DEFAULT_BUFFER;
+  Outcome outcome = arguments_number(arguments, &gain, &gain_db);
+  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &request->duration);
+  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &buffer, &frames);
+  if (outcome == OUTCOME_OK) {
+    outcome = humanize_read(arguments, DEFAULT_HUMANIZE, &request->humanizer);
+  }
+  request->gain = pow(10, gain_db / 20);
+  request->device.buffer = (uint32_t)frames;
+  return outcome;
+}
+
+static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
+  const char *const path = arguments_value(arguments, "keys");
+  keymap_default(&request->keymap);
+  return path ? keymap_read(path, &request->keymap) : OUTCOME_OK;
+}
+
+static Outcome read_drum(const Arguments *arguments, PlayRequest *request) {
+  request->preset = preset_argument(arguments);
+  return drum_load(arguments, &request->def);
+}
+
+static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
+  const char *const wanted = arguments_value(arguments, "midi-in");
+  Outcome outcome = midi_map_read(arguments, &request->def, &request->midi_map);
+  if (wanted && !*wanted) return refuse("--midi-in needs a part of a name");
+  if (outcome == OUTCOME_OK) {
+    outcome = midi_song_read(arguments, &request->midi_map, &request->def,
+                             request->model.sample_rate, &request->song);
+  }
+  if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
+  return outcome;
+}
+
+static Outcome read_model(const Arguments *arguments, PlayRequest *request) {
+  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
+  if (arguments_has(arguments, "rate")) request->device.rate = request->model.sample_rate;
+  return outcome;
+}
+
+static Outcome read_mics(const Arguments *arguments, PlayRequest *request) {
+  const char *name;
+  size_t position = 0;
+  if (request->def.mic_count == 0) return refuse("the drum has no microphone");
+  while ((name = arguments_next(arguments, "mic", &position)) != NULL) {
+    const int mic = tabor_drum_def_find_mic(&request->def, name);
+    char hint[512];
+    suggest_choice(hint, sizeof hint, name, "", drum_mic_name, &request->def);
+    if (mic < 0) return refuse("--mic '%.80s': the drum has no such microphone%s", name, hint);
+    if (request->channels == TABOR_MAX_MICS) {
+      return refuse("--mic: too many; allowed: up to %d", TABOR_MAX_MICS);
+    }
+    request->mics[request->channels++] = (uint32_t)mic;
+  }
+  if (request->channels == 0) request->channels = 1; /* the first, which is index 0 */
+  request->device.channels = request->channels;
+  return OUTCOME_OK;
+}
+
+static Outcome read_backend(const Arguments *arguments, PlayRequest *request) {
+  const char *const name = arguments_value(arguments, "backend");
+  request->device.device = arguments_value(arguments, "device");
+  const Outcome outcome = backend_find(name ? name : "portaudio", &request->backend);
+  if (outcome != OUTCOME_OK) return outcome;
+  if (request->device.device && request->backend != &backend_portaudio) {
+    return refuse("--device: only --backend portaudio has devices");
+  }
+  if (request->backend->waits && arguments_has(arguments, "midi-in")) {
+    return refuse("--midi-in: with --backend file nothing is heard live");
+  }
+  if (request->backend->waits && !arguments_has(arguments, "record")) {
+    return refuse("--backend file needs --record FILE");
+  }
+  return OUTCOME_OK;
+}
+
+/* A recording whose length nobody knows must be good up to where it breaks off. */
+static Outcome check_container(const char *name, PlayRequest *request) {
+  const bool known = audio_container(name, &request->audio.container);
+  if (known && request->audio.container != AUDIO_FLAC) return OUTCOME_OK;
+  if (!known && request->record.kind != OUTPUT_REPLACED) {
+    request->audio.container = AUDIO_AU;
+    return OUTCOME_OK;
+  }
+  return refuse("--record '%s': the name must end in .wav or .au, with something before it", name);
+}
+
+static Outcome read_record(const Arguments *arguments, PlayRequest *request) {
+  const char *const name = arguments_value(arguments, "record");
+  const char *const format = arguments_value(arguments, "format");
+  Outcome outcome = audio_encoding(format ? format : DEFAULT_ENCODING, &request->audio.encoding);
+  request->audio.channels = request->channels;
+  if (!name || outcome != OUTCOME_OK) return outcome;
+  if (!*name || strcmp(name, "-") == 0) {
+    return refuse("--record '%s': allowed: the name of a file, as take.wav", name);
+  }
+  request->records = true;
+  outcome = output_plan(&request->record, name, arguments_has(arguments, "no-overwrite"));
+  return outcome == OUTCOME_OK ? check_container(name, request) : outcome;
+}
+
+/* The recording may replace nothing that is read. */
+static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
+  static const struct {
+    const char *option, *what;
+  } files[] = {{"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}};
+  const char *name;
+  size_t position = 0;
+  if (!request->records) return OUTCOME_OK;
+  if (preset_is_file(request->preset) && output_overwrites(&request->record, request->preset)) {
+    return refuse("the recording would overwrite the preset '%s'", request->preset);
+  }
+  for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+    name = arguments_value(arguments, files[i].option);
+    if (name && output_overwrites(&request->record, name)) {
+      return refuse("the recording would overwrite the %s '%s'", files[i].what, name);
+    }
+  }
+  while ((name = arguments_next(arguments, "events", &position)) != NULL) {
+    if (output_overwrites(&request->record, name)) {
+      return refuse("the recording would overwrite the events '%s'", name);
+    }
+  }
+  return OUTCOME_OK;
+}
+
+Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
+  static Outcome (*const steps[])(const Arguments *, PlayRequest *) = {
+    read_flags, read_numbers, read_keys,    read_drum,   read_model,
+    read_midi,  read_mics,    read_backend, read_record, protect_inputs,
+  };
+  memset(request, 0, sizeof *request);
+  request->record = OUTPUT_FILE_NONE;
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
+    outcome = steps[i](arguments, request);
+  }
+  return outcome;
+}
+
+void play_request_free(PlayRequest *request) {
+  output_discard(&request->record);
+  midi_song_free(&request->song);
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file play_request.h
+ * What `tabor play` is asked to do, checked before anything is opened.
+ */
+#ifndef TABOR_HOST_PLAY_REQUEST_H
+#define TABOR_HOST_PLAY_REQUEST_H
+
+#include "base/options.h"
+#include "files/audio_file.h"
+#include "midi/midi_song.h"
+#include "play/backend.h"
+#include "strokes/humanize.h"
+#include "ui/keymap.h"
+
+typedef struct PlayRequest {
+  const Arguments *arguments;
+  const char *preset;
+  TaborDrumDef def;
+  TaborModelOptions model; /**< the rate is the device's */
+  uint32_t channels;
+  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index into the definition's microphones */
+  double gain;                   /**< factor */
+  Humanizer humanizer;
+  MidiMap midi_map;
+  MidiSong song;   /**< of --midi-file */
+  Keymap keymap;   /**< what the keyboard does */
+  double duration; /**< [s], or 0 */
+  const Backend *backend;
+  BackendRequest device;
+  bool records;
+  OutputFile record; /**< planned, if records */
+  AudioFormat audio; /**< of the recording; its rate is the device's */
+  bool json, quiet, no_ui;
+} PlayRequest;
+
+extern const Option play_options[];
+
+/** Reads the command line, which must outlive the request. Free with play_request_free(), whatever the outcome. */
+Outcome play_request_read(const Arguments *arguments, PlayRequest *request);
+void play_request_free(PlayRequest *request);
+
+#endif

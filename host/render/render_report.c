@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/render_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/json_output.h"
+
+static double decibels(double factor) { return 20 * log10(factor); }
+
+static double seconds(const Session *session) {
+  return session->position / session->request->model.sample_rate;
+}
+
+static double real_time_factor(const Session *session) {
+  return session->computing / seconds(session);
+}
+
+static double newton_mean(const TaborStatistics *statistics) {
+  if (statistics->solves == 0) return 0;
+  return (double)statistics->newton_iterations / (double)statistics->solves;
+}
+
+/* The gain is rounded down to a tenth of a decibel, so that it does avoid the saturation. */
+static void warn_of_saturation(const Session *session) {
+  const RenderRequest *const request = session->request;
+  const double largest = audio_largest(request->audio.encoding);
+  if (session->peak <= largest) return;
+  const double gain = floor(10 * (request->gain_db - decibels(session->peak / largest))) / 10;
+  warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(session->peak), gain);
+}
+
+static const double RESIDUAL_HEARD =
+  1e-4; /* of the energy put in: less than a thousandth of a decibel */
+
+static void warn_of_drops(const SessionDrops *drops) {
+  if (drops->strokes > 0) {
+    warn("%llu strokes were dropped: more than %d strikers at once",
+         (unsigned long long)drops->strokes, TABOR_MAX_ACTIVE);
+  }
+  if (drops->others > 0) {
+    warn("%llu events were dropped: a press or a move met no such stick or brush in play, or a "
+         "hand found no room on the head",
+         (unsigned long long)drops->others);
+  }
+}
+
+static bool has_sounding_hoop(const TaborDrumDef *def) {
+  bool sounds = false;
+  for (uint32_t i = 0; i < TABOR_HOOP_MODES; i++) sounds |= def->hoop.frequency[i] > 0;
+  return sounds;
+}
+
+/* Drums that a song changes to may have other hoops. */
+static void warn_of_rims(const RenderRequest *request) {
+  unsigned long long rims = 0;
+  if (request->song.presets > 0 || has_sounding_hoop(&request->def)) return;
+  for (size_t i = 0; i < request->strokes.count; i++) {
+    const TaborEvent *const event = &request->strokes.events[i];
+    rims += event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_RIM;
+  }
+  if (rims == 0) return;
+  warn("%llu strokes on the rim are silent: the hoop of '%s' has no hoop.frequency_1 to _%d", rims,
+       request->def.name, TABOR_HOOP_MODES);
+}
+
+static void warn_of_resets(const TaborStatistics *statistics) {
+  if (statistics->recovered > 0) {
+    warn("the drum was reset %llu times because its state was not finite",
+         (unsigned long long)statistics->recovered);
+  }
+}
+
+/* Contacts too stiff for a quality's iterations lose energy that no term of the ledger stands for. */
+static void warn_of_residual(const TaborStatistics *statistics, const TaborLedger *ledger) {
+  const double given = ledger->injected + fabs(ledger->control);
+  if (!(fabs(ledger->residual) > RESIDUAL_HEARD * given)) return;
+  warn("%.2g %% of the energy is unaccounted for, %llu contacts being too stiff to be solved; a "
+       "better "
+       "--quality or softer contacts avoid it",
+       100.0 * ledger->residual / given, (unsigned long long)statistics->newton_capped);
+}
+
+static json_t *energy_json(const TaborLedger *ledger) {
+  const struct {
+    const char *name;
+    double value;
+  } terms[] = {
+    {"injected", ledger->injected},       {"control", ledger->control},
+    {"stored", ledger->stored},           {"head_loss", ledger->head_loss},
+    {"wire_loss", ledger->wire_loss},     {"contact_loss", ledger->contact_loss},
+    {"damper_loss", ledger->damper_loss}, {"shell_loss", ledger->shell_loss},
+    {"radiated", ledger->radiated},       {"removed", ledger->removed},
+    {"residual", ledger->residual},
+  };
+  json_t *const energy = json_object();
+  for (size_t i = 0; i < sizeof terms / sizeof terms[0]; i++) {
+    json_object_set_new(energy, terms[i].name, json_number(terms[i].value));
+  }
+  return energy;
+}
+
+/* The name of the file; with --split, which may make several, a list of them. */
+static json_t *outputs_json(const RenderRequest *request) {
+  if (!request->split) return json_text(request->outputs[0].name);
+  json_t *const list = json_array();
+  for (uint32_t i = 0; i < request->output_count; i++) {
+    json_array_append_new(list, json_text(request->outputs[i].name));
+  }
+  return list;
+}
+
+static json_t *report_json(const Session *session, const TaborStatistics *statistics,
+                           const TaborLedger *ledger) {
+  const RenderRequest *const request = session->request;
+  json_t *const newton =
+    json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
+              (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
+  return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset",
+                   json_text(request->preset), "rate", (json_int_t)request->audio.rate, "frames",
+                   (json_int_t)session->position, "channels", (json_int_t)request->channels, "peak",
+                   json_number(session->peak), "real_time_factor",
+                   json_number(real_time_factor(session)), "newton", newton, "energy",
+                   energy_json(ledger), "output", outputs_json(request), "trace",
+                   request->has_trace ? json_text(request->trace.name) : json_null());
+}
+
+static void note_summary(const Session *session) {
+  const RenderRequest *const request = session->request;
+  const OutputFile *const first = &request->outputs[0];
+  const OutputFile *const last = &request->outputs[request->output_count - 1];
+  char peak[32] = "silent";
+  if (session->peak > 0) {
+    (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(session->peak));
+  }
+  note("%s%s%s: %s, %.2f s, %u Hz, %u channel%s, %s",
+       strcmp(first->name, "-") == 0 ? "standard output" : first->name,
+       first == last ? "" : " ... ", first == last ? "" : last->name, request->preset,
+       seconds(session), (unsigned)request->audio.rate, (unsigned)request->channels,
+       request->channels == 1 ? "" : "s", peak);
+}
+
+static void warn_of_silence(const Session *session) {
+  const RenderRequest *const request = session->request;
+  if (request->normalize && session->peak == 0) {
+    warn("the sound is silent; --normalize has nothing to amplify");
+  }
+  if (session->peak > 0 && session->peak < audio_least(request->audio.encoding)) {
+    warn("the peak of %+.1f dBFS is below half a step of the format: the file is silent",
+         decibels(session->peak));
+  }
+}
+
+static void note_details(const Session *session, const TaborStatistics *statistics,
+                         const TaborLedger *ledger) {
+  TaborModelInfo info;
+  tabor_model_info(tabor_drum_model(session->drum), &info);
+  note("%u modes up to %.0f Hz, %u wire%s with %u contact points", (unsigned)info.mode_count,
+       info.two_way_bandwidth, (unsigned)info.wire_count, info.wire_count == 1 ? "" : "s",
+       (unsigned)info.contact_points);
+  note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
+       real_time_factor(session), newton_mean(statistics), (unsigned)statistics->newton_max,
+       (unsigned long long)statistics->newton_capped);
+  note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, "
+       "radiated %.3g, removed %.3g, residual %.2g",
+       ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
+       ledger->radiated, ledger->removed, ledger->residual);
+  if (session->request->normalize) note("normalized by %+.2f dB", session->request->gain_db);
+}
+
+Outcome render_report(const Session *session, json_t **report) {
+  TaborStatistics statistics;
+  TaborLedger ledger;
+  tally_statistics(&session->tally, session->drum, &statistics);
+  tally_ledger(&session->tally, session->drum, &ledger);
+  warn_of_saturation(session);
+  warn_of_silence(session);
+  warn_of_drops(&session->drops);
+  warn_of_rims(session->request);
+  warn_of_resets(&statistics);
+  warn_of_residual(&statistics, &ledger);
+  if (session->request->verbose) note_details(session, &statistics, &ledger);
+  if (session->request->json) {
+    *report = report_json(session, &statistics, &ledger);
+    return *report ? OUTCOME_OK : fail_memory();
+  }
+  if (!session->request->quiet) note_summary(session);
+  return OUTCOME_OK;
+}

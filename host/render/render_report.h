@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file render_report.h
+ * What there is to say about a finished rendering.
+ */
+#ifndef TABOR_HOST_RENDER_REPORT_H
+#define TABOR_HOST_RENDER_REPORT_H
+
+#include <jansson.h>
+
+#include "render/session.h"
+
+/** Warnings, then the facts: with --json to *report, otherwise as a line or more on standard error. */
+Outcome render_report(const Session *session, json_t **report);
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/* What threads other than the audio thread do with a player. */
+#include <sched.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/stopwatch.h"
+#include "sound/player.h"
+#include "sound/player_state.h"
+
+#define SOURCE_ROOM 4096    /* messages */
+#define RECORD_SECONDS 10.0 /* that the disk may keep a recording waiting */
+#define PRIORITY 60         /* of SCHED_FIFO: below what the system's own sound has */
+
+static size_t record_size(const Player *player) {
+  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->channels * sizeof(double);
+}
+
+static bool create_recording(Player *player) {
+  if (!player->records) return true;
+  const double blocks = RECORD_SECONDS * player->rate / PLAYER_RECORD;
+  player->record = calloc(1, record_size(player));
+  return player->record && ring_create(&player->recording, record_size(player), (size_t)blocks);
+}
+
+static bool create_rings(Player *player) {
+  bool created = create_recording(player) &&
+                 ring_create(&player->gone, sizeof(TaborDrum *), SOURCE_ROOM + LEAVING_MOST + 1);
+  for (int i = 0; i < SOURCE_COUNT; i++) {
+    created = created && ring_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
+  }
+  return created;
+}
+
+static void set_end(Player *player, const PlayerSetup *setup) {
+  player->ends = setup->dies_away && setup->frames == 0;
+  player->end = setup->frames > 0 ? setup->frames : UINT64_MAX;
+  if (!player->ends) return;
+  player->ring_out = ring_out_begin(0, setup->last_event, setup->rate);
+  player->end = player->ring_out.most;
+}
+
+Outcome player_create(const PlayerSetup *setup, Player **created) {
+  Player *const player =
+    aligned_alloc(RING_LINE, (sizeof *player + RING_LINE - 1) / RING_LINE * RING_LINE);
+  *created = player;
+  if (!player) return fail_memory();
+  memset(player, 0, sizeof *player);
+  player->drum = setup->drum;
+  player->rate = setup->rate;
+  player->channels = setup->channels;
+  player->width = setup->width;
+  player->records = setup->records;
+  memcpy(player->mics, setup->mics, sizeof player->mics);
+  player->gain = fader_at(setup->gain, setup->rate);
+  player->expression = fader_at(1, setup->rate);
+  player->silencer = silencer_begin(setup->rate);
+  leaving_begin(&player->leaving, setup->rate);
+  set_end(player, setup);
+  frame_clock_start(&player->clock, setup->rate, setup->buffer);
+  player->striker_count = tabor_model_definition(tabor_drum_model(setup->drum))->striker_count;
+  player_listen(player);
+  return create_rings(player) ? OUTCOME_OK : fail_memory();
+}
+
+void player_destroy(Player *player) {
+  if (!player) return;
+  for (int i = 0; i < SOURCE_COUNT; i++) ring_destroy(&player->sources[i]);
+  ring_destroy(&player->recording);
+  ring_destroy(&player->gone);
+  free(player->record);
+  free(player);
+}
+
+uint64_t player_most_frames(const Player *player) { return player->end; }
+
+/* ---- sources -------------------------------------------------------------------------------- */
+
+bool player_send(Player *player, PlayerSource source, const PlayerMessage *message) {
+  return ring_push(&player->sources[source], message);
+}
+
+size_t player_waiting(const Player *player, PlayerSource source) {
+  return ring_count(&player->sources[source]);
+}
+
+uint64_t player_frame_at(const Player *player, double time) {
+  return frame_clock_frame(&player->clock, time);
+}
+
+TaborDrum *player_gone(Player *player) {
+  TaborDrum *const *const gone = ring_peek(&player->gone);
+  TaborDrum *const drum = gone ? *gone : NULL;
+  if (gone) ring_pop(&player->gone);
+  return drum;
+}
+
+/* ---- the recording -------------------------------------------------------------------------- */
+
+const PlayerRecord *player_record(const Player *player) { return ring_peek(&player->recording); }
+
+void player_record_next(Player *player) { ring_pop(&player->recording); }
+
+bool player_record_has_room(const Player *player, uint32_t frames) {
+  const size_t blocks = frames / PLAYER_RECORD + 2;
+  return !player->records || player->recording.capacity - ring_count(&player->recording) >= blocks;
+}
+
+/* ---- the user ------------------------------------------------------------------------------- */
+
+static double get(const _Atomic double *meter) {
+  return atomic_load_explicit(meter, memory_order_relaxed);
+}
+
+static unsigned long long number(const atomic_ullong *meter) {
+  return atomic_load_explicit(meter, memory_order_relaxed);
+}
+
+/* The load that half of @p total blocks stay below, in the middle of its bin. */
+static double median_load(const uint32_t *bins) {
+  uint64_t total = 0, sum = 0;
+  uint32_t bin = 0;
+  for (uint32_t i = 0; i < LOAD_BINS; i++) total += bins[i];
+  if (total == 0) return 0;
+  while (2 * (sum += bins[bin]) < total) bin++;
+  return (bin + 0.5) / 100;
+}
+
+static void status_load(Player *player, PlayStatus *status) {
+  uint32_t recent[LOAD_BINS];
+  for (uint32_t i = 0; i < LOAD_BINS; i++) {
+    const uint32_t seen = atomic_load_explicit(&player->meters.load[i], memory_order_relaxed);
+    recent[i] = seen - player->load_seen[i];
+    player->load_seen[i] = seen;
+  }
+  status->load_median = median_load(recent);
+  status->load_worst =
+    atomic_exchange_explicit(&player->meters.load_worst_recent, 0, memory_order_relaxed);
+}
+
+void player_load(const Player *player, double *median, double *worst) {
+  uint32_t all[LOAD_BINS];
+  for (uint32_t i = 0; i < LOAD_BINS; i++) {
+    all[i] = atomic_load_explicit(&player->meters.load[i], memory_order_relaxed);
+  }
+  *median = median_load(all);
+  *worst = get(&player->meters.load_worst);
+}
+
+static void status_last_event(Player *player, PlayStatus *status) {
+  PlayerMeters *const meters = &player->meters;
+  status->last_event = (TaborEvent){
+    .type = atomic_load_explicit(&meters->last_type, memory_order_relaxed),
+    .velocity = get(&meters->last_velocity),
+    .radius = get(&meters->last_radius),
+    .angle = get(&meters->last_angle),
+    .value = get(&meters->last_value),
+  };
+  status->last_time = (double)number(&meters->last_frame) / player->rate;
+}
+
+static uint64_t dropped_messages(const Player *player) {
+  uint64_t sum = 0;
+  for (int i = 0; i < SOURCE_COUNT; i++) sum += ring_dropped(&player->sources[i]);
+  return sum;
+}
+
+static void status_drum(Player *player, PlayStatus *status) {
+  PlayerMeters *const meters = &player->meters;
+  const unsigned long long solves = number(&meters->solves);
+  status->sleeping = atomic_load_explicit(&meters->sleeping, memory_order_relaxed);
+  status->strikers = atomic_load_explicit(&meters->strikers, memory_order_relaxed);
+  status->newton_mean = solves > 0 ? (double)number(&meters->iterations) / (double)solves : 0;
+  status->newton_max = atomic_load_explicit(&meters->newton_max, memory_order_relaxed);
+  status->newton_capped = number(&meters->capped);
+  status->recovered = number(&meters->recovered);
+  status->strokes = number(&meters->strokes);
+  status->late = number(&meters->late);
+  status->dropped = number(&meters->dropped) + dropped_messages(player);
+}
+
+void player_status(Player *player, PlayStatus *status) {
+  PlayerMeters *const meters = &player->meters;
+  status->rate = player->rate;
+  status->time = (double)player_position(player) / player->rate;
+  status->channels = player->channels;
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
+    status->peak[i] = atomic_exchange_explicit(&meters->peak[i], 0, memory_order_relaxed);
+  }
+  status->loudest = get(&meters->loudest);
+  status->gain = get(&meters->gain);
+  status->clipped = number(&meters->clipped);
+  status->xruns = number(&meters->xruns);
+  status->recording = player->records;
+  status->lost_frames = number(&meters->lost_frames);
+  status_load(player, status);
+  status_drum(player, status);
+  status_last_event(player, status);
+}
+
+uint32_t player_buffer(const Player *player) {
+  return atomic_load_explicit(&player->clock.delay, memory_order_relaxed);
+}
+
+bool player_is_over(const Player *player) {
+  return atomic_load_explicit(&player->over, memory_order_acquire);
+}
+
+uint64_t player_position(const Player *player) {
+  return atomic_load_explicit(&player->played, memory_order_relaxed);
+}
+
+bool player_halt(Player *player, double seconds) {
+  const struct timespec moment = {.tv_nsec = 1000000};
+  const double start = stopwatch_seconds(CLOCK_MONOTONIC);
+  atomic_store(&player->halted, true);
+  while (atomic_load(&player->busy)) {
+    if (stopwatch_seconds(CLOCK_MONOTONIC) - start > seconds) return false;
+    (void)nanosleep(&moment, NULL);
+  }
+  if (player->records) player_hand_over(player);
+  return true;
+}
+
+bool player_raise_priority(Player *player) {
+  int policy;
+  struct sched_param parameter;
+  if (!atomic_load_explicit(&player->has_thread, memory_order_acquire)) return false;
+  if (pthread_getschedparam(player->thread, &policy, &parameter) != 0) return false;
+  if (policy == SCHED_FIFO || policy == SCHED_RR) return true; /* the device's own */
+  parameter.sched_priority = PRIORITY;
+  return pthread_setschedparam(player->thread, SCHED_FIFO, &parameter) == 0;
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#include "sound/ring_out.h"
+
+#include <math.h>
+
+#define LEAST_TIME 0.5   /* [s] after the last stroke */
+#define ENERGY_FALL 1e-9 /* 90 dB */
+
+RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate) {
+  if (frames > 0) { /* what comes later does not */
+    if (last_event >= frames) last_event = frames - 1;
+    return (RingOut){.last_event = last_event, .least = frames, .most = frames};
+  }
+  return (RingOut){.last_event = last_event,
+                   .least = last_event + (uint32_t)ceil(LEAST_TIME * rate),
+                   .most = last_event + (uint32_t)ceil(RING_OUT_MOST_TIME * rate)};
+}
+
+bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum) {
+  if (position <= ring_out->last_event) return false;
+  TaborLedger ledger;
+  tabor_drum_ledger(drum, &ledger);
+  if (ledger.stored > ring_out->loudest) ring_out->loudest = ledger.stored;
+  if (position < ring_out->least) return false;
+  const bool silent =
+    tabor_drum_is_silent(drum) || ledger.stored <= ENERGY_FALL * ring_out->loudest;
+  ring_out->sounding = !silent && position >= ring_out->most;
+  return silent || position >= ring_out->most;
+}

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: MIT */
+#include "strokes/stroke.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "base/suggest.h"
+#include "drums/drum_source.h"
+
+#define LONGEST_VALUE 128
+#define LONGEST_LABEL 320
+
+/* What a field is called in messages, as "--strike time". */
+typedef struct Label {
+  char text[LONGEST_LABEL];
+} Label;
+
+struct StrokeField {
+  const char *name;
+  Outcome (*read)(Stroke *stroke, const Label *label, const char *value);
+  unsigned sets; /* no two fields of a stroke may set the same */
+};
+
+static Outcome read_time(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, 3600, false};
+  return number_read(&field, value, &stroke->time);
+}
+
+/* The limits of a field that [strike] has, too. */
+static NumberField preset_field(const Label *label, const char *key) {
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  return (NumberField){label->text, parameter->minimum, parameter->maximum, false};
+}
+
+static Outcome read_velocity(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = preset_field(label, "strike.velocity");
+  return number_read(&field, value, &stroke->event.velocity);
+}
+
+/* The speed of a MIDI note. */
+static Outcome read_midi(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 1, 127, true};
+  double velocity = 0;
+  const Outcome outcome = number_read(&field, value, &velocity);
+  stroke->event.velocity = midi_speed(stroke->response, velocity);
+  return outcome;
+}
+
+static Outcome read_percent(Stroke *stroke, const Label *label, const char *value) {
+  char number[LONGEST_VALUE], text[LONGEST_LABEL + 16];
+  const size_t length = strlen(value) - 1;
+  memcpy(number, value, length);
+  number[length] = '\0';
+  (void)snprintf(text, sizeof text, "%s in per cent", label->text);
+  const NumberField field = {text, 0, 100, false};
+  double percent = 0;
+  const Outcome outcome = number_read(&field, number, &percent);
+  stroke->event.radius = stroke->def->shell.radius * percent / 100;
+  return outcome;
+}
+
+/* Metres, or per cent of the head's radius. */
+static Outcome read_radius(Stroke *stroke, const Label *label, const char *value) {
+  const size_t length = strlen(value);
+  if (length > 0 && value[length - 1] == '%') return read_percent(stroke, label, value);
+  const NumberField field = {label->text, 0, stroke->def->shell.radius, false};
+  return number_read(&field, value, &stroke->event.radius);
+}
+
+static Outcome read_angle(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = preset_field(label, "strike.angle");
+  return number_read(&field, value, &stroke->event.angle);
+}
+
+static Outcome read_striker(Stroke *stroke, const Label *label, const char *value) {
+  const int index = tabor_drum_def_find_striker(stroke->def, value);
+  char hint[512];
+  suggest_choice(hint, sizeof hint, value, "", drum_striker_name, stroke->def);
+  if (index < 0) {
+    return refuse("%s '%s': the drum has no such striker%s", label->text, value, hint);
+  }
+  stroke->event.striker = (uint32_t)index;
+  return OUTCOME_OK;
+}
+
+static const char *technique_at(const void *list, size_t index) {
+  (void)list;
+  static const char *const names[] = {"normal", "rimshot", "cross-stick", "rim",
+                                      "buzz",   "sweep",   NULL};
+  return names[index];
+}
+
+/* What they are, in this order. */
+static const TaborTechnique techniques[] = {TABOR_TECHNIQUE_NORMAL,      TABOR_TECHNIQUE_RIMSHOT,
+                                            TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_RIM,
+                                            TABOR_TECHNIQUE_BUZZ,        TABOR_TECHNIQUE_SWEEP};
+
+static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
+  for (size_t i = 0; technique_at(NULL, i); i++) {
+    if (strcmp(value, technique_at(NULL, i)) != 0) continue;
+    stroke->event.technique = (uint32_t)techniques[i];
+    return OUTCOME_OK;
+  }
+  char hint[160];
+  suggest_choice(hint, sizeof hint, value, "", technique_at, NULL);
+  return refuse("%s '%s': unknown%s", label->text, value, hint);
+}
+
+static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, 1, false};
+  return number_read(&field, value, &stroke->event.value);
+}
+
+static Outcome read_hold(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0.001, 60, false};
+  return number_read(&field, value, &stroke->hold);
+}
+
+static Outcome read_id(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, STROKE_MOST_ID, true};
+  double id = 0;
+  const Outcome outcome = number_read(&field, value, &id);
+  stroke->event.id = (uint32_t)id;
+  return outcome;
+}
+
+static const char *event_at(const void *list, size_t index) {
+  (void)list;
+  static const char *const names[] = {"strike", "press", "release", "move", NULL};
+  return names[index];
+}
+
+static Outcome read_event(Stroke *stroke, const Label *label, const char *value) {
+  static const TaborEventType types[] = {TABOR_EVENT_STRIKE, TABOR_EVENT_PRESS, TABOR_EVENT_RELEASE,
+                                         TABOR_EVENT_MOVE};
+  for (size_t i = 0; event_at(NULL, i); i++) {
+    if (strcmp(value, event_at(NULL, i)) != 0) continue;
+    stroke->event.type = types[i];
+    return OUTCOME_OK;
+  }
+  char hint[160];
+  suggest_choice(hint, sizeof hint, value, "", event_at, NULL);
+  return refuse("%s '%s': unknown%s", label->text, value, hint);
+}
+
+#define SETS_VELOCITY 2u
+#define SETS_HOLD 128u
+
+static const StrokeField fields[STROKE_FIELDS] = {
+  {"time", read_time, 1},
+  {"velocity", read_velocity, SETS_VELOCITY},
+  {"midi", read_midi, SETS_VELOCITY},
+  {"radius", read_radius, 4},
+  {"angle", read_angle, 8},
+  {"striker", read_striker, 16},
+  {"technique", read_technique, 32},
+  {"pressure", read_pressure, 64},
+  {"hold", read_hold, SETS_HOLD},
+  {"id", read_id, 256},
+  {"event", read_event, 512},
+};
+
+static const char *field_name_at(const void *list, size_t index) {
+  (void)list;
+  return index < STROKE_FIELDS ? fields[index].name : NULL;
+}
+
+const StrokeField *stroke_field(const char *name, size_t length) {
+  for (size_t i = 0; i < STROKE_FIELDS; i++) {
+    if (strlen(fields[i].name) == length && memcmp(fields[i].name, name, length) == 0) {
+      return &fields[i];
+    }
+  }
+  return NULL;
+}
+
+const char *stroke_field_name(const StrokeField *field) { return field->name; }
+
+Outcome stroke_unknown_field(const char *where, const char *kind, const char *name, size_t length) {
+  char word[32] = "", hint[160];
+  if (length < sizeof word) {
+    memcpy(word, name, length);
+    word[length] = '\0';
+  }
+  suggest_choice(hint, sizeof hint, word, "", field_name_at, NULL);
+  return refuse("%s unknown %s '%.*s'%s", where, kind, (int)(length < 80 ? length : 80), name,
+                hint);
+}
+
+Stroke stroke_default(const TaborDrumDef *def, const char *where) {
+  const int striker = tabor_drum_def_find_striker(def, def->strike.striker);
+  return (Stroke){.def = def,
+                  .where = where,
+                  .hold = STROKE_HOLD,
+                  .response = midi_response_default,
+                  .event = {.type = TABOR_EVENT_STRIKE,
+                            .striker = striker > 0 ? (uint32_t)striker : 0,
+                            .velocity = def->strike.velocity,
+                            .radius = def->strike.radius,
+                            .angle = def->strike.angle,
+                            .technique = def->strike.technique}};
+}
+
+bool stroke_says_hold(const Stroke *stroke) { return stroke->set & SETS_HOLD; }
+
+/* How fast a brush is drawn is limited as its preset's speed is, below the speed of strokes. */
+static Outcome limit_sweep(const Stroke *stroke, const TaborEvent *event) {
+  const TaborParameter *const speed = tabor_parameter_find("striker.brush.sweep_speed");
+  if (event->velocity >= speed->minimum && event->velocity <= speed->maximum) return OUTCOME_OK;
+  return refuse("%s velocity '%.10g': out of range for a sweep; allowed: %.10g to %.10g",
+                stroke->where, event->velocity, speed->minimum, speed->maximum);
+}
+
+Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
+  const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
+  if (event->type == TABOR_EVENT_MOVE) event->value = 0; /* seconds: from row to row */
+  const bool sweep = event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_SWEEP;
+  if (!sweep) return OUTCOME_OK;
+  if (striker->kind != TABOR_STRIKER_BRUSH) {
+    return refuse("%s technique 'sweep': striker '%s' is no brush", stroke->where, striker->name);
+  }
+  if (!(stroke->set & SETS_VELOCITY)) event->velocity = striker->sweep_speed;
+  return limit_sweep(stroke, event);
+}
+
+Outcome stroke_set(Stroke *stroke, const StrokeField *field, const char *value, size_t length) {
+  Label label;
+  (void)snprintf(label.text, sizeof label.text, "%s %s", stroke->where, field->name);
+  if (stroke->set & field->sets) {
+    return refuse("%s: given twice%s", label.text,
+                  field->sets == SETS_VELOCITY ? " (midi is a velocity, too)" : "");
+  }
+  stroke->set |= field->sets;
+  char text[LONGEST_VALUE];
+  if (length >= sizeof text) return refuse("%s: the value is too long", label.text);
+  memcpy(text, value, length);
+  text[length] = '\0';
+  return field->read(stroke, &label, text);
+}

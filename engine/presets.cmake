@@ -22,19 +22,12 @@ list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VAR
 list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")
 set(TABOR_PRESET_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/preset_table.c")
 
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(INIH REQUIRED IMPORTED_TARGET inih)
-
-add_executable(embed-presets "${PROJECT_SOURCE_DIR}/host/drums/embed_presets.c"
-                             "${PROJECT_SOURCE_DIR}/host/drums/preset_file.c")
-tabor_target_defaults(embed-presets)
-target_include_directories(embed-presets PRIVATE "${PROJECT_SOURCE_DIR}/host")
-target_link_libraries(embed-presets PRIVATE PkgConfig::INIH)
-
+set(TABOR_EMBED_PRESETS "${CMAKE_CURRENT_SOURCE_DIR}/embed-presets.cmake")
 add_custom_command(
   OUTPUT "${TABOR_PRESET_SOURCE}"
-  COMMAND embed-presets "${TABOR_PRESET_SOURCE}" ${TABOR_PRESET_FILES}
-  DEPENDS embed-presets ${TABOR_PRESET_FILES}
+  COMMAND "${CMAKE_COMMAND}" -D "OUTPUT=${TABOR_PRESET_SOURCE}" -D "PRESETS=${TABOR_PRESET_FILES}" -P
+          "${TABOR_EMBED_PRESETS}"
+  DEPENDS "${TABOR_EMBED_PRESETS}" ${TABOR_PRESET_FILES}
   COMMENT "Embedding the presets"
   VERBATIM)
 

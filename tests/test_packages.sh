@@ -54,7 +54,7 @@ same="libtabor$soname \(= $version-[0-9]+\)"
 depends "libtabor$soname" 'libc6 .*'
 depends libtabor-dev "$same"
 depends tabor "$same" 'libc6 .*' 'libsndfile1 .*' 'libjansson4 .*'
-field "libtabor$soname" Depends | grep -qE 'lapack|blas' && complain "the library needs a shared LAPACK"
+field "libtabor$soname" Depends | grep -q , && complain "the library needs $(field "libtabor$soname" Depends)"
 for name in "${names[@]}"; do
   [ "$(field "$name" Version)" = "$version-1" ] || complain "$name is of version $(field "$name" Version)"
   has "$name" "/usr/share/doc/$name/copyright"

@@ -16,6 +16,8 @@
 
 #include <cmocka.h>
 
+#include "preset.h"
+
 static char folder[1000];
 static char path[1100];
 
@@ -420,6 +422,42 @@ static void test_random(void **state) {
   assert_true(accepted > 20);
 }
 
+/* A preset of the engine's table, pair by pair. */
+typedef struct TableReader {
+  const TbPreset *preset;
+  uint32_t next;
+} TableReader;
+
+static bool compare_pair(void *context, const char *section, const char *key, const char *value,
+                         unsigned line, char *message, size_t size) {
+  TableReader *const table = context;
+  char full[128];
+  (void)line, (void)message, (void)size;
+  assert_true(table->next < table->preset->pair_count);
+  const TbPresetPair *const pair = &table->preset->pairs[table->next++];
+  snprintf(full, sizeof full, "%s%s%s", section, key ? "." : "", key ? key : "");
+  assert_string_equal(pair->key, full);
+  if (value) {
+    assert_string_equal(pair->value, value);
+  } else {
+    assert_null(pair->value);
+  }
+  return true;
+}
+
+/* The table is written by CMake, which has a reader of its own. */
+static void test_built_in(void **state) {
+  (void)state;
+  for (uint32_t i = 0; i < tb_preset_count; i++) {
+    TableReader table = {.preset = &tb_presets[i]};
+    char name[1000], message[2000];
+    snprintf(name, sizeof name, "%s/../presets/%s", TABOR_TEST_DATA, tb_presets[i].info.file);
+    if (preset_file_read(name, compare_pair, &table, message, sizeof message) != PRESET_FILE_OK)
+      fail_msg("%s", message);
+    assert_int_equal(table.next, tb_presets[i].pair_count);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_good),       cmocka_unit_test(test_last_line),
@@ -429,6 +467,7 @@ int main(void) {
     cmocka_unit_test(test_dense),      cmocka_unit_test(test_refused_pair),
     cmocka_unit_test(test_unreadable), cmocka_unit_test(test_message_room),
     cmocka_unit_test(test_random),     cmocka_unit_test(test_sections),
+    cmocka_unit_test(test_built_in),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file preset.h
- * The built-in presets: the files of presets/ as a table that embed-presets writes when the library
- * is built (engine/presets.cmake).
+ * The built-in presets: the files of presets/ as a table that engine/embed-presets.cmake writes when
+ * the library is built.
  */
 #ifndef TABOR_SRC_PRESET_H
 #define TABOR_SRC_PRESET_H

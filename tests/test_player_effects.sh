@@ -40,7 +40,7 @@ effects() {
 }
 plugins=
 if pkg-config --exists lv2; then
-  plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_sound lv2/workshop"
+  plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_input lv2/voice_sound lv2/workshop"
 else
   skip_part "the plugins: needs lv2-dev"
 fi

@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "preset.h"
+#include "definition/preset.h"
 
 static char folder[1000];
 static char path[1100];

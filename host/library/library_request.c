@@ -9,6 +9,7 @@
 #include "drums/drum_source.h"
 #include "midi/midi_options.h"
 #include "render/render_batch.h"
+#include "render/render_options.h"
 #include "strokes/humanize_options.h"
 
 #define MOST_SAMPLER_CHANNELS 2

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What voice.c, voice_change.c and voice_sound.c have in common. */
+/* What the files of a voice have in common. Calls go one way: voice.c and voice_sound.c call voice_change.c, and
+   all three call voice_input.c. */
 #ifndef TABOR_LV2_VOICE_INSIDE_H
 #define TABOR_LV2_VOICE_INSIDE_H
 
@@ -17,6 +18,8 @@ void voice_note_events(Voice *voice, uint32_t count) REALTIME;
 void voice_let_act(Voice *voice, uint32_t count) REALTIME;
 /* Where strokes fall, until controllers say. */
 void voice_place_strokes(Voice *voice) REALTIME;
+/* Wishes for a preset's drum. */
+void voice_choose_preset(Voice *voice, uint32_t preset) REALTIME;
 /* Does what MIDI wants beside strokes, until a silence, or with @p waits a change, that the rest has to wait for. */
 void voice_act_due(Voice *voice, bool waits) REALTIME;
 /* Gives the drum its live values, if they are not its model's; after another model has come. */

@@ -12,6 +12,7 @@
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "drums/drum_source.h"
+#include "strokes/stroke_options.h"
 
 #define LOOK_AHEAD 1.0 /* [s] by which a score is known to the player */
 #define HALT_TIME 0.3  /* [s] that the audio thread may take to come back */

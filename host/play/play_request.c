@@ -9,7 +9,7 @@
 #include "midi/midi_input.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"
-#include "strokes/strokes.h"
+#include "strokes/stroke_options.h"
 
 #define DEFAULT_BUFFER 128
 #define DEFAULT_ENCODING "pcm24"

@@ -7,6 +7,7 @@
 #include "base/json_output.h"
 #include "drums/drum_source.h"
 #include "render/render_jobs.h"
+#include "render/render_options.h"
 
 /* The file that -o names. */
 static Outcome render_single(RenderBatch *batch) {

@@ -10,6 +10,7 @@
 
 #include "base/folder.h"
 #include "drums/drum_source.h"
+#include "render/render_options.h"
 #include "render/render_outputs.h"
 
 #define EXTENSION ".wav"

@@ -134,12 +134,3 @@ Outcome render_outputs_plan(const Arguments *arguments, RenderRequest *request) 
   if (outcome == OUTCOME_OK) outcome = render_outputs_protect(arguments, request);
   return outcome;
 }
-
-void render_outputs_free(RenderRequest *request) {
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
-    output_discard(&request->outputs[i]);
-    free(request->names[i]);
-    request->names[i] = NULL;
-  }
-  output_discard(&request->trace);
-}

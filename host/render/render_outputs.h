@@ -14,6 +14,5 @@
 Outcome render_outputs_plan(const Arguments *arguments, RenderRequest *request);
 /** Refuses @p request if an output of it would replace the preset or events that @p arguments name. */
 Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *request);
-void render_outputs_free(RenderRequest *request);
 
 #endif

@@ -1,30 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file render_request.h
- * What `tabor render` is asked to do, checked in full before anything is computed or touched.
+ * What `tabor render` is asked to do; render_options.h reads it.
  */
 #ifndef TABOR_HOST_RENDER_REQUEST_H
 #define TABOR_HOST_RENDER_REQUEST_H
 
-#include "base/options.h"
 #include "files/audio_file.h"
 #include "midi/midi_song.h"
 #include "strokes/strokes.h"
 
 #define MOST_CHANNELS 64
-#define DEFAULT_ENCODING "pcm24"
-
-/** Rows of the option tables for what render_request_read() reads. */
-#define OPTION_FORMAT                                                                              \
-  { "format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")" }
-#define OPTION_DURATION                                                                            \
-  { "duration", 0, "SECONDS", "length, 0.01 to 3600 (default: until the drum has died away)" }
-#define OPTION_MIC                                                                                 \
-  { "mic", 0, "NAME", "microphone, a channel each (repeatable; default: the preset's first)" }
-#define OPTION_GAIN                                                                                \
-  { "gain", 0, "DB", "amplification, -120 to 120 (default 0)" }
-#define OPTION_JOBS                                                                                \
-  { "jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)" }
 
 typedef struct RenderRequest {
   const char *preset;
@@ -48,14 +34,12 @@ typedef struct RenderRequest {
   bool has_trace;
 } RenderRequest;
 
-extern const Option render_options[];
-
-/** What a request is before it is read: safe to free. */
+/** What a request is before it is read: safe to free with render_request_free(). */
 void render_request_clear(RenderRequest *request);
-/** Reads the command line. Free with render_request_free(), whatever the outcome. */
-Outcome render_request_read(const Arguments *arguments, RenderRequest *request);
 void render_request_free(RenderRequest *request);
 /** Frame of the last thing that happens. */
 uint32_t render_request_last_frame(const RenderRequest *request);
+/** The same, but for releases. */
+uint32_t render_request_last_stroke(const RenderRequest *request);
 
 #endif

@@ -1,20 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file strokes.h
- * The strokes of a rendering, from --strike options and events files.
+ * Strokes, and other events of a drum, in order of time.
  */
 #ifndef TABOR_HOST_STROKES_H
 #define TABOR_HOST_STROKES_H
 
-#include "base/options.h"
 #include "strokes/stroke.h"
 
 #define MOST_STROKES 100000
-
-#define OPTION_STRIKE                                                                              \
-  { "strike", 0, "FIELDS", "a stroke (repeatable); see below (default: the preset's)" }
-#define OPTION_EVENTS                                                                              \
-  { "events", 0, "FILE", "strokes from a CSV file (repeatable), '-' for standard input; see below" }
 
 /**
  * Events in order of time; event.frame counts from the beginning of the sound. A buzz or a sweep is
@@ -27,15 +21,10 @@ typedef struct Strokes {
   MidiResponse response; /**< of velocities given as midi */
 } Strokes;
 
-/**
- * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, and
- * without --midi-file, the preset's own stroke at time 0. Velocities that are given as MIDI's become speeds
- * as --velocity-curve and --velocity-range say. Free with strokes_free(), whatever the outcome.
- */
-Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
-                     Strokes *strokes);
-/** Adds one behind the others, whatever its time. */
+/** Adds one behind the others, whatever its time. Who has added the last calls strokes_sort(). */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
+/** Puts all into order of time, and ends buzzes and sweeps where they end. Once, after the last strokes_add(). */
+void strokes_sort(Strokes *strokes);
 /** Makes @p stroke the only one. */
 Outcome strokes_replace(Strokes *strokes, const Stroke *stroke);
 /** Adds @p count events that are in order of time; of one frame they come behind those that are there. */

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/render_options.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "base/suggest.h"
+#include "drums/drum_source.h"
+#include "midi/midi_options.h"
+#include "render/render_outputs.h"
+#include "strokes/humanize_options.h"
+#include "strokes/stroke_options.h"
+
+const Option render_options[] = {
+  {"output", 'o', "FILE",
+   "sound file: .wav, .flac or .au; '-' streams AU (default " DEFAULT_OUTPUT "); or FOLDER/"},
+  {"no-overwrite", 'n', NULL, "fail if the output exists"},
+  OPTION_FORMAT,
+  OPTION_RATE,
+  OPTION_QUALITY,
+  OPTION_DURATION,
+  OPTION_STRIKE,
+  OPTION_EVENTS,
+  OPTION_MIDI_FILE,
+  OPTION_MIDI_MAP,
+  OPTION_MIDI_CHANNEL,
+  OPTION_VELOCITY_CURVE,
+  OPTION_VELOCITY_RANGE,
+  OPTION_HUMANIZE("0"),
+  OPTION_SEED,
+  OPTION_SET,
+  {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
+  OPTION_JOBS,
+  OPTION_MIC,
+  {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
+  OPTION_GAIN,
+  {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
+  {"trace", 0, "FILE", "also write displacements, forces and energy, a row a sample, as CSV"},
+  {"verbose", 'v', NULL, "print more about what was done"},
+  {0},
+};
+
+static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
+  static const NumberField field = {"--gain", -120, 120, false};
+  const Outcome outcome = arguments_number(arguments, &field, &request->gain_db);
+  request->gain = pow(10, request->gain_db / 20);
+  request->normalize = arguments_has(arguments, "normalize");
+  if (outcome == OUTCOME_OK && request->normalize && arguments_has(arguments, "gain")) {
+    return refuse("--gain and --normalize: both would set the level");
+  }
+  return outcome;
+}
+
+/* A stick may be lifted after the end. */
+static Outcome read_duration(const Arguments *arguments, RenderRequest *request) {
+  static const NumberField field = {"--duration", 0.01, 3600, false};
+  const char *const text = arguments_value(arguments, "duration");
+  if (!text) return OUTCOME_OK;
+  double duration = 0;
+  const Outcome outcome = number_read(&field, text, &duration);
+  if (outcome != OUTCOME_OK) return outcome;
+  request->frames = (uint32_t)llround(duration * request->model.sample_rate);
+  const uint32_t last = render_request_last_stroke(request);
+  if (last < request->frames) return OUTCOME_OK;
+  return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s", text,
+                last / request->model.sample_rate);
+}
+
+static bool has_mic(const RenderRequest *request, uint32_t mic) {
+  for (uint32_t i = 0; i < request->channels; i++) {
+    if (request->mics[i] == mic) return true;
+  }
+  return false;
+}
+
+static Outcome add_mic(RenderRequest *request, const char *name) {
+  const int mic = tabor_drum_def_find_mic(&request->def, name);
+  char hint[512];
+  suggest_choice(hint, sizeof hint, name, "", drum_mic_name, &request->def);
+  if (mic < 0) return refuse("--mic '%.80s': the drum has no such microphone%s", name, hint);
+  if (request->split && has_mic(request, (uint32_t)mic)) {
+    return refuse("--mic '%.80s': given twice, but --split makes one file of it", name);
+  }
+  if (request->channels == MOST_CHANNELS) {
+    return refuse("--mic: too many; allowed: up to %d", MOST_CHANNELS);
+  }
+  request->mics[request->channels++] = (uint32_t)mic;
+  return OUTCOME_OK;
+}
+
+/* The first, or with --split all of them. */
+static Outcome take_default_mics(RenderRequest *request) {
+  const uint32_t count = request->def.mic_count;
+  if (count == 0) return refuse("the drum has no microphone");
+  request->channels = request->split ? count : 1;
+  for (uint32_t mic = 0; mic < request->channels; mic++) request->mics[mic] = mic;
+  return OUTCOME_OK;
+}
+
+static Outcome read_mics(const Arguments *arguments, RenderRequest *request) {
+  request->split = arguments_has(arguments, "split");
+  const char *name;
+  size_t position = 0;
+  Outcome outcome = OUTCOME_OK;
+  while (outcome == OUTCOME_OK && (name = arguments_next(arguments, "mic", &position))) {
+    outcome = add_mic(request, name);
+  }
+  if (outcome == OUTCOME_OK && request->channels == 0) outcome = take_default_mics(request);
+  request->audio.channels = request->split ? 1 : request->channels;
+  return outcome;
+}
+
+static Outcome read_encoding(const Arguments *arguments, RenderRequest *request) {
+  const char *const name = arguments_value(arguments, "format");
+  return audio_encoding(name ? name : DEFAULT_ENCODING, &request->audio.encoding);
+}
+
+static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
+  request->preset = preset_argument(arguments);
+  request->json = arguments_has(arguments, "json");
+  request->quiet = arguments_has(arguments, "quiet");
+  request->verbose = arguments_has(arguments, "verbose") && !request->quiet;
+  return drum_load(arguments, &request->def);
+}
+
+static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
+  request->audio.rate = (uint32_t)request->model.sample_rate;
+  return outcome;
+}
+
+/* Only one thing can come from there. */
+static Outcome check_standard_input(const Arguments *arguments) {
+  const char *const song = arguments_value(arguments, "midi-file");
+  const char *events;
+  size_t position = 0;
+  if (!song || strcmp(song, "-") != 0) return OUTCOME_OK;
+  while ((events = arguments_next(arguments, "events", &position))) {
+    if (strcmp(events, "-") == 0)
+      return refuse("--events - and --midi-file -: allowed: one of them");
+  }
+  return OUTCOME_OK;
+}
+
+static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = check_standard_input(arguments);
+  if (outcome != OUTCOME_OK) return outcome;
+  return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
+}
+
+/* Its events join the strokes. */
+static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
+  MidiMap map;
+  TaborEvent *events = NULL;
+  size_t count = 0;
+  Outcome outcome = midi_map_read(arguments, &request->def, &map);
+  if (outcome != OUTCOME_OK || !arguments_has(arguments, "midi-file")) return outcome;
+  outcome =
+    midi_song_read(arguments, &map, &request->def, request->model.sample_rate, &request->song);
+  if (outcome == OUTCOME_OK) outcome = midi_song_take_events(&request->song, &events, &count);
+  if (outcome == OUTCOME_OK) outcome = strokes_merge(&request->strokes, events, count);
+  free(events);
+  if (outcome == OUTCOME_OK && !request->quiet) midi_song_note(arguments, &request->song);
+  return outcome;
+}
+
+/* Strokes are in order of time by now, so that the order in which they were given does not matter; each falls on
+   the drum that the song has put there. */
+static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *request) {
+  const MidiSong *const song = &request->song;
+  Humanizer player;
+  size_t next = 0;
+  double head_radius = request->def.shell.radius;
+  const Outcome outcome = humanize_read(arguments, 0, &player);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (size_t i = 0; i < request->strokes.count; i++) {
+    TaborEvent *const event = &request->strokes.events[i];
+    for (; next < song->count && song->items[next].frame <= event->frame; next++) {
+      const MidiSongItem *const item = &song->items[next];
+      if (item->action.type == MIDI_ACTION_PRESET) head_radius = item->head_radius;
+    }
+    humanize(&player, head_radius, event);
+  }
+  return OUTCOME_OK;
+}
+
+Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
+  /* each step relies on those before; files come last, so that a wrong request touches none */
+  static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
+    read_encoding, read_gain,       read_drum,     read_model, read_strokes,
+    read_song,     scatter_strokes, read_duration, read_mics,  render_outputs_plan,
+  };
+  render_request_clear(request);
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
+    outcome = steps[i](arguments, request);
+  }
+  return outcome;
+}

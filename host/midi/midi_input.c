@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 #include "base/stopwatch.h"
 #include "midi/midi_clock.h"
 #include "midi/midi_port.h"

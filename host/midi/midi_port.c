@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 
 #define CLIENT "tabor-midi"
 #define LISTER CLIENT "-list" /* JACK has no two clients of one name */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 #include "base/stopwatch.h"
 #include "play/backend.h"
 #include "play/portaudio_devices.h"

@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 
 #define CLIENT "tabor" /* at JACK */
 #define LISTED 600     /* bytes of names in a message at most */

@@ -5,7 +5,7 @@
 
 #include <pthread.h>
 
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 #include "sound/fader.h"
 #include "sound/frame_clock.h"
 #include "sound/leaving.h"

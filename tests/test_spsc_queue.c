@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 
 typedef struct Numbers {
   uint64_t number, twice, more[6];

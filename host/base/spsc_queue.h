@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file ring.h
+ * @file spsc_queue.h
  * A queue of fixed-size messages from one thread to one other, without locks (C11 atomics).
  *
  * Functions are grouped by the thread that may call them. ring_push(), ring_peek() and ring_pop() are

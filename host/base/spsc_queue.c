@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 
 #include <fcntl.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file hush.h
+ * @file mute_stderr.h
  * Libraries print on standard error what is none of the user's business: not while they are hushed.
  */
 #ifndef TABOR_HOST_HUSH_H

@@ -21,29 +21,29 @@ static Numbers numbers(uint64_t number) {
 
 static void it_keeps_order_and_counts_what_found_no_room(void **state) {
   (void)state;
-  Ring ring;
-  assert_true(ring_create(&ring, sizeof(Numbers), 5)); /* becomes 8 */
-  assert_null(ring_peek(&ring));
+  SpscQueue queue;
+  assert_true(spsc_queue_create(&queue, sizeof(Numbers), 5)); /* becomes 8 */
+  assert_null(spsc_queue_peek(&queue));
   uint64_t pushed = 0, popped = 0;
   for (int round = 0; round < 20; round++) {
     Numbers message = numbers(pushed);
-    while (ring_push(&ring, &message)) message = numbers(++pushed);
-    assert_int_equal(ring_count(&ring), 8);
-    assert_int_equal(ring_dropped(&ring), round + 1);
+    while (spsc_queue_push(&queue, &message)) message = numbers(++pushed);
+    assert_int_equal(spsc_queue_count(&queue), 8);
+    assert_int_equal(spsc_queue_dropped(&queue), round + 1);
     for (int i = 0; i < 1 + round % 8; i++) {
-      const Numbers *const oldest = ring_peek(&ring);
+      const Numbers *const oldest = spsc_queue_peek(&queue);
       assert_int_equal(oldest->number, popped++);
       assert_int_equal(oldest->twice, 2 * oldest->number);
-      ring_pop(&ring);
+      spsc_queue_pop(&queue);
     }
   }
-  ring_destroy(&ring);
+  spsc_queue_destroy(&queue);
 }
 
 static void a_ring_of_zeros_is_none(void **state) {
   (void)state;
-  Ring ring = {0};
-  ring_destroy(&ring);
+  SpscQueue queue = {0};
+  spsc_queue_destroy(&queue);
 }
 
 enum { MANY = 300000 };
@@ -51,7 +51,7 @@ enum { MANY = 300000 };
 static void *produce(void *context) {
   for (uint64_t i = 0; i < MANY;) {
     const Numbers message = numbers(i);
-    if (ring_push(context, &message)) {
+    if (spsc_queue_push(context, &message)) {
       i++;
     } else {
       (void)sched_yield();
@@ -62,24 +62,24 @@ static void *produce(void *context) {
 
 static void two_threads_lose_nothing(void **state) {
   (void)state;
-  Ring ring;
+  SpscQueue queue;
   pthread_t producer;
-  assert_true(ring_create(&ring, sizeof(Numbers), 64));
-  assert_int_equal(pthread_create(&producer, NULL, produce, &ring), 0);
+  assert_true(spsc_queue_create(&queue, sizeof(Numbers), 64));
+  assert_int_equal(pthread_create(&producer, NULL, produce, &queue), 0);
   for (uint64_t i = 0; i < MANY;) {
-    const Numbers *const message = ring_peek(&ring);
+    const Numbers *const message = spsc_queue_peek(&queue);
     if (!message) {
       (void)sched_yield();
       continue;
     }
     assert_int_equal(message->number, i);
     assert_int_equal(message->more[5], i);
-    ring_pop(&ring);
+    spsc_queue_pop(&queue);
     i++;
   }
   assert_int_equal(pthread_join(producer, NULL), 0);
-  assert_null(ring_peek(&ring));
-  ring_destroy(&ring);
+  assert_null(spsc_queue_peek(&queue));
+  spsc_queue_destroy(&queue);
 }
 
 int main(void) {

@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 /* Two at once would take each other's silence for the user's terminal. */
-static pthread_mutex_t hushed = PTHREAD_MUTEX_INITIALIZER;
+static pthread_mutex_t muted = PTHREAD_MUTEX_INITIALIZER;
 
-int hush_begin(void) {
-  (void)pthread_mutex_lock(&hushed);
+int mute_stderr_begin(void) {
+  (void)pthread_mutex_lock(&muted);
   (void)fflush(stderr);
   const int kept = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -19,11 +19,11 @@ int hush_begin(void) {
   return kept;
 }
 
-void hush_end(int kept) {
+void mute_stderr_end(int kept) {
   (void)fflush(stderr);
   if (kept >= 0) {
     (void)dup2(kept, STDERR_FILENO);
     (void)close(kept);
   }
-  (void)pthread_mutex_unlock(&hushed);
+  (void)pthread_mutex_unlock(&muted);
 }

@@ -11,57 +11,57 @@ static void touch(volatile char *bytes, size_t size) {
   for (size_t i = 0; i < size; i += PAGE) bytes[i] = 0;
 }
 
-bool ring_create(Ring *ring, size_t size, size_t least) {
+bool spsc_queue_create(SpscQueue *queue, size_t size, size_t least) {
   size_t capacity = 1;
   while (capacity < least) capacity *= 2;
-  ring->messages = calloc(capacity, size);
-  ring->size = size;
-  ring->capacity = capacity;
-  atomic_init(&ring->written, 0);
-  atomic_init(&ring->dropped, 0);
-  atomic_init(&ring->read, 0);
-  if (ring->messages) touch(ring->messages, capacity * size);
-  return ring->messages != NULL;
+  queue->messages = calloc(capacity, size);
+  queue->size = size;
+  queue->capacity = capacity;
+  atomic_init(&queue->written, 0);
+  atomic_init(&queue->dropped, 0);
+  atomic_init(&queue->read, 0);
+  if (queue->messages) touch(queue->messages, capacity * size);
+  return queue->messages != NULL;
 }
 
-void ring_destroy(Ring *ring) {
-  free(ring->messages);
-  ring->messages = NULL;
+void spsc_queue_destroy(SpscQueue *queue) {
+  free(queue->messages);
+  queue->messages = NULL;
 }
 
 /* The counts never wrap in a lifetime; the place of a message is its number modulo the capacity. */
-static char *place(const Ring *ring, size_t number) {
-  return ring->messages + (number & (ring->capacity - 1)) * ring->size;
+static char *place(const SpscQueue *queue, size_t number) {
+  return queue->messages + (number & (queue->capacity - 1)) * queue->size;
 }
 
-bool ring_push(Ring *ring, const void *message) {
-  const size_t written = atomic_load_explicit(&ring->written, memory_order_relaxed);
+bool spsc_queue_push(SpscQueue *queue, const void *message) {
+  const size_t written = atomic_load_explicit(&queue->written, memory_order_relaxed);
   /* acquire: the consumer has done with the place before it is written again */
-  if (written - atomic_load_explicit(&ring->read, memory_order_acquire) == ring->capacity) {
-    atomic_fetch_add_explicit(&ring->dropped, 1, memory_order_relaxed);
+  if (written - atomic_load_explicit(&queue->read, memory_order_acquire) == queue->capacity) {
+    atomic_fetch_add_explicit(&queue->dropped, 1, memory_order_relaxed);
     return false;
   }
-  memcpy(place(ring, written), message, ring->size);
-  atomic_store_explicit(&ring->written, written + 1, memory_order_release);
+  memcpy(place(queue, written), message, queue->size);
+  atomic_store_explicit(&queue->written, written + 1, memory_order_release);
   return true;
 }
 
-const void *ring_peek(const Ring *ring) {
-  const size_t read = atomic_load_explicit(&ring->read, memory_order_relaxed);
-  if (atomic_load_explicit(&ring->written, memory_order_acquire) == read) return NULL;
-  return place(ring, read);
+const void *spsc_queue_peek(const SpscQueue *queue) {
+  const size_t read = atomic_load_explicit(&queue->read, memory_order_relaxed);
+  if (atomic_load_explicit(&queue->written, memory_order_acquire) == read) return NULL;
+  return place(queue, read);
 }
 
-void ring_pop(Ring *ring) {
-  const size_t read = atomic_load_explicit(&ring->read, memory_order_relaxed);
-  atomic_store_explicit(&ring->read, read + 1, memory_order_release);
+void spsc_queue_pop(SpscQueue *queue) {
+  const size_t read = atomic_load_explicit(&queue->read, memory_order_relaxed);
+  atomic_store_explicit(&queue->read, read + 1, memory_order_release);
 }
 
-size_t ring_count(const Ring *ring) {
-  const size_t read = atomic_load_explicit(&ring->read, memory_order_acquire);
-  return atomic_load_explicit(&ring->written, memory_order_acquire) - read;
+size_t spsc_queue_count(const SpscQueue *queue) {
+  const size_t read = atomic_load_explicit(&queue->read, memory_order_acquire);
+  return atomic_load_explicit(&queue->written, memory_order_acquire) - read;
 }
 
-unsigned long long ring_dropped(const Ring *ring) {
-  return atomic_load_explicit(&ring->dropped, memory_order_relaxed);
+unsigned long long spsc_queue_dropped(const SpscQueue *queue) {
+  return atomic_load_explicit(&queue->dropped, memory_order_relaxed);
 }

@@ -5,7 +5,7 @@
  *
  * Nothing but messages gets into the audio thread, nothing but sound, numbers and blocks for the
  * recording comes out of it. Every source of messages (the keyboard, MIDI, a score, changes of the
- * drum) is one thread and has its own ring; a ring that is full drops the message and counts it.
+ * drum) is one thread and has its own queue; a queue that is full drops the message and counts it.
  *
  * A message acts at its frame, whatever the size of the device's blocks: the same messages give the
  * same sound to the bit. One whose frame has passed acts at once. Messages of one source are to come
@@ -88,7 +88,7 @@ uint64_t player_most_frames(const Player *player);
 
 /* SOURCES: each one thread */
 
-/** Real-time safe. False: the ring was full, the message is dropped and counted. */
+/** Real-time safe. False: the queue was full, the message is dropped and counted. */
 bool player_send(Player *player, PlayerSource source, const PlayerMessage *message) REALTIME;
 /** Messages of a source that still wait. */
 size_t player_waiting(const Player *player, PlayerSource source);

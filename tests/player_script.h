@@ -6,7 +6,7 @@
 #ifndef TEST_PLAYER_SCRIPT_H
 #define TEST_PLAYER_SCRIPT_H
 
-#include "play/drum_changes.h"
+#include "play/model_builder.h"
 
 enum { PLAYER_SCRIPT_MOST = 4096 };
 

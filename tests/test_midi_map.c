@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_drum.h. */
-#include "midi/midi_drum.h"
+/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_to_events.h. */
+#include "midi/midi_to_events.h"
 
 #include <math.h>
 #include <setjmp.h>

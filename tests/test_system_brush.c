@@ -2,7 +2,7 @@
 /* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and are the same
  * whatever the blocks. */
 
-#include "score.h"
+#include "event_script.h"
 
 static const double RATE = 48000.0;
 

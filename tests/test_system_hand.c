@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A stick that a hand presses onto the head bounces: the harder, the faster. Its work is accounted for. */
-#include "score.h"
+#include "event_script.h"
 
 static const double RATE = 48000.0;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
  * the same speed, cross-sticks leave the head nearly silent; their energy is accounted for, whatever else happens. */
-#include "score.h"
+#include "event_script.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
 

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "base/output_file.h"
-#include "files/recorded_io.h"
+#include "files/sndfile_io.h"
 
 typedef enum AudioContainer { AUDIO_WAV, AUDIO_FLAC, AUDIO_AU } AudioContainer;
 typedef enum AudioEncoding { AUDIO_PCM16, AUDIO_PCM24, AUDIO_FLOAT } AudioEncoding;

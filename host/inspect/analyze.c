@@ -9,7 +9,7 @@
 
 #include "base/command.h"
 #include "base/json_output.h"
-#include "files/recording.h"
+#include "files/audio_clip.h"
 #include "inspect/partials.h"
 
 #define LONGEST_TIME 86400

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "inspect/track.h"
+#include "inspect/partial_tracker.h"
 
 #define SHORTEST_WINDOW 0.02 /* [s], or up to 1.4 times as long */
 #define WINDOWS 7            /* lengths, each twice the one before */

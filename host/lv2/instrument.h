@@ -12,8 +12,8 @@
 #include <lv2/urid/urid.h>
 #include <lv2/worker/worker.h>
 
+#include "lv2/plugin_player.h"
 #include "lv2/ports.h"
-#include "lv2/voice.h"
 
 /** What URIs are called in this host. */
 typedef struct Urids {

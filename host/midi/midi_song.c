@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 /* A message of the file and its place among the others. */
 typedef struct Place {

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/stopwatch.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "play/controls.h"
 #include "ui/keys.h"
 #include "ui/line_editor.h"

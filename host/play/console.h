@@ -9,7 +9,7 @@
 #ifndef TABOR_HOST_CONSOLE_H
 #define TABOR_HOST_CONSOLE_H
 
-#include "play/performance.h"
+#include "play/live_session.h"
 
 typedef struct Console Console;
 

@@ -9,7 +9,7 @@
 #ifndef TABOR_HOST_CONTROLS_H
 #define TABOR_HOST_CONTROLS_H
 
-#include "play/drum_changes.h"
+#include "play/model_builder.h"
 #include "strokes/humanize.h"
 #include "ui/keymap.h"
 

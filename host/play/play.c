@@ -4,7 +4,7 @@
  * `tabor play`: a drum to play on.
  */
 #include "base/command.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "play/console.h"
 #include "play/play_report.h"
 

@@ -7,9 +7,9 @@
 #define TABOR_HOST_PLAY_MIDI_H
 
 #include "midi/midi_input.h"
-#include "play/drum_changes.h"
+#include "play/cue_queue.h"
+#include "play/model_builder.h"
 #include "play/play_request.h"
-#include "play/score.h"
 
 typedef struct PlayMidi PlayMidi;
 

@@ -6,7 +6,7 @@
 #ifndef TABOR_HOST_PLAY_REPORT_H
 #define TABOR_HOST_PLAY_REPORT_H
 
-#include "play/performance.h"
+#include "play/live_session.h"
 
 /** Warns of what went wrong, and prints a line, or with --json the facts. */
 Outcome play_report(Performance *performance);

@@ -6,9 +6,9 @@
 #include "base/folder.h"
 #include "base/json_output.h"
 #include "base/stopwatch.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
+#include "render/render_file.h"
 #include "render/render_progress.h"
-#include "render/rendering.h"
 
 #define PROGRESS_INTERVAL 0.2 /* [s] */
 

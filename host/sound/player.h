@@ -25,8 +25,8 @@
 
 /** Who sends messages: one thread each. Of messages of one frame those of the first act first. */
 typedef enum PlayerSource {
-  SOURCE_SWAPS,   /**< drum_changes.h */
-  SOURCE_CHANGES, /**< drum_changes.h, whose lock makes one thread of many */
+  SOURCE_SWAPS,   /**< model_builder.h */
+  SOURCE_CHANGES, /**< model_builder.h, whose lock makes one thread of many */
   SOURCE_SCORE,   /**< --events and --midi-file */
   SOURCE_MIDI,    /**< MIDI inputs */
   SOURCE_KEYS,    /**< the computer keyboard and the command line */

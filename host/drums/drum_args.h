@@ -3,8 +3,8 @@
  * @file drum_args.h
  * The drum that a command is about: a preset, by name or from a file, changed by --set.
  */
-#ifndef TABOR_HOST_DRUM_SOURCE_H
-#define TABOR_HOST_DRUM_SOURCE_H
+#ifndef TABOR_HOST_DRUM_ARGS_H
+#define TABOR_HOST_DRUM_ARGS_H
 
 #include "base/options.h"
 #include "drums/default_preset.h"

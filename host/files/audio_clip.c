@@ -15,10 +15,10 @@
 typedef struct Reader {
   const char *name; /* "-": the standard input */
   SNDFILE *stream;
-  const RecordingPart *part;
+  const AudioClipPart *part;
   uint64_t first, end; /* frames of the part */
   double chunk[CHUNK];
-  Recording *recording;
+  AudioClip *clip;
 } Reader;
 
 static Outcome open_stream(Reader *reader, const char *name) {
@@ -41,52 +41,52 @@ static Outcome open_stream(Reader *reader, const char *name) {
   }
   if (info.channels > CHUNK)
     return fail("cannot read " INPUT ": too many channels", INPUT_OF(reader->name));
-  reader->recording->rate = (uint32_t)info.samplerate;
-  reader->recording->channels = (uint32_t)info.channels;
+  reader->clip->rate = (uint32_t)info.samplerate;
+  reader->clip->channels = (uint32_t)info.channels;
   return OUTCOME_OK;
 }
 
 static Outcome choose_part(Reader *reader) {
-  const RecordingPart *const part = reader->part;
-  const Recording *const recording = reader->recording;
-  if (part->channel > recording->channels) {
+  const AudioClipPart *const part = reader->part;
+  const AudioClip *const clip = reader->clip;
+  if (part->channel > clip->channels) {
     return refuse("--channel '%u': " INPUT " has %u", (unsigned)part->channel,
-                  INPUT_OF(reader->name), (unsigned)recording->channels);
+                  INPUT_OF(reader->name), (unsigned)clip->channels);
   }
-  reader->first = (uint64_t)llround(part->from * recording->rate);
-  reader->end = isfinite(part->to) ? (uint64_t)llround(part->to * recording->rate) : UINT64_MAX;
+  reader->first = (uint64_t)llround(part->from * clip->rate);
+  reader->end = isfinite(part->to) ? (uint64_t)llround(part->to * clip->rate) : UINT64_MAX;
   return OUTCOME_OK;
 }
 
 static Outcome keep_sample(Reader *reader, double sample) {
-  Recording *const recording = reader->recording;
+  AudioClip *const clip = reader->clip;
   if (!isfinite(sample))
     return fail(INPUT " holds samples that are not finite", INPUT_OF(reader->name));
-  if (recording->count >= (size_t)(RECORDING_LONGEST * recording->rate)) {
+  if (clip->count >= (size_t)(AUDIO_CLIP_LONGEST * clip->rate)) {
     return refuse(INPUT " is too long; take at most %.0f s of it with --from and --to",
-                  INPUT_OF(reader->name), RECORDING_LONGEST);
+                  INPUT_OF(reader->name), AUDIO_CLIP_LONGEST);
   }
-  if (recording->count == recording->capacity) {
-    const size_t capacity = recording->capacity ? 2 * recording->capacity : 65536;
-    double *const samples = realloc(recording->samples, capacity * sizeof *samples);
+  if (clip->count == clip->capacity) {
+    const size_t capacity = clip->capacity ? 2 * clip->capacity : 65536;
+    double *const samples = realloc(clip->samples, capacity * sizeof *samples);
     if (!samples) return fail_memory();
-    recording->samples = samples;
-    recording->capacity = capacity;
+    clip->samples = samples;
+    clip->capacity = capacity;
   }
-  recording->samples[recording->count++] = sample;
+  clip->samples[clip->count++] = sample;
   return OUTCOME_OK;
 }
 
 /* What a file says of its length is not relied on: from a pipe it may be anything. */
 static Outcome read_chunks(Reader *reader) {
-  Recording *const recording = reader->recording;
-  const uint32_t channels = recording->channels;
+  AudioClip *const clip = reader->clip;
+  const uint32_t channels = clip->channels;
   Outcome outcome = OUTCOME_OK;
   sf_count_t frames;
   while (outcome == OUTCOME_OK &&
          (frames = sf_readf_double(reader->stream, reader->chunk, CHUNK / channels)) > 0) {
-    for (sf_count_t i = 0; i < frames && outcome == OUTCOME_OK; i++, recording->frames++) {
-      if (recording->frames < reader->first || recording->frames >= reader->end) continue;
+    for (sf_count_t i = 0; i < frames && outcome == OUTCOME_OK; i++, clip->frames++) {
+      if (clip->frames < reader->first || clip->frames >= reader->end) continue;
       outcome =
         keep_sample(reader, reader->chunk[(size_t)i * channels + reader->part->channel - 1]);
     }
@@ -98,20 +98,19 @@ static Outcome read_chunks(Reader *reader) {
 }
 
 static Outcome check_part(const Reader *reader) {
-  const Recording *const recording = reader->recording;
-  if (recording->count > 0 || reader->first < recording->frames || reader->first == 0)
-    return OUTCOME_OK;
+  const AudioClip *const clip = reader->clip;
+  if (clip->count > 0 || reader->first < clip->frames || reader->first == 0) return OUTCOME_OK;
   return refuse("--from '%.10g': " INPUT " is %.10g s long", reader->part->from,
-                INPUT_OF(reader->name), (double)recording->frames / recording->rate);
+                INPUT_OF(reader->name), (double)clip->frames / clip->rate);
 }
 
-Outcome recording_read(const char *name, const RecordingPart *part, Recording *recording) {
-  *recording = (Recording){0};
+Outcome audio_clip_read(const char *name, const AudioClipPart *part, AudioClip *clip) {
+  *clip = (AudioClip){0};
   Reader *const reader = calloc(1, sizeof *reader);
   if (!reader) return fail_memory();
   reader->name = name;
   reader->part = part;
-  reader->recording = recording;
+  reader->clip = clip;
   Outcome outcome = open_stream(reader, name);
   if (outcome == OUTCOME_OK) outcome = choose_part(reader);
   if (outcome == OUTCOME_OK) outcome = read_chunks(reader);
@@ -121,7 +120,7 @@ Outcome recording_read(const char *name, const RecordingPart *part, Recording *r
   return outcome;
 }
 
-void recording_free(Recording *recording) {
-  free(recording->samples);
-  *recording = (Recording){0};
+void audio_clip_free(AudioClip *clip) {
+  free(clip->samples);
+  *clip = (AudioClip){0};
 }

@@ -27,7 +27,7 @@ typedef struct AudioFormat {
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
-  RecordedIo io; /**< what stream writes to, unless that is a pipe */
+  SndfileIo io; /**< what stream writes to, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
   uint64_t frames;

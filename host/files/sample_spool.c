@@ -12,12 +12,12 @@ static Outcome failure(const char *what) {
   return fail("cannot %s a temporary file: %s", what, strerror(errno));
 }
 
-Outcome spool_open(Spool *spool) {
+Outcome sample_spool_open(SampleSpool *spool) {
   spool->stream = tmpfile();
   return spool->stream ? OUTCOME_OK : failure("create");
 }
 
-Outcome spool_write(Spool *spool, const double *samples, size_t count) {
+Outcome sample_spool_write(SampleSpool *spool, const double *samples, size_t count) {
   float chunk[CHUNK];
   while (count > 0) {
     const size_t size = smaller(count, CHUNK);
@@ -29,12 +29,12 @@ Outcome spool_write(Spool *spool, const double *samples, size_t count) {
   return OUTCOME_OK;
 }
 
-Outcome spool_rewind(Spool *spool) {
+Outcome sample_spool_rewind(SampleSpool *spool) {
   if (fflush(spool->stream) != 0) return failure("write");
   return fseek(spool->stream, 0, SEEK_SET) == 0 ? OUTCOME_OK : failure("read");
 }
 
-Outcome spool_read(Spool *spool, double *samples, size_t count) {
+Outcome sample_spool_read(SampleSpool *spool, double *samples, size_t count) {
   float chunk[CHUNK];
   while (count > 0) {
     const size_t size = smaller(count, CHUNK);
@@ -47,7 +47,7 @@ Outcome spool_read(Spool *spool, double *samples, size_t count) {
   return OUTCOME_OK;
 }
 
-void spool_free(Spool *spool) {
+void sample_spool_free(SampleSpool *spool) {
   if (spool->stream) (void)fclose(spool->stream);
   spool->stream = NULL;
 }

@@ -5,17 +5,17 @@
  * header that could not be written at the end goes unnoticed by sf_close(), and such a file may
  * even be read back without complaint, because readers guess what the header lacks.
  */
-#ifndef TABOR_HOST_RECORDED_IO_H
-#define TABOR_HOST_RECORDED_IO_H
+#ifndef TABOR_HOST_SNDFILE_IO_H
+#define TABOR_HOST_SNDFILE_IO_H
 
 #include <sndfile.h>
 
-typedef struct RecordedIo {
+typedef struct SndfileIo {
   int descriptor; /**< of a file that can seek */
   int error;      /**< errno of the first call that failed, or 0 */
-} RecordedIo;
+} SndfileIo;
 
 /** Opens the file for writing; @p io must outlive the result. */
-SNDFILE *recorded_io_open(RecordedIo *io, int descriptor, SF_INFO *info);
+SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, SF_INFO *info);
 
 #endif

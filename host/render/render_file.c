@@ -16,7 +16,7 @@ typedef struct Rendering {
   RenderRequest *request;
   Session session;
   SoundFiles sounds;
-  Spool spool; /* in use while the gain is not known */
+  SampleSpool spool; /* in use while the gain is not known */
   TraceFile trace;
   RingOut ring_out;
   PlayedFn *played;
@@ -33,8 +33,8 @@ static Outcome play_block(Rendering *rendering, uint32_t frames) {
   }
   if (outcome != OUTCOME_OK) return outcome;
   if (rendering->request->normalize) {
-    return spool_write(&rendering->spool, session->interleaved,
-                       (size_t)frames * rendering->request->channels);
+    return sample_spool_write(&rendering->spool, session->interleaved,
+                              (size_t)frames * rendering->request->channels);
   }
   return sound_files_write(&rendering->sounds, session->interleaved, frames);
 }
@@ -68,11 +68,11 @@ static Outcome write_normalized(Rendering *rendering) {
   const RenderRequest *const request = rendering->request;
   Session *const session = &rendering->session;
   choose_gain(rendering);
-  Outcome outcome = spool_rewind(&rendering->spool);
+  Outcome outcome = sample_spool_rewind(&rendering->spool);
   for (uint32_t left = session->position; left > 0 && outcome == OUTCOME_OK;) {
     const uint32_t frames = left < SESSION_BLOCK ? left : SESSION_BLOCK;
     const size_t samples = (size_t)frames * request->channels;
-    outcome = spool_read(&rendering->spool, session->interleaved, samples);
+    outcome = sample_spool_read(&rendering->spool, session->interleaved, samples);
     for (size_t i = 0; i < samples; i++) session->interleaved[i] *= request->gain;
     if (outcome == OUTCOME_OK) {
       outcome = sound_files_write(&rendering->sounds, session->interleaved, frames);
@@ -109,7 +109,7 @@ static Outcome open_files(Rendering *rendering) {
   if (outcome == OUTCOME_OK && request->has_trace) {
     outcome = trace_file_open(&rendering->trace, &request->trace);
   }
-  if (outcome == OUTCOME_OK && request->normalize) outcome = spool_open(&rendering->spool);
+  if (outcome == OUTCOME_OK && request->normalize) outcome = sample_spool_open(&rendering->spool);
   return outcome;
 }
 
@@ -156,7 +156,7 @@ Outcome rendering_run(RenderRequest *request, PlayedFn *played, void *context, j
   const Outcome outcome = render(rendering, report);
   session_free(&rendering->session);
   sound_files_free(&rendering->sounds);
-  spool_free(&rendering->spool);
+  sample_spool_free(&rendering->spool);
   trace_file_free(&rendering->trace);
   free(rendering);
   return outcome;

@@ -6,8 +6,8 @@
  * What a MIDI file does beside its strokes acts at its frame, before these: a gain is reached over
  * 5 ms; silence is silencer.h's; another preset is another drum, beside which the one before rings out.
  */
-#ifndef TABOR_HOST_SESSION_H
-#define TABOR_HOST_SESSION_H
+#ifndef TABOR_HOST_OFFLINE_PLAYER_H
+#define TABOR_HOST_OFFLINE_PLAYER_H
 
 #include "drums/preset_drums.h"
 #include "files/trace_file.h"
@@ -17,15 +17,15 @@
 #include "sound/silencer.h"
 #include "sound/tally.h"
 
-#define SESSION_BLOCK AUDIO_BLOCK
+#define OFFLINE_BLOCK AUDIO_BLOCK
 
 /** Events that the drum did not carry out. */
-typedef struct SessionDrops {
+typedef struct OfflineDrops {
   uint64_t strokes; /**< nothing was free to strike them */
   uint64_t others;  /**< presses or moves of what is not in play, and hands too many */
-} SessionDrops;
+} OfflineDrops;
 
-typedef struct Session {
+typedef struct OfflinePlayer {
   RenderRequest *request;
   TaborDrum *drum;
   PresetDrums presets;
@@ -35,21 +35,21 @@ typedef struct Session {
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest sample in size */
   double computing;             /**< processor time that the drum took [s] */
-  SessionDrops drops;
+  OfflineDrops drops;
   Fader expression; /**< factor beside the request's gain */
   Silencer silencer;
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
-  float planar[TABOR_MAX_MICS][SESSION_BLOCK];
-  double sound[MOST_CHANNELS][SESSION_BLOCK];        /**< of all drums, before their gain */
-  double interleaved[MOST_CHANNELS * SESSION_BLOCK]; /**< the newest block */
-} Session;
+  float planar[TABOR_MAX_MICS][OFFLINE_BLOCK];
+  double sound[MOST_CHANNELS][OFFLINE_BLOCK];        /**< of all drums, before their gain */
+  double interleaved[MOST_CHANNELS * OFFLINE_BLOCK]; /**< the newest block */
+} OfflinePlayer;
 
-/** Builds model and drum. Free with session_free(), whatever the outcome. */
-Outcome session_open(Session *session, RenderRequest *request);
-/** Plays @p frames frames, at most SESSION_BLOCK, into interleaved. */
-Outcome session_play(Session *session, uint32_t frames);
+/** Builds model and drum. Free with offline_player_free(), whatever the outcome. */
+Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request);
+/** Plays @p frames frames, at most OFFLINE_BLOCK, into interleaved. */
+Outcome offline_player_play(OfflinePlayer *player, uint32_t frames);
 /** The same one frame at a time, with a row of @p trace after each. The samples are the same. */
-Outcome session_play_traced(Session *session, uint32_t frames, TraceFile *trace);
-void session_free(Session *session);
+Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, TraceFile *trace);
+void offline_player_free(OfflinePlayer *player);
 
 #endif

@@ -14,7 +14,7 @@
 /* A rendering under way. */
 typedef struct Rendering {
   RenderRequest *request;
-  Session session;
+  OfflinePlayer player;
   SoundFiles sounds;
   SampleSpool spool; /* in use while the gain is not known */
   TraceFile trace;
@@ -24,31 +24,31 @@ typedef struct Rendering {
 } Rendering;
 
 static Outcome play_block(Rendering *rendering, uint32_t frames) {
-  Session *const session = &rendering->session;
+  OfflinePlayer *const player = &rendering->player;
   Outcome outcome = OUTCOME_OK;
   if (rendering->request->has_trace) {
-    outcome = session_play_traced(session, frames, &rendering->trace);
+    outcome = offline_player_play_traced(player, frames, &rendering->trace);
   } else {
-    outcome = session_play(session, frames);
+    outcome = offline_player_play(player, frames);
   }
   if (outcome != OUTCOME_OK) return outcome;
   if (rendering->request->normalize) {
-    return sample_spool_write(&rendering->spool, session->interleaved,
+    return sample_spool_write(&rendering->spool, player->interleaved,
                               (size_t)frames * rendering->request->channels);
   }
-  return sound_files_write(&rendering->sounds, session->interleaved, frames);
+  return sound_files_write(&rendering->sounds, player->interleaved, frames);
 }
 
 static Outcome play(Rendering *rendering) {
-  const Session *const session = &rendering->session;
+  const OfflinePlayer *const player = &rendering->player;
   RingOut *const ring_out = &rendering->ring_out;
   Outcome outcome = OUTCOME_OK;
   bool over = false;
   while (outcome == OUTCOME_OK && !over) {
-    const uint32_t left = ring_out->most - session->position;
+    const uint32_t left = ring_out->most - player->position;
     outcome = play_block(rendering, left < RING_OUT_BLOCK ? left : RING_OUT_BLOCK);
-    over = ring_out_is_over(ring_out, session->position, session->drum);
-    rendering->played(rendering->context, session->position);
+    over = ring_out_is_over(ring_out, player->position, player->drum);
+    rendering->played(rendering->context, player->position);
   }
   return outcome;
 }
@@ -56,26 +56,26 @@ static Outcome play(Rendering *rendering) {
 /* The gain that gives the whole sound its peak; silence stays as it is. */
 static void choose_gain(Rendering *rendering) {
   RenderRequest *const request = rendering->request;
-  Session *const session = &rendering->session;
-  if (session->peak == 0) return;
-  request->gain = pow(10, NORMAL_PEAK_DB / 20) / session->peak;
+  OfflinePlayer *const player = &rendering->player;
+  if (player->peak == 0) return;
+  request->gain = pow(10, NORMAL_PEAK_DB / 20) / player->peak;
   request->gain_db = 20 * log10(request->gain);
-  session->peak *= request->gain;
+  player->peak *= request->gain;
 }
 
 /* Writes what was set aside, with its gain. */
 static Outcome write_normalized(Rendering *rendering) {
   const RenderRequest *const request = rendering->request;
-  Session *const session = &rendering->session;
+  OfflinePlayer *const player = &rendering->player;
   choose_gain(rendering);
   Outcome outcome = sample_spool_rewind(&rendering->spool);
-  for (uint32_t left = session->position; left > 0 && outcome == OUTCOME_OK;) {
-    const uint32_t frames = left < SESSION_BLOCK ? left : SESSION_BLOCK;
+  for (uint32_t left = player->position; left > 0 && outcome == OUTCOME_OK;) {
+    const uint32_t frames = left < OFFLINE_BLOCK ? left : OFFLINE_BLOCK;
     const size_t samples = (size_t)frames * request->channels;
-    outcome = sample_spool_read(&rendering->spool, session->interleaved, samples);
-    for (size_t i = 0; i < samples; i++) session->interleaved[i] *= request->gain;
+    outcome = sample_spool_read(&rendering->spool, player->interleaved, samples);
+    for (size_t i = 0; i < samples; i++) player->interleaved[i] *= request->gain;
     if (outcome == OUTCOME_OK) {
-      outcome = sound_files_write(&rendering->sounds, session->interleaved, frames);
+      outcome = sound_files_write(&rendering->sounds, player->interleaved, frames);
     }
     left -= frames;
   }
@@ -138,23 +138,23 @@ static void note_cut(const Rendering *rendering) {
 static Outcome render(Rendering *rendering, json_t **report) {
   prepare_length(rendering);
   Outcome outcome = open_files(rendering);
-  if (outcome == OUTCOME_OK) outcome = session_open(&rendering->session, rendering->request);
+  if (outcome == OUTCOME_OK) outcome = offline_player_open(&rendering->player, rendering->request);
   if (outcome == OUTCOME_OK) outcome = play(rendering);
   if (outcome == OUTCOME_OK && rendering->request->normalize) outcome = write_normalized(rendering);
   if (outcome == OUTCOME_OK) outcome = deliver_files(rendering);
   if (outcome == OUTCOME_OK) note_cut(rendering);
-  if (outcome == OUTCOME_OK) outcome = render_report(&rendering->session, report);
+  if (outcome == OUTCOME_OK) outcome = render_report(&rendering->player, report);
   return outcome;
 }
 
-Outcome rendering_run(RenderRequest *request, PlayedFn *played, void *context, json_t **report) {
+Outcome render_file(RenderRequest *request, PlayedFn *played, void *context, json_t **report) {
   Rendering *const rendering = calloc(1, sizeof *rendering);
   if (!rendering) return fail_memory();
   rendering->request = request;
   rendering->played = played;
   rendering->context = context;
   const Outcome outcome = render(rendering, report);
-  session_free(&rendering->session);
+  offline_player_free(&rendering->player);
   sound_files_free(&rendering->sounds);
   sample_spool_free(&rendering->spool);
   trace_file_free(&rendering->trace);

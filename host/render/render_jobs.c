@@ -30,7 +30,7 @@ static void note_played(void *context, uint32_t frames) {
 
 static void do_job(RenderJob *job) {
   message_subject(job->name);
-  job->outcome = rendering_run(&job->request, note_played, job, &job->report);
+  job->outcome = render_file(&job->request, note_played, job, &job->report);
   message_subject(NULL);
 }
 

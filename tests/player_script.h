@@ -12,7 +12,7 @@ enum { PLAYER_SCRIPT_MOST = 4096 };
 
 /** A player with its drum, and what it has recorded so far. */
 typedef struct Stage {
-  DrumChanges *changes;
+  ModelBuilder *builder;
   Player *player;
   uint32_t channels;
   uint64_t position; /**< frames asked for */

@@ -3,8 +3,8 @@
  * @file cue_queue.h
  * What is known before it happens: messages and changes of the preset, fed to a player in time.
  */
-#ifndef TABOR_HOST_SCORE_H
-#define TABOR_HOST_SCORE_H
+#ifndef TABOR_HOST_CUE_QUEUE_H
+#define TABOR_HOST_CUE_QUEUE_H
 
 #include "play/model_builder.h"
 #include "strokes/strokes.h"
@@ -16,25 +16,25 @@ typedef struct Cue {
 } Cue;
 
 /** Begins as {0}. */
-typedef struct Score {
+typedef struct CueQueue {
   Cue *cues;
   size_t count, capacity;
   size_t next; /**< to feed */
-} Score;
+} CueQueue;
 
 /** Appends a cue. */
-Outcome score_add(Score *score, const Cue *cue);
+Outcome cue_queue_add(CueQueue *queue, const Cue *cue);
 /** Appends strokes. */
-Outcome score_add_strokes(Score *score, const Strokes *strokes);
+Outcome cue_queue_add_strokes(CueQueue *queue, const Strokes *strokes);
 /** Brings the cues into the order of their frames; those of one frame stay as they are. */
-void score_sort(Score *score);
+void cue_queue_sort(CueQueue *queue);
 /** Frame of the last cue; 0 without any. */
-uint64_t score_last_frame(const Score *score);
+uint64_t cue_queue_last_frame(const CueQueue *queue);
 /** The same, but for releases. */
-uint64_t score_last_stroke(const Score *score);
-void score_free(Score *score);
+uint64_t cue_queue_last_stroke(const CueQueue *queue);
+void cue_queue_free(CueQueue *queue);
 
 /** Passes on what comes before frame @p until, as far as the player has room. */
-void score_feed(Score *score, Player *player, DrumChanges *changes, uint64_t until);
+void cue_queue_feed(CueQueue *queue, Player *player, ModelBuilder *builder, uint64_t until);
 
 #endif

@@ -23,7 +23,7 @@ typedef struct SentDrum {
   struct SentDrum *next;
 } SentDrum;
 
-struct DrumChanges {
+struct ModelBuilder {
   TaborModelOptions options;
   uint32_t channels;
   uint32_t mics[TABOR_MAX_MICS]; /* as the user chose them, */
@@ -43,7 +43,7 @@ struct DrumChanges {
   bool is_listed;  /* what is wanted is a built-in preset; nothing was set since */
   bool stops, has_thread;
 
-  /* the builder's; if sound waits, under lock */
+  /* the thread's; if sound waits, under lock */
   pthread_t thread;
   TaborModel *model; /* the newest, which the newest drum has or will have */
   SentDrum *drums;   /* the newest first */
@@ -59,7 +59,7 @@ static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
   return report_engine_error(&error);
 }
 
-static Outcome create_drum(DrumChanges *changes, TaborModel *model) {
+static Outcome create_drum(ModelBuilder *builder, TaborModel *model) {
   SentDrum *const sent = calloc(1, sizeof *sent);
   TaborError error;
   if (!sent) return fail_memory();
@@ -67,30 +67,30 @@ static Outcome create_drum(DrumChanges *changes, TaborModel *model) {
     free(sent);
     return report_engine_error(&error);
   }
-  sent->next = changes->drums;
-  changes->drums = sent;
+  sent->next = builder->drums;
+  builder->drums = sent;
   return OUTCOME_OK;
 }
 
-Outcome drum_changes_create(const DrumChangesSetup *setup, DrumChanges **created) {
-  DrumChanges *const changes = calloc(1, sizeof *changes);
-  *created = changes;
-  if (!changes) return fail_memory();
-  (void)pthread_mutex_init(&changes->lock, NULL);
-  (void)pthread_cond_init(&changes->changed, NULL);
-  changes->options = setup->options;
-  changes->channels = setup->channels;
-  memcpy(changes->mics, setup->mics, sizeof changes->mics);
-  changes->first = changes->wanted = *setup->def;
-  changes->waits = setup->waits;
-  changes->is_listed = setup->is_listed;
-  (void)snprintf(changes->preset, sizeof changes->preset, "%s", setup->preset);
-  memcpy(changes->built_preset, changes->preset, sizeof changes->preset);
-  const Outcome outcome = build(&changes->options, &changes->wanted, &changes->model);
-  return outcome == OUTCOME_OK ? create_drum(changes, changes->model) : outcome;
+Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
+  ModelBuilder *const builder = calloc(1, sizeof *builder);
+  *created = builder;
+  if (!builder) return fail_memory();
+  (void)pthread_mutex_init(&builder->lock, NULL);
+  (void)pthread_cond_init(&builder->changed, NULL);
+  builder->options = setup->options;
+  builder->channels = setup->channels;
+  memcpy(builder->mics, setup->mics, sizeof builder->mics);
+  builder->first = builder->wanted = *setup->def;
+  builder->waits = setup->waits;
+  builder->is_listed = setup->is_listed;
+  (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
+  memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
+  const Outcome outcome = build(&builder->options, &builder->wanted, &builder->model);
+  return outcome == OUTCOME_OK ? create_drum(builder, builder->model) : outcome;
 }
 
-TaborDrum *drum_changes_drum(const DrumChanges *changes) { return changes->drums->drum; }
+TaborDrum *model_builder_drum(const ModelBuilder *builder) { return builder->drums->drum; }
 
 /* ---- live keys ------------------------------------------------------------------------------ */
 
@@ -111,34 +111,34 @@ static uint32_t mic_of(const TaborDrumDef *def, const char *key) {
 }
 
 /* Under lock: one thread at a time sends as SOURCE_CHANGES. */
-static void send_live(DrumChanges *changes, uint64_t frame, const TaborParameter *parameter,
+static void send_live(ModelBuilder *builder, uint64_t frame, const TaborParameter *parameter,
                       const char *key) {
   const PlayerMessage message = {
     .frame = frame,
     .type = PLAYER_EVENT,
     .event = {.type = TABOR_EVENT_PARAMETER,
               .parameter = parameter->id,
-              .index = mic_of(&changes->wanted, key),
-              .value = number_of(&changes->wanted, key)},
+              .index = mic_of(&builder->wanted, key),
+              .value = number_of(&builder->wanted, key)},
   };
-  (void)player_send(changes->player, SOURCE_CHANGES, &message);
+  (void)player_send(builder->player, SOURCE_CHANGES, &message);
 }
 
 /* The wires' grid is made for values not far above those of its model. */
-static bool outgrows(const DrumChanges *changes, const char *key) {
+static bool outgrows(const ModelBuilder *builder, const char *key) {
   if (strcmp(key, "wires.tension") != 0 && strcmp(key, "wires.damping_1") != 0) return false;
-  const double built = number_of(tabor_model_definition(changes->model), key);
-  return number_of(&changes->wanted, key) > LIVE_HEADROOM * built;
+  const double built = number_of(tabor_model_definition(builder->model), key);
+  return number_of(&builder->wanted, key) > LIVE_HEADROOM * built;
 }
 
 /* What was moved while the model was being built is moved on the new one, too. */
-static void resend_live(DrumChanges *changes, const TaborDrumDef *built) {
+static void resend_live(ModelBuilder *builder, const TaborDrumDef *built) {
   char key[2 * TABOR_NAME_SIZE];
-  for (uint32_t i = 0; tabor_drum_def_key(&changes->wanted, i, key, sizeof key); i++) {
+  for (uint32_t i = 0; tabor_drum_def_key(&builder->wanted, i, key, sizeof key); i++) {
     const TaborParameter *const parameter = tabor_parameter_find(key);
     if (!parameter || !parameter->live) continue;
-    if (number_of(&changes->wanted, key) == number_of(built, key)) continue;
-    send_live(changes, PLAYER_NOW, parameter, key);
+    if (number_of(&builder->wanted, key) == number_of(built, key)) continue;
+    send_live(builder, PLAYER_NOW, parameter, key);
   }
 }
 
@@ -149,8 +149,8 @@ static void free_pending(Pending *pending) {
   free(pending);
 }
 
-static void free_drum(DrumChanges *changes, const TaborDrum *drum) {
-  SentDrum **link = &changes->drums;
+static void free_drum(ModelBuilder *builder, const TaborDrum *drum) {
+  SentDrum **link = &builder->drums;
   while ((*link)->drum != drum) link = &(*link)->next;
   SentDrum *const sent = *link;
   *link = sent->next;
@@ -159,10 +159,10 @@ static void free_drum(DrumChanges *changes, const TaborDrum *drum) {
 }
 
 /* Frees what the audio thread has done with; swaps at the list's end are the oldest. */
-static void reap(DrumChanges *changes) {
+static void reap(ModelBuilder *builder) {
   const TaborDrum *gone;
-  while ((gone = player_gone(changes->player)) != NULL) free_drum(changes, gone);
-  Pending **link = &changes->pending;
+  while ((gone = player_gone(builder->player)) != NULL) free_drum(builder, gone);
+  Pending **link = &builder->pending;
   while (*link && !tabor_swap_done((*link)->swap)) link = &(*link)->next;
   while (*link) {
     Pending *const done = *link;
@@ -172,188 +172,188 @@ static void reap(DrumChanges *changes) {
 }
 
 /* As the user chose them, on this drum. */
-static void choose_mics(const DrumChanges *changes, const TaborDrumDef *def, uint8_t *mics) {
-  for (uint32_t i = 0; i < changes->channels; i++) {
-    mics[i] = (uint8_t)drum_same_mic(&changes->first, changes->mics[i], def);
+static void choose_mics(const ModelBuilder *builder, const TaborDrumDef *def, uint8_t *mics) {
+  for (uint32_t i = 0; i < builder->channels; i++) {
+    mics[i] = (uint8_t)drum_same_mic(&builder->first, builder->mics[i], def);
   }
 }
 
-static Outcome prepare_swap(DrumChanges *changes, TaborModel *model, PlayerMessage *message) {
+static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
   Pending *const pending = calloc(1, sizeof *pending);
   TaborError error;
   if (!pending) return fail_memory();
-  if (tabor_swap_create(changes->model, model, &pending->swap, &error) != TABOR_OK) {
+  if (tabor_swap_create(builder->model, model, &pending->swap, &error) != TABOR_OK) {
     free(pending);
     return report_engine_error(&error);
   }
-  pending->next = changes->pending;
-  changes->pending = pending;
+  pending->next = builder->pending;
+  builder->pending = pending;
   message->type = PLAYER_SWAP;
   message->event.swap = pending->swap;
   return OUTCOME_OK;
 }
 
-static Outcome prepare_drum(DrumChanges *changes, TaborModel *model, PlayerMessage *message) {
-  const Outcome outcome = create_drum(changes, model);
+static Outcome prepare_drum(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
+  const Outcome outcome = create_drum(builder, model);
   message->type = PLAYER_DRUM;
-  message->drum = changes->drums->drum;
+  message->drum = builder->drums->drum;
   return outcome;
 }
 
 /* Sends a drum of @p model, or the swap to it, which becomes the newest; takes @p model over. */
-static Outcome send_model(DrumChanges *changes, TaborModel *model, uint64_t frame,
+static Outcome send_model(ModelBuilder *builder, TaborModel *model, uint64_t frame,
                           bool begins_anew) {
   const TaborDrumDef *const def = tabor_model_definition(model);
   PlayerMessage message = {
     .frame = frame, .strikers = def->striker_count, .event = {.type = TABOR_EVENT_SWAP}};
-  choose_mics(changes, def, message.mics);
+  choose_mics(builder, def, message.mics);
   const Outcome outcome =
-    begins_anew ? prepare_drum(changes, model, &message) : prepare_swap(changes, model, &message);
-  TaborModel *const unused = outcome == OUTCOME_OK ? changes->model : model;
+    begins_anew ? prepare_drum(builder, model, &message) : prepare_swap(builder, model, &message);
+  TaborModel *const unused = outcome == OUTCOME_OK ? builder->model : model;
   if (outcome == OUTCOME_OK) {
-    changes->model = model;
-    (void)player_send(changes->player, SOURCE_SWAPS, &message); /* few: there is always room */
+    builder->model = model;
+    (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
   }
   tabor_model_release(unused); /* drums and swaps keep their own references */
   return outcome;
 }
 
-/* ---- the builder ---------------------------------------------------------------------------- */
+/* ---- the thread ----------------------------------------------------------------------------- */
 
 static void pause_for_change(void) {
   const struct timespec moment = {.tv_nsec = 5000000};
   (void)nanosleep(&moment, NULL);
 }
 
-static bool is_under_way(const DrumChanges *changes) {
-  return changes->pending || changes->drums->next;
+static bool is_under_way(const ModelBuilder *builder) {
+  return builder->pending || builder->drums->next;
 }
 
 /* One change after the other: each waits until what was there before is done with. */
-static void wait_for_change(DrumChanges *changes) {
+static void wait_for_change(ModelBuilder *builder) {
   bool stops = false;
-  for (reap(changes); is_under_way(changes) && !stops; reap(changes)) {
-    (void)pthread_mutex_unlock(&changes->lock);
+  for (reap(builder); is_under_way(builder) && !stops; reap(builder)) {
+    (void)pthread_mutex_unlock(&builder->lock);
     pause_for_change();
-    (void)pthread_mutex_lock(&changes->lock);
-    stops = changes->stops;
+    (void)pthread_mutex_lock(&builder->lock);
+    stops = builder->stops;
   }
 }
 
 /* What cannot be built is not wanted any more, unless something else is already. */
-static void forget_request(DrumChanges *changes, uint64_t request) {
-  if (changes->requests != request) return;
-  changes->wanted = *tabor_model_definition(changes->model);
-  changes->is_listed = false;
-  memcpy(changes->preset, changes->built_preset, sizeof changes->preset);
+static void forget_request(ModelBuilder *builder, uint64_t request) {
+  if (builder->requests != request) return;
+  builder->wanted = *tabor_model_definition(builder->model);
+  builder->is_listed = false;
+  memcpy(builder->preset, builder->built_preset, sizeof builder->preset);
 }
 
 /* Under lock, which is left while the model is built. */
-static void answer(DrumChanges *changes) {
-  const TaborDrumDef def = changes->wanted;
-  const TaborModelOptions options = changes->options;
-  const uint64_t request = changes->requests, frame = changes->frame, presets = changes->presets;
+static void answer(ModelBuilder *builder) {
+  const TaborDrumDef def = builder->wanted;
+  const TaborModelOptions options = builder->options;
+  const uint64_t request = builder->requests, frame = builder->frame, presets = builder->presets;
   char preset[TABOR_TEXT_SIZE];
   TaborModel *model = NULL;
-  memcpy(preset, changes->preset, sizeof preset);
-  if (!changes->waits) (void)pthread_mutex_unlock(&changes->lock);
+  memcpy(preset, builder->preset, sizeof preset);
+  if (!builder->waits) (void)pthread_mutex_unlock(&builder->lock);
   Outcome outcome = build(&options, &def, &model);
-  if (!changes->waits) (void)pthread_mutex_lock(&changes->lock);
-  const bool begins_anew = presets != changes->built_presets;
-  if (outcome == OUTCOME_OK) outcome = send_model(changes, model, frame, begins_anew);
-  changes->answered = request;
+  if (!builder->waits) (void)pthread_mutex_lock(&builder->lock);
+  const bool begins_anew = presets != builder->built_presets;
+  if (outcome == OUTCOME_OK) outcome = send_model(builder, model, frame, begins_anew);
+  builder->answered = request;
   if (outcome != OUTCOME_OK) {
-    forget_request(changes, request);
+    forget_request(builder, request);
     return;
   }
-  memcpy(changes->built_preset, preset, sizeof preset);
-  changes->built_presets = presets;
-  if (changes->waits) return;
-  wait_for_change(changes);
-  if (changes->presets == presets)
-    resend_live(changes, &def); /* not what another one begins with */
+  memcpy(builder->built_preset, preset, sizeof preset);
+  builder->built_presets = presets;
+  if (builder->waits) return;
+  wait_for_change(builder);
+  if (builder->presets == presets)
+    resend_live(builder, &def); /* not what another one begins with */
 }
 
 static void *build_requests(void *context) {
-  DrumChanges *const changes = context;
-  (void)pthread_mutex_lock(&changes->lock);
-  while (!changes->stops) {
-    if (changes->answered == changes->requests) {
-      (void)pthread_cond_wait(&changes->changed, &changes->lock);
+  ModelBuilder *const builder = context;
+  (void)pthread_mutex_lock(&builder->lock);
+  while (!builder->stops) {
+    if (builder->answered == builder->requests) {
+      (void)pthread_cond_wait(&builder->changed, &builder->lock);
     } else {
-      answer(changes);
+      answer(builder);
     }
   }
-  (void)pthread_mutex_unlock(&changes->lock);
+  (void)pthread_mutex_unlock(&builder->lock);
   return NULL;
 }
 
-Outcome drum_changes_start(DrumChanges *changes, Player *player) {
-  changes->player = player;
-  if (changes->waits) return OUTCOME_OK;
-  changes->has_thread = pthread_create(&changes->thread, NULL, build_requests, changes) == 0;
-  return changes->has_thread ? OUTCOME_OK : fail("cannot start a thread for changes of the drum");
+Outcome model_builder_start(ModelBuilder *builder, Player *player) {
+  builder->player = player;
+  if (builder->waits) return OUTCOME_OK;
+  builder->has_thread = pthread_create(&builder->thread, NULL, build_requests, builder) == 0;
+  return builder->has_thread ? OUTCOME_OK : fail("cannot start a thread for changes of the drum");
 }
 
-void drum_changes_stop(DrumChanges *changes) {
-  if (!changes) return;
-  (void)pthread_mutex_lock(&changes->lock);
-  changes->stops = true;
-  (void)pthread_cond_signal(&changes->changed);
-  (void)pthread_mutex_unlock(&changes->lock);
-  if (changes->has_thread) (void)pthread_join(changes->thread, NULL);
-  changes->has_thread = false;
+void model_builder_stop(ModelBuilder *builder) {
+  if (!builder) return;
+  (void)pthread_mutex_lock(&builder->lock);
+  builder->stops = true;
+  (void)pthread_cond_signal(&builder->changed);
+  (void)pthread_mutex_unlock(&builder->lock);
+  if (builder->has_thread) (void)pthread_join(builder->thread, NULL);
+  builder->has_thread = false;
 }
 
-void drum_changes_destroy(DrumChanges *changes) {
-  if (!changes) return;
-  while (changes->drums)
-    free_drum(changes, changes->drums->drum); /* before swaps that may still fade in them */
-  while (changes->pending) {
-    Pending *const pending = changes->pending;
-    changes->pending = pending->next;
+void model_builder_destroy(ModelBuilder *builder) {
+  if (!builder) return;
+  while (builder->drums)
+    free_drum(builder, builder->drums->drum); /* before swaps that may still fade in them */
+  while (builder->pending) {
+    Pending *const pending = builder->pending;
+    builder->pending = pending->next;
     free_pending(pending);
   }
-  tabor_model_release(changes->model);
-  (void)pthread_cond_destroy(&changes->changed);
-  (void)pthread_mutex_destroy(&changes->lock);
-  free(changes);
+  tabor_model_release(builder->model);
+  (void)pthread_cond_destroy(&builder->changed);
+  (void)pthread_mutex_destroy(&builder->lock);
+  free(builder);
 }
 
 /* ---- requests ------------------------------------------------------------------------------- */
 
 /* Under lock: the definition that is wanted has changed in more than live keys. */
-static void request(DrumChanges *changes, uint64_t frame) {
-  changes->frame = frame;
-  changes->requests++;
-  if (changes->waits) {
-    reap(changes);
-    answer(changes);
+static void request(ModelBuilder *builder, uint64_t frame) {
+  builder->frame = frame;
+  builder->requests++;
+  if (builder->waits) {
+    reap(builder);
+    answer(builder);
   } else {
-    (void)pthread_cond_signal(&changes->changed);
+    (void)pthread_cond_signal(&builder->changed);
   }
 }
 
-Outcome drum_changes_set(DrumChanges *changes, uint64_t frame, const char *what, const char *key,
-                         const char *value) {
-  (void)pthread_mutex_lock(&changes->lock);
-  TaborDrumDef def = changes->wanted;
-  const Outcome outcome = changes->stops ? OUTCOME_FAILED : drum_set(&def, what, key, value);
+Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
+                          const char *value) {
+  (void)pthread_mutex_lock(&builder->lock);
+  TaborDrumDef def = builder->wanted;
+  const Outcome outcome = builder->stops ? OUTCOME_FAILED : drum_set(&def, what, key, value);
   if (outcome == OUTCOME_OK) {
     const TaborParameter *const parameter = tabor_parameter_find(key);
     const bool live = parameter && parameter->live;
-    changes->wanted = def;
-    changes->is_listed = false;
-    if (strcmp(key, "quality.level") == 0) changes->options.quality = def.quality.level;
-    if (live) send_live(changes, frame, parameter, key);
-    if (!live || outgrows(changes, key)) request(changes, frame);
+    builder->wanted = def;
+    builder->is_listed = false;
+    if (strcmp(key, "quality.level") == 0) builder->options.quality = def.quality.level;
+    if (live) send_live(builder, frame, parameter, key);
+    if (!live || outgrows(builder, key)) request(builder, frame);
   }
-  (void)pthread_mutex_unlock(&changes->lock);
+  (void)pthread_mutex_unlock(&builder->lock);
   return outcome;
 }
 
 /* A program change to the preset that is there already does nothing. */
-static Outcome choose_preset(DrumChanges *changes, uint64_t frame, const char *preset,
+static Outcome choose_preset(ModelBuilder *builder, uint64_t frame, const char *preset,
                              bool by_program) {
   TaborDrumDef def;
   Outcome outcome = drum_load_preset(preset, &def);
@@ -361,46 +361,46 @@ static Outcome choose_preset(DrumChanges *changes, uint64_t frame, const char *p
     outcome = refuse("'%s' has no microphone", preset);
   }
   if (outcome != OUTCOME_OK) return outcome;
-  (void)pthread_mutex_lock(&changes->lock);
-  if (!(by_program && changes->is_listed && strcmp(changes->preset, preset) == 0)) {
-    changes->wanted = def;
-    changes->is_listed = preset_place(preset) >= 0;
-    changes->presets++;
-    (void)snprintf(changes->preset, sizeof changes->preset, "%s", preset);
-    if (!changes->stops) request(changes, frame);
+  (void)pthread_mutex_lock(&builder->lock);
+  if (!(by_program && builder->is_listed && strcmp(builder->preset, preset) == 0)) {
+    builder->wanted = def;
+    builder->is_listed = preset_place(preset) >= 0;
+    builder->presets++;
+    (void)snprintf(builder->preset, sizeof builder->preset, "%s", preset);
+    if (!builder->stops) request(builder, frame);
   }
-  (void)pthread_mutex_unlock(&changes->lock);
+  (void)pthread_mutex_unlock(&builder->lock);
   return outcome;
 }
 
-Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *preset) {
-  return choose_preset(changes, frame, preset, false);
+Outcome model_builder_preset(ModelBuilder *builder, uint64_t frame, const char *preset) {
+  return choose_preset(builder, frame, preset, false);
 }
 
-Outcome drum_changes_program(DrumChanges *changes, uint64_t frame, const char *preset) {
-  return choose_preset(changes, frame, preset, true);
+Outcome model_builder_program(ModelBuilder *builder, uint64_t frame, const char *preset) {
+  return choose_preset(builder, frame, preset, true);
 }
 
-Outcome drum_changes_step_preset(DrumChanges *changes, uint64_t frame, int step) {
+Outcome model_builder_step_preset(ModelBuilder *builder, uint64_t frame, int step) {
   const int count = (int)tabor_preset_count();
-  (void)pthread_mutex_lock(&changes->lock);
-  const int place = preset_place(changes->preset);
-  (void)pthread_mutex_unlock(&changes->lock);
+  (void)pthread_mutex_lock(&builder->lock);
+  const int place = preset_place(builder->preset);
+  (void)pthread_mutex_unlock(&builder->lock);
   const int from = place < 0 && step < 0 ? 0 : place;
   const int next = ((from + step) % count + count) % count;
-  return drum_changes_preset(changes, frame, tabor_preset((uint32_t)next)->name);
+  return model_builder_preset(builder, frame, tabor_preset((uint32_t)next)->name);
 }
 
-void drum_changes_definition(DrumChanges *changes, TaborDrumDef *def) {
-  (void)pthread_mutex_lock(&changes->lock);
-  *def = changes->wanted;
-  (void)pthread_mutex_unlock(&changes->lock);
+void model_builder_definition(ModelBuilder *builder, TaborDrumDef *def) {
+  (void)pthread_mutex_lock(&builder->lock);
+  *def = builder->wanted;
+  (void)pthread_mutex_unlock(&builder->lock);
 }
 
-void drum_changes_status(DrumChanges *changes, PlayStatus *status) {
-  (void)pthread_mutex_lock(&changes->lock);
-  (void)snprintf(status->preset, sizeof status->preset, "%s", changes->preset);
-  status->building = changes->answered != changes->requests;
-  status->quality = changes->options.quality;
-  (void)pthread_mutex_unlock(&changes->lock);
+void model_builder_status(ModelBuilder *builder, PlayStatus *status) {
+  (void)pthread_mutex_lock(&builder->lock);
+  (void)snprintf(status->preset, sizeof status->preset, "%s", builder->preset);
+  status->building = builder->answered != builder->requests;
+  status->quality = builder->options.quality;
+  (void)pthread_mutex_unlock(&builder->lock);
 }

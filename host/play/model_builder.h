@@ -11,15 +11,15 @@
  *
  * Functions may be called by any thread but the audio thread; those that may go wrong say so (message.h).
  */
-#ifndef TABOR_HOST_DRUM_CHANGES_H
-#define TABOR_HOST_DRUM_CHANGES_H
+#ifndef TABOR_HOST_MODEL_BUILDER_H
+#define TABOR_HOST_MODEL_BUILDER_H
 
 #include "sound/player.h"
 
-typedef struct DrumChanges DrumChanges;
+typedef struct ModelBuilder ModelBuilder;
 
 /** What there is to begin with. */
-typedef struct DrumChangesSetup {
+typedef struct ModelBuilderSetup {
   const char *preset; /**< a name or a file; copied */
   bool is_listed;     /**< def is the preset's, which is built in */
   const TaborDrumDef *def;
@@ -27,35 +27,35 @@ typedef struct DrumChangesSetup {
   uint32_t channels;
   uint32_t mics[TABOR_MAX_MICS]; /**< of each channel */
   bool waits;                    /**< sound waits for changes */
-} DrumChangesSetup;
+} ModelBuilderSetup;
 
 /** Builds the drum. *changes is valid, if not NULL, whatever the outcome. */
-Outcome drum_changes_create(const DrumChangesSetup *setup, DrumChanges **changes);
-/** The newest drum, at first the one for player_create(). Belongs to @p changes. */
-TaborDrum *drum_changes_drum(const DrumChanges *changes);
+Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
+/** The newest drum, at first the one for player_create(). Belongs to @p builder. */
+TaborDrum *model_builder_drum(const ModelBuilder *builder);
 /** From now on changes are possible: they go to @p player. */
-Outcome drum_changes_start(DrumChanges *changes, Player *player);
+Outcome model_builder_start(ModelBuilder *builder, Player *player);
 /** No change acts any more. To be called before the player is destroyed; NULL is allowed. */
-void drum_changes_stop(DrumChanges *changes);
+void model_builder_stop(ModelBuilder *builder);
 /** Frees the drums, too; the player is destroyed by then. NULL is allowed. */
-void drum_changes_destroy(DrumChanges *changes);
+void model_builder_destroy(ModelBuilder *builder);
 
 /**
  * Sets the parameter @p key, as "wires.tension", to @p value at @p frame, or as soon after as it is
  * built; @p what, as "--set", begins the message if that is wrong.
  */
-Outcome drum_changes_set(DrumChanges *changes, uint64_t frame, const char *what, const char *key,
-                         const char *value);
+Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
+                          const char *value);
 /** Changes to a preset, by name or from a file. Nothing of what was set before remains. */
-Outcome drum_changes_preset(DrumChanges *changes, uint64_t frame, const char *preset);
+Outcome model_builder_preset(ModelBuilder *builder, uint64_t frame, const char *preset);
 /** The same for a built-in preset by a program change of MIDI; does nothing if it is there already, as listed. */
-Outcome drum_changes_program(DrumChanges *changes, uint64_t frame, const char *preset);
+Outcome model_builder_program(ModelBuilder *builder, uint64_t frame, const char *preset);
 /** Changes to the built-in preset that is @p step places further in the list, which is a circle. */
-Outcome drum_changes_step_preset(DrumChanges *changes, uint64_t frame, int step);
+Outcome model_builder_step_preset(ModelBuilder *builder, uint64_t frame, int step);
 
 /** The drum as it is wished for now. */
-void drum_changes_definition(DrumChanges *changes, TaborDrumDef *def);
+void model_builder_definition(ModelBuilder *builder, TaborDrumDef *def);
 /** Fills in preset and building. */
-void drum_changes_status(DrumChanges *changes, PlayStatus *status);
+void model_builder_status(ModelBuilder *builder, PlayStatus *status);
 
 #endif

@@ -14,12 +14,12 @@
 typedef struct PlayMidi PlayMidi;
 
 /** Opens the inputs that @p request asks for. *midi is valid, if not NULL, whatever the outcome. */
-Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
+Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder *builder,
                        PlayMidi **midi);
 void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
 /** How many notes have come that are not in the map. @p midi may be NULL. */
 uint64_t play_midi_ignored(const PlayMidi *midi);
-/** To be called before @p changes and the player go. NULL is allowed. */
+/** To be called before @p builder and the player go. NULL is allowed. */
 void play_midi_close(PlayMidi *midi);
 
 /** What MIDI does, at @p frame. */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-struct Recorder {
+struct TakeWriter {
   Player *player;
   OutputFile *output;
   AudioFile file;
@@ -23,106 +23,106 @@ static void pause_ms(long milliseconds) {
 }
 
 /* A block whose predecessor was lost stays in its place. */
-static Outcome write_silence_until(Recorder *recorder, uint64_t frame) {
+static Outcome write_silence_until(TakeWriter *writer, uint64_t frame) {
   Outcome outcome = OUTCOME_OK;
-  while (recorder->frames < frame && outcome == OUTCOME_OK) {
-    const uint64_t missing = frame - recorder->frames;
+  while (writer->frames < frame && outcome == OUTCOME_OK) {
+    const uint64_t missing = frame - writer->frames;
     const uint32_t frames = missing < AUDIO_BLOCK ? (uint32_t)missing : AUDIO_BLOCK;
-    outcome = audio_file_write(&recorder->file, recorder->silence, frames);
-    recorder->frames += frames;
+    outcome = audio_file_write(&writer->file, writer->silence, frames);
+    writer->frames += frames;
   }
   return outcome;
 }
 
-static Outcome write_frames(Recorder *recorder, const PlayerRecord *block) {
-  const Outcome outcome = write_silence_until(recorder, block->frame);
+static Outcome write_frames(TakeWriter *writer, const PlayerRecord *block) {
+  const Outcome outcome = write_silence_until(writer, block->frame);
   if (outcome != OUTCOME_OK) return outcome;
-  recorder->frames += block->frames;
-  return audio_file_write(&recorder->file, block->samples, block->frames);
+  writer->frames += block->frames;
+  return audio_file_write(&writer->file, block->samples, block->frames);
 }
 
 /* What goes wrong is said once; then blocks are only taken away. */
-static void write_block(Recorder *recorder, const PlayerRecord *block) {
+static void write_block(TakeWriter *writer, const PlayerRecord *block) {
   char reason[1000];
-  if (recorder->outcome != OUTCOME_OK) return;
+  if (writer->outcome != OUTCOME_OK) return;
   const MessageCapture before = message_capture(reason, sizeof reason);
-  recorder->outcome = write_frames(recorder, block);
+  writer->outcome = write_frames(writer, block);
   message_release(before);
-  if (recorder->outcome == OUTCOME_OK) return;
+  if (writer->outcome == OUTCOME_OK) return;
   (void)fail("%s; the recording ends after %.2f s, playing goes on", reason,
-             (double)recorder->file.frames / recorder->file.format.rate);
+             (double)writer->file.frames / writer->file.format.rate);
 }
 
-static void write_all(Recorder *recorder) {
+static void write_all(TakeWriter *writer) {
   const PlayerRecord *block;
-  while ((block = player_record(recorder->player)) != NULL) {
-    write_block(recorder, block);
-    player_record_next(recorder->player);
+  while ((block = player_record(writer->player)) != NULL) {
+    write_block(writer, block);
+    player_record_next(writer->player);
   }
 }
 
 static void *run(void *context) {
-  Recorder *const recorder = context;
-  while (!atomic_load(&recorder->stops)) {
-    write_all(recorder);
+  TakeWriter *const writer = context;
+  while (!atomic_load(&writer->stops)) {
+    write_all(writer);
     pause_ms(5);
   }
-  write_all(recorder);
+  write_all(writer);
   return NULL;
 }
 
-static void recorder_free(Recorder *recorder) {
-  audio_file_free(&recorder->file);
-  free(recorder->silence);
-  free(recorder);
+static void take_writer_free(TakeWriter *writer) {
+  audio_file_free(&writer->file);
+  free(writer->silence);
+  free(writer);
 }
 
-static Outcome open_file(Recorder *recorder, const AudioFormat *format) {
-  const Outcome outcome = output_open(recorder->output, format->container != AUDIO_AU);
+static Outcome open_file(TakeWriter *writer, const AudioFormat *format) {
+  const Outcome outcome = output_open(writer->output, format->container != AUDIO_AU);
   if (outcome != OUTCOME_OK) return outcome;
-  return audio_file_open(&recorder->file, format, recorder->output);
+  return audio_file_open(&writer->file, format, writer->output);
 }
 
-Outcome recorder_start(const AudioFormat *format, OutputFile *output, Player *player,
-                       Recorder **started) {
-  Recorder *const recorder = calloc(1, sizeof *recorder);
+Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player *player,
+                          TakeWriter **started) {
+  TakeWriter *const writer = calloc(1, sizeof *writer);
   *started = NULL;
-  if (!recorder) return fail_memory();
-  recorder->player = player;
-  recorder->output = output;
-  recorder->silence = calloc((size_t)AUDIO_BLOCK * format->channels, sizeof *recorder->silence);
-  Outcome outcome = recorder->silence ? open_file(recorder, format) : fail_memory();
-  if (outcome == OUTCOME_OK && pthread_create(&recorder->thread, NULL, run, recorder) != 0) {
+  if (!writer) return fail_memory();
+  writer->player = player;
+  writer->output = output;
+  writer->silence = calloc((size_t)AUDIO_BLOCK * format->channels, sizeof *writer->silence);
+  Outcome outcome = writer->silence ? open_file(writer, format) : fail_memory();
+  if (outcome == OUTCOME_OK && pthread_create(&writer->thread, NULL, run, writer) != 0) {
     outcome = fail("cannot start a thread for the recording");
   }
   if (outcome == OUTCOME_OK) {
-    *started = recorder;
+    *started = writer;
   } else {
-    recorder_free(recorder);
+    take_writer_free(writer);
   }
   return outcome;
 }
 
-void recorder_wait(const Recorder *recorder, uint32_t frames) {
-  while (!player_record_has_room(recorder->player, frames)) pause_ms(1);
+void take_writer_wait(const TakeWriter *writer, uint32_t frames) {
+  while (!player_record_has_room(writer->player, frames)) pause_ms(1);
 }
 
-static Outcome deliver(Recorder *recorder, uint64_t *kept) {
-  const Outcome writing = recorder->outcome;
-  const uint64_t frames = recorder->file.frames;
-  Outcome outcome = writing == OUTCOME_OK ? audio_file_finish(&recorder->file)
-                                          : audio_file_salvage(&recorder->file);
-  if (outcome == OUTCOME_OK) outcome = output_complete(recorder->output);
-  if (outcome == OUTCOME_OK) outcome = output_deliver(&recorder->output, 1);
+static Outcome deliver(TakeWriter *writer, uint64_t *kept) {
+  const Outcome writing = writer->outcome;
+  const uint64_t frames = writer->file.frames;
+  Outcome outcome =
+    writing == OUTCOME_OK ? audio_file_finish(&writer->file) : audio_file_salvage(&writer->file);
+  if (outcome == OUTCOME_OK) outcome = output_complete(writer->output);
+  if (outcome == OUTCOME_OK) outcome = output_deliver(&writer->output, 1);
   *kept = outcome == OUTCOME_OK ? frames : 0;
   return writing == OUTCOME_OK ? outcome : writing;
 }
 
-Outcome recorder_finish(Recorder *recorder, uint64_t *kept) {
-  if (!recorder) return OUTCOME_OK;
-  atomic_store(&recorder->stops, true);
-  (void)pthread_join(recorder->thread, NULL);
-  const Outcome outcome = deliver(recorder, kept);
-  recorder_free(recorder);
+Outcome take_writer_finish(TakeWriter *writer, uint64_t *kept) {
+  if (!writer) return OUTCOME_OK;
+  atomic_store(&writer->stops, true);
+  (void)pthread_join(writer->thread, NULL);
+  const Outcome outcome = deliver(writer, kept);
+  take_writer_free(writer);
   return outcome;
 }

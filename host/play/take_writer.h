@@ -5,23 +5,23 @@
  *
  * If the disk fails, that is said once and playing goes on; the file holds what came before.
  */
-#ifndef TABOR_HOST_RECORDER_H
-#define TABOR_HOST_RECORDER_H
+#ifndef TABOR_HOST_TAKE_WRITER_H
+#define TABOR_HOST_TAKE_WRITER_H
 
 #include "files/audio_file.h"
 #include "sound/player.h"
 
-typedef struct Recorder Recorder;
+typedef struct TakeWriter TakeWriter;
 
-/** Starts to write what @p player records. @p output is planned, and must outlive the recorder. */
-Outcome recorder_start(const AudioFormat *format, OutputFile *output, Player *player,
-                       Recorder **recorder);
+/** Starts to write what @p player records. @p output is planned, and must outlive the writer. */
+Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player *player,
+                          TakeWriter **writer);
 /** Waits until the recording has room for @p frames more, or the disk has failed. */
-void recorder_wait(const Recorder *recorder, uint32_t frames);
+void take_writer_wait(const TakeWriter *writer, uint32_t frames);
 /**
  * Writes what is left, once the player is halted, and gives the file its name; @p kept: how many frames it
  * got. Frees. NULL is allowed, and then @p kept stays as it is.
  */
-Outcome recorder_finish(Recorder *recorder, uint64_t *kept);
+Outcome take_writer_finish(TakeWriter *writer, uint64_t *kept);
 
 #endif

@@ -4,7 +4,7 @@
  * A drum being played: messages in, sound out.
  *
  * Nothing but messages gets into the audio thread, nothing but sound, numbers and blocks for the
- * recording comes out of it. Every source of messages (the keyboard, MIDI, a score, changes of the
+ * recording comes out of it. Every source of messages (the keyboard, MIDI, cues, changes of the
  * drum) is one thread and has its own queue; a queue that is full drops the message and counts it.
  *
  * A message acts at its frame, whatever the size of the device's blocks: the same messages give the

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /* Events by their frame, played in pieces: whatever the pieces, saves, resets and swaps, a drum sounds the same. */
-#ifndef TEST_SCORE_H
-#define TEST_SCORE_H
+#ifndef TEST_EVENT_SCRIPT_H
+#define TEST_EVENT_SCRIPT_H
 
 #include "physics.h"
 
 /* Whether there is an event at this frame, and which. */
-typedef uint32_t Score(uint32_t frame, TaborEvent *event);
+typedef uint32_t EventScript(uint32_t frame, TaborEvent *event);
 
 /* Frames from .. to in blocks, into out[from ..]. */
-static inline void score_play(Score *score, TaborDrum *drum, uint32_t from, uint32_t to,
-                              uint32_t block, float *out) {
+static inline void event_script_play(EventScript *script, TaborDrum *drum, uint32_t from,
+                                     uint32_t to, uint32_t block, float *out) {
   for (uint32_t start = from; start < to; start += block) {
     const uint32_t size = to - start < block ? to - start : block;
     TaborEvent events[64];
     uint32_t count = 0;
     for (uint32_t i = 0; i < size; i++) {
-      if (!score(start + i, &events[count])) continue;
+      if (!script(start + i, &events[count])) continue;
       events[count++].frame = i;
     }
     float *outputs[TABOR_MAX_MICS] = {out + start};
@@ -25,21 +25,21 @@ static inline void score_play(Score *score, TaborDrum *drum, uint32_t from, uint
 }
 
 /* `whole` and `parts` have room for `frames`, more than 7000. */
-static inline void score_keeps_every_bit(Score *score, TaborModel *model, uint32_t frames,
-                                         float *whole, float *parts) {
+static inline void event_script_keeps_every_bit(EventScript *script, TaborModel *model,
+                                                uint32_t frames, float *whole, float *parts) {
   TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
-  score_play(score, drum, 0, frames, frames / 8, whole);
-  score_play(score, other, 0, 5000, 1, parts);
+  event_script_play(script, drum, 0, frames, frames / 8, whole);
+  event_script_play(script, other, 0, 5000, 1, parts);
   const size_t size = tabor_drum_state_size(other);
   void *saved = malloc(size);
   tabor_drum_state_save(other, saved);
-  score_play(score, other, 5000, 7000, 100, parts); /* goes astray */
+  event_script_play(script, other, 5000, 7000, 100, parts); /* goes astray */
   tabor_drum_reset(drum);
   assert_int_equal(tabor_drum_state_load(drum, saved, size), TABOR_OK);
-  score_play(score, drum, 5000, frames, 77, parts);
+  event_script_play(script, drum, 5000, frames, 77, parts);
   assert_memory_equal(whole, parts, frames * sizeof *whole);
   tabor_drum_reset(drum);
-  score_play(score, drum, 0, frames, 1000, parts);
+  event_script_play(script, drum, 0, frames, 1000, parts);
   assert_memory_equal(whole, parts, frames * sizeof *whole);
   free(saved);
   tabor_drum_destroy(drum);
@@ -47,15 +47,15 @@ static inline void score_keeps_every_bit(Score *score, TaborModel *model, uint32
 }
 
 /* A drum that went on on another model at frame `at`. */
-static inline TaborDrum *score_swapped(Score *score, TaborModel *from, TaborModel *to, uint32_t at,
-                                       uint32_t frames, float *out) {
+static inline TaborDrum *event_script_swapped(EventScript *script, TaborModel *from, TaborModel *to,
+                                              uint32_t at, uint32_t frames, float *out) {
   TaborDrum *drum = physics_drum(from);
   TaborSwap *swap;
   assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
-  score_play(score, drum, 0, at, 100, out);
+  event_script_play(script, drum, 0, at, 100, out);
   const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
   tabor_drum_process(drum, &event, 1, NULL, 0);
-  score_play(score, drum, at, frames, 100, out);
+  event_script_play(script, drum, at, frames, 100, out);
   assert_true(tabor_swap_done(swap));
   tabor_swap_destroy(swap);
   return drum;

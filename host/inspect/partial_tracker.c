@@ -14,53 +14,53 @@
 static const double pi = 3.14159265358979323846;
 static const double decibels_per_neper = 8.685889638065036553;
 
-Outcome track_open(Track *track, const Spectrum *spectrum) {
-  *track = (Track){.spectrum = spectrum,
-                   .real = malloc(spectrum->length * sizeof *track->real),
-                   .imaginary = malloc(spectrum->length * sizeof *track->imaginary)};
-  return track->real && track->imaginary ? OUTCOME_OK : fail_memory();
+Outcome partial_tracker_open(PartialTracker *tracker, const Spectrum *spectrum) {
+  *tracker = (PartialTracker){.spectrum = spectrum,
+                              .real = malloc(spectrum->length * sizeof *tracker->real),
+                              .imaginary = malloc(spectrum->length * sizeof *tracker->imaginary)};
+  return tracker->real && tracker->imaginary ? OUTCOME_OK : fail_memory();
 }
 
-void track_free(Track *track) {
-  free(track->real);
-  free(track->imaginary);
-  track->real = track->imaginary = NULL;
+void partial_tracker_free(PartialTracker *tracker) {
+  free(tracker->real);
+  free(tracker->imaginary);
+  tracker->real = tracker->imaginary = NULL;
 }
 
 /* ---- following ---- */
 
-static void prepare_oscillator(Track *track, double frequency) {
-  for (size_t i = 0; i < track->spectrum->length; i++) {
+static void prepare_oscillator(PartialTracker *tracker, double frequency) {
+  for (size_t i = 0; i < tracker->spectrum->length; i++) {
     const double angle = 2 * pi * fmod(frequency * (double)i, 1);
-    track->real[i] = track->spectrum->window[i] * cos(angle);
-    track->imaginary[i] = -track->spectrum->window[i] * sin(angle);
+    tracker->real[i] = tracker->spectrum->window[i] * cos(angle);
+    tracker->imaginary[i] = -tracker->spectrum->window[i] * sin(angle);
   }
 }
 
 /* Level and phase against the oscillator in window @p k, which begins at samples. */
-static void look(Track *track, size_t k, const double *samples, double turns) {
+static void look(PartialTracker *tracker, size_t k, const double *samples, double turns) {
   double real = 0, imaginary = 0;
-  for (size_t i = 0; i < track->spectrum->length; i++) {
-    real += samples[i] * track->real[i];
-    imaginary += samples[i] * track->imaginary[i];
+  for (size_t i = 0; i < tracker->spectrum->length; i++) {
+    real += samples[i] * tracker->real[i];
+    imaginary += samples[i] * tracker->imaginary[i];
   }
   const double size = hypot(real, imaginary);
   const double phase = atan2(imaginary, real) - 2 * pi * fmod(turns, 1);
-  const double before = k > 0 ? track->phase[k - 1] : phase;
-  track->level[k] = size > 0 ? 20 * log10(size) : SILENT;
-  track->phase[k] = before + remainder(phase - before, 2 * pi); /* turns less than half a time */
+  const double before = k > 0 ? tracker->phase[k - 1] : phase;
+  tracker->level[k] = size > 0 ? 20 * log10(size) : SILENT;
+  tracker->phase[k] = before + remainder(phase - before, 2 * pi); /* turns less than half a time */
 }
 
-static void follow(Track *track, const double *samples, size_t count, double frequency) {
-  const size_t length = track->spectrum->length, hop = length / TRACK_OVERLAP;
+static void follow(PartialTracker *tracker, const double *samples, size_t count, double frequency) {
+  const size_t length = tracker->spectrum->length, hop = length / TRACKER_OVERLAP;
   double loudest = SILENT;
-  prepare_oscillator(track, frequency);
-  for (track->count = 0; track->count < TRACK_MOST; track->count++) {
-    const size_t start = track->count * hop;
+  prepare_oscillator(tracker, frequency);
+  for (tracker->count = 0; tracker->count < TRACKER_MOST; tracker->count++) {
+    const size_t start = tracker->count * hop;
     if (start + length > count) return;
-    look(track, track->count, samples + start, frequency * (double)start);
-    loudest = fmax(loudest, track->level[track->count]);
-    if (track->count >= TRACK_LEAST && track->level[track->count] < loudest - RANGE) return;
+    look(tracker, tracker->count, samples + start, frequency * (double)start);
+    loudest = fmax(loudest, tracker->level[tracker->count]);
+    if (tracker->count >= TRACKER_LEAST && tracker->level[tracker->count] < loudest - RANGE) return;
   }
 }
 
@@ -102,24 +102,24 @@ static double deviation(const double *values, const double *weights, size_t coun
 
 /* Level of the floor that the track ends in, if it falls at the end less than half as fast as at the
    beginning; SILENT if it does not. */
-static double find_floor(Track *track) {
-  const size_t third = track->count / 3, rest = track->count - third;
+static double find_floor(PartialTracker *tracker) {
+  const size_t third = tracker->count / 3, rest = tracker->count - third;
   if (third < 2) return SILENT;
-  for (size_t i = 0; i < third; i++) track->weight[i] = 1;
-  const Line early = fit_line(track->level, track->weight, third),
-             late = fit_line(track->level + rest, track->weight, third);
+  for (size_t i = 0; i < third; i++) tracker->weight[i] = 1;
+  const Line early = fit_line(tracker->level, tracker->weight, third),
+             late = fit_line(tracker->level + rest, tracker->weight, third);
   if (early.slope >= 0 || late.slope < 0.5 * early.slope) return SILENT;
   return late.start + 0.5 * late.slope * (double)(third - 1);
 }
 
 /* Weighs each window by how well noise of the floor's level lets its level be known. Returns the
    number of windows before the partial comes near the floor. */
-static size_t weigh(Track *track) {
-  const double floor_level = find_floor(track);
+static size_t weigh(PartialTracker *tracker) {
+  const double floor_level = find_floor(tracker);
   size_t count = 0;
-  for (; count < track->count && track->level[count] > floor_level + ABOVE_FLOOR; count++) {
-    const double noise = pow(10, (floor_level - track->level[count]) / 10); /* over the partial */
-    track->weight[count] = 1 / (LEAST_VARIANCE + VARIANCE * noise);
+  for (; count < tracker->count && tracker->level[count] > floor_level + ABOVE_FLOOR; count++) {
+    const double noise = pow(10, (floor_level - tracker->level[count]) / 10); /* over the partial */
+    tracker->weight[count] = 1 / (LEAST_VARIANCE + VARIANCE * noise);
   }
   return count;
 }
@@ -136,20 +136,21 @@ static double window_answer(const Spectrum *spectrum, double decay_rate, double 
   return hypot(real, imaginary);
 }
 
-bool track_fit(Track *track, const double *samples, size_t count, double frequency, TrackFit *fit) {
-  follow(track, samples, count, frequency);
-  const size_t used = weigh(track);
-  if (used < TRACK_LEAST) return false;
-  const Line level = fit_line(track->level, track->weight, used),
-             phase = fit_line(track->phase, track->weight, used);
-  const size_t hop_length = track->spectrum->length / TRACK_OVERLAP;
+bool partial_tracker_fit(PartialTracker *tracker, const double *samples, size_t count,
+                         double frequency, PartialFit *fit) {
+  follow(tracker, samples, count, frequency);
+  const size_t used = weigh(tracker);
+  if (used < TRACKER_LEAST) return false;
+  const Line level = fit_line(tracker->level, tracker->weight, used),
+             phase = fit_line(tracker->phase, tracker->weight, used);
+  const size_t hop_length = tracker->spectrum->length / TRACKER_OVERLAP;
   const double hop = (double)hop_length;
   const bool steady = fabs(level.slope) * (double)used < NO_CHANGE;
   const double offset = phase.slope / hop;
   fit->decay_rate = steady ? 0 : -level.slope / decibels_per_neper / hop;
   fit->frequency = frequency + offset / (2 * pi);
-  fit->deviation = deviation(track->level, track->weight, used, level);
-  const double answer = window_answer(track->spectrum, fit->decay_rate, offset);
+  fit->deviation = deviation(tracker->level, tracker->weight, used, level);
+  const double answer = window_answer(tracker->spectrum, fit->decay_rate, offset);
   fit->lag = -20 * log10(answer);
   fit->amplitude = 2 * pow(10, level.start / 20) / answer;
   return true;

@@ -11,44 +11,45 @@
  * approximate but what other partials and noise add. In cycles and per sample; the limiting case of
  * a steady tone is s = 0.
  */
-#ifndef TABOR_HOST_TRACK_H
-#define TABOR_HOST_TRACK_H
+#ifndef TABOR_HOST_PARTIAL_TRACKER_H
+#define TABOR_HOST_PARTIAL_TRACKER_H
 
 #include <stddef.h>
 
 #include "inspect/spectrum.h"
 
-#define TRACK_MOST 64   /**< windows */
-#define TRACK_LEAST 8   /**< windows that a fit needs */
-#define TRACK_OVERLAP 8 /**< windows begin the length divided by this apart */
+#define TRACKER_MOST 64   /**< windows */
+#define TRACKER_LEAST 8   /**< windows that a fit needs */
+#define TRACKER_OVERLAP 8 /**< windows begin the length divided by this apart */
 
 /** Samples that a fit needs with a window of @p length. */
-#define TRACK_SAMPLES(length) ((length) + (TRACK_LEAST - 1) * ((length) / TRACK_OVERLAP))
+#define TRACKER_SAMPLES(length) ((length) + (TRACKER_LEAST - 1) * ((length) / TRACKER_OVERLAP))
 
-typedef struct TrackFit {
+typedef struct PartialFit {
   double frequency;  /**< [cycles per sample] */
   double decay_rate; /**< of the amplitude [1/sample]; 0 if there is no change to speak of */
   double amplitude;  /**< at the first sample */
   double deviation;  /**< of the levels from a line, root mean square [dB] */
   double lag;        /**< how far the partial has fallen when the first window sees it [dB] */
-} TrackFit;
+} PartialFit;
 
-/** Memory for tracks through a window. */
-typedef struct Track {
-  const Spectrum *spectrum;                    /**< its window is used */
-  double *real, *imaginary;                    /**< window times oscillator */
-  double level[TRACK_MOST], phase[TRACK_MOST]; /**< [dB], [rad] */
-  double weight[TRACK_MOST];                   /**< in the fits */
+/** Memory for following partials through a window. */
+typedef struct PartialTracker {
+  const Spectrum *spectrum;                        /**< its window is used */
+  double *real, *imaginary;                        /**< window times oscillator */
+  double level[TRACKER_MOST], phase[TRACKER_MOST]; /**< [dB], [rad] */
+  double weight[TRACKER_MOST];                     /**< in the fits */
   size_t count;
-} Track;
+} PartialTracker;
 
-/** Free with track_free(), whatever the outcome. */
-Outcome track_open(Track *track, const Spectrum *spectrum);
+/** Free with partial_tracker_free(), whatever the outcome. */
+Outcome partial_tracker_open(PartialTracker *tracker, const Spectrum *spectrum);
 /**
  * Follows what is near @p frequency from the first of @p count samples on. False if it is lost in the
  * floor too soon.
  */
-bool track_fit(Track *track, const double *samples, size_t count, double frequency, TrackFit *fit);
-void track_free(Track *track);
+bool partial_tracker_fit(PartialTracker *tracker, const double *samples, size_t count,
+                         double frequency, PartialFit *fit);
+void partial_tracker_free(PartialTracker *tracker);
 
 #endif

@@ -35,7 +35,7 @@ static void prepare_knobs(Voice *voice) {
 }
 
 static void start_over(Voice *voice, const MidiBinding *binding) {
-  midi_drum_begin(&voice->midi, &voice->map, binding);
+  midi_to_events_begin(&voice->midi, &voice->map, binding);
   voice->humanizer.state = HUMANIZE_SEED;
   voice->silencer = silencer_begin(voice->rate);
   voice->expression = fader_at(1, voice->rate);

@@ -58,7 +58,7 @@ typedef struct Voice {
   uint32_t grip_id;
 
   TaborDrum *drum; /**< NULL until there is one */
-  MidiDrum midi;
+  MidiToEvents midi;
   Humanizer humanizer;
   uint32_t striker_count;
   Crossing crossing;

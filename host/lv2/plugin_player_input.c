@@ -233,7 +233,7 @@ static void take_action(Voice *voice, const MidiAction *action) {
 
 void voice_take(Voice *voice, const MidiMessage *message) {
   MidiAction action;
-  if (!midi_drum_take(&voice->midi, message, &action)) return;
+  if (!midi_to_events_take(&voice->midi, message, &action)) return;
   if (action.type == MIDI_ACTION_EVENT) {
     take_event(voice, &action.event);
   } else {

@@ -73,7 +73,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   }
 }
 
-void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *binding) {
+void midi_to_events_begin(MidiToEvents *drum, const MidiMap *map, const MidiBinding *binding) {
   memset(drum, 0, sizeof *drum);
   drum->map = map;
   drum->binding = *binding;
@@ -89,7 +89,7 @@ static double choose(double note, double controller, double preset) {
   return isnan(controller) ? preset : controller;
 }
 
-static double stroke_radius(const MidiDrum *drum, const MidiNote *note) {
+static double stroke_radius(const MidiToEvents *drum, const MidiNote *note) {
   const double head = drum->binding.head_radius;
   if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
     return CROSS_STICK_RADIUS * head;
@@ -98,20 +98,20 @@ static double stroke_radius(const MidiDrum *drum, const MidiNote *note) {
 }
 
 /* With the prefix, if one came; it is for one note only. */
-static double take_velocity(MidiDrum *drum, const MidiMessage *message) {
+static double take_velocity(MidiToEvents *drum, const MidiMessage *message) {
   uint8_t *const prefix = &drum->prefixes[midi_channel(message)];
   const double velocity = message->data[1] + *prefix / 128.0;
   *prefix = 0;
   return velocity;
 }
 
-static uint32_t new_id(MidiDrum *drum) {
+static uint32_t new_id(MidiToEvents *drum) {
   drum->next_id = drum->next_id % (FIRST_HAND - 1) + 1;
   return drum->next_id;
 }
 
 /* The stick of a note that buzzes, at its end or when its key is pressed. */
-static bool act_on_stick(MidiDrum *drum, uint8_t key, TaborEventType type, double pressure,
+static bool act_on_stick(MidiToEvents *drum, uint8_t key, TaborEventType type, double pressure,
                          MidiAction *action) {
   if (!drum->held[key]) return false;
   drum->held[key] = type != TABOR_EVENT_RELEASE;
@@ -122,7 +122,7 @@ static bool act_on_stick(MidiDrum *drum, uint8_t key, TaborEventType type, doubl
 }
 
 /* Of a plain stroke nothing: it ends by itself. */
-static bool end_note(MidiDrum *drum, uint8_t key, MidiAction *action) {
+static bool end_note(MidiToEvents *drum, uint8_t key, MidiAction *action) {
   return act_on_stick(drum, key, TABOR_EVENT_RELEASE, 0, action);
 }
 
@@ -137,20 +137,20 @@ static TaborTechnique technique_of(MidiStroke stroke) {
   }
 }
 
-static void hold(MidiDrum *drum, uint8_t key, TaborEvent *event) {
+static void hold(MidiToEvents *drum, uint8_t key, TaborEvent *event) {
   drum->held[key] = true;
   event->id = FIRST_BUZZ + key;
   event->value = BUZZ_PRESSURE;
 }
 
 /* As loud as a note is a sweep fast. */
-static void sweep(MidiDrum *drum, uint8_t key, double velocity, TaborEvent *event) {
+static void sweep(MidiToEvents *drum, uint8_t key, double velocity, TaborEvent *event) {
   hold(drum, key, event);
   drum->sweeping = key;
   event->velocity = drum->map->notes[key].speed * drum->binding.sweep_speed[key] * velocity / 64;
 }
 
-static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+static bool take_note(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t key = message->data[0];
   const MidiNote *const note = &drum->map->notes[key];
   const double velocity = take_velocity(drum, message);
@@ -179,7 +179,7 @@ static bool take_note(MidiDrum *drum, const MidiMessage *message, MidiAction *ac
 /* ---- pressure ---- */
 
 /* By channel or by key pressure: a hand each. */
-static bool press_hand(MidiDrum *drum, uint32_t hand, uint8_t pressure, MidiAction *action) {
+static bool press_hand(MidiToEvents *drum, uint32_t hand, uint8_t pressure, MidiAction *action) {
   const bool lifts = pressure == 0;
   if (lifts && !drum->hands[hand]) return false;
   drum->hands[hand] = !lifts;
@@ -193,7 +193,7 @@ static bool press_hand(MidiDrum *drum, uint32_t hand, uint8_t pressure, MidiActi
   return true;
 }
 
-static bool take_key_pressure(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+static bool take_key_pressure(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const MidiStroke stroke = drum->map->notes[message->data[0]].stroke;
   if (!drum->map->pressure || stroke == MIDI_STROKE_NONE) return false;
   if (stroke == MIDI_STROKE_BUZZ || stroke == MIDI_STROKE_SWEEP) {
@@ -204,7 +204,8 @@ static bool take_key_pressure(MidiDrum *drum, const MidiMessage *message, MidiAc
 }
 
 /* The channel's is the brush's while one sweeps, else a hand's. */
-static bool take_channel_pressure(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+static bool take_channel_pressure(MidiToEvents *drum, const MidiMessage *message,
+                                  MidiAction *action) {
   if (!drum->map->pressure) return false;
   if (drum->sweeping < 0) return press_hand(drum, 0, message->data[0], action);
   return act_on_stick(drum, (uint8_t)drum->sweeping, TABOR_EVENT_PRESS, message->data[0] / 127.0,
@@ -238,7 +239,7 @@ static double strainer(double preset, uint8_t value) {
   return preset + (1 - preset) * (value - 64) / 63.0;
 }
 
-static double gain(const MidiDrum *drum) {
+static double gain(const MidiToEvents *drum) {
   double product = 1;
   for (int i = 0; i < MIDI_VALUES; i++) {
     const double part = drum->values[i] / 127.0;
@@ -247,14 +248,14 @@ static double gain(const MidiDrum *drum) {
   return product;
 }
 
-static bool set_gain(const MidiDrum *drum, MidiAction *action) {
+static bool set_gain(const MidiToEvents *drum, MidiAction *action) {
   action->type = MIDI_ACTION_GAIN;
   action->value = gain(drum);
   return true;
 }
 
 /* A silenced drum has no hands and no sticks on it. */
-static bool silence(MidiDrum *drum, MidiAction *action) {
+static bool silence(MidiToEvents *drum, MidiAction *action) {
   drum->hands[0] = drum->hands[1] = false;
   memset(drum->held, 0, sizeof drum->held);
   drum->sweeping = -1;
@@ -263,7 +264,7 @@ static bool silence(MidiDrum *drum, MidiAction *action) {
 }
 
 /* A brush that sweeps goes to where the controllers say. */
-static bool move_brush(const MidiDrum *drum, MidiAction *action) {
+static bool move_brush(const MidiToEvents *drum, MidiAction *action) {
   if (drum->sweeping < 0) return false;
   const MidiBinding *const binding = &drum->binding;
   action->type = MIDI_ACTION_EVENT;
@@ -275,7 +276,7 @@ static bool move_brush(const MidiDrum *drum, MidiAction *action) {
   return true;
 }
 
-static bool move(MidiDrum *drum, uint8_t number, MidiAction *action) {
+static bool move(MidiToEvents *drum, uint8_t number, MidiAction *action) {
   const MidiControl *const control = &drum->map->controls[number];
   const MidiBinding *const binding = &drum->binding;
   const uint8_t value = drum->values[number];
@@ -297,7 +298,7 @@ static bool move(MidiDrum *drum, uint8_t number, MidiAction *action) {
   return false;
 }
 
-static bool take_control(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+static bool take_control(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t number = message->data[0];
   drum->values[number] = message->data[1];
   drum->moved[number] = true;
@@ -311,14 +312,14 @@ static bool take_control(MidiDrum *drum, const MidiMessage *message, MidiAction 
 
 /* ---- all of them ---- */
 
-static bool choose_preset(const MidiDrum *drum, uint8_t program, MidiAction *action) {
+static bool choose_preset(const MidiToEvents *drum, uint8_t program, MidiAction *action) {
   if (!drum->map->programs || program >= drum->binding.presets) return false;
   action->type = MIDI_ACTION_PRESET;
   action->preset = program;
   return true;
 }
 
-bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *action) {
+bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const int channel = drum->map->channel;
   if (channel != MIDI_OMNI && channel != midi_channel(message)) return false;
   *action = (MidiAction){0};

@@ -13,8 +13,8 @@
  * in proportion; controllers of place then move it. Its own key's pressure, and while it lasts the channel's,
  * is the brush's.
  */
-#ifndef TABOR_HOST_MIDI_DRUM_H
-#define TABOR_HOST_MIDI_DRUM_H
+#ifndef TABOR_HOST_MIDI_TO_EVENTS_H
+#define TABOR_HOST_MIDI_TO_EVENTS_H
 
 #include "base/realtime.h"
 #include "midi/midi_map.h"
@@ -62,7 +62,7 @@ typedef struct MidiCounts {
   uint64_t ignored_notes; /**< not in the map */
 } MidiCounts;
 
-typedef struct MidiDrum {
+typedef struct MidiToEvents {
   const MidiMap *map;
   MidiBinding binding;             /**< of the drum that plays; assign another when it changes */
   uint8_t values[MIDI_VALUES];     /**< of controllers */
@@ -74,13 +74,15 @@ typedef struct MidiDrum {
   int sweeping;                    /**< the last note that began to sweep, while it does; else -1 */
   uint32_t next_id;                /**< of a stroke */
   MidiCounts counts;
-} MidiDrum;
+} MidiToEvents;
 
 /** SET-UP. What @p map means on @p def. */
 void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding);
 /** AUDIO. Begins; @p map must outlive it. */
-void midi_drum_begin(MidiDrum *drum, const MidiMap *map, const MidiBinding *binding) REALTIME;
+void midi_to_events_begin(MidiToEvents *drum, const MidiMap *map,
+                          const MidiBinding *binding) REALTIME;
 /** AUDIO. True if @p message does something: then *action says what. */
-bool midi_drum_take(MidiDrum *drum, const MidiMessage *message, MidiAction *action) REALTIME;
+bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
+                         MidiAction *action) REALTIME;
 
 #endif

@@ -11,7 +11,7 @@
 /* All but what play_midi_open() sets, and the count, belongs to the thread that receives. */
 struct PlayMidi {
   MidiMap map;
-  MidiDrum drum;
+  MidiToEvents drum;
   double bound; /* when the drum was looked at [s] */
   Humanizer humanizer;
   Player *player;
@@ -43,7 +43,7 @@ static void receive(void *context, double time, const MidiMessage *message) {
   const double now = stopwatch_seconds(CLOCK_MONOTONIC);
   MidiAction action;
   if (now - midi->bound > BINDING_AGE) bind(midi, now);
-  const bool acts = midi_drum_take(&midi->drum, message, &action);
+  const bool acts = midi_to_events_take(&midi->drum, message, &action);
   atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
   if (!acts) return;
   Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
@@ -64,7 +64,7 @@ Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder 
   midi->humanizer = request->humanizer;
   midi->player = player;
   midi->builder = builder;
-  midi_drum_begin(&midi->drum, &midi->map, &(MidiBinding){0});
+  midi_to_events_begin(&midi->drum, &midi->map, &(MidiBinding){0});
   bind(midi, stopwatch_seconds(CLOCK_MONOTONIC));
   return midi_input_open(arguments_value(request->arguments, "midi-in"), request->quiet, receive,
                          midi, &midi->input);

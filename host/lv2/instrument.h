@@ -33,13 +33,13 @@ typedef struct Instrument {
 
   KnobRange ranges[KNOB_COUNT];
   const LV2_Atom_Sequence *events;
-  VoiceOutputs outputs;
+  PluginOutputs outputs;
   const float *freewheel;
   float *ready;
   const float *knob_ports[KNOB_COUNT];
 
-  Workshop workshop;
-  Voice voice;
+  ModelWorker worker;
+  PluginPlayer player;
 } Instrument;
 
 extern const LV2_State_Interface instrument_state;

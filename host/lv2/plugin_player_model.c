@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a voice gets another model while its drum rings. */
+/* How a player gets another model while its drum rings. */
 #include <math.h>
 #include <string.h>
 
@@ -7,166 +7,168 @@
 
 #define CROSS_HOLD 0.008 /* [s] after which a swapped drum is heard at all usual microphones */
 
-static void take_restoration(Voice *voice, const Offer *offer) {
-  voice->wish.restoration = offer->restoration;
-  voice->wish.program = WORKSHOP_NO_PROGRAM;
-  voice_forget_choice(voice);
-  atomic_store(&voice->workshop->program, WORKSHOP_NO_PROGRAM);
-  voice_forget_turns(&voice->wish);
+static void take_restoration(PluginPlayer *player, const Reply *reply) {
+  player->request.restoration = reply->restoration;
+  player->request.program = MODEL_WORKER_NO_PROGRAM;
+  plugin_player_forget_choice(player);
+  atomic_store(&player->worker->program, MODEL_WORKER_NO_PROGRAM);
+  plugin_player_forget_turns(&player->request);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    if (!isnan(offer->seen[i])) voice->seen[i] = offer->seen[i];
+    if (!isnan(reply->seen[i])) player->seen[i] = reply->seen[i];
   }
 }
 
 /* Both sides of a drum without a stereo pair are heard by its first microphone. */
-static void attend(Voice *voice, const Offer *offer) {
-  for (uint32_t i = 0; i < VOICE_MICS; i++) {
-    const bool may_replace = voice->stereo && i >= VOICE_LEFT;
-    voice->mics[i] = offer->mics[i] == WORKSHOP_NO_MIC && may_replace ? 0 : offer->mics[i];
+static void attend(PluginPlayer *player, const Reply *reply) {
+  for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
+    const bool may_replace = player->stereo && i >= PLUGIN_LEFT;
+    player->mics[i] = reply->mics[i] == MODEL_WORKER_NO_MIC && may_replace ? 0 : reply->mics[i];
   }
 }
 
-static void read_model(Voice *voice, const Offer *offer) {
-  attend(voice, offer);
-  voice->striker_count = offer->def.striker_count;
-  voice->built_grip = offer->def.hand.grip;
-  voice->strainer = offer->binding.strainer;
-  memcpy(voice->built, offer->built, sizeof voice->built);
+static void read_model(PluginPlayer *player, const Reply *reply) {
+  attend(player, reply);
+  player->striker_count = reply->def.striker_count;
+  player->built_grip = reply->def.hand.grip;
+  player->strainer = reply->binding.strainer;
+  memcpy(player->built, reply->built, sizeof player->built);
 }
 
 /* The value that a live knob is to have: as MIDI says, else the knob, else the drum. */
-static double live_value(const Voice *voice, KnobId id) {
-  if (id == KNOB_STRAINER && !isnan(voice->wish.strainer)) return voice->wish.strainer;
-  if (!isnan(voice->wish.values[id])) return voice->wish.values[id];
-  return id == KNOB_STRAINER ? voice->strainer : voice->built[id];
+static double live_value(const PluginPlayer *player, KnobId id) {
+  if (id == KNOB_STRAINER && !isnan(player->request.strainer)) return player->request.strainer;
+  if (!isnan(player->request.values[id])) return player->request.values[id];
+  return id == KNOB_STRAINER ? player->strainer : player->built[id];
 }
 
 /* The engine carries what was moved over to the new model; there it is put right. */
-void voice_move_live(Voice *voice) {
+void plugin_player_move_live(PluginPlayer *player) {
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    if (knobs[i].kind != KNOB_LIVE || isnan(voice->built[i])) continue;
-    const double value = live_value(voice, (KnobId)i);
-    const bool differs = value != voice->built[i];
-    if (differs || voice->moved[i]) voice_move_parameter(voice, voice->ids[i], value);
-    voice->moved[i] = differs;
+    if (knobs[i].kind != KNOB_LIVE || isnan(player->built[i])) continue;
+    const double value = live_value(player, (KnobId)i);
+    const bool differs = value != player->built[i];
+    if (differs || player->moved[i]) plugin_player_move_parameter(player, player->ids[i], value);
+    player->moved[i] = differs;
   }
-  const double grip = isnan(voice->wish.grip) ? voice->built_grip : voice->wish.grip;
-  if (voice->grip_moved) voice_move_parameter(voice, voice->grip_id, grip);
-  voice->grip_moved = grip != voice->built_grip;
+  const double grip = isnan(player->request.grip) ? player->built_grip : player->request.grip;
+  if (player->grip_moved) plugin_player_move_parameter(player, player->grip_id, grip);
+  player->grip_moved = grip != player->built_grip;
 }
 
-/* There is room: a wish empties it, and until the next two drums at most join those that sound. */
-void voice_throw_away(Voice *voice, TaborDrum *drum) {
+/* There is room: a request empties it, and until the next two drums at most join those that sound. */
+void plugin_player_throw_away(PluginPlayer *player, TaborDrum *drum) {
   uint32_t i = 0;
   if (!drum) return;
-  while (i + 1 < WORKSHOP_TRASH && voice->trash[i]) i++;
-  voice->trash[i] = drum;
+  while (i + 1 < MODEL_WORKER_TRASH && player->trash[i]) i++;
+  player->trash[i] = drum;
 }
 
-void voice_end_crossing(Voice *voice) {
-  voice_throw_away(voice, voice->crossing.drum);
-  voice->crossing.drum = NULL;
+void plugin_player_end_crossing(PluginPlayer *player) {
+  plugin_player_throw_away(player, player->crossing.drum);
+  player->crossing.drum = NULL;
 }
 
-void voice_clear_up(Voice *voice) {
+void plugin_player_clear_up(PluginPlayer *player) {
   TaborDrum *drum;
-  while ((drum = leaving_take(&voice->leaving)) != NULL) voice_throw_away(voice, drum);
+  while ((drum = leaving_take(&player->leaving)) != NULL) plugin_player_throw_away(player, drum);
 }
 
-void voice_cut_others(Voice *voice) {
-  voice_end_crossing(voice);
-  leaving_cut(&voice->leaving);
-  voice_clear_up(voice);
+void plugin_player_cut_others(PluginPlayer *player) {
+  plugin_player_end_crossing(player);
+  leaving_cut(&player->leaving);
+  plugin_player_clear_up(player);
 }
 
 /* A copy of the drum goes on as it was. */
-static void copy_drum(Voice *voice, const Offer *offer) {
-  tabor_drum_state_save(voice->drum, offer->state);
-  const size_t size = tabor_drum_state_size(offer->spare);
-  const bool copied = tabor_drum_state_load(offer->spare, offer->state, size) == TABOR_OK;
-  voice_end_crossing(voice);
-  if (copied && !tabor_drum_is_silent(voice->drum)) {
-    voice->crossing = (Crossing){.drum = offer->spare,
-                                 .hold = (uint32_t)(CROSS_HOLD * voice->rate),
-                                 .fade = (uint32_t)(CROSS_FADE * voice->rate)};
+static void copy_drum(PluginPlayer *player, const Reply *reply) {
+  tabor_drum_state_save(player->drum, reply->state);
+  const size_t size = tabor_drum_state_size(reply->spare);
+  const bool copied = tabor_drum_state_load(reply->spare, reply->state, size) == TABOR_OK;
+  plugin_player_end_crossing(player);
+  if (copied && !tabor_drum_is_silent(player->drum)) {
+    player->crossing = (Crossing){.drum = reply->spare,
+                                  .hold = (uint32_t)(CROSS_HOLD * player->rate),
+                                  .fade = (uint32_t)(CROSS_FADE * player->rate)};
   } else {
-    voice_throw_away(voice, offer->spare);
+    plugin_player_throw_away(player, reply->spare);
   }
 }
 
-static void swap(Voice *voice, const Offer *offer) {
-  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = offer->swap};
-  if (offer->spare) copy_drum(voice, offer);
-  tabor_drum_process(voice->drum, &event, 1, NULL, 0);
-  voice->swap = offer->swap;
+static void swap(PluginPlayer *player, const Reply *reply) {
+  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = reply->swap};
+  if (reply->spare) copy_drum(player, reply);
+  tabor_drum_process(player->drum, &event, 1, NULL, 0);
+  player->swap = reply->swap;
 }
 
-static void replace(Voice *voice, TaborDrum *drum) {
-  TaborDrum *const before = voice->drum;
-  voice_end_crossing(voice);
+static void replace(PluginPlayer *player, TaborDrum *drum) {
+  TaborDrum *const before = player->drum;
+  plugin_player_end_crossing(player);
   if (before) {
-    voice_throw_away(voice, leaving_add(&voice->leaving, before, voice->mics, VOICE_MICS));
+    plugin_player_throw_away(player,
+                             leaving_add(&player->leaving, before, player->mics, PLUGIN_MICS));
   }
-  voice->drum = drum;
-  memset(voice->moved, 0, sizeof voice->moved);
-  voice->grip_moved = false;
+  player->drum = drum;
+  memset(player->moved, 0, sizeof player->moved);
+  player->grip_moved = false;
 }
 
 /* Messages may be meant for a still newer preset already. */
-static bool speaks_of(const Voice *voice, const Offer *offer) {
-  return voice->chosen == WORKSHOP_NO_PROGRAM || voice->chosen == offer->program;
+static bool speaks_of(const PluginPlayer *player, const Reply *reply) {
+  return player->chosen == MODEL_WORKER_NO_PROGRAM || player->chosen == reply->program;
 }
 
-static void land(Voice *voice, const Offer *offer) {
-  if (!offer->is_news) return;
-  voice->answered = offer->number;
-  voice->answered_restoration = offer->restoration;
-  if (offer->restoration != voice->wish.restoration) take_restoration(voice, offer);
-  if (offer->failed) return;
-  if (offer->drum) replace(voice, offer->drum);
-  if (offer->swap) swap(voice, offer);
-  if (offer->begins_anew) silencer_forget(&voice->silencer);
-  read_model(voice, offer);
-  if (speaks_of(voice, offer)) {
-    voice->midi.binding = offer->binding;
-    voice_place_strokes(voice);
+static void land(PluginPlayer *player, const Reply *reply) {
+  if (!reply->is_news) return;
+  player->answered = reply->number;
+  player->answered_restoration = reply->restoration;
+  if (reply->restoration != player->request.restoration) take_restoration(player, reply);
+  if (reply->failed) return;
+  if (reply->drum) replace(player, reply->drum);
+  if (reply->swap) swap(player, reply);
+  if (reply->begins_anew) silencer_forget(&player->silencer);
+  read_model(player, reply);
+  if (speaks_of(player, reply)) {
+    player->midi.binding = reply->binding;
+    plugin_player_place_strokes(player);
   }
-  voice_move_live(voice);
+  plugin_player_move_live(player);
 }
 
-static bool wants(const Voice *voice) {
-  return voice->wish.number != voice->asked ||
-         atomic_load(&voice->workshop->restoration) != voice->asked_restoration;
+static bool wants(const PluginPlayer *player) {
+  return player->request.number != player->asked ||
+         atomic_load(&player->worker->restoration) != player->asked_restoration;
 }
 
-void voice_receive(Voice *voice) {
-  const Offer *const offer = workshop_offer(voice->workshop);
-  if (!offer) return;
-  land(voice, offer);
-  workshop_accept(voice->workshop);
+void plugin_player_receive(PluginPlayer *player) {
+  const Reply *const reply = model_worker_reply(player->worker);
+  if (!reply) return;
+  land(player, reply);
+  model_worker_accept(player->worker);
 }
 
-static bool is_littered(const Voice *voice) {
-  return voice->trash[0] || (voice->swap && tabor_swap_done(voice->swap));
+static bool is_littered(const PluginPlayer *player) {
+  return player->trash[0] || (player->swap && tabor_swap_done(player->swap));
 }
 
-bool voice_ask(Voice *voice) {
-  if (!workshop_is_idle(voice->workshop) || !(wants(voice) || is_littered(voice))) return false;
-  voice->asked = voice->wish.number;
-  voice->asked_restoration = atomic_load(&voice->workshop->restoration);
-  voice->swap = NULL; /* the worker may clear it up now */
-  memcpy(voice->wish.seen, voice->seen, sizeof voice->wish.seen);
-  memcpy(voice->wish.trash, voice->trash, sizeof voice->wish.trash);
-  memset(voice->trash, 0, sizeof voice->trash);
-  workshop_ask(voice->workshop, &voice->wish);
+bool plugin_player_ask(PluginPlayer *player) {
+  if (!model_worker_is_idle(player->worker) || !(wants(player) || is_littered(player)))
+    return false;
+  player->asked = player->request.number;
+  player->asked_restoration = atomic_load(&player->worker->restoration);
+  player->swap = NULL; /* the worker may clear it up now */
+  memcpy(player->request.seen, player->seen, sizeof player->request.seen);
+  memcpy(player->request.trash, player->trash, sizeof player->request.trash);
+  memset(player->trash, 0, sizeof player->trash);
+  model_worker_ask(player->worker, &player->request);
   return true;
 }
 
-bool voice_is_ready(const Voice *voice) {
-  return voice->drum && voice->answered == voice->wish.number &&
-         voice->answered_restoration == atomic_load(&voice->workshop->restoration);
+bool plugin_player_is_ready(const PluginPlayer *player) {
+  return player->drum && player->answered == player->request.number &&
+         player->answered_restoration == atomic_load(&player->worker->restoration);
 }
 
-bool voice_is_settled(const Voice *voice) {
-  return workshop_is_idle(voice->workshop) && !wants(voice);
+bool plugin_player_is_settled(const PluginPlayer *player) {
+  return model_worker_is_idle(player->worker) && !wants(player);
 }

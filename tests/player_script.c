@@ -21,18 +21,18 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
   TaborDrumDef def;
   assert_non_null(stage);
   assert_int_equal(tabor_drum_def_preset(&def, preset, NULL), TABOR_OK);
-  DrumChangesSetup setup = {.preset = preset, .def = &def, .channels = 1, .waits = waits};
+  ModelBuilderSetup setup = {.preset = preset, .def = &def, .channels = 1, .waits = waits};
   tabor_model_options_default(&setup.options);
   setup.options.quality = quality;
-  assert_int_equal(drum_changes_create(&setup, &stage->changes), OUTCOME_OK);
-  const PlayerSetup player = {.drum = drum_changes_drum(stage->changes),
+  assert_int_equal(model_builder_create(&setup, &stage->builder), OUTCOME_OK);
+  const PlayerSetup player = {.drum = model_builder_drum(stage->builder),
                               .rate = RATE,
                               .channels = 1,
                               .width = WIDTH,
                               .gain = 1,
                               .records = true};
   assert_int_equal(player_create(&player, &stage->player), OUTCOME_OK);
-  assert_int_equal(drum_changes_start(stage->changes, stage->player), OUTCOME_OK);
+  assert_int_equal(model_builder_start(stage->builder, stage->player), OUTCOME_OK);
   stage->channels = 1;
   stage->room = frames + LARGEST;
   stage->samples = calloc(stage->room, sizeof *stage->samples);
@@ -41,9 +41,9 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
 }
 
 void stage_close(Stage *stage) {
-  drum_changes_stop(stage->changes);
+  model_builder_stop(stage->builder);
   player_destroy(stage->player);
-  drum_changes_destroy(stage->changes);
+  model_builder_destroy(stage->builder);
   free(stage->samples);
   free(stage);
 }

@@ -6,13 +6,13 @@
 #ifndef TEST_PLAYER_SCRIPT_H
 #define TEST_PLAYER_SCRIPT_H
 
-#include "play/drum_changes.h"
+#include "play/model_builder.h"
 
 enum { PLAYER_SCRIPT_MOST = 4096 };
 
 /** A player with its drum, and what it has recorded so far. */
 typedef struct Stage {
-  DrumChanges *changes;
+  ModelBuilder *builder;
   Player *player;
   uint32_t channels;
   uint64_t position; /**< frames asked for */

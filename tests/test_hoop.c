@@ -107,20 +107,20 @@ static void an_impulse_finds_the_same_mass_everywhere(void **state) {
   tabor_model_release(model);
 }
 
-typedef struct Ring {
+typedef struct SpscQueue {
   double frequency, rate, stored[2];
   TaborLedger ledger;
-} Ring;
+} SpscQueue;
 
 /* Strokes on the rim; what is stored, and by zero crossings the pitch, between 20 and 60 ms. */
-static Ring ring(const TaborDrumDef *def) {
+static SpscQueue ring(const TaborDrumDef *def) {
   static float sound[4800];
   float *outputs[TABOR_MAX_MICS] = {sound};
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent rim = {
     .type = TABOR_EVENT_STRIKE, .velocity = 1.0, .technique = TABOR_TECHNIQUE_RIM};
-  Ring found = {0};
+  SpscQueue found = {0};
   tabor_drum_process(drum, &rim, 1, outputs, 960);
   tabor_drum_ledger(drum, &found.ledger);
   found.stored[0] = found.ledger.stored;
@@ -144,7 +144,7 @@ static Ring ring(const TaborDrumDef *def) {
 static void a_struck_rim_rings_at_its_pitch_and_dies_away_at_its_rate(void **state) {
   (void)state;
   const TaborDrumDef def = drum_with_mode(1000.0, 30.0);
-  const Ring found = ring(&def);
+  const SpscQueue found = ring(&def);
   const double mass = 0.5 * def.hoop.mass * (1.0 + 1.0 / 9.0), omega = 2.0 * PI * 1000.0;
   const double air =
     tb_hoop_radiation(3, omega, &def.air, def.shell.radius, def.shell.depth) / mass;
@@ -162,12 +162,12 @@ static void without_losses_or_air_nothing_is_lost(void **state) {
   (void)state;
   TaborDrumDef def = drum_with_mode(1000.0, 30.0);
   def.quality.losses = 0;
-  const Ring lossless = ring(&def);
+  const SpscQueue lossless = ring(&def);
   assert_true(lossless.ledger.shell_loss == 0.0 && lossless.ledger.radiated == 0.0);
   assert_true(fabs(lossless.stored[1] / lossless.stored[0] - 1.0) < 1e-10);
   def = drum_with_mode(1000.0, 30.0);
   def.air.density = 0.0;
-  const Ring silent = ring(&def);
+  const SpscQueue silent = ring(&def);
   assert_true(silent.ledger.radiated == 0.0 && silent.ledger.shell_loss > 0.0);
   assert_true(fabs(silent.rate / 30.0 - 1.0) < 0.01);
 }
@@ -177,7 +177,7 @@ static void a_rim_without_modes_does_not_yield(void **state) {
   (void)state;
   TaborDrumDef def = drum_with_mode(0.0, 0.0);
   def.hoop.contact_loss = 0.0;
-  const Ring found = ring(&def);
+  const SpscQueue found = ring(&def);
   assert_true(found.stored[1] == 0.0 && found.ledger.contact_loss == 0.0);
   assert_true(fabs(found.ledger.removed / found.ledger.injected - 1.0) < 1e-12);
 }

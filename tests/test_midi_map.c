@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_drum.h. */
-#include "midi/midi_drum.h"
+/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_to_events.h. */
+#include "midi/midi_to_events.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -14,14 +14,14 @@ static const double ROUNDING = 1e-12; /* relative */
 
 static TaborDrumDef def;
 static MidiMap map;
-static MidiDrum drum;
+static MidiToEvents drum;
 static MidiStream stream;
 static MidiAction action;
 
 static void begin(void) {
   MidiBinding binding;
   midi_binding_make(&map, &def, &binding);
-  midi_drum_begin(&drum, &map, &binding);
+  midi_to_events_begin(&drum, &map, &binding);
   stream = (MidiStream){0};
 }
 
@@ -41,7 +41,7 @@ static unsigned send(const void *bytes, size_t count) {
     const uint8_t byte = ((const uint8_t *)bytes)[i];
     if (!midi_stream_take(&stream, byte, &message)) continue;
     MidiAction made;
-    if (!midi_drum_take(&drum, &message, &made)) continue;
+    if (!midi_to_events_take(&drum, &message, &made)) continue;
     action = made;
     actions++;
   }
@@ -104,7 +104,7 @@ static void test_stream_of_anything(void **state) {
     messages++;
     assert_in_range(message.status, 0x80, 0xEF);
     assert_true(message.data[0] < 128 && message.data[1] < 128);
-    if (!midi_drum_take(&drum, &message, &action)) continue;
+    if (!midi_to_events_take(&drum, &message, &action)) continue;
     const TaborEvent *const event = &action.event;
     assert_true(isfinite(event->velocity) && isfinite(event->radius) && isfinite(event->angle) &&
                 isfinite(event->value) && isfinite(action.value));

@@ -39,9 +39,9 @@ static Stage *perform(uint32_t size) {
   Messages messages;
   write_script(&messages);
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
-  assert_int_equal(drum_changes_set(stage->changes, 5003, "set", "batter.tension", "3300"),
+  assert_int_equal(model_builder_set(stage->builder, 5003, "set", "batter.tension", "3300"),
                    OUTCOME_OK);
-  assert_int_equal(drum_changes_preset(stage->changes, 12345, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_preset(stage->builder, 12345, "frame-drum"), OUTCOME_OK);
   stage_play(stage, &messages, FRAMES, size);
   stage_end(stage);
   assert_int_equal(stage->recorded, FRAMES);
@@ -234,9 +234,9 @@ static void silence_after_a_change_keeps_what_moved(void **state) {
   (void)state;
   Messages messages = {0};
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
-  assert_int_equal(drum_changes_set(stage->changes, 1000, "set", "batter.tension", "4321"),
+  assert_int_equal(model_builder_set(stage->builder, 1000, "set", "batter.tension", "4321"),
                    OUTCOME_OK);
-  assert_int_equal(drum_changes_preset(stage->changes, 6000, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_preset(stage->builder, 6000, "frame-drum"), OUTCOME_OK);
   messages_add(&messages, message_parameter(0, "mic.top.gain", 0));
   messages_add(&messages, message_strike(500, 5, 0.03));
   messages_add(&messages, (PlayerMessage){.frame = 2000, .type = PLAYER_SILENCE});
@@ -308,7 +308,7 @@ static void presets_with_less_are_played_all_the_same(void **state) {
   PlayerMessage mallet = message_strike(3000, 3, 0.03);
   mallet.event.striker = 1;
   messages_add(&messages, mallet);
-  assert_int_equal(drum_changes_preset(stage->changes, 1000, PRESET), OUTCOME_OK);
+  assert_int_equal(model_builder_preset(stage->builder, 1000, PRESET), OUTCOME_OK);
   stage_play(stage, &messages, 6000, 128);
   player_status(stage->player, &status);
   assert_int_equal(status.dropped, 0);
@@ -323,24 +323,25 @@ static void changes_come_while_it_rings(void **state) {
   TaborDrumDef def;
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, false, 48000 * 60);
   const PlayerMessage strike = message_strike(PLAYER_NOW, 3, 0.03);
-  assert_int_equal(drum_changes_set(stage->changes, PLAYER_NOW, "set", "batter.tension", "3100"),
+  assert_int_equal(model_builder_set(stage->builder, PLAYER_NOW, "set", "batter.tension", "3100"),
                    OUTCOME_OK);
-  assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_preset(stage->builder, PLAYER_NOW, "frame-drum"), OUTCOME_OK);
   assert_int_equal(
-    drum_changes_set(stage->changes, PLAYER_NOW, "set", "batter.muffle_strength", "3"), OUTCOME_OK);
+    model_builder_set(stage->builder, PLAYER_NOW, "set", "batter.muffle_strength", "3"),
+    OUTCOME_OK);
   const TaborModel *model = NULL;
   const struct timespec moment = {.tv_nsec = 2000000};
   for (int i = 0; i < 9000; i++) {
     if (i % 50 == 0) assert_true(player_send(stage->player, SOURCE_KEYS, &strike));
     stage_block(stage, 128);
-    drum_changes_status(stage->changes, &status);
+    model_builder_status(stage->builder, &status);
     model = stage_model(stage);
     if (!status.building && strcmp(tabor_model_definition(model)->name, status.preset) == 0) break;
     (void)nanosleep(&moment, NULL);
   }
   assert_string_equal(status.preset, "frame-drum");
   assert_false(status.building);
-  drum_changes_definition(stage->changes, &def);
+  model_builder_definition(stage->builder, &def);
   assert_true(def.batter.muffle_strength == 3);
   stage_close(stage);
 }
@@ -355,16 +356,16 @@ static void presets_passed_over_are_silent(void **state) {
   const struct timespec moment = {.tv_nsec = 2000000};
   uint32_t wished = 0;
   for (int i = 0; i < 9000; i++) {
-    drum_changes_status(stage->changes, &status);
+    model_builder_status(stage->builder, &status);
     const bool comes = i == 0 || (status.building && i % 20 == 0);
     if (wished < 3 && comes) {
-      assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[wished++]),
+      assert_int_equal(model_builder_preset(stage->builder, PLAYER_NOW, presets[wished++]),
                        OUTCOME_OK);
     }
     stage_block(stage, 128);
     if (wished == 3 && !status.building) break;
     if (!status.building && i > 0 && wished < 3) {
-      assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[wished++]),
+      assert_int_equal(model_builder_preset(stage->builder, PLAYER_NOW, presets[wished++]),
                        OUTCOME_OK);
     }
     (void)nanosleep(&moment, NULL);
@@ -385,19 +386,19 @@ static void a_program_change_once_more_does_nothing(void **state) {
   TaborDrumDef def;
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
   const PlayerMessage strike = message_strike(0, 5, 0.03);
-  assert_int_equal(drum_changes_program(stage->changes, 0, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_program(stage->builder, 0, "frame-drum"), OUTCOME_OK);
   assert_true(player_send(stage->player, SOURCE_KEYS, &strike));
   stage_block(stage, 1000);
   const TaborModel *const model = stage_model(stage);
   assert_string_equal(tabor_model_definition(model)->name, "frame-drum");
-  assert_int_equal(drum_changes_program(stage->changes, 1000, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_program(stage->builder, 1000, "frame-drum"), OUTCOME_OK);
   stage_block(stage, 1000);
   assert_ptr_equal(stage_model(stage), model);
   assert_true(stage_peak(stage, 1500, stage->recorded) > 1e-4);
-  assert_int_equal(drum_changes_set(stage->changes, 2000, "set", "batter.tension", "3100"),
+  assert_int_equal(model_builder_set(stage->builder, 2000, "set", "batter.tension", "3100"),
                    OUTCOME_OK);
-  assert_int_equal(drum_changes_program(stage->changes, 2000, "frame-drum"), OUTCOME_OK);
-  drum_changes_definition(stage->changes, &def);
+  assert_int_equal(model_builder_program(stage->builder, 2000, "frame-drum"), OUTCOME_OK);
+  model_builder_definition(stage->builder, &def);
   assert_true(def.batter.tension != 3100);
   stage_block(stage, 3000);
   assert_true(stage_peak(stage, 2000, 2100) > 1e-5);
@@ -413,10 +414,10 @@ static void quality_can_be_set(void **state) {
   (void)state;
   PlayStatus status = {0};
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
-  assert_int_equal(drum_changes_set(stage->changes, PLAYER_NOW, "set", "quality.level", "live"),
+  assert_int_equal(model_builder_set(stage->builder, PLAYER_NOW, "set", "quality.level", "live"),
                    OUTCOME_OK);
   stage_block(stage, 128);
-  drum_changes_status(stage->changes, &status);
+  model_builder_status(stage->builder, &status);
   TaborModelInfo info;
   tabor_model_info(stage_model(stage), &info);
   assert_int_equal(info.quality, TABOR_QUALITY_LIVE);
@@ -429,18 +430,18 @@ static void wrong_changes_are_refused(void **state) {
   char said[200];
   TaborDrumDef before, after;
   Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, FRAMES);
-  drum_changes_definition(stage->changes, &before);
+  model_builder_definition(stage->builder, &before);
   const MessageCapture capture = message_capture(said, sizeof said);
-  assert_int_equal(drum_changes_set(stage->changes, 0, "set", "batter.tensoin", "1"),
+  assert_int_equal(model_builder_set(stage->builder, 0, "set", "batter.tensoin", "1"),
                    OUTCOME_REFUSED);
   assert_non_null(strstr(said, "batter.tension"));
-  assert_int_equal(drum_changes_set(stage->changes, 0, "set", "batter.tension", "1e9"),
+  assert_int_equal(model_builder_set(stage->builder, 0, "set", "batter.tension", "1e9"),
                    OUTCOME_REFUSED);
-  assert_int_equal(drum_changes_set(stage->changes, 0, "set", "mic.new.gain", "1"),
+  assert_int_equal(model_builder_set(stage->builder, 0, "set", "mic.new.gain", "1"),
                    OUTCOME_REFUSED);
-  assert_int_equal(drum_changes_preset(stage->changes, 0, "snare"), OUTCOME_REFUSED);
+  assert_int_equal(model_builder_preset(stage->builder, 0, "snare"), OUTCOME_REFUSED);
   message_release(capture);
-  drum_changes_definition(stage->changes, &after);
+  model_builder_definition(stage->builder, &after);
   assert_memory_equal(&before, &after, sizeof before);
   stage_block(stage, 256);
   stage_close(stage);
@@ -450,11 +451,11 @@ static void presets_step_round(void **state) {
   (void)state;
   PlayStatus status;
   Stage *const stage = stage_open("frame-drum", TABOR_QUALITY_DRAFT, true, FRAMES);
-  assert_int_equal(drum_changes_step_preset(stage->changes, 0, 1), OUTCOME_OK);
-  drum_changes_status(stage->changes, &status);
+  assert_int_equal(model_builder_step_preset(stage->builder, 0, 1), OUTCOME_OK);
+  model_builder_status(stage->builder, &status);
   assert_string_not_equal(status.preset, "frame-drum");
-  assert_int_equal(drum_changes_step_preset(stage->changes, 0, -1), OUTCOME_OK);
-  drum_changes_status(stage->changes, &status);
+  assert_int_equal(model_builder_step_preset(stage->builder, 0, -1), OUTCOME_OK);
+  model_builder_status(stage->builder, &status);
   assert_string_equal(status.preset, "frame-drum");
   stage_close(stage);
 }

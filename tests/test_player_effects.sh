@@ -40,12 +40,13 @@ effects() {
 }
 plugins=
 if pkg-config --exists lv2; then
-  plugins="lv2/instrument lv2/knobs lv2/sequence lv2/voice lv2/voice_change lv2/voice_input lv2/voice_sound lv2/workshop"
+  plugins="lv2/instrument lv2/knobs lv2/model_worker lv2/sequence
+    lv2/plugin_player lv2/plugin_player_input lv2/plugin_player_model lv2/plugin_player_sound"
 else
   skip_part "the plugins: needs lv2-dev"
 fi
-names="sound/player sound/leaving base/ring sound/frame_clock sound/ring_out sound/silencer sound/tally strokes/humanize
-  midi/midi_drum midi/midi_speed midi/midi_stream"
+names="sound/player sound/leaving base/spsc_queue sound/frame_clock sound/ring_out sound/silencer sound/tally strokes/humanize
+  midi/midi_to_events midi/midi_speed midi/midi_stream"
 for name in $names $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
 done

@@ -61,11 +61,11 @@ static void change_random(Stage *stage, uint64_t *random) {
   static const char *const presets[] = {"tabor", "frame-drum", "snare-14x5.5-off", "tom-12"};
   if (random_next(random) < 0.5) {
     const uint32_t which = (uint32_t)(4 * random_next(random));
-    assert_int_equal(drum_changes_preset(stage->changes, PLAYER_NOW, presets[which]), OUTCOME_OK);
+    assert_int_equal(model_builder_preset(stage->builder, PLAYER_NOW, presets[which]), OUTCOME_OK);
   } else {
     char value[32];
     (void)snprintf(value, sizeof value, "%.3f", 2500 + 500 * random_next(random));
-    assert_int_equal(drum_changes_set(stage->changes, PLAYER_NOW, "set", "batter.tension", value),
+    assert_int_equal(model_builder_set(stage->builder, PLAYER_NOW, "set", "batter.tension", value),
                      OUTCOME_OK);
   }
 }
@@ -78,28 +78,28 @@ static void playing_calls_nothing_that_waits(void **state) {
   const struct timespec moment = {.tv_nsec = 1000000};
   const uint64_t least = (uint64_t)(seconds * 48000);
   uint64_t random = 11;
-  uint32_t changes = 0;
+  uint32_t builder = 0;
   PlayStatus status = {0};
   Stage *const stage = stage_open("tabor", TABOR_QUALITY_DRAFT, false, 0);
   const TaborModel *model = stage_model(stage);
-  while (stage->position < least || (changes < LEAST_CHANGES && stage->position < MOST * least)) {
+  while (stage->position < least || (builder < LEAST_CHANGES && stage->position < MOST * least)) {
     const uint32_t frames = 16 + (uint32_t)(1000 * random_next(&random));
     for (int i = 0; i < 3; i++) send_random(stage, &random);
     const long counted = calls_of_block(stage, frames);
     if (counted > 0)
       fail_msg("%ld calls at frame %llu", counted, (unsigned long long)stage->position);
     const TaborModel *const now = stage_model(stage);
-    changes += now != model;
+    builder += now != model;
     model = now;
-    drum_changes_status(stage->changes, &status);
+    model_builder_status(stage->builder, &status);
     if (!status.building && random_next(&random) < 0.02) change_random(stage, &random);
     if (status.building)
       (void)nanosleep(&moment, NULL); /* sound must not be over before it is built */
   }
   player_status(stage->player, &status);
   printf("%.0f s, %llu strokes, %u changes of the model\n", status.time,
-         (unsigned long long)status.strokes, (unsigned)changes);
-  assert_true(changes >= LEAST_CHANGES);
+         (unsigned long long)status.strokes, (unsigned)builder);
+  assert_true(builder >= LEAST_CHANGES);
   assert_true(status.strokes > least / 48000);
   assert_int_equal(status.recovered, 0);
   stage_close(stage);

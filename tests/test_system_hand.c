@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A stick that a hand presses onto the head bounces: the harder, the faster. Its work is accounted for. */
-#include "score.h"
+#include "event_script.h"
 
 static const double RATE = 48000.0;
 
@@ -267,7 +267,7 @@ static void changes_while_it_bounces_are_accounted_for_at_every_cap(void **state
       def = physics_small(&def);
       TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
       TaborDrum *drum = physics_drum(model);
-      score_play(hands_at_work, drum, 0, FRAMES, 64, out);
+      event_script_play(hands_at_work, drum, 0, FRAMES, 64, out);
       TaborLedger ledger;
       TaborStatistics statistics;
       tabor_drum_ledger(drum, &ledger);
@@ -289,7 +289,7 @@ static void blocks_saves_and_resets_keep_every_bit(void **state) {
   static float whole[FRAMES], parts[FRAMES];
   const TaborDrumDef def = held_drum(0.5);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
-  score_keeps_every_bit(hands_at_work, model, FRAMES, whole, parts);
+  event_script_keeps_every_bit(hands_at_work, model, FRAMES, whole, parts);
   tabor_model_release(model);
 }
 
@@ -302,12 +302,12 @@ static void a_swap_keeps_the_stick_in_the_hand(void **state) {
   def.batter.tension *= 1.05;
   TaborModel *tighter = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborDrum *drum = physics_drum(model);
-  score_play(hands_at_work, drum, 0, FRAMES, 100, straight);
+  event_script_play(hands_at_work, drum, 0, FRAMES, 100, straight);
   tabor_drum_destroy(drum);
-  drum = score_swapped(hands_at_work, model, twin, SWAPPED_AT, FRAMES, out);
+  drum = event_script_swapped(hands_at_work, model, twin, SWAPPED_AT, FRAMES, out);
   assert_memory_equal(straight, out, sizeof out);
   tabor_drum_destroy(drum);
-  drum = score_swapped(hands_at_work, model, tighter, SWAPPED_AT, FRAMES, out);
+  drum = event_script_swapped(hands_at_work, model, tighter, SWAPPED_AT, FRAMES, out);
   TaborProbe probe;
   TaborLedger ledger;
   TaborStatistics statistics;

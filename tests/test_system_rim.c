@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
  * the same speed, cross-sticks leave the head nearly silent; their energy is accounted for, whatever else happens. */
-#include "score.h"
+#include "event_script.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
 
@@ -185,7 +185,7 @@ static void every_stroke_is_accounted_for_at_every_cap(void **state) {
       def.wires.count = def.wires.count > 3 ? 3 : def.wires.count;
       TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
       TaborDrum *drum = physics_drum(model);
-      score_play(at_work, drum, 0, FRAMES, 64, out);
+      event_script_play(at_work, drum, 0, FRAMES, 64, out);
       TaborLedger ledger;
       TaborStatistics statistics;
       tabor_drum_ledger(drum, &ledger);
@@ -207,7 +207,7 @@ static void blocks_saves_and_resets_keep_every_bit(void **state) {
   static float whole[FRAMES], parts[FRAMES];
   const TaborDrumDef def = physics_preset("snare-14x5.5-off");
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
-  score_keeps_every_bit(at_work, model, FRAMES, whole, parts);
+  event_script_keeps_every_bit(at_work, model, FRAMES, whole, parts);
   tabor_model_release(model);
 }
 
@@ -222,12 +222,12 @@ static void a_swap_carries_sticks_and_hoop_on(void **state) {
   def.hoop.mass *= 2.0;
   TaborModel *heavier = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
-  score_play(at_work, drum, 0, FRAMES, 100, straight);
+  event_script_play(at_work, drum, 0, FRAMES, 100, straight);
   tabor_drum_destroy(drum);
-  drum = score_swapped(at_work, model, twin, SWAPPED_AT, FRAMES, out);
+  drum = event_script_swapped(at_work, model, twin, SWAPPED_AT, FRAMES, out);
   assert_memory_equal(straight, out, sizeof out);
   tabor_drum_destroy(drum);
-  drum = score_swapped(at_work, model, heavier, SWAPPED_AT, FRAMES, out);
+  drum = event_script_swapped(at_work, model, heavier, SWAPPED_AT, FRAMES, out);
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
   assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 /* The model of @p preset, built when it is first asked for. */
 static Outcome find_model(PresetDrums *presets, uint32_t preset, TaborModel **model) {

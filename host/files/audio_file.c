@@ -106,7 +106,7 @@ Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *
   errno = 0;
   file->stream = output->kind == OUTPUT_STREAMED
                    ? sf_open_fd(output->descriptor, SFM_WRITE, &info, SF_FALSE)
-                   : recorded_io_open(&file->io, output->descriptor, &info);
+                   : sndfile_io_open(&file->io, output->descriptor, &info);
   if (!file->stream) return sound_failure(file, NULL);
   (void)sf_command(file->stream, SFC_SET_ADD_PEAK_CHUNK, NULL, SF_FALSE); /* holds the time */
   if (may_need_rf64(format)) { /* what turns out to be short is a WAV all the same */

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "base/output_file.h"
-#include "files/recorded_io.h"
+#include "files/sndfile_io.h"
 
 typedef enum AudioContainer { AUDIO_WAV, AUDIO_FLAC, AUDIO_AU } AudioContainer;
 typedef enum AudioEncoding { AUDIO_PCM16, AUDIO_PCM24, AUDIO_FLOAT } AudioEncoding;
@@ -27,7 +27,7 @@ typedef struct AudioFormat {
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
-  RecordedIo io; /**< what stream writes to, unless that is a pipe */
+  SndfileIo io; /**< what stream writes to, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
   uint64_t frames;

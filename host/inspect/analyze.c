@@ -9,16 +9,16 @@
 
 #include "base/command.h"
 #include "base/json_output.h"
-#include "files/recording.h"
+#include "files/audio_clip.h"
 #include "inspect/partials.h"
 
 #define LONGEST_TIME 86400
 
 typedef struct Analysis {
   const char *file;
-  RecordingPart part;
+  AudioClipPart part;
   PartialSearch search;
-  Recording recording;
+  AudioClip recording;
   Partials partials;
 } Analysis;
 
@@ -47,7 +47,7 @@ static Outcome read_request(const Arguments *arguments, Analysis *analysis) {
   if (!arguments->operand || !*arguments->operand) return refuse("analyze needs a sound file");
   if (from >= to) return refuse("--from '%.10g': not before --to %.10g", from, to);
   analysis->file = arguments->operand;
-  analysis->part = (RecordingPart){(uint32_t)channel, from, to};
+  analysis->part = (AudioClipPart){(uint32_t)channel, from, to};
   analysis->search = (PartialSearch){.most = (size_t)count, .least_level = level};
   return OUTCOME_OK;
 }
@@ -61,7 +61,7 @@ static json_t *partial_json(const Partial *partial) {
 }
 
 static Outcome print_json(const Analysis *analysis) {
-  const Recording *const recording = &analysis->recording;
+  const AudioClip *const recording = &analysis->recording;
   json_t *const list = json_array();
   for (size_t i = 0; i < analysis->partials.count; i++) {
     json_array_append_new(list, partial_json(&analysis->partials.list[i]));
@@ -91,7 +91,7 @@ static Outcome print_table(const Analysis *analysis) {
 /* ---- the command ---- */
 
 static Outcome find_partials(Analysis *analysis) {
-  const Recording *const recording = &analysis->recording;
+  const AudioClip *const recording = &analysis->recording;
   const size_t onset = find_onset(recording->samples, recording->count);
   if (onset == recording->count) {
     warn(INPUT " is silent", INPUT_OF(analysis->file));
@@ -115,7 +115,7 @@ static Outcome find_partials(Analysis *analysis) {
 static Outcome analyze(const Arguments *arguments, Analysis *analysis) {
   Outcome outcome = read_request(arguments, analysis);
   if (outcome == OUTCOME_OK) {
-    outcome = recording_read(analysis->file, &analysis->part, &analysis->recording);
+    outcome = audio_clip_read(analysis->file, &analysis->part, &analysis->recording);
   }
   if (outcome == OUTCOME_OK) outcome = find_partials(analysis);
   if (outcome != OUTCOME_OK) return outcome;
@@ -126,7 +126,7 @@ static Outcome run(const Arguments *arguments) {
   Analysis *const analysis = calloc(1, sizeof *analysis);
   if (!analysis) return fail_memory();
   const Outcome outcome = analyze(arguments, analysis);
-  recording_free(&analysis->recording);
+  audio_clip_free(&analysis->recording);
   free(analysis);
   return outcome;
 }

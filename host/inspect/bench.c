@@ -13,7 +13,7 @@
 #include "base/json_output.h"
 #include "base/stopwatch.h"
 #include "base/suggest.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "inspect/workload.h"
 
 #define DURATION 4.0 /* [s] */

@@ -8,7 +8,7 @@
 
 #include "base/command.h"
 #include "base/json_output.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 /* Time in which the amplitude falls by 60 dB [s]; infinite without losses. */
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "inspect/track.h"
+#include "inspect/partial_tracker.h"
 
 #define SHORTEST_WINDOW 0.02 /* [s], or up to 1.4 times as long */
 #define WINDOWS 7            /* lengths, each twice the one before */
@@ -54,7 +54,7 @@ static size_t shortest_window(double rate) {
   return length;
 }
 
-size_t partials_least_samples(double rate) { return TRACK_SAMPLES(shortest_window(rate)); }
+size_t partials_least_samples(double rate) { return TRACKER_SAMPLES(shortest_window(rate)); }
 
 /* ---- search ---- */
 
@@ -64,7 +64,7 @@ typedef struct Search {
   const double *samples;
   size_t count;
   Spectrum spectrum;
-  Track track;
+  PartialTracker tracker;
   Partials *found;
 } Search;
 
@@ -81,7 +81,7 @@ static bool is_hidden(const Search *search, double frequency, double level) {
 }
 
 /* A track that leads away from its peak is that of a neighbour. */
-static bool is_sound(const Search *search, const Peak *peak, const TrackFit *fit,
+static bool is_sound(const Search *search, const Peak *peak, const PartialFit *fit,
                      const struct Round *round) {
   const double bin = 1 / (double)search->spectrum.length;
   return fit->deviation <= round->deviation && fit->lag <= round->lag &&
@@ -91,10 +91,11 @@ static bool is_sound(const Search *search, const Peak *peak, const TrackFit *fit
 
 static void consider(Search *search, const Peak *peak, const struct Round *round) {
   Partials *const found = search->found;
-  TrackFit fit;
+  PartialFit fit;
   if (found->count == MOST_PARTIALS || is_hidden(search, peak->frequency, INFINITY)) return;
   if (peak->frequency * search->wanted->rate < LOWEST) return;
-  if (!track_fit(&search->track, search->samples, search->count, peak->frequency, &fit)) return;
+  if (!partial_tracker_fit(&search->tracker, search->samples, search->count, peak->frequency, &fit))
+    return;
   if (!is_sound(search, peak, &fit, round)) return;
   found->list[found->count++] = (Partial){fit.frequency, decibels(fit.amplitude), fit.decay_rate};
 }
@@ -102,14 +103,14 @@ static void consider(Search *search, const Peak *peak, const struct Round *round
 /* All peaks through a window of @p length. */
 static Outcome search_window(Search *search, size_t length, const struct Round *round) {
   Outcome outcome = spectrum_open(&search->spectrum, length);
-  if (outcome == OUTCOME_OK) outcome = track_open(&search->track, &search->spectrum);
+  if (outcome == OUTCOME_OK) outcome = partial_tracker_open(&search->tracker, &search->spectrum);
   if (outcome == OUTCOME_OK) {
     Peak peaks[MOST_PEAKS];
     spectrum_compute(&search->spectrum, search->samples);
     const size_t count = spectrum_peaks(&search->spectrum, peaks, MOST_PEAKS);
     for (size_t i = 0; i < count; i++) consider(search, &peaks[i], round);
   }
-  track_free(&search->track);
+  partial_tracker_free(&search->tracker);
   spectrum_free(&search->spectrum);
   return outcome;
 }
@@ -119,7 +120,7 @@ static Outcome search_windows(Search *search, const struct Round *round) {
   Outcome outcome = OUTCOME_OK;
   for (size_t length = shortest << (WINDOWS - 1); length >= shortest && outcome == OUTCOME_OK;
        length /= 2) {
-    if (TRACK_SAMPLES(length) <= search->count) outcome = search_window(search, length, round);
+    if (TRACKER_SAMPLES(length) <= search->count) outcome = search_window(search, length, round);
   }
   return outcome;
 }

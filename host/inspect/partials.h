@@ -5,7 +5,7 @@
  *
  * Spectra of the sound from its onset on are taken with windows from long to short, each half as long
  * as the one before. Peaks of a long one tell close partials apart, those of a short one find
- * partials that do not ring for long. Every peak is followed through time (track.h); it is taken
+ * partials that do not ring for long. Every peak is followed through time (partial_tracker.h); it is taken
  * with the longest window through which it decays in a straight line, and hides others that this
  * window cannot tell from it.
  */

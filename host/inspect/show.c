@@ -8,7 +8,7 @@
 
 #include "base/command.h"
 #include "base/json_output.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "drums/preset_file.h"
 
 #define LONGEST_KEY (2 * TABOR_NAME_SIZE)

@@ -11,7 +11,7 @@
 #include "base/command.h"
 #include "base/folder.h"
 #include "base/json_output.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "library/library_batch.h"
 #include "library/library_manifest.h"
 #include "library/library_sfz.h"

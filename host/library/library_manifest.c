@@ -13,7 +13,7 @@
 #include "base/folder.h"
 #include "base/json_output.h"
 #include "base/text_file.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 #define VALUE_FLAGS (JSON_ENCODE_ANY | JSON_REAL_PRECISION(15))
 #define TEMPORARY_PREFIX ".tabor-"

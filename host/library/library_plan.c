@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "strokes/stroke.h"
 
 #define MIDDLE_VELOCITY 64  /* of a library with one */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/folder.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "midi/midi_options.h"
 #include "render/render_batch.h"
 #include "render/render_options.h"

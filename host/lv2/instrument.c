@@ -44,7 +44,7 @@ static void sleep_for(long nanoseconds) {
 static void *look_for_work(void *handle) {
   Instrument *const instrument = handle;
   while (!atomic_load(&instrument->stops)) {
-    workshop_work(&instrument->workshop);
+    model_worker_work(&instrument->worker);
     sleep_for(GLANCE);
   }
   return NULL;
@@ -57,13 +57,13 @@ static void say(void *context, const char *line) {
 
 static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map *map) {
   map_uris(&instrument->urids, map);
-  instrument->workshop.say = say;
-  instrument->workshop.context = instrument;
-  if (!workshop_begin(&instrument->workshop, rate)) return false;
+  instrument->worker.say = say;
+  instrument->worker.context = instrument;
+  if (!model_worker_begin(&instrument->worker, rate)) return false;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    instrument->ranges[i] = knob_range((KnobId)i, &instrument->workshop.base);
+    instrument->ranges[i] = knob_range((KnobId)i, &instrument->worker.base);
   }
-  if (!voice_begin(&instrument->voice, &instrument->workshop, rate, stereo)) return false;
+  if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
   if (instrument->schedule) return true;
   instrument->has_thread =
     pthread_create(&instrument->thread, NULL, look_for_work, instrument) == 0;
@@ -74,8 +74,8 @@ static void cleanup(LV2_Handle handle) {
   Instrument *const instrument = handle;
   atomic_store(&instrument->stops, true);
   if (instrument->has_thread) (void)pthread_join(instrument->thread, NULL);
-  voice_end(&instrument->voice);
-  workshop_end(&instrument->workshop);
+  plugin_player_end(&instrument->player);
+  model_worker_end(&instrument->worker);
   free(instrument);
 }
 
@@ -107,7 +107,7 @@ static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, con
 
 static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
   Instrument *const instrument = handle;
-  const Port port = port_at(instrument->voice.stereo, number);
+  const Port port = port_at(instrument->player.stereo, number);
   switch (port.kind) {
   case PORT_EVENTS: instrument->events = data; break;
   case PORT_OUTPUT: instrument->outputs.channels[port.index] = data; break;
@@ -120,7 +120,7 @@ static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
 
 static void activate(LV2_Handle handle) {
   Instrument *const instrument = handle;
-  voice_rest(&instrument->voice);
+  plugin_player_rest(&instrument->player);
 }
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
@@ -128,17 +128,18 @@ static void activate(LV2_Handle handle) {
 /* What is no number leaves the knob where it is: at first at its default. */
 static float knob_value(const Instrument *instrument, uint32_t id) {
   const float *const port = instrument->knob_ports[id];
-  const float last = instrument->voice.seen[id];
+  const float last = instrument->player.seen[id];
   if (port && isfinite(*port)) return *port;
   return port && !isnan(last) ? last : instrument->ranges[id].fallback;
 }
 
 static void read_knobs(Instrument *instrument) {
   KnobId id;
-  for (uint32_t i = 0; (id = knob_at(instrument->voice.stereo, i)) < KNOB_COUNT; i++) {
+  for (uint32_t i = 0; (id = knob_at(instrument->player.stereo, i)) < KNOB_COUNT; i++) {
     const KnobRange *const range = &instrument->ranges[id];
     const float value = knob_value(instrument, id);
-    voice_turn(&instrument->voice, id, fminf(fmaxf(value, range->minimum), range->maximum));
+    plugin_player_turn(&instrument->player, id,
+                       fminf(fmaxf(value, range->minimum), range->maximum));
   }
 }
 
@@ -152,7 +153,7 @@ static void take_event(Instrument *instrument, const LV2_Atom_Event *event, bool
   if (event->body.type != instrument->urids.midi) return;
   for (uint32_t i = 0; i < event->body.size; i++) {
     if (!midi_stream_take(&stream, bytes[i], &message)) continue;
-    if (midi_goes_with_notes(&message) == notes) voice_take(&instrument->voice, &message);
+    if (midi_goes_with_notes(&message) == notes) plugin_player_take(&instrument->player, &message);
   }
 }
 
@@ -182,7 +183,7 @@ static void take_frame(Instrument *instrument, Sequence *sequence, uint32_t at, 
 static uint32_t play_until(Instrument *instrument, uint32_t at, uint32_t end, bool waits) {
   uint32_t played = 1;
   while (at < end && played > 0) {
-    played = voice_play(&instrument->voice, &instrument->outputs, at, end - at, waits);
+    played = plugin_player_play(&instrument->player, &instrument->outputs, at, end - at, waits);
     at += played;
   }
   return at;
@@ -216,9 +217,9 @@ static bool go_on(Instrument *instrument, Run *run) {
 
 /* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */
 static bool keep_up(Instrument *instrument) {
-  voice_receive(&instrument->voice);
+  plugin_player_receive(&instrument->player);
   read_knobs(instrument);
-  return voice_ask(&instrument->voice);
+  return plugin_player_ask(&instrument->player);
 }
 
 static bool run_live(Instrument *instrument, uint32_t frames) REALTIME;
@@ -232,9 +233,9 @@ static bool run_live(Instrument *instrument, uint32_t frames) {
 static void wait_for_model(Instrument *instrument) {
   for (;;) {
     (void)keep_up(instrument);
-    if (voice_is_settled(&instrument->voice)) return;
-    workshop_work(&instrument->workshop);
-    if (!workshop_offer(&instrument->workshop)) sleep_for(PAUSE); /* another thread is at it */
+    if (plugin_player_is_settled(&instrument->player)) return;
+    model_worker_work(&instrument->worker);
+    if (!model_worker_reply(&instrument->worker)) sleep_for(PAUSE); /* another thread is at it */
   }
 }
 
@@ -262,7 +263,7 @@ static void run(LV2_Handle handle, uint32_t frames) {
   }
   call_worker(instrument);
   if (!instrument->ready) return;
-  *instrument->ready = voice_is_ready(&instrument->voice) ? 1 : 0;
+  *instrument->ready = plugin_player_is_ready(&instrument->player) ? 1 : 0;
 }
 
 /* ---- extensions ----------------------------------------------------------------------------- */
@@ -275,11 +276,11 @@ static LV2_Worker_Status work(LV2_Handle handle, LV2_Worker_Respond_Function res
   (void)size;
   (void)data;
   Instrument *const instrument = handle;
-  workshop_work(&instrument->workshop);
+  model_worker_work(&instrument->worker);
   return LV2_WORKER_SUCCESS;
 }
 
-/* The offer is looked for in the next run. */
+/* The reply is looked for in the next run. */
 static LV2_Worker_Status work_response(LV2_Handle handle, uint32_t size, const void *body) {
   (void)handle;
   (void)size;

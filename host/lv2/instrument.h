@@ -12,8 +12,8 @@
 #include <lv2/urid/urid.h>
 #include <lv2/worker/worker.h>
 
+#include "lv2/plugin_player.h"
 #include "lv2/ports.h"
-#include "lv2/voice.h"
 
 /** What URIs are called in this host. */
 typedef struct Urids {
@@ -33,13 +33,13 @@ typedef struct Instrument {
 
   KnobRange ranges[KNOB_COUNT];
   const LV2_Atom_Sequence *events;
-  VoiceOutputs outputs;
+  PluginOutputs outputs;
   const float *freewheel;
   float *ready;
   const float *knob_ports[KNOB_COUNT];
 
-  Workshop workshop;
-  Voice voice;
+  ModelWorker worker;
+  PluginPlayer player;
 } Instrument;
 
 extern const LV2_State_Interface instrument_state;

@@ -12,18 +12,18 @@
 /* ---- saving --------------------------------------------------------------------------------- */
 
 /* What is not known is not said. */
-static LV2_State_Status store_controls(const Urids *urids, const Keepsake *keepsake,
+static LV2_State_Status store_controls(const Urids *urids, const SavedState *saved,
                                        LV2_State_Store_Function store, LV2_State_Handle state) {
   LV2_State_Status status = LV2_STATE_SUCCESS;
   for (uint32_t i = 0; i < KNOB_KEYS && status == LV2_STATE_SUCCESS; i++) {
-    const float *const value = &keepsake->seen[i];
+    const float *const value = &saved->seen[i];
     if (isnan(*value)) continue;
     status = store(state, urids->controls[i], value, sizeof *value, urids->atom_float, PLAIN);
   }
   return status;
 }
 
-static LV2_State_Status store_all(const Urids *urids, const Keepsake *keepsake, const char *text,
+static LV2_State_Status store_all(const Urids *urids, const SavedState *saved, const char *text,
                                   LV2_State_Store_Function store, LV2_State_Handle state) {
   const int32_t version = STATE_VERSION;
   LV2_State_Status status =
@@ -31,7 +31,7 @@ static LV2_State_Status store_all(const Urids *urids, const Keepsake *keepsake, 
   if (status != LV2_STATE_SUCCESS) return status;
   status = store(state, urids->definition, text, strlen(text) + 1, urids->atom_string, PLAIN);
   if (status != LV2_STATE_SUCCESS) return status;
-  return store_controls(urids, keepsake, store, state);
+  return store_controls(urids, saved, store, state);
 }
 
 static LV2_State_Status save(LV2_Handle handle, LV2_State_Store_Function store,
@@ -40,11 +40,11 @@ static LV2_State_Status save(LV2_Handle handle, LV2_State_Store_Function store,
   (void)flags;
   (void)features;
   Instrument *const instrument = handle;
-  Keepsake keepsake;
-  workshop_save(&instrument->workshop, &keepsake);
-  char *const text = definition_write(&keepsake.def);
+  SavedState saved;
+  model_worker_save(&instrument->worker, &saved);
+  char *const text = definition_write(&saved.def);
   if (!text) return LV2_STATE_ERR_NO_SPACE;
-  const LV2_State_Status status = store_all(&instrument->urids, &keepsake, text, store, state);
+  const LV2_State_Status status = store_all(&instrument->urids, &saved, text, store, state);
   free(text);
   return status;
 }
@@ -130,14 +130,14 @@ static LV2_State_Status restore(LV2_Handle handle, LV2_State_Retrieve_Function r
   (void)features;
   Instrument *const instrument = handle;
   const Source source = {instrument, retrieve, state};
-  Keepsake keepsake;
+  SavedState saved;
   if (is_empty(&source)) return LV2_STATE_SUCCESS;
   LV2_State_Status status = check_version(&source);
-  if (status == LV2_STATE_SUCCESS) status = read_definition(&source, &keepsake.def);
+  if (status == LV2_STATE_SUCCESS) status = read_definition(&source, &saved.def);
   for (uint32_t i = 0; i < KNOB_KEYS && status == LV2_STATE_SUCCESS; i++) {
-    status = read_control(&source, (KnobId)i, &keepsake.seen[i]);
+    status = read_control(&source, (KnobId)i, &saved.seen[i]);
   }
-  if (status == LV2_STATE_SUCCESS) workshop_restore(&instrument->workshop, &keepsake);
+  if (status == LV2_STATE_SUCCESS) model_worker_restore(&instrument->worker, &saved);
   return status;
 }
 

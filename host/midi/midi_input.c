@@ -8,17 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 #include "base/stopwatch.h"
 #include "midi/midi_clock.h"
 #include "midi/midi_port.h"
 
-#define MOST_INPUTS 32    /* open at once, with our own */
-#define RING_MESSAGES 512 /* of each */
-#define LOOK_INTERVAL 1   /* [s] between looks for new ones */
-#define CLOSE_TIME 1.0    /* [s] that interfaces may take to let go */
-#define MOST_RATE 1000.0  /* messages a second */
-#define MOST_AT_ONCE 64.0 /* messages */
+#define MOST_INPUTS 32     /* open at once, with our own */
+#define QUEUE_MESSAGES 512 /* of each */
+#define LOOK_INTERVAL 1    /* [s] between looks for new ones */
+#define CLOSE_TIME 1.0     /* [s] that interfaces may take to let go */
+#define MOST_RATE 1000.0   /* messages a second */
+#define MOST_AT_ONCE 64.0  /* messages */
 
 /* A message on its way. */
 typedef struct Arrival {
@@ -34,7 +34,7 @@ typedef struct Slot {
   bool is_own;
   MidiStream stream; /* these two are the port's thread's */
   MidiClock clock;
-  Ring ring; /* from there to the passing thread */
+  SpscQueue queue; /* from there to the passing thread */
 } Slot;
 
 struct MidiInput {
@@ -45,7 +45,7 @@ struct MidiInput {
   Slot slots[MOST_INPUTS];
   MidiPorts ports; /* the watching thread's */
   pthread_t watcher, passer;
-  sem_t waiting;          /* messages in the rings */
+  sem_t waiting;          /* messages in the queues */
   pthread_mutex_t mutex;  /* of ends, with */
   pthread_cond_t changed; /* for the watching thread to wake */
   bool ends, watcher_done;
@@ -65,7 +65,7 @@ static void take_bytes(double later, const unsigned char *bytes, size_t size, vo
                        midi_clock_take(&slot->clock, later, stopwatch_seconds(CLOCK_MONOTONIC))};
   for (size_t i = 0; i < size; i++) {
     if (!midi_stream_take(&slot->stream, bytes[i], &arrival.message)) continue;
-    if (ring_push(&slot->ring, &arrival)) (void)sem_post(&slot->input->waiting);
+    if (spsc_queue_push(&slot->queue, &arrival)) (void)sem_post(&slot->input->waiting);
   }
 }
 
@@ -87,7 +87,7 @@ static Slot *first_slot(MidiInput *input) {
   Slot *first = NULL;
   double time = 0;
   for (size_t i = 0; i < MOST_INPUTS; i++) {
-    const Arrival *const arrival = ring_peek(&input->slots[i].ring);
+    const Arrival *const arrival = spsc_queue_peek(&input->slots[i].queue);
     if (!arrival || (first && arrival->time >= time)) continue;
     first = &input->slots[i];
     time = arrival->time;
@@ -96,8 +96,8 @@ static Slot *first_slot(MidiInput *input) {
 }
 
 static void pass_one(MidiInput *input, Slot *slot) {
-  const Arrival arrival = *(const Arrival *)ring_peek(&slot->ring);
-  ring_pop(&slot->ring);
+  const Arrival arrival = *(const Arrival *)spsc_queue_peek(&slot->queue);
+  spsc_queue_pop(&slot->queue);
   if (is_allowed(input)) {
     atomic_fetch_add(&input->taken, 1);
     input->receive(input->context, arrival.time, &arrival.message);
@@ -237,7 +237,7 @@ static void *watch(void *context) {
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
 static void free_input(MidiInput *input) {
-  for (size_t i = 0; i < MOST_INPUTS; i++) ring_destroy(&input->slots[i].ring);
+  for (size_t i = 0; i < MOST_INPUTS; i++) spsc_queue_destroy(&input->slots[i].queue);
   (void)sem_destroy(&input->waiting);
   (void)pthread_cond_destroy(&input->changed);
   (void)pthread_mutex_destroy(&input->mutex);
@@ -254,7 +254,8 @@ static MidiInput *allocate(const char *wanted) {
   if (wanted) complete = (input->wanted = strdup(wanted)) != NULL && complete;
   for (size_t i = 0; i < MOST_INPUTS; i++) {
     input->slots[i].input = input;
-    complete = ring_create(&input->slots[i].ring, sizeof(Arrival), RING_MESSAGES) && complete;
+    complete =
+      spsc_queue_create(&input->slots[i].queue, sizeof(Arrival), QUEUE_MESSAGES) && complete;
   }
   if (complete) return input;
   free_input(input);
@@ -313,7 +314,8 @@ void midi_input_status(const MidiInput *input, MidiInputStatus *status) {
                               .own = atomic_load(&input->own),
                               .taken = atomic_load(&input->taken),
                               .dropped = atomic_load(&input->dropped)};
-  for (size_t i = 0; i < MOST_INPUTS; i++) status->dropped += ring_dropped(&input->slots[i].ring);
+  for (size_t i = 0; i < MOST_INPUTS; i++)
+    status->dropped += spsc_queue_dropped(&input->slots[i].queue);
 }
 
 /* True once the watching thread has let go of everything. */

@@ -4,7 +4,7 @@
  * Live MIDI: every input that is wanted, those too that are plugged in later, and one of our own in
  * every interface, to which other programs may connect.
  *
- * Each input hands its messages over on a thread of RtMidi's, which puts them into a ring; one thread of
+ * Each input hands its messages over on a thread of RtMidi's, which puts them into a queue; one thread of
  * ours passes them on in turn. Another looks every second for what came and went. More than a person can
  * play, 1000 messages a second after the first 64, is dropped and counted: it would cost the sound.
  */

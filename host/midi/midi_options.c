@@ -2,7 +2,7 @@
 #include "midi/midi_options.h"
 
 #include "base/suggest.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "midi/midi_map_file.h"
 
 static Outcome check_strikers(const char *path, const TaborDrumDef *def, const MidiMap *map) {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 
 #define CLIENT "tabor-midi"
 #define LISTER CLIENT "-list" /* JACK has no two clients of one name */
@@ -74,9 +74,9 @@ static bool works(int api) {
 
 /* A server may have gone since it was seen to work. */
 static MidiPort *create(int api, const char *client) {
-  const int hushed = hush_begin();
+  const int muted = mute_stderr_begin();
   RtMidiInPtr const input = rtmidi_in_create((enum RtMidiApi)api, client, QUEUE);
-  hush_end(hushed);
+  mute_stderr_end(muted);
   if (!input || input->ok) return input;
   rtmidi_in_free(input);
   return NULL;
@@ -84,9 +84,9 @@ static MidiPort *create(int api, const char *client) {
 
 /* One that came to no server tries again here, and says so. */
 static size_t count_inputs(MidiPort *lister) {
-  const int hushed = hush_begin();
+  const int muted = mute_stderr_begin();
   const unsigned count = rtmidi_get_port_count(lister);
-  hush_end(hushed);
+  mute_stderr_end(muted);
   return lister->ok ? count : 0;
 }
 
@@ -172,9 +172,9 @@ MidiPort *midi_port_open(MidiPorts *ports, const MidiPortName *name, MidiPortFn 
     MidiPort *const input = create(name->api, CLIENT);
     if (!input) return NULL;
     rtmidi_in_set_callback(input, receive, context);
-    const int hushed = hush_begin();
+    const int muted = mute_stderr_begin();
     rtmidi_open_port(input, index, OWN_PORT);
-    hush_end(hushed);
+    mute_stderr_end(muted);
     return keep_or_free(input);
   }
   return NULL;
@@ -186,9 +186,9 @@ MidiPort *midi_port_open_own(const MidiPorts *ports, size_t index, MidiPortFn *r
   MidiPort *const input = create(ports->apis[index].api, CLIENT);
   if (!input) return NULL;
   rtmidi_in_set_callback(input, receive, context);
-  const int hushed = hush_begin();
+  const int muted = mute_stderr_begin();
   rtmidi_open_virtual_port(input, OWN_PORT);
-  hush_end(hushed);
+  mute_stderr_end(muted);
   return keep_or_free(input);
 }
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 /* A message of the file and its place among the others. */
 typedef struct Place {
@@ -34,7 +34,7 @@ static Place *sort_messages(const MidiFile *file, double rate) {
 }
 
 /* What follows is meant for another preset. */
-static void bind_preset(MidiDrum *drum, uint32_t preset) {
+static void bind_preset(MidiToEvents *drum, uint32_t preset) {
   TaborDrumDef def;
   if (tabor_drum_def_preset(&def, tabor_preset(preset)->name, NULL) != TABOR_OK) return;
   midi_binding_make(drum->map, &def, &drum->binding);
@@ -49,12 +49,12 @@ static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
   return true;
 }
 
-static void take_messages(const Place *places, MidiDrum *drum, MidiSong *song) {
+static void take_messages(const Place *places, MidiToEvents *drum, MidiSong *song) {
   const MidiFile *const file = &song->file;
   int preset = song->first_preset;
   for (size_t i = 0; i < file->count && song->presets <= MIDI_SONG_MOST_PRESETS; i++) {
     MidiSongItem *const item = &song->items[song->count];
-    if (!midi_drum_take(drum, &file->events[places[i].index].message, &item->action)) continue;
+    if (!midi_to_events_take(drum, &file->events[places[i].index].message, &item->action)) continue;
     if (!changes(song, &item->action, &preset)) continue;
     if (item->action.type == MIDI_ACTION_PRESET) bind_preset(drum, item->action.preset);
     item->frame = places[i].frame;
@@ -110,13 +110,13 @@ static void settle(MidiSong *song) {
 Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def,
                           double rate) {
   MidiBinding binding;
-  MidiDrum drum;
+  MidiToEvents drum;
   Place *const places = sort_messages(&song->file, rate);
   free(song->items);
   song->items = calloc(song->file.count + 1, sizeof *song->items);
   song->count = song->presets = 0;
   midi_binding_make(map, def, &binding);
-  midi_drum_begin(&drum, map, &binding);
+  midi_to_events_begin(&drum, map, &binding);
   const bool complete = places && song->items;
   if (complete) take_messages(places, &drum, song);
   if (complete) settle(song);

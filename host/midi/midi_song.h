@@ -12,8 +12,8 @@
 #define TABOR_HOST_MIDI_SONG_H
 
 #include "base/options.h"
-#include "midi/midi_drum.h"
 #include "midi/midi_file.h"
+#include "midi/midi_to_events.h"
 
 #define MIDI_SONG_LONGEST 3600 /**< [s] until the last message */
 #define MIDI_SONG_MOST_STROKES 100000

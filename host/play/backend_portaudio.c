@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 #include "base/stopwatch.h"
 #include "play/backend.h"
 #include "play/portaudio_devices.h"
@@ -99,9 +99,9 @@ static Outcome open_stream(const BackendRequest *request, BackendStream **opened
 
 static Outcome start(BackendStream *stream, const BackendClient *client) {
   stream->client = *client;
-  const int hushed = hush_begin();
+  const int muted = mute_stderr_begin();
   const PaError error = Pa_StartStream(stream->stream);
-  hush_end(hushed);
+  mute_stderr_end(muted);
   if (error == paNoError) return OUTCOME_OK;
   return fail("cannot start the sound: %s", Pa_GetErrorText(error));
 }

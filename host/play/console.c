@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/stopwatch.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "play/controls.h"
 #include "ui/keys.h"
 #include "ui/line_editor.h"
@@ -25,7 +25,7 @@
 #define KEYS_READ 64      /* bytes at once */
 
 struct Console {
-  Performance *performance;
+  LiveSession *session;
   Controls controls;
   bool has_keys, has_screen, tells_lines;
 
@@ -60,7 +60,7 @@ static void tell(Console *console) {
   if (!*controls->text) return;
   if (console->has_screen) {
     show_message(console, controls->text, controls->is_trouble);
-  } else if (controls->is_trouble || !console->performance->request->quiet) {
+  } else if (controls->is_trouble || !console->session->request->quiet) {
     note("%s", controls->text);
   }
 }
@@ -130,13 +130,13 @@ static void escape(Console *console, double time) {
 
 static void list_keys(const Console *console) {
   char text[SCREEN_HELP_SIZE];
-  for (size_t i = 0; screen_help(&console->performance->request->keymap, i, text, sizeof text); i++)
+  for (size_t i = 0; screen_help(&console->session->request->keymap, i, text, sizeof text); i++)
     note("%s", text);
 }
 
 static void act(Console *console, Key key, double time) {
   Controls *const controls = &console->controls;
-  const Action action = keymap_find(&console->performance->request->keymap, key);
+  const Action action = keymap_find(&console->session->request->keymap, key);
   controls_act(controls, &action, time);
   tell(console);
   if (controls->opens_command) begin_command(console);
@@ -195,10 +195,10 @@ static void name_channels(const PlayRequest *request, const TaborDrumDef *def,
 }
 
 static void take_drum(Console *console) {
-  const PlayRequest *const request = console->performance->request;
+  const PlayRequest *const request = console->session->request;
   ScreenState *const screen = &console->screen;
   TaborDrumDef def;
-  drum_changes_definition(console->performance->changes, &def);
+  model_builder_definition(console->session->builder, &def);
   name_channels(request, &def, screen);
   screen->head_radius = def.shell.radius;
   screen->has_snares = def.wires.count > 0;
@@ -218,7 +218,7 @@ static void take_controls(Console *console) {
   ScreenState *const screen = &console->screen;
   screen->speed = controls->speed;
   screen->humanize = controls->humanizer.amount;
-  screen->help = controls->shows_help ? &console->performance->request->keymap : NULL;
+  screen->help = controls->shows_help ? &console->session->request->keymap : NULL;
   screen->line = console->is_typing ? &console->line : NULL;
 }
 
@@ -235,7 +235,7 @@ static void show(Console *console) {
   const double time = now(), passed = time - console->drawn_time;
   if (passed < FRAME) return;
   console->drawn_time = time;
-  performance_status(console->performance, &console->screen.play);
+  live_session_status(console->session, &console->screen.play);
   console->screen.quality = quality_name(console->screen.play.quality);
   take_drum(console);
   if (console->has_screen) {
@@ -252,7 +252,7 @@ static void show(Console *console) {
 
 /* Without keys there is no screen: nothing on it could be changed. */
 static Outcome choose(Console *console) {
-  const PlayRequest *const request = console->performance->request;
+  const PlayRequest *const request = console->session->request;
   const TerminalAbilities can = terminal_abilities();
   const bool speaks = !request->quiet && !request->backend->waits;
   console->has_keys = can.keys && !request->backend->waits;
@@ -268,15 +268,14 @@ static Outcome choose(Console *console) {
   return console->has_keys ? terminal_enter(console->has_screen) : OUTCOME_OK;
 }
 
-Outcome console_open(Performance *performance, Console **created) {
+Outcome console_open(LiveSession *session, Console **created) {
   Console *const console = calloc(1, sizeof *console);
-  const PlayRequest *const request = performance->request;
+  const PlayRequest *const request = session->request;
   *created = console;
   if (!console) return fail_memory();
-  console->performance = performance;
-  console->controls =
-    controls_begin(performance->player, performance->changes, performance->facts.rate,
-                   20 * log10(request->gain), request->humanizer);
+  console->session = session;
+  console->controls = controls_begin(session->player, session->builder, session->facts.rate,
+                                     20 * log10(request->gain), request->humanizer);
   console->escape_time = -ESCAPE_TIME;
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) console->screen.meters[i] = meter_begin();
   const Outcome outcome = choose(console);

@@ -9,13 +9,13 @@
 #ifndef TABOR_HOST_CONSOLE_H
 #define TABOR_HOST_CONSOLE_H
 
-#include "play/performance.h"
+#include "play/live_session.h"
 
 typedef struct Console Console;
 
-/** Takes the terminal, for a performance that is open. *created is valid, if not NULL, whatever the outcome. */
-Outcome console_open(Performance *performance, Console **created);
-/** What the user's thread does again and again (PerformanceTurn). False: the user wants to stop. */
+/** Takes the terminal, for a live session that is open. *created is valid, if not NULL, whatever the outcome. */
+Outcome console_open(LiveSession *session, Console **created);
+/** What the user's thread does again and again (LiveSessionTurn). False: the user wants to stop. */
 bool console_turn(void *console);
 /** Gives the terminal back. NULL is allowed. */
 void console_close(Console *console);

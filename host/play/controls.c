@@ -51,12 +51,12 @@ static uint64_t frame_at(const Controls *controls, double time) {
 static void set_number(Controls *controls, double time, const char *key, double value) {
   char text[32];
   (void)snprintf(text, sizeof text, "%.9g", value);
-  (void)drum_changes_set(controls->changes, frame_at(controls, time), "set", key, text);
+  (void)model_builder_set(controls->builder, frame_at(controls, time), "set", key, text);
 }
 
 static void switch_snares(Controls *controls, double time) {
   TaborDrumDef def;
-  drum_changes_definition(controls->changes, &def);
+  model_builder_definition(controls->builder, &def);
   if (def.wires.count == 0) {
     (void)refuse("this drum has no snares");
     return;
@@ -69,7 +69,7 @@ static void switch_snares(Controls *controls, double time) {
 
 static void switch_muffle(Controls *controls, double time) {
   TaborDrumDef def;
-  drum_changes_definition(controls->changes, &def);
+  model_builder_definition(controls->builder, &def);
   const bool was_on = def.batter.muffle_strength > 0;
   if (was_on) controls->muffle = def.batter.muffle_strength;
   if (!was_on && def.batter.muffle_radius == 0) {
@@ -88,9 +88,9 @@ static void forget_switches(Controls *controls) {
 static void step_preset(Controls *controls, int step, double time) {
   PlayStatus status;
   const uint64_t frame = frame_at(controls, time);
-  if (drum_changes_step_preset(controls->changes, frame, step) != OUTCOME_OK) return;
+  if (model_builder_step_preset(controls->builder, frame, step) != OUTCOME_OK) return;
   forget_switches(controls);
-  drum_changes_status(controls->changes, &status);
+  model_builder_status(controls->builder, &status);
   tell(controls, "preset %s", status.preset);
 }
 
@@ -119,7 +119,7 @@ static void send_event(Controls *controls, const TaborEvent *event, double time)
 /* A place is a share of the radius, so that it is the same on every drum. */
 static TaborEvent make_stroke(Controls *controls, double place, double speed) {
   TaborDrumDef def;
-  drum_changes_definition(controls->changes, &def);
+  model_builder_definition(controls->builder, &def);
   const int striker = tabor_drum_def_find_striker(&def, def.strike.striker);
   TaborEvent event = {.type = TABOR_EVENT_STRIKE,
                       .striker = striker > 0 ? (uint32_t)striker : 0,
@@ -160,7 +160,7 @@ static void hold(Controls *controls, TaborEvent *event, double time) {
 /* With the drum's first brush, at its own speed; a key that is held down goes on. */
 static void sweep(Controls *controls, double time) {
   TaborDrumDef def;
-  drum_changes_definition(controls->changes, &def);
+  model_builder_definition(controls->builder, &def);
   uint32_t brush = 0;
   while (brush < def.striker_count && def.striker[brush].kind != TABOR_STRIKER_BRUSH) brush++;
   if (brush == def.striker_count) {
@@ -239,12 +239,12 @@ void controls_act(Controls *controls, const Action *action, double time) {
   controls->is_trouble = true;
 }
 
-Controls controls_begin(Player *player, DrumChanges *changes, double rate, double gain_db,
+Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
                         Humanizer humanizer) {
   TaborDrumDef def;
-  drum_changes_definition(changes, &def);
+  model_builder_definition(builder, &def);
   Controls controls = {.player = player,
-                       .changes = changes,
+                       .builder = builder,
                        .humanizer = humanizer,
                        .rate = rate,
                        .speed = def.strike.velocity,
@@ -270,14 +270,14 @@ static void run_set(Controls *controls, const char *text, double time) {
     return;
   }
   const uint64_t frame = frame_at(controls, time);
-  if (drum_changes_set(controls->changes, frame, "set", key, value) != OUTCOME_OK) return;
+  if (model_builder_set(controls->builder, frame, "set", key, value) != OUTCOME_OK) return;
   const TaborParameter *const parameter = tabor_parameter_find(key);
   tell(controls, "%s = %s %s", key, value, parameter ? parameter->unit : "");
 }
 
 static void run_preset(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
-  if (drum_changes_preset(controls->changes, frame, text) != OUTCOME_OK) return;
+  if (model_builder_preset(controls->builder, frame, text) != OUTCOME_OK) return;
   forget_switches(controls);
   tell(controls, "preset %s", text);
 }

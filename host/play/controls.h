@@ -9,7 +9,7 @@
 #ifndef TABOR_HOST_CONTROLS_H
 #define TABOR_HOST_CONTROLS_H
 
-#include "play/drum_changes.h"
+#include "play/model_builder.h"
 #include "strokes/humanize.h"
 #include "ui/keymap.h"
 
@@ -18,7 +18,7 @@
 
 typedef struct Controls {
   Player *player;
-  DrumChanges *changes;
+  ModelBuilder *builder;
   Humanizer humanizer;
   double rate;       /**< [Hz] */
   double speed;      /**< of strokes [m/s] */
@@ -38,7 +38,7 @@ typedef struct Controls {
 } Controls;
 
 /** Begins with the speed of the preset's own stroke and with a gain of @p gain_db. */
-Controls controls_begin(Player *player, DrumChanges *changes, double rate, double gain_db,
+Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
                         Humanizer humanizer);
 /** Carries out what a key does, pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);

@@ -4,7 +4,7 @@
  * `tabor play`: a drum to play on.
  */
 #include "base/command.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "play/console.h"
 #include "play/play_report.h"
 
@@ -12,24 +12,24 @@
 static Outcome worse(Outcome first, Outcome then) { return first != OUTCOME_OK ? first : then; }
 
 /* With the user at the keyboard, who has the terminal back before the last is said. */
-static Outcome perform(Performance *performance) {
+static Outcome perform(LiveSession *session) {
   Console *console = NULL;
-  Outcome outcome = console_open(performance, &console);
-  const PerformanceTurn turn = {.take = console_turn, .context = console};
-  if (outcome == OUTCOME_OK) outcome = performance_run(performance, &turn);
+  Outcome outcome = console_open(session, &console);
+  const LiveSessionTurn turn = {.take = console_turn, .context = console};
+  if (outcome == OUTCOME_OK) outcome = live_session_run(session, &turn);
   console_close(console);
   return outcome;
 }
 
 static Outcome play(PlayRequest *request) {
-  Performance performance;
-  Outcome outcome = performance_open(&performance, request);
+  LiveSession session;
+  Outcome outcome = live_session_open(&session, request);
   if (outcome == OUTCOME_OK) {
-    outcome = perform(&performance);
-    outcome = worse(outcome, performance_finish(&performance));
-    outcome = worse(outcome, play_report(&performance));
+    outcome = perform(&session);
+    outcome = worse(outcome, live_session_finish(&session));
+    outcome = worse(outcome, play_report(&session));
   }
-  performance_close(&performance, outcome);
+  live_session_close(&session, outcome);
   return outcome;
 }
 

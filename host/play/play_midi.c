@@ -11,18 +11,18 @@
 /* All but what play_midi_open() sets, and the count, belongs to the thread that receives. */
 struct PlayMidi {
   MidiMap map;
-  MidiDrum drum;
+  MidiToEvents drum;
   double bound; /* when the drum was looked at [s] */
   Humanizer humanizer;
   Player *player;
-  DrumChanges *changes;
+  ModelBuilder *builder;
   MidiInput *input;
   atomic_uint_least64_t ignored;
 };
 
 static void bind(PlayMidi *midi, double now) {
   TaborDrumDef def;
-  drum_changes_definition(midi->changes, &def);
+  model_builder_definition(midi->builder, &def);
   midi_binding_make(&midi->map, &def, &midi->drum.binding);
   midi->bound = now;
 }
@@ -43,28 +43,28 @@ static void receive(void *context, double time, const MidiMessage *message) {
   const double now = stopwatch_seconds(CLOCK_MONOTONIC);
   MidiAction action;
   if (now - midi->bound > BINDING_AGE) bind(midi, now);
-  const bool acts = midi_drum_take(&midi->drum, message, &action);
+  const bool acts = midi_to_events_take(&midi->drum, message, &action);
   atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
   if (!acts) return;
   Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
   humanize(&midi->humanizer, midi->drum.binding.head_radius, &cue.message.event);
   if (cue.preset) {
-    (void)drum_changes_program(midi->changes, cue.message.frame, cue.preset); /* it says */
+    (void)model_builder_program(midi->builder, cue.message.frame, cue.preset); /* it says */
     bind(midi, now);
   } else {
     (void)player_send(midi->player, SOURCE_MIDI, &cue.message); /* counts what it drops */
   }
 }
 
-Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
+Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder *builder,
                        PlayMidi **result) {
   PlayMidi *const midi = *result = calloc(1, sizeof *midi);
   if (!midi) return fail_memory();
   midi->map = request->midi_map;
   midi->humanizer = request->humanizer;
   midi->player = player;
-  midi->changes = changes;
-  midi_drum_begin(&midi->drum, &midi->map, &(MidiBinding){0});
+  midi->builder = builder;
+  midi_to_events_begin(&midi->drum, &midi->map, &(MidiBinding){0});
   bind(midi, stopwatch_seconds(CLOCK_MONOTONIC));
   return midi_input_open(arguments_value(request->arguments, "midi-in"), request->quiet, receive,
                          midi, &midi->input);

@@ -7,19 +7,19 @@
 #define TABOR_HOST_PLAY_MIDI_H
 
 #include "midi/midi_input.h"
-#include "play/drum_changes.h"
+#include "play/cue_queue.h"
+#include "play/model_builder.h"
 #include "play/play_request.h"
-#include "play/score.h"
 
 typedef struct PlayMidi PlayMidi;
 
 /** Opens the inputs that @p request asks for. *midi is valid, if not NULL, whatever the outcome. */
-Outcome play_midi_open(const PlayRequest *request, Player *player, DrumChanges *changes,
+Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder *builder,
                        PlayMidi **midi);
 void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
 /** How many notes have come that are not in the map. @p midi may be NULL. */
 uint64_t play_midi_ignored(const PlayMidi *midi);
-/** To be called before @p changes and the player go. NULL is allowed. */
+/** To be called before @p builder and the player go. NULL is allowed. */
 void play_midi_close(PlayMidi *midi);
 
 /** What MIDI does, at @p frame. */

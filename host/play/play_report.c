@@ -36,70 +36,70 @@ static void warn_of_losses(const PlayStatus *status, double worst) {
   }
 }
 
-static json_t *recording_json(const Performance *performance, const PlayStatus *status) {
-  const PlayRequest *const request = performance->request;
+static json_t *recording_json(const LiveSession *session, const PlayStatus *status) {
+  const PlayRequest *const request = session->request;
   if (!request->records) return json_null();
   return json_pack("{s:o, s:I}", "file", json_text(request->record.name), "lost_frames",
-                   (json_int_t)(status->lost_frames + performance->unwritten));
+                   (json_int_t)(status->lost_frames + session->unwritten));
 }
 
-static json_t *report_json(const Performance *performance, const PlayStatus *status) {
+static json_t *report_json(const LiveSession *session, const PlayStatus *status) {
   double median, worst;
-  player_load(performance->player, &median, &worst);
+  player_load(session->player, &median, &worst);
   json_t *const load =
     json_pack("{s:o, s:o}", "median", json_number(median), "worst", json_number(worst));
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(status->newton_mean), "max",
               (json_int_t)status->newton_max, "capped", (json_int_t)status->newton_capped);
-  const uint64_t ignored = status->ignored_notes + performance->request->song.counts.ignored_notes;
+  const uint64_t ignored = status->ignored_notes + session->request->song.counts.ignored_notes;
   json_t *const device =
-    json_pack("{s:s, s:o, s:o, s:I, s:o, s:b}", "backend", performance->request->backend->name,
-              "name", json_text(status->device), "rate", json_number(status->rate), "buffer",
+    json_pack("{s:s, s:o, s:o, s:I, s:o, s:b}", "backend", session->request->backend->name, "name",
+              json_text(status->device), "rate", json_number(status->rate), "buffer",
               (json_int_t)status->buffer, "latency", json_number(status->latency), "real_time",
-              performance->is_urgent);
+              session->is_urgent);
   return json_pack("{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o}",
                    "preset", json_text(status->preset), "device", device, "frames",
-                   (json_int_t)player_position(performance->player), "channels",
+                   (json_int_t)player_position(session->player), "channels",
                    (json_int_t)status->channels, "strokes", (json_int_t)status->strokes, "late",
                    (json_int_t)status->late, "dropped", (json_int_t)status->dropped,
                    "ignored_notes", (json_int_t)ignored, "peak", json_number(status->loudest),
                    "clipped", (json_int_t)status->clipped, "xruns", (json_int_t)status->xruns,
                    "recovered", (json_int_t)status->recovered, "load", load, "newton", newton,
-                   "recording", recording_json(performance, status));
+                   "recording", recording_json(session, status));
 }
 
 /* How the device was served; of no meaning where sound waits. */
-static void describe_load(const Performance *performance, const PlayStatus *status, char *text,
+static void describe_load(const LiveSession *session, const PlayStatus *status, char *text,
                           size_t size) {
   double median, worst;
   text[0] = '\0';
-  if (performance->request->backend->waits) return;
-  player_load(performance->player, &median, &worst);
+  if (session->request->backend->waits) return;
+  player_load(session->player, &median, &worst);
   (void)snprintf(text, size, "; load %.0f %%, at most %.0f %%; %llu gap%s", 100 * median,
                  100 * worst, (Count)status->xruns, status->xruns == 1 ? "" : "s");
 }
 
-static void note_summary(const Performance *performance, const PlayStatus *status) {
-  const PlayRequest *const request = performance->request;
-  const bool recorded = request->records && performance->unwritten == 0;
+static void note_summary(const LiveSession *session, const PlayStatus *status) {
+  const PlayRequest *const request = session->request;
+  const bool recorded = request->records && session->unwritten == 0;
   if (status->ignored_notes > 0) {
     note("%llu note%s not in the MIDI map and passed over", (Count)status->ignored_notes,
          status->ignored_notes == 1 ? " was" : "s were");
   }
   char load[100];
-  describe_load(performance, status, load, sizeof load);
+  describe_load(session, status, load, sizeof load);
   note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,
        status->strokes == 1 ? "" : "s", load, recorded ? "; recorded in " : "",
        recorded ? request->record.name : "");
 }
 
-Outcome play_report(Performance *performance) {
+Outcome play_report(LiveSession *session) {
   PlayStatus status;
   double median, worst;
-  performance_status(performance, &status);
-  player_load(performance->player, &median, &worst);
+  live_session_status(session, &status);
+  player_load(session->player, &median, &worst);
   warn_of_losses(&status, worst);
-  if (performance->request->json) return json_print(report_json(performance, &status));
-  if (!performance->request->quiet) note_summary(performance, &status);
+  if (session->request->json) return json_print(report_json(session, &status));
+  if (!session->request->quiet) note_summary(session, &status);
   return OUTCOME_OK;
 }

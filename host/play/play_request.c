@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "midi/midi_input.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"

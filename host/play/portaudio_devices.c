@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-#include "base/hush.h"
+#include "base/mute_stderr.h"
 
 #define CLIENT "tabor" /* at JACK */
 #define LISTED 600     /* bytes of names in a message at most */
@@ -26,14 +26,14 @@ static void end_with_server(int number) {
 
 void portaudio_enter(PortaudioCare *care) {
   const struct sigaction action = {.sa_handler = end_with_server};
-  care->hushed = hush_begin();
-  voice = care->hushed >= 0 ? care->hushed : STDERR_FILENO;
+  care->muted = mute_stderr_begin();
+  voice = care->muted >= 0 ? care->muted : STDERR_FILENO;
   (void)sigaction(SIGABRT, &action, &care->before);
 }
 
 void portaudio_leave(const PortaudioCare *care) {
   (void)sigaction(SIGABRT, &care->before, NULL);
-  hush_end(care->hushed);
+  mute_stderr_end(care->muted);
 }
 
 Outcome portaudio_start(void) {

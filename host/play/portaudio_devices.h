@@ -35,7 +35,7 @@ Outcome portaudio_find(const char *name, OutputDevice *device);
 
 /** What portaudio_enter() has changed. */
 typedef struct PortaudioCare {
-  int hushed;
+  int muted;
   struct sigaction before;
 } PortaudioCare;
 

@@ -5,7 +5,7 @@
  */
 #include "base/command.h"
 #include "base/json_output.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "render/render_jobs.h"
 #include "render/render_options.h"
 

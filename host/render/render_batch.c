@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/folder.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "render/render_options.h"
 #include "render/render_outputs.h"
 

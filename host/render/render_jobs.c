@@ -6,9 +6,9 @@
 #include "base/folder.h"
 #include "base/json_output.h"
 #include "base/stopwatch.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
+#include "render/render_file.h"
 #include "render/render_progress.h"
-#include "render/rendering.h"
 
 #define PROGRESS_INTERVAL 0.2 /* [s] */
 
@@ -30,7 +30,7 @@ static void note_played(void *context, uint32_t frames) {
 
 static void do_job(RenderJob *job) {
   message_subject(job->name);
-  job->outcome = rendering_run(&job->request, note_played, job, &job->report);
+  job->outcome = render_file(&job->request, note_played, job, &job->report);
   message_subject(NULL);
 }
 

@@ -7,7 +7,7 @@
 
 #include "base/number.h"
 #include "base/suggest.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
 #include "strokes/humanize_options.h"

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 /* ---- one sound file ---- */
 

@@ -9,12 +9,12 @@
 
 static double decibels(double factor) { return 20 * log10(factor); }
 
-static double seconds(const Session *session) {
-  return session->position / session->request->model.sample_rate;
+static double seconds(const OfflinePlayer *player) {
+  return player->position / player->request->model.sample_rate;
 }
 
-static double real_time_factor(const Session *session) {
-  return session->computing / seconds(session);
+static double real_time_factor(const OfflinePlayer *player) {
+  return player->computing / seconds(player);
 }
 
 static double newton_mean(const TaborStatistics *statistics) {
@@ -23,18 +23,18 @@ static double newton_mean(const TaborStatistics *statistics) {
 }
 
 /* The gain is rounded down to a tenth of a decibel, so that it does avoid the saturation. */
-static void warn_of_saturation(const Session *session) {
-  const RenderRequest *const request = session->request;
+static void warn_of_saturation(const OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
   const double largest = audio_largest(request->audio.encoding);
-  if (session->peak <= largest) return;
-  const double gain = floor(10 * (request->gain_db - decibels(session->peak / largest))) / 10;
-  warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(session->peak), gain);
+  if (player->peak <= largest) return;
+  const double gain = floor(10 * (request->gain_db - decibels(player->peak / largest))) / 10;
+  warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", decibels(player->peak), gain);
 }
 
 static const double RESIDUAL_HEARD =
   1e-4; /* of the energy put in: less than a thousandth of a decibel */
 
-static void warn_of_drops(const SessionDrops *drops) {
+static void warn_of_drops(const OfflineDrops *drops) {
   if (drops->strokes > 0) {
     warn("%llu strokes were dropped: more than %d strikers at once",
          (unsigned long long)drops->strokes, TABOR_MAX_ACTIVE);
@@ -111,80 +111,80 @@ static json_t *outputs_json(const RenderRequest *request) {
   return list;
 }
 
-static json_t *report_json(const Session *session, const TaborStatistics *statistics,
+static json_t *report_json(const OfflinePlayer *player, const TaborStatistics *statistics,
                            const TaborLedger *ledger) {
-  const RenderRequest *const request = session->request;
+  const RenderRequest *const request = player->request;
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
               (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
   return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset",
                    json_text(request->preset), "rate", (json_int_t)request->audio.rate, "frames",
-                   (json_int_t)session->position, "channels", (json_int_t)request->channels, "peak",
-                   json_number(session->peak), "real_time_factor",
-                   json_number(real_time_factor(session)), "newton", newton, "energy",
+                   (json_int_t)player->position, "channels", (json_int_t)request->channels, "peak",
+                   json_number(player->peak), "real_time_factor",
+                   json_number(real_time_factor(player)), "newton", newton, "energy",
                    energy_json(ledger), "output", outputs_json(request), "trace",
                    request->has_trace ? json_text(request->trace.name) : json_null());
 }
 
-static void note_summary(const Session *session) {
-  const RenderRequest *const request = session->request;
+static void note_summary(const OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
   const OutputFile *const first = &request->outputs[0];
   const OutputFile *const last = &request->outputs[request->output_count - 1];
   char peak[32] = "silent";
-  if (session->peak > 0) {
-    (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(session->peak));
+  if (player->peak > 0) {
+    (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(player->peak));
   }
   note("%s%s%s: %s, %.2f s, %u Hz, %u channel%s, %s",
        strcmp(first->name, "-") == 0 ? "standard output" : first->name,
        first == last ? "" : " ... ", first == last ? "" : last->name, request->preset,
-       seconds(session), (unsigned)request->audio.rate, (unsigned)request->channels,
+       seconds(player), (unsigned)request->audio.rate, (unsigned)request->channels,
        request->channels == 1 ? "" : "s", peak);
 }
 
-static void warn_of_silence(const Session *session) {
-  const RenderRequest *const request = session->request;
-  if (request->normalize && session->peak == 0) {
+static void warn_of_silence(const OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
+  if (request->normalize && player->peak == 0) {
     warn("the sound is silent; --normalize has nothing to amplify");
   }
-  if (session->peak > 0 && session->peak < audio_least(request->audio.encoding)) {
+  if (player->peak > 0 && player->peak < audio_least(request->audio.encoding)) {
     warn("the peak of %+.1f dBFS is below half a step of the format: the file is silent",
-         decibels(session->peak));
+         decibels(player->peak));
   }
 }
 
-static void note_details(const Session *session, const TaborStatistics *statistics,
+static void note_details(const OfflinePlayer *player, const TaborStatistics *statistics,
                          const TaborLedger *ledger) {
   TaborModelInfo info;
-  tabor_model_info(tabor_drum_model(session->drum), &info);
+  tabor_model_info(tabor_drum_model(player->drum), &info);
   note("%u modes up to %.0f Hz, %u wire%s with %u contact points", (unsigned)info.mode_count,
        info.two_way_bandwidth, (unsigned)info.wire_count, info.wire_count == 1 ? "" : "s",
        (unsigned)info.contact_points);
   note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
-       real_time_factor(session), newton_mean(statistics), (unsigned)statistics->newton_max,
+       real_time_factor(player), newton_mean(statistics), (unsigned)statistics->newton_max,
        (unsigned long long)statistics->newton_capped);
   note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, "
        "radiated %.3g, removed %.3g, residual %.2g",
        ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
        ledger->radiated, ledger->removed, ledger->residual);
-  if (session->request->normalize) note("normalized by %+.2f dB", session->request->gain_db);
+  if (player->request->normalize) note("normalized by %+.2f dB", player->request->gain_db);
 }
 
-Outcome render_report(const Session *session, json_t **report) {
+Outcome render_report(const OfflinePlayer *player, json_t **report) {
   TaborStatistics statistics;
   TaborLedger ledger;
-  tally_statistics(&session->tally, session->drum, &statistics);
-  tally_ledger(&session->tally, session->drum, &ledger);
-  warn_of_saturation(session);
-  warn_of_silence(session);
-  warn_of_drops(&session->drops);
-  warn_of_rims(session->request);
+  tally_statistics(&player->tally, player->drum, &statistics);
+  tally_ledger(&player->tally, player->drum, &ledger);
+  warn_of_saturation(player);
+  warn_of_silence(player);
+  warn_of_drops(&player->drops);
+  warn_of_rims(player->request);
   warn_of_resets(&statistics);
   warn_of_residual(&statistics, &ledger);
-  if (session->request->verbose) note_details(session, &statistics, &ledger);
-  if (session->request->json) {
-    *report = report_json(session, &statistics, &ledger);
+  if (player->request->verbose) note_details(player, &statistics, &ledger);
+  if (player->request->json) {
+    *report = report_json(player, &statistics, &ledger);
     return *report ? OUTCOME_OK : fail_memory();
   }
-  if (!session->request->quiet) note_summary(session);
+  if (!player->request->quiet) note_summary(player);
   return OUTCOME_OK;
 }

@@ -8,9 +8,9 @@
 
 #include <jansson.h>
 
-#include "render/session.h"
+#include "render/offline_player.h"
 
 /** Warnings, then the facts: with --json to *report, otherwise as a line or more on standard error. */
-Outcome render_report(const Session *session, json_t **report);
+Outcome render_report(const OfflinePlayer *player, json_t **report);
 
 #endif

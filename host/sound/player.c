@@ -2,7 +2,7 @@
 /*
  * What the audio thread runs. It allocates nothing, locks nothing, makes no system call (the clock is
  * read in user space), and its work is bounded: by the frames, by PLAYER_EVENTS events a frame, and by what the
- * rings hold.
+ * queues hold.
  *
  * A block is played in pieces that begin where a message acts, and every PLAYER_PIECE frames. So a
  * message acts at its frame whatever the blocks are, and the end is looked for at the same frames as
@@ -89,7 +89,7 @@ static void add_event(Player *player, const TaborEvent *event) {
 
 /* Whoever has sent it may destroy it. There is always room: he sends few. */
 static void give_back(Player *player, TaborDrum *drum) {
-  if (drum) (void)ring_push(&player->gone, &drum);
+  if (drum) (void)spsc_queue_push(&player->gone, &drum);
 }
 
 static void give_back_left(Player *player) {
@@ -147,7 +147,7 @@ static void carry_out(Player *player, const PlayerMessage *message) {
 static int first_source(const Player *player, uint64_t *frame) {
   int first = -1;
   for (int i = 0; i < SOURCE_COUNT; i++) {
-    const PlayerMessage *const message = ring_peek(&player->sources[i]);
+    const PlayerMessage *const message = spsc_queue_peek(&player->sources[i]);
     if (!message || (first >= 0 && message->frame >= *frame)) continue;
     first = i;
     *frame = message->frame;
@@ -165,8 +165,8 @@ static uint32_t take_messages(Player *player, uint32_t most) {
     if (frame > player->position) {
       return frame - player->position < most ? (uint32_t)(frame - player->position) : most;
     }
-    carry_out(player, ring_peek(&player->sources[source]));
-    ring_pop(&player->sources[source]);
+    carry_out(player, spsc_queue_peek(&player->sources[source]));
+    spsc_queue_pop(&player->sources[source]);
   }
   return silencer_waits(&player->silencer) ? most : 1; /* what is left acts one frame later */
 }
@@ -255,7 +255,7 @@ static void record(Player *player, uint32_t frames) {
 
 void player_hand_over(Player *player) {
   if (player->record->frames == 0) return;
-  if (!ring_push(&player->recording, player->record)) {
+  if (!spsc_queue_push(&player->recording, player->record)) {
     count(&player->meters.lost_frames, player->record->frames);
   }
   player->record->frames = 0;

@@ -4,8 +4,8 @@
  * A drum being played: messages in, sound out.
  *
  * Nothing but messages gets into the audio thread, nothing but sound, numbers and blocks for the
- * recording comes out of it. Every source of messages (the keyboard, MIDI, a score, changes of the
- * drum) is one thread and has its own ring; a ring that is full drops the message and counts it.
+ * recording comes out of it. Every source of messages (the keyboard, MIDI, cues, changes of the
+ * drum) is one thread and has its own queue; a queue that is full drops the message and counts it.
  *
  * A message acts at its frame, whatever the size of the device's blocks: the same messages give the
  * same sound to the bit. One whose frame has passed acts at once. Messages of one source are to come
@@ -25,8 +25,8 @@
 
 /** Who sends messages: one thread each. Of messages of one frame those of the first act first. */
 typedef enum PlayerSource {
-  SOURCE_SWAPS,   /**< drum_changes.h */
-  SOURCE_CHANGES, /**< drum_changes.h, whose lock makes one thread of many */
+  SOURCE_SWAPS,   /**< model_builder.h */
+  SOURCE_CHANGES, /**< model_builder.h, whose lock makes one thread of many */
   SOURCE_SCORE,   /**< --events and --midi-file */
   SOURCE_MIDI,    /**< MIDI inputs */
   SOURCE_KEYS,    /**< the computer keyboard and the command line */
@@ -88,7 +88,7 @@ uint64_t player_most_frames(const Player *player);
 
 /* SOURCES: each one thread */
 
-/** Real-time safe. False: the ring was full, the message is dropped and counted. */
+/** Real-time safe. False: the queue was full, the message is dropped and counted. */
 bool player_send(Player *player, PlayerSource source, const PlayerMessage *message) REALTIME;
 /** Messages of a source that still wait. */
 size_t player_waiting(const Player *player, PlayerSource source);

@@ -20,14 +20,15 @@ static bool create_recording(Player *player) {
   if (!player->records) return true;
   const double blocks = RECORD_SECONDS * player->rate / PLAYER_RECORD;
   player->record = calloc(1, record_size(player));
-  return player->record && ring_create(&player->recording, record_size(player), (size_t)blocks);
+  return player->record &&
+         spsc_queue_create(&player->recording, record_size(player), (size_t)blocks);
 }
 
 static bool create_rings(Player *player) {
-  bool created = create_recording(player) &&
-                 ring_create(&player->gone, sizeof(TaborDrum *), SOURCE_ROOM + LEAVING_MOST + 1);
+  bool created = create_recording(player) && spsc_queue_create(&player->gone, sizeof(TaborDrum *),
+                                                               SOURCE_ROOM + LEAVING_MOST + 1);
   for (int i = 0; i < SOURCE_COUNT; i++) {
-    created = created && ring_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
+    created = created && spsc_queue_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
   }
   return created;
 }
@@ -41,8 +42,8 @@ static void set_end(Player *player, const PlayerSetup *setup) {
 }
 
 Outcome player_create(const PlayerSetup *setup, Player **created) {
-  Player *const player =
-    aligned_alloc(RING_LINE, (sizeof *player + RING_LINE - 1) / RING_LINE * RING_LINE);
+  Player *const player = aligned_alloc(SPSC_QUEUE_LINE, (sizeof *player + SPSC_QUEUE_LINE - 1) /
+                                                          SPSC_QUEUE_LINE * SPSC_QUEUE_LINE);
   *created = player;
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
@@ -65,9 +66,9 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
 
 void player_destroy(Player *player) {
   if (!player) return;
-  for (int i = 0; i < SOURCE_COUNT; i++) ring_destroy(&player->sources[i]);
-  ring_destroy(&player->recording);
-  ring_destroy(&player->gone);
+  for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
+  spsc_queue_destroy(&player->recording);
+  spsc_queue_destroy(&player->gone);
   free(player->record);
   free(player);
 }
@@ -77,11 +78,11 @@ uint64_t player_most_frames(const Player *player) { return player->end; }
 /* ---- sources -------------------------------------------------------------------------------- */
 
 bool player_send(Player *player, PlayerSource source, const PlayerMessage *message) {
-  return ring_push(&player->sources[source], message);
+  return spsc_queue_push(&player->sources[source], message);
 }
 
 size_t player_waiting(const Player *player, PlayerSource source) {
-  return ring_count(&player->sources[source]);
+  return spsc_queue_count(&player->sources[source]);
 }
 
 uint64_t player_frame_at(const Player *player, double time) {
@@ -89,21 +90,24 @@ uint64_t player_frame_at(const Player *player, double time) {
 }
 
 TaborDrum *player_gone(Player *player) {
-  TaborDrum *const *const gone = ring_peek(&player->gone);
+  TaborDrum *const *const gone = spsc_queue_peek(&player->gone);
   TaborDrum *const drum = gone ? *gone : NULL;
-  if (gone) ring_pop(&player->gone);
+  if (gone) spsc_queue_pop(&player->gone);
   return drum;
 }
 
 /* ---- the recording -------------------------------------------------------------------------- */
 
-const PlayerRecord *player_record(const Player *player) { return ring_peek(&player->recording); }
+const PlayerRecord *player_record(const Player *player) {
+  return spsc_queue_peek(&player->recording);
+}
 
-void player_record_next(Player *player) { ring_pop(&player->recording); }
+void player_record_next(Player *player) { spsc_queue_pop(&player->recording); }
 
 bool player_record_has_room(const Player *player, uint32_t frames) {
   const size_t blocks = frames / PLAYER_RECORD + 2;
-  return !player->records || player->recording.capacity - ring_count(&player->recording) >= blocks;
+  return !player->records ||
+         player->recording.capacity - spsc_queue_count(&player->recording) >= blocks;
 }
 
 /* ---- the user ------------------------------------------------------------------------------- */
@@ -161,7 +165,7 @@ static void status_last_event(Player *player, PlayStatus *status) {
 
 static uint64_t dropped_messages(const Player *player) {
   uint64_t sum = 0;
-  for (int i = 0; i < SOURCE_COUNT; i++) sum += ring_dropped(&player->sources[i]);
+  for (int i = 0; i < SOURCE_COUNT; i++) sum += spsc_queue_dropped(&player->sources[i]);
   return sum;
 }
 

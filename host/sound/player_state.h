@@ -5,7 +5,7 @@
 
 #include <pthread.h>
 
-#include "base/ring.h"
+#include "base/spsc_queue.h"
 #include "sound/fader.h"
 #include "sound/frame_clock.h"
 #include "sound/leaving.h"
@@ -39,9 +39,9 @@ struct Player {
   double rate;
   uint32_t channels, width;
   bool records, ends;
-  Ring sources[SOURCE_COUNT];
-  Ring recording;
-  Ring gone; /* drums that are done with */
+  SpscQueue sources[SOURCE_COUNT];
+  SpscQueue recording;
+  SpscQueue gone; /* drums that are done with */
 
   /* the audio thread's */
   TaborDrum *drum;

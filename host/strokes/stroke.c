@@ -6,7 +6,7 @@
 
 #include "base/number.h"
 #include "base/suggest.h"
-#include "drums/drum_source.h"
+#include "drums/drum_args.h"
 
 #define LONGEST_VALUE 128
 #define LONGEST_LABEL 320

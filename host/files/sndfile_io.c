@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#include "files/sndfile_io.h"
+
+#include <errno.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static sf_count_t record(SndfileIo *io, sf_count_t result) {
+  if (result < 0 && io->error == 0) io->error = errno;
+  return result;
+}
+
+static sf_count_t file_length(void *context) {
+  SndfileIo *const io = context;
+  struct stat status;
+  if (fstat(io->descriptor, &status) != 0) return record(io, -1);
+  return status.st_size;
+}
+
+static sf_count_t seek(sf_count_t offset, int whence, void *context) {
+  SndfileIo *const io = context;
+  return record(io, lseek(io->descriptor, offset, whence));
+}
+
+static sf_count_t tell(void *context) { return seek(0, SEEK_CUR, context); }
+
+static sf_count_t read_some(void *bytes, sf_count_t size, void *context) {
+  SndfileIo *const io = context;
+  return record(io, read(io->descriptor, bytes, (size_t)size));
+}
+
+static sf_count_t write_all(const void *bytes, sf_count_t size, void *context) {
+  SndfileIo *const io = context;
+  sf_count_t done = 0;
+  while (done < size) {
+    const ssize_t written =
+      write(io->descriptor, (const char *)bytes + done, (size_t)(size - done));
+    if (written < 0 && errno == EINTR) continue;
+    if (record(io, written) < 0) return done;
+    done += written;
+  }
+  return done;
+}
+
+SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, SF_INFO *info) {
+  *io = (SndfileIo){.descriptor = descriptor};
+  SF_VIRTUAL_IO calls = {
+    .get_filelen = file_length, .seek = seek, .read = read_some, .write = write_all, .tell = tell};
+  return sf_open_virtual(&calls, SFM_WRITE, info, io);
+}

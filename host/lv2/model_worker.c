@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+#include "lv2/model_worker.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lv2/model_cache.h"
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+bool model_worker_begin(ModelWorker *worker, double rate) {
+  tabor_model_options_default(&worker->options);
+  worker->options.sample_rate = rate;
+  worker->program = worker->composed_program = MODEL_WORKER_NO_PROGRAM;
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) worker->base_seen[i] = NAN;
+  memcpy(worker->composed_seen, worker->base_seen, sizeof worker->base_seen);
+  midi_map_default(&worker->map);
+  if (tabor_drum_def_preset(&worker->base, DEFAULT_PRESET, NULL) != TABOR_OK) return false;
+  worker->composed = worker->base;
+  return pthread_mutex_init(&worker->lock, NULL) == 0;
+}
+
+static void destroy_drums(TaborDrum **drums) {
+  for (uint32_t i = 0; i < MODEL_WORKER_TRASH; i++) {
+    tabor_drum_destroy(drums[i]);
+    drums[i] = NULL;
+  }
+}
+
+/* A reply that was not taken. */
+static void destroy_offer(ModelWorker *worker) {
+  if (atomic_load(&worker->phase) != PHASE_ANSWERED || !worker->reply.is_news) return;
+  tabor_drum_destroy(worker->reply.drum);
+  tabor_drum_destroy(worker->reply.spare);
+}
+
+void model_worker_end(ModelWorker *worker) {
+  destroy_offer(worker);
+  destroy_drums(worker->request.trash);
+  free(worker->reply.state);
+  for (uint32_t i = 0; i < worker->swap_count; i++) tabor_swap_destroy(worker->swaps[i]);
+  free(worker->swaps);
+  model_cache_give_back(worker->model);
+  (void)pthread_mutex_destroy(&worker->lock);
+}
+
+/* ---- saving and restoring ------------------------------------------------------------------- */
+
+void model_worker_restore(ModelWorker *worker, const SavedState *saved) {
+  (void)pthread_mutex_lock(&worker->lock);
+  worker->base = saved->def;
+  memcpy(worker->base_seen, saved->seen, sizeof worker->base_seen);
+  atomic_fetch_add(&worker->restoration, 1);
+  (void)pthread_mutex_unlock(&worker->lock);
+}
+
+static void forget_ports(float *seen) {
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) seen[i] = NAN;
+}
+
+/* What was restored, or chosen by MIDI, and is not built yet, counts as much as what is. */
+void model_worker_save(ModelWorker *worker, SavedState *saved) {
+  (void)pthread_mutex_lock(&worker->lock);
+  const int program = atomic_load(&worker->program);
+  if (worker->composed_restoration != atomic_load(&worker->restoration)) {
+    saved->def = worker->base;
+    memcpy(saved->seen, worker->base_seen, sizeof saved->seen);
+  } else if (program >= 0 && program != worker->composed_program) {
+    (void)tabor_drum_def_preset(&saved->def, tabor_preset((uint32_t)program)->name, NULL);
+    forget_ports(saved->seen);
+  } else {
+    saved->def = worker->composed;
+    memcpy(saved->seen, worker->composed_seen, sizeof saved->seen);
+  }
+  (void)pthread_mutex_unlock(&worker->lock);
+}
+
+/* ---- what is asked for --------------------------------------------------------------------- */
+
+/* A value that this drum does not allow is passed over: it was meant for another one. */
+static void set_field(TaborDrumDef *def, double *field, double value) {
+  if (!field || isnan(value)) return;
+  const double before = *field;
+  *field = value;
+  if (tabor_drum_def_validate(def, NULL) != TABOR_OK) *field = before;
+}
+
+static void turn_knobs(const Request *request, TaborDrumDef *def) {
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    double value = request->values[i];
+    if (i == KNOB_STRIKE_RADIUS) value = fmin(value, def->shell.radius);
+    if (!isnan(request->values[i])) set_field(def, knob_field(def, (KnobId)i), value);
+  }
+}
+
+/* Under lock. A restoration that the request does not know of yet takes the place of all it says. */
+static void compose(ModelWorker *worker, Reply *reply) {
+  const Request *const request = &worker->request;
+  TaborDrumDef *const def = &worker->composed;
+  reply->restoration = atomic_load(&worker->restoration);
+  reply->program = request->program;
+  memcpy(reply->seen, request->seen, sizeof reply->seen);
+  *def = worker->base;
+  if (reply->restoration != request->restoration) {
+    reply->program = MODEL_WORKER_NO_PROGRAM;
+    memcpy(reply->seen, worker->base_seen, sizeof reply->seen);
+  } else {
+    if (request->program >= 0) {
+      (void)tabor_drum_def_preset(def, tabor_preset((uint32_t)request->program)->name, NULL);
+    }
+    turn_knobs(request, def);
+  }
+  worker->composed_restoration = reply->restoration;
+  worker->composed_program = reply->program;
+  memcpy(worker->composed_seen, reply->seen, sizeof reply->seen);
+}
+
+/* What the model is built from: where MIDI has moved it, too. */
+static void compose_model(const Request *request, Reply *reply) {
+  TaborDrumDef *const def = &reply->def;
+  if (reply->restoration != request->restoration) return;
+  set_field(def, knob_field(def, KNOB_STRAINER), request->strainer);
+  set_field(def, &def->hand.grip, request->grip);
+}
+
+static const char *const mic_names[MODEL_WORKER_MICS] = {"top", "bottom", "near",
+                                                         "far", "left",   "right"};
+
+/* What the audio thread has to know of the model. */
+static void describe(Reply *reply) {
+  for (uint32_t i = 0; i < MODEL_WORKER_MICS; i++) {
+    const int mic = tabor_drum_def_find_mic(&reply->def, mic_names[i]);
+    reply->mics[i] = mic >= 0 ? (uint32_t)mic : MODEL_WORKER_NO_MIC;
+  }
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    const double *const field = knob_field(&reply->def, (KnobId)i);
+    reply->built[i] = field ? *field : NAN;
+  }
+}
+
+/* ---- models --------------------------------------------------------------------------------- */
+
+/* Those that the drum is done with make room. */
+static void discard_done(ModelWorker *worker) {
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < worker->swap_count; i++) {
+    TaborSwap *const swap = worker->swaps[i];
+    if (tabor_swap_done(swap)) {
+      tabor_swap_destroy(swap);
+    } else {
+      worker->swaps[kept++] = swap;
+    }
+  }
+  worker->swap_count = kept;
+}
+
+static TaborStatus keep(ModelWorker *worker, TaborSwap *swap) {
+  if (worker->swap_count == worker->swap_room) {
+    const uint32_t room = worker->swap_room + 4;
+    TaborSwap **const grown = realloc(worker->swaps, room * sizeof(TaborSwap *));
+    if (!grown) return TABOR_ERROR_MEMORY;
+    worker->swaps = grown;
+    worker->swap_room = room;
+  }
+  worker->swaps[worker->swap_count++] = swap;
+  return TABOR_OK;
+}
+
+static bool was_chosen(const ModelWorker *worker) {
+  return worker->request.choice != worker->built_choice;
+}
+
+static bool begins_anew(const ModelWorker *worker, const Reply *reply) {
+  return !worker->model || reply->restoration != worker->built_restoration || was_chosen(worker);
+}
+
+/* Without memory for it, the change may be heard. */
+static void prepare_spare(ModelWorker *worker, Reply *reply) {
+  if (tabor_drum_create(worker->model, &reply->spare, NULL) != TABOR_OK) return;
+  reply->state = malloc(tabor_drum_state_size(reply->spare));
+  if (reply->state) return;
+  tabor_drum_destroy(reply->spare);
+  reply->spare = NULL;
+}
+
+/* The drum, or the way from the model before. */
+static TaborStatus prepare(ModelWorker *worker, TaborModel *model, Reply *reply,
+                           TaborError *error) {
+  if (worker->model == model && !was_chosen(worker)) return TABOR_OK; /* though restored */
+  if (reply->begins_anew) return tabor_drum_create(model, &reply->drum, error);
+  prepare_spare(worker, reply);
+  const TaborStatus status = tabor_swap_create(worker->model, model, &reply->swap, error);
+  if (status != TABOR_OK) return status;
+  if (keep(worker, reply->swap) == TABOR_OK) return TABOR_OK;
+  tabor_swap_destroy(reply->swap);
+  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
+  return TABOR_ERROR_MEMORY;
+}
+
+static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
+  TaborModelOptions options = worker->options;
+  TaborModel *model = NULL;
+  options.quality = worker->request.quality;
+  TaborStatus status = model_cache_take(&reply->def, &options, &model, error);
+  if (status != TABOR_OK) return status;
+  reply->begins_anew = begins_anew(worker, reply);
+  status = prepare(worker, model, reply, error);
+  TaborModel *const unused = status == TABOR_OK ? worker->model : model;
+  if (status == TABOR_OK) {
+    worker->model = model;
+    worker->built_restoration = reply->restoration;
+    worker->built_choice = worker->request.choice;
+  }
+  model_cache_give_back(unused);
+  return status;
+}
+
+static void say(const ModelWorker *worker, const TaborError *error) {
+  char line[2 * TABOR_TEXT_SIZE];
+  (void)snprintf(line, sizeof line, "the drum stays as it is: %s", error->message);
+  if (worker->say) worker->say(worker->context, line);
+}
+
+/* Composes anew in any case, so that what is saved is not much older than the knobs. */
+static void answer(ModelWorker *worker) {
+  Reply *const reply = &worker->reply;
+  TaborError error;
+  const uint32_t number = reply->number, restoration = reply->restoration;
+  discard_done(worker);
+  destroy_drums(worker->request.trash);
+  free(reply->state);
+  reply->drum = reply->spare = NULL;
+  reply->swap = NULL;
+  reply->state = NULL;
+  reply->number = worker->request.number;
+  TaborDrumDef composed;
+  (void)pthread_mutex_lock(&worker->lock);
+  compose(worker, reply);
+  composed = worker->composed;
+  (void)pthread_mutex_unlock(&worker->lock);
+  reply->is_news = reply->number != number || reply->restoration != restoration;
+  if (!reply->is_news) return;
+  reply->def = composed;
+  midi_binding_make(&worker->map, &reply->def, &reply->binding);
+  compose_model(&worker->request, reply);
+  describe(reply);
+  reply->failed = build(worker, reply, &error) != TABOR_OK;
+  if (!reply->failed) return;
+  tabor_drum_destroy(reply->spare);
+  reply->drum = reply->spare = NULL;
+  say(worker, &error);
+}
+
+void model_worker_work(ModelWorker *worker) {
+  unsigned asked = PHASE_ASKED;
+  if (!atomic_compare_exchange_strong(&worker->phase, &asked, PHASE_BUILDING)) return;
+  answer(worker);
+  atomic_store(&worker->phase, PHASE_ANSWERED);
+}
+
+/* ---- the audio thread's --------------------------------------------------------------------- */
+
+bool model_worker_is_idle(const ModelWorker *worker) {
+  return atomic_load(&worker->phase) == PHASE_IDLE;
+}
+
+void model_worker_ask(ModelWorker *worker, const Request *request) {
+  worker->request = *request;
+  atomic_store(&worker->phase, PHASE_ASKED);
+}
+
+const Reply *model_worker_reply(const ModelWorker *worker) {
+  return atomic_load(&worker->phase) == PHASE_ANSWERED ? &worker->reply : NULL;
+}
+
+void model_worker_accept(ModelWorker *worker) { atomic_store(&worker->phase, PHASE_IDLE); }

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+#include "lv2/plugin_player_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define HUMANIZE_SEED 1
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+static bool bind_presets(PluginPlayer *player) {
+  const uint32_t count = tabor_preset_count();
+  player->bindings = calloc(count, sizeof *player->bindings);
+  for (uint32_t i = 0; player->bindings && i < count; i++) {
+    TaborDrumDef def;
+    if (tabor_drum_def_preset(&def, tabor_preset(i)->name, NULL) != TABOR_OK) return false;
+    midi_binding_make(&player->map, &def, &player->bindings[i]);
+    if (strcmp(tabor_preset(i)->name, DEFAULT_PRESET) == 0) player->request.program = (int32_t)i;
+  }
+  player->chosen = player->chosen_before = player->request.program;
+  return player->bindings != NULL;
+}
+
+static void prepare_knobs(PluginPlayer *player) {
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    const KnobId id = (KnobId)i;
+    player->seen[i] = NAN;
+    player->levels[i] = fader_at(0, player->rate);
+    if (i >= KNOB_KEYS) continue;
+    player->seen[i] = knob_range(id, &player->worker->base).fallback;
+    player->built[i] = NAN;
+    if (knobs[i].kind == KNOB_LIVE) player->ids[i] = tabor_parameter_find(knobs[i].key)->id;
+  }
+}
+
+static void start_over(PluginPlayer *player, const MidiBinding *binding) {
+  midi_to_events_begin(&player->midi, &player->map, binding);
+  player->humanizer.state = HUMANIZE_SEED;
+  player->silencer = silencer_begin(player->rate);
+  player->expression = fader_at(1, player->rate);
+  player->event_count = player->action_count = 0;
+  player->held_events = player->held_actions = 0;
+}
+
+bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo) {
+  MidiBinding binding;
+  player->worker = worker;
+  player->rate = rate;
+  player->stereo = stereo;
+  player->map = worker->map;
+  player->grip_id = tabor_parameter_find("hand.grip")->id;
+  player->gain = fader_at(1, rate);
+  leaving_begin(&player->leaving, rate);
+  player->request = (Request){.number = 1, .quality = TABOR_QUALITY_LIVE};
+  plugin_player_forget_turns(&player->request);
+  prepare_knobs(player);
+  midi_binding_make(&player->map, &worker->base, &binding);
+  start_over(player, &binding);
+  return bind_presets(player);
+}
+
+void plugin_player_end(PluginPlayer *player) {
+  plugin_player_cut_others(player);
+  for (uint32_t i = 0; i < MODEL_WORKER_TRASH; i++) tabor_drum_destroy(player->trash[i]);
+  tabor_drum_destroy(player->drum);
+  free(player->bindings);
+}
+
+/* ---- a new beginning ------------------------------------------------------------------------- */
+
+/* The messages that have come are meant for it already. */
+static void choose_waiting(PluginPlayer *player) {
+  for (uint32_t i = 0; i < player->action_count; i++) {
+    const MidiAction *const action = &player->actions[i].action;
+    if (action->type == MIDI_ACTION_PRESET) plugin_player_choose_preset(player, action->preset);
+  }
+}
+
+void plugin_player_rest(PluginPlayer *player) {
+  const MidiBinding binding = player->midi.binding;
+  choose_waiting(player);
+  if (player->drum) tabor_drum_reset(player->drum);
+  plugin_player_cut_others(player);
+  start_over(player, &binding);
+  player->gain = fader_at(player->gain.target, player->rate);
+  for (uint32_t i = KNOB_LEVEL_PAIR; i <= KNOB_LEVEL_FAR; i++) {
+    player->levels[i] = fader_at(player->levels[i].target, player->rate);
+    player->waits[i] = 0;
+  }
+  player->request.strainer = player->request.grip = NAN;
+  memset(player->moved, 0, sizeof player->moved); /* the drum has the values of its model */
+  player->grip_moved = false;
+  plugin_player_move_live(player);
+  player->silencer.at_rest = true; /* these values are how it begins */
+}

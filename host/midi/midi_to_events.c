@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: MIT */
+#include "midi/midi_to_events.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
+static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
+static const double HAND_RADIUS = 0.5;         /* of the head */
+static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
+static const double HAND_STRONGEST = 6;        /* [N s/m] */
+static const uint32_t FIRST_HAND = 0xFFFF0000; /* ids of hands; of strokes they stay below */
+static const uint32_t FIRST_BUZZ = 0xFFFF0100; /* ids of held sticks, one for each note */
+static const double BUZZ_PRESSURE = 0.5;       /* of the range, until key pressure tells */
+
+/* ---- binding ---- */
+
+static MidiParameter find_parameter(const TaborDrumDef *def, const char *key) {
+  char text[TABOR_TEXT_SIZE];
+  const TaborParameter *const row = tabor_parameter_find(key);
+  if (!row || !row->live) return (MidiParameter){0};
+  if (tabor_drum_def_get(def, key, text, sizeof text, NULL) != TABOR_OK) return (MidiParameter){0};
+  MidiParameter parameter = {.there = true,
+                             .id = row->id,
+                             .minimum = row->minimum,
+                             .maximum = row->maximum,
+                             .logarithmic = row->logarithmic};
+  if (strncmp(key, "mic.", 4) == 0) {
+    char name[TABOR_NAME_SIZE] = "";
+    memcpy(name, key + 4, strcspn(key + 4, "."));
+    parameter.index = (uint32_t)tabor_drum_def_find_mic(def, name);
+  }
+  return parameter;
+}
+
+static uint32_t find_striker(const TaborDrumDef *def, const char *name) {
+  const int wanted = *name ? tabor_drum_def_find_striker(def, name) : -1;
+  const int usual = tabor_drum_def_find_striker(def, def->strike.striker);
+  if (wanted >= 0) return (uint32_t)wanted;
+  return usual > 0 ? (uint32_t)usual : 0;
+}
+
+/* The note's striker if it is a brush, else the drum's first brush. */
+static uint32_t find_brush(const TaborDrumDef *def, uint32_t wanted) {
+  if (def->striker[wanted].kind == TABOR_STRIKER_BRUSH) return wanted;
+  for (uint32_t i = 0; i < def->striker_count; i++) {
+    if (def->striker[i].kind == TABOR_STRIKER_BRUSH) return i;
+  }
+  return MIDI_NO_BRUSH;
+}
+
+static void bind_sweep(const TaborDrumDef *def, MidiBinding *binding, int note) {
+  const uint32_t brush = find_brush(def, binding->strikers[note]);
+  binding->strikers[note] = brush;
+  if (brush != MIDI_NO_BRUSH) binding->sweep_speed[note] = def->striker[brush].sweep_speed;
+}
+
+void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding) {
+  memset(binding, 0, sizeof *binding);
+  binding->head_radius = def->shell.radius;
+  binding->radius = def->strike.radius;
+  binding->angle = def->strike.angle;
+  binding->strainer = def->wires.strainer;
+  binding->presets = tabor_preset_count();
+  binding->grip = find_parameter(def, "hand.grip");
+  binding->strainer_parameter = find_parameter(def, "wires.strainer");
+  for (int i = 0; i < MIDI_VALUES; i++) {
+    binding->strikers[i] = find_striker(def, map->notes[i].striker);
+    if (map->notes[i].stroke == MIDI_STROKE_SWEEP) bind_sweep(def, binding, i);
+    if (map->controls[i].target == MIDI_TARGET_PARAMETER) {
+      binding->parameters[i] = find_parameter(def, map->controls[i].key);
+    }
+  }
+}
+
+void midi_to_events_begin(MidiToEvents *drum, const MidiMap *map, const MidiBinding *binding) {
+  memset(drum, 0, sizeof *drum);
+  drum->map = map;
+  drum->binding = *binding;
+  drum->radius = drum->angle = NAN;
+  drum->sweeping = -1;
+}
+
+/* ---- notes ---- */
+
+/* Of the note, else of the controller, else of the preset. */
+static double choose(double note, double controller, double preset) {
+  if (!isnan(note)) return note;
+  return isnan(controller) ? preset : controller;
+}
+
+static double stroke_radius(const MidiToEvents *drum, const MidiNote *note) {
+  const double head = drum->binding.head_radius;
+  if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
+    return CROSS_STICK_RADIUS * head;
+  }
+  return choose(note->radius * head, drum->radius * head, drum->binding.radius);
+}
+
+/* With the prefix, if one came; it is for one note only. */
+static double take_velocity(MidiToEvents *drum, const MidiMessage *message) {
+  uint8_t *const prefix = &drum->prefixes[midi_channel(message)];
+  const double velocity = message->data[1] + *prefix / 128.0;
+  *prefix = 0;
+  return velocity;
+}
+
+static uint32_t new_id(MidiToEvents *drum) {
+  drum->next_id = drum->next_id % (FIRST_HAND - 1) + 1;
+  return drum->next_id;
+}
+
+/* The stick of a note that buzzes, at its end or when its key is pressed. */
+static bool act_on_stick(MidiToEvents *drum, uint8_t key, TaborEventType type, double pressure,
+                         MidiAction *action) {
+  if (!drum->held[key]) return false;
+  drum->held[key] = type != TABOR_EVENT_RELEASE;
+  if (!drum->held[key] && drum->sweeping == key) drum->sweeping = -1;
+  action->type = MIDI_ACTION_EVENT;
+  action->event = (TaborEvent){.type = type, .id = FIRST_BUZZ + key, .value = pressure};
+  return true;
+}
+
+/* Of a plain stroke nothing: it ends by itself. */
+static bool end_note(MidiToEvents *drum, uint8_t key, MidiAction *action) {
+  return act_on_stick(drum, key, TABOR_EVENT_RELEASE, 0, action);
+}
+
+static TaborTechnique technique_of(MidiStroke stroke) {
+  switch (stroke) {
+  case MIDI_STROKE_RIMSHOT: return TABOR_TECHNIQUE_RIMSHOT;
+  case MIDI_STROKE_CROSS_STICK: return TABOR_TECHNIQUE_CROSS_STICK;
+  case MIDI_STROKE_RIM: return TABOR_TECHNIQUE_RIM;
+  case MIDI_STROKE_BUZZ: return TABOR_TECHNIQUE_BUZZ;
+  case MIDI_STROKE_SWEEP: return TABOR_TECHNIQUE_SWEEP;
+  default: return TABOR_TECHNIQUE_NORMAL;
+  }
+}
+
+static void hold(MidiToEvents *drum, uint8_t key, TaborEvent *event) {
+  drum->held[key] = true;
+  event->id = FIRST_BUZZ + key;
+  event->value = BUZZ_PRESSURE;
+}
+
+/* As loud as a note is a sweep fast. */
+static void sweep(MidiToEvents *drum, uint8_t key, double velocity, TaborEvent *event) {
+  hold(drum, key, event);
+  drum->sweeping = key;
+  event->velocity = drum->map->notes[key].speed * drum->binding.sweep_speed[key] * velocity / 64;
+}
+
+static bool take_note(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
+  const uint8_t key = message->data[0];
+  const MidiNote *const note = &drum->map->notes[key];
+  const double velocity = take_velocity(drum, message);
+  if (message->data[1] == 0) return end_note(drum, key, action);
+  const bool lacks_brush = drum->binding.strikers[key] == MIDI_NO_BRUSH;
+  if (note->stroke == MIDI_STROKE_NONE || lacks_brush) {
+    drum->counts.ignored_notes++;
+    return false;
+  }
+  drum->counts.strokes++;
+  action->type = MIDI_ACTION_EVENT;
+  action->event = (TaborEvent){
+    .type = TABOR_EVENT_STRIKE,
+    .id = new_id(drum),
+    .striker = drum->binding.strikers[key],
+    .technique = technique_of(note->stroke),
+    .velocity = note->speed * midi_speed(drum->map->response, velocity),
+    .radius = stroke_radius(drum, note),
+    .angle = choose(note->angle, drum->angle, drum->binding.angle),
+  };
+  if (note->stroke == MIDI_STROKE_BUZZ) hold(drum, key, &action->event);
+  if (note->stroke == MIDI_STROKE_SWEEP) sweep(drum, key, velocity, &action->event);
+  return true;
+}
+
+/* ---- pressure ---- */
+
+/* By channel or by key pressure: a hand each. */
+static bool press_hand(MidiToEvents *drum, uint32_t hand, uint8_t pressure, MidiAction *action) {
+  const bool lifts = pressure == 0;
+  if (lifts && !drum->hands[hand]) return false;
+  drum->hands[hand] = !lifts;
+  action->type = MIDI_ACTION_EVENT;
+  action->event =
+    (TaborEvent){.type = lifts ? TABOR_EVENT_RELEASE : TABOR_EVENT_DAMP, .id = FIRST_HAND + hand};
+  if (lifts) return true;
+  action->event.radius = HAND_RADIUS * drum->binding.head_radius;
+  action->event.angle = drum->binding.angle + 180;
+  action->event.value = HAND_WEAKEST * pow(HAND_STRONGEST / HAND_WEAKEST, (pressure - 1) / 126.0);
+  return true;
+}
+
+static bool take_key_pressure(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
+  const MidiStroke stroke = drum->map->notes[message->data[0]].stroke;
+  if (!drum->map->pressure || stroke == MIDI_STROKE_NONE) return false;
+  if (stroke == MIDI_STROKE_BUZZ || stroke == MIDI_STROKE_SWEEP) {
+    return act_on_stick(drum, message->data[0], TABOR_EVENT_PRESS, message->data[1] / 127.0,
+                        action);
+  }
+  return press_hand(drum, 1, message->data[1], action);
+}
+
+/* The channel's is the brush's while one sweeps, else a hand's. */
+static bool take_channel_pressure(MidiToEvents *drum, const MidiMessage *message,
+                                  MidiAction *action) {
+  if (!drum->map->pressure) return false;
+  if (drum->sweeping < 0) return press_hand(drum, 0, message->data[0], action);
+  return act_on_stick(drum, (uint8_t)drum->sweeping, TABOR_EVENT_PRESS, message->data[0] / 127.0,
+                      action);
+}
+
+/* ---- controllers ---- */
+
+static bool move_parameter(const MidiParameter *parameter, double value, MidiAction *action) {
+  if (!parameter->there) return false;
+  action->type = MIDI_ACTION_EVENT;
+  action->event = (TaborEvent){.type = TABOR_EVENT_PARAMETER,
+                               .parameter = parameter->id,
+                               .index = parameter->index,
+                               .value = value};
+  return true;
+}
+
+/* In equal ratios where a control of the parameter should go so and the range allows it. */
+static bool move_over(const MidiParameter *parameter, double from, double to, uint8_t value,
+                      MidiAction *action) {
+  const double part = value / 127.0;
+  const bool ratios = parameter->logarithmic && from > 0 && to > 0;
+  return move_parameter(parameter, ratios ? from * pow(to / from, part) : from + (to - from) * part,
+                        action);
+}
+
+/* 64 is what the preset says, whatever that is. */
+static double strainer(double preset, uint8_t value) {
+  if (value <= 64) return preset * value / 64.0;
+  return preset + (1 - preset) * (value - 64) / 63.0;
+}
+
+static double gain(const MidiToEvents *drum) {
+  double product = 1;
+  for (int i = 0; i < MIDI_VALUES; i++) {
+    const double part = drum->values[i] / 127.0;
+    if (drum->map->controls[i].target == MIDI_TARGET_GAIN && drum->moved[i]) product *= part * part;
+  }
+  return product;
+}
+
+static bool set_gain(const MidiToEvents *drum, MidiAction *action) {
+  action->type = MIDI_ACTION_GAIN;
+  action->value = gain(drum);
+  return true;
+}
+
+/* A silenced drum has no hands and no sticks on it. */
+static bool silence(MidiToEvents *drum, MidiAction *action) {
+  drum->hands[0] = drum->hands[1] = false;
+  memset(drum->held, 0, sizeof drum->held);
+  drum->sweeping = -1;
+  action->type = MIDI_ACTION_SILENCE;
+  return true;
+}
+
+/* A brush that sweeps goes to where the controllers say. */
+static bool move_brush(const MidiToEvents *drum, MidiAction *action) {
+  if (drum->sweeping < 0) return false;
+  const MidiBinding *const binding = &drum->binding;
+  action->type = MIDI_ACTION_EVENT;
+  action->event =
+    (TaborEvent){.type = TABOR_EVENT_MOVE,
+                 .id = FIRST_BUZZ + (uint32_t)drum->sweeping,
+                 .radius = choose(NAN, drum->radius * binding->head_radius, binding->radius),
+                 .angle = choose(NAN, drum->angle, binding->angle)};
+  return true;
+}
+
+static bool move(MidiToEvents *drum, uint8_t number, MidiAction *action) {
+  const MidiControl *const control = &drum->map->controls[number];
+  const MidiBinding *const binding = &drum->binding;
+  const uint8_t value = drum->values[number];
+  switch (control->target) {
+  case MIDI_TARGET_NONE: break;
+  case MIDI_TARGET_RADIUS: drum->radius = RIM_RADIUS * value / 127; return move_brush(drum, action);
+  case MIDI_TARGET_ANGLE:
+    drum->angle = 360.0 * value / MIDI_VALUES;
+    return move_brush(drum, action);
+  case MIDI_TARGET_GRIP:
+    return move_over(&binding->grip, binding->grip.minimum, binding->grip.maximum, value, action);
+  case MIDI_TARGET_STRAINER:
+    return move_parameter(&binding->strainer_parameter, strainer(binding->strainer, value), action);
+  case MIDI_TARGET_GAIN: return set_gain(drum, action);
+  case MIDI_TARGET_SILENCE: return silence(drum, action);
+  case MIDI_TARGET_PARAMETER:
+    return move_over(&binding->parameters[number], control->from, control->to, value, action);
+  }
+  return false;
+}
+
+static bool take_control(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
+  const uint8_t number = message->data[0];
+  drum->values[number] = message->data[1];
+  drum->moved[number] = true;
+  if (number == MIDI_HIGH_RESOLUTION_PREFIX &&
+      drum->map->controls[number].target == MIDI_TARGET_NONE) {
+    drum->prefixes[midi_channel(message)] = message->data[1];
+    return false;
+  }
+  return move(drum, number, action);
+}
+
+/* ---- all of them ---- */
+
+static bool choose_preset(const MidiToEvents *drum, uint8_t program, MidiAction *action) {
+  if (!drum->map->programs || program >= drum->binding.presets) return false;
+  action->type = MIDI_ACTION_PRESET;
+  action->preset = program;
+  return true;
+}
+
+bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
+  const int channel = drum->map->channel;
+  if (channel != MIDI_OMNI && channel != midi_channel(message)) return false;
+  *action = (MidiAction){0};
+  switch (midi_kind(message)) {
+  case MIDI_NOTE_OFF:
+    (void)take_velocity(drum, message);
+    return end_note(drum, message->data[0], action);
+  case MIDI_NOTE_ON: return take_note(drum, message, action);
+  case MIDI_POLY_PRESSURE: return take_key_pressure(drum, message, action);
+  case MIDI_CONTROL: return take_control(drum, message, action);
+  case MIDI_PROGRAM: return choose_preset(drum, message->data[0], action);
+  case MIDI_CHANNEL_PRESSURE: return take_channel_pressure(drum, message, action);
+  default: return false;
+  }
+}

@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/model_builder.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "drums/drum_args.h"
+#include "drums/live_headroom.h"
+
+/* A swap on its way. */
+typedef struct Pending {
+  TaborSwap *swap;
+  struct Pending *next;
+} Pending;
+
+/* A drum that the player has, will have, or lets ring out. */
+typedef struct SentDrum {
+  TaborDrum *drum;
+  struct SentDrum *next;
+} SentDrum;
+
+struct ModelBuilder {
+  TaborModelOptions options;
+  uint32_t channels;
+  uint32_t mics[TABOR_MAX_MICS]; /* as the user chose them, */
+  TaborDrumDef first;            /* of this drum */
+  bool waits;
+  Player *player;
+
+  /* under lock */
+  pthread_mutex_t lock;
+  pthread_cond_t changed;
+  TaborDrumDef wanted;
+  char preset[TABOR_TEXT_SIZE], built_preset[TABOR_TEXT_SIZE];
+  uint64_t frame;              /* for the newest request */
+  uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
+  uint64_t presets,
+    built_presets; /* how many have been wished for, and how many by the newest that was built */
+  bool is_listed;  /* what is wanted is a built-in preset; nothing was set since */
+  bool stops, has_thread;
+
+  /* the thread's; if sound waits, under lock */
+  pthread_t thread;
+  TaborModel *model; /* the newest, which the newest drum has or will have */
+  SentDrum *drums;   /* the newest first */
+  Pending *pending;
+};
+
+/* ---- the drum to begin with ------------------------------------------------------------------ */
+
+static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
+                     TaborModel **model) {
+  TaborError error;
+  if (tabor_model_create(def, options, model, &error) == TABOR_OK) return OUTCOME_OK;
+  return report_engine_error(&error);
+}
+
+static Outcome create_drum(ModelBuilder *builder, TaborModel *model) {
+  SentDrum *const sent = calloc(1, sizeof *sent);
+  TaborError error;
+  if (!sent) return fail_memory();
+  if (tabor_drum_create(model, &sent->drum, &error) != TABOR_OK) {
+    free(sent);
+    return report_engine_error(&error);
+  }
+  sent->next = builder->drums;
+  builder->drums = sent;
+  return OUTCOME_OK;
+}
+
+Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
+  ModelBuilder *const builder = calloc(1, sizeof *builder);
+  *created = builder;
+  if (!builder) return fail_memory();
+  (void)pthread_mutex_init(&builder->lock, NULL);
+  (void)pthread_cond_init(&builder->changed, NULL);
+  builder->options = setup->options;
+  builder->channels = setup->channels;
+  memcpy(builder->mics, setup->mics, sizeof builder->mics);
+  builder->first = builder->wanted = *setup->def;
+  builder->waits = setup->waits;
+  builder->is_listed = setup->is_listed;
+  (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
+  memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
+  const Outcome outcome = build(&builder->options, &builder->wanted, &builder->model);
+  return outcome == OUTCOME_OK ? create_drum(builder, builder->model) : outcome;
+}
+
+TaborDrum *model_builder_drum(const ModelBuilder *builder) { return builder->drums->drum; }
+
+/* ---- live keys ------------------------------------------------------------------------------ */
+
+static double number_of(const TaborDrumDef *def, const char *key) {
+  static const NumberField any = {"value", -1e300, 1e300, false};
+  char text[TABOR_NAME_SIZE];
+  double value = 0;
+  if (tabor_drum_def_get(def, key, text, sizeof text, NULL) != TABOR_OK) return NAN;
+  return number_read(&any, text, &value) == OUTCOME_OK ? value : NAN;
+}
+
+/* "top" of "mic.top.gain"; the microphone's index, else 0. */
+static uint32_t mic_of(const TaborDrumDef *def, const char *key) {
+  char name[2 * TABOR_NAME_SIZE];
+  if (sscanf(key, "mic.%127[^.]", name) != 1) return 0;
+  const int mic = tabor_drum_def_find_mic(def, name);
+  return mic > 0 ? (uint32_t)mic : 0;
+}
+
+/* Under lock: one thread at a time sends as SOURCE_CHANGES. */
+static void send_live(ModelBuilder *builder, uint64_t frame, const TaborParameter *parameter,
+                      const char *key) {
+  const PlayerMessage message = {
+    .frame = frame,
+    .type = PLAYER_EVENT,
+    .event = {.type = TABOR_EVENT_PARAMETER,
+              .parameter = parameter->id,
+              .index = mic_of(&builder->wanted, key),
+              .value = number_of(&builder->wanted, key)},
+  };
+  (void)player_send(builder->player, SOURCE_CHANGES, &message);
+}
+
+/* The wires' grid is made for values not far above those of its model. */
+static bool outgrows(const ModelBuilder *builder, const char *key) {
+  if (strcmp(key, "wires.tension") != 0 && strcmp(key, "wires.damping_1") != 0) return false;
+  const double built = number_of(tabor_model_definition(builder->model), key);
+  return number_of(&builder->wanted, key) > LIVE_HEADROOM * built;
+}
+
+/* What was moved while the model was being built is moved on the new one, too. */
+static void resend_live(ModelBuilder *builder, const TaborDrumDef *built) {
+  char key[2 * TABOR_NAME_SIZE];
+  for (uint32_t i = 0; tabor_drum_def_key(&builder->wanted, i, key, sizeof key); i++) {
+    const TaborParameter *const parameter = tabor_parameter_find(key);
+    if (!parameter || !parameter->live) continue;
+    if (number_of(&builder->wanted, key) == number_of(built, key)) continue;
+    send_live(builder, PLAYER_NOW, parameter, key);
+  }
+}
+
+/* ---- swaps and drums ------------------------------------------------------------------------ */
+
+static void free_pending(Pending *pending) {
+  tabor_swap_destroy(pending->swap);
+  free(pending);
+}
+
+static void free_drum(ModelBuilder *builder, const TaborDrum *drum) {
+  SentDrum **link = &builder->drums;
+  while ((*link)->drum != drum) link = &(*link)->next;
+  SentDrum *const sent = *link;
+  *link = sent->next;
+  tabor_drum_destroy(sent->drum);
+  free(sent);
+}
+
+/* Frees what the audio thread has done with; swaps at the list's end are the oldest. */
+static void reap(ModelBuilder *builder) {
+  const TaborDrum *gone;
+  while ((gone = player_gone(builder->player)) != NULL) free_drum(builder, gone);
+  Pending **link = &builder->pending;
+  while (*link && !tabor_swap_done((*link)->swap)) link = &(*link)->next;
+  while (*link) {
+    Pending *const done = *link;
+    *link = done->next;
+    free_pending(done);
+  }
+}
+
+/* As the user chose them, on this drum. */
+static void choose_mics(const ModelBuilder *builder, const TaborDrumDef *def, uint8_t *mics) {
+  for (uint32_t i = 0; i < builder->channels; i++) {
+    mics[i] = (uint8_t)drum_same_mic(&builder->first, builder->mics[i], def);
+  }
+}
+
+static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
+  Pending *const pending = calloc(1, sizeof *pending);
+  TaborError error;
+  if (!pending) return fail_memory();
+  if (tabor_swap_create(builder->model, model, &pending->swap, &error) != TABOR_OK) {
+    free(pending);
+    return report_engine_error(&error);
+  }
+  pending->next = builder->pending;
+  builder->pending = pending;
+  message->type = PLAYER_SWAP;
+  message->event.swap = pending->swap;
+  return OUTCOME_OK;
+}
+
+static Outcome prepare_drum(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
+  const Outcome outcome = create_drum(builder, model);
+  message->type = PLAYER_DRUM;
+  message->drum = builder->drums->drum;
+  return outcome;
+}
+
+/* Sends a drum of @p model, or the swap to it, which becomes the newest; takes @p model over. */
+static Outcome send_model(ModelBuilder *builder, TaborModel *model, uint64_t frame,
+                          bool begins_anew) {
+  const TaborDrumDef *const def = tabor_model_definition(model);
+  PlayerMessage message = {
+    .frame = frame, .strikers = def->striker_count, .event = {.type = TABOR_EVENT_SWAP}};
+  choose_mics(builder, def, message.mics);
+  const Outcome outcome =
+    begins_anew ? prepare_drum(builder, model, &message) : prepare_swap(builder, model, &message);
+  TaborModel *const unused = outcome == OUTCOME_OK ? builder->model : model;
+  if (outcome == OUTCOME_OK) {
+    builder->model = model;
+    (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
+  }
+  tabor_model_release(unused); /* drums and swaps keep their own references */
+  return outcome;
+}
+
+/* ---- the thread ----------------------------------------------------------------------------- */
+
+static void pause_for_change(void) {
+  const struct timespec moment = {.tv_nsec = 5000000};
+  (void)nanosleep(&moment, NULL);
+}
+
+static bool is_under_way(const ModelBuilder *builder) {
+  return builder->pending || builder->drums->next;
+}
+
+/* One change after the other: each waits until what was there before is done with. */
+static void wait_for_change(ModelBuilder *builder) {
+  bool stops = false;
+  for (reap(builder); is_under_way(builder) && !stops; reap(builder)) {
+    (void)pthread_mutex_unlock(&builder->lock);
+    pause_for_change();
+    (void)pthread_mutex_lock(&builder->lock);
+    stops = builder->stops;
+  }
+}
+
+/* What cannot be built is not wanted any more, unless something else is already. */
+static void forget_request(ModelBuilder *builder, uint64_t request) {
+  if (builder->requests != request) return;
+  builder->wanted = *tabor_model_definition(builder->model);
+  builder->is_listed = false;
+  memcpy(builder->preset, builder->built_preset, sizeof builder->preset);
+}
+
+/* Under lock, which is left while the model is built. */
+static void answer(ModelBuilder *builder) {
+  const TaborDrumDef def = builder->wanted;
+  const TaborModelOptions options = builder->options;
+  const uint64_t request = builder->requests, frame = builder->frame, presets = builder->presets;
+  char preset[TABOR_TEXT_SIZE];
+  TaborModel *model = NULL;
+  memcpy(preset, builder->preset, sizeof preset);
+  if (!builder->waits) (void)pthread_mutex_unlock(&builder->lock);
+  Outcome outcome = build(&options, &def, &model);
+  if (!builder->waits) (void)pthread_mutex_lock(&builder->lock);
+  const bool begins_anew = presets != builder->built_presets;
+  if (outcome == OUTCOME_OK) outcome = send_model(builder, model, frame, begins_anew);
+  builder->answered = request;
+  if (outcome != OUTCOME_OK) {
+    forget_request(builder, request);
+    return;
+  }
+  memcpy(builder->built_preset, preset, sizeof preset);
+  builder->built_presets = presets;
+  if (builder->waits) return;
+  wait_for_change(builder);
+  if (builder->presets == presets)
+    resend_live(builder, &def); /* not what another one begins with */
+}
+
+static void *build_requests(void *context) {
+  ModelBuilder *const builder = context;
+  (void)pthread_mutex_lock(&builder->lock);
+  while (!builder->stops) {
+    if (builder->answered == builder->requests) {
+      (void)pthread_cond_wait(&builder->changed, &builder->lock);
+    } else {
+      answer(builder);
+    }
+  }
+  (void)pthread_mutex_unlock(&builder->lock);
+  return NULL;
+}
+
+Outcome model_builder_start(ModelBuilder *builder, Player *player) {
+  builder->player = player;
+  if (builder->waits) return OUTCOME_OK;
+  builder->has_thread = pthread_create(&builder->thread, NULL, build_requests, builder) == 0;
+  return builder->has_thread ? OUTCOME_OK : fail("cannot start a thread for changes of the drum");
+}
+
+void model_builder_stop(ModelBuilder *builder) {
+  if (!builder) return;
+  (void)pthread_mutex_lock(&builder->lock);
+  builder->stops = true;
+  (void)pthread_cond_signal(&builder->changed);
+  (void)pthread_mutex_unlock(&builder->lock);
+  if (builder->has_thread) (void)pthread_join(builder->thread, NULL);
+  builder->has_thread = false;
+}
+
+void model_builder_destroy(ModelBuilder *builder) {
+  if (!builder) return;
+  while (builder->drums)
+    free_drum(builder, builder->drums->drum); /* before swaps that may still fade in them */
+  while (builder->pending) {
+    Pending *const pending = builder->pending;
+    builder->pending = pending->next;
+    free_pending(pending);
+  }
+  tabor_model_release(builder->model);
+  (void)pthread_cond_destroy(&builder->changed);
+  (void)pthread_mutex_destroy(&builder->lock);
+  free(builder);
+}
+
+/* ---- requests ------------------------------------------------------------------------------- */
+
+/* Under lock: the definition that is wanted has changed in more than live keys. */
+static void request(ModelBuilder *builder, uint64_t frame) {
+  builder->frame = frame;
+  builder->requests++;
+  if (builder->waits) {
+    reap(builder);
+    answer(builder);
+  } else {
+    (void)pthread_cond_signal(&builder->changed);
+  }
+}
+
+Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
+                          const char *value) {
+  (void)pthread_mutex_lock(&builder->lock);
+  TaborDrumDef def = builder->wanted;
+  const Outcome outcome = builder->stops ? OUTCOME_FAILED : drum_set(&def, what, key, value);
+  if (outcome == OUTCOME_OK) {
+    const TaborParameter *const parameter = tabor_parameter_find(key);
+    const bool live = parameter && parameter->live;
+    builder->wanted = def;
+    builder->is_listed = false;
+    if (strcmp(key, "quality.level") == 0) builder->options.quality = def.quality.level;
+    if (live) send_live(builder, frame, parameter, key);
+    if (!live || outgrows(builder, key)) request(builder, frame);
+  }
+  (void)pthread_mutex_unlock(&builder->lock);
+  return outcome;
+}
+
+/* A program change to the preset that is there already does nothing. */
+static Outcome choose_preset(ModelBuilder *builder, uint64_t frame, const char *preset,
+                             bool by_program) {
+  TaborDrumDef def;
+  Outcome outcome = drum_load_preset(preset, &def);
+  if (outcome == OUTCOME_OK && def.mic_count == 0) {
+    outcome = refuse("'%s' has no microphone", preset);
+  }
+  if (outcome != OUTCOME_OK) return outcome;
+  (void)pthread_mutex_lock(&builder->lock);
+  if (!(by_program && builder->is_listed && strcmp(builder->preset, preset) == 0)) {
+    builder->wanted = def;
+    builder->is_listed = preset_place(preset) >= 0;
+    builder->presets++;
+    (void)snprintf(builder->preset, sizeof builder->preset, "%s", preset);
+    if (!builder->stops) request(builder, frame);
+  }
+  (void)pthread_mutex_unlock(&builder->lock);
+  return outcome;
+}
+
+Outcome model_builder_preset(ModelBuilder *builder, uint64_t frame, const char *preset) {
+  return choose_preset(builder, frame, preset, false);
+}
+
+Outcome model_builder_program(ModelBuilder *builder, uint64_t frame, const char *preset) {
+  return choose_preset(builder, frame, preset, true);
+}
+
+Outcome model_builder_step_preset(ModelBuilder *builder, uint64_t frame, int step) {
+  const int count = (int)tabor_preset_count();
+  (void)pthread_mutex_lock(&builder->lock);
+  const int place = preset_place(builder->preset);
+  (void)pthread_mutex_unlock(&builder->lock);
+  const int from = place < 0 && step < 0 ? 0 : place;
+  const int next = ((from + step) % count + count) % count;
+  return model_builder_preset(builder, frame, tabor_preset((uint32_t)next)->name);
+}
+
+void model_builder_definition(ModelBuilder *builder, TaborDrumDef *def) {
+  (void)pthread_mutex_lock(&builder->lock);
+  *def = builder->wanted;
+  (void)pthread_mutex_unlock(&builder->lock);
+}
+
+void model_builder_status(ModelBuilder *builder, PlayStatus *status) {
+  (void)pthread_mutex_lock(&builder->lock);
+  (void)snprintf(status->preset, sizeof status->preset, "%s", builder->preset);
+  status->building = builder->answered != builder->requests;
+  status->quality = builder->options.quality;
+  (void)pthread_mutex_unlock(&builder->lock);
+}

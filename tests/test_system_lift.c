@@ -41,6 +41,10 @@ static void assert_balanced(const TaborDrum *drum) {
   assert_true(ledger.residual < (statistics_of(drum).newton_capped ? CAPPED_LOSS : 1e-9) * scale);
 }
 
+/* Newton's iteration ends where its residual is rounding noise of the largest change of a penetration, and wires
+ * that are computed count there: the last bit of a sample may differ. */
+static const float LAST_BIT = 2e-7f;
+
 /* At 2.9 mm wires are computed, at 6 mm not: the head feels neither. A harder stroke on the moving head would
  * lower them, which rounds. */
 static void nothing_is_heard_of_it(void **state) {
@@ -58,7 +62,11 @@ static void nothing_is_heard_of_it(void **state) {
     tabor_drum_destroy(drum);
     tabor_model_release(model);
   }
-  assert_memory_equal(heard[0], heard[1], sizeof heard[0]);
+  for (size_t i = 0; i < BLOCKS * BLOCK; i++) {
+    const float difference = fabsf(heard[0][i] - heard[1][i]);
+    if (difference > LAST_BIT * fabsf(heard[0][i]))
+      fail_msg("sample %zu: %g apart", i, (double)difference);
+  }
 }
 
 /* A blow that drives the head through the gap, and a lever that closes it, while the wires are lifted. */

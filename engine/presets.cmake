@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The built-in presets: files of presets/ compiled into the library, in the order in which they are
-# listed. Sets TABOR_PRESET_SOURCE, the generated table, and adds it to tabor.
+# listed. Sets TABOR_PRESET_SOURCE, the generated table, which the target preset-table writes.
 
 set(TABOR_PRESETS
     tabor
@@ -30,5 +30,4 @@ add_custom_command(
   DEPENDS "${TABOR_EMBED_PRESETS}" ${TABOR_PRESET_FILES}
   COMMENT "Embedding the presets"
   VERBATIM)
-
-target_sources(tabor PRIVATE "${TABOR_PRESET_SOURCE}")
+add_custom_target(preset-table DEPENDS "${TABOR_PRESET_SOURCE}")

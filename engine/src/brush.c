@@ -5,7 +5,7 @@
 
 #include "coat.h"
 #include "live.h"
-#include "power.h"
+#include "portable_math.h"
 
 static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "kernels.h"
-#include "power.h"
+#include "portable_math.h"
 
 /* eta^a for eta >= 0. */
 static double raise(const TbLaw *law, double eta) {

@@ -8,7 +8,7 @@
 #include "lift.h"
 #include "lugs.h"
 #include "mics.h"
-#include "power.h"
+#include "portable_math.h"
 #include "state.h"
 #include "stretch.h"
 #include "text.h"

@@ -2,7 +2,7 @@
 #include "places.h"
 
 #include "model.h"
-#include "power.h"
+#include "portable_math.h"
 
 static const double OUTERMOST = 0.98; /* of the head's radius */
 

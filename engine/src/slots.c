@@ -5,7 +5,7 @@
 
 #include "brush.h"
 #include "live.h"
-#include "power.h"
+#include "portable_math.h"
 #include "rimstroke.h"
 #include "rod.h"
 

@@ -6,7 +6,7 @@
 
 #include "definition.h"
 #include "error.h"
-#include "power.h"
+#include "portable_math.h"
 
 static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
                                double k) {

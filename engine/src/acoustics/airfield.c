@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "acoustics/airwave.h"
+#include "math/portable_math.h"
 
 static const double PI = 3.14159265358979323846;
 static const double FAR = 2.0;            /* radii from the centre */
@@ -19,10 +20,10 @@ static double smooth_top(const TbAirPlan *plan) {
   return plan->precision.digits > 8.0 ? fmax(60.0, 4.0 * beyond) : 1.5 * beyond + 10.0;
 }
 
-static bool is_far(double radius, double height) { return hypot(radius, height) >= FAR; }
+static bool is_far(double radius, double height) { return tb_hypot(radius, height) >= FAR; }
 
 double tb_air_heard_to(double reach, double digits) {
-  return reach + 0.25 * digits * (2.5 * cbrt(reach) + 5.0);
+  return reach + 0.25 * digits * (2.5 * tb_cbrt(reach) + 5.0);
 }
 
 /* A near point hears the wavenumbers that reach it, J_m(k) J_m(k r) of them; a far one what radiates, and
@@ -30,16 +31,17 @@ double tb_air_heard_to(double reach, double digits) {
 static bool is_heard(const TbAirPlan *plan, double radius, double height) {
   const double m = (double)plan->order->m, digits = plan->precision.digits;
   if (is_far(radius, height)) {
-    return m * log(hypot(radius, height)) < DECADE * digits || m < tb_air_heard_to(plan->x, digits);
+    return m * tb_log(tb_hypot(radius, height)) < DECADE * digits ||
+           m < tb_air_heard_to(plan->x, digits);
   }
   const double top = fmin(smooth_top(plan), DECADE * digits / height);
-  return m < tb_air_heard_to(hypot(plan->x, top) * fmin(1.0, radius), digits);
+  return m < tb_air_heard_to(tb_hypot(plan->x, top) * fmin(1.0, radius), digits);
 }
 
 /* Beyond both x and m the terms fall at least like s^-n, and as J_n does past its turning point. */
 static uint32_t degrees_for(const TbAirPlan *plan, double nearest) {
   const double lead = fmax(plan->x, (double)plan->order->m);
-  const double fall = fmax(DECADE / log(nearest), cbrt(plan->x));
+  const double fall = fmax(DECADE / tb_log(nearest), tb_cbrt(plan->x));
   return (uint32_t)(lead + plan->precision.digits * fall) + 2u;
 }
 
@@ -52,7 +54,7 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
       const double height = fabs(outward_height(&sources[s], plan->points[p]));
       if (!is_heard(plan, radius, height)) continue;
       if (is_far(radius, height)) {
-        nearest = fmin(nearest, hypot(radius, height));
+        nearest = fmin(nearest, tb_hypot(radius, height));
       } else {
         plan->stretch = fmax(plan->stretch, 1.0 + radius + height);
         lowest = fmin(lowest, height);
@@ -99,11 +101,12 @@ static void add_near(const TbAirPlan *plan, const TbAirNodes *nodes, const TbAir
     double re, im;
     integrand(nodes, source, baffled, sign * source->open, q, &re, &im);
     if (q < nodes->below) {
-      const double c = cos(decay), s = sin(decay); /* e^{-i root h} */
+      double c, s; /* e^{-i root h} */
+      tb_sin_cos(decay, &s, &c);
       sum_re += j[q] * (re * c + im * s);
       sum_im += j[q] * (im * c - re * s);
     } else if (decay < cut) {
-      const double size = j[q] * exp(-decay);
+      const double size = j[q] * tb_exp(-decay);
       sum_re += size * re;
       sum_im += size * im;
     }

@@ -4,6 +4,7 @@
 
 #include "acoustics/airfield.h"
 #include "math/ldlt.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;
@@ -21,7 +22,7 @@ static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
 static void widen_reach(const TbAirOrder *order, const double *v, TbAirPlan *plan) {
   double largest = 0.0;
   for (uint32_t i = 0; i < order->count; i++) largest = fmax(largest, fabs(v[i]));
-  const double least = largest * pow(10.0, -plan->precision.digits / 3.5);
+  const double least = largest * tb_exp(-plan->precision.digits / 3.5 * tb_log(10.0));
   uint32_t last = 0;
   for (uint32_t i = 0; i < order->count; i++) {
     if (fabs(v[i]) > least) last = i;
@@ -128,7 +129,7 @@ static bool open_prepare(Open *open, const TbAirPlan *plan, TbArena *scratch,
   }
   const double t = 0.5 * (nodes->root[count - TB_PANEL] + nodes->root[count - 1]) +
                    0.5 * nodes->panel; /* the panel's middle, and half of it */
-  open_matrix(plan, nodes, count, hypot(plan->x, t), open->rows, &open->c);
+  open_matrix(plan, nodes, count, tb_hypot(plan->x, t), open->rows, &open->c);
   return tb_factor_symmetric(scratch, plan->terms, open->c.re, open->c.im);
 }
 
@@ -264,7 +265,7 @@ static double drum_integrand(const TbAirNodes *nodes, const TbAirSource *first,
   double sum = first->w[q] * first->w[q] + square * (p[0] * p[0] + p[1] * p[1]);
   if (!second) return sum;
   const double *r = second->p + 2 * q;
-  const double phase = cos(nodes->root[q] * depth);
+  const double phase = tb_cos(nodes->root[q] * depth);
   sum += second->w[q] * second->w[q] + square * (r[0] * r[0] + r[1] * r[1]);
   return sum + 2.0 * phase * (first->w[q] * second->w[q] - square * (p[0] * r[0] + p[1] * r[1]));
 }

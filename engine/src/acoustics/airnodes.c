@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;
@@ -22,9 +23,10 @@ bool tb_air_nodes_prepare(TbAirNodes *nodes, TbArena *scratch, const TbAirOrder 
 
   if (low) tb_quadrature(0.0, 0.5 * PI, low, nodes->kappa, nodes->weights);
   for (uint32_t q = 0; q < nodes->below; q++) {
-    const double t = nodes->kappa[q];
-    nodes->kappa[q] = x * sin(t);
-    nodes->root[q] = x * cos(t);
+    double sine, cosine;
+    tb_sin_cos(nodes->kappa[q], &sine, &cosine);
+    nodes->kappa[q] = x * sine;
+    nodes->root[q] = x * cosine;
     nodes->weights[q] *= x;
   }
   if (high) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;
@@ -74,7 +75,7 @@ static bool disc_shape(const TbAirPlan *plan, TbArena *scratch, const TbAirSourc
 /* p(r) = Sum_n a_n p_n(r), p_n the inverse of kappa^{-3/2} J_{mu_n} ([DLMF] 10.22.56):
  * p_n = r^m (1 - r^2)^{1/2} n!/(sqrt(2) Gamma(n + 3/2)) P_n^{(m,1/2)}(1 - 2 r^2), Jacobi's polynomial. */
 static void jump_at(const TbAirPlan *plan, const double *a, double r, double jump[2]) {
-  const double m = (double)plan->order->m, alpha = m, beta = 0.5, y = 1.0 - 2.0 * r * r;
+  const double alpha = (double)plan->order->m, beta = 0.5, y = 1.0 - 2.0 * r * r;
   double last = 0.0, here = 1.0, scale = sqrt(2.0 / PI);
   jump[0] = jump[1] = 0.0;
   for (uint32_t n = 0; n < plan->terms; n++) {
@@ -90,7 +91,7 @@ static void jump_at(const TbAirPlan *plan, const double *a, double r, double jum
     here = next;
     scale *= k / (k + 0.5);
   }
-  const double edge = pow(r, m) * sqrt(1.0 - r * r);
+  const double edge = tb_whole_power(r, plan->order->m) * sqrt(1.0 - r * r);
   jump[0] *= edge;
   jump[1] *= edge;
 }
@@ -109,9 +110,9 @@ static bool disc_prepare(const TbAirPlan *plan, TbArena *scratch, const TbAirSou
   if (scratch->failed) return false;
   tb_quadrature(0.0, 0.5 * PI, panels, disc->r, weights);
   for (uint32_t q = 0; q < disc->count; q++) {
-    const double t = disc->r[q];
-    disc->r[q] = sin(t);
-    weights[q] *= cos(t) / sqrt(disc->r[q]);
+    double cosine;
+    tb_sin_cos(disc->r[q], &disc->r[q], &cosine);
+    weights[q] *= cosine / sqrt(disc->r[q]);
   }
   if (source->baffled != 0.0 && !disc_shape(plan, scratch, source, weights, disc)) return false;
   for (uint32_t q = 0; q < disc->count && source->open != 0.0; q++) {
@@ -238,8 +239,10 @@ static const double LARGEST = 1e250;
 
 void tb_air_waves_at(const TbAirWaves *waves, double radius, double height, double field[2]) {
   const uint32_t m = waves->m;
-  const double s = hypot(radius, height), u = height / s, rho = waves->x * s;
-  const double c = cos(rho) / rho, d = sin(rho) / rho;
+  const double s = tb_hypot(radius, height), u = height / s, rho = waves->x * s;
+  double sine, cosine;
+  tb_sin_cos(rho, &sine, &cosine);
+  const double c = cosine / rho, d = sine / rho;
   double h[2] = {d, c};                         /* h_0 = i e^{-i rho}/rho */
   double above[2] = {d / rho - c, c / rho + d}; /* h_1 = (1/rho + i) h_0 */
   double sum[2] = {0.0}, last = 0.0, here = first_of(m, radius / s);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/bessel.h"
+#include "math/portable_math.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -50,7 +51,7 @@ static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, do
 /* ---- one order ------------------------------------------------------------------------------ */
 
 static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
-  return cavity->sound_speed * hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
+  return cavity->sound_speed * tb_hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
 /* A floor tom's order has 60 coordinates, a deep shell under a tense head would have thousands. Where this
@@ -114,8 +115,8 @@ static void radial_mass(const TbCavityOrder *order, const TbCavity *cavity, uint
                         double *across) {
   const double kappa = order->zeros[p] / cavity->radius, depth = cavity->depth;
   const double kl = kappa * depth;
-  *own = kappa > 0.0 ? 1.0 / (kappa * tanh(kl)) : depth / 3.0;
-  *across = kappa > 0.0 ? (kl < 700.0 ? 1.0 / (kappa * sinh(kl)) : 0.0) : -depth / 6.0;
+  *own = kappa > 0.0 ? 1.0 / (kappa * tb_tanh(kl)) : depth / 3.0;
+  *across = kappa > 0.0 ? (kl < 700.0 ? 1.0 / (kappa * tb_sinh(kl)) : 0.0) : -depth / 6.0;
   for (uint32_t l = 0; l < order->kept[p]; l++) {
     const double axial = (double)l * PI / depth;
     const double square = kappa * kappa + axial * axial;

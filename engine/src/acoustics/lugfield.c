@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "definition/definition.h"
+#include "math/portable_math.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -40,8 +41,10 @@ bool tb_lug_field_prepare(TbLugField *field, const TaborHeadDef *head, double tu
     even = even && deviation[j] == 0.0;
     for (uint32_t p = 0; p < field->harmonics; p++) {
       const double weight = (p == 0 || 2 * p == n ? 1.0 : 2.0) * deviation[j] / n;
-      field->c[p] += weight * cos(p * angle);
-      field->s[p] += weight * sin(p * angle);
+      double sine, cosine;
+      tb_sin_cos(p * angle, &sine, &cosine);
+      field->c[p] += weight * cosine;
+      field->s[p] += weight * sine;
     }
   }
   return !even;
@@ -51,7 +54,7 @@ bool tb_lug_field_prepare(TbLugField *field, const TaborHeadDef *head, double tu
 static TbTension harmonic(uint32_t p, double r) {
   if (p == 0) return (TbTension){.rr = 1.0, .tt = 1.0};
   if (p == 1) return (TbTension){.rr = r, .tt = 3.0 * r, .rt = r};
-  const double inner = pow(r, p - 2.0), outer = inner * r * r;
+  const double inner = tb_whole_power(r, p - 2u), outer = inner * r * r;
   return (TbTension){.rr = 0.5 * (p * inner - (p - 2.0) * outer),
                      .tt = 0.5 * ((p + 2.0) * outer - p * inner),
                      .rt = 0.5 * p * (outer - inner)};
@@ -61,7 +64,8 @@ TbTension tb_lug_field_at(const TbLugField *field, double r, double angle) {
   TbTension sum = {0.0, 0.0, 0.0};
   for (uint32_t p = 0; p < field->harmonics; p++) {
     const TbTension n = harmonic(p, r);
-    const double cosine = cos(p * angle), sine = sin(p * angle);
+    double sine, cosine;
+    tb_sin_cos(p * angle, &sine, &cosine);
     const double along = field->c[p] * cosine + field->s[p] * sine;
     sum.rr += n.rr * along;
     sum.tt += n.tt * along;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#define _GNU_SOURCE /* strtod_l */
+#define _POSIX_C_SOURCE 200809L /* strnlen */
 #include "definition/text.h"
 
-#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "math/decimal.h"
 
 #define LONGEST_WORD 128 /* for the edit distance; longer ones are cut */
 
@@ -17,7 +18,7 @@ static const char *skip_digits(const char *text) {
   return text;
 }
 
-/* strtod() would also take blanks, "nan", "infinity" and hexadecimal. */
+/* No blanks, "nan", "infinity" or hexadecimal, which strtod() would take. */
 static bool is_decimal(const char *text) {
   const char *const start = text + (*text == '-' || *text == '+');
   const char *end = skip_digits(start);
@@ -38,12 +39,7 @@ static bool is_decimal(const char *text) {
 
 TbParse tb_number_parse(const char *text, double *value) {
   if (!is_decimal(text)) return TB_PARSE_INVALID;
-  /* The C locale is built into the C library: this allocates nothing and touches no thread's
-   * locale. */
-  const locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-  if (!c_locale) return TB_PARSE_INVALID;
-  const double result = strtod_l(text, NULL, c_locale);
-  freelocale(c_locale);
+  const double result = tb_decimal_read(text);
   if (isinf(result)) return TB_PARSE_OVERFLOW;
   *value = result;
   return TB_PARSE_OK;

@@ -13,6 +13,7 @@
 
 #include "drum/drum.h"
 #include "drum/drum_memory.h"
+#include "math/portable_math.h"
 #include "step/energy.h"
 #include "step/live.h"
 #include "step/penetration.h"
@@ -59,10 +60,8 @@ static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const T
                      double k) {
   const double t0 = turn_per_sample(from, k), t1 = turn_per_sample(to, k);
   if (t0 == t1 || t0 <= 0.0 || t1 <= 0.0) return; /* scale 0: copy */
-  map->cos_old[i] = cos(t0);
-  map->sin_old[i] = sin(t0);
-  map->cos_new[i] = cos(t1);
-  map->sin_new[i] = sin(t1);
+  tb_sin_cos(t0, &map->sin_old[i], &map->cos_old[i]);
+  tb_sin_cos(t1, &map->sin_new[i], &map->cos_new[i]);
   map->scale[i] = sqrt(map->sin_old[i] / map->sin_new[i]);
 }
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "kernels/kernels.h"
-#include "math/power.h"
+#include "math/portable_math.h"
 
 /* eta^a for eta >= 0. */
 static double raise(const TbLaw *law, double eta) {

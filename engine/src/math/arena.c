@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L
 #include "math/arena.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,15 +10,24 @@ struct TbArenaChunk {
   char padding[TB_ALIGNMENT - sizeof(TbArenaChunk *)];
 };
 
+/* C11's aligned_alloc() is missing on Windows. The block that malloc() gave is remembered before the memory. */
 static void *system_allocate(size_t size, void *context) {
   (void)context;
-  void *memory = NULL;
-  return posix_memalign(&memory, TB_ALIGNMENT, size) == 0 ? memory : NULL;
+  const size_t extra = TB_ALIGNMENT + sizeof(void *);
+  char *const block = size <= SIZE_MAX - extra ? malloc(size + extra) : NULL;
+  if (!block) return NULL;
+  char *const first = block + sizeof(void *);
+  char *const memory = first + (TB_ALIGNMENT - (uintptr_t)first % TB_ALIGNMENT) % TB_ALIGNMENT;
+  memcpy(memory - sizeof(void *), &block, sizeof(void *));
+  return memory;
 }
 
 static void system_release(void *memory, void *context) {
   (void)context;
-  free(memory);
+  if (!memory) return;
+  void *block;
+  memcpy(&block, (char *)memory - sizeof(void *), sizeof(void *));
+  free(block);
 }
 
 TaborAllocator tb_allocator_resolve(const TaborAllocator *allocator) {

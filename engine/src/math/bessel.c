@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "math/portable_math.h"
+
 static const double PI = 3.14159265358979323846;
 
 /* Cube root from above, without libm: for the width of the transition region around order = x. */
@@ -122,9 +124,11 @@ double tb_bessel_j(uint32_t m, double x) {
 /* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
  * or j_1, whichever is larger. */
 static double half_scale(double x, double here, double above) {
-  const double j0 = sin(x) / x;
-  const double j1 = x < 0.05 ? x / 3.0 * (1.0 - x * x / 10.0 * (1.0 - x * x / 28.0))
-                             : sin(x) / (x * x) - cos(x) / x;
+  double sine, cosine;
+  tb_sin_cos(x, &sine, &cosine);
+  const double j0 = sine / x;
+  const double j1 =
+    x < 0.05 ? x / 3.0 * (1.0 - x * x / 10.0 * (1.0 - x * x / 28.0)) : sine / (x * x) - cosine / x;
   return (fabs(j0) > fabs(j1) ? j0 / here : j1 / above) * sqrt(2.0 * x / PI);
 }
 
@@ -231,7 +235,7 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
  * over the root of that factor at z (Sturm). */
 uint32_t tb_bessel_zeros(uint32_t m, double top, double *zeros, uint32_t room) {
   if (m == 0) return zeros_of_order_0(top, zeros, room);
-  const double order = (double)m, root = cbrt(order);
+  const double order = (double)m, root = tb_cbrt(order);
   double lo = order + 1.8557570 * root, hi = lo + 1.0331505 / root;
   for (uint32_t count = 0;; count++) {
     if (lo >= top || count == room) return count;

@@ -18,8 +18,7 @@ double tb_bessel_j(uint32_t m, double x);
 /* J_m[i](x[i]) for 8 orders and arguments at once, in lanes. */
 void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]);
 
-/* j[l][i] = J_{l+1/2}(x[i]), l = 0 .. count-1, for 8 arguments x[i] > 0 at once; sin and cos come from
- * libm: set-up only. */
+/* j[l][i] = J_{l+1/2}(x[i]), l = 0 .. count-1, for 8 arguments x[i] > 0 at once. */
 void tb_bessel_half8(const double x[8], uint32_t count, double *j);
 
 /* j[l][i] = J_l(x[i]), as above but whole orders. */

@@ -7,6 +7,7 @@
 
 #include "math/cholesky.h"
 #include "math/combine.h"
+#include "math/portable_math.h"
 
 enum {
   SWEEP_LIMIT = 60, /* QL sweeps for one eigenvalue; two or three are usual */
@@ -119,14 +120,6 @@ typedef struct Rotations {
   double *cosine, *sine; /* at the index i */
 } Rotations;
 
-/* sqrt(a^2 + b^2) without overflow, made of operations that round alike everywhere. */
-static double length_of(double a, double b) {
-  const double x = fabs(a), y = fabs(b), most = x > y ? x : y, least = x > y ? y : x;
-  if (most == 0.0) return 0.0;
-  const double ratio = least / most;
-  return most * sqrt(1.0 + ratio * ratio);
-}
-
 /* The last row of the undivided part of T that begins with row `first`. */
 static uint32_t last_coupled(uint32_t n, const double *d, const double *e, uint32_t first) {
   uint32_t i = first;
@@ -138,10 +131,10 @@ static uint32_t last_coupled(uint32_t n, const double *d, const double *e, uint3
  * `first` only if T fell into two there. */
 static uint32_t sweep(double *d, double *e, uint32_t first, uint32_t last, Rotations r) {
   const double slope = (d[first + 1] - d[first]) / (2.0 * e[first]);
-  double g = d[last] - d[first] + e[first] / (slope + copysign(length_of(slope, 1.0), slope));
+  double g = d[last] - d[first] + e[first] / (slope + copysign(tb_hypot(slope, 1.0), slope));
   double sine = 1.0, cosine = 1.0, shift = 0.0;
   for (uint32_t i = last; i-- > first;) {
-    const double f = sine * e[i], b = cosine * e[i], length = length_of(f, g);
+    const double f = sine * e[i], b = cosine * e[i], length = tb_hypot(f, g);
     e[i + 1] = length;
     if (length == 0.0) {
       d[i + 1] -= shift;

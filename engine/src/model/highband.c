@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "model/highmodes.h"
 #include "model/mics.h"
 #include "model/model.h"
@@ -118,7 +119,7 @@ static void assign_groups(TbHighBand *band, const TbWires *wires) {
 }
 
 static void drive_at(const TbHighBand *band, uint32_t head, double x, double y, double *drive) {
-  const double r = hypot(x, y);
+  const double r = tb_hypot(x, y);
   tb_highband_drive(band, head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL, drive);
 }
 

@@ -9,6 +9,7 @@
 #include "acoustics/enclosed.h"
 #include "acoustics/single.h"
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
@@ -71,8 +72,8 @@ static bool inaudible(const Builder *b, const Side *side, uint32_t m, double x, 
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
     const TbAirPoint *point = &side->points[p];
     const double top = fmin(1.5 * fmax(x, zero) + 10.0, 10.0 / fabs(point->height));
-    const double reach = hypot(x, top) * fmin(1.0, point->radius);
-    if ((double)m < reach + 2.5 * cbrt(reach) + 5.0) return false;
+    const double reach = tb_hypot(x, top) * fmin(1.0, point->radius);
+    if ((double)m < reach + 2.5 * tb_cbrt(reach) + 5.0) return false;
   }
   return true;
 }
@@ -108,8 +109,8 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, Tb
 /* The energy that a unit force brings to a microphone. */
 static double energy_at(const Builder *b, const TbHighMode *c, uint32_t mic) {
   const double turn = c->omega * b->model->time_step;
-  const double gain =
-    c->omega * c->omega * sin(turn) / turn * hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
+  const double gain = c->omega * c->omega * tb_sin(turn) / turn *
+                      tb_hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
   return gain * gain / (4.0 * fmax(c->decay_rate, 1e-3));
 }
 
@@ -126,7 +127,7 @@ static void take_candidate(Builder *b) {
   TbHighMode *c = &b->candidates[b->count++];
   if (!b->model->def.quality.losses) c->decay_rate = 0.0;
   c->loudness = loudness(b, c);
-  c->band = (uint32_t)fmax(0.0, 6.0 * log2(c->omega / (2.0 * PI * 20.0)));
+  c->band = (uint32_t)fmax(0.0, 6.0 * tb_log(c->omega / (2.0 * PI * 20.0)) / tb_log(2.0));
 }
 
 static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {

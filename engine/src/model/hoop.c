@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 #include "model/mics.h"
 #include "model/model.h"
@@ -25,13 +26,15 @@ void tb_hoop_field(uint32_t n, double wavenumber, double radius, double depth, d
   field[0] = field[1] = 0.0;
   for (uint32_t i = 0; i < AROUND; i++) {
     const double angle = PI * (i + 0.5) / AROUND;
-    const double across = r * r + radius * radius - 2.0 * r * radius * cos(angle);
-    const double part = cos(n * angle) * 2.0 * PI / AROUND / (4.0 * PI);
+    const double across = r * r + radius * radius - 2.0 * r * radius * tb_cos(angle);
+    const double part = tb_cos(n * angle) * 2.0 * PI / AROUND / (4.0 * PI);
     for (uint32_t l = 0; l < LEVELS; l++) {
       const double up = z - levels[l], distance = sqrt(across + up * up);
       const double size = part * weights[l] / distance;
-      field[0] += size * cos(wavenumber * distance);
-      field[1] -= size * sin(wavenumber * distance);
+      double sine, cosine;
+      tb_sin_cos(wavenumber * distance, &sine, &cosine);
+      field[0] += size * cosine;
+      field[1] -= size * sine;
     }
   }
 }
@@ -43,10 +46,12 @@ double tb_hoop_radiation(uint32_t n, double omega, const TaborAirDef *air, doubl
   const double k = omega / air->sound_speed;
   tb_quadrature(0.0, PI, NODES / TB_PANEL, angles, weights);
   for (uint32_t i = 0; i < NODES; i++) {
-    const double half = 0.5 * k * depth * cos(angles[i]);
-    const double sinc = fabs(half) > 1e-8 ? sin(half) / half : 1.0;
-    const double part = tb_bessel_j(n, k * radius * sin(angles[i])) * sinc;
-    sum += weights[i] * part * part * sin(angles[i]);
+    double sine, cosine;
+    tb_sin_cos(angles[i], &sine, &cosine);
+    const double half = 0.5 * k * depth * cosine;
+    const double sinc = fabs(half) > 1e-8 ? tb_sin(half) / half : 1.0;
+    const double part = tb_bessel_j(n, k * radius * sine) * sinc;
+    sum += weights[i] * part * part * sine;
   }
   return omega * omega * air->density * radius * radius * depth * depth * PI * sum /
          (8.0 * air->sound_speed);

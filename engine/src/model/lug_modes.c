@@ -8,6 +8,7 @@
 #include "acoustics/lugfield.h"
 #include "definition/error.h"
 #include "math/eigen.h"
+#include "math/portable_math.h"
 #include "model/lugcoupling.h"
 
 static const double PI = 3.14159265358979323846;
@@ -138,7 +139,7 @@ static TaborStatus refuse_slack(const TaborDrumDef *def, TaborError *error) {
 /* The recursion's answer to a force is too large by w k/sin(w k). */
 static double softness(const TaborModel *model, uint32_t mode) {
   const double turn = omega_of(model, mode) * model->time_step;
-  return sqrt(sin(turn) / turn);
+  return sqrt(tb_sin(turn) / turn);
 }
 
 static bool fill_table(TaborModel *model, const uint32_t *mode, const uint32_t *place, uint32_t n,

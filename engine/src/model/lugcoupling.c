@@ -5,6 +5,7 @@
 
 #include "acoustics/lugfield.h"
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;
@@ -84,7 +85,9 @@ typedef struct Point {
 
 static void gradients(const Shapes *shapes, uint32_t at, double angle, TbTension n, Point *point) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
-  tb_angular_factors(shapes->top_order + 1, sin(angle), cos(angle), c, s);
+  double sin_angle, cos_angle;
+  tb_sin_cos(angle, &sin_angle, &cos_angle);
+  tb_angular_factors(shapes->top_order + 1, sin_angle, cos_angle, c, s);
   for (uint32_t i = 0; i < shapes->count; i++) {
     const uint32_t m = mode_of(shapes, i)->m;
     const bool sine = shapes->model->modes.sine[shapes->mode[i]];

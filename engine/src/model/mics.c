@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "math/power.h"
+#include "math/portable_math.h"
 #include "model/model.h"
 
 /* ---- microphones ---------------------------------------------------------------------------- */
@@ -43,11 +43,12 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
   const double turn = omega * model->time_step;
   const double size = -omega * omega * model->def.air.density * model->head.radius *
-                      tb_angular(m, sine_copy, sine, cosine) * sin(turn) / turn;
+                      tb_angular(m, sine_copy, sine, cosine) * tb_sin(turn) / turn;
   const double phase = turn * (double)model->mics[index].delay;
   double u, v;
-  realise(pole, size * (field[0] * cos(phase) - field[1] * sin(phase)),
-          size * (field[0] * sin(phase) + field[1] * cos(phase)), turn, &u, &v);
+  tb_sin_cos(phase, &sine, &cosine);
+  realise(pole, size * (field[0] * cosine - field[1] * sine),
+          size * (field[0] * sine + field[1] * cosine), turn, &u, &v);
   *ahead = u + v;
   *behind = u - v;
 }

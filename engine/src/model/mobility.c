@@ -5,6 +5,7 @@
 
 #include "acoustics/coupled.h"
 #include "math/bessel.h"
+#include "math/portable_math.h"
 #include "model/modes.h"
 
 static const double PI = 3.14159265358979323846;
@@ -50,10 +51,10 @@ void tb_mobility_between(const TaborDrumDef *def, double patch_radius, double fr
   *compliance = *inverse_mass = 0.0;
   const double top = fmin(to, FINEST / patch_radius);
   if (top <= from) return;
-  const double points = ceil(1.0 + PER_OCTAVE * log2(top / from));
-  const double width = log(top / from) / points;
+  const double points = ceil(1.0 + PER_OCTAVE * tb_log(top / from) / tb_log(2.0));
+  const double width = tb_log(top / from) / points;
   for (double i = 0.5; i < points; i += 1.0) {
-    const double wavenumber = from * exp(i * width), u = wavenumber * patch_radius;
+    const double wavenumber = from * tb_exp(i * width), u = wavenumber * patch_radius;
     const double b = 2.0 * tb_bessel_j(1, u) / u;
     const double share = b * b * wavenumber * wavenumber * width / (2.0 * PI);
     *compliance += share / tb_head_stiffness(&def->batter, wavenumber);
@@ -84,7 +85,7 @@ void tb_mobility_prepare(TbMobility *mobility, const TaborDrumDef *def, double b
   const double bottom = 2.0 * PI * bandwidth;
   const double silent = fmax(LEAST_RATIO * bottom, omega_at(def, FIRST_ZERO / patch_radius));
   const double top = fmin(silent, 2.0 * PI * TOP_OF_RATE / time_step);
-  const double ratio = pow(top / bottom, 1.0 / (TB_MISSING - 1u));
+  const double ratio = tb_exp(tb_log(top / bottom) / (TB_MISSING - 1u));
   double lower = bottom;
   for (uint32_t i = 0; i < TB_MISSING; i++) {
     const double upper = lower * ratio;

@@ -6,7 +6,7 @@
 
 #include "definition/error.h"
 #include "definition/text.h"
-#include "math/power.h"
+#include "math/portable_math.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
 #include "model/state_layout.h"

@@ -3,18 +3,20 @@
 
 #include <math.h>
 
+#include "math/portable_math.h"
+
 TbPole tb_pole(double omega, double s, double k) {
   const double square = omega * omega - s * s;
   const double damped = sqrt(fabs(square)) * k;
-  const double turn = square >= 0.0 ? cos(damped) : cosh(damped);
-  const double shrink = exp(-s * k), slow = tanh(s * k);
+  const double turn = square >= 0.0 ? tb_cos(damped) : tb_cosh(damped);
+  const double shrink = tb_exp(-s * k), slow = tb_tanh(s * k);
   return (TbPole){.a = 2.0 * shrink * turn,
                   .b = shrink * shrink,
                   .g = k * k / (1.0 + slow),
-                  .stiffness = 2.0 / (k * k) * (1.0 - turn / cosh(s * k)),
+                  .stiffness = 2.0 / (k * k) * (1.0 - turn / tb_cosh(s * k)),
                   .loss = slow / (2.0 * k * k),
                   .re = shrink * turn,
-                  .im = square >= 0.0 ? shrink * sin(damped) : 0.0};
+                  .im = square >= 0.0 ? shrink * tb_sin(damped) : 0.0};
 }
 
 /* cos(m t) and sin(m t) for all orders at once, by Chebyshev's recurrence. */

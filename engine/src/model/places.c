@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/places.h"
 
-#include "math/power.h"
+#include "math/portable_math.h"
 #include "model/model.h"
 
 static const double OUTERMOST = 0.98; /* of the head's radius */

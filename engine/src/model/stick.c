@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "math/portable_math.h"
 #include "model/modes.h"
 
 const double tb_stick_length = 0.4;
@@ -16,14 +17,14 @@ static const double FREE[TB_BENDS] = {4.730040744862704, 7.853204624095838, 10.9
 static const double PINNED[TB_BENDS] = {3.9266023120479185, 7.068582745628732, 10.210176122813031};
 
 static double free_shape(double b, double u) {
-  const double s = (sinh(b) + sin(b)) / (cosh(b) - cos(b));
-  return cosh(u) + cos(u) - s * (sinh(u) + sin(u));
+  const double s = (tb_sinh(b) + tb_sin(b)) / (tb_cosh(b) - tb_cos(b));
+  return tb_cosh(u) + tb_cos(u) - s * (tb_sinh(u) + tb_sin(u));
 }
 
 /* Int psi^2 dx = L (1 - (sin b/sinh b)^2)/2 before it is scaled. */
 static double pinned_shape(double b, double u) {
-  const double part = sin(b) / sinh(b);
-  return (sin(u) + part * sinh(u)) * sqrt(2.0 / (1.0 - part * part));
+  const double part = tb_sin(b) / tb_sinh(b);
+  return (tb_sin(u) + part * tb_sinh(u)) * sqrt(2.0 / (1.0 - part * part));
 }
 
 static void prepare(TbBends *bends, const double *roots, double (*shape)(double b, double u),

@@ -6,7 +6,7 @@
 
 #include "definition/definition.h"
 #include "definition/error.h"
-#include "math/power.h"
+#include "math/portable_math.h"
 
 static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
                                double k) {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "math/power.h"
+#include "math/portable_math.h"
 #include "step/coat.h"
 
 static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "math/power.h"
+#include "math/portable_math.h"
 #include "step/coupling.h"
 #include "step/rod.h"
 

@@ -2,7 +2,7 @@
 /*
  * embed-presets OUT.c A.ini B.ini ...: writes preset files as the C table of engine/src/preset.h,
  * in this order. Part of the build, not of the product. What the values are worth is tested later
- * (tests/test_preset.c); here a file only has to be a sound INI file.
+ * (tests/engine/test_preset.c); here a file only has to be a sound INI file.
  */
 #include "drums/preset_file.h"
 

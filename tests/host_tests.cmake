@@ -3,16 +3,16 @@
 
 if(TARGET tabor-program)
   pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
-  add_executable(host_inspect host_inspect.c)
+  add_executable(host_inspect support/host_inspect.c)
   tabor_target_defaults(host_inspect)
   target_link_libraries(host_inspect PRIVATE PkgConfig::JANSSON PkgConfig::SNDFILE m)
 
-  add_executable(host_synthesise host_synthesise.c)
+  add_executable(host_synthesise support/host_synthesise.c)
   tabor_target_defaults(host_synthesise)
   target_link_libraries(host_synthesise PRIVATE PkgConfig::SNDFILE m)
 
   # Somebody at a terminal.
-  add_executable(host_typist host_typist.c)
+  add_executable(host_typist support/host_typist.c)
   tabor_target_defaults(host_typist)
   target_link_libraries(host_typist PRIVATE util)
 
@@ -42,7 +42,7 @@ if(TARGET tabor-program)
 
   pkg_check_modules(JACK IMPORTED_TARGET jack)
   if(JACK_FOUND)
-    add_executable(jack_send jack_send.c)
+    add_executable(jack_send support/jack_send.c)
     tabor_target_defaults(jack_send)
     target_compile_definitions(jack_send PRIVATE _XOPEN_SOURCE=700)
     target_link_libraries(jack_send PRIVATE PkgConfig::JACK)

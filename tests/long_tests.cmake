@@ -23,8 +23,7 @@ if(COMMAND tabor_add_embed_test)
 endif()
 
 if(TABOR_BUILD_LV2 AND TEST test_lv2_jalv)
-  add_test(NAME test_lv2_ardour COMMAND "${TABOR_BASH}" "${CMAKE_CURRENT_SOURCE_DIR}/test_lv2_ardour.sh")
-  tabor_test_properties(test_lv2_ardour)
+  tabor_add_script_test(test_lv2_ardour)
   set_tests_properties(test_lv2_ardour PROPERTIES TIMEOUT 2400 LABELS long)
   set_property(TEST test_lv2_ardour APPEND PROPERTY ENVIRONMENT "BUNDLE=$<TARGET_FILE_DIR:tabor-lv2>"
                                                     "SOURCE=${PROJECT_SOURCE_DIR}"

@@ -19,7 +19,7 @@ endif()
 
 set(TABOR_LV2_LIBRARIES tabor-lv2-archive ${CMAKE_DL_LIBS})
 
-set(test_lv2_render_SOURCES plugin_host.c midi_writer.c said.c)
+set(test_lv2_render_SOURCES support/plugin_host.c support/midi_writer.c support/said.c)
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_LIBRARIES} tabor-host)
 set(test_lv2_render_NEEDS tabor-program tabor-lv2)
 if(TABOR_BUILD_PROGRAM)
@@ -27,13 +27,13 @@ if(TABOR_BUILD_PROGRAM)
 endif()
 
 foreach(name IN ITEMS test_lv2_robust test_lv2_state)
-  set(${name}_SOURCES plugin_host.c)
+  set(${name}_SOURCES support/plugin_host.c)
   set(${name}_LIBRARIES ${TABOR_LV2_LIBRARIES})
   set(${name}_NEEDS tabor-lv2)
   set(${name}_ARGUMENTS "$<TARGET_FILE:tabor-lv2>")
 endforeach()
 
-set(test_lv2_description_SOURCES plugin_host.c)
+set(test_lv2_description_SOURCES support/plugin_host.c)
 set(test_lv2_description_LIBRARIES ${TABOR_LV2_LIBRARIES})
 set(test_lv2_description_NEEDS tabor-lv2 lv2-description)
 set(test_lv2_description_ARGUMENTS "$<TARGET_FILE_DIR:tabor-lv2>")
@@ -45,10 +45,10 @@ endif()
 
 # Tests that look inside have the plugins in themselves.
 foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_threads)
-  set(${name}_SOURCES plugin_host.c)
+  set(${name}_SOURCES support/plugin_host.c)
   set(${name}_LIBRARIES ${TABOR_LV2_LIBRARIES})
 endforeach()
-list(APPEND test_lv2_realtime_SOURCES counted_calls.c)
+list(APPEND test_lv2_realtime_SOURCES support/counted_calls.c)
 set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
 # Under sanitizers, and counting coverage, everything takes ten times as long.

@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The audio threads of the program and of the plugins under clang's checks for real-time code: -Wfunction-effects
+# for what is called, RealtimeSanitizer for what happens while test_player_realtime and test_lv2_realtime play.
+#
+# test_player_effects.sh SOURCE CMAKE
+set -eu
+source=$1 cmake=$2
+# shellcheck source=tests/support/find_clang.sh
+. "$source/tests/support/find_clang.sh"
+# shellcheck source=tests/support/skips.sh
+. "$source/tests/support/skips.sh"
+compiler=$(find_clang) || skip "needs clang-22"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $1"
+  failures=$((failures + 1))
+}
+
+# ---- what is called ----
+
+# The engine's functions and the system's that are safe: test_realtime_symbols looks into them.
+header=$source/engine/include/tabor/tabor.h
+{
+  echo '#include <pthread.h>'
+  echo '#include <time.h>'
+  echo '#include <tabor/tabor.h>'
+  awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 }
+    audio && /^TABOR_API/, audio && /;/ { sub(/;/, " __attribute__((nonblocking));"); print }' "$header"
+  echo 'int clock_gettime(clockid_t, struct timespec *) __attribute__((nonblocking));'
+  echo 'pthread_t pthread_self(void) __attribute__((nonblocking));'
+} >"$work/safe.h"
+
+# effects FILE: what the compiler says of it.
+effects() {
+  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
+    -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
+}
+plugins=
+if pkg-config --exists lv2; then
+  plugins="lv2/instrument lv2/knobs lv2/model_worker lv2/sequence
+    lv2/plugin_player lv2/plugin_player_input lv2/plugin_player_model lv2/plugin_player_sound"
+else
+  skip_part "the plugins: needs lv2-dev"
+fi
+names="sound/player sound/leaving base/spsc_queue sound/frame_clock sound/ring_out sound/silencer sound/tally strokes/humanize
+  midi/midi_to_events midi/midi_speed midi/midi_stream"
+for name in $names $plugins; do
+  effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"
+done
+# A check that finds nothing anywhere would be worth nothing.
+sed 's/^  introduce_thread(player);$/&/; s/^    introduce_thread(player);$/&\n    player->record = realloc(player->record, 1);/' \
+  "$source/host/sound/player.c" | sed '1i #include <stdlib.h>' >"$work/wrong.c"
+if cmp -s "$source/host/sound/player.c" "$work/wrong.c" || effects "$work/wrong.c" >"$work/said"; then
+  fail "-Wfunction-effects does not see realloc()"
+fi
+grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
+
+# ---- what happens ----
+
+# sanitized FLAGS: builds and plays a few seconds.
+tests=test_player_realtime
+if [ -n "$plugins" ]; then tests+=" test_lv2_realtime"; fi
+sanitized() {
+  local test
+  "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+    "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
+    tail -20 "$work/log"
+    fail "building with -fsanitize=realtime"
+    return
+  }
+  for test in $tests; do
+    "$work/build/tests/$test" 3 >"$work/log" 2>&1 || {
+      tail -40 "$work/log"
+      fail "RealtimeSanitizer, $1, $test"
+    }
+    grep -q 'changes of the model' "$work/log" || fail "nothing was played by $test"
+  done
+}
+sanitized -O1
+
+[ $failures = 0 ]

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The plugin in a host that people use, jalv: notes and program changes that come from JACK are heard, commands
+# move controls.
+#
+# It gets $BUNDLE, $JACK_SEND, and $INSPECT for host_checks.sh.
+. "$(dirname "$0")/../../support/host_checks.sh"
+needs jalv jalv
+needs jackd2 jackd jack_wait jack_rec
+needs libjack-jackd2-dev "${JACK_SEND:-jack_send}"
+needs lilv-utils lv2info
+: "${BUNDLE:?the bundle}"
+export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*}
+
+export JACK_DEFAULT_SERVER=tabor-jalv-test-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
+jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p 1024 >"$private/jackd.log" 2>&1 &
+server=$!
+# A server that is killed keeps one of JACK's eight places; one that ends by itself gives it back.
+trap 'kill "$server"; wait "$server" 2>/dev/null; chmod -R u+w "$private"; rm -rf "$private"' EXIT
+check "the server starts" jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null
+
+mkfifo "$private/commands"
+jalv -n tabor-jalv -t -c quality_level=0 urn:tabor:drum <"$private/commands" >"$private/said" 2>"$private/log" &
+host=$!
+exec 7>"$private/commands"
+say() { echo "$1" >&7; }
+has_port() { jack_lsp 2>/dev/null | grep -qx "$1"; }
+check "it opens" wait_for has_port tabor-jalv:out_left
+
+# shown SYMBOL: the newest value that jalv knows.
+shown() { grep "$1 = " "$private/said" | tail -n 1 | sed 's/.* = //'; }
+# shows SYMBOL VALUE: jalv does, within 20 s.
+shows() {
+  local i
+  for ((i = 0; i < 100; i++)); do
+    say controls
+    sleep 0.2
+    awk "BEGIN { d = $(shown "$1") - $2; exit !(d < 1e-4 && d > -1e-4) }" && return
+  done
+  return 1
+}
+
+# hear FILE: a stroke, recorded; the first ones may come before the drum is there.
+hear() {
+  jack_rec -f "$1" -d 2 -b 24 tabor-jalv:out_left >"$private/rec.log" 2>&1 &
+  local recorder=$!
+  "$JACK_SEND" tabor-jalv:events 0.5:992664 >/dev/null
+  wait "$recorder"
+}
+peak() { "$INSPECT" peak "$1"; }
+heard() {
+  hear heard.wav
+  awk "BEGIN { exit !($(peak heard.wav) > 0.01) }"
+}
+check "a note is heard" wait_for heard
+if grep -qi xrun "$private/jackd.log"; then
+  skip_part "how many strokes are heard: the machine missed blocks"
+else
+  mapfile -t onsets < <("$INSPECT" onsets heard.wav)
+  same "it is one stroke" 1 "${#onsets[@]}"
+fi
+
+loud=$(peak heard.wav)
+say "gain = -20"
+check "a command moves a control" shows gain -20
+hear soft.wav
+holds "and it is heard: $loud, then $(peak soft.wav)" \
+  "$(peak soft.wav) > 0.05 * $loud && $(peak soft.wav) < 0.2 * $loud"
+index=$(lv2info urn:tabor:drum 2>"$private/info.log" | awk '/^\tPort [0-9]+:/ { port = $2 + 0 } /Symbol: +gain$/ { print port }')
+say "set $index 0"
+check "a command with the port's index" shows gain 0
+
+# A program change; presets are counted from 0.
+run presets --json
+tom=0
+until [ "$(json presets.$tom.name)" = tom-12 ]; do tom=$((tom + 1)); done
+"$JACK_SEND" tabor-jalv:events "0.2:c9$(printf %02x "$tom")" >/dev/null
+# A tom rings where a snare drum has died away.
+rings() {
+  hear tom.wav
+  awk "BEGIN { exit !($("$INSPECT" rms tom.wav 1.2 1.8) > 3 * $("$INSPECT" rms heard.wav 1.2 1.8)) }"
+}
+check "another drum is heard" wait_for rings
+
+same "the plugin has no complaints" "" "$(grep -i 'tabor:' "$private/log")"
+exec 7>&-
+wait "$host"
+same "jalv ends well" 0 $?
+finish

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# cpack makes three Debian packages, and one of the LV2 plugins where these are built. Each has its own files and says what it needs; together, unpacked
+# into an empty folder, they are a program that renders and a library that can be built against.
+# shellcheck source=tests/support/embed_checks.sh
+. "$(dirname "$0")/../support/embed_checks.sh"
+needs dpkg dpkg-deb
+needs dpkg-dev dpkg-shlibdeps
+needs gzip gzip
+
+quietly "$(dirname "$CMAKE")/cpack" --config "$SHARED_BUILD/CPackConfig.cmake" -G DEB -B "$scratch/packages"
+field() { dpkg-deb --field packages/"$1"_*.deb "$2"; }
+files_of() { dpkg-deb --fsys-tarfile packages/"$1"_*.deb | tar -t | grep -v '/$' | sed 's/^\.//' | sort; }
+
+version=$("$TABOR" --version | cut -d ' ' -f 2)
+soname=$(readelf -d "$SHARED_BUILD/engine/libtabor.so" | sed -nE 's/.*\(SONAME\).*libtabor\.so\.(.*)\]/\1/p')
+names=("libtabor$soname" libtabor-dev tabor)
+if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); else skip_part "the plugins' package: needs lv2-dev"; fi
+[ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not these packages: $(ls packages)"
+
+# has PACKAGE PATTERN...: files that match; the pattern stands for a whole path.
+has() {
+  local package=$1 pattern
+  shift
+  files_of "$package" >files
+  for pattern in "$@"; do
+    grep -qxE "$pattern" files || complain "$package lacks $pattern"
+  done
+}
+library='/usr/lib/[^/]*/'
+has "libtabor$soname" "${library}libtabor\.so\.$soname" "${library}libtabor\.so\.$version"
+has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}pkgconfig/tabor.pc" \
+  "${library}cmake/tabor/tabor-config.cmake" /usr/share/doc/tabor/docs/embedding.md
+has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
+  /usr/share/tabor/presets/snare-14x5.5.ini /usr/share/doc/tabor/README.md
+
+if [ -d "$SHARED_BUILD/lv2" ]; then
+  bundle=/usr/lib/lv2/tabor.lv2
+  has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl
+  field tabor-lv2 Depends | grep -q libtabor && complain "the plugins need the library: $(field tabor-lv2 Depends)"
+  field tabor-lv2 Depends | grep -q 'libc6' || complain "the plugins need nothing: $(field tabor-lv2 Depends)"
+fi
+
+# depends PACKAGE PATTERN...: on each of these.
+depends() {
+  local package=$1 pattern
+  shift
+  for pattern in "$@"; do
+    field "$package" Depends | tr ',' '\n' | sed 's/^ //' | grep -qxE "$pattern" ||
+      complain "$package does not depend on $pattern but: $(field "$package" Depends)"
+  done
+}
+same="libtabor$soname \(= $version-[0-9]+\)"
+depends "libtabor$soname" 'libc6 .*'
+depends libtabor-dev "$same"
+depends tabor "$same" 'libc6 .*' 'libsndfile1 .*' 'libjansson4 .*'
+field "libtabor$soname" Depends | grep -q , && complain "the library needs $(field "libtabor$soname" Depends)"
+for name in "${names[@]}"; do
+  [ "$(field "$name" Version)" = "$version-1" ] || complain "$name is of version $(field "$name" Version)"
+  has "$name" "/usr/share/doc/$name/copyright"
+  files_of "$name"
+done | sort | uniq -d >twice
+if [ -s twice ]; then complain "in two packages: $(cat twice)"; fi
+
+for name in "${names[@]}"; do dpkg-deb --extract packages/"$name"_*.deb root; done
+LD_LIBRARY_PATH=$(library_folder root)
+export LD_LIBRARY_PATH
+root/usr/bin/tabor render tabor --quality draft --duration 0.2 -q -o strike.wav
+[ "$("$INSPECT" sound strike.wav)" = "wav pcm24 48000 1 9600" ] || complain "it renders $("$INSPECT" sound strike.wav)"
+use_pkg_config root
+read -ra flags <<<"$(pkg-config --cflags --libs tabor)"
+quietly "$CC" -std=c11 "$SOURCE/examples/minimal.c" "${flags[@]}" -lm -o minimal
+./minimal | grep -q 'peak -[0-9.]* dBFS'

@@ -1,0 +1,149 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Keys typed on a pseudo-terminal come out as strokes in the recording, at the right times. With "jack" as its
+# argument, through PortAudio and a JACK server without a sound card; else on the null backend.
+
+. "$(dirname "$0")/../support/host_checks.sh"
+: "${TYPIST:?host_typist}"
+export TERM=xterm
+
+via=${1-null}
+if [ "$via" = jack ]; then
+  needs jackd2 jackd jack_wait
+  export JACK_DEFAULT_SERVER=tabor-keys-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
+  jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p 1024 >/dev/null 2>&1 &
+  server=$!
+  trap 'kill $server; wait $server; rm -rf "$private"' EXIT
+  jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null 2>&1 ||
+    skip "no JACK server can be started"
+  backend=(--device "JACK: system")
+else
+  backend=(--backend null)
+fi
+
+# types SCRIPT-LINE...: plays a drum whose strokes die away at once, and types.
+types() {
+  printf 'wait ? help\n' >script
+  printf '%s\n' "$@" 'sleep 0.3' 'type \e' 'sleep 0.2' 'type \e' >>script
+  timeout 120 "$TYPIST" script "$TABOR" play frame-drum --set batter.damping_0=300 --humanize 0 \
+    "${backend[@]}" --record take.wav "${options[@]}" >typed
+  same "the typist's status" 0 $?
+  same "the program's status" "status 0" "$(grep ^status typed)"
+  same "the terminal's settings" "settings same" "$(grep ^settings typed)"
+  "$INSPECT" sounds take.wav >onsets
+}
+options=()
+strokes() { awk 'END { print NR }' onsets; }
+peak() { awk -v n="$1" 'NR == n { print $2 }' onsets; }
+
+# in_time FUNCTION: what comes late on a busy machine is typed again, up to four times. The function succeeds if
+# nothing was late.
+in_time() {
+  local try
+  for try in 1 2 3 4; do
+    if "$1"; then return; fi
+    echo "$1: late at try $try: keys and strokes apart by up to $(tail -n 1 late) s, $(strokes) strokes; once more"
+  done
+  "$1"
+}
+
+# ---- when, and how fast ----
+
+type_strokes() {
+  types 'type 9' 'sleep 0.2' 'type a' 'sleep 0.3' 'type s' 'sleep 0.21' 'type s' 'sleep 0.47' 'type w' \
+    'sleep 0.3' 'type  ' 'sleep 0.3' 'type 5' 'sleep 0.1' 'type s' 'sleep 0.3' 'type  ' 'sleep 0.1'
+  grep ^typed typed | sed -n '2,6p; 8,9p' >keys
+  # Intervals, so that the constant latency cancels.
+  paste -d ' ' keys onsets |
+    awk 'NR > 1 { d = ($2 - t) - ($3 - s); print d < 0 ? -d : d } { t = $2; s = $3 }' | sort -g >late
+  [ "$(strokes)" = 7 ] && awk 'NR == 3 && $1 >= 0.01 || $1 >= 0.1 { exit 1 }' late
+}
+in_time type_strokes
+same "every key is a stroke" 7 "$(strokes)"
+holds "half of the strokes are in time" "$(sed -n 3p late) < 0.01"
+holds "no stroke is far from its time" "$(tail -n 1 late) < 0.1"
+holds "a ghost note is much softer" "$(peak 4) < 0.6 * $(peak 3)"
+same "the same key, the same stroke" "$(peak 2)" "$(peak 3)"
+same "space repeats a ghost note" "$(peak 4)" "$(peak 5)"
+holds "a lower digit is softer" "$(peak 6) < 0.6 * $(peak 3)"
+same "space repeats the last stroke" "$(peak 6)" "$(peak 7)"
+if [ "$via" = jack ]; then
+  finish
+  exit
+fi
+
+# ---- a roll, as the terminal repeats a held key; and keys in a batch ----
+
+roll=()
+for ((i = 0; i < 10; i++)); do roll+=('type d' 'sleep 0.2'); done
+type_roll() {
+  types "${roll[@]}"
+  [ "$(strokes)" = 10 ]
+}
+in_time type_roll
+same "a held key is a roll" 10 "$(strokes)"
+types 'type asd' 'wait strokes 3'
+same "a batch is played at once" 1 "$(strokes)"
+
+types 'type v' 'wait strikers 1' 'wait strikers 0' 'wait strokes 1'
+check "a buzz is heard" test "$(strokes)" -ge 1
+
+# ---- commands ----
+
+types 'type :' 'type set wires.asdf' 'wait :set wires.asdf' 'type \x15\x7f' 'gone :set' 'wait ? help'
+same "no strokes while typing" 0 "$(strokes)"
+types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e[A' \
+  'wait :set batter.tension 9000' 'type \x7f\x7f\x7f\x7f1\r' 'wait is outside 100 to 20000 N/m' \
+  'type :set wires.tenson 3\r' 'wait did you mean' 'type :foo\r' "wait unknown command 'foo'" \
+  'type :preset nodrum\r' "wait nodrum" 'type :preset tom-21\r' "wait did you mean 'tom-12'" 'type :gain 3\r' 'wait gain +3.0 dB' 'type ++-' \
+  'wait gain +4.0 dB' 'type :gain 99\r' 'wait allowed: -60 to 24' 'type :speed 4\r' 'wait 4.00 m/s' \
+  'type :humanize 0.5\r' 'wait humanize 0.5' 'type :set' 'sleep 0.1' 'type \e' 'wait ? help' \
+  'type :gain\r' 'wait gain needs more: gain DB' 'type :silence now\r' "wait nothing may follow 'silence'"
+same "commands make no strokes" 0 "$(strokes)"
+types 'type :preset tom-12\r' 'wait tabor  tom-12' 'type ]' 'wait tabor  floor-tom-16' 'type [[' \
+  'gone floor-tom-16' 'type b' 'wait snares off' 'type b' 'wait snares on' 'type n' 'wait muffle on' \
+  'type n' 'wait muffle off' 'type ?' 'wait ghost notes' 'type ?' 'gone ghost notes' \
+  'wait strokes 0' 'type z' 'wait strokes 1' 'type xc' 'wait strokes 3'
+same ":quit and :q quit" "status 0 status 0" "$(for command in quit q; do
+  printf 'wait ? help\ntype :%s\\r\n' $command >script
+  "$TYPIST" script "$TABOR" play frame-drum --backend null | grep ^status
+done | xargs)"
+
+# ---- sizes ----
+
+types 'size 20 5' 'sleep 0.2' 'type a' 'sleep 0.2' 'size 1 1' 'sleep 0.2' 'size 300 100' 'sleep 0.2' \
+  'size 80 24' 'wait ? help' 'wait strokes 1'
+
+# ---- keys of one's own ----
+
+printf '[keys]\na = none\nf2 = stroke 50%%\nsemicolon = :gain -6\n' >keys.ini
+options=(--keys keys.ini)
+types 'type a' 'sleep 0.1' 'type \eOQ' 'sleep 0.1' 'type ;' 'wait gain -6.0 dB'
+same "remapped keys" 1 "$(strokes)"
+printf '[keys]\na = fly\n' >keys.ini
+refused "--keys: keys.ini:2: 'a = fly': unknown action; there are" play --keys keys.ini --backend null
+failed "--keys: no.ini: No such file" play --keys no.ini --backend null
+
+# ---- without a screen: lines ----
+
+# lines ARGUMENT...: the messages of a performance that is typed on.
+lines() {
+  printf 'raw\nsleep 0.3\ntype a\nsleep 0.2\ntype z:gain 99\\r:gain 2\\r?\nsleep 0.2\ntype \\e\nsleep 0.2\ntype \\e\n' >script
+  "$TYPIST" script bash -c '"$@" 2>err.txt' - "$TABOR" play frame-drum --backend null --humanize 0 "$@" >typed
+  same "settings without a screen" "settings same" "$(grep ^settings typed)"
+}
+lines --no-ui
+for line in ' s: stroke at 0 % of the radius, 20 degrees, 4.50 m/s' 'allowed: -60 to 24' \
+  'gain +2.0 dB' 'a s d f g h j k l      strokes, from' 'Escape again quits'; do
+  check "--no-ui says: $line" grep -qF -e "$line" err.txt
+done
+lines --no-ui -q
+same "-q says what goes wrong" "gain '99': out of range; allowed: -60 to 24" \
+  "$(grep -vE '  |^[[:punct:]]|ran dry' err.txt)"
+TERM=dumb lines
+check "a terminal without a cursor has lines" grep -q 's: stroke at 0 %' err.txt
+run play frame-drum --backend null --duration 0.2 </dev/null
+same "without a terminal" 0 "$status"
+same "that is said once" 1 "$(grep -c 'standard input is no terminal: there are no keys' "$err")"
+
+finish

@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# play through PortAudio and JACK: a server of its own, which drives no sound card.
+
+. "$(dirname "$0")/../support/host_checks.sh"
+needs jackd2 jackd jack_wait jack_rec
+
+export JACK_DEFAULT_SERVER=tabor-test-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
+period=1024
+server=
+
+start_server() {
+  jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "$period" >"$private/jackd.log" 2>&1 &
+  server=$!
+  check "the server starts" jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null
+}
+stop_server() {
+  [ -n "$server" ] && kill -"${1:-TERM}" "$server" 2>/dev/null && wait "$server" 2>/dev/null
+  server=
+}
+# JACK remembers a server that was killed, and has places for eight: one that ends by itself gives its own back.
+trap 'stop_server; chmod -R u+w "$private"; rm -rf "$private"' EXIT
+
+# start_play ARGUMENT...: in the background, until its drum sounds on JACK.
+start_play() {
+  : >"$err"
+  "$TABOR" play frame-drum --quality draft --humanize 0 "$@" </dev/null >"$out" 2>"$err" &
+  player=$!
+  check "the performance begins" wait_for grep -q "from a stroke to its sound" "$err"
+}
+
+printf 'time,velocity,radius\n0.6,3,20%%\n0.85,1,\n1.1,5,60%%\n' >strokes.csv
+start_server
+
+# ---- what there is ----
+
+run devices --json
+same "the first device" "JACK: system" "$(json devices.0.name)"
+same "its channels" 2 "$(json devices.0.channels)"
+same "it is the default" true "$(json devices.0.default)"
+holds "its rate" "$(json devices.0.rate) == 48000"
+run devices
+check "devices lists it" grep -q '^JACK: system (default): 2 channels, 48000 Hz' "$out"
+failed "--device 'nonsense': no such output; there are .*'JACK: system'" play --device nonsense
+
+# ---- the sound arrives ----
+
+start_play --events strokes.csv --duration 2.5 --record played.wav --json
+jack_rec -f heard.wav -d 2 -b 24 tabor:out_0 >"$private/rec.log" 2>&1
+same "the client is called tabor, and can be recorded" 0 $?
+wait "$player"
+same "status" 0 $?
+check "JACK's block is said" grep -q "'JACK: system' asks for $period frames at once, not for 128" "$err"
+same "device" "JACK: system" "$(json device.name)"
+same "backend" portaudio "$(json device.backend)"
+same "buffer" $period "$(json device.buffer)"
+same "strokes" 3 "$(json strokes)"
+same "late" 0 "$(json late)"
+gaps=$(json xruns)
+same "lost frames" 0 "$(json recording.lost_frames)"
+done_quietly render frame-drum -q -o rendered.wav --events strokes.csv --quality draft --duration 2.5
+check "the recording is the rendered sound to the bit" cmp rendered.wav played.wav
+first=$("$INSPECT" first played.wav)
+holds "the first stroke sounds at 0.6 s: frame $first" "$first >= 28800 && $first < 28900"
+
+# What was heard is what was played, to the last bit that jack_rec rounds, unless the machine missed a block.
+samples() {
+  tail -c +45 "$1" | od -An -v -tu1 -w3 |
+    awk '{ v = $1 + 256 * $2 + 65536 * $3; print v < 8388608 ? v : v - 16777216 }'
+}
+# heard_frames PLAYED HEARD: prints how many frames agree from the first one that sounds on, in at most 60000.
+heard_frames() {
+  awk 'NR == FNR { played[NR] = $1; if ($1 != 0 && !first) first = NR; next }
+    $1 != 0 && !start { start = FNR }
+    start { d = $1 - played[first + FNR - start]; if (d < -1 || d > 1) exit; n++ }
+    n == 60000 { exit }
+    END { print n + 0 }' "$1" "$2"
+}
+if [ "$gaps" = 0 ]; then
+  samples played.wav >played.txt
+  samples heard.wav >heard.txt
+  same "frames that JACK heard as they were played" 60000 "$(heard_frames played.txt heard.txt)"
+else
+  skip_part "comparing what JACK heard: the machine missed $gaps blocks"
+fi
+
+# ---- another rate than the server's ----
+
+start_play --rate 44100 --duration 0.2
+wait "$player"
+same "status at another rate" 0 $?
+check "the fallback is said" grep -q "'JACK: system' runs at 48000 Hz, not at 44100" "$err"
+
+# ---- by name ----
+
+for name in 'JACK: system' system jack; do
+  start_play --device "$name" --duration 0.1
+  wait "$player"
+  same "--device $name" 0 $?
+done
+
+# ---- the server dies ----
+
+for signal in KILL TERM; do
+  start_play --events strokes.csv --record "died-$signal.wav"
+  sleep 1
+  stop_server $signal
+  start=$(date +%s%N)
+  wait "$player"
+  status=$?
+  took=$((($(date +%s%N) - start) / 1000000))
+  same "status after the server's SIG$signal" 1 "$status"
+  holds "it ends within 3 s: $took ms" "$took < 3000"
+  same "it is said once" 1 "$(grep -c "^tabor: 'JACK: system' is gone" "$err")"
+  check "the recording is whole" "$INSPECT" peak "died-$signal.wav" >"$private/peak"
+  holds "something was recorded" "$(cat "$private/peak") > 0.001"
+  same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+  [ $signal = TERM ] || start_server
+done
+
+# ---- the server dies while the program starts ----
+
+start_server
+for signal in KILL TERM; do
+  for delay in 0.1 0.3; do
+    "$TABOR" play frame-drum --device JACK --quality draft --record "start-$signal-$delay.wav" --duration 2 \
+      </dev/null >"$out" 2>"$err" &
+    player=$!
+    sleep "$delay"
+    stop_server "$signal"
+    wait "$player"
+    same "status after SIG$signal at $delay s" 1 "$?"
+    same "one line says why" 1 "$(grep "^tabor: " "$err" | grep -cv "^tabor: warning: ")"
+    same "libraries say nothing" "" "$(grep -iE 'expression|MidiInJack|assert' "$err")"
+    same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+    [ "$signal$delay" = TERM0.3 ] || start_server
+  done
+done
+
+finish

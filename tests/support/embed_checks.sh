@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# Sourced by the tests of what other programs get: a folder to work in, commands that speak only when
+# they fail, and the two installed trees.
+#
+# They get from ctest: SOURCE, the source folder; CMAKE, CC and, where there is one, CXX; STATIC_BUILD
+# and SHARED_BUILD, build folders of both kinds; TABOR, the program; INSPECT, host_inspect.
+# shellcheck source=tests/support/skips.sh
+. "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
+
+set -euo pipefail
+export LC_ALL=C
+: "${SOURCE:?}" "${CMAKE:?}" "${CC:?}"
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+complain() {
+  echo "FAILED: $1" >&2
+  exit 1
+}
+
+# quietly COMMAND...: shows what it said only if it failed, which ends the test.
+quietly() {
+  "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; complain "$*"; }
+}
+
+# fresh_clone FOLDER: the source as somebody else would get it if all that is in the folder now were committed.
+fresh_clone() {
+  needs git git
+  needs tar tar
+  git -C "$SOURCE" ls-files -z --cached --others --exclude-standard -- README.md >"$scratch/files" 2>&1 &&
+    [ -s "$scratch/files" ] || skip "the source is not a git checkout"
+  mkdir "$1"
+  # What git knows of but was removed cannot be copied.
+  (cd "$SOURCE" && git ls-files -z --cached --others --exclude-standard | sort -zu |
+    while IFS= read -r -d '' file; do if [ -e "$file" ]; then printf '%s\0' "$file"; fi; done |
+    tar --null -T - -cf -) | tar -xf - -C "$1"
+}
+
+# install_tree BUILD-FOLDER FOLDER: installs it there by way of another folder: trees can be moved.
+install_tree() {
+  quietly "$CMAKE" --install "$1" --prefix "$scratch/elsewhere"
+  mv "$scratch/elsewhere" "$2"
+}
+
+# use_pkg_config FOLDER: pkg-config finds the tree there.
+use_pkg_config() {
+  PKG_CONFIG_PATH=$(dirname "$(find "$1" -name tabor.pc)")
+  export PKG_CONFIG_PATH
+}
+
+# library_folder FOLDER: where the tree's library lies.
+library_folder() { dirname "$(find "$1" -name 'libtabor.*' | head -n 1)"; }

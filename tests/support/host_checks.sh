@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# Sourced by the scripts that test the program. They get it as $TABOR and host_inspect as $INSPECT,
+# and work in a folder of their own.
+
+# shellcheck source=tests/support/skips.sh
+. "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
+
+set -u
+export LC_ALL=C
+unset NO_COLOR
+: "${TABOR:?the program}" "${INSPECT:?host_inspect}"
+
+private=$(mktemp -d)
+trap 'chmod -R u+w "$private"; rm -rf "$private"' EXIT
+work=$private/work out=$private/out err=$private/err
+mkdir "$work"
+cd "$work" || exit 1
+
+checks=0 failures=0
+
+# complain WHAT: a check has failed.
+complain() {
+  failures=$((failures + 1))
+  printf 'FAILED: %s\n' "$1"
+}
+
+# check WHAT COMMAND...: the command must succeed.
+check() {
+  local what=$1
+  shift
+  checks=$((checks + 1))
+  "$@" || complain "$what"
+}
+
+# same WHAT EXPECTED ACTUAL
+same() {
+  checks=$((checks + 1))
+  [ "$2" = "$3" ] || complain "$1: expected '$2', got '$3'"
+}
+
+# holds WHAT EXPRESSION: an arithmetic statement of awk's.
+holds() {
+  checks=$((checks + 1))
+  awk "BEGIN { exit !($2) }" || complain "$1: $2"
+}
+
+# Everything in the folder, with contents.
+snapshot() {
+  { find . -printf '%p %y %m %l\n'; find . -type f -exec cksum {} + 2>&1; } | sort
+}
+
+# run ARGUMENT...: runs the program; its output is in $out, its messages in $err.
+run() {
+  "$TABOR" "$@" >"$out" 2>"$err"
+  status=$?
+}
+
+# expect_error STATUS PATTERN: the last run ended so, with one line that matches on standard error
+# and nothing on standard output.
+expect_error() {
+  checks=$((checks + 1))
+  if [ "$status" != "$1" ] || [ "$(wc -l <"$err")" != 1 ] || [ -s "$out" ] ||
+    ! grep -qE "^tabor: .*$2" "$err"; then
+    complain "expected status $1 and one line with '$2', got status $status and: $(cat "$err")"
+  fi
+}
+
+# refused PATTERN ARGUMENT..., failed PATTERN ARGUMENT...: the program ends with status 2, 1, says
+# so in one line that matches, prints nothing, and leaves the folder as it was.
+refused() { rejected 2 "$@"; }
+failed() { rejected 1 "$@"; }
+rejected() {
+  local expected=$1 pattern=$2 before
+  shift 2
+  before=$(snapshot)
+  run "$@"
+  expect_error "$expected" "$pattern"
+  same "folder after: $*" "$before" "$(snapshot)"
+}
+
+# done_quietly ARGUMENT...: the program succeeds and says nothing.
+done_quietly() {
+  run "$@"
+  checks=$((checks + 1))
+  if [ "$status" != 0 ] || [ -s "$err" ]; then
+    complain "expected success of: $*; got status $status and: $(cat "$err")"
+  fi
+}
+
+# render_strikes FILE STROKE...: renders these strokes without a word, with the script's options in `short`.
+render_strikes() {
+  local file=$1 stroke words=()
+  shift
+  for stroke in "$@"; do words+=(--strike "$stroke"); done
+  # shellcheck disable=SC2154 # it is the script's
+  done_quietly render "${short[@]}" -o "$file" "${words[@]}"
+}
+
+# same_bytes WHAT FILE FILE, other_bytes WHAT FILE FILE
+same_bytes() { check "$1" cmp -s "$2" "$3"; }
+other_bytes() { check "$1" eval "! cmp -s '$2' '$3'"; }
+
+# interrupted SIGNAL STATUS BEGUN ARGUMENT...: the signal comes when the program has begun so many temporary
+# files; it ends with this status, and leaves the folder as it was.
+interrupted() {
+  local signal=$1 expected=$2 begun=$3 before child
+  shift 3
+  before=$(snapshot)
+  "$TABOR" "$@" >"$out" 2>"$err" &
+  child=$!
+  check "files have been begun: $*" wait_for eval "[ \$(find . -name '.tabor-*' | wc -l) = $begun ]"
+  kill -"$signal" $child
+  wait $child
+  same "status after SIG$signal" "$expected" $?
+  same "folder after SIG$signal: $*" "$before" "$(snapshot)"
+}
+
+# json PATH: what the last run printed at this path.
+json() { "$INSPECT" json "$1" <"$out"; }
+
+# wait_for COMMAND...: until the command succeeds, for 20 seconds at most.
+wait_for() {
+  local i
+  for ((i = 0; i < 400; i++)); do
+    "$@" && return
+    sleep 0.05
+  done
+  return 1
+}
+
+# The last line of every script.
+finish() {
+  printf '%s: %d checks, %d failed\n' "$(basename "$0" .sh)" "$checks" "$failures"
+  [ "$failures" = 0 ]
+}

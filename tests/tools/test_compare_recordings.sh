@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/compare-recordings: its measures of known sounds and of recorded clips; presets pass its gate, and a drum that
+# is spoilt does not; what it writes.
+#
+# test_compare_recordings.sh SOURCE-FOLDER
+
+# shellcheck source=tests/support/find_python.sh
+. "$(dirname "$0")/../support/find_python.sh"
+tests=$(cd "$(dirname "$0")/.." && pwd)
+# shellcheck source=tests/support/host_checks.sh
+. "$(dirname "$0")/../support/host_checks.sh"
+tools=$1/tools
+export PYTHONDONTWRITEBYTECODE=1
+
+python=$(find_python numpy,scipy,matplotlib,soundfile) ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib python3-soundfile"
+
+check "measures" "$python" "$tests/tools/recordings_checks.py" "$tools"
+
+# compare ARGUMENT...
+compare() {
+  "$python" "$tools/compare-recordings" --program "$TABOR" "$@" >"$out" 2>"$err"
+  status=$?
+}
+
+compare --check
+same "the presets pass: $(cat "$out" "$err")" 0 "$status"
+
+# A program whose snare drums have lost their snares.
+cat >spoilt <<END
+#!/bin/sh
+[ "\$2" = snare-14x5.5 ] || exec "$TABOR" "\$@"
+exec "$TABOR" "\$@" --set wires.strainer=0
+END
+chmod +x spoilt
+compare --check --program ./spoilt
+same "a snare drum without snares" 1 "$status"
+check "says so" grep -q '^snare-14x5.5, snare/bottom: [0-9]* of 60 features of spectrum inside, 42 asked$' "$out"
+check "and what it is taken for" grep -qE '^snare-14x5.5: nearest to (tom|floortom)/top, not to snare/top$' "$out"
+same "the others pass" 0 "$(grep -vc '^snare-14x5.5[,:]' "$out")"
+
+mkdir docs
+compare --docs docs --before ./spoilt
+same "writes its page" 0 "$status"
+for part in recordings.md recordings/figures.json recordings/snare-14x5.5-bottom.png; do
+  check "$part" test -s "docs/$part"
+done
+check "before and now in one table" grep -qE '^\| `snare-14x5.5` \| snare/top \| 12 \| [0-9]+/60, \*\*[0-9]+/60\*\* ' docs/recordings.md
+same "no place of the template is left open" 0 "$(grep -c '[$]' docs/recordings.md)"
+rm docs/recordings.md
+compare --docs docs
+check "keeps what was before" grep -q 'snare/top | tom/top | \*\*snare/top\*\*\|snare/top | floortom/top | \*\*snare/top\*\*' docs/recordings.md
+
+compare --program ./none --check
+same "without a program" "1 1" "$status $(wc -l <"$err")"
+compare --clips ./none --docs docs
+same "without clips" "1 1" "$status $(wc -l <"$err")"
+compare --velocity fast
+same "a wrong option" "2 1" "$status $(wc -l <"$err")"
+finish

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/compare-synthesizers and tools/compare-qualities: what they measure of sounds that are known, what they
+# write, and what they say of a program that is not there.
+#
+# test_compare_tools.sh SOURCE-FOLDER
+
+# shellcheck source=tests/support/find_python.sh
+. "$(dirname "$0")/../support/find_python.sh"
+# shellcheck source=tests/support/host_checks.sh
+. "$(dirname "$0")/../support/host_checks.sh"
+tools=$1/tools
+
+python=$(find_python numpy,scipy,matplotlib) ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib"
+
+# Two decaying sines, one an octave above the other, and a push of 5 ms that comes back later.
+check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" "$python" - "$tools" <<'PYTHON'
+import sys
+from importlib.machinery import SourceFileLoader
+
+import numpy as np
+
+tool = SourceFileLoader("compare_qualities", f"{sys.argv[1]}/compare-qualities").load_module()
+rate = 48000
+time = np.arange(int(0.6 * rate)) / rate
+low, high = (np.exp(-6.9078 * time / 0.5) * np.sin(2 * np.pi * f * time) for f in (250.0, 500.0))
+assert abs(tool.decay_time(low, rate) - 0.5) < 0.01
+assert tool.centroid(low, rate) < tool.centroid(low + high, rate) < tool.centroid(high, rate)
+bands = tool.third_octaves(low, rate)
+assert tool.BANDS[bands.argmax()] == 250.0
+assert abs(tool.band_differences(bands + 3.0, bands)["worst_db"] - 3.0) < 1e-9
+head = np.where(time < 0.2, np.sin(2 * np.pi * 202.0 * time), np.sin(2 * np.pi * 200.0 * time))
+assert abs(tool.glide({"head_m": head}, rate) - 17.2) < 1.5
+force = ((time < 0.005) | ((time > 0.02) & (time < 0.03))).astype(float)
+assert abs(tool.contact_duration({"time_s": time, "striker_force_n": force}) - 0.005) < 1e-4
+PYTHON
+
+for tool in compare-synthesizers compare-qualities; do
+  "$python" "$tools/$tool" --program ./none --docs . >"$out" 2>"$err"
+  same "$tool without a program" "1 1 $tool: none: no such program" "$? $(wc -l <"$err") $(cat "$err")"
+  "$python" "$tools/$tool" --wrong >"$out" 2>"$err"
+  same "$tool, a wrong option" "2 1" "$? $(wc -l <"$err")"
+done
+
+# Where nothing is on the path Tabor is measured and the others are named.
+python=$("$python" -c 'import sys; print(sys.executable)')
+PATH=$PWD "$python" "$tools/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 10 \
+  --quality draft >"$out" 2>"$err" || complain "compare-synthesizers: $(cat "$err")"
+same "those who played" "3" "$(json rows.size)"
+same "those who are missing" "3" "$(json missing.size)"
+holds "a cost" "$(json rows.1.real_time_factor) > 0"
+
+finish

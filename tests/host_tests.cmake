@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Tests of the program. The scripts find it in $TABOR and their helpers in $INSPECT, $SYNTHESISE and $TYPIST.
+# Tests of the program. The scripts find it in $TABOR and their helpers in $INSPECT, $SYNTHESISE, $TYPIST
+# and $STALLS.
 
 if(TARGET tabor-program)
   pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
@@ -16,13 +17,18 @@ if(TARGET tabor-program)
   tabor_target_defaults(host_typist)
   target_link_libraries(host_typist PRIVATE util)
 
+  # Whether the machine keeps time.
+  add_executable(host_stalls host_stalls.c)
+  tabor_target_defaults(host_stalls)
+
   # tabor_add_host_test(NAME [SCRIPT OTHER-NAME] [ARGUMENT...])
   function(tabor_add_host_test name)
     tabor_add_script_test(${name} ${ARGN})
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "TABOR=$<TARGET_FILE:tabor-program>"
                                               "INSPECT=$<TARGET_FILE:host_inspect>"
                                               "SYNTHESISE=$<TARGET_FILE:host_synthesise>"
-                                              "TYPIST=$<TARGET_FILE:host_typist>")
+                                              "TYPIST=$<TARGET_FILE:host_typist>"
+                                              "STALLS=$<TARGET_FILE:host_stalls>")
   endfunction()
 
   foreach(name IN ITEMS test_library_sampler test_system_analyze test_system_bench test_system_completion

@@ -106,6 +106,7 @@ for signal in INT TERM HUP; do
     --record "$signal.wav" </dev/null >"$out" 2>"$err" &
   pid=$!
   check "the performance begins" wait_for grep -q "frames at once" "$err"
+  check "a stroke is recorded" wait_for recorded 0.1 3
   kill -$signal "$pid"
   kill -$signal "$pid" # as timeout(1) does
   wait "$pid"

@@ -12,7 +12,7 @@ server=
 start_server() {
   jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "$period" >"$private/jackd.log" 2>&1 &
   server=$!
-  check "the server starts" jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null
+  check "the server starts" jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 60 >/dev/null
 }
 stop_server() {
   [ -n "$server" ] && kill -"${1:-TERM}" "$server" 2>/dev/null && wait "$server" 2>/dev/null
@@ -45,25 +45,7 @@ failed "--device 'nonsense': no such output; there are .*'JACK: system'" play --
 
 # ---- the sound arrives ----
 
-start_play --events strokes.csv --duration 2.5 --record played.wav --json
-jack_rec -f heard.wav -d 2 -b 24 tabor:out_0 >"$private/rec.log" 2>&1
-same "the client is called tabor, and can be recorded" 0 $?
-wait "$player"
-same "status" 0 $?
-check "JACK's block is said" grep -q "'JACK: system' asks for $period frames at once, not for 128" "$err"
-same "device" "JACK: system" "$(json device.name)"
-same "backend" portaudio "$(json device.backend)"
-same "buffer" $period "$(json device.buffer)"
-same "strokes" 3 "$(json strokes)"
-same "late" 0 "$(json late)"
-gaps=$(json xruns)
-same "lost frames" 0 "$(json recording.lost_frames)"
-done_quietly render frame-drum -q -o rendered.wav --events strokes.csv --quality draft --duration 2.5
-check "the recording is the rendered sound to the bit" cmp rendered.wav played.wav
-first=$("$INSPECT" first played.wav)
-holds "the first stroke sounds at 0.6 s: frame $first" "$first >= 28800 && $first < 28900"
-
-# What was heard is what was played, to the last bit that jack_rec rounds, unless the machine missed a block.
+# What was heard is what was played, to the last bit that jack_rec rounds.
 samples() {
   tail -c +45 "$1" | od -An -v -tu1 -w3 |
     awk '{ v = $1 + 256 * $2 + 65536 * $3; print v < 8388608 ? v : v - 16777216 }'
@@ -76,13 +58,33 @@ heard_frames() {
     n == 60000 { exit }
     END { print n + 0 }' "$1" "$2"
 }
-if [ "$gaps" = 0 ]; then
+
+done_quietly render frame-drum -q -o rendered.wav --events strokes.csv --quality draft --duration 2.5
+# jack_rec has to be there before the first stroke, and JACK must miss no block.
+hear() {
+  local frames
+  start_play --events strokes.csv --duration 2.5 --record played.wav --json
+  jack_rec -f heard.wav -d 2 -b 24 tabor:out_0 >"$private/rec.log" 2>&1
+  same "the client is called tabor, and can be recorded" 0 $?
+  wait "$player"
+  same "status" 0 $?
+  check "JACK's block is said" grep -q "'JACK: system' asks for $period frames at once, not for 128" "$err"
+  same "device" "JACK: system" "$(json device.name)"
+  same "backend" portaudio "$(json device.backend)"
+  same "buffer" $period "$(json device.buffer)"
+  same "strokes" 3 "$(json strokes)"
+  same "late" 0 "$(json late)"
+  same "lost frames" 0 "$(json recording.lost_frames)"
+  check "the recording is the rendered sound to the bit" cmp rendered.wav played.wav
   samples played.wav >played.txt
   samples heard.wav >heard.txt
-  same "frames that JACK heard as they were played" 60000 "$(heard_frames played.txt heard.txt)"
-else
-  skip_part "comparing what JACK heard: the machine missed $gaps blocks"
-fi
+  frames=$(heard_frames played.txt heard.txt)
+  echo "JACK heard $frames frames as they were played, of 60000; $(json xruns) gaps"
+  [ "$frames" = 60000 ]
+}
+in_time 0.005 "JACK hears what is played" hear
+first=$("$INSPECT" first played.wav)
+holds "the first stroke sounds at 0.6 s: frame $first" "$first >= 28800 && $first < 28900"
 
 # ---- another rate than the server's ----
 
@@ -103,14 +105,20 @@ done
 
 for signal in KILL TERM; do
   start_play --events strokes.csv --record "died-$signal.wav"
-  sleep 1
+  check "a stroke is recorded" wait_for recorded 0.75 3
+  watch_machine
   stop_server $signal
   start=$(date +%s%N)
   wait "$player"
   status=$?
   took=$((($(date +%s%N) - start) / 1000000))
   same "status after the server's SIG$signal" 1 "$status"
-  holds "it ends within 3 s: $took ms" "$took < 3000"
+  watched
+  if [ $took -lt 3000 ] || machine_kept_time 0.1; then
+    holds "it ends within 3 s: $took ms" "$took < 3000"
+  else
+    skip_part "how soon it ends: the machine stood still for $stalled s"
+  fi
   same "it is said once" 1 "$(grep -c "^tabor: 'JACK: system' is gone" "$err")"
   check "the recording is whole" "$INSPECT" peak "died-$signal.wav" >"$private/peak"
   holds "something was recorded" "$(cat "$private/peak") > 0.001"
@@ -123,7 +131,7 @@ done
 start_server
 for signal in KILL TERM; do
   for delay in 0.1 0.3; do
-    "$TABOR" play frame-drum --device JACK --quality draft --record "start-$signal-$delay.wav" --duration 2 \
+    "$TABOR" play frame-drum --device JACK --quality draft --record "start-$signal-$delay.wav" --duration 60 \
       </dev/null >"$out" 2>"$err" &
     player=$!
     sleep "$delay"

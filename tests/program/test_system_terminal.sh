@@ -15,14 +15,18 @@ ends() {
   rm -f take.wav
   printf 'wait ? help\nraw\n' >script
   printf '%s\n' "$@" >>script
-  timeout 120 "$TYPIST" script "${command[@]}" >typed
+  timeout 300 "$TYPIST" script "${command[@]}" >typed
   same "after: $*" "status $expected settings same screen main" \
     "$(grep -E '^(status|settings|screen)' typed | xargs)"
 }
 recorded() { check "the recording: $1" "$INSPECT" sound take.wav >sound; }
 
 command=("${play[@]}")
-ends 0 'type \e' 'sleep 0.2' 'type \e'
+escape_twice() {
+  ends 0 escape
+  ! grep "Escape once more" typed
+}
+in_time 0.5 "Escape twice quits" escape_twice
 recorded "Escape twice"
 ends 0 'type :quit\r'
 recorded ":quit"
@@ -40,10 +44,11 @@ command=("${play[@]}" --duration 0.7)
 ends 0
 recorded "--duration"
 
-# Escape once, or twice with something in between, does not quit.
+# Escape once, or twice with something in between, or late, does not quit. That it takes the help away shows that
+# the program has seen it.
 command=("${play[@]}")
-ends 0 'type \e' 'wait Escape again quits' 'type a' 'sleep 0.1' 'type \e' 'sleep 1.7' 'type \e' 'sleep 0.2' \
-  'type \e[A' 'sleep 0.1' 'type :q\r'
+ends 0 'type \e' 'wait Escape again quits' 'type ?' 'wait ghost notes' 'type \e' 'gone ghost notes' 'sleep 1.6' \
+  'type \e' 'sleep 0.2' 'type \e[A' 'type ?' 'wait ghost notes' 'type :q\r'
 
 # Suspended and resumed, twice, by a shell; the drum plays on.
 cat >job.sh <<'END'

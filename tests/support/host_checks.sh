@@ -119,14 +119,72 @@ interrupted() {
 # json PATH: what the last run printed at this path.
 json() { "$INSPECT" json "$1" <"$out"; }
 
-# wait_for COMMAND...: until the command succeeds, for 20 seconds at most.
+# wait_for COMMAND...: until the command succeeds, for a minute at most. Nothing takes so long; a busy machine may
+# make it.
 wait_for() {
   local i
-  for ((i = 0; i < 400; i++)); do
+  for ((i = 0; i < 1200; i++)); do
     "$@" && return
     sleep 0.05
   done
   return 1
+}
+
+# ---- time ----
+# No check may fail because the machine is slow. A test waits for what the program does instead of for a time to
+# pass. Where times themselves are compared, the machine is watched meanwhile.
+
+# watch_machine: from now on it is measured by how much the machine makes sleepers late.
+watch_machine() {
+  : "${STALLS:?host_stalls}"
+  echo 0 >"$private/stalled"
+  "$STALLS" "$private/stalled" &
+  watcher=$!
+}
+# watched: ends that; the largest lateness [s] is then in `stalled`.
+watched() {
+  kill "$watcher"
+  wait "$watcher"
+  stalled=$(cat "$private/stalled")
+}
+# machine_kept_time SECONDS: while it was watched, it made nobody late by so much.
+machine_kept_time() { awk "BEGIN { exit !($stalled < $1) }"; }
+
+# in_time SECONDS WHAT COMMAND...: what comes too late is tried again, up to four times, for a machine may be busy.
+# It is a failure if all tries were late though at one of them the machine kept time; otherwise it is skipped. What
+# the command checks by itself is a failure at once.
+in_time() {
+  local limit=$1 what=$2 try excused=yes before=$failures
+  shift 2
+  checks=$((checks + 1))
+  for try in 1 2 3 4 5; do
+    watch_machine
+    "$@" && { watched; return; }
+    watched
+    [ "$failures" = "$before" ] || return
+    echo "$what: late at try $try; the machine made sleepers late by up to $stalled s"
+    machine_kept_time "$limit" && excused=no
+  done
+  if [ $excused = yes ]; then
+    skip_part "$what: the machine is too busy"
+  else
+    complain "$what: late, though the machine kept time"
+  fi
+}
+
+# recorded_size: bytes of the recording that goes on in this folder.
+recorded_size() { stat -c %s .tabor-* 2>/dev/null; }
+# recorded SECONDS BYTES: it has come so far, with so many bytes a frame at 48 kHz.
+recorded() {
+  local size
+  size=$(recorded_size) || return 1
+  awk "BEGIN { exit !($size >= $1 * 48000 * $2) }"
+}
+# record_more SECONDS BYTES: waits until so much has been added.
+record_more() {
+  local size
+  size=$(recorded_size)
+  check "the recording goes on" wait_for recorded "$(awk "BEGIN { print $1 + ${size:-0} / 48000 / $2 }")" "$2"
 }
 
 # The last line of every script.

@@ -6,15 +6,18 @@
  *     host_typist SCRIPT PROGRAM ARGUMENT...
  *
  * A line of the script, one after the other:
- *     wait TEXT      until the screen shows it; gives up, with status 1, after 20 s
+ *     wait TEXT      until the screen shows it; gives up, with status 1, after a minute
  *     gone TEXT      until the screen shows it no more
+ *     read FILE TEXT until the file has the text in one of its lines; gives up likewise
  *     type TEXT      \e is Escape, \r Enter, \t Tab, \xHH any byte; prints "typed SECONDS" (a monotonic clock)
  *     sleep SECONDS
+ *     escape         Escape twice within a tenth of a second, as quits the program; again, if a busy machine drew
+ *                    that out
  *     signal NUMBER  to the program
  *     size COLUMNS ROWS
  *     raw, cooked    until the terminal gives single keys, or lines; gives up likewise
  *     show           prints the screen
- * After it the program has 20 s to end. Then it prints "status N", as a shell tells it, and "settings same" or
+ * After it the program has a minute to end. Then it prints "status N", as a shell tells it, and "settings same" or
  * "settings changed": whether the terminal's are those from before the program began; and "screen main" if it is
  * back on the main screen with the cursor shown.
  */
@@ -33,7 +36,8 @@
 #include <unistd.h>
 #include <utmp.h>
 
-#define PATIENCE 20.0 /* [s] */
+#define PATIENCE 60.0 /* [s] */
+#define ESCAPES 5     /* pairs of them that are typed at most */
 #define MOST_COLUMNS 400
 #define MOST_ROWS 120
 
@@ -186,6 +190,20 @@ static void await(const char *text, bool wanted) {
   }
 }
 
+/* "FILE TEXT" */
+static void await_line(const char *words) {
+  char path[256] = "", line[1024];
+  const double end = now() + PATIENCE;
+  (void)sscanf(words, "%255s", path);
+  const char *const text = words + strlen(path) + 1;
+  for (bool found = false; !found; look_for(0.01)) {
+    if (now() > end) give_up("not in the file:", words);
+    FILE *const file = fopen(path, "r");
+    while (file && !found && fgets(line, sizeof line, file)) found = strstr(line, text) != NULL;
+    if (file) (void)fclose(file);
+  }
+}
+
 static size_t unescape(const char *text, char *bytes) {
   size_t count = 0;
   for (; *text; text++) {
@@ -211,6 +229,21 @@ static void type(const char *text) {
   const size_t count = unescape(text, bytes);
   printf("typed %.6f\n", now());
   if (write(terminal, bytes, count) != (ssize_t)count) give_up("cannot type", text);
+}
+
+static bool is_running(void) {
+  siginfo_t info = {0};
+  return waitid(P_PID, (id_t)program, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
+
+static void escape(void) {
+  for (int pair = 0; pair < ESCAPES && is_running(); pair++) {
+    if (pair > 0) printf("Escape once more\n");
+    type("\\e");
+    look_for(0.1);
+    type("\\e");
+    for (const double end = now() + 3; is_running() && now() < end;) look_for(0.01);
+  }
 }
 
 static void set_size(const char *text) {
@@ -243,8 +276,12 @@ static void obey_line(const char *line) {
     await(rest, true);
   } else if (strcmp(word, "gone") == 0) {
     await(rest, false);
+  } else if (strcmp(word, "read") == 0) {
+    await_line(rest);
   } else if (strcmp(word, "type") == 0) {
     type(rest);
+  } else if (strcmp(word, "escape") == 0) {
+    escape();
   } else if (strcmp(word, "sleep") == 0) {
     look_for(strtod(rest, NULL));
   } else if (strcmp(word, "signal") == 0) {

@@ -7,7 +7,7 @@
  *                                   MESSAGE is SECONDS:HEX, as 0.5:992640, counted from then on
  *     jack_send PORT flood RATE SECONDS   so many notes a second
  *
- * Waits 10 s for the port. Status 1 if there is no server, port or connection.
+ * Waits a minute for the port. Status 1 if there is no server, port or connection.
  */
 #include <jack/jack.h>
 #include <jack/midiport.h>
@@ -125,7 +125,7 @@ static bool is_connected(const Sender *sender, const char *port) {
 
 static bool begin(Sender *sender, const char *port) {
   if (!open_client(sender)) return false;
-  for (int i = 0; i < 2000; i++) {
+  for (int i = 0; i < 12000; i++) {
     if (is_connected(sender, port)) return true;
     wait_a_moment();
   }
@@ -133,7 +133,7 @@ static bool begin(Sender *sender, const char *port) {
 }
 
 static void wait_until_done(const Sender *sender) {
-  for (int i = 0; i < 4000 && !atomic_load(&sender->done); i++) wait_a_moment();
+  for (int i = 0; i < 12000 && !atomic_load(&sender->done); i++) wait_a_moment();
 }
 
 int main(int argc, char **argv) {

@@ -5,7 +5,7 @@
  * argument it converges to a multiple of J_l, which a known sum then scales:
  * 1 = J_0 + 2 (J_2 + J_4 + ...) for whole orders, sin x/x for spherical ones.
  *
- * Only + - * / and comparisons: the same bits everywhere, and allowed on the audio path.
+ * Only + - * /, sqrt and comparisons: the same bits everywhere, and allowed on the audio path.
  * Absolute error below 1e-14 for orders to 400 and arguments to 2000. */
 #ifndef TB_BESSEL_H
 #define TB_BESSEL_H

@@ -84,9 +84,12 @@ static TaborModeInfo mixed_row(const TaborModel *model, const uint32_t *mode, ui
   return row;
 }
 
+/* Rows of one frequency get an order, too: C libraries sort equal ones differently. */
 static int compare_rows(const void *a, const void *b) {
   const TaborModeInfo *x = a, *y = b;
-  return x->frequency < y->frequency ? -1 : x->frequency > y->frequency;
+  if (x->frequency != y->frequency) return x->frequency < y->frequency ? -1 : 1;
+  if (x->m != y->m) return x->m < y->m ? -1 : 1;
+  return x->n < y->n ? -1 : x->n > y->n;
 }
 
 /* The coupled modes' own frequencies, then the modes above as they are. */

@@ -81,8 +81,7 @@ static TaborModel *load_model(const char *path) {
   if (fread(store + 1, store->used - sizeof *store, 1, file) != 1) stop(path);
   fclose(file);
   store->model->kernels = &tb_kernels_baseline;
-  store->model->singles = &tb_single_kernels_baseline;
-  if (store->model->single_kernels) store->model->single_kernels = store->model->singles;
+  store->model->kernelsf = &tb_kernels_baselinef;
   store->model->arena.allocator = (TaborAllocator){allocate, keep, store};
   return store->model;
 }

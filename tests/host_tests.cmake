@@ -18,7 +18,7 @@ if(TARGET tabor-program)
   target_link_libraries(host_typist PRIVATE util)
 
   # Whether the machine keeps time.
-  add_executable(host_stalls host_stalls.c)
+  add_executable(host_stalls support/host_stalls.c)
   tabor_target_defaults(host_stalls)
 
   # tabor_add_host_test(NAME [SCRIPT OTHER-NAME] [ARGUMENT...])

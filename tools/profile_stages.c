@@ -166,7 +166,7 @@ static void touch_wires(Memory *memory) {
         v->modal);
   TOUCH(memory, TB_STAGE_WIRES, w->node_count, v->next.v, v->now.v, v->last.v, v->bend);
   TOUCH(memory, TB_STAGE_WIRES, w->stride, w->inner, v->head, model->rest.eta, v->last.eta,
-        v->rest_load, v->b, v->own, v->solve.force, model->rest.force, v->s, v->next.eta);
+        v->rest_load, v->b, v->own, v->solve.warm.force, model->rest.force, v->s, v->next.eta);
   touch(memory, TB_STAGE_WIRES, v->state->wires, w->count * sizeof *v->state->wires);
   TOUCH(memory, TB_STAGE_LEDGER, w->node_count, v->next.v, v->last.v);
 }
@@ -174,7 +174,7 @@ static void touch_wires(Memory *memory) {
 static void touch_bed(Memory *memory, TbStage stage, bool there, bool back) {
   const TbBed *bed = &memory->model->projection.bed;
   TOUCH(memory, stage, (size_t)bed->wires * bed->lines, bed->across);
-  TOUCH(memory, stage, tb_bed_scratch(bed), memory->view.solve.scratch);
+  TOUCH(memory, stage, tb_bed_scratch(bed), memory->view.solve.work.scratch);
   for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
     const size_t size = (size_t)bed->half * bed->columns[along];
     if (there)
@@ -187,11 +187,11 @@ static void touch_tables(Memory *memory, TbStage stage, const TbProjection *proj
   for (uint32_t g = 0; g < projection->groups; g++) {
     const TbProjectionGroup *group = &projection->group[g];
     const size_t size = (size_t)group->points * group->modes;
-    const bool single = group->gather_single != NULL;
-    touch(memory, stage, single ? (const void *)group->gather_single : group->gather,
-          size * (single ? sizeof(float) : sizeof(double)));
-    touch(memory, stage, single ? (const void *)group->scatter_single : group->scatter,
-          size * (single ? sizeof(float) : sizeof(double)));
+    const bool rounded = projection->precision == TB_IN_FLOAT;
+    touch(memory, stage, rounded ? (const void *)group->gather_rounded : group->gather,
+          size * (rounded ? sizeof(float) : sizeof(double)));
+    touch(memory, stage, rounded ? (const void *)group->scatter_rounded : group->scatter,
+          size * (rounded ? sizeof(float) : sizeof(double)));
   }
 }
 
@@ -203,7 +203,7 @@ static void touch_projection(Memory *memory) {
   touch_tables(memory, TB_STAGE_PROJECTION, &model->projection);
   touch_bed(memory, TB_STAGE_PROJECTION, false, true);
   TOUCH(memory, TB_STAGE_PROJECTION, coupled, v->next.q, v->modal);
-  TOUCH(memory, TB_STAGE_PROJECTION, model->projection.bed.size, v->change, v->solve.grid,
+  TOUCH(memory, TB_STAGE_PROJECTION, model->projection.bed.size, v->change, v->solve.warm.grid,
         model->rest.grid);
   TOUCH(memory, TB_STAGE_PROJECTION, model->wires.stride, v->head);
 }
@@ -212,21 +212,22 @@ static void touch_solve(Memory *memory) {
   const TaborModel *model = memory->model;
   const TbSolve *s = &memory->view.solve;
   const size_t rows = model->wires.stride + TB_SLOTS, size = model->projection.bed.size;
-  TOUCH(memory, TB_STAGE_LAWS, rows, s->b, s->y, s->s, s->force, s->product, s->previous,
-        s->previous_product, s->law_force, s->slope, s->mean, s->residual, s->direction, s->turned,
-        s->moved, s->weight, s->solution, s->work);
-  TOUCH(memory, TB_STAGE_PRODUCT, rows, s->own, s->law_force, s->product, s->work, s->moved);
+  const TbSolveWork *w = &s->work;
+  TOUCH(memory, TB_STAGE_LAWS, rows, s->in.b, s->in.y, w->s, w->force, w->product, w->force_last,
+        w->product_last, w->law, w->slope, w->mean, w->residual, w->direction, w->turned, w->moved,
+        w->weight, w->solution);
+  TOUCH(memory, TB_STAGE_PRODUCT, rows, s->in.own, w->law, w->product, w->turned, w->moved);
   if (model->wires.count == 0) return;
-  TOUCH(memory, TB_STAGE_LAWS, size, s->grid, s->previous_grid, s->pushed);
-  touch(memory, TB_STAGE_LAWS, s->wire_laws, model->wires.count * sizeof *s->wire_laws);
+  TOUCH(memory, TB_STAGE_LAWS, size, w->grid, w->grid_last, w->pushed);
+  touch(memory, TB_STAGE_LAWS, s->in.wire_laws, model->wires.count * sizeof *s->in.wire_laws);
   touch_bed(memory, TB_STAGE_PRODUCT, true, true);
-  TOUCH(memory, TB_STAGE_PRODUCT, size, s->grid, s->pushed, s->answer);
+  TOUCH(memory, TB_STAGE_PRODUCT, size, w->grid, w->pushed, w->answer);
   for (uint32_t g = 0; g < model->compliance.classes; g++) {
     const size_t points = model->compliance.first[g + 1] - model->compliance.first[g];
     TOUCH(memory, TB_STAGE_PRODUCT, points * points, model->compliance.matrix[g]);
   }
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    TOUCH(memory, TB_STAGE_PRODUCT, size, s->stretch_grid[h]);
+    TOUCH(memory, TB_STAGE_PRODUCT, size, s->in.stretch_grid[h]);
   }
 }
 
@@ -240,14 +241,14 @@ static void touch_stretch(Memory *memory) {
   TOUCH(memory, TB_STAGE_STRETCH, modes, v->next.q, v->now.q, v->last.q, memory->model->modes.g);
   for (uint32_t h = 0; h < stretch->count; h++) {
     TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], v->stretch_pull[h]);
-    TOUCH(memory, TB_STAGE_STRETCH, size, v->solve.stretch_grid[h]);
+    TOUCH(memory, TB_STAGE_STRETCH, size, v->solve.in.stretch_grid[h]);
   }
-  TOUCH(memory, TB_STAGE_STRETCH, size, v->stretch_carry, v->solve.grid, v->solve.answer);
+  TOUCH(memory, TB_STAGE_STRETCH, size, v->stretch_carry, v->solve.warm.grid, v->solve.work.answer);
   if (memory->model->wires.count) touch_bed(memory, TB_STAGE_STRETCH, false, true);
 }
 
 /* Of a double: a band of single precision touches its rounded arrays in place of those named below. */
-static size_t high_part(const TbHighBand *high) { return high->single ? 2 : 1; }
+static size_t high_part(const TbHighBand *high) { return high->precision == TB_IN_FLOAT ? 2 : 1; }
 
 static void touch_strikers(Memory *memory) {
   const TaborModel *model = memory->model;
@@ -258,8 +259,7 @@ static void touch_strikers(Memory *memory) {
           v->next.q);
     TOUCH(memory, TB_STAGE_PRODUCT, model->projection.bed.size, tb_slot_coupling(v, i));
     if (v->state->slots[i].kind == TB_SLOT_STRIKER) {
-      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high),
-            tb_slot_high_drive(v, i));
+      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high_drive);
     }
   }
 }
@@ -270,8 +270,8 @@ static void touch_high(Memory *memory) {
   const TbView *v = &memory->view;
   if (h->count == 0) return;
   const size_t part = high_part(h);
-  TOUCH(memory, TB_STAGE_HIGH, h->padded / part, h->a, h->b, v->next.high, v->now.high,
-        v->last.high, h->mics[0].ahead, h->mics[0].behind);
+  TOUCH(memory, TB_STAGE_HIGH, h->padded / part, h->ringing.a, h->ringing.b, v->next.high,
+        v->now.high, v->last.high, h->ringing.ahead[0], h->ringing.behind[0]);
   if (w->count == 0) return;
   for (int p = 0; p < 2; p++) {
     touch(memory, TB_STAGE_HIGH, h->push[p].table,
@@ -279,9 +279,9 @@ static void touch_high(Memory *memory) {
   }
   touch(memory, TB_STAGE_HIGH, h->row_group, w->stride * sizeof *h->row_group);
   touch(memory, TB_STAGE_HIGH, v->high_force, h->driven * sizeof *v->high_force);
-  TOUCH(memory, TB_STAGE_HIGH, w->stride, h->row_loss, v->solve.force, memory->model->rest.force,
-        v->solve.work);
-  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, h->hold);
+  TOUCH(memory, TB_STAGE_HIGH, w->stride, h->row_loss, v->solve.warm.force,
+        memory->model->rest.force, v->solve.work.turned);
+  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, h->ringing.hold);
 }
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */

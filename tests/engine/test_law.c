@@ -93,7 +93,7 @@ static void lanes_agree_with_the_law(void **state) {
         s[l] = (rand() / (double)RAND_MAX - 0.5) * pow(10.0, -2 - rand() % 7);
         if (trial % 100 == 0) s[l] = 0.0;
       }
-      tb_law_forces(&law, &tb_kernels_baseline, 8, y, s, force, slope, mean);
+      tb_kernels_baseline.laws(1, 8, &law, y, NULL, s, force, slope, mean);
       for (int l = 0; l < 8; l++) {
         const TbLawResult one = tb_law_force(&law, y[l], s[l]);
         assert_true(fabs(force[l] - one.force) <= 1e-11 * one.force);

@@ -179,7 +179,7 @@ static Touched first_touches(TaborModel *model, double velocity, double radius) 
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
       const TbSlot *s = &drum->state->slots[slot];
       if (s->kind != TB_SLOT_STRIKER) continue;
-      if (view.solve.force[model->wires.stride + slot] == 0.0) continue;
+      if (view.solve.warm.force[model->wires.stride + slot] == 0.0) continue;
       int *touched = s->on_hoop ? &first.hoop : &first.head;
       if (*touched == 0) *touched = i;
     }

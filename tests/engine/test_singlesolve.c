@@ -3,7 +3,6 @@
 #include "drum/drum.h"
 #include "physics.h"
 #include "step/penetration.h"
-#include "step/singlesolve.h"
 
 static const double RATE = 48000.0;
 static const char *const DRUMS[] = {"snare-14x5.5", "bodhran-d-string", "marching-14x12"};
@@ -52,8 +51,8 @@ static void both_precisions_mean_the_same_grid(void **state) {
   for (int d = 0; d < DRUM_COUNT; d++) {
     TaborModel *model = live_model(DRUMS[d]);
     const TbBed *bed = &model->projection.bed;
-    const TbSingleBed *single = &model->single_bed;
-    const TbSingleKernels *kernels = model->single_kernels;
+    const TbBedF *rounded = &model->bedf;
+    const TbKernelsF *kernels = model->kernelsf;
     const uint32_t rows = model->wires.stride;
     const TaborAllocator allocator = tb_allocator_resolve(NULL);
     TbArena arena;
@@ -63,19 +62,19 @@ static void both_precisions_mean_the_same_grid(void **state) {
     double *scratch = take(&arena, tb_bed_scratch(bed));
     float *x1 = take_single(&arena, rows), *grid1 = take_single(&arena, bed->size);
     float *answer1 = take_single(&arena, bed->size);
-    float *scratch1 = take_single(&arena, tb_single_bed_scratch(single));
+    float *scratch1 = take_single(&arena, tb_bed_scratchf(rounded));
     for (uint32_t row = 0; row < rows; row++) {
       x1[row] = (float)(model->wires.real[row] * physics_uniform(&seed, -1.0, 1.0));
       x[row] = (double)x1[row];
     }
-    tb_bed_contract(bed, model->kernels, x, scratch, grid);
-    kernels->contract(single, x1, scratch1, grid1);
+    model->kernels->contract(bed, x, scratch, grid);
+    kernels->contract(rounded, x1, scratch1, grid1);
     assert_true(off(bed->size, grid1, grid) < 2e-6);
-    tb_compliance_apply(&model->compliance, model->kernels, grid, answer);
-    kernels->comply(single, grid1, answer1);
+    model->kernels->comply(&model->compliance, grid, answer);
+    kernels->comply(&model->compliancef, grid1, answer1);
     assert_true(off(bed->size, answer1, answer) < 4e-6);
-    tb_bed_expand(bed, model->kernels, answer, scratch, x);
-    kernels->expand(single, answer1, scratch1, x1);
+    model->kernels->expand(bed, answer, scratch, x);
+    kernels->expand(rounded, answer1, scratch1, x1);
     const double worst = off(rows, x1, x);
     print_message("%s: %u points of the grid, %u of the wires, off by %.1e\n", DRUMS[d], bed->size,
                   rows, worst);
@@ -104,7 +103,7 @@ static void laws_agree(void **state) {
       s[i] = (float)(0.5 * physics_uniform(&seed, -depth, depth));
       root[i] = y[i] > 0.0f ? sqrtf(y[i]) : 0.0f;
     }
-    model->single_kernels->laws(1, POINTS, &law, y, root, s, force, slope, mean);
+    model->kernelsf->laws(1, POINTS, &law, y, root, s, force, slope, mean);
     for (int i = 0; i < POINTS; i++) {
       const TbLawResult exact = tb_law_force(&law, (double)y[i], (double)s[i]);
       const double force_scale = tb_law_static_force(&law, depth),
@@ -128,7 +127,7 @@ static void a_stroke_is_the_same_for_some_milliseconds(void **state) {
     for (int exact = 0; exact < 2; exact++) {
       TaborModel *model =
         physics_model(&def, RATE, exact ? TABOR_QUALITY_STUDIO : TABOR_QUALITY_LIVE);
-      assert_true((model->single_kernels == NULL) == exact);
+      assert_true((model->contacts == TB_IN_DOUBLE) == exact);
       TaborDrum *drum = physics_drum(model);
       const TaborEvent strike = physics_strike(&def);
       for (int i = 0; i < SAMPLES; i++) {
@@ -257,7 +256,7 @@ static void linear_drums_sound_the_same_to_90_decibels(void **state) {
   for (int exact = 0; exact < 2; exact++) {
     TaborModel *model =
       physics_model(&def, RATE, exact ? TABOR_QUALITY_STUDIO : TABOR_QUALITY_LIVE);
-    assert_true(model->high.count > 50 && model->high.single == !exact);
+    assert_true(model->high.count > 50 && (model->high.precision == TB_IN_FLOAT) == !exact);
     TaborDrum *drum = physics_drum(model);
     const TaborEvent strike = physics_strike(&def);
     float *outputs[TABOR_MAX_MICS] = {sound[exact]};

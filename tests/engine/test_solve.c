@@ -21,8 +21,7 @@ typedef struct Problem {
   uint32_t n;
   _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[MOST * LANES + 64];
   double coupling[TB_SLOTS * STRIDE], slot_coupling[TB_SLOTS * TB_SLOTS];
-  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS],
-    answer[STRIDE];
+  double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS];
   TbLaw laws[MOST], slot_laws[TB_SLOTS];
   TbBed bed;
   TbCompliance compliance;
@@ -53,42 +52,51 @@ static void clear(Problem *p) {
 }
 
 /* Converged as far as doubles go with tolerance 0. */
+static TbContacts contacts(Problem *p, uint32_t cap, double tolerance) {
+  return (TbContacts){.kernels = &tb_kernels_baseline,
+                      .bed = &p->bed,
+                      .compliance = &p->compliance,
+                      .stride = STRIDE,
+                      .cap = cap,
+                      .inner_cap = 64,
+                      .tolerance = tolerance,
+                      .inner_tolerance = tolerance > 0.0 ? 0.3 * tolerance : 1e-7,
+                      .coupling = p->coupling,
+                      .slot_coupling = p->slot_coupling,
+                      .own = p->own,
+                      .wire_laws = p->laws,
+                      .slot_laws = p->slot_laws,
+                      .b = p->b,
+                      .y = p->y};
+}
+
+static TbSolveWork workspace(Problem *p) {
+  return (TbSolveWork){.s = p->s,
+                       .force = p->force,
+                       .product = p->product,
+                       .grid = p->scratch[0],
+                       .force_last = p->scratch[1],
+                       .product_last = p->scratch[2],
+                       .grid_last = p->scratch[3],
+                       .law = p->scratch[4],
+                       .slope = p->scratch[5],
+                       .mean = p->scratch[6],
+                       .residual = p->scratch[7],
+                       .direction = p->scratch[8],
+                       .turned = p->scratch[9],
+                       .moved = p->scratch[10],
+                       .weight = p->scratch[11],
+                       .solution = p->scratch[12],
+                       .pushed = p->scratch[13],
+                       .answer = p->scratch[14],
+                       .scratch = p->fold};
+}
+
 static TbSolve solver(Problem *p, uint32_t cap, double tolerance) {
-  return (TbSolve){.kernels = &tb_kernels_baseline,
-                   .bed = &p->bed,
-                   .compliance = &p->compliance,
-                   .stride = STRIDE,
-                   .cap = cap,
-                   .inner_cap = 64,
-                   .tolerance = tolerance,
-                   .inner_tolerance = tolerance > 0.0 ? 0.3 * tolerance : 1e-7,
-                   .coupling = p->coupling,
-                   .slot_coupling = p->slot_coupling,
-                   .own = p->own,
-                   .wire_laws = p->laws,
-                   .slot_laws = p->slot_laws,
-                   .b = p->b,
-                   .y = p->y,
+  return (TbSolve){.in = contacts(p, cap, tolerance),
+                   .warm = {p->force, p->product, p->scratch[0]},
                    .s = p->s,
-                   .force = p->force,
-                   .product = p->product,
-                   .grid = p->scratch[0],
-                   .previous = p->scratch[1],
-                   .previous_product = p->scratch[2],
-                   .previous_grid = p->scratch[3],
-                   .law_force = p->scratch[4],
-                   .slope = p->scratch[5],
-                   .mean = p->scratch[6],
-                   .residual = p->scratch[7],
-                   .direction = p->scratch[8],
-                   .turned = p->scratch[9],
-                   .moved = p->scratch[10],
-                   .weight = p->scratch[11],
-                   .solution = p->scratch[12],
-                   .work = p->scratch[13],
-                   .pushed = p->scratch[14],
-                   .answer = p->answer,
-                   .scratch = p->fold};
+                   .work = workspace(p)};
 }
 
 static void load_problem(Problem *p, const json_t *entry) {
@@ -170,7 +178,7 @@ static void no_cap_creates_energy(void **state) {
                      1.0 / 48000.0, 10.0 / largest);
     }
     TbSolve solve = solver(&p, 1 + (uint32_t)(trial % 4), trial % 3 ? 1e-2 : 0.0);
-    tb_solve_product(&solve, p.force, solve.grid, p.product);
+    tb_solve_product(&solve, p.force, solve.warm.grid, p.product);
     const TbSolveOutcome outcome = tb_solve(&solve);
     capped += outcome.capped;
     corrected += outcome.corrected;

@@ -1,114 +1,206 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of single precision, counted: the second half of test_system_work.c, which has the counters. */
-#ifndef TEST_COUNTED_SINGLES_H
-#define TEST_COUNTED_SINGLES_H
+/* The kernels of one precision (kernels_tmpl.h), counted: test_system_work.c, which has the counters, includes this
+ * once for each (both.h). */
 
-#include "kernels/singlekernels.h"
-
-static const TbSingleKernels *single_counted = &tb_single_kernels_baseline;
-
-#define COUNTED_SINGLE(name, elements, parameters, arguments)                                      \
-  static void count_single_##name parameters {                                                     \
+/* One that returns nothing: its parameters and its arguments in brackets. */
+#undef COUNTED
+#undef COUNTED_RESULT
+#undef COUNT
+#undef TABLE
+#if TB_REAL_IS_FLOAT
+#  define COUNT(name) count_##name##_f
+#  define TABLE tb_kernels_baselinef
+#else
+#  define COUNT(name) count_##name
+#  define TABLE tb_kernels_baseline
+#endif
+#define COUNTED(name, elements, parameters, arguments)                                             \
+  static void COUNT(name) parameters {                                                             \
     work += (elements);                                                                            \
-    single_counted->name arguments;                                                                \
+    TABLE.name arguments;                                                                          \
   }
-#define COUNTED_SINGLE_RESULT(type, name, elements, parameters, arguments)                         \
-  static type count_single_##name parameters {                                                     \
+#define COUNTED_RESULT(type, name, elements, parameters, arguments)                                \
+  static type COUNT(name) parameters {                                                             \
     work += (elements);                                                                            \
-    return single_counted->name arguments;                                                         \
+    return TABLE.name arguments;                                                                   \
   }
-typedef float *Out1;
-typedef const float *In1;
-typedef const TbSingleBed *Bed1;
+typedef TB_REAL *TB_TYPE(Out);
+typedef const TB_REAL *TB_TYPE(In);
+typedef const TB_TYPE(TbBed) * TB_TYPE(Bed);
 
-COUNTED_SINGLE(narrow, n, (uint32_t n, In x, Out1 out), (n, x, out))
-COUNTED_SINGLE(narrow_change, n, (uint32_t n, In x, In y, Out1 out), (n, x, y, out))
-COUNTED_SINGLE(widen, n, (uint32_t n, In1 x, Out out), (n, x, out))
-COUNTED_SINGLE(add_widened, n, (uint32_t n, In1 x, Out out), (n, x, out))
-COUNTED_SINGLE(start, n, (uint32_t n, TbSingleStart *start), (n, start))
-COUNTED_SINGLE(end, n, (uint32_t n, TbSingleEnd *end), (n, end))
-COUNTED_SINGLE(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part,
-               (const TbSingleGather *g), (g))
-COUNTED_SINGLE(combine, (uint64_t)n *count,
-               (uint32_t n, uint32_t count, In1 f, In1 const *x, In1 base, Out1 out),
-               (n, count, f, x, base, out))
-COUNTED_SINGLE_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TbSingleRing *r),
-                      (r))
-COUNTED_SINGLE_RESULT(TbPair, two_dots, n, (uint32_t n, In1 u, In1 v, In1 x), (n, u, v, x))
-COUNTED_SINGLE_RESULT(bool, penetrate, n,
-                      (uint32_t n, float side, In1 w, In v, In v_last, In load, In y, Out b),
-                      (n, side, w, v, v_last, load, y, b))
-COUNTED_SINGLE(contract, (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->padded),
-               (Bed1 bed, In1 x, Out1 scratch, Out1 grid), (bed, x, scratch, grid))
-COUNTED_SINGLE(comply, (uint64_t)bed->size * bed->size / bed->classes,
-               (Bed1 bed, In1 grid, Out1 out), (bed, grid, out))
-COUNTED_SINGLE_RESULT(float, difference, n, (uint32_t n, In1 x, In1 y), (n, x, y))
-COUNTED_SINGLE(relax, n, (uint32_t n, In1 law, In1 slope, In1 own, In1 head, In1 f_last, Out1 f),
-               (n, law, slope, own, head, f_last, f))
-COUNTED_SINGLE_RESULT(float, change, n, (uint32_t n, In1 b, In1 p, Out1 s), (n, b, p, s))
-COUNTED_SINGLE_RESULT(float, follow, n,
-                      (uint32_t n, In1 law, In1 weight, In1 x, In1 b, In1 p, Out1 f, Out1 s),
-                      (n, law, weight, x, b, p, f, s))
-COUNTED_SINGLE_RESULT(float, dot, n, (uint32_t n, In1 x, In1 y), (n, x, y))
-COUNTED_SINGLE(add_scaled, n, (uint32_t n, Out1 out, float f, In1 x), (n, out, f, x))
-COUNTED_SINGLE(add_product, n, (uint32_t n, Out1 out, In1 x, In1 y), (n, out, x, y))
-COUNTED_SINGLE(product, n, (uint32_t n, Out1 out, In1 x, In1 y), (n, out, x, y))
-COUNTED_SINGLE_RESULT(float, weigh, n,
-                      (uint32_t n, In1 slope, In1 p, In1 p_last, Out1 weight, Out1 d),
-                      (n, slope, p, p_last, weight, d))
-COUNTED_SINGLE_RESULT(float, turn, n, (uint32_t n, Out1 out, In1 d, In1 w, In1 m),
-                      (n, out, d, w, m))
-COUNTED_SINGLE_RESULT(float, advance, n, (uint32_t n, float t, Out1 p, In1 d, Out1 r, In1 m),
-                      (n, t, p, d, r, m))
-COUNTED_SINGLE(redirect, n, (uint32_t n, float t, Out1 d, In1 r), (n, t, d, r))
-COUNTED_SINGLE_RESULT(TbSingleSums, balance, n,
-                      (uint32_t n, float t, In1 s, In1 law, In1 slope, In1 f, In1 f_last, In1 p,
-                       In1 p_last),
-                      (n, t, s, law, slope, f, f_last, p, p_last))
-COUNTED_SINGLE(extrapolate, n, (uint32_t n, float t, In1 x, In1 before, In1 base, Out1 out),
-               (n, t, x, before, base, out))
+COUNTED_RESULT(TB_REAL, dot, n, (uint32_t n, TB_TYPE(In) x, TB_TYPE(In) y), (n, x, y))
+COUNTED_RESULT(TbPair, two_dots, n, (uint32_t n, TB_TYPE(In) u, TB_TYPE(In) v, TB_TYPE(In) x),
+               (n, u, v, x))
+COUNTED(add_scaled, n, (uint32_t n, TB_TYPE(Out) out, TB_REAL f, TB_TYPE(In) x), (n, out, f, x))
+COUNTED(add_product, n, (uint32_t n, TB_TYPE(Out) out, TB_TYPE(In) x, TB_TYPE(In) y),
+        (n, out, x, y))
+COUNTED(product, n, (uint32_t n, TB_TYPE(Out) out, TB_TYPE(In) x, TB_TYPE(In) y), (n, out, x, y))
+COUNTED_RESULT(TB_REAL, difference, n, (uint32_t n, TB_TYPE(In) x, TB_TYPE(In) y), (n, x, y))
+COUNTED(extrapolate, n,
+        (uint32_t n, TB_REAL t, TB_TYPE(In) x, TB_TYPE(In) before, TB_TYPE(In) base,
+         TB_TYPE(Out) out),
+        (n, t, x, before, base, out))
+COUNTED(multiply, 8ull * blocks * n,
+        (uint32_t blocks, uint32_t n, TB_TYPE(Out) out, TB_TYPE(In) m, TB_TYPE(In) x),
+        (blocks, n, out, m, x))
+COUNTED(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part, (const TB_TYPE(TbGather) * g),
+        (g))
+COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
+               (r))
+#if TB_REAL_IS_FLOAT
+COUNTED(contract, (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->padded),
+        (BedF bed, InF x, OutF scratch, OutF grid), (bed, x, scratch, grid))
+#else
+COUNTED(contract,
+        (uint64_t)bed->lines *(bed->lanes * bed->wires +
+                               bed->half *
+                                 (uint64_t)(tb_pad(bed->columns[0]) + tb_pad(bed->columns[1]))),
+        (Bed bed, In x, Out scratch, Out grid), (bed, x, scratch, grid))
+#endif
+COUNTED(comply, (uint64_t)c->first[c->classes] * c->first[c->classes] / c->classes,
+        (const TB_TYPE(TbCompliance) * c, TB_TYPE(In) grid, TB_TYPE(Out) out), (c, grid, out))
+COUNTED(start, n, (uint32_t n, TB_TYPE(TbStart) * start), (n, start))
+COUNTED(end, n, (uint32_t n, TB_TYPE(TbEnd) * end), (n, end))
+COUNTED_RESULT(TB_REAL, change, n, (uint32_t n, TB_TYPE(In) b, TB_TYPE(In) p, TB_TYPE(Out) s),
+               (n, b, p, s))
+COUNTED_RESULT(TB_TYPE(TbResidual), weigh, n,
+               (uint32_t n, TB_TYPE(In) slope, TB_TYPE(In) s, TB_TYPE(In) b, TB_TYPE(In) p,
+                TB_TYPE(In) p_last, TB_TYPE(Out) weight, TB_TYPE(Out) d),
+               (n, slope, s, b, p, p_last, weight, d))
+COUNTED_RESULT(TB_REAL, turn, n,
+               (uint32_t n, TB_TYPE(Out) out, TB_TYPE(In) d, TB_TYPE(In) w, TB_TYPE(In) m),
+               (n, out, d, w, m))
+COUNTED_RESULT(TB_REAL, advance, n,
+               (uint32_t n, TB_REAL t, TB_TYPE(Out) p, TB_TYPE(In) d, TB_TYPE(Out) r,
+                TB_TYPE(In) m),
+               (n, t, p, d, r, m))
+COUNTED(redirect, n, (uint32_t n, TB_REAL t, TB_TYPE(Out) d, TB_TYPE(In) r), (n, t, d, r))
+COUNTED_RESULT(TB_REAL, follow, n,
+               (uint32_t n, TB_TYPE(In) law, TB_TYPE(In) weight, TB_TYPE(In) x, TB_TYPE(In) b,
+                TB_TYPE(In) p, TB_TYPE(Out) f, TB_TYPE(Out) s),
+               (n, law, weight, x, b, p, f, s))
+COUNTED_RESULT(TB_TYPE(TbBalance), balance, n,
+               (uint32_t n, TB_REAL t, TB_TYPE(In) s, TB_TYPE(In) law, TB_TYPE(In) slope,
+                TB_TYPE(In) f, TB_TYPE(In) f_last, TB_TYPE(In) p, TB_TYPE(In) p_last),
+               (n, t, s, law, slope, f, f_last, p, p_last))
 
-static void count_single_expand(Bed1 bed, In1 grid, Out1 scratch, Out1 x) {
+static void COUNT(expand)(TB_TYPE(Bed) bed, TB_TYPE(In) grid, TB_TYPE(Out) scratch,
+                          TB_TYPE(Out) x) {
   products++;
+#if TB_REAL_IS_FLOAT
   work += (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->columns);
-  single_counted->expand(bed, grid, scratch, x);
+#else
+  work += (uint64_t)bed->lines *
+          (bed->lanes * bed->wires + bed->half * (uint64_t)(bed->columns[0] + bed->columns[1]));
+#endif
+  TABLE.expand(bed, grid, scratch, x);
 }
 
-static void count_single_laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, In1 y, In1 root,
-                              In1 s, Out1 force, Out1 slope, Out1 mean) {
+static void COUNT(laws)(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, TB_TYPE(In) y,
+                        TB_TYPE(In) root, TB_TYPE(In) s, TB_TYPE(Out) force, TB_TYPE(Out) slope,
+                        TB_TYPE(Out) mean) {
   laws += (uint64_t)wires * lanes;
   work += (uint64_t)wires * lanes;
-  single_counted->laws(wires, lanes, laws_of, y, root, s, force, slope, mean);
+  TABLE.laws(wires, lanes, laws_of, y, root, s, force, slope, mean);
 }
 
-static const TbSingleKernels counting_singles = {.narrow = count_single_narrow,
-                                                 .narrow_change = count_single_narrow_change,
-                                                 .widen = count_single_widen,
-                                                 .add_widened = count_single_add_widened,
-                                                 .start = count_single_start,
-                                                 .end = count_single_end,
-                                                 .gather = count_single_gather,
-                                                 .combine = count_single_combine,
-                                                 .ring = count_single_ring,
-                                                 .two_dots = count_single_two_dots,
-                                                 .penetrate = count_single_penetrate,
-                                                 .contract = count_single_contract,
-                                                 .expand = count_single_expand,
-                                                 .comply = count_single_comply,
-                                                 .laws = count_single_laws,
-                                                 .difference = count_single_difference,
-                                                 .relax = count_single_relax,
-                                                 .change = count_single_change,
-                                                 .follow = count_single_follow,
-                                                 .dot = count_single_dot,
-                                                 .add_scaled = count_single_add_scaled,
-                                                 .add_product = count_single_add_product,
-                                                 .product = count_single_product,
-                                                 .weigh = count_single_weigh,
-                                                 .turn = count_single_turn,
-                                                 .advance = count_single_advance,
-                                                 .redirect = count_single_redirect,
-                                                 .balance = count_single_balance,
-                                                 .extrapolate = count_single_extrapolate};
-
+#if TB_REAL_IS_FLOAT
+COUNTED(narrow, n, (uint32_t n, In x, OutF out), (n, x, out))
+COUNTED(narrow_change, n, (uint32_t n, In x, In y, OutF out), (n, x, y, out))
+COUNTED(widen, n, (uint32_t n, InF x, Out out), (n, x, out))
+COUNTED(add_widened, n, (uint32_t n, InF x, Out out), (n, x, out))
+COUNTED_RESULT(bool, penetrate, n,
+               (uint32_t n, float side, InF w, In v, In v_last, In load, In y, Out b),
+               (n, side, w, v, v_last, load, y, b))
+COUNTED(relax, n, (uint32_t n, InF law, InF slope, InF own, InF head, InF f_last, OutF f),
+        (n, law, slope, own, head, f_last, f))
+COUNTED(combine, (uint64_t)n *count,
+        (uint32_t n, uint32_t count, InF f, InF const *x, InF base, OutF out),
+        (n, count, f, x, base, out))
+#else
+COUNTED(multiply_rounded, 8ull * blocks * n,
+        (uint32_t blocks, uint32_t n, Out out, const float *m, In x), (blocks, n, out, m, x))
+COUNTED(gather_rounded, 8ull * g->blocks * g->vectors * g->part, (const TbGather *g), (g))
+COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
+COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
+COUNTED(unstretch, modes_of(parts),
+        (const TbParts *parts, uint32_t heads, const double f[2], const double *const pull[2],
+         Out next),
+        (parts, heads, f, pull, next))
+COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
+COUNTED(losses, n,
+        (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
+        (n, count, w, next, last, sums))
+COUNTED(subtract, n, (uint32_t n, In x, In y, Out out), (n, x, y, out))
+COUNTED(wire_step, (uint64_t)wires *lanes,
+        (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
+         Out bend, Out next),
+        (wires, lanes, c, inner, now, last, bend, next))
+COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
+               (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
+               (wires, lanes, c, next, last))
+COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
+               (uint32_t wires, uint32_t lanes, In f, In loss, Out out),
+               (wires, lanes, f, loss, out))
+COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
+COUNTED(penetrate, (uint64_t)wires *lanes,
+        (uint32_t wires, uint32_t lanes, double side, In shift, In w, In v, In rest, In last,
+         In load, Out b),
+        (wires, lanes, side, shift, w, v, rest, last, load, b))
+COUNTED(move, n, (uint32_t n, In own, In f, In rest, In last, In s, Out v, Out eta),
+        (n, own, f, rest, last, s, v, eta))
 #endif
+
+#if TB_REAL_IS_FLOAT
+static const TbKernelsF counting_floats = {
+#else
+static const TbKernels counting = {
+#endif
+  .dot = COUNT(dot),
+  .two_dots = COUNT(two_dots),
+  .add_scaled = COUNT(add_scaled),
+  .add_product = COUNT(add_product),
+  .product = COUNT(product),
+  .difference = COUNT(difference),
+  .extrapolate = COUNT(extrapolate),
+  .multiply = COUNT(multiply),
+  .gather = COUNT(gather),
+  .ring = COUNT(ring),
+  .contract = COUNT(contract),
+  .expand = COUNT(expand),
+  .comply = COUNT(comply),
+  .start = COUNT(start),
+  .end = COUNT(end),
+  .laws = COUNT(laws),
+  .change = COUNT(change),
+  .weigh = COUNT(weigh),
+  .turn = COUNT(turn),
+  .advance = COUNT(advance),
+  .redirect = COUNT(redirect),
+  .follow = COUNT(follow),
+  .balance = COUNT(balance),
+#if TB_REAL_IS_FLOAT
+  .narrow = COUNT(narrow),
+  .narrow_change = COUNT(narrow_change),
+  .widen = COUNT(widen),
+  .add_widened = COUNT(add_widened),
+  .penetrate = COUNT(penetrate),
+  .relax = COUNT(relax),
+  .combine = COUNT(combine),
+#else
+  .multiply_rounded = COUNT(multiply_rounded),
+  .gather_rounded = COUNT(gather_rounded),
+  .two_step = COUNT(two_step),
+  .stretch = COUNT(stretch),
+  .unstretch = COUNT(unstretch),
+  .reach = COUNT(reach),
+  .losses = COUNT(losses),
+  .subtract = COUNT(subtract),
+  .wire_step = COUNT(wire_step),
+  .wire_losses = COUNT(wire_losses),
+  .gather_wires = COUNT(gather_wires),
+  .touches = COUNT(touches),
+  .penetrate = COUNT(penetrate),
+  .move = COUNT(move),
+#endif
+};

@@ -7,26 +7,11 @@
 #include "physics.h"
 
 static const double RATE = 48000.0;
-static const TbKernels *counted = &tb_kernels_baseline;
 static uint64_t work;     /* multiplications, or passes through an element */
 static uint64_t products; /* with the heads' compliance: one expands the bed each */
 static uint64_t laws;     /* elements whose contact law was evaluated */
 
 /* ---- kernels that count ------------------------------------------------------------------------- */
-
-/* One that returns nothing: its parameters and its arguments in brackets. */
-#define COUNTED(name, elements, parameters, arguments)                                             \
-  static void count_##name parameters {                                                            \
-    work += (elements);                                                                            \
-    counted->name arguments;                                                                       \
-  }
-#define COUNTED_RESULT(type, name, elements, parameters, arguments)                                \
-  static type count_##name parameters {                                                            \
-    work += (elements);                                                                            \
-    return counted->name arguments;                                                                \
-  }
-typedef double *Out;
-typedef const double *In;
 
 static uint64_t modes_of(const TbParts *parts) {
   uint64_t sum = 0;
@@ -34,112 +19,8 @@ static uint64_t modes_of(const TbParts *parts) {
   return sum;
 }
 
-COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
-COUNTED(multiply, 8ull * blocks * n, (uint32_t blocks, uint32_t n, Out out, In m, In x),
-        (blocks, n, out, m, x))
-COUNTED(multiply_single, 8ull * blocks * n,
-        (uint32_t blocks, uint32_t n, Out out, const float *m, In x), (blocks, n, out, m, x))
-COUNTED(gather, 8ull * g->blocks * g->vectors * g->part, (const TbGather *g), (g))
-COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
-COUNTED(unstretch, modes_of(parts),
-        (const TbParts *parts, uint32_t heads, const double f[2], const double *const pull[2],
-         Out next),
-        (parts, heads, f, pull, next))
-COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
-COUNTED_RESULT(double, dot, n, (uint32_t n, In x, In y), (n, x, y))
-COUNTED(add_scaled, n, (uint32_t n, Out out, double f, In x), (n, out, f, x))
-COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TbRing *r), (r))
-COUNTED(add_product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
-COUNTED_RESULT(TbPair, two_dots, n, (uint32_t n, In u, In v, In x), (n, u, v, x))
-COUNTED(losses, n,
-        (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
-        (n, count, w, next, last, sums))
-COUNTED(gather_lines, (uint64_t)bed->wires * bed->lanes * bed->lines,
-        (const TbBed *bed, In x, Out lines), (bed, x, lines))
-COUNTED(wire_step, (uint64_t)wires *lanes,
-        (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
-         Out bend, Out next),
-        (wires, lanes, c, inner, now, last, bend, next))
-COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
-               (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
-               (wires, lanes, c, next, last))
-COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
-               (uint32_t wires, uint32_t lanes, In f, In loss, Out out),
-               (wires, lanes, f, loss, out))
-COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
-COUNTED_RESULT(TbPair, sizes, n, (uint32_t n, In b, In y), (n, b, y))
-COUNTED_RESULT(double, difference, n, (uint32_t n, In x, In y), (n, x, y))
-COUNTED(subtract, n, (uint32_t n, In x, In y, Out out), (n, x, y, out))
-COUNTED(extrapolate, n, (uint32_t n, double t, In x, In before, In base, Out out),
-        (n, t, x, before, base, out))
-COUNTED_RESULT(double, residual, n, (uint32_t n, In s, In b, In p, Out r), (n, s, b, p, r))
-COUNTED(weigh, n, (uint32_t n, In slope, Out weight, Out r), (n, slope, weight, r))
-COUNTED(balance, n,
-        (uint32_t n, double t, In s, In law, In slope, In f, In f_last, In p, In p_last,
-         double sums[3]),
-        (n, t, s, law, slope, f, f_last, p, p_last, sums))
-COUNTED_RESULT(double, lost, n, (uint32_t n, In s, In f, In mean), (n, s, f, mean))
-COUNTED(penetrate, (uint64_t)wires *lanes,
-        (uint32_t wires, uint32_t lanes, double side, In shift, In w, In v, In rest, In last,
-         In load, Out b),
-        (wires, lanes, side, shift, w, v, rest, last, load, b))
-COUNTED(move, n, (uint32_t n, In own, In f, In rest, In last, In s, Out v, Out eta),
-        (n, own, f, rest, last, s, v, eta))
-COUNTED(product, n, (uint32_t n, Out out, In x, In y), (n, out, x, y))
-COUNTED_RESULT(double, turn, n, (uint32_t n, Out out, In d, In w, In m), (n, out, d, w, m))
-COUNTED_RESULT(double, advance, n, (uint32_t n, double t, Out p, In d, Out r, In m),
-               (n, t, p, d, r, m))
-COUNTED(redirect, n, (uint32_t n, double t, Out d, In r), (n, t, d, r))
-
-static void count_spread_lines(const TbBed *bed, const double *lines, double *x) {
-  products++;
-  work += (uint64_t)bed->wires * bed->lanes * bed->lines;
-  counted->spread_lines(bed, lines, x);
-}
-
-static void count_law(const TbLaw *law, uint32_t power, uint32_t n, const double *y,
-                      const double *s, double *force, double *slope, double *mean) {
-  laws += n;
-  work += n;
-  counted->law(law, power, n, y, s, force, slope, mean);
-}
-
-static const TbKernels counting = {.two_step = count_two_step,
-                                   .multiply = count_multiply,
-                                   .multiply_single = count_multiply_single,
-                                   .gather = count_gather,
-                                   .stretch = count_stretch,
-                                   .unstretch = count_unstretch,
-                                   .reach = count_reach,
-                                   .dot = count_dot,
-                                   .add_scaled = count_add_scaled,
-                                   .ring = count_ring,
-                                   .add_product = count_add_product,
-                                   .two_dots = count_two_dots,
-                                   .losses = count_losses,
-                                   .gather_lines = count_gather_lines,
-                                   .spread_lines = count_spread_lines,
-                                   .wire_step = count_wire_step,
-                                   .wire_losses = count_wire_losses,
-                                   .gather_wires = count_gather_wires,
-                                   .law = count_law,
-                                   .touches = count_touches,
-                                   .sizes = count_sizes,
-                                   .difference = count_difference,
-                                   .subtract = count_subtract,
-                                   .extrapolate = count_extrapolate,
-                                   .residual = count_residual,
-                                   .weigh = count_weigh,
-                                   .balance = count_balance,
-                                   .lost = count_lost,
-                                   .penetrate = count_penetrate,
-                                   .move = count_move,
-                                   .product = count_product,
-                                   .turn = count_turn,
-                                   .advance = count_advance,
-                                   .redirect = count_redirect};
-
-#include "counted_singles.h"
+#define TB_TEMPLATE "counted_singles.h"
+#include "kernels/both.h"
 
 /* A table of functions without gaps. */
 static void assert_whole(const void *table, size_t size) {
@@ -153,7 +34,7 @@ static void assert_whole(const void *table, size_t size) {
 static void every_kernel_is_counted(void **state) {
   (void)state;
   assert_whole(&counting, sizeof counting);
-  assert_whole(&counting_singles, sizeof counting_singles);
+  assert_whole(&counting_floats, sizeof counting_floats);
 }
 
 /* ---- playing ------------------------------------------------------------------------------------ */
@@ -178,8 +59,7 @@ static void raise_counts(Counts *most, Counts counts) {
 static TaborModel *counting_model(const TaborDrumDef *def) {
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
   model->kernels = &counting;
-  model->singles = &counting_singles;
-  if (model->single_kernels) model->single_kernels = &counting_singles;
+  model->kernelsf = &counting_floats;
   return model;
 }
 

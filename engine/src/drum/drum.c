@@ -186,7 +186,7 @@ void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {
 
 static double wires_force(const TbView *view) {
   double sum = 0.0;
-  for (uint32_t row = 0; row < view->model->wires.stride; row++) sum += view->solve.force[row];
+  for (uint32_t row = 0; row < view->model->wires.stride; row++) sum += view->solve.warm.force[row];
   return sum;
 }
 
@@ -215,7 +215,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &drum->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
-    const double force = view.solve.force[model->wires.stride + i];
+    const double force = view.solve.warm.force[model->wires.stride + i];
     probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;
     const bool shaft = slot->partner && slot->on_hoop; /* of a stick whose tip is meant */
     if (slot->serial > newest && !shaft) {

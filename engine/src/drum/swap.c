@@ -147,10 +147,10 @@ static void carry_contacts(const TbView *from, TbView *to) {
     const size_t bytes = (stride + TB_SLOTS) * sizeof(double);
     memcpy(to->now.eta, from->now.eta, bytes);
     memcpy(to->last.eta, from->last.eta, bytes);
-    memcpy(to->solve.force, from->solve.force, bytes);
+    memcpy(to->solve.warm.force, from->solve.warm.force, bytes);
     to->state->lifted = from->state->lifted;
     to->state->gap = from->state->gap;
-    to->solve.lifted = from->solve.lifted;
+    tb_view_lift(to, from->state->lifted != 0);
     return;
   }
   tb_penetrations_from_displacements(to, &to->now);
@@ -198,11 +198,11 @@ static void carry_slots(const TbView *from, TbView *to) {
   tb_slots_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (to->state->slots[i].kind == TB_SLOT_FREE) continue;
-    const double force = from->solve.force[from->model->wires.stride + i];
+    const double force = from->solve.warm.force[from->model->wires.stride + i];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
     tb_slots_rebuild(to, i);
     if (same) {
-      to->solve.force[first + i] = force;
+      to->solve.warm.force[first + i] = force;
       to->state->slot_laws[i] = from->state->slot_laws[i];
       to->now.eta[first + i] = now;
       to->last.eta[first + i] = last;
@@ -211,8 +211,9 @@ static void carry_slots(const TbView *from, TbView *to) {
   tb_live_apply(to);
   if (!same) return;
   const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
-  memcpy(to->solve.product, from->solve.product, (first + TB_SLOTS) * sizeof(double));
-  memcpy(to->solve.grid, from->solve.grid, to->model->projection.bed.size * sizeof(double));
+  memcpy(to->solve.warm.product, from->solve.warm.product, (first + TB_SLOTS) * sizeof(double));
+  memcpy(to->solve.warm.grid, from->solve.warm.grid,
+         to->model->projection.bed.size * sizeof(double));
   memcpy(to->stretch_carry, from->stretch_carry, carried);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The head's motion under the bed of wires, on a coarse grid.
+/* The head's motion under the bed of wires, on a coarse grid, in both precisions: TbBed and TbBedF.
  *
  * The head is smooth on the scale of half its shortest wavelength, while contact points lie closer:
  * w(lane j, wire v) = Sum_l across[v][l] Sum_a along[j][a] c[l][a], and forces go back through the
@@ -11,46 +11,25 @@
  * 1, and a grid that would save nothing along is left out: then all is exact.
  *
  * Mirror symmetries make classes that do not mix: even or odd along (x -> -x) times even or odd across
- * (y -> -y). Half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror.
+ * (y -> -y). Where the bed is its own mirror image across, wires and their images go in pairs, and even lines come
+ * before the odd ones. In double half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror. In
+ * single precision the classes along stand side by side and each shape covers all lanes, so that nothing has to be
+ * folded.
  *
  * A grid vector holds class after class (even along first, then even across first), each as
- * [line][column] padded with zeros to 8. */
+ * [line][column] padded with zeros to 8. What the head yields to it is c = G C (TbCompliance), one matrix per class.
+ * kernels.h has what computes with these. */
 #ifndef TB_BED_H
 #define TB_BED_H
 
-#include "kernels/kernels.h"
-#include "model/wires.h"
+#include <stdbool.h>
+#include <stdint.h>
 
-typedef struct TbBed {
-  uint32_t wires, lanes, middle;
-  uint32_t halves, quarters; /* symmetries, as in TbModes */
-  uint32_t half;             /* folded lanes, padded; all lanes without symmetry */
-  uint32_t lines;            /* shapes across */
-  uint32_t first_line[3];    /* lines of each class across */
-  uint32_t columns[2];       /* points per line of each class along */
-  bool thinned;              /* `squeeze` and `spread` are used */
-  double *across;            /* [wires][lines] */
-  double *squeeze[2];        /* [columns/8][half][8], transposed `along` of each class */
-  double *spread[2];         /* [half/8][columns][8] */
-  uint32_t first[5];         /* where each class begins in a grid vector, and its size */
-  uint32_t size;
-} TbBed;
+#define TB_TEMPLATE "kernels/bed_tmpl.h"
+#include "kernels/both.h"
 
 static inline uint32_t tb_bed_class(const TbBed *bed, uint32_t along, uint32_t across) {
   return along * bed->quarters + across;
 }
-
-/* Doubles of scratch that the functions below need. */
-static inline uint32_t tb_bed_scratch(const TbBed *bed) {
-  return bed->lines * bed->lanes + 3u * bed->half + 8u;
-}
-
-/* C from forces f[wires * lanes]. Audio-safe, as is the next. */
-void tb_bed_contract(const TbBed *bed, const TbKernels *kernels, const double *f, double *scratch,
-                     double *grid);
-
-/* w[wires * lanes] from c. */
-void tb_bed_expand(const TbBed *bed, const TbKernels *kernels, const double *grid, double *scratch,
-                   double *w);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Eight numbers in as many registers as the instruction set has for them, for kernels.c (doubles) and
- * singlekernels.c (floats, with TB_SINGLE defined) alone.
+/* Eight numbers in as many registers as the instruction set has for them, for kernels_tmpl.c alone: doubles, or floats
+ * with TB_FLOAT defined.
  *
  * Arithmetic is the compiler's own on vectors. Only what it finds no single instruction for by itself is
  * named here: for x86 comparing, choosing, largest and smallest, roots, changing precision; for aarch64 the
@@ -12,14 +12,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "kernels/real.h"
+
 #if defined(__x86_64__)
 #  include <immintrin.h>
 #elif defined(__aarch64__)
 #  include <arm_neon.h>
 #endif
 
-#ifdef TB_SINGLE
-typedef float Real;
+#ifdef TB_FLOAT
 typedef int32_t Whole;
 #  if defined(__AVX2__)
 #    define WIDTH 8
@@ -27,7 +28,6 @@ typedef int32_t Whole;
 #    define WIDTH 4
 #  endif
 #else
-typedef double Real;
 typedef int64_t Whole;
 #  if defined(__AVX512F__)
 #    define WIDTH 8
@@ -37,7 +37,6 @@ typedef int64_t Whole;
 #    define WIDTH 2
 #  endif
 #endif
-#define REAL(value) ((Real)(value))
 #define PARTS (8 / WIDTH)
 /* Lanes live in registers only where no call stands between. */
 #define INLINE inline __attribute__((always_inline))
@@ -52,7 +51,7 @@ typedef struct Lanes {
 
 /* ---- one register --------------------------------------------------------------------------- */
 
-#if !defined(TB_SINGLE) && WIDTH == 8
+#if !defined(TB_FLOAT) && WIDTH == 8
 typedef __mmask8 Bits;
 static INLINE Vector vector_larger(Vector x, Vector y) { return _mm512_max_pd(x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm512_min_pd(x, y); }
@@ -70,17 +69,17 @@ static INLINE Bits vector_greater(Vector x, Vector y) { return x > y; }
 static INLINE Vector vector_pick(Bits m, Vector x, Vector y) {
   return (Vector)((m & (Bits)x) | (~m & (Bits)y));
 }
-#  if defined(TB_SINGLE) && WIDTH == 8
+#  if defined(TB_FLOAT) && WIDTH == 8
 static INLINE Vector vector_larger(Vector x, Vector y) { return _mm256_max_ps(x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm256_min_ps(x, y); }
 static INLINE Vector vector_root(Vector x) { return _mm256_sqrt_ps(x); }
 static INLINE bool vector_any(Bits m) { return _mm256_movemask_ps((__m256)m) != 0; }
-#  elif defined(TB_SINGLE) && defined(__SSE2__)
+#  elif defined(TB_FLOAT) && defined(__SSE2__)
 static INLINE Vector vector_larger(Vector x, Vector y) { return _mm_max_ps(x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm_min_ps(x, y); }
 static INLINE Vector vector_root(Vector x) { return _mm_sqrt_ps(x); }
 static INLINE bool vector_any(Bits m) { return _mm_movemask_ps((__m128)m) != 0; }
-#  elif WIDTH == 4 && !defined(TB_SINGLE)
+#  elif WIDTH == 4 && !defined(TB_FLOAT)
 static INLINE Vector vector_larger(Vector x, Vector y) { return _mm256_max_pd(x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm256_min_pd(x, y); }
 static INLINE Vector vector_root(Vector x) { return _mm256_sqrt_pd(x); }
@@ -106,7 +105,7 @@ static INLINE bool vector_any(Bits m) {
 #endif
 
 /* From the other precision, and back. */
-#ifdef TB_SINGLE
+#ifdef TB_FLOAT
 #  if WIDTH == 8
 static INLINE Vector vector_narrow(const double *p) {
   return _mm256_set_m128(_mm256_cvtpd_ps(_mm256_load_pd(p + 4)),
@@ -180,7 +179,7 @@ static INLINE Lanes load(const Real *p) {
   return x;
 }
 
-#ifdef TB_SINGLE
+#ifdef TB_FLOAT
 static INLINE Lanes load_double(const double *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = vector_narrow(p + i * WIDTH);
@@ -203,8 +202,10 @@ static INLINE void store_double(double *p, Lanes x) {
 static INLINE void add_double(double *p, Lanes x) {
   for (int i = 0; i < PARTS; i++) vector_add_wide(x.part[i], p + i * WIDTH);
 }
+
+static INLINE Lanes load_float(const float *p) { return load(p); }
 #else
-static INLINE Lanes load_single(const float *p) {
+static INLINE Lanes load_float(const float *p) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) x.part[i] = vector_widen(p + i * WIDTH);
   return x;
@@ -219,10 +220,6 @@ static INLINE Lanes load_unaligned(const Real *p) {
 
 static INLINE void store(Real *p, Lanes x) {
   for (int i = 0; i < PARTS; i++) ((Vector *)(void *)p)[i] = x.part[i];
-}
-
-static INLINE void store_unaligned(Real *p, Lanes x) {
-  for (int i = 0; i < PARTS; i++) ((Unaligned *)(void *)p)[i] = x.part[i];
 }
 
 static INLINE Lanes zero(void) {
@@ -300,6 +297,15 @@ static INLINE bool any(Mask m) {
   for (int i = 0; i < PARTS; i++) found = found || vector_any(m.part[i]);
   return found;
 }
+
+/* In double these are the plain ones. */
+#ifndef TB_FLOAT
+static INLINE Lanes load_double(const double *p) { return load(p); }
+static INLINE Lanes load_change(const double *p, const double *q) {
+  return subtract(load(p), load(q));
+}
+static INLINE void store_double(double *p, Lanes x) { store(p, x); }
+#endif
 
 /* ---- one number from eight ------------------------------------------------------------------ */
 

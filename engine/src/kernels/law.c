@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "kernels/kernels.h"
 #include "math/portable_math.h"
 
 /* eta^a for eta >= 0. */
@@ -169,19 +168,4 @@ double tb_law_loss(const TbLaw *law, double y, double s) {
   if (law->loss == 0.0 || (y <= 0.0 && y + s <= 0.0)) return 0.0;
   const double factor = 1.0 + law->loss * s;
   return 0.5 * work_of(law, y, s) * (factor > 0.0 ? law->loss * s : -1.0);
-}
-
-void tb_law_forces(const TbLaw *law, const TbKernels *kernels, uint32_t n, const double *y,
-                   const double *s, double *force, double *slope, double *mean) {
-  const uint32_t power = tb_law_power(law);
-  if (power) {
-    kernels->law(law, power, n, y, s, force, slope, mean);
-    return;
-  }
-  for (uint32_t i = 0; i < n; i++) {
-    const TbLawResult result = tb_law_force(law, y[i], s[i]);
-    force[i] = result.force;
-    slope[i] = result.slope;
-    mean[i] = result.mean;
-  }
 }

@@ -18,8 +18,6 @@
 
 #include <stdint.h>
 
-struct TbKernels;
-
 typedef enum TbLawKind {
   TB_LAW_GENERAL,
   TB_LAW_LINEAR,     /* a = 1 */
@@ -61,9 +59,6 @@ void tb_law_damper(TbLaw *law, double c, double time_step);
 
 /* f and its slope at s, from y. */
 TbLawResult tb_law_force(const TbLaw *law, double y, double s);
-/* The same at n points, a multiple of 8, of 64-byte aligned arrays. */
-void tb_law_forces(const TbLaw *law, const struct TbKernels *kernels, uint32_t n, const double *y,
-                   const double *s, double *force, double *slope, double *mean);
 /* DV = V(y + s) - V(y) [J]. */
 double tb_law_work(const TbLaw *law, double y, double s);
 /* The energy lost per step by the law itself at s: (f s - DV)/2 [J]. */

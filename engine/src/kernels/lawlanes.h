@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* law.h's formulas on whole registers, for an exponent of 1, 3/2 or 2 (power 2, 3 or 4), in the precision of
- * lanes.h. For kernels.c and singlekernels.c alone. */
+ * lanes.h. For kernels_tmpl.c alone. */
 #ifndef TB_LAW_LANES_H
 #define TB_LAW_LANES_H
 
@@ -11,7 +11,7 @@
 
 /* What is nothing beside anything that occurs, and the part of a penetration below which its change counts as
  * small: differences are rounding there. */
-#ifdef TB_SINGLE
+#ifdef TB_FLOAT
 #  define NEGLIGIBLE 1e-30f
 #  define SMALL_CHANGE 1e-2f
 #else
@@ -213,12 +213,32 @@ static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawAr
   }
 }
 
-static INLINE void law_of_power(const TbLaw *law, uint32_t power, uint32_t n, LawArrays arrays) {
+/* An exponent without a formula goes point by point. */
+static void law_of_points(const TbLaw *law, uint32_t n, LawArrays at) {
+  for (uint32_t i = 0; i < n; i++) {
+    const TbLawResult result = tb_law_force(law, (double)at.y[i], (double)at.s[i]);
+    at.force[i] = (Real)result.force;
+    at.slope[i] = (Real)result.slope;
+    at.mean[i] = (Real)result.mean;
+  }
+}
+
+static INLINE void law_of(const TbLaw *law, uint32_t n, LawArrays arrays) {
   const LawLanes lanes = law_lanes(law);
-  switch (power) { /* one copy of the code for each */
+  switch (tb_law_power(law)) { /* one copy of the code for each */
   case 2: law_at(&lanes, 2, n, arrays); break;
   case 3: law_at(&lanes, 3, n, arrays); break;
-  default: law_at(&lanes, 4, n, arrays); break;
+  case 4: law_at(&lanes, 4, n, arrays); break;
+  default: law_of_points(law, n, arrays); break;
+  }
+}
+
+static void laws(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, const Real *y,
+                 const Real *root_y, const Real *s, Real *force, Real *slope, Real *mean) {
+  for (uint32_t w = 0, at = 0; w < wires; w++, at += lanes) {
+    law_of(
+      &laws_of[w], lanes,
+      (LawArrays){y + at, root_y ? root_y + at : NULL, s + at, force + at, slope + at, mean + at});
   }
 }
 

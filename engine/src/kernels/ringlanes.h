@@ -1,18 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The high band's loops in either precision, for kernels.c (TbRing) and singlekernels.c (TbSingleRing). After
- * lanes.h. */
+/* The high band's loops in the precision of lanes.h. For kernels_tmpl.c alone. */
 #ifndef TB_RING_LANES_H
 #define TB_RING_LANES_H
 
 #include "kernels/kernels.h"
+#include "kernels/lanes.h"
 
-#ifdef TB_SINGLE
-typedef TbSingleRing Ring;
-static INLINE Lanes load_push(const float *p) { return load(p); }
-#else
-typedef TbRing Ring;
-static INLINE Lanes load_push(const float *p) { return load_single(p); }
-#endif
+typedef TYPE_OF(TbRing) Ring;
 
 /* `ring` by value: what is stored in `next` might else change it, for all that the compiler knows. */
 static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint32_t end,
@@ -23,7 +17,7 @@ static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint
     const Lanes last = load(r.last + i);
     Lanes next =
       subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
-    if (pushed) next = add(next, load_push(r.push + i));
+    if (pushed) next = add(next, load_float(r.push + i));
     if (held) {
       const Lanes part = smaller(scale(load(r.hold + i), loss), most);
       next = add(next, multiply_lanes(part, subtract(last, next)));

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve's passes over rows in either precision, for kernels.c and singlekernels.c; kernels.h says what
- * each does. */
+/* Passes over vectors in the precision of lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
 #ifndef TB_ROW_LANES_H
 #define TB_ROW_LANES_H
 

@@ -381,7 +381,7 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
                                   const TbHead *head, const TbWires *wires, double tolerance) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  *p = (TbProjection){.groups = modes->groups};
+  *p = (TbProjection){.precision = p->precision, .groups = modes->groups};
   start_bed(&p->bed, modes, wires);
   Fit fit = {.projection = p,
              .modes = modes,

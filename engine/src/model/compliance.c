@@ -29,11 +29,3 @@ TaborStatus tb_compliance_prepare(TbCompliance *c, TbArena *arena, const TbProje
   }
   return TABOR_OK;
 }
-
-void tb_compliance_apply(const TbCompliance *c, const TbKernels *kernels, const double *grid,
-                         double *out) {
-  for (uint32_t g = 0; g < c->classes; g++) {
-    const uint32_t first = c->first[g], points = c->first[g + 1] - first;
-    kernels->multiply(points / 8, points, out + first, c->matrix[g], grid + first);
-  }
-}

@@ -6,18 +6,8 @@
 
 #include "model/projection.h"
 
-typedef struct TbCompliance {
-  uint32_t classes;
-  uint32_t first[5];       /* of each class in a grid vector, as in TbBed */
-  const double *matrix[4]; /* [points/8][points][8] */
-} TbCompliance;
-
 /* gain[modes padded]: displacement of each mode under a unit force. */
 TaborStatus tb_compliance_prepare(TbCompliance *compliance, TbArena *arena,
                                   const TbProjection *projection, const double *gain);
-
-/* out = G grid. Audio-safe. */
-void tb_compliance_apply(const TbCompliance *compliance, const TbKernels *kernels,
-                         const double *grid, double *out);
 
 #endif

@@ -89,7 +89,7 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
     sag[i] = gain[i] * s->weight[i];
   }
   tb_project(&model->projection, model->kernels, sag, s->grid);
-  tb_bed_expand(bed, model->kernels, s->grid, s->fold, s->eta0);
+  model->kernels->expand(bed, s->grid, s->fold, s->eta0);
   for (uint32_t a = 0; a < s->n; a++) s->eta0[a] *= model->wires.real[a] * model->wires.side;
   return tb_compliance_prepare(&s->head, scratch, &model->projection, gain);
 }
@@ -97,9 +97,9 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
 /* out = C y */
 static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
   const TbBed *bed = &model->projection.bed;
-  tb_bed_contract(bed, model->kernels, y, s->fold, s->grid);
-  tb_compliance_apply(&s->head, model->kernels, s->grid, s->answer);
-  tb_bed_expand(bed, model->kernels, s->answer, s->fold, out);
+  model->kernels->contract(bed, y, s->fold, s->grid);
+  model->kernels->comply(&s->head, s->grid, s->answer);
+  model->kernels->expand(bed, s->answer, s->fold, out);
   for (uint32_t a = 0; a < s->n; a++) out[a] *= model->wires.real[a];
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
@@ -304,12 +304,26 @@ static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
   return !scratch->failed;
 }
 
-/* The forces as the step will compute them, so that they cancel to the bit, in single precision. */
-static bool settle_single(TaborModel *model, TbArena *scratch) {
-  const TbSingleKernels *kernels = model->single_kernels;
+/* The forces as the step will compute them in each precision, so that they cancel to the bit. */
+static bool settle_in_double(TaborModel *model, TbArena *scratch) {
+  const TbKernels *kernels = model->kernels;
+  const TbWires *wires = &model->wires;
+  TbRest *rest = &model->rest;
+  double *zero = tb_arena_doubles(scratch, wires->stride);
+  double *ignored = tb_arena_doubles(scratch, wires->stride);
+  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&model->projection.bed));
+  if (scratch->failed) return false;
+  kernels->laws(wires->count, wires->lanes, wires->laws, rest->eta, NULL, zero, rest->force,
+                ignored, ignored);
+  kernels->contract(&model->projection.bed, rest->force, fold, rest->grid);
+  return true;
+}
+
+static bool settle_in_float(TaborModel *model, TbArena *scratch) {
+  const TbKernelsF *kernels = model->kernelsf;
   const uint32_t n = model->wires.stride;
-  float *row[6], *grid = tb_arena_take(scratch, model->single_bed.size, sizeof *grid);
-  float *fold = tb_arena_take(scratch, tb_single_bed_scratch(&model->single_bed), sizeof *fold);
+  float *row[6], *grid = tb_arena_take(scratch, model->bedf.size, sizeof *grid);
+  float *fold = tb_arena_take(scratch, tb_bed_scratchf(&model->bedf), sizeof *fold);
   for (int i = 0; i < 6; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
   if (scratch->failed) return false;
   kernels->narrow(n, model->rest.eta, row[0]);
@@ -317,24 +331,18 @@ static bool settle_single(TaborModel *model, TbArena *scratch) {
   kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[5], row[1],
                 row[2], row[3], row[4]);
   kernels->widen(n, row[2], model->rest.force);
-  kernels->contract(&model->single_bed, row[2], fold, grid);
-  kernels->widen(model->single_bed.size, grid, model->rest.grid);
+  kernels->contract(&model->bedf, row[2], fold, grid);
+  kernels->widen(model->bedf.size, grid, model->rest.grid);
   return true;
 }
 
-/* ... and in double. */
-static void settle(TaborModel *model, double *fold, double *zero, double *ignored) {
-  const TbWires *wires = &model->wires;
-  TbRest *rest = &model->rest;
-  for (uint32_t row = 0; row < wires->stride; row++) {
-    if (wires->real[row] == 0.0) rest->eta[row] = TB_NOTHING;
+static bool settle(TaborModel *model, TbArena *scratch) {
+  static bool (*const SETTLE[])(TaborModel *, TbArena *) = {
+    [TB_IN_DOUBLE] = settle_in_double, [TB_IN_FLOAT] = settle_in_float};
+  for (uint32_t row = 0; row < model->wires.stride; row++) {
+    if (model->wires.real[row] == 0.0) model->rest.eta[row] = TB_NOTHING;
   }
-  for (uint32_t w = 0; w < wires->count; w++) {
-    const uint32_t row = w * wires->lanes;
-    tb_law_forces(&wires->laws[w], model->kernels, wires->lanes, rest->eta + row, zero + row,
-                  rest->force + row, ignored + row, ignored + row);
-  }
-  tb_bed_contract(&model->projection.bed, model->kernels, rest->force, fold, rest->grid);
+  return SETTLE[model->contacts](model, scratch);
 }
 
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
@@ -346,7 +354,7 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   }
   Statics s;
   if (!allocate(model, scratch, &s)) return TABOR_ERROR_MEMORY;
-  double *y = tb_arena_doubles(scratch, s.n), *zero = tb_arena_doubles(scratch, s.n);
+  double *y = tb_arena_doubles(scratch, s.n);
   double *modal = tb_arena_doubles(scratch, model->modes.padded);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
 
@@ -357,8 +365,7 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   }
   if (status == TABOR_OK) status = balance(model, scratch, &s, y, rest->eta);
   if (status != TABOR_OK) return status;
-  settle(model, s.fold, zero, s.yielded);
-  if (model->single_kernels && !settle_single(model, scratch)) return TABOR_ERROR_MEMORY;
+  if (!settle(model, scratch)) return TABOR_ERROR_MEMORY;
   rest_head(model, &s, modal);
   rest_wires(model, s.responses);
   return TABOR_OK;

@@ -35,13 +35,14 @@ static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
 
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
-  double **arrays[] = {&band->zero, &band->scale, &band->a, &band->b, &band->g, &band->stiffness};
+  double **arrays[] = {&band->zero,      &band->scale, &band->ringing.a,
+                       &band->ringing.b, &band->g,     &band->stiffness};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, band->padded);
   }
   for (uint32_t p = 0; p < mics; p++) {
-    band->mics[p].ahead = tb_arena_doubles(arena, band->padded);
-    band->mics[p].behind = tb_arena_doubles(arena, band->padded);
+    band->ringing.ahead[p] = tb_arena_doubles(arena, band->padded);
+    band->ringing.behind[p] = tb_arena_doubles(arena, band->padded);
   }
   return !arena->failed;
 }
@@ -53,13 +54,13 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   if (c->m >= band->orders) band->orders = c->m + 1;
   band->zero[i] = c->zero;
   band->scale[i] = c->scale;
-  band->a[i] = pole.a;
-  band->b[i] = pole.b;
+  band->ringing.a[i] = pole.a;
+  band->ringing.b[i] = pole.b;
   band->g[i] = pole.g;
   band->stiffness[i] = pole.stiffness;
   for (uint32_t p = 0; p < model->def.mic_count; p++) {
     tb_mic_weights(model, p, c->omega, &pole, c->m, sine, c->fields + 2 * p,
-                   &band->mics[p].ahead[i], &band->mics[p].behind[i]);
+                   &band->ringing.ahead[p][i], &band->ringing.behind[p][i]);
   }
 }
 
@@ -245,8 +246,8 @@ double tb_highband_push(const TaborModel *model, const double *force, double *su
   fold_groups(band, band->apart ? sums : groups, pushers);
   for (uint32_t p = 0; p < 2; p++) {
     const TbHighPush *push = &band->push[p];
-    model->singles->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,
-                            band->rest + push->from, out + push->from);
+    model->kernelsf->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,
+                             band->rest + push->from, out + push->from);
   }
   return loss;
 }
@@ -270,7 +271,7 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
                          double time_step) {
   const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
   band->row_loss = tb_arena_doubles(arena, wires->stride);
-  band->hold = tb_arena_doubles(arena, band->padded);
+  band->ringing.hold = tb_arena_doubles(arena, band->padded);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
   const uint32_t every = (wires->count + HOLDING_WIRES - 1u) / HOLDING_WIRES;
@@ -283,11 +284,11 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
     for (uint32_t i = 0; i < size; i++) {
       if (band->g[begin + i] == 0.0) continue; /* padding */
       const double shape = drive[begin + i] / band->g[begin + i];
-      band->hold[begin + i] += 0.5 * time_step * shape * shape;
+      band->ringing.hold[begin + i] += 0.5 * time_step * shape * shape;
     }
     points++;
   }
-  for (uint32_t i = 0; points && i < size; i++) band->hold[begin + i] /= points;
+  for (uint32_t i = 0; points && i < size; i++) band->ringing.hold[begin + i] /= points;
   return true;
 }
 
@@ -297,23 +298,30 @@ static float *rounded(TbArena *arena, uint32_t n, const double *x) {
   return out;
 }
 
-static bool round_band(TbHighBand *band, TbArena *arena, uint32_t mics) {
-  TbHighSingle *single = &band->rounded;
+static bool keep_ringing(TbHighBand *band, TbArena *arena, uint32_t mics) {
+  (void)band, (void)arena, (void)mics;
+  return true;
+}
+
+static bool round_ringing(TbHighBand *band, TbArena *arena, uint32_t mics) {
+  const TbRinging *exact = &band->ringing;
+  TbRingingF *to = &band->ringingf;
   const uint32_t n = band->padded;
-  single->a = rounded(arena, n, band->a);
-  single->b = rounded(arena, n, band->b);
-  single->hold = rounded(arena, n, band->hold);
+  to->a = rounded(arena, n, exact->a);
+  to->b = rounded(arena, n, exact->b);
+  to->hold = rounded(arena, n, exact->hold);
   for (uint32_t p = 0; p < mics; p++) {
-    single->ahead[p] = rounded(arena, n, band->mics[p].ahead);
-    single->behind[p] = rounded(arena, n, band->mics[p].behind);
+    to->ahead[p] = rounded(arena, n, exact->ahead[p]);
+    to->behind[p] = rounded(arena, n, exact->behind[p]);
   }
-  band->single = true;
   return !arena->failed;
 }
 
 TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborModel *model,
                                 double top) {
-  *band = (TbHighBand){.radius = model->head.radius};
+  static bool (*const ROUND[])(TbHighBand *, TbArena *, uint32_t) = {
+    [TB_IN_DOUBLE] = keep_ringing, [TB_IN_FLOAT] = round_ringing};
+  *band = (TbHighBand){.radius = model->head.radius, .precision = model->precision};
   if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
@@ -326,10 +334,8 @@ TaborStatus tb_highband_prepare(TbHighBand *band, TbArena *arena, const TaborMod
   }
   if (done) fill_modes(band, model, &chosen);
   done = done && prepare_groups(band, arena, &scratch, &model->wires) &&
-         prepare_hold(band, arena, &scratch, &model->wires, model->time_step);
-  if (model->quality <= TABOR_QUALITY_LIVE) {
-    done = done && round_band(band, arena, model->def.mic_count);
-  }
+         prepare_hold(band, arena, &scratch, &model->wires, model->time_step) &&
+         ROUND[band->precision](band, arena, model->def.mic_count);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
 }

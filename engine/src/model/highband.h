@@ -37,22 +37,15 @@
 #ifndef TB_HIGHBAND_H
 #define TB_HIGHBAND_H
 
+#include "kernels/precision.h"
 #include "model/modes.h"
 
 #define TB_HIGH_GROUPS 64u
 #define TB_HIGH_MOST 2048u
 #define TB_HIGH_MOST_LIVE 1024u
 
-/* Weights of a microphone: see TbMic. */
-typedef struct TbHighMic {
-  double *ahead, *behind;
-} TbHighMic;
-
-/* A model's numbers rounded, for a band of single precision: see TbHighBand. */
-typedef struct TbHighSingle {
-  float *a, *b, *hold;
-  float *ahead[TABOR_MAX_MICS], *behind[TABOR_MAX_MICS];
-} TbHighSingle;
+#define TB_TEMPLATE "model/highband_tmpl.h"
+#include "kernels/both.h"
 
 /* What groups do to neighbouring modes of their head. */
 typedef struct TbHighPush {
@@ -71,9 +64,10 @@ typedef struct TbHighBand {
   uint32_t orders;        /* all angular orders are below */
   uint32_t *order;        /* [padded] angular order m */
   double *zero, *scale;   /* [padded] z, and the shape's factor for unit modal mass */
-  double *a, *b, *g;      /* [padded] the recursion: see modes.h */
-  double *stiffness;      /* [padded] K' */
-  TbHighMic mics[TABOR_MAX_MICS];
+  double *g, *stiffness;  /* [padded] the recursion's gain, and K': see modes.h */
+  TbRinging ringing;
+  TbPrecision precision; /* what it is moved in: */
+  TbRingingF ringingf;   /* ... the same in single precision, for TB_IN_FLOAT alone */
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
   uint8_t *row_group; /* [stride] group of each contact point, */
@@ -82,10 +76,7 @@ typedef struct TbHighBand {
   TbHighPush push[2]; /* ... and even ones sums; else the first is all */
   float *rest;        /* [padded] what wires do at rest */
   double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 where there is none */
-  double *hold;  /* [padded] k phi^2/2, phi^2 its mean over the bed, of the wires' head [s/kg] */
-  double radius; /* of the head [m] */
-  bool single;   /* draft and live move it in single precision */
-  TbHighSingle rounded;
+  double radius;      /* of the head [m] */
 } TbHighBand;
 
 struct TaborModel;

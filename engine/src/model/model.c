@@ -7,6 +7,7 @@
 #include "definition/error.h"
 #include "definition/text.h"
 #include "math/portable_math.h"
+#include "model/bedf.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
 #include "model/state_layout.h"
@@ -19,14 +20,18 @@ typedef struct Level {
   uint32_t newton_cap, inner_cap, wire_cells;
   double tolerance, inner_tolerance; /* of the contact solve */
   double grid_tolerance;             /* of the grid under the wires */
+  TbPrecision precision, tables;     /* of contacts and high band; between modes and that grid */
 } Level;
 
 static Level level_of(uint32_t quality) {
   switch (quality) {
-  case TABOR_QUALITY_DRAFT: return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2};
-  case TABOR_QUALITY_LIVE: return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2};
-  case TABOR_QUALITY_REFERENCE: return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0};
-  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3};
+  case TABOR_QUALITY_DRAFT:
+    return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
+  case TABOR_QUALITY_LIVE:
+    return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
+  case TABOR_QUALITY_REFERENCE:
+    return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
+  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
   }
 }
 
@@ -68,12 +73,12 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
 }
 
 /* No set is wider than AVX2's where eight numbers are one register. */
-static const TbSingleKernels *single_kernels_of(const TbKernels *kernels) {
+static const TbKernelsF *kernelsf_of(const TbKernels *kernels) {
 #ifdef TB_HAVE_AVX2
-  if (kernels != &tb_kernels_baseline) return &tb_single_kernels_avx2;
+  if (kernels != &tb_kernels_baseline) return &tb_kernels_avx2f;
 #endif
   (void)kernels;
-  return &tb_single_kernels_baseline;
+  return &tb_kernels_baselinef;
 }
 
 /* ---- contacts ------------------------------------------------------------------------------- */
@@ -85,18 +90,32 @@ static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
                                model->modes.g);
 }
 
-/* After the laws, which tell whether it can be. */
-static TaborStatus prepare_single(TaborModel *model, TbArena *scratch) {
-  (void)scratch;
-  if (model->quality > TABOR_QUALITY_LIVE || model->wires.count == 0) return TABOR_OK;
+/* The quality's, where there are wires and all their laws have a formula for the kernels. */
+static TbPrecision contact_precision(const TaborModel *model) {
+  if (model->wires.count == 0) return TB_IN_DOUBLE;
   for (uint32_t w = 0; w < model->wires.count; w++) {
-    if (!tb_law_power(&model->wires.laws[w])) return TABOR_OK;
+    if (!tb_law_power(&model->wires.laws[w])) return TB_IN_DOUBLE;
   }
-  model->single_kernels = model->singles;
-  return tb_single_bed_prepare(&model->single_bed, &model->arena, &model->projection.bed,
-                               &model->compliance)
-           ? TABOR_OK
-           : TABOR_ERROR_MEMORY;
+  return model->precision;
+}
+
+static bool prepare_in_double(TaborModel *model) {
+  (void)model;
+  return true;
+}
+
+static bool prepare_in_float(TaborModel *model) {
+  return tb_bedf_prepare(&model->bedf, &model->arena, &model->projection.bed) &&
+         tb_compliancef_prepare(&model->compliancef, &model->arena, &model->compliance);
+}
+
+/* After the laws. */
+static TaborStatus prepare_contacts(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
+  static bool (*const PREPARE[])(TaborModel *) = {
+    [TB_IN_DOUBLE] = prepare_in_double, [TB_IN_FLOAT] = prepare_in_float};
+  model->contacts = contact_precision(model);
+  return PREPARE[model->contacts](model) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
 static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
@@ -121,9 +140,9 @@ typedef struct Probe {
 static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
   const TbBed *bed = &model->projection.bed;
   probe->force[row] = 1.0;
-  tb_bed_contract(bed, model->kernels, probe->force, probe->fold, probe->grid);
+  model->kernels->contract(bed, probe->force, probe->fold, probe->grid);
   probe->force[row] = 0.0;
-  tb_compliance_apply(&model->compliance, model->kernels, probe->grid, probe->answer);
+  model->kernels->comply(&model->compliance, probe->grid, probe->answer);
   return model->kernels->dot(bed->size, probe->grid, probe->answer);
 }
 
@@ -162,7 +181,7 @@ static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
   if (status != TABOR_OK) return status;
   status = tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
                                  &model->wires, model->grid_tolerance);
-  if (status != TABOR_OK || model->quality == TABOR_QUALITY_REFERENCE) return status;
+  if (status != TABOR_OK) return status;
   return tb_projection_round(&model->projection, &model->arena) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
@@ -285,10 +304,10 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   if (status != TABOR_OK) return status;
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {prepare_modes,   prepare_compliance,    prepare_laws,    prepare_single,
-                           prepare_stretch, tb_wire_reach_prepare, prepare_center,  prepare_mics,
-                           prepare_patches, prepare_places,        prepare_missing, allocate_rest,
-                           tb_rest_prepare, tb_highband_rest};
+  Stage *const stages[] = {
+    prepare_modes,         prepare_compliance, prepare_laws,    prepare_contacts, prepare_stretch,
+    tb_wire_reach_prepare, prepare_center,     prepare_mics,    prepare_patches,  prepare_places,
+    prepare_missing,       allocate_rest,      tb_rest_prepare, tb_highband_rest};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }
@@ -360,13 +379,15 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   model->sample_rate = options->sample_rate;
   model->time_step = 1.0 / options->sample_rate;
   model->kernels = choose_kernels(options->instructions);
-  model->singles = single_kernels_of(model->kernels);
+  model->kernelsf = kernelsf_of(model->kernels);
   const Level level = resolve_level(def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;
   model->tolerance = level.tolerance;
   model->inner_tolerance = level.inner_tolerance;
   model->grid_tolerance = level.grid_tolerance;
+  model->precision = level.precision;
+  model->projection.precision = level.tables;
   model->top = level.top;
 
   TbArena scratch;

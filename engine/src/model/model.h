@@ -8,13 +8,15 @@
 
 #include <stdatomic.h>
 
-#include "kernels/singlekernels.h"
+#include "kernels/kernels.h"
+#include "kernels/precision.h"
+#include "model/compliance.h"
 #include "model/contact_rows.h"
 #include "model/highband.h"
 #include "model/hoop.h"
 #include "model/mobility.h"
 #include "model/places.h"
-#include "model/singlebed.h"
+#include "model/projection.h"
 #include "model/stick.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
@@ -65,10 +67,8 @@ typedef struct TbLugs {
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
   size_t head, rest_load, own, b, s, force, product; /* by rows */
-  size_t previous, previous_product, law_force, slope, mean, residual, direction, turned, moved,
-    weight, solution, work;
-  size_t grid, previous_grid, change, pushed, answer, scratch; /* by points of the grid */
-  size_t single; /* the arrays of TbSingle, one after the other */
+  size_t grid, change;                               /* by points of the grid */
+  size_t work, workf; /* the arrays of TbSolveWork, and of TbSolveWorkF, one after the other */
   size_t high[3], high_drive, high_scratch, high_force, modal, stretch_pull[2], stretch_grid[2],
     stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
@@ -81,12 +81,14 @@ struct TaborModel {
   uint32_t quality;
   double sample_rate, time_step; /* [Hz], k [s] */
   double top;                    /* of the high band [Hz] */
+  TbPrecision precision;         /* of the quality: of the high band, */
+  TbPrecision contacts;          /* ... and of contacts where their laws have kernels */
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
   double *reach;                     /* [modes padded] see lift.h */
   const TbKernels *kernels;          /* for this processor, */
-  const TbSingleKernels *singles;    /* ... and in single precision, for the high band */
+  const TbKernelsF *kernelsf;        /* ... and in single precision */
   TbHead head;
   TbWires wires;
   TbModes modes;
@@ -100,8 +102,8 @@ struct TaborModel {
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
   float *yield; /* [wires.stride] of the head at a contact point, to a force there alone [m/N] */
-  TbSingleBed single_bed; /* of both, where contacts are solved in single precision, */
-  const TbSingleKernels *single_kernels; /* ... by these; else NULL */
+  TbBedF bedf;  /* where contacts are solved in single precision, */
+  TbComplianceF compliancef; /* ... as is this */
   TbStretch stretch;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1];    /* of each striker, then of a hand */

@@ -2,40 +2,87 @@
 #include "model/projection.h"
 
 static float *round_table(TbArena *arena, double *table, size_t count) {
-  float *single = tb_arena_take(arena, count, sizeof *single);
-  if (!single) return NULL;
+  float *rounded = tb_arena_take(arena, count, sizeof *rounded);
+  if (!rounded) return NULL;
   for (size_t i = 0; i < count; i++) {
-    single[i] = (float)table[i];
-    table[i] = (double)single[i];
+    rounded[i] = (float)table[i];
+    table[i] = (double)rounded[i];
   }
-  return single;
+  return rounded;
 }
 
 bool tb_projection_round(TbProjection *p, TbArena *arena) {
-  for (uint32_t g = 0; g < p->groups; g++) {
+  for (uint32_t g = 0; p->precision == TB_IN_FLOAT && g < p->groups; g++) {
     TbProjectionGroup *group = &p->group[g];
     const size_t count = (size_t)group->points * group->modes;
-    group->gather_single = round_table(arena, group->gather, count);
-    group->scatter_single = round_table(arena, group->scatter, count);
+    group->gather_rounded = round_table(arena, group->gather, count);
+    group->scatter_rounded = round_table(arena, group->scatter, count);
   }
   return !arena->failed;
 }
 
-/* out[8 blocks] = table x[n], by whichever of the two tables there is. */
-static void apply(const TbKernels *kernels, const double *table, const float *single,
-                  uint32_t blocks, uint32_t n, double *out, const double *x) {
-  if (single) {
-    kernels->multiply_single(blocks, n, out, single, x);
-  } else {
-    kernels->multiply(blocks, n, out, table, x);
-  }
+/* One class, by the tables of either precision. */
+typedef struct Tables {
+  void (*project)(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
+                  double *grid);
+  void (*project_forces)(const TbProjectionGroup *group, const TbKernels *kernels,
+                         const double *grid, double *modal);
+  void (*gather)(const TbKernels *kernels, const TbGather *gather);
+} Tables;
+
+static void project(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
+                    double *grid) {
+  kernels->multiply(group->points / 8, group->modes, grid, group->gather, q);
 }
+
+static void project_forces(const TbProjectionGroup *group, const TbKernels *kernels,
+                           const double *grid, double *modal) {
+  kernels->multiply(group->modes / 8, group->points, modal, group->scatter, grid);
+}
+
+static void gather(const TbKernels *kernels, const TbGather *gather) { kernels->gather(gather); }
+
+static void project_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
+                            const double *q, double *grid) {
+  kernels->multiply_rounded(group->points / 8, group->modes, grid, group->gather_rounded, q);
+}
+
+static void project_forces_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
+                                   const double *grid, double *modal) {
+  kernels->multiply_rounded(group->modes / 8, group->points, modal, group->scatter_rounded, grid);
+}
+
+static void gather_rounded(const TbKernels *kernels, const TbGather *gather) {
+  kernels->gather_rounded(gather);
+}
+
+static const Tables TABLES[] = {
+  [TB_IN_DOUBLE] = {project, project_forces, gather},
+  [TB_IN_FLOAT] = {project_rounded, project_forces_rounded, gather_rounded},
+};
 
 void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q, double *grid) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    apply(kernels, group->gather, group->gather_single, group->points / 8, group->modes,
-          grid + group->first_point, q + group->first);
+    TABLES[p->precision].project(group, kernels, q + group->first, grid + group->first_point);
+  }
+}
+
+void tb_project_parts(const TbProjection *p, const TbKernels *kernels, const TbParts *parts,
+                      uint32_t vectors, double *const q[2], double *const grid[2]) {
+  for (uint32_t g = 0; g < p->groups; g++) {
+    const TbProjectionGroup *group = &p->group[g];
+    TbGather gather = {.vectors = vectors,
+                       .blocks = group->points / 8u,
+                       .n = group->modes,
+                       .part = parts->size[g],
+                       .matrix = group->gather,
+                       .rounded = group->gather_rounded};
+    for (uint32_t v = 0; v < vectors; v++) {
+      gather.x[v] = q[v] + group->first;
+      gather.out[v] = grid[v] + group->first_point;
+    }
+    TABLES[p->precision].gather(kernels, &gather);
   }
 }
 
@@ -43,7 +90,7 @@ void tb_project_forces(const TbProjection *p, const TbKernels *kernels, const do
                        double *modal) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    apply(kernels, group->scatter, group->scatter_single, group->modes / 8, group->points,
-          modal + group->first, grid + group->first_point);
+    TABLES[p->precision].project_forces(group, kernels, grid + group->first_point,
+                                        modal + group->first);
   }
 }

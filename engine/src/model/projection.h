@@ -4,7 +4,8 @@
 #ifndef TB_PROJECTION_H
 #define TB_PROJECTION_H
 
-#include "kernels/bed.h"
+#include "kernels/kernels.h"
+#include "kernels/precision.h"
 #include "model/modes.h"
 
 /* One class: the modes of one group on the points of the same symmetry. */
@@ -14,28 +15,34 @@ typedef struct TbProjectionGroup {
   uint32_t used;                /* ... of which so many stand for something */
   double *gather;               /* [points/8][modes][8]: to points */
   double *scatter;              /* [modes/8][points][8]: to modes */
-  float *gather_single;         /* the same in single precision, or NULL: */
-  float *scatter_single;        /* see tb_projection_round() */
+  float *gather_rounded;        /* the same in single precision, or NULL: */
+  float *scatter_rounded;       /* see tb_projection_round() */
 } TbProjectionGroup;
 
 typedef struct TbProjection {
   TbBed bed;
+  TbPrecision precision; /* of the tables */
   uint32_t groups;
   TbProjectionGroup group[4];
 } TbProjection;
 
-/* Chooses a grid on which every mode's shape is right to `tolerance` of the largest shape at every
+/* After `precision` has been set: chooses a grid on which every mode's shape is right to `tolerance` of the largest shape at every
  * contact point, and fills the tables. */
 TaborStatus tb_projection_prepare(TbProjection *projection, TbArena *arena, const TbModes *modes,
                                   const TbHead *head, const TbWires *wires, double tolerance);
 
-/* Rounds the tables to single precision, both alike, so that forces still do the work that the ledger
+/* Rounds tables whose precision is single, both alike, so that forces still do the work that the ledger
  * books: half the memory to read every sample, and shapes right to 6e-8. */
 bool tb_projection_round(TbProjection *projection, TbArena *arena);
 
 /* c[bed.size] from modal displacements q[padded]. Audio-safe. */
 void tb_project(const TbProjection *projection, const TbKernels *kernels, const double *q,
                 double *grid);
+
+/* The same from the modes of `parts` alone, of one or two vectors of them. Audio-safe. */
+void tb_project_parts(const TbProjection *projection, const TbKernels *kernels,
+                      const TbParts *parts, uint32_t vectors, double *const q[2],
+                      double *const grid[2]);
 
 /* Modal forces of the coupled modes, F[group[groups]], from C[bed.size]. Audio-safe. */
 void tb_project_forces(const TbProjection *projection, const TbKernels *kernels, const double *grid,

@@ -7,11 +7,14 @@ static size_t place(size_t *total, size_t count) {
   return at;
 }
 
-static size_t single_floats(const TaborModel *model) {
-  if (!model->single_kernels) return 0;
-  return TB_SINGLE_ROWS * (size_t)(model->wires.stride + TB_SLOTS) +
-         TB_SINGLE_GRIDS * (size_t)model->single_bed.size +
-         tb_pad(tb_single_bed_scratch(&model->single_bed)) + 2u * (size_t)model->modes.padded;
+/* Floats of TbSolveWorkF, and of TbView.modalf; the grid's scratch is none where there is no such grid. */
+static size_t work_floats(const TaborModel *model) {
+  static const size_t ROWS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_ROWS},
+                      GRIDS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_GRIDS},
+                      MODES[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = 2};
+  return ROWS[model->contacts] * (model->wires.stride + TB_SLOTS) +
+         GRIDS[model->contacts] * model->bedf.size + MODES[model->contacts] * model->modes.padded +
+         tb_pad(tb_bed_scratchf(&model->bedf));
 }
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
@@ -26,27 +29,20 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->eta[phase] = place(&total, rows);
   }
   layout->bend = place(&total, nodes);
-  size_t *const row_arrays[] = {&layout->head,      &layout->rest_load, &layout->own,
-                                &layout->b,         &layout->s,         &layout->force,
-                                &layout->product,   &layout->previous,  &layout->previous_product,
-                                &layout->law_force, &layout->slope,     &layout->mean,
-                                &layout->residual,  &layout->direction, &layout->turned,
-                                &layout->moved,     &layout->weight,    &layout->solution,
-                                &layout->work};
+  size_t *const row_arrays[] = {&layout->head, &layout->rest_load, &layout->own,    &layout->b,
+                                &layout->s,    &layout->force,     &layout->product};
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
-  size_t *const grid_arrays[] = {&layout->grid, &layout->previous_grid, &layout->change,
-                                 &layout->pushed, &layout->answer};
-  for (size_t i = 0; i < sizeof grid_arrays / sizeof *grid_arrays; i++) {
-    *grid_arrays[i] = place(&total, bed->size);
-  }
-  layout->scratch = place(&total, tb_bed_scratch(bed));
-  layout->single = place(&total, single_floats(model) / 2);
+  layout->grid = place(&total, bed->size);
+  layout->change = place(&total, bed->size);
+  layout->work =
+    place(&total, TB_WORK_ROWS * rows + TB_WORK_GRIDS * bed->size + tb_bed_scratch(bed));
+  layout->workf = place(&total, work_floats(model) / 2u); /* two floats each */
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_scratch = place(&total, model->high.padded);
-  layout->high_force = place(&total, model->high.padded / 2u); /* two floats each */
+  layout->high_force = place(&total, model->high.padded / 2u);
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_pull[h] = place(&total, modes);

@@ -5,8 +5,8 @@
 
 #include "model/model.h"
 
-/* How many arrays by rows and by points of the grid TbSingle has. */
-enum { TB_SINGLE_ROWS = 19, TB_SINGLE_GRIDS = 6 };
+/* How many arrays by rows and by points of the grid TbSolveWork and TbSolveWorkF have beside the drum's own. */
+enum { TB_WORK_ROWS = 11, TB_WORK_GRIDS = 3, TB_WORKF_ROWS = 19, TB_WORKF_GRIDS = 6 };
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model);
 

@@ -11,7 +11,7 @@ static void largest_shapes(const TaborModel *model, const TbProjectionGroup *gro
     for (uint32_t p = 0; p < group->points; p++) {
       grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
     }
-    tb_bed_expand(bed, model->kernels, grid, fold, rows);
+    model->kernels->expand(bed, grid, fold, rows);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
     }

@@ -66,15 +66,6 @@ typedef struct TbWires {
   double strainer_travel; /* [m] */
 } TbWires;
 
-/* What a live value makes of a wire's coefficients. */
-typedef struct TbWireCoefficients {
-  double tension, damping_0, damping_1; /* in force now */
-  double stretch, bend, diffuse;        /* T k^2/(mu h^2), EI k^2/(mu h^4), sigma1 k/h^2 */
-  double keep, gain;                    /* 1 - sigma0 k/2, 1/(1 + sigma0 k/2) */
-  double compliance;                    /* k^2/(mu h) gain [m/N] */
-  double loss_0, loss_1;                /* mu sigma0 h/(4k), mu sigma1/(4kh) [J/m2] */
-} TbWireCoefficients;
-
 /* Grids, contact points and laws; laws get their slope limits later, from the compliances. */
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                              double time_step, uint32_t most_cells, TaborError *error);

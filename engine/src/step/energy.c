@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/energy.h"
 
+#include "step/high_ring.h"
 #include "step/lugs.h"
 #include "step/rod.h"
 #include "step/stretch.h"
@@ -20,23 +21,7 @@ static double modes_energy(const TbView *view, const TbPhase *next, const TbPhas
   return oscillators(modes->padded, view->model->sample_rate, modes->stiffness, next->q, now->q);
 }
 
-double tb_energy_high(const TbView *view) {
-  const TbHighBand *high = &view->model->high;
-  const double rate = view->model->sample_rate;
-  if (!high->single) {
-    return oscillators(high->padded, rate, high->stiffness, view->now.high, view->last.high);
-  }
-  double sum = 0.0;
-  for (uint32_t i = 0; i < high->padded; i += 8) {
-    double now[8], last[8];
-    for (uint32_t lane = 0; lane < 8; lane++) {
-      now[lane] = (double)view->now.high_single[i + lane];
-      last[lane] = (double)view->last.high_single[i + lane];
-    }
-    sum += oscillators(8, rate, high->stiffness + i, now, last);
-  }
-  return sum;
-}
+double tb_energy_high(const TbView *view) { return tb_high_ring_of(view)->energy(view); }
 
 /* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */
 static double tension_energy(const TbView *view, const TbWire *wire, double change,

@@ -34,7 +34,7 @@ static bool lie_still(const TbView *view) {
     if (fabs(view->now.v[i]) > STILL || fabs(view->last.v[i]) > STILL) return false;
   }
   for (uint32_t row = 0; row < wires->stride; row++) {
-    if (view->solve.force[row] != 0.0) return false;
+    if (view->solve.warm.force[row] != 0.0) return false;
   }
   for (uint32_t w = 0; w < wires->count; w++) {
     if (view->state->wires[w].tension != wires->wires[w].tension) return false;
@@ -56,11 +56,11 @@ void tb_lift_begin(TbView *view) {
   state->gap = least_gap(view);
   if (!(state->gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
   state->lifted = 1;
-  view->solve.lifted = true;
+  tb_view_lift(view, true);
   TbPhase *const phases[3] = {&view->now, &view->last, &view->next};
   for (int i = 0; i < 3; i++) rest_phase(view, phases[i]);
   memset(view->b, 0, view->model->wires.stride * sizeof(double));
-  memset(view->solve.product, 0, view->model->wires.stride * sizeof(double));
+  memset(view->solve.warm.product, 0, view->model->wires.stride * sizeof(double));
 }
 
 void tb_lift_follow(TbView *view) {
@@ -70,7 +70,7 @@ void tb_lift_follow(TbView *view) {
 void tb_lift_end(TbView *view) {
   if (!view->state->lifted) return;
   view->state->lifted = 0;
-  view->solve.lifted = false;
+  tb_view_lift(view, false);
   tb_penetrations_from_displacements(view, &view->now);
   tb_penetrations_from_displacements(view, &view->last);
   tb_coupling_renew(view);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "kernels/profile.h"
+#include "step/high_ring.h"
 #include "step/treble.h"
 
 /* ---- the high band -------------------------------------------------------------------------- */
@@ -27,68 +28,17 @@ static TbRingParts divide(const TbView *view, double loss) {
   return parts;
 }
 
-/* Moves all modes on; returns what microphone `mic` hears of them. */
-static TbPair move_high(TbView *view, uint32_t mic, TbRingParts parts) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
-  if (high->single) {
-    const TbHighSingle *rounded = &high->rounded;
-    const TbSingleRing ring = {.parts = parts,
-                               .a = rounded->a,
-                               .b = rounded->b,
-                               .now = view->now.high_single,
-                               .last = view->last.high_single,
-                               .next = view->next.high_single,
-                               .push = view->high_force,
-                               .hold = rounded->hold,
-                               .ahead = rounded->ahead[mic],
-                               .behind = rounded->behind[mic]};
-    return model->singles->ring(&ring);
-  }
-  const TbRing ring = {.parts = parts,
-                       .a = high->a,
-                       .b = high->b,
-                       .now = view->now.high,
-                       .last = view->last.high,
-                       .next = view->next.high,
-                       .push = view->high_force,
-                       .hold = high->hold,
-                       .ahead = high->mics[mic].ahead,
-                       .behind = high->mics[mic].behind};
-  return model->kernels->ring(&ring);
-}
-
 /* Strikers push the batter head's modes; true if any does. */
 static bool strike_high(TbView *view) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
   bool struck = false;
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    const double push = view->solve.force[model->wires.stride + i];
+    const double push = view->solve.warm.force[view->model->wires.stride + i];
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
-    if (high->single) {
-      model->singles->add_scaled(high->begin[1], view->next.high_single, (float)push,
-                                 tb_slot_high_drive_single(view, i));
-    } else {
-      model->kernels->add_scaled(high->begin[1], view->next.high, push,
-                                 tb_slot_high_drive(view, i));
-    }
+    tb_high_ring_of(view)->strike(view, i, push);
     struck = true;
   }
   return struck;
-}
-
-/* Sums of a microphone over the high band's modes. */
-static TbPair high_sums(const TbView *view, uint32_t mic, const TbPhase *phase) {
-  const TaborModel *model = view->model;
-  const TbHighBand *high = &model->high;
-  if (high->single) {
-    return model->singles->two_dots(high->padded, high->rounded.ahead[mic],
-                                    high->rounded.behind[mic], phase->high_single);
-  }
-  return model->kernels->two_dots(high->padded, high->mics[mic].ahead, high->mics[mic].behind,
-                                  phase->high);
 }
 
 /* One step; returns what microphone `mic` hears of its end. */
@@ -97,10 +47,11 @@ static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
   double loss = 0.0;
   if (pushed) {
-    loss = tb_highband_push(view->model, view->solve.force, view->solve.work, view->high_force);
+    loss = tb_highband_push(view->model, view->solve.warm.force, view->solve.work.turned,
+                            view->high_force);
   }
-  const TbPair heard = move_high(view, mic, divide(view, loss));
-  return strike_high(view) ? high_sums(view, mic, &view->next) : heard;
+  const TbPair heard = tb_high_ring_of(view)->move(view, mic, divide(view, loss));
+  return strike_high(view) ? tb_high_ring_of(view)->sums(view, mic, &view->next) : heard;
 }
 
 /* ---- microphones ---------------------------------------------------------------------------- */
@@ -124,8 +75,10 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
 
 /* What a microphone would have heard if it had been heard before. */
 static void begin_hearing(TbView *view, uint32_t mic) {
-  const TbPair now = sums_at(view, mic, &view->now, high_sums(view, mic, &view->now));
-  const TbPair last = sums_at(view, mic, &view->last, high_sums(view, mic, &view->last));
+  const TbPair now =
+    sums_at(view, mic, &view->now, tb_high_ring_of(view)->sums(view, mic, &view->now));
+  const TbPair last =
+    sums_at(view, mic, &view->last, tb_high_ring_of(view)->sums(view, mic, &view->last));
   view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
 }
 
@@ -164,7 +117,7 @@ void tb_listen(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     double p = 0.0;
     if (heard >> mic & 1u) {
-      const TbPair own = mic == first ? high : high_sums(view, mic, &view->next);
+      const TbPair own = mic == first ? high : tb_high_ring_of(view)->sums(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own)) + hear_hoop(view, mic);
     }
     pressure[mic] = delayed(view, mic, tb_treble(state->treble[mic], p)) *

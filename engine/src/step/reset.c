@@ -15,7 +15,7 @@ void tb_state_reset(TbState *state, const TaborModel *model) {
     const bool real = row < wires->stride;
     const double eta = real ? model->rest.eta[row] : TB_NOTHING;
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
-    view.solve.force[row] = real ? model->rest.force[row] : 0.0;
+    view.solve.warm.force[row] = real ? model->rest.force[row] : 0.0;
   }
   tb_live_reset(&view);
 }

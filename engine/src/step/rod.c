@@ -153,5 +153,5 @@ double tb_rod_motion(const TbView *view, uint32_t slot, const double *next, cons
 double tb_rod_pull(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   const double k = view->model->time_step;
-  return k * k * s->cross * view->solve.force[view->model->wires.stride + s->partner - 1u];
+  return k * k * s->cross * view->solve.warm.force[view->model->wires.stride + s->partner - 1u];
 }

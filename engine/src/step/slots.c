@@ -5,6 +5,7 @@
 
 #include "math/portable_math.h"
 #include "step/coupling.h"
+#include "step/high_ring.h"
 #include "step/rod.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -122,18 +123,15 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
   memset(view->state->hoop_shape[slot], 0, sizeof view->state->hoop_shape[slot]);
-  const bool single = model->high.single;
   double *shape = tb_slot_shape(view, slot);
-  double *drive = single ? view->high_scratch : tb_slot_high_drive(view, slot);
+  double *drive = view->high_scratch;
   if (s->bristles) {
     tb_places_shape(model, s->definition, s->radius, s->angle, shape, drive);
   } else {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
     if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
   }
-  if (!hand && single) {
-    model->singles->narrow(model->high.begin[1], drive, tb_slot_high_drive_single(view, slot));
-  }
+  if (!hand) tb_high_ring_of(view)->keep_drive(view, slot, drive);
   s->rest_height = head_at(view, slot, model->rest.q);
 }
 
@@ -168,7 +166,7 @@ void tb_slots_rebuild(TbView *view, uint32_t slot) {
   find_place(view, slot);
   prepare_law(view, slot);
   find_penetration(view, slot);
-  view->solve.force[view->model->wires.stride + slot] = 0.0;
+  view->solve.warm.force[view->model->wires.stride + slot] = 0.0;
 }
 
 /* What its contact stores [J]. */
@@ -212,7 +210,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
   }
-  view->own[row] = view->b[row] = view->solve.force[row] = 0.0;
+  view->own[row] = view->b[row] = view->solve.warm.force[row] = 0.0;
 }
 
 static void book_removed(TbView *view, uint32_t slot) {

@@ -17,44 +17,36 @@
  *
  * A cap may never create energy. Where Newton has not converged,
  * 1. the forces are balanced in the same way;
- * 2. where no t does, one linear step over parabolas that lie above the potential ("majorant"),
- *    f = V'(y) + C s/2, first between y and where the point would go, then, where it went further, with the
- *    largest curvature that the potential has anywhere;
- * 3. `excess`, the energy that the outcome would still create, is reported, and the drum shortens the
- *    step (guard.h).
- * Audio-safe. */
+ * 2. where no t does, a majorant takes the step (majorant.h), which creates none, or reports what it does: the drum
+ *    shortens the step then (guard.h).
+ *
+ * Contacts are solved in single precision first where the input says so (contact_solve.h); what does not settle
+ * there is left to double. Audio-safe. */
 #ifndef TB_SOLVE_H
 #define TB_SOLVE_H
 
-#include "kernels/law.h"
-#include "kernels/singlekernels.h"
+#include "kernels/kernels.h"
+#include "kernels/precision.h"
 #include "model/contact_rows.h"
-#include "model/singlebed.h"
 #include "tabor/tabor.h"
 
-/* What the solve in single precision works in (singlesolve.h); without kernels there is none. */
-typedef struct TbSingle {
-  const TbSingleKernels *kernels;
-  const TbSingleBed *bed;
-  /* [stride + TB_SLOTS] */
-  float *y, *root, *b, *own, *s, *force, *product, *force_last, *product_last, *law, *slope, *mean,
-    *weight, *residual, *direction, *turned, *moved, *solution, *work;
-  float *grid, *grid_last, *pushed, *answer, *stretch[2]; /* [bed size] */
-  float *modal[2];                                        /* [modes padded] */
-  const float *yield;                                     /* [stride], as in the model */
-  float *scratch;                                         /* [tb_single_bed_scratch] */
-} TbSingle;
-
-/* Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of
+/* What there is to solve.
+ *
+ * Rows 0 .. stride-1 are wire points, the TB_SLOTS rows after them are strikers, hands and mufflers, of
  * which `slot_mask` tells the ones in play. Rows that stand for nothing have y far below 0 and no force:
  * loops may run over them. */
-typedef struct TbSolve {
+typedef struct TbContacts {
   const TbKernels *kernels;
   const TbBed *bed;
   const TbCompliance *compliance; /* the head's, between points of the grid */
+  TbPrecision precision;          /* TB_IN_FLOAT needs the following, too: */
+  const TbKernelsF *kernelsf;
+  const TbBedF *bedf;
+  const TbComplianceF *compliancef;
+  const float *yield; /* [stride] of the head at a point, to a force there alone [m/N], */
+  bool near;          /* ... and whether some wire point may touch */
   uint32_t stride, slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */
-  bool near;   /* where contacts are solved in single precision: some point may touch */
   uint32_t cap, inner_cap;
   double tolerance, inner_tolerance;
   const double *coupling;      /* [TB_SLOTS][bed size]: the head's at the grid, of each slot */
@@ -65,18 +57,24 @@ typedef struct TbSolve {
   uint32_t stretch_count;
   double *stretch_grid[2], stretch_weight[2][2];
   _Alignas(64) double stretch_slots[2][TB_SLOTS];
-  const double *b, *y;     /* [stride + TB_SLOTS] */
-  double *s;               /* out */
-  double *force, *product; /* f and M f: the last sample's on entry, this one's on return */
-  double *grid;            /* [bed size]: f on the grid, likewise */
-  /* Scratch */
-  bool wires;                                          /* wire points take part */
-  double *previous, *previous_product, *previous_grid; /* the last sample's, as above */
-  double *law_force, *slope, *mean;                    /* [stride + TB_SLOTS], as are these: */
-  double *residual, *direction, *turned, *moved, *weight, *solution, *work;
-  double *pushed, *answer; /* [bed size] */
-  double *scratch;         /* [tb_bed_scratch] */
-  TbSingle single;
+  const double *b, *y; /* [stride + TB_SLOTS] */
+} TbContacts;
+
+/* Where the last sample ended, which this one starts from and replaces. */
+typedef struct TbWarmStart {
+  double *force, *product; /* [stride + TB_SLOTS]: f and M f */
+  double *grid;            /* [bed size]: f on the grid */
+} TbWarmStart;
+
+#define TB_TEMPLATE "step/solve_tmpl.h"
+#include "kernels/both.h"
+
+typedef struct TbSolve {
+  TbContacts in;
+  TbWarmStart warm;
+  double *s; /* [stride + TB_SLOTS], out */
+  TbSolveWork work;
+  TbSolveWorkF workf; /* for TB_IN_FLOAT alone */
 } TbSolve;
 
 typedef struct TbSolveOutcome {
@@ -92,17 +90,8 @@ TbSolveOutcome tb_solve(TbSolve *solve);
 /* Starts the next sample from no forces: where these led nowhere, they would again. */
 void tb_solve_forget(TbSolve *solve);
 
-/* out = M x; the rest load is computed by this too, so that it cancels to the bit. `grid` receives x
- * on the grid. */
-void tb_solve_product(const TbSolve *solve, const double *x, double *grid, double *out);
-
-/* What forces at the slots do to the head: added to `answer` on the grid, out[] at the slots, which also
- * yield to forces on the grid (`pushed`). */
-void tb_solve_slots(const TbSolve *solve, const double *pushed, const double *slots, double *answer,
-                    double *out);
-
-/* What the stretching of the heads takes from their answer to forces on the grid and at the slots. */
-void tb_solve_stretch(const TbSolve *solve, const double *pushed, const double *slots,
-                      double *answer, double *out);
+/* out = M x in the precision that contacts are solved in; the rest load is computed by this too, so that it cancels to
+ * the bit. `grid` receives x on the grid. */
+void tb_solve_product(TbSolve *solve, const double *x, double *grid, double *out);
 
 #endif

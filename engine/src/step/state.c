@@ -20,8 +20,7 @@ static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) 
                    at(state, layout->high[index]),
                    state->missing[index],
                    state->hoop[index],
-                   state->bow[index],
-                   (float *)(void *)at(state, layout->high[index])};
+                   state->bow[index]};
 }
 
 static void view_phases(TbView *view) {
@@ -30,68 +29,83 @@ static void view_phases(TbView *view) {
   view->now = phase_at(view->state, layout, newest);
   view->last = phase_at(view->state, layout, (newest + 2) % 3);
   view->next = phase_at(view->state, layout, (newest + 1) % 3);
-  view->solve.y = view->last.eta;
+  view->solve.in.y = view->last.eta;
 }
 
-static TbSingle single_at(TbState *state, const TaborModel *model) {
-  TbSingle single = {
-    .kernels = model->single_kernels, .bed = &model->single_bed, .yield = model->yield};
-  if (!single.kernels) return single;
-  float *next = (float *)(void *)at(state, model->layout.single);
-  float **const rows[TB_SINGLE_ROWS] = {
-    &single.y,      &single.root,    &single.b,          &single.own,          &single.s,
-    &single.force,  &single.product, &single.force_last, &single.product_last, &single.law,
-    &single.slope,  &single.mean,    &single.weight,     &single.residual,     &single.direction,
-    &single.turned, &single.moved,   &single.solution,   &single.work};
-  float **const grids[TB_SINGLE_GRIDS] = {&single.grid,   &single.grid_last,  &single.pushed,
-                                          &single.answer, &single.stretch[0], &single.stretch[1]};
-  for (int i = 0; i < TB_SINGLE_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
-  for (int i = 0; i < TB_SINGLE_GRIDS; i++, next += single.bed->size) *grids[i] = next;
-  single.modal[0] = next;
-  single.modal[1] = next + model->modes.padded;
-  single.scratch = next + 2u * (size_t)model->modes.padded;
-  return single;
-}
-
-static TbSolve solve_at(TbState *state, const TaborModel *model) {
+/* The workspace of the solve in double, which has the drum's own arrays beside. */
+static TbSolveWork work_at(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
-  return (TbSolve){.kernels = model->kernels,
-                   .bed = &model->projection.bed,
-                   .compliance = &model->compliance,
-                   .stride = model->wires.stride,
-                   .slot_mask = state->slot_mask,
-                   .lifted = state->lifted != 0,
-                   .cap = model->newton_cap,
-                   .inner_cap = model->inner_cap,
-                   .tolerance = model->tolerance,
-                   .inner_tolerance = model->inner_tolerance,
-                   .coupling = at(state, l->coupling),
-                   .slot_coupling = at(state, l->slot_coupling),
-                   .own = at(state, l->own),
-                   .wire_laws = model->wires.laws,
-                   .slot_laws = state->slot_laws,
-                   .b = at(state, l->b),
-                   .s = at(state, l->s),
-                   .force = at(state, l->force),
-                   .product = at(state, l->product),
-                   .grid = at(state, l->grid),
-                   .previous = at(state, l->previous),
-                   .previous_product = at(state, l->previous_product),
-                   .previous_grid = at(state, l->previous_grid),
-                   .law_force = at(state, l->law_force),
-                   .slope = at(state, l->slope),
-                   .mean = at(state, l->mean),
-                   .residual = at(state, l->residual),
-                   .direction = at(state, l->direction),
-                   .turned = at(state, l->turned),
-                   .moved = at(state, l->moved),
-                   .weight = at(state, l->weight),
-                   .solution = at(state, l->solution),
-                   .work = at(state, l->work),
-                   .pushed = at(state, l->pushed),
-                   .answer = at(state, l->answer),
-                   .scratch = at(state, l->scratch),
-                   .single = single_at(state, model)};
+  TbSolveWork work = {.s = at(state, l->s),
+                      .force = at(state, l->force),
+                      .product = at(state, l->product),
+                      .grid = at(state, l->grid)};
+  double *next = at(state, l->work);
+  double **const rows[TB_WORK_ROWS] = {
+    &work.force_last, &work.product_last, &work.law,    &work.slope, &work.mean,    &work.weight,
+    &work.residual,   &work.direction,    &work.turned, &work.moved, &work.solution};
+  double **const grids[TB_WORK_GRIDS] = {&work.grid_last, &work.pushed, &work.answer};
+  for (int i = 0; i < TB_WORK_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < TB_WORK_GRIDS; i++, next += model->projection.bed.size) *grids[i] = next;
+  work.scratch = next;
+  return work;
+}
+
+static TbSolveWorkF no_workf_at(TbState *state, const TaborModel *model, float *modal[2]) {
+  (void)state, (void)model, (void)modal;
+  return (TbSolveWorkF){.s = NULL};
+}
+
+static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *modal[2]) {
+  TbSolveWorkF work = {.s = NULL};
+  float *next = (float *)(void *)at(state, model->layout.workf);
+  float **const rows[TB_WORKF_ROWS] = {
+    &work.s,         &work.force,  &work.product, &work.force_last, &work.product_last,
+    &work.law,       &work.slope,  &work.mean,    &work.weight,     &work.residual,
+    &work.direction, &work.turned, &work.moved,   &work.solution,   &work.b,
+    &work.y,         &work.root,   &work.own,     &work.before};
+  float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
+                                         &work.answer, &work.stretch[0], &work.stretch[1]};
+  for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < TB_WORKF_GRIDS; i++, next += model->bedf.size) *grids[i] = next;
+  for (int i = 0; i < 2; i++, next += model->modes.padded) modal[i] = next;
+  work.scratch = next;
+  return work;
+}
+
+static TbContacts contacts_at(TbState *state, const TaborModel *model) {
+  const TbLayout *l = &model->layout;
+  return (TbContacts){.kernels = model->kernels,
+                      .bed = &model->projection.bed,
+                      .compliance = &model->compliance,
+                      .kernelsf = model->kernelsf,
+                      .bedf = &model->bedf,
+                      .compliancef = &model->compliancef,
+                      .yield = model->yield,
+                      .stride = model->wires.stride,
+                      .slot_mask = state->slot_mask,
+                      .cap = model->newton_cap,
+                      .inner_cap = model->inner_cap,
+                      .tolerance = model->tolerance,
+                      .inner_tolerance = model->inner_tolerance,
+                      .coupling = at(state, l->coupling),
+                      .slot_coupling = at(state, l->slot_coupling),
+                      .own = at(state, l->own),
+                      .wire_laws = model->wires.laws,
+                      .slot_laws = state->slot_laws,
+                      .b = at(state, l->b)};
+}
+
+static TbSolve solve_at(TbState *state, const TaborModel *model, float *modal[2]) {
+  static TbSolveWorkF (*const WORKF[])(TbState *, const TaborModel *, float *[2]) = {
+    [TB_IN_DOUBLE] = no_workf_at, [TB_IN_FLOAT] = workf_at};
+  const TbLayout *l = &model->layout;
+  return (TbSolve){
+    .in = contacts_at(state, model),
+    .warm = {at(state, l->force), at(state, l->product), at(state, l->grid)},
+    .s = at(state, l->s),
+    .work = work_at(state, model),
+    .workf = WORKF[model->contacts](state, model, modal),
+  };
 }
 
 TbView tb_view(TbState *state, const TaborModel *model) {
@@ -113,15 +127,16 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .slot_coupling = at(state, l->slot_coupling),
                  .shape = at(state, l->shape),
                  .drive = at(state, l->drive),
-                 .radial = at(state, l->radial),
-                 .solve = solve_at(state, model)};
+                 .radial = at(state, l->radial)};
+  view.solve = solve_at(state, model, view.modalf);
+  tb_view_lift(&view, state->lifted != 0);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     view.delay[mic] = at(state, l->delay[mic]);
   }
   view.stretch_carry = at(state, l->stretch_carry);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
-    view.solve.stretch_grid[h] = at(state, l->stretch_grid[h]);
+    view.solve.in.stretch_grid[h] = at(state, l->stretch_grid[h]);
   }
   view_phases(&view);
   return view;
@@ -133,5 +148,5 @@ void tb_view_rotate(TbView *view) {
   view->last = view->now;
   view->now = view->next;
   view->next = oldest;
-  view->solve.y = view->last.eta;
+  view->solve.in.y = view->last.eta;
 }

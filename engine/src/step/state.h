@@ -120,8 +120,9 @@ typedef struct TbState {
  * high band, what stands for the head's missing modes under each striker, modes of the hoop,
  * and how sticks bend. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z, *high, (*missing)[TB_MISSING], *hoop, (*bow)[TB_BENDS];
-  float *high_single; /* in the place of `high` where the band is of single precision */
+  double *q, *v, *eta, *z;
+  void *high; /* of the high band's precision */
+  double (*missing)[TB_MISSING], *hoop, (*bow)[TB_BENDS];
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */
@@ -131,8 +132,10 @@ typedef struct TbView {
   TbPhase next, now, last;
   double *bend, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
-  double *high_drive, *high_scratch;
-  float *high_force;
+  void *high_drive;       /* [TB_SLOTS][high padded], of its precision */
+  double *high_scratch;
+  float *high_force,
+    *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
   double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */
@@ -147,19 +150,18 @@ TbView tb_view(TbState *state, const TaborModel *model);
 /* After `next` was filled: it becomes the newest. */
 void tb_view_rotate(TbView *view);
 
+/* Wires that are lifted, or no longer: then double is precise and fast enough. */
+static inline void tb_view_lift(TbView *view, bool lifted) {
+  view->solve.in.lifted = lifted;
+  view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
+}
+
 /* Places of one slot in the per-slot arrays. */
 static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
   return view->shape + (size_t)slot * view->model->modes.padded;
 }
 static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
   return view->drive + (size_t)slot * view->model->modes.padded;
-}
-static inline double *tb_slot_high_drive(const TbView *view, uint32_t slot) {
-  return view->high_drive + (size_t)slot * view->model->high.padded;
-}
-/* In its place where the band is of single precision. */
-static inline float *tb_slot_high_drive_single(const TbView *view, uint32_t slot) {
-  return (float *)(void *)view->high_drive + (size_t)slot * view->model->high.padded;
 }
 static inline const TbMobility *tb_slot_missing(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];

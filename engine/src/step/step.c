@@ -8,16 +8,16 @@
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/guard.h"
+#include "step/high_ring.h"
 #include "step/lift.h"
 #include "step/listen.h"
 #include "step/live.h"
 #include "step/lugs.h"
 #include "step/reset.h"
 #include "step/rod.h"
-#include "step/singlemotion.h"
-#include "step/singlesolve.h"
 #include "step/slots.h"
 #include "step/stretch.h"
+#include "step/wire_motion.h"
 
 #ifdef TABOR_PROFILE
 _Thread_local TbProfile tb_profile;
@@ -60,29 +60,12 @@ static void free_motion(TbView *view) {
 
 /* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
 static void penetrate_wires(TbView *view, double *slots) {
-  const TaborModel *model = view->model;
-  const TbWires *wires = &model->wires;
-  const TbKernels *kernels = model->kernels;
-  const TbBed *bed = &model->projection.bed;
-  const bool single = tb_solves_in_single(&view->solve);
   TB_STAGE(PROJECTION);
-  if (single) {
-    tb_single_project(view);
-  } else {
-    tb_project(&model->projection, kernels, view->next.q, view->change);
-  }
+  tb_wire_motion_of(view)->project(view);
   TB_STAGE(STRETCH);
   tb_stretch_yield(view, slots);
   TB_STAGE(PROJECTION);
-  if (single) {
-    tb_single_penetrate(view);
-    return;
-  }
-  tb_bed_expand(bed, kernels, view->change, view->solve.scratch, view->head);
-  TB_STAGE(WIRES);
-  kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
-                     view->next.v + TB_WIRE_FRONT, model->rest.eta, view->last.eta, view->rest_load,
-                     view->b);
+  tb_wire_motion_of(view)->penetrate(view);
 }
 
 /* ... and of all. */
@@ -118,13 +101,9 @@ static void free_penetration(TbView *view) {
 /* What the wires' forces, counted from rest, do to modes: into view->modal. */
 static void force_modes(TbView *view) {
   const TaborModel *model = view->model;
-  const TbProjection *p = &model->projection;
-  model->kernels->subtract(p->bed.size, view->solve.grid, model->rest.grid, view->change);
-  if (tb_solves_in_single(&view->solve)) {
-    tb_single_project_forces(view);
-  } else {
-    tb_project_forces(p, model->kernels, view->change, view->modal);
-  }
+  model->kernels->subtract(model->projection.bed.size, view->solve.warm.grid, model->rest.grid,
+                           view->change);
+  tb_wire_motion_of(view)->project_forces(view);
 }
 
 /* Adds what the contact forces do to the free motion in view->next, `unchanged` if they are those of the
@@ -134,7 +113,7 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   const TbModes *modes = &model->modes;
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = model->wires.stride;
-  const double *force = view->solve.force;
+  const double *force = view->solve.warm.force;
   TB_STAGE(WIRES);
   kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
@@ -150,7 +129,7 @@ static void respond(TbView *view, bool unchanged) {
   const TbModes *modes = &model->modes;
   const TbKernels *kernels = model->kernels;
   const uint32_t stride = model->wires.stride;
-  const double *force = view->solve.force;
+  const double *force = view->solve.warm.force;
   if (!view->state->lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
@@ -236,13 +215,13 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
 /* ---- housekeeping --------------------------------------------------------------------------- */
 
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
-static const double SILENT_ENERGY = 1e-18; /* [J] */
-/* Where contacts are solved in single precision, rounding keeps wires that lie on a head moving: 5e-17 J for the
- * heaviest of the presets' wires. */
-static const double SILENT_IN_SINGLE = 1e-15;
+static const double SILENT_ENERGY[] = {
+  [TB_IN_DOUBLE] = 1e-18, /* [J] */
+  /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires. */
+  [TB_IN_FLOAT] = 1e-15,
+};
 static const uint32_t SILENT_CHECKS = 16;
-static const double VANISHED = 1e-150;       /* [m kg^1/2]; denormals begin at 1e-308, */
-static const float VANISHED_SINGLE = 1e-30f; /* ... of single precision at 1e-38 */
+static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
 
 /* Without branches: the compiler takes several at once. */
 static void clear_small(uint32_t n, double *now, double *last) {
@@ -253,21 +232,8 @@ static void clear_small(uint32_t n, double *now, double *last) {
   }
 }
 
-static void clear_small_single(uint32_t n, float *now, float *last) {
-  for (uint32_t i = 0; i < n; i++) {
-    const bool gone = (fabsf(now[i]) < VANISHED_SINGLE) & (fabsf(last[i]) < VANISHED_SINGLE);
-    now[i] = gone ? 0.0f : now[i];
-    last[i] = gone ? 0.0f : last[i];
-  }
-}
-
 static void clear_vanished(TbView *view) {
-  const TbHighBand *high = &view->model->high;
-  if (high->single) {
-    clear_small_single(high->padded, view->now.high_single, view->last.high_single);
-  } else {
-    clear_small(high->padded, view->now.high, view->last.high);
-  }
+  tb_high_ring_of(view)->clear_small(view);
   clear_small(view->model->modes.padded, view->now.q, view->last.q);
   clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
   clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
@@ -279,9 +245,7 @@ static void clear_high(TbView *view) {
   memset(view->last.high, 0, bytes);
 }
 
-static double silent_energy(const TaborModel *model) {
-  return model->single_kernels ? SILENT_IN_SINGLE : SILENT_ENERGY;
-}
+static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }
 
 /* Stops all motion; a drum within rounding of its rest returns to it exactly. */
 static void fall_asleep(TbView *view) {
@@ -298,12 +262,13 @@ static void fall_asleep(TbView *view) {
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
-      view->solve.force[row] = model->rest.force[row];
+      view->solve.warm.force[row] = model->rest.force[row];
     }
     for (uint32_t i = 0; i < TB_SLOTS; i++) {
       if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
     }
-    tb_solve_product(&view->solve, view->solve.force, view->solve.grid, view->solve.product);
+    tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
+                     view->solve.warm.product);
     tb_stretch_clear(view);
   }
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
@@ -350,7 +315,7 @@ void tb_step_housekeeping(TbView *view) {
   }
   clear_vanished(view);
   tb_lift_begin(view);
-  tb_single_settle(view);
+  tb_wire_motion_of(view)->settle(view);
   const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
                      !parameter_moves(state) && !tb_brush_moves(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;

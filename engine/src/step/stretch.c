@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "step/singlemotion.h"
-#include "step/singlesolve.h"
+#include "step/slot_compliance.h"
+#include "step/wire_motion.h"
 
 /* W = P S2/2, S2 = (1 + A P/2)^-1 for symmetric A = Y^T g Y. */
 static void weigh(uint32_t count, double a[2][2], const double *factor, double weight[2][2]) {
@@ -21,7 +21,7 @@ static void weigh(uint32_t count, double a[2][2], const double *factor, double w
 
 /* P theta of head h, where Y^T (x + q-) is `along`. */
 static double tension(const TbView *view, uint32_t h, const double along[2]) {
-  const double *w = view->solve.stretch_weight[h];
+  const double *w = view->solve.in.stretch_weight[h];
   return w[0] * along[0] + w[1] * along[1];
 }
 
@@ -30,51 +30,32 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t last = model->stretch.count - 1u;
-  memset(view->solve.stretch_slots, 0, sizeof view->solve.stretch_slots);
+  memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
     if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
     const TbPair r = model->kernels->two_dots(model->modes.padded, view->stretch_pull[0],
                                               view->stretch_pull[last], tb_slot_shape(view, slot));
-    view->solve.stretch_slots[0][slot] = model->wires.side * r.first;
-    view->solve.stretch_slots[last][slot] = model->wires.side * r.second;
+    view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
+    view->solve.in.stretch_slots[last][slot] = model->wires.side * r.second;
   }
-}
-
-static void gather_group(TbView *view, uint32_t g) {
-  const TaborModel *model = view->model;
-  const TbProjectionGroup *group = &model->projection.group[g];
-  TbGather gather = {.vectors = model->stretch.count,
-                     .blocks = group->points / 8u,
-                     .n = group->modes,
-                     .part = model->stretch.parts.size[g],
-                     .matrix = group->gather,
-                     .single = group->gather_single};
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    gather.x[h] = view->stretch_pull[h] + group->first;
-    gather.out[h] = view->solve.stretch_grid[h] + group->first_point;
-  }
-  model->kernels->gather(&gather);
 }
 
 /* side r on the grid under the wires. */
 static void prepare_grid(TbView *view) {
   const TaborModel *model = view->model;
   const uint32_t size = model->projection.bed.size;
-  if (tb_solves_in_single(&view->solve)) {
-    tb_single_stretch(view);
-  } else {
-    for (uint32_t g = 0; g < model->projection.groups; g++) gather_group(view, g);
-  }
+  tb_wire_motion_of(view)->stretch(view);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view->stretch_rest[h] =
-      model->wires.side * model->kernels->dot(size, view->solve.stretch_grid[h], model->rest.grid);
+      model->wires.side *
+      model->kernels->dot(size, view->solve.in.stretch_grid[h], model->rest.grid);
   }
 }
 
 void tb_stretch_free(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  view->solve.stretch_count = stretch->count;
+  view->solve.in.stretch_count = stretch->count;
   if (stretch->count == 0) return;
   TbStretching s = {.heads = stretch->count,
                     .gain = {stretch->gain[0], stretch->gain[1]},
@@ -84,7 +65,7 @@ void tb_stretch_free(TbView *view) {
                     .last = view->last.q,
                     .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
   model->kernels->stretch(&stretch->parts, &s);
-  weigh(stretch->count, s.own, stretch->factor, view->solve.stretch_weight);
+  weigh(stretch->count, s.own, stretch->factor, view->solve.in.stretch_weight);
   for (uint32_t h = 0; h < stretch->count; h++) {
     view->stretch_along[h] = s.along[h];
     view->stretch_rest[h] = 0.0;
@@ -103,35 +84,31 @@ void tb_stretch_yield(TbView *view, double *slots) {
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     const double pull = -tension(view, h, along);
     model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
-                               view->solve.stretch_slots[h]);
+                               view->solve.in.stretch_slots[h]);
     if (view->state->lifted) continue;
     model->kernels->add_scaled(model->projection.bed.size, view->change, pull,
-                               view->solve.stretch_grid[h]);
+                               view->solve.in.stretch_grid[h]);
   }
 }
 
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->stretch_count == 0 || view->state->airborne) return;
-  const uint32_t size = solve->bed->size;
-  double *carry = view->stretch_carry, *rows = solve->work;
-  tb_solve_stretch(solve, solve->grid, solve->force + solve->stride, carry, carry + size);
-  if (tb_solves_in_single(solve)) {
-    tb_single_renew(view, carry);
-  } else if (!view->state->lifted) {
-    tb_bed_expand(solve->bed, solve->kernels, carry, solve->scratch, rows);
-    solve->kernels->add_scaled(solve->stride, solve->product, 1.0, rows);
-  }
-  solve->kernels->add_scaled(TB_SLOTS, solve->product + solve->stride, 1.0, carry + size);
+  if (solve->in.stretch_count == 0 || view->state->airborne) return;
+  const uint32_t size = solve->in.bed->size, stride = solve->in.stride;
+  double *carry = view->stretch_carry;
+  tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
+  if (!view->state->lifted) tb_wire_motion_of(view)->renew(view, carry);
+  solve->in.kernels->add_scaled(TB_SLOTS, solve->warm.product + stride, 1.0, carry + size);
 }
 
 /* side r f, by all contacts. */
 static double pushed_along(const TbView *view, uint32_t h) {
   const TbSolve *solve = &view->solve;
-  const double slots =
-    solve->kernels->dot(TB_SLOTS, solve->stretch_slots[h], solve->force + solve->stride);
+  const double slots = solve->in.kernels->dot(TB_SLOTS, solve->in.stretch_slots[h],
+                                              solve->warm.force + solve->in.stride);
   if (view->state->lifted) return slots;
-  return solve->kernels->dot(solve->bed->size, solve->stretch_grid[h], solve->grid) + slots;
+  return solve->in.kernels->dot(solve->in.bed->size, solve->in.stretch_grid[h], solve->warm.grid) +
+         slots;
 }
 
 void tb_stretch_respond(TbView *view) {
@@ -148,13 +125,13 @@ void tb_stretch_respond(TbView *view) {
   for (uint32_t h = 0; h < stretch->count; h++) {
     pull[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
-    model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.stretch_grid[h]);
+    model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.in.stretch_grid[h]);
     model->kernels->add_scaled(TB_SLOTS, view->stretch_carry + size, past,
-                               view->solve.stretch_slots[h]);
+                               view->solve.in.stretch_slots[h]);
   }
   const double *const pulls[2] = {view->stretch_pull[0], view->stretch_pull[1]};
   model->kernels->unstretch(&stretch->parts, stretch->count, pull, pulls, view->next.q);
-  view->solve.stretch_count = 0; /* it belongs to this sample alone */
+  view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
 }
 
 void tb_stretch_clear(TbView *view) {

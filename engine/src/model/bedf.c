@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/singlebed.h"
+#include "model/bedf.h"
 
 static void round_all(double *values, size_t count) {
   for (size_t i = 0; i < count; i++) values[i] = (double)(float)values[i];
@@ -25,21 +25,21 @@ static double shape_at(const TbBed *bed, uint32_t along, uint32_t column, uint32
   return along == 1 && image ? -value : value;
 }
 
-static void fill_shapes(TbSingleBed *single, const TbBed *bed) {
+static void fill_shapes(TbBedF *bedf, const TbBed *bed) {
   for (uint32_t lane = 0; lane < bed->lanes; lane++) {
     uint32_t c = 0;
     for (uint32_t along = 0; along < bed->halves; along++) {
       for (uint32_t a = 0; a < bed->columns[along]; a++, c++) {
         const float shape = (float)shape_at(bed, along, a, lane);
-        single->contract[(size_t)lane * single->padded + c] = shape;
-        single->expand[(size_t)c * bed->lanes + lane] = shape;
+        bedf->contract[(size_t)lane * bedf->padded + c] = shape;
+        bedf->expand[(size_t)c * bed->lanes + lane] = shape;
       }
     }
   }
 }
 
-static void fill_places(TbSingleBed *single, const TbBed *bed) {
-  uint32_t *place = single->place;
+static void fill_places(TbBedF *bedf, const TbBed *bed) {
+  uint32_t *place = bedf->place;
   for (uint32_t line = 0; line < bed->lines; line++) {
     const uint32_t across = bed->quarters == 2 && line >= bed->first_line[1] ? 1 : 0;
     for (uint32_t along = 0; along < bed->halves; along++) {
@@ -50,40 +50,38 @@ static void fill_places(TbSingleBed *single, const TbBed *bed) {
   }
 }
 
-static bool copy_compliance(TbSingleBed *single, TbArena *arena, const TbCompliance *compliance) {
-  single->classes = compliance->classes;
-  for (uint32_t c = 0; c <= compliance->classes; c++) single->first[c] = compliance->first[c];
+bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
+                            const TbCompliance *compliance) {
+  *compliancef = (TbComplianceF){.classes = compliance->classes};
+  for (uint32_t c = 0; c <= compliance->classes; c++) compliancef->first[c] = compliance->first[c];
   for (uint32_t c = 0; c < compliance->classes; c++) {
     const size_t points = compliance->first[c + 1] - compliance->first[c];
     float *matrix = tb_arena_take(arena, points * points, sizeof *matrix);
     if (!matrix) return false;
     for (size_t i = 0; i < points * points; i++) matrix[i] = (float)compliance->matrix[c][i];
-    single->matrix[c] = matrix;
+    compliancef->matrix[c] = matrix;
   }
   return true;
 }
 
-bool tb_single_bed_prepare(TbSingleBed *single, TbArena *arena, TbBed *bed,
-                           const TbCompliance *compliance) {
+bool tb_bedf_prepare(TbBedF *bedf, TbArena *arena, TbBed *bed) {
   round_bed(bed);
-  *single = (TbSingleBed){.wires = bed->wires,
-                          .lanes = bed->lanes,
-                          .quarters = bed->quarters,
-                          .lines = bed->lines,
-                          .even_lines = bed->first_line[1],
-                          .size = bed->size};
-  for (uint32_t along = 0; along < bed->halves; along++) single->columns += bed->columns[along];
-  single->padded = tb_pad(single->columns);
+  *bedf = (TbBedF){.wires = bed->wires,
+                   .lanes = bed->lanes,
+                   .quarters = bed->quarters,
+                   .lines = bed->lines,
+                   .size = bed->size};
+  for (uint32_t c = 0; c < 3; c++) bedf->first_line[c] = bed->first_line[c];
+  for (uint32_t along = 0; along < bed->halves; along++) bedf->columns += bed->columns[along];
+  bedf->padded = tb_pad(bedf->columns);
   const size_t across = (size_t)bed->wires * bed->lines;
-  single->across = tb_arena_take(arena, across, sizeof *single->across);
-  single->contract =
-    tb_arena_take(arena, (size_t)bed->lanes * single->padded, sizeof *single->contract);
-  single->expand =
-    tb_arena_take(arena, (size_t)bed->lanes * single->columns, sizeof *single->expand);
-  single->place = tb_arena_take(arena, (size_t)bed->lines * single->columns, sizeof *single->place);
+  bedf->across = tb_arena_take(arena, across, sizeof *bedf->across);
+  bedf->contract = tb_arena_take(arena, (size_t)bed->lanes * bedf->padded, sizeof *bedf->contract);
+  bedf->expand = tb_arena_take(arena, (size_t)bed->lanes * bedf->columns, sizeof *bedf->expand);
+  bedf->place = tb_arena_take(arena, (size_t)bed->lines * bedf->columns, sizeof *bedf->place);
   if (arena->failed) return false;
-  for (size_t i = 0; i < across; i++) single->across[i] = (float)bed->across[i];
-  fill_shapes(single, bed);
-  fill_places(single, bed);
-  return copy_compliance(single, arena, compliance);
+  for (size_t i = 0; i < across; i++) bedf->across[i] = (float)bed->across[i];
+  fill_shapes(bedf, bed);
+  fill_places(bedf, bed);
+  return true;
 }

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* Compiled once per instruction set and per precision (real.h), with TB_TABLE naming the table. */
+#include "kernels/kernels.h"
+
+#include "kernels/bedlanes.h"
+#include "kernels/contactlanes.h"
+#include "kernels/lawlanes.h"
+#include "kernels/ringlanes.h"
+#include "kernels/rowlanes.h"
+#include "kernels/tablelanes.h"
+#ifdef TB_FLOAT
+#  include "kernels/narrowlanes.h"
+#else
+#  include "kernels/statelanes.h"
+#endif
+
+const TYPE_OF(TbKernels) TB_TABLE = {
+  .dot = dot,
+  .two_dots = two_dots,
+  .add_scaled = add_scaled,
+  .add_product = add_product,
+  .product = product,
+  .difference = difference,
+  .extrapolate = extrapolate,
+  .multiply = multiply,
+  .gather = gather,
+  .ring = ring,
+  .contract = contract,
+  .expand = expand,
+  .comply = comply,
+  .start = start,
+  .end = end,
+  .laws = laws,
+  .change = change,
+  .weigh = weigh,
+  .turn = turn,
+  .advance = advance,
+  .redirect = redirect,
+  .follow = follow,
+  .balance = balance,
+#ifdef TB_FLOAT
+  .narrow = narrow,
+  .narrow_change = narrow_change,
+  .widen = widen,
+  .add_widened = add_widened,
+  .penetrate = penetrate,
+  .relax = relax,
+  .combine = combine,
+#else
+  .multiply_rounded = multiply_rounded,
+  .gather_rounded = gather_rounded,
+  .two_step = two_step,
+  .stretch = stretch,
+  .unstretch = unstretch,
+  .reach = reach,
+  .losses = losses,
+  .subtract = subtract_arrays,
+  .wire_step = wire_step,
+  .wire_losses = wire_losses,
+  .gather_wires = gather_wires,
+  .touches = touches,
+  .penetrate = penetrate,
+  .move = move,
+#endif
+};

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernels that double alone has: the state of modes and wires. For kernels_tmpl.c alone. */
+#ifndef TB_STATE_LANES_H
+#define TB_STATE_LANES_H
+
+#include "kernels/kernels.h"
+#include "kernels/lanes.h"
+
+static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
+                     const double *y) {
+  for (uint64_t i = 0; i < n; i += 8) {
+    store(out + i, subtract(multiply_lanes(load(a + i), load(x + i)),
+                            multiply_lanes(load(b + i), load(y + i))));
+  }
+}
+
+/* From a copy of `out`, which what is stored might else change, for all that the compiler knows. */
+static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *out) {
+  const TbStretching s = *out;
+  Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t end = parts->from[part] + parts->size[part];
+    for (uint64_t i = parts->from[part]; i < end; i += 8) {
+      const Lanes q = load(s.q + i), g = load(s.g + i);
+      const Lanes moved = add(load(s.next + i), load(s.last + i));
+      Lanes y[2], pull[2];
+#pragma GCC unroll 2 /* or the sums would live in memory */
+      for (uint32_t h = 0; h < heads; h++) {
+        y[h] = multiply_lanes(load(s.gain[h] + i), q);
+        pull[h] = multiply_lanes(g, y[h]);
+        store(s.pull[h] + i, pull[h]);
+        along[h] = add(along[h], multiply_lanes(y[h], moved));
+        for (uint32_t l = 0; l <= h; l++) {
+          own[h][l] = add(own[h][l], multiply_lanes(y[h], pull[l]));
+        }
+      }
+    }
+  }
+  for (uint32_t h = 0; h < heads; h++) {
+    out->along[h] = join(along[h]);
+    for (uint32_t l = 0; l <= h; l++) out->own[h][l] = out->own[l][h] = join(own[h][l]);
+  }
+}
+
+static void stretch(const TbParts *parts, TbStretching *s) {
+  if (s->heads == 2) {
+    stretch_heads(2, parts, s);
+  } else {
+    stretch_heads(1, parts, s);
+  }
+}
+
+static INLINE void unstretch_heads(uint32_t heads, const TbParts *parts, const double f[2],
+                                   const double *const pull[2], double *next) {
+  const double first = f[0], second = f[heads - 1];
+  const double *const first_pull = pull[0], *const second_pull = pull[heads - 1];
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t end = parts->from[part] + parts->size[part];
+    for (uint64_t i = parts->from[part]; i < end; i += 8) {
+      Lanes sum = add(load(next + i), scale(load(first_pull + i), first));
+      if (heads == 2) sum = add(sum, scale(load(second_pull + i), second));
+      store(next + i, sum);
+    }
+  }
+}
+
+static void unstretch(const TbParts *parts, uint32_t heads, const double f[2],
+                      const double *const pull[2], double *next) {
+  if (heads == 2) {
+    unstretch_heads(2, parts, f, pull, next);
+  } else {
+    unstretch_heads(1, parts, f, pull, next);
+  }
+}
+
+static double reach(uint32_t n, const double *c, const double *x) {
+  Lanes sum = zero();
+  for (uint64_t i = 0; i < n; i += 8) {
+    sum = add(sum, multiply_lanes(load(c + i), size_of(load(x + i))));
+  }
+  return join(sum);
+}
+
+static INLINE void losses_of(uint32_t count, uint32_t n, const double *const w[3],
+                             const double *next, const double *last, double sums[3]) {
+  Lanes sum[3] = {zero(), zero(), zero()};
+  for (uint64_t i = 0; i < n; i += 8) {
+    const Lanes step = subtract(load(next + i), load(last + i));
+    const Lanes square = multiply_lanes(step, step);
+    for (uint32_t j = 0; j < count; j++) {
+      sum[j] = add(sum[j], multiply_lanes(load(w[j] + i), square));
+    }
+  }
+  for (uint32_t j = 0; j < count; j++) sums[j] = join(sum[j]);
+}
+
+static void losses(uint32_t n, uint32_t count, const double *const w[3], const double *next,
+                   const double *last, double sums[3]) {
+  if (count == 3) {
+    losses_of(3, n, w, next, last, sums);
+  } else {
+    losses_of(2, n, w, next, last, sums);
+  }
+}
+
+static void subtract_arrays(uint32_t n, const double *x, const double *y, double *out) {
+  for (uint64_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
+}
+
+static INLINE Lanes second_difference(const double *v) {
+  const Lanes middle = load(v);
+  return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
+}
+
+static void bend_wires(uint32_t n, const double *inner, const double *v, double *bend) {
+  for (uint64_t i = 0; i < n; i += 8) {
+    store(bend + i, multiply_lanes(load(inner + i), second_difference(v + i)));
+  }
+}
+
+static void wire_step(uint32_t wires, uint32_t lanes, const TbWireCoefficients *coefficients,
+                      const double *inner, const double *now, const double *last, double *bend,
+                      double *next) {
+  bend_wires(wires * lanes, inner, now, bend);
+  for (uint32_t w = 0; w < wires; w++) {
+    const TbWireCoefficients c = coefficients[w];
+    for (uint64_t i = w * lanes; i < (w + 1u) * lanes; i += 8) {
+      const Lanes curve = load(bend + i);
+      Lanes push = scale(curve, c.stretch);
+      push = subtract(push, scale(second_difference(bend + i), c.bend));
+      push = add(push, scale(subtract(curve, second_difference(last + i)), c.diffuse));
+      /* As a change: a wire that hangs far away may not lose or gain by rounding where it is. */
+      const Lanes at = load(now + i), coast = scale(subtract(at, load(last + i)), c.keep);
+      store(next + i, multiply_lanes(load(inner + i), add(at, scale(add(coast, push), c.gain))));
+    }
+  }
+}
+
+static double wire_losses(uint32_t wires, uint32_t lanes, const TbWireCoefficients *c,
+                          const double *next, const double *last) {
+  Lanes sum = zero();
+  for (uint32_t w = 0; w < wires; w++) {
+    for (uint64_t i = w * lanes; i < (w + 1u) * lanes; i += 8) {
+      const Lanes step = subtract(load(next + i), load(last + i));
+      const Lanes slope =
+        subtract(step, subtract(load_unaligned(next + i - 1), load_unaligned(last + i - 1)));
+      sum = add(sum, add(scale(multiply_lanes(step, step), c[w].loss_0),
+                         scale(multiply_lanes(slope, slope), c[w].loss_1)));
+    }
+  }
+  return join(sum);
+}
+
+static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
+                           double *out) {
+  Lanes lost = zero();
+  for (uint32_t i = 0; i < lanes; i += 8) {
+    Lanes sum = zero();
+    for (uint32_t w = 0; w < wires; w++) {
+      const uint32_t at = w * lanes + i;
+      const Lanes force = load(f + at);
+      sum = add(sum, force);
+      lost = add(lost, multiply_lanes(load(loss + at), force));
+    }
+    store(out + i, sum);
+  }
+  return join(lost);
+}
+
+static bool touches(uint32_t n, const double *y, const double *s, const double *f) {
+  for (uint64_t i = 0; i < n; i += 8) {
+    const Lanes before = load(y + i), after = add(before, load(s + i));
+    const Lanes most = larger(larger(before, after), size_of(load(f + i)));
+    if (any(greater(most, zero()))) return true;
+  }
+  return false;
+}
+
+static void penetrate(uint32_t wires, uint32_t lanes, double side, const double *shift,
+                      const double *w, const double *v, const double *rest, const double *last,
+                      const double *load_at, double *b) {
+  for (uint32_t wire = 0; wire < wires; wire++) {
+    const Lanes shifted = all(shift[wire]);
+    for (uint64_t i = wire * lanes; i < (wire + 1u) * lanes; i += 8) {
+      const Lanes deviation = subtract(scale(load(w + i), side), load(v + i));
+      const Lanes eta = add(add(deviation, load(rest + i)), shifted);
+      store(b + i, add(subtract(eta, load(last + i)), load(load_at + i)));
+    }
+  }
+}
+
+static void move(uint32_t n, const double *own, const double *f, const double *rest,
+                 const double *last, const double *s, double *v, double *eta) {
+  for (uint64_t i = 0; i < n; i += 8) {
+    const Lanes change = subtract(load(f + i), load(rest + i));
+    store(v + i, add(load(v + i), multiply_lanes(load(own + i), change)));
+    store(eta + i, add(load(last + i), load(s + i)));
+  }
+}
+
+#endif

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+/* Tables times vectors in the precision of lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
+#ifndef TB_TABLE_LANES_H
+#define TB_TABLE_LANES_H
+
+#include "kernels/kernels.h"
+#include "kernels/lanes.h"
+
+/* ---- one vector ----------------------------------------------------------------------------- */
+
+/* `count` blocks of rows side by side, a constant where it is called; `rounded`: of a table of floats. */
+static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Real *out,
+                                   const void *table, uint32_t block, const Real *x) {
+  const uint64_t stride = 8u * (uint64_t)n, from = stride * block;
+  const Real *matrix = table;
+  const float *floats = table;
+  Lanes sum[6];
+#pragma GCC unroll 6
+  for (uint32_t b = 0; b < count; b++) sum[b] = zero();
+  for (uint32_t i = 0; i < n; i++) {
+    const uint64_t at = from + 8u * (uint64_t)i;
+#pragma GCC unroll 6 /* or the sums would live in memory */
+    for (uint32_t b = 0; b < count; b++) {
+      const Lanes m =
+        rounded ? load_float(floats + at + b * stride) : load(matrix + at + b * stride);
+      sum[b] = add(sum[b], scale(m, x[i]));
+    }
+  }
+#pragma GCC unroll 6
+  for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
+}
+
+/* How many of `left` blocks to take at once: enough to hide the latency of an addition. */
+static INLINE uint32_t blocks_at_once(uint32_t left) {
+  if (left == 7) return 4;
+  return left < 6 ? left : 6;
+}
+
+static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, Real *out,
+                                const void *table, const Real *x) {
+  for (uint32_t b = 0, take; b < blocks; b += take) {
+    take = blocks_at_once(blocks - b);
+    switch (take) { /* one copy of the code for each */
+    case 1: multiply_blocks(rounded, 1, n, out, table, b, x); break;
+    case 2: multiply_blocks(rounded, 2, n, out, table, b, x); break;
+    case 3: multiply_blocks(rounded, 3, n, out, table, b, x); break;
+    case 4: multiply_blocks(rounded, 4, n, out, table, b, x); break;
+    case 5: multiply_blocks(rounded, 5, n, out, table, b, x); break;
+    default: multiply_blocks(rounded, 6, n, out, table, b, x); break;
+    }
+  }
+}
+
+static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, const Real *x) {
+  multiply_all(false, blocks, n, out, matrix, x);
+}
+
+/* ---- one or two vectors --------------------------------------------------------------------- */
+
+typedef TYPE_OF(TbGather) Gather;
+
+/* Blocks of rows that are taken at once, and in how many sums of every so many terms, so that an addition seldom
+ * waits for the one before. In double each sum is one, in ascending order. */
+enum { GATHER_BLOCKS = SINGLE ? 4 : 2 };
+
+static INLINE uint32_t ways_of(uint32_t vectors, uint32_t count) {
+  if (!SINGLE || count == 4) return 1;
+  return (count == 1 ? 4 : 2) / vectors;
+}
+
+static INLINE Lanes entry(bool rounded, const Gather *g, uint64_t at) {
+#ifndef TB_FLOAT
+  if (rounded) return load_float(g->rounded + at);
+#endif
+  (void)rounded;
+  return load(g->matrix + at);
+}
+
+/* `count` blocks side by side of each of the vectors; all constants where it is called. */
+static INLINE void gather_blocks(bool rounded, uint32_t vectors, uint32_t count, const Gather *g,
+                                 uint32_t block) {
+  const uint64_t stride = 8u * (uint64_t)g->n, from = stride * block;
+  const uint32_t ways = ways_of(vectors, count);
+  Lanes sum[4][8];
+  for (uint32_t w = 0; w < ways; w++) {
+    for (uint32_t s = 0; s < vectors * count; s++) sum[w][s] = zero();
+  }
+  for (uint64_t i = 0; i < g->part; i += ways) {
+#pragma GCC unroll 4 /* or the sums would live in memory */
+    for (uint32_t w = 0; w < ways; w++) {
+#pragma GCC unroll 4
+      for (uint32_t b = 0; b < count; b++) {
+        const Lanes m = entry(rounded, g, from + b * stride + 8u * (i + w));
+#pragma GCC unroll 2
+        for (uint32_t v = 0; v < vectors; v++) {
+          sum[w][v * count + b] = add(sum[w][v * count + b], scale(m, g->x[v][i + w]));
+        }
+      }
+    }
+  }
+#pragma GCC unroll 8
+  for (uint32_t s = 0; s < vectors * count; s++) {
+    if (ways == 4) sum[1][s] = add(sum[1][s], sum[3][s]);
+    if (ways == 4) sum[0][s] = add(sum[0][s], sum[2][s]);
+    if (ways >= 2) sum[0][s] = add(sum[0][s], sum[1][s]);
+    store_double(g->out[s / count] + 8 * (block + s % count), sum[0][s]);
+  }
+}
+
+static INLINE void gather_all(bool rounded, uint32_t vectors, const Gather *g) {
+  for (uint32_t b = 0, take; b < g->blocks; b += take) {
+    const uint32_t left = g->blocks - b;
+    take = left < GATHER_BLOCKS ? left : GATHER_BLOCKS;
+    switch (take) { /* one copy of the code for each */
+    case 1: gather_blocks(rounded, vectors, 1, g, b); break;
+    case 2: gather_blocks(rounded, vectors, 2, g, b); break;
+    case 3: gather_blocks(rounded, vectors, 3, g, b); break;
+    default: gather_blocks(rounded, vectors, 4, g, b); break;
+    }
+  }
+}
+
+static Real rest_of(const Gather *g, uint32_t row, const Real *x) {
+  const Real *column = g->transposed + 8u * row;
+  Lanes sum = zero();
+  for (uint64_t i = 0; i < g->part; i += 8, column += 8u * g->stride) {
+    sum = add(sum, multiply_lanes(load(column), load(x + i)));
+  }
+  return join(sum);
+}
+
+static void gather(const Gather *g) {
+  if (g->vectors == 2) {
+    gather_all(false, 2, g);
+  } else {
+    gather_all(false, 1, g);
+  }
+  for (uint32_t row = 0; row < g->rest; row++) {
+    for (uint32_t v = 0; v < g->vectors; v++) {
+      g->out[v][8u * g->blocks + row] = (double)rest_of(g, row, g->x[v]);
+    }
+  }
+}
+
+#ifndef TB_FLOAT
+static void multiply_rounded(uint32_t blocks, uint32_t n, double *out, const float *matrix,
+                             const double *x) {
+  multiply_all(true, blocks, n, out, matrix, x);
+}
+
+static void gather_rounded(const TbGather *g) {
+  if (g->vectors == 2) {
+    gather_all(true, 2, g);
+  } else {
+    gather_all(true, 1, g);
+  }
+}
+#endif
+
+#endif

@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/* The high band in double. */
+#include "step/high_ring_tmpl.c"

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of TbSolveWork and TbSolveWorkF, what a contact solve works in: see solve.h and both.h. */
+typedef struct TB_TYPE(TbSolveWork) {
+  bool wires;               /* wire points take part */
+  TB_REAL *s;               /* [stride + TB_SLOTS], as are all these: */
+  TB_REAL *force, *product; /* f~ and M f~ */
+  TB_REAL *force_last, *product_last;
+  TB_REAL *law, *slope, *mean;
+  TB_REAL *weight, *residual, *direction, *turned, *moved, *solution;
+  TB_REAL *grid, *grid_last, *pushed, *answer; /* [bed size] */
+  TB_REAL *scratch;                            /* [tb_bed_scratch] */
+#if TB_REAL_IS_FLOAT
+  float *b, *y, *root, *own, *before; /* [stride + TB_SLOTS] */
+  float *stretch[2];                  /* [bed size] */
+#endif
+} TB_TYPE(TbSolveWork);

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* In double. */
+#include "step/wire_motion.h"
+
+#include "kernels/profile.h"
+
+static void project(TbView *view) {
+  tb_project(&view->model->projection, view->model->kernels, view->next.q, view->change);
+}
+
+static void stretch(TbView *view) {
+  const TaborModel *model = view->model;
+  tb_project_parts(&model->projection, model->kernels, &model->stretch.parts, model->stretch.count,
+                   view->stretch_pull, view->solve.in.stretch_grid);
+}
+
+static void penetrate(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbWires *wires = &model->wires;
+  model->kernels->expand(&model->projection.bed, view->change, view->solve.work.scratch,
+                         view->head);
+  TB_STAGE(WIRES);
+  model->kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
+                            view->next.v + TB_WIRE_FRONT, model->rest.eta, view->last.eta,
+                            view->rest_load, view->b);
+}
+
+static void renew(TbView *view, const double *motion) {
+  const TbKernels *kernels = view->model->kernels;
+  const TbSolve *solve = &view->solve;
+  kernels->expand(solve->in.bed, motion, solve->work.scratch, solve->work.turned);
+  kernels->add_scaled(solve->in.stride, solve->warm.product, 1.0, solve->work.turned);
+}
+
+static void project_forces(TbView *view) {
+  tb_project_forces(&view->model->projection, view->model->kernels, view->change, view->modal);
+}
+
+static void settle(TbView *view) { (void)view; }
+
+const TbWireMotion tb_wire_motion = {project, stretch, penetrate, renew, project_forces, settle};

@@ -346,7 +346,7 @@ static void open_field_carries_the_radiated_power(void **state) {
     print_message("m %u: power in the field %.7f of the resistance's\n", m,
                   power / load.resistance);
     assert_true(fabs(power / load.resistance - 1.0) <
-                1e-4); /* what is left of C(x), see airload.c */
+                1e-4); /* what is left of C(x), see radiation_impedance.c */
     tb_arena_release(&arena);
   }
 }

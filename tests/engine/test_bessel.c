@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "math/bessel.h"
-#include "math/besseltable.h"
+#include "math/bessel_table.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -122,7 +122,7 @@ static void table_gives_what_it_was_made_from(void **state) {
     }
   }
   print_message("table: %.1e, beyond it %.1e\n", worst, beyond);
-  assert_true(worst < 3e-11); /* besseltable.h */
+  assert_true(worst < 3e-11); /* bessel_table.h */
   assert_true(beyond < 1e-14);
   tb_arena_release(&arena);
 }

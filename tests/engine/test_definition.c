@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameter table, setting and getting, and the validation of definitions from anywhere. */
 #define _GNU_SOURCE /* mkdtemp, setenv */
+#include "definition/def_key.h"
+#include "definition/def_text.h"
 #include "definition/definition.h"
 #include "definition/error.h"
-#include "definition/key.h"
 #include "definition/params.h"
-#include "definition/text.h"
 
 #include <float.h>
 #include <locale.h>
@@ -311,9 +311,9 @@ static void other_value(Random *random, const TbParam *param, char text[TABOR_TE
   }
 }
 
-static void full_key(const TaborParameter *row, const char *name, char key[TB_KEY_SIZE]) {
+static void full_key(const TaborParameter *row, const char *name, char key[TB_DEF_KEY_SIZE]) {
   const bool single = row->section[strlen(row->section) - 1] != '.';
-  snprintf(key, TB_KEY_SIZE, "%s%s.%s", row->section, single ? "" : name, row->key);
+  snprintf(key, TB_DEF_KEY_SIZE, "%s%s.%s", row->section, single ? "" : name, row->key);
 }
 
 /* Every key, of a new definition and of elements that come into being with it. */
@@ -327,7 +327,7 @@ static void test_round_trip(void **state) {
     tabor_drum_def_clear(&copy);
     for (uint32_t i = 0; i < tb_param_count; i++) {
       const bool is_wire = tb_params[i].group == TB_GROUP_WIRE;
-      char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE], back[TABOR_TEXT_SIZE];
+      char key[TB_DEF_KEY_SIZE], text[TABOR_TEXT_SIZE], back[TABOR_TEXT_SIZE];
       full_key(&tb_params[i].info, is_wire ? "17" : "some_name-1", key);
       other_value(&random, &tb_params[i], text);
       must_set(&def, key, text);
@@ -348,7 +348,7 @@ static void test_keys_in_order(void **state) {
   must_set(&def, "mic.far.height", "-1");
   must_set(&def, "striker.mallet.kind", "mallet");
   tabor_drum_def_clear(&copy);
-  char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE], all[8192] = "";
+  char key[TB_DEF_KEY_SIZE], text[TABOR_TEXT_SIZE], all[8192] = "";
   uint32_t index = 0;
   for (; tabor_drum_def_key(&def, index, key, sizeof key); index++) {
     assert_int_equal(tabor_drum_def_get(&def, key, text, sizeof text, NULL), TABOR_OK);
@@ -574,7 +574,7 @@ static void test_sections(void **state) {
   }
   assert_int_equal(def.two_headed, 1);
   for (int i = def.mic_count; i < TABOR_MAX_MICS; i++) {
-    char section[TB_KEY_SIZE];
+    char section[TB_DEF_KEY_SIZE];
     snprintf(section, sizeof section, "mic.m%d", i);
     assert_int_equal(tabor_drum_def_section(&def, section, &error), TABOR_OK);
   }
@@ -607,7 +607,7 @@ static void test_full(void **state) {
   TaborError error;
   tabor_drum_def_clear(&def);
   for (int i = 1; i <= TABOR_MAX_MICS; i++) {
-    char key[TB_KEY_SIZE];
+    char key[TB_DEF_KEY_SIZE];
     snprintf(key, sizeof key, "mic.m%d.gain", i);
     must_set(&def, key, "2");
     snprintf(key, sizeof key, "striker.s%d.mass", i);
@@ -696,7 +696,7 @@ static void test_random_texts(void **state) {
   TaborDrumDef def;
   tabor_drum_def_default(&def);
   for (int i = 0; i < 40000; i++) {
-    char key[TB_KEY_SIZE], text[300];
+    char key[TB_DEF_KEY_SIZE], text[300];
     TaborError error;
     const TbParam *const param = &tb_params[random_below(&random, tb_param_count)];
     full_key(&param->info, param->group == TB_GROUP_WIRE ? "7" : "top", key);
@@ -900,7 +900,7 @@ static void test_between_fields(void **state) {
 
 /* The keys in order, each with a blank behind it. */
 static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
-  char key[TB_KEY_SIZE];
+  char key[TB_DEF_KEY_SIZE];
   uint32_t count = 0;
   *all = '\0';
   for (; tabor_drum_def_key(def, count, key, sizeof key); count++) {
@@ -923,7 +923,7 @@ static void test_second_head(void **state) {
   for (uint32_t i = 0; i < tb_param_count; i++) {
     const TaborParameter *const row = &tb_params[i].info;
     if (strcmp(row->section, "resonant") != 0) continue;
-    char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE];
+    char key[TB_DEF_KEY_SIZE], text[TABOR_TEXT_SIZE];
     full_key(row, "", key);
     TaborDrumDef def = one;
     def.resonant = (TaborHeadDef){.tension = NAN}; /* what a head left behind counts for nothing */
@@ -958,7 +958,7 @@ static void test_second_head_keys(void **state) {
   assert_non_null(strstr(all, "batter.lug_seed resonant.tension "));
   assert_non_null(strstr(all, "resonant.lug_seed wires.head "));
   tabor_drum_def_clear(&copy);
-  char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE];
+  char key[TB_DEF_KEY_SIZE], text[TABOR_TEXT_SIZE];
   for (uint32_t i = 0; tabor_drum_def_key(&def, i, key, sizeof key); i++) {
     assert_int_equal(tabor_drum_def_get(&def, key, text, sizeof text, NULL), TABOR_OK);
     must_set(&copy, key, text);
@@ -1151,8 +1151,8 @@ static void corner_text(const Corners *corners, const TbParam *param, const char
 static bool corner_field(void *context, const TbParam *param, uint32_t element) {
   Corners *const corners = context;
   void *const field = tb_param_field(param, corners->def, element);
-  char key[TB_KEY_SIZE];
-  tb_key_write(corners->def, param, element, key);
+  char key[TB_DEF_KEY_SIZE];
+  tb_def_key_write(corners->def, param, element, key);
   corners->checked++;
   if (param->info.type == TABOR_TYPE_NUMBER) {
     corner_number(corners, param, key, field);
@@ -1192,7 +1192,7 @@ static void test_random_structs(void **state) {
   for (int i = 0; i < 3000; i++) {
     TaborDrumDef def;
     TaborError error;
-    char key[TB_KEY_SIZE], text[TABOR_TEXT_SIZE];
+    char key[TB_DEF_KEY_SIZE], text[TABOR_TEXT_SIZE];
     tabor_drum_def_default(&def);
     unsigned char *const bytes = (unsigned char *)&def;
     const uint32_t start = random_below(&random, sizeof def);

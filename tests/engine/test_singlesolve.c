@@ -92,9 +92,10 @@ static void laws_agree(void **state) {
   TaborModel *model = live_model("snare-14x5.5");
   enum { POINTS = 24 };
   for (int trial = 0; trial < 2000; trial++) {
-    TbLaw law;
+    TbContactLaw law;
     const double stiffness = exp(physics_uniform(&seed, log(1e3), log(1e9)));
-    tb_law_prepare(&law, stiffness, EXPONENTS[trial % 3], 0.3, 1.0 / RATE, trial % 2 ? 1e5 : 1e30);
+    tb_contact_law_prepare(&law, stiffness, EXPONENTS[trial % 3], 0.3, 1.0 / RATE,
+                           trial % 2 ? 1e5 : 1e30);
     _Alignas(64) float y[POINTS], root[POINTS], s[POINTS], force[POINTS], slope[POINTS],
       mean[POINTS];
     const double depth = exp(physics_uniform(&seed, log(1e-8), log(1e-3)));
@@ -105,8 +106,8 @@ static void laws_agree(void **state) {
     }
     model->kernelsf->laws(1, POINTS, &law, y, root, s, force, slope, mean);
     for (int i = 0; i < POINTS; i++) {
-      const TbLawResult exact = tb_law_force(&law, (double)y[i], (double)s[i]);
-      const double force_scale = tb_law_static_force(&law, depth),
+      const TbContactLawResult exact = tb_contact_law_force(&law, (double)y[i], (double)s[i]);
+      const double force_scale = tb_contact_law_static_force(&law, depth),
                    slope_scale = force_scale / depth;
       assert_true(fabs((double)force[i] - exact.force) < 1e-5 * (exact.force + force_scale));
       assert_true(fabs((double)mean[i] - exact.mean) < 1e-5 * (exact.mean + force_scale));

@@ -22,7 +22,7 @@ typedef struct Problem {
   _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[MOST * LANES + 64];
   double coupling[TB_SLOTS * STRIDE], slot_coupling[TB_SLOTS * TB_SLOTS];
   double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS];
-  TbLaw laws[MOST], slot_laws[TB_SLOTS];
+  TbContactLaw laws[MOST], slot_laws[TB_SLOTS];
   TbBed bed;
   TbCompliance compliance;
 } Problem;
@@ -109,7 +109,7 @@ static void load_problem(Problem *p, const json_t *entry) {
   for (uint32_t i = 0; i < p->n; i++) {
     p->b[i * LANES] = b[i];
     p->y[i * LANES] = y[i];
-    tb_law_prepare(&p->laws[i], stiffness[i], exponent[i], 0.0, 1.0 / 48000.0, INFINITY);
+    tb_contact_law_prepare(&p->laws[i], stiffness[i], exponent[i], 0.0, 1.0 / 48000.0, INFINITY);
     reference_vector(json_array_get(json_object_get(entry, "M"), i), compliance, MOST);
     for (uint32_t j = 0; j < p->n; j++) *compliance_at(p, i, j) = compliance[j];
   }
@@ -174,8 +174,8 @@ static void no_cap_creates_energy(void **state) {
       p.b[i * LANES] = uniform(-3e-4, 3e-4);
       p.force[i * LANES] = rand() % 2 ? uniform(0.0, 10.0) : 0.0;
       const double loss = rand() % 2 ? uniform(0.0, 1.0) : 0.0;
-      tb_law_prepare(&p.laws[i], pow(10.0, uniform(4.0, 13.0)), uniform(1.0, 3.0), loss,
-                     1.0 / 48000.0, 10.0 / largest);
+      tb_contact_law_prepare(&p.laws[i], pow(10.0, uniform(4.0, 13.0)), uniform(1.0, 3.0), loss,
+                             1.0 / 48000.0, 10.0 / largest);
     }
     TbSolve solve = solver(&p, 1 + (uint32_t)(trial % 4), trial % 3 ? 1e-2 : 0.0);
     tb_solve_product(&solve, p.force, solve.warm.grid, p.product);
@@ -187,7 +187,7 @@ static void no_cap_creates_energy(void **state) {
     double work = 0.0, scale = 0.0;
     for (uint32_t i = 0; i < p.n; i++) {
       const uint32_t row = i * LANES;
-      const double grown = tb_law_work(&p.laws[i], p.y[row], p.s[row]);
+      const double grown = tb_contact_law_work(&p.laws[i], p.y[row], p.s[row]);
       work += p.force[row] * p.s[row] - grown;
       scale += fabs(p.force[row] * p.s[row]) + fabs(grown);
       /* s really is what these forces lead to */
@@ -213,7 +213,7 @@ static void without_contact_nothing_is_solved(void **state) {
   for (uint32_t i = 0; i < 2; i++) {
     p.y[i * LANES] = -1e-3;
     p.b[i * LANES] = 5e-4;
-    tb_law_prepare(&p.laws[i], 1e7, 1.5, 0.0, 1.0 / 48000.0, INFINITY);
+    tb_contact_law_prepare(&p.laws[i], 1e7, 1.5, 0.0, 1.0 / 48000.0, INFINITY);
   }
   TbSolve solve = solver(&p, 4, 0.0);
   const TbSolveOutcome outcome = tb_solve(&solve);

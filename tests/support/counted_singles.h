@@ -96,7 +96,7 @@ static void COUNT(expand)(TB_TYPE(Bed) bed, TB_TYPE(In) grid, TB_TYPE(Out) scrat
   TABLE.expand(bed, grid, scratch, x);
 }
 
-static void COUNT(laws)(uint32_t wires, uint32_t lanes, const TbLaw *laws_of, TB_TYPE(In) y,
+static void COUNT(laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws_of, TB_TYPE(In) y,
                         TB_TYPE(In) root, TB_TYPE(In) s, TB_TYPE(Out) force, TB_TYPE(Out) slope,
                         TB_TYPE(Out) mean) {
   laws += (uint64_t)wires * lanes;

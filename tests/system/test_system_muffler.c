@@ -3,7 +3,7 @@
 #include "physics.h"
 
 #include "definition/params.h"
-#include "step/live.h"
+#include "step/live_params.h"
 
 /* One mode rings alone in vacuo: all others die at once. */
 static TaborDrumDef lone_mode(double strength) {

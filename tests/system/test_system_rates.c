@@ -4,7 +4,7 @@
  * usage: test_system_rates [brief]: the modes alone, at 44.1 kHz. */
 #include "physics.h"
 
-#include "step/treble.h"
+#include "step/force_equalizer.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATES[4] = {44100.0, 48000.0, 96000.0, 192000.0};
@@ -74,7 +74,7 @@ typedef struct Levels {
 static double treble_gain(double f, double rate) {
   double memory[3] = {0.0}, re = 0.0, im = 0.0;
   for (int i = 0; i < 200; i++) {
-    const double y = tb_treble(memory, i == 0 ? 1.0 : 0.0);
+    const double y = tb_force_equalizer(memory, i == 0 ? 1.0 : 0.0);
     re += y * cos(2.0 * PI * f * i / rate);
     im -= y * sin(2.0 * PI * f * i / rate);
   }

@@ -2,8 +2,8 @@
 /* How much work a sample is, counted: elements that the kernels (kernels.h) pass through, whatever the machine.
  * It has a bound that no playing can exceed, and playing stays far below it. */
 #include "drum/drum.h"
+#include "kernels/contact_law.h"
 #include "kernels/kernels.h"
-#include "kernels/law.h"
 #include "physics.h"
 
 static const double RATE = 48000.0;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "acoustics/airnodes.h"
+#include "acoustics/wavenumber_quadrature.h"
 #include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;
@@ -34,7 +34,8 @@ bool tb_air_order_prepare(TbAirOrder *order, TbArena *arena, uint32_t m, const d
 }
 
 /* W_i at every node, [count][nodes]; NULL if memory ran out. */
-static double *transforms(const TbAirOrder *order, TbArena *scratch, const TbAirNodes *nodes) {
+static double *transforms(const TbAirOrder *order, TbArena *scratch,
+                          const TbWavenumberNodes *nodes) {
   double *w = tb_arena_doubles(scratch, (size_t)order->count * nodes->count);
   for (uint32_t i = 0; w && i < order->count; i++) {
     for (uint32_t q = 0; q < nodes->count; q++) {
@@ -51,8 +52,8 @@ bool tb_air_mass_baffled(const TbAirOrder *order, TbArena *scratch, double *mass
   const uint32_t n = order->count;
   const double top = fmax(200.0, 6.0 * order->zeros[n - 1]);
   const TbAirTurns turns = {.high = 2.0, .top = top, .panel = 4.0 * PI};
-  TbAirNodes nodes;
-  if (!tb_air_nodes_prepare(&nodes, scratch, order, 0.0, turns)) return false;
+  TbWavenumberNodes nodes;
+  if (!tb_wavenumber_nodes_prepare(&nodes, scratch, order, 0.0, turns)) return false;
   double *w = transforms(order, scratch, &nodes);
   if (!w) return false;
   for (uint32_t a = 0; a < n; a++) {
@@ -86,8 +87,8 @@ bool tb_air_resistance_baffled(const TbAirOrder *order, TbArena *scratch, double
                                double *resistance) {
   const uint32_t n = order->count;
   const TbAirTurns turns = {.low = 2.0 * x, .panel = 4.0 * PI};
-  TbAirNodes nodes;
-  if (!tb_air_nodes_prepare(&nodes, scratch, order, x, turns)) return false;
+  TbWavenumberNodes nodes;
+  if (!tb_wavenumber_nodes_prepare(&nodes, scratch, order, x, turns)) return false;
   const double *w = transforms(order, scratch, &nodes);
   if (!w) return false;
   for (uint32_t a = 0; a < n; a++) {

@@ -35,7 +35,7 @@
 #ifndef TB_AIR_H
 #define TB_AIR_H
 
-#include "math/besseltable.h"
+#include "math/bessel_table.h"
 
 /* The radial modes of one angular order, with what the integrals need of them. */
 typedef struct TbAirOrder {

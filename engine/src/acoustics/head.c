@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "acoustics/enclosed.h"
-#include "acoustics/single.h"
+#include "acoustics/closed_drum_modes.h"
+#include "acoustics/single_head.h"
 #include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;
@@ -51,8 +51,8 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
     air.table = table;
     status = tb_has_cavity(def)
-               ? tb_enclosed_order(def, arena, &scratch, &air, limit, order, modes, room)
-               : tb_single_order(def, arena, &scratch, &air, limit, order, modes, room);
+               ? tb_closed_drum_order(def, arena, &scratch, &air, limit, order, modes, room)
+               : tb_single_head_order(def, arena, &scratch, &air, limit, order, modes, room);
   }
   order->rows = tb_arena_take(arena, order->mode_count + 1u, sizeof *order->rows);
   if (arena->failed) status = TABOR_ERROR_MEMORY;
@@ -87,7 +87,7 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
     top = fmax(top, own);
     head->bandwidth = fmin(head->bandwidth, frequency_at(def, heads[h], own));
   }
-  if (head->heads == 2) head->bandwidth = tb_enclosed_bandwidth(def, head->bandwidth);
+  if (head->heads == 2) head->bandwidth = tb_closed_drum_bandwidth(def, head->bandwidth);
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 

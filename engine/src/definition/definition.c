@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "definition/definition.h"
+#include "definition/def_key.h"
+#include "definition/def_text.h"
+#include "definition/def_value.h"
 #include "definition/error.h"
-#include "definition/key.h"
-#include "definition/text.h"
-#include "definition/value.h"
 
 #include <assert.h>
 #include <math.h>
@@ -15,8 +15,8 @@ static void set_defaults(TaborDrumDef *def, TbGroup group, uint32_t element) {
   for (uint32_t i = 0; i < tb_param_count; i++) {
     const TbParam *const param = &tb_params[i];
     if (param->group != group) continue;
-    const TbValue value = tb_value_default(param);
-    tb_value_store(param, tb_param_field(param, def, element), &value);
+    const TbValue value = tb_def_value_default(param);
+    tb_def_value_store(param, tb_param_field(param, def, element), &value);
   }
 }
 
@@ -78,7 +78,7 @@ static TaborStatus check_arguments(const TaborDrumDef *def, const char *key, con
 /* A key or section @p text, as @p what says, whose element has a name or number that is none. */
 static TaborStatus refuse_element(TbKeyStatus status, const char *what, const char *text,
                                   TaborError *error) {
-  if (status == TB_KEY_BAD_NUMBER) {
+  if (status == TB_DEF_KEY_BAD_NUMBER) {
     return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, 1, TABOR_MAX_WIRES,
                         "unknown %s '%s': wires are numbered 1 to %d", what, text, TABOR_MAX_WIRES);
   }
@@ -95,19 +95,19 @@ static TaborStatus refuse_unknown(const char *what, const char *text, const char
 
 static TaborStatus parse_key(const TaborDrumDef *def, const char *text, TbKey *key,
                              TaborError *error) {
-  const TbKeyStatus status = tb_key_parse(text, key);
-  if (status == TB_KEY_OK) return TABOR_OK;
-  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "key", text, error);
-  char nearest[TB_KEY_SIZE];
-  tb_key_nearest(def, text, nearest);
+  const TbKeyStatus status = tb_def_key_parse(text, key);
+  if (status == TB_DEF_KEY_OK) return TABOR_OK;
+  if (status != TB_DEF_KEY_UNKNOWN) return refuse_element(status, "key", text, error);
+  char nearest[TB_DEF_KEY_SIZE];
+  tb_def_key_nearest(def, text, nearest);
   return refuse_unknown("key", text, nearest, error);
 }
 
 static TaborStatus parse_section(const char *text, TbKey *key, TaborError *error) {
   const TbKeyStatus status = tb_section_parse(text, key);
-  if (status == TB_KEY_OK) return TABOR_OK;
-  if (status != TB_KEY_UNKNOWN) return refuse_element(status, "section", text, error);
-  char nearest[TB_KEY_SIZE];
+  if (status == TB_DEF_KEY_OK) return TABOR_OK;
+  if (status != TB_DEF_KEY_UNKNOWN) return refuse_element(status, "section", text, error);
+  char nearest[TB_DEF_KEY_SIZE];
   tb_section_nearest(text, nearest);
   return refuse_unknown("section", text, nearest, error);
 }
@@ -153,11 +153,11 @@ TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *v
   uint32_t element = find_element(def, &parsed, &is_new);
   if (element >= tb_group_capacity(group)) return refuse_full(group, key, error);
   TbValue converted;
-  status = tb_value_parse(parsed.param, key, value, &converted, error);
+  status = tb_def_value_parse(parsed.param, key, value, &converted, error);
   if (status != TABOR_OK) return status;
 
   if (is_new) element = add_element(def, group, parsed.name);
-  tb_value_store(parsed.param, tb_param_field(parsed.param, def, element), &converted);
+  tb_def_value_store(parsed.param, tb_param_field(parsed.param, def, element), &converted);
   return tb_error_clear(error);
 }
 
@@ -226,9 +226,9 @@ TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *t
   const TbParam *const param = parsed.param;
   const uint32_t element = find_element(def, &parsed, &is_new);
   if (is_new) return refuse_absent(def, &parsed, key, error);
-  const TbValue value = tb_value_load(param, tb_param_field_const(param, def, element));
-  if (tb_value_print(param, &value, text, size)) return tb_error_clear(error);
-  status = tb_value_check(param, key, &value, error);
+  const TbValue value = tb_def_value_load(param, tb_param_field_const(param, def, element));
+  if (tb_def_value_print(param, &value, text, size)) return tb_error_clear(error);
+  status = tb_def_value_check(param, key, &value, error);
   if (status != TABOR_OK) return status;
   return tb_error_set(error, TABOR_ERROR_ARGUMENT, key, NULL, NAN, NAN,
                       "%s: the value does not fit into %zu bytes", key, size);
@@ -244,8 +244,8 @@ typedef struct KeySearch {
 
 static bool count_key(void *context, const TbParam *param, uint32_t element) {
   KeySearch *const search = context;
-  const TbValue value = tb_value_load(param, tb_param_field_const(param, search->def, element));
-  if (tb_value_follows(param, &value) || search->left-- > 0) return true;
+  const TbValue value = tb_def_value_load(param, tb_param_field_const(param, search->def, element));
+  if (tb_def_value_follows(param, &value) || search->left-- > 0) return true;
   search->param = param;
   search->element = element;
   return false;
@@ -255,8 +255,8 @@ bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char *key, size
   if (!def || !key) return false;
   KeySearch search = {.def = def, .left = index};
   if (tb_walk(def, count_key, &search)) return false;
-  char text[TB_KEY_SIZE];
-  tb_key_write(def, search.param, search.element, text);
+  char text[TB_DEF_KEY_SIZE];
+  tb_def_key_write(def, search.param, search.element, text);
   if (strlen(text) >= size) return false;
   memcpy(key, text, strlen(text) + 1);
   return true;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "definition/error.h"
-#include "definition/text.h"
+#include "definition/def_text.h"
 
 #include <assert.h>
 #include <math.h>

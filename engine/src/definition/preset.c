@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "definition/preset.h"
+#include "definition/def_text.h"
 #include "definition/error.h"
-#include "definition/text.h"
 
 #include <math.h>
 #include <string.h>

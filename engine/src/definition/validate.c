@@ -3,11 +3,11 @@
  * Checks of a whole definition, which may come from anywhere: no field is trusted until it was
  * looked at. First every field alone, against the table; then what must hold between fields.
  */
+#include "definition/def_key.h"
+#include "definition/def_text.h"
+#include "definition/def_value.h"
 #include "definition/definition.h"
 #include "definition/error.h"
-#include "definition/key.h"
-#include "definition/text.h"
-#include "definition/value.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,10 +21,10 @@ typedef struct Check {
 
 static bool check_field(void *context, const TbParam *param, uint32_t element) {
   Check *const check = context;
-  const TbValue value = tb_value_load(param, tb_param_field_const(param, check->def, element));
-  char key[TB_KEY_SIZE];
-  tb_key_write(check->def, param, element, key);
-  check->status = tb_value_check(param, key, &value, check->error);
+  const TbValue value = tb_def_value_load(param, tb_param_field_const(param, check->def, element));
+  char key[TB_DEF_KEY_SIZE];
+  tb_def_key_write(check->def, param, element, key);
+  check->status = tb_def_value_check(param, key, &value, check->error);
   return check->status == TABOR_OK;
 }
 
@@ -95,7 +95,7 @@ static TaborStatus check_place(const TaborDrumDef *def, const char *key, double 
 static TaborStatus check_lugs(const TaborHeadDef *head, const char *section, TaborError *error) {
   for (uint32_t j = head->lug_count; j < TABOR_MAX_LUGS; j++) {
     if (isnan(head->lug[j])) continue;
-    char key[TB_KEY_SIZE], value[TB_NUMBER_SIZE];
+    char key[TB_DEF_KEY_SIZE], value[TB_NUMBER_SIZE];
     (void)snprintf(key, sizeof key, "%s.lug_%u", section, (unsigned)j + 1u);
     tb_number_print(head->lug[j], value);
     return tb_error_set(error, TABOR_ERROR_RANGE, key, value, NAN, NAN,
@@ -151,16 +151,16 @@ static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborErro
   TaborWireDef wire;
   tb_wire_resolve(def, index, &wire);
   if (fabs(wire.offset) < def->shell.radius) return TABOR_OK;
-  char key[TB_KEY_SIZE] = "wires.spacing", value[TB_NUMBER_SIZE];
+  char key[TB_DEF_KEY_SIZE] = "wires.spacing", value[TB_NUMBER_SIZE];
   if (!isnan(def->wire[index].offset)) {
     (void)snprintf(key, sizeof key, "wire.%u.offset", (unsigned)index + 1u);
   } else if (fabs(def->wires.offset) >= def->shell.radius) {
     (void)snprintf(key, sizeof key, "wires.offset");
   }
   TbKey parsed;
-  (void)tb_key_parse(key, &parsed);
+  (void)tb_def_key_parse(key, &parsed);
   const TbValue own =
-    tb_value_load(parsed.param, tb_param_field_const(parsed.param, def, parsed.wire));
+    tb_def_value_load(parsed.param, tb_param_field_const(parsed.param, def, parsed.wire));
   tb_number_print(own.number, value);
   return tb_error_set(
     error, TABOR_ERROR_RANGE, key, value, parsed.param->info.minimum, parsed.param->info.maximum,
@@ -170,7 +170,7 @@ static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborErro
 
 static TaborStatus refuse_height(const TaborDrumDef *def, uint32_t index, const char *reason,
                                  TaborError *error) {
-  char key[TB_KEY_SIZE], value[TB_NUMBER_SIZE];
+  char key[TB_DEF_KEY_SIZE], value[TB_NUMBER_SIZE];
   (void)snprintf(key, sizeof key, "mic.%s.height", def->mic[index].name);
   tb_number_print(def->mic[index].height, value);
   return tb_error_set(error, TABOR_ERROR_RANGE, key, value, NAN, NAN,

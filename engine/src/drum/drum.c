@@ -6,11 +6,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "drum/drum_memory.h"
+#include "drum/drum_create.h"
 #include "kernels/fpmode.h"
 #include "step/brush.h"
 #include "step/energy.h"
-#include "step/live.h"
+#include "step/live_params.h"
 #include "step/reset.h"
 #include "step/step.h"
 #include "step/strokes.h"
@@ -75,7 +75,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   case TABOR_EVENT_MOVE: return move(drum, view, event);
   case TABOR_EVENT_RELEASE: tb_release(view, event->id); return true;
   case TABOR_EVENT_PARAMETER:
-    return tb_live_set(view, event->parameter, event->index, event->value);
+    return tb_live_params_set(view, event->parameter, event->index, event->value);
   case TABOR_EVENT_SWAP:
     if (!event->swap || !tb_swap_act(drum, event->swap)) return false;
     *view = tb_view(drum->state, drum->model);

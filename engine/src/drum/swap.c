@@ -12,13 +12,13 @@
 #include <string.h>
 
 #include "drum/drum.h"
-#include "drum/drum_memory.h"
+#include "drum/drum_create.h"
 #include "math/portable_math.h"
 #include "step/energy.h"
-#include "step/live.h"
+#include "step/live_params.h"
 #include "step/penetration.h"
-#include "step/slots.h"
 #include "step/step.h"
+#include "step/striker_pool.h"
 
 static const double FADE = 0.03; /* [s] */
 enum { MOST_FADES = 4 };         /* at once; a further one ends the oldest */
@@ -130,11 +130,11 @@ static void carry_wires(const TbView *from, TbView *to) {
 
 /* A live value that the player moved, or that both definitions share, goes on as it is. */
 static void carry_live(const TbView *from, TbView *to) {
-  TbLive fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
+  TbLiveParam fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
   memcpy(fresh, to->state->live, sizeof fresh);
-  tb_live_definition(from->model, old_fresh);
+  tb_live_params_definition(from->model, old_fresh);
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-    const TbLive *live = &from->state->live[i];
+    const TbLiveParam *live = &from->state->live[i];
     const bool untouched = live->left == 0 && live->now == old_fresh[i].now;
     to->state->live[i] = untouched ? fresh[i] : *live;
   }
@@ -161,7 +161,7 @@ static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
   double *now = to->now.missing[slot], *last = to->last.missing[slot];
   memcpy(now, from->now.missing[slot], sizeof from->now.missing[slot]);
   memcpy(last, from->last.missing[slot], sizeof from->last.missing[slot]);
-  tb_mobility_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
+  tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
 }
 
 static void carry_rims(const TbView *from, TbView *to) {
@@ -195,12 +195,12 @@ static void carry_slots(const TbView *from, TbView *to) {
     to->last.z[i] = from->last.z[i];
     carry_missing(from, to, i);
   }
-  tb_slots_muffle(to);
+  tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (to->state->slots[i].kind == TB_SLOT_FREE) continue;
     const double force = from->solve.warm.force[from->model->wires.stride + i];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
-    tb_slots_rebuild(to, i);
+    tb_pool_rebuild(to, i);
     if (same) {
       to->solve.warm.force[first + i] = force;
       to->state->slot_laws[i] = from->state->slot_laws[i];
@@ -208,7 +208,7 @@ static void carry_slots(const TbView *from, TbView *to) {
       to->last.eta[first + i] = last;
     }
   }
-  tb_live_apply(to);
+  tb_live_params_apply(to);
   if (!same) return;
   const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
   memcpy(to->solve.warm.product, from->solve.warm.product, (first + TB_SLOTS) * sizeof(double));
@@ -244,7 +244,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_wires(from, to);
   carry_live(from, to);
   memcpy(state->shift, from->state->shift, sizeof state->shift);
-  tb_live_apply(to);
+  tb_live_params_apply(to);
   carry_contacts(from, to);
   carry_rims(from, to);
   carry_slots(from, to);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Between wires and the grid under them (bed.h) in the precision of lanes.h. For kernels_tmpl.c alone. */
-#ifndef TB_BED_LANES_H
-#define TB_BED_LANES_H
+/* Between wires and the grid under them (bed.h) in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
+#ifndef TB_BEDLANES_H
+#define TB_BEDLANES_H
 
 #include "kernels/kernels.h"
-#include "kernels/lanes.h"
+#include "kernels/simd_lanes.h"
 #include "kernels/tablelanes.h"
 
 typedef TYPE_OF(TbBed) Bed;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve's passes over rows in the precision of lanes.h; kernels_tmpl.h says what each does. For
+/* The contact solve's passes over rows in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For
  * kernels_tmpl.c alone. */
-#ifndef TB_CONTACT_LANES_H
-#define TB_CONTACT_LANES_H
+#ifndef TB_CONTACTLANES_H
+#define TB_CONTACTLANES_H
 
 #include "kernels/kernels.h"
-#include "kernels/lanes.h"
+#include "kernels/simd_lanes.h"
 
 typedef TYPE_OF(TbStart) Start;
 typedef TYPE_OF(TbEnd) End;

@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 #include "kernels/bed.h"
-#include "kernels/law.h"
+#include "kernels/contact_law.h"
 
 /* Penetrations of single precision that may be none: it rounds gaps of millimetres by less. [m] */
 #define TB_NEAR 1e-9f

@@ -4,9 +4,9 @@
 
 #include "kernels/bedlanes.h"
 #include "kernels/contactlanes.h"
-#include "kernels/lawlanes.h"
-#include "kernels/ringlanes.h"
-#include "kernels/rowlanes.h"
+#include "kernels/simd_contact.h"
+#include "kernels/simd_resonators.h"
+#include "kernels/simd_rows.h"
 #include "kernels/tablelanes.h"
 #ifdef TB_FLOAT
 #  include "kernels/narrowlanes.h"

@@ -15,7 +15,7 @@ typedef struct TB_TYPE(TbGather) {
   double *out[2];
 } TB_TYPE(TbGather);
 
-/* A step of the high band, heard by one microphone (listen.h); arrays are [modes], `push` is read where modes are
+/* A step of the high band, heard by one microphone (mic_output.h); arrays are [modes], `push` is read where modes are
  * pushed, `hold` where they are held. */
 typedef struct TB_TYPE(TbRing) {
   TbRingParts parts;
@@ -90,7 +90,7 @@ typedef struct TB_TYPE(TbKernels) {
   void (*end)(uint32_t n, TB_TYPE(TbEnd) * end);
   /* The laws of `wires` wires with `lanes` rows each: force and slope at s, and the mean of V' between y and y + s.
    * root = sqrt(y), 0 where y < 0, or NULL. */
-  void (*laws)(uint32_t wires, uint32_t lanes, const TbLaw *laws, const TB_REAL *y,
+  void (*laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws, const TB_REAL *y,
                const TB_REAL *root, const TB_REAL *s, TB_REAL *force, TB_REAL *slope,
                TB_REAL *mean);
   /* s = b - p; largest |s| */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that single precision alone has: beside a state that is double. For kernels_tmpl.c alone. */
-#ifndef TB_NARROW_LANES_H
-#define TB_NARROW_LANES_H
+#ifndef TB_NARROWLANES_H
+#define TB_NARROWLANES_H
 
 #include "kernels/kernels.h"
-#include "kernels/lanes.h"
+#include "kernels/simd_lanes.h"
 
 static void narrow(uint32_t n, const double *x, float *out) {
   for (uint32_t i = 0; i < n; i += 8) store(out + i, load_double(x + i));

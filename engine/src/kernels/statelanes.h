@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that double alone has: the state of modes and wires. For kernels_tmpl.c alone. */
-#ifndef TB_STATE_LANES_H
-#define TB_STATE_LANES_H
+#ifndef TB_STATELANES_H
+#define TB_STATELANES_H
 
 #include "kernels/kernels.h"
-#include "kernels/lanes.h"
+#include "kernels/simd_lanes.h"
 
 static void two_step(uint32_t n, double *out, const double *a, const double *x, const double *b,
                      const double *y) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables times vectors in the precision of lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
-#ifndef TB_TABLE_LANES_H
-#define TB_TABLE_LANES_H
+/* Tables times vectors in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
+#ifndef TB_TABLELANES_H
+#define TB_TABLELANES_H
 
 #include "kernels/kernels.h"
-#include "kernels/lanes.h"
+#include "kernels/simd_lanes.h"
 
 /* ---- one vector ----------------------------------------------------------------------------- */
 

@@ -120,7 +120,7 @@ static double total_potential(const TaborModel *model, const Statics *s, const d
     if (model->wires.real[a] == 0.0) continue;
     eta[a] = s->eta0[a] - s->yielded[a];
     sum += 0.5 * y[a] * s->yielded[a] +
-           tb_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
+           tb_contact_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
   }
   return sum;
 }
@@ -131,9 +131,9 @@ static double imbalance(const TaborModel *model, const Statics *s, const double 
   double largest = 0.0;
   for (uint32_t a = 0; a < s->n; a++) {
     if (model->wires.real[a] == 0.0) continue;
-    const TbLaw *law = &model->wires.laws[model->wires.row_wire[a]];
-    rho[a] = tb_law_static_force(law, eta[a]) - y[a];
-    root[a] = sqrt(tb_law_curvature(law, eta[a]));
+    const TbContactLaw *law = &model->wires.laws[model->wires.row_wire[a]];
+    rho[a] = tb_contact_law_static_force(law, eta[a]) - y[a];
+    root[a] = sqrt(tb_contact_law_curvature(law, eta[a]));
     largest = fmax(largest, fabs(rho[a]));
   }
   return largest;

@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "acoustics/lugfield.h"
+#include "acoustics/lug_tension.h"
 #include "definition/error.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
-#include "model/lugcoupling.h"
+#include "model/lug_matrix.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -167,7 +167,7 @@ static TaborStatus prepare(TaborModel *model, TbArena *scratch, TaborError *erro
   prepare_ranges(&model->lugs, &model->modes, rows);
   const uint32_t n = list_coupled(&model->lugs, &model->modes, rows, mode, place);
   double *coupling = tb_arena_doubles(scratch, (size_t)n * n);
-  if (!coupling || !tb_lug_coupling(model, scratch, mode, n, coupling)) return TABOR_ERROR_MEMORY;
+  if (!coupling || !tb_lug_matrix(model, scratch, mode, n, coupling)) return TABOR_ERROR_MEMORY;
   double lowest;
   const TaborStatus status = find_rows(model, scratch, mode, n, rows, coupling, &lowest);
   if (status != TABOR_OK) return status;
@@ -176,7 +176,7 @@ static TaborStatus prepare(TaborModel *model, TbArena *scratch, TaborError *erro
   return fill_table(model, mode, place, n, coupling) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
-TaborStatus tb_lugs_prepare(TaborModel *model, TaborError *error) {
+TaborStatus tb_lug_modes_prepare(TaborModel *model, TaborError *error) {
   if (!tb_lugs_uneven(&model->def)) return TABOR_OK;
   TbArena scratch;
   tb_arena_prepare(&scratch, &model->arena.allocator);

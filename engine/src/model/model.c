@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "definition/def_text.h"
 #include "definition/error.h"
-#include "definition/text.h"
 #include "math/portable_math.h"
 #include "model/bedf.h"
 #include "model/lug_modes.h"
@@ -68,8 +68,8 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
                          double *drive) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
-  tb_highband_drive(&model->high, TABOR_HEAD_BATTER, radius, sine, cosine,
-                    model->high_patches[striker], drive);
+  tb_high_band_drive(&model->high, TABOR_HEAD_BATTER, radius, sine, cosine,
+                     model->high_patches[striker], drive);
 }
 
 /* No set is wider than AVX2's where eight numbers are one register. */
@@ -94,7 +94,7 @@ static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
 static TbPrecision contact_precision(const TaborModel *model) {
   if (model->wires.count == 0) return TB_IN_DOUBLE;
   for (uint32_t w = 0; w < model->wires.count; w++) {
-    if (!tb_law_power(&model->wires.laws[w])) return TB_IN_DOUBLE;
+    if (!tb_contact_law_power(&model->wires.laws[w])) return TB_IN_DOUBLE;
   }
   return model->precision;
 }
@@ -158,8 +158,9 @@ static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
     model->yield[wire->first_row + i] = (float)here;
     head = fmax(head, here);
   }
-  tb_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing, wire->contact_exponent,
-                 wire->contact_loss, model->time_step, TB_SLOPE_LIMIT / (c.compliance + head));
+  tb_contact_law_prepare(&wires->laws[w], wire->contact_stiffness * wire->spacing,
+                         wire->contact_exponent, wire->contact_loss, model->time_step,
+                         TB_SLOPE_LIMIT / (c.compliance + head));
 }
 
 static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
@@ -190,8 +191,8 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   const TaborStatus status = tb_mics_prepare(model);
   if (status != TABOR_OK) return status;
   tb_hoop_prepare(model);
-  tb_stick_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
-  return tb_highband_prepare(&model->high, &model->arena, model, model->top);
+  tb_stick_bending_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
+  return tb_high_band_prepare(&model->high, &model->arena, model, model->top);
 }
 
 /* ---- strikers and rest ---------------------------------------------------------------------- */
@@ -208,14 +209,14 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
     if (hand) break;
     model->high_patches[i] = tb_arena_doubles(&model->arena, model->high.padded);
     if (!model->high_patches[i]) return TABOR_ERROR_MEMORY;
-    tb_highband_patch(&model->high, model->def.striker[i].contact_radius, model->high_patches[i]);
+    tb_high_band_patch(&model->high, model->def.striker[i].contact_radius, model->high_patches[i]);
   }
   return TABOR_OK;
 }
 
 static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  return tb_places_prepare(model);
+  return tb_brush_shapes_prepare(model);
 }
 
 /* A head whose modes are all heard and felt has no others: a bandwidth that ends there says so. */
@@ -224,8 +225,8 @@ static TaborStatus prepare_missing(TaborModel *model, TbArena *scratch) {
   const double bandwidth = model->def.quality.bandwidth;
   if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
-    tb_mobility_prepare(&model->missing[i], &model->def, model->head.bandwidth,
-                        model->def.striker[i].contact_radius, model->time_step);
+    tb_residual_modes_prepare(&model->missing[i], &model->def, model->head.bandwidth,
+                              model->def.striker[i].contact_radius, model->time_step);
   }
   return TABOR_OK;
 }
@@ -307,11 +308,11 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
   Stage *const stages[] = {
     prepare_modes,         prepare_compliance, prepare_laws,    prepare_contacts, prepare_stretch,
     tb_wire_reach_prepare, prepare_center,     prepare_mics,    prepare_patches,  prepare_places,
-    prepare_missing,       allocate_rest,      tb_rest_prepare, tb_highband_rest};
+    prepare_missing,       allocate_rest,      tb_rest_prepare, tb_high_band_rest};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }
-  if (status == TABOR_OK) status = tb_lugs_prepare(model, error);
+  if (status == TABOR_OK) status = tb_lug_modes_prepare(model, error);
   if (status == TABOR_OK) {
     tb_layout_prepare(&model->layout, model);
     model->fingerprint = fingerprint(model);

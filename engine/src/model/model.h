@@ -10,14 +10,14 @@
 
 #include "kernels/kernels.h"
 #include "kernels/precision.h"
+#include "model/brush_shapes.h"
 #include "model/compliance.h"
 #include "model/contact_rows.h"
-#include "model/highband.h"
+#include "model/high_band.h"
 #include "model/hoop.h"
-#include "model/mobility.h"
-#include "model/places.h"
 #include "model/projection.h"
-#include "model/stick.h"
+#include "model/residual_modes.h"
+#include "model/stick_bending.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
@@ -53,7 +53,7 @@ typedef struct TbStretch {
 /* Uneven lugs couple at most this many modes, copies and padding counted. */
 #define TB_LUG_MODES 128u
 
-/* What uneven lugs do, see lugs.h. */
+/* What uneven lugs do, see lug_forces.h. */
 typedef struct TbLugs {
   uint32_t count;      /* coupled modes, with padding; 0 where all lugs are alike */
   uint32_t from[5];    /* where they begin in each group (modes.h), */
@@ -86,7 +86,7 @@ struct TaborModel {
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
-  double *reach;                     /* [modes padded] see lift.h */
+  double *reach;                     /* [modes padded] see wire_clearance.h */
   const TbKernels *kernels;          /* for this processor, */
   const TbKernelsF *kernelsf;        /* ... and in single precision */
   TbHead head;
@@ -95,9 +95,9 @@ struct TaborModel {
   TbMic mics[TABOR_MAX_MICS];
   TbHighBand high;
   TbHoop hoop;
-  TbStick stick;
+  TbStickBending stick;
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
-  TbPlaces places[TABOR_MAX_STRIKERS];      /* of each brush */
+  TbBrushShapes places[TABOR_MAX_STRIKERS]; /* of each brush */
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
@@ -106,8 +106,8 @@ struct TaborModel {
   TbComplianceF compliancef; /* ... as is this */
   TbStretch stretch;
   TbLugs lugs;
-  double *patches[TABOR_MAX_STRIKERS + 1];    /* of each striker, then of a hand */
-  TbMobility missing[TABOR_MAX_STRIKERS + 1]; /* likewise; none for a hand */
+  double *patches[TABOR_MAX_STRIKERS + 1];         /* of each striker, then of a hand */
+  TbResidualModes missing[TABOR_MAX_STRIKERS + 1]; /* likewise; none for a hand */
   double *center; /* [padded]: shape at the centre of the head that has the wires */
   TbLayout layout;
   uint64_t fingerprint; /* of everything that a saved state depends on */

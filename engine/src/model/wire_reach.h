@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How far each mode of the head can reach the wires: max |phi| over all contact points. Then the head's
  * displacement under the wires is at most Sum_i |q_i| max |phi_i|, which tells when no wire can be touched
- * (step/lift.h). Set-up only. */
+ * (step/wire_clearance.h). Set-up only. */
 #ifndef TB_WIRE_REACH_H
 #define TB_WIRE_REACH_H
 

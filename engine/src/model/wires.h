@@ -16,8 +16,8 @@
 #ifndef TB_WIRES_H
 #define TB_WIRES_H
 
+#include "kernels/contact_law.h"
 #include "kernels/kernels.h"
-#include "kernels/law.h"
 #include "math/arena.h"
 
 /* Live values reach this many times the definition's before the grid must be rebuilt. */
@@ -36,7 +36,7 @@ typedef struct TbWire {
   double damping_0, damping_1;   /* sigma0, sigma1 as defined */
   double damping_1_limit;
   double rest_offset; /* of the ends with the strainer on [m] */
-  double contact_stiffness, contact_exponent, contact_loss; /* per length; see law.h */
+  double contact_stiffness, contact_exponent, contact_loss; /* per length; see contact_law.h */
   double x, y, dx, dy; /* middle, and the step from node to node, +x along the bed [m] */
   bool own_tension, own_damping_0, own_damping_1, own_rest_offset; /* do not follow [wires] */
 } TbWire;
@@ -57,7 +57,7 @@ typedef struct TbWires {
   bool aligned;            /* and equal lanes have equal x */
   bool balanced;           /* and wire w is the image of wire count-1-w under y -> -y */
   TbWire *wires;
-  TbLaw *laws;            /* [count] */
+  TbContactLaw *laws;     /* [count] */
   uint8_t *row_wire;      /* [stride] */
   double *inner, *real;   /* [stride]: 1 for an inner node, and for one over the head, else 0 */
   double *row_x, *row_y;  /* [stride]: place, +x along wires.angle [m] */

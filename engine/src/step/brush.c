@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "math/portable_math.h"
-#include "step/coat.h"
+#include "step/head_coating.h"
 
 static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */
 
@@ -57,14 +57,14 @@ static Place place_of(const TbView *view, const TbBrush *brush, uint32_t group) 
   double sine, cosine;
   tb_sin_cos_degrees(90.0 + 360.0 / TB_BRISTLE_GROUPS * group, &sine, &cosine);
   const double x = brush->x + spread * cosine, y = brush->y + spread * sine;
-  const double ring = tb_places_ring(view->model, brush->definition, sqrt(x * x + y * y));
+  const double ring = tb_brush_shapes_ring(view->model, brush->definition, sqrt(x * x + y * y));
   return (Place){ring, tb_arc_degrees(y, x)};
 }
 
 static double coat_height(const TbView *view, const TbBrush *brush, uint32_t group) {
   const double wires = view->model->def.striker[brush->definition].bristles;
   return COATING / sqrt(wires / TB_BRISTLE_GROUPS) *
-         tb_coat_height(seed_of(brush, group), brush->track);
+         tb_head_coating_height(seed_of(brush, group), brush->track);
 }
 
 /* Metres that a group sticks where it is. */
@@ -72,14 +72,14 @@ static double stride(const TbView *view, const TbBrush *brush, uint32_t group, d
   const double fast = way * view->model->sample_rate * STRIDE_TIME;
   const double mean = fast > STRIDE ? fast : STRIDE;
   const uint64_t number = view->state->clock;
-  return mean * (1.0 + 0.5 * tb_coat_draw(~seed_of(brush, group), number));
+  return mean * (1.0 + 0.5 * tb_head_coating_draw(~seed_of(brush, group), number));
 }
 
 /* ---- strokes --------------------------------------------------------------------------------- */
 
 static void take_away(TbView *view, uint32_t b) {
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
-    if (is_there(view, slot_of(b, g))) tb_slots_take_away(view, slot_of(b, g));
+    if (is_there(view, slot_of(b, g))) tb_pool_take_away(view, slot_of(b, g));
   }
   view->state->brushes[b] = (TbBrush){0};
 }
@@ -168,14 +168,14 @@ static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *
                           .velocity = is_sweep(stroke) ? LAYING : stroke->velocity};
   const uint32_t slot = slot_of(b, group);
   const double above = is_sweep(stroke) ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
-  tb_slots_put(view, slot, &striker, above);
-  tb_slots_hold(view, slot, 0.0);
+  tb_pool_put(view, slot, &striker, above);
+  tb_pool_hold(view, slot, 0.0);
   if (!is_sweep(stroke)) view->state->slots[slot].push = striker.resistance * stroke->velocity;
 }
 
 static void hold(TbView *view, uint32_t b, double pressure) {
   TbBrush *brush = &view->state->brushes[b];
-  brush->press = tb_slots_press_force(pressure);
+  brush->press = tb_pool_press_force(pressure);
   brush->lifting = 0;
 }
 
@@ -290,7 +290,7 @@ static void draw_on(TbView *view, uint32_t b, uint32_t group, double way) {
   TbSlot *s = &view->state->slots[slot_of(b, group)];
   const Place place = place_of(view, brush, group);
   s->due = brush->way + stride(view, brush, group, way);
-  tb_slots_draw(view, slot_of(b, group), place.radius, place.angle);
+  tb_pool_draw(view, slot_of(b, group), place.radius, place.angle);
 }
 
 static void press_on(TbView *view, const TbBrush *brush, TbSlot *s) {
@@ -309,11 +309,11 @@ static void step_group(TbView *view, uint32_t b, uint32_t group, double way, boo
   const uint32_t slot = slot_of(b, group);
   TbSlot *s = &view->state->slots[slot];
   if (is_lifted(view, brush, slot)) {
-    tb_slots_take_away(view, slot);
+    tb_pool_take_away(view, slot);
     return;
   }
   press_on(view, brush, s);
-  if (slides) tb_slots_raise(view, slot, coat_height(view, brush, group) - s->coat);
+  if (slides) tb_pool_raise(view, slot, coat_height(view, brush, group) - s->coat);
   if (brush->way >= s->due) draw_on(view, b, group, way);
 }
 

@@ -11,7 +11,7 @@
  * springs k whose ends are spread evenly over a depth D, n eta/D touch, and f = n k eta^2/(2 D); hence a brush's usual
  * exponent of 2.
  *
- * What the coating does: penetration eta = w + d + h(s) - z, s the way that the wires have come (coat.h). In every
+ * What the coating does: penetration eta = w + d + h(s) - z, s the way that the wires have come (head_coating.h). In every
  * sample, before the step, h moves by dh: eta of both instants goes on by that, and what this makes of the contact's
  * potential, (V(eta + dh) - V(eta))/2 summed over the instants, is work of the hand that draws the brush (injected).
  * Friction does no more: its force along the head moves nothing that this model hears.
@@ -29,7 +29,7 @@
  * striker's. It mutes the head as a brush that lies on it does. In a slap the waves come down with the wires' speed v, and
  * push by Z v until they have run up and down the wire; then the hand lifts the brush.
  *
- * The hand: force F0, spring and damper of slots.h, a group's part each; F0 follows the pressure within some
+ * The hand: force F0, spring and damper of striker_pool.h, a group's part each; F0 follows the pressure within some
  * milliseconds. It goes around the drum's centre until it is told to move; then it goes where the moves say, its
  * way smoothed as by a mass on a critically damped spring, p_tt = (P - p)/T^2 - 2 p_t/T. A slap spreads the
  * wires: they slide over the coating at a part of the speed of the stroke, which is over soon.
@@ -41,7 +41,7 @@
 #ifndef TB_BRUSH_H
 #define TB_BRUSH_H
 
-#include "step/slots.h"
+#include "step/striker_pool.h"
 
 /* Slaps with a brush, or begins a sweep; false if both brushes are in use. */
 bool tb_brush_strike(TbView *view, const TbStroke *stroke);

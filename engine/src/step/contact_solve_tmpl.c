@@ -218,9 +218,10 @@ static void slot_laws(TbSolve *solve, const Real *s) {
   if (!solve->in.slot_mask) return;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     const uint32_t row = solve->in.stride + slot;
-    TbLawResult law = {0.0, 0.0, 0.0};
+    TbContactLawResult law = {0.0, 0.0, 0.0};
     if (tb_slot_in_play(&solve->in, slot)) {
-      law = tb_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
+      law =
+        tb_contact_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
     }
     work->law[row] = (Real)law.force;
     work->slope[row] = (Real)law.slope;
@@ -354,7 +355,7 @@ static void give_back(TbSolve *solve, Move move, TbSolveOutcome *outcome) {
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     if (!tb_slot_in_play(&solve->in, slot)) continue;
     const uint32_t row = stride + slot;
-    const bool hand = solve->in.slot_laws[slot].kind == TB_LAW_DAMPER;
+    const bool hand = solve->in.slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER;
     *(hand ? &damper : &contact) +=
       solve->s[row] * ((double)work->law[row] - (double)work->mean[row]);
   }

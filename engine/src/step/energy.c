@@ -2,8 +2,8 @@
 #include "step/energy.h"
 
 #include "step/high_ring.h"
-#include "step/lugs.h"
-#include "step/rod.h"
+#include "step/lug_forces.h"
+#include "step/stick_rigid.h"
 #include "step/stretch.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
@@ -54,7 +54,7 @@ static double contact_energy(const TbView *view, uint32_t row, double eta) {
   const TbRest *rest = &view->model->rest;
   const uint32_t w = view->model->wires.row_wire[row];
   const double moved = eta - rest->eta[row];
-  return tb_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
+  return tb_contact_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
          rest->force[row] * (moved - view->state->shift[w]);
 }
 
@@ -74,12 +74,12 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
-    sum += tb_rod_motion(view, i, next->z, now->z) +
-           tb_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
-           tb_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
-           2.0 * tb_rod_bending(view, i, next, now) +
-           2.0 * tb_mobility_energy(tb_slot_missing(view, i), view->model->sample_rate,
-                                    next->missing[i], now->missing[i]);
+    sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
+           tb_contact_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
+           tb_contact_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
+           2.0 * tb_rigid_stick_bending(view, i, next, now) +
+           2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->sample_rate,
+                                          next->missing[i], now->missing[i]);
   }
   return 0.5 * sum;
 }
@@ -90,7 +90,7 @@ double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *n
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
-         tb_lugs_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
+         tb_lug_forces_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
          strikers_energy(view, next, now) +
          tb_hoop_energy(&view->model->hoop, view->model->sample_rate, next->hoop, now->hoop);
 }
@@ -138,8 +138,8 @@ TbLosses tb_losses(const TbView *view) {
   }
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
-    losses.head +=
-      tb_mobility_loss(tb_slot_missing(view, i), view->next.missing[i], view->last.missing[i]);
+    losses.head += tb_residual_modes_loss(tb_slot_missing(view, i), view->next.missing[i],
+                                          view->last.missing[i]);
   }
   if (!view->state->lifted) {
     losses.wires =

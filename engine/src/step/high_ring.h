@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of the high band (model/highband.h) in one precision; high_ring_tmpl.c is compiled for each. Audio-safe. */
+/* The state of the high band (model/high_band.h) in one precision; high_ring_tmpl.c is compiled for each. Audio-safe. */
 #ifndef TB_HIGH_RING_H
 #define TB_HIGH_RING_H
 

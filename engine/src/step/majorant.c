@@ -16,36 +16,38 @@ static const double WORK_TOLERANCE = 1e-13;
 static uint32_t total_rows(const TbSolve *solve) { return solve->in.stride + TB_SLOTS; }
 
 /* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp. */
-static double majorant_curvature(const TbLaw *law, double y, double b, double free) {
+static double majorant_curvature(const TbContactLaw *law, double y, double b, double free) {
   double sp = free > 0.0 ? free : 0.0;
   if (b > sp) sp = 0.5 * (sp + b);
   const double size = fabs(y) > sp ? fabs(y) : sp;
-  if (sp <= 1e-9 * size) return tb_law_curvature(law, y);
-  const double bend = tb_law_work(law, y, sp) - tb_law_static_force(law, y) * sp;
+  if (sp <= 1e-9 * size) return tb_contact_law_curvature(law, y);
+  const double bend = tb_contact_law_work(law, y, sp) - tb_contact_law_static_force(law, y) * sp;
   return bend > 0.0 ? 2.0 * bend / (sp * sp) : 0.0;
 }
 
 /* NULL for a slot that is not in play. */
-static const TbLaw *law_of(const TbSolve *solve, uint32_t row) {
+static const TbContactLaw *law_of(const TbSolve *solve, uint32_t row) {
   if (row < solve->in.stride) return &solve->in.wire_laws[row / solve->in.bed->lanes];
   const uint32_t slot = row - solve->in.stride;
   return tb_slot_in_play(&solve->in, slot) ? &solve->in.slot_laws[slot] : NULL;
 }
 
-/* V'' is nowhere larger (law.h): this parabola lies above V whatever s turns out to be. */
-static double largest_curvature(const TbLaw *law) { return tb_law_curvature(law, 1e3); }
+/* V'' is nowhere larger (contact_law.h): this parabola lies above V whatever s turns out to be. */
+static double largest_curvature(const TbContactLaw *law) {
+  return tb_contact_law_curvature(law, 1e3);
+}
 
 /* Force at s = 0 and half the curvature of every row's majorant; `safe` where the last one failed: what
  * touched at its s takes the largest curvature. */
 static void prepare_majorants(TbSolve *solve, bool safe) {
   for (uint32_t row = 0; row < total_rows(solve); row++) {
-    const TbLaw *law = law_of(solve, row);
+    const TbContactLaw *law = law_of(solve, row);
     solve->work.law[row] = solve->work.slope[row] = 0.0;
     if (!law) continue;
     const double y = solve->in.y[row], b = solve->in.b[row];
     const bool touches = y > 0.0 || y + solve->s[row] > 0.0;
-    solve->work.law[row] = tb_law_static_force(law, y);
-    if (law->kind == TB_LAW_DAMPER) {
+    solve->work.law[row] = tb_contact_law_static_force(law, y);
+    if (law->kind == TB_CONTACT_LAW_DAMPER) {
       solve->work.slope[row] = law->loss;
     } else if (safe && touches) {
       solve->work.slope[row] = 0.5 * largest_curvature(law);
@@ -65,13 +67,13 @@ typedef struct Work {
 static Work majorant_work(const TbSolve *solve, double *contact, double *damper) {
   Work h = {0.0, 0.0};
   for (uint32_t row = 0; row < total_rows(solve); row++) {
-    const TbLaw *law = law_of(solve, row);
+    const TbContactLaw *law = law_of(solve, row);
     if (!law) continue;
     const double work = solve->warm.force[row] * solve->s[row];
-    h.value += tb_law_work(law, solve->in.y[row], solve->s[row]) - work;
+    h.value += tb_contact_law_work(law, solve->in.y[row], solve->s[row]) - work;
     h.scale += fabs(work);
-    *(law->kind == TB_LAW_DAMPER ? damper : contact) +=
-      tb_law_loss(law, solve->in.y[row], solve->s[row]);
+    *(law->kind == TB_CONTACT_LAW_DAMPER ? damper : contact) +=
+      tb_contact_law_loss(law, solve->in.y[row], solve->s[row]);
   }
   return h;
 }
@@ -84,10 +86,10 @@ static void majorant_step(TbSolve *solve, bool safe, TbSolveOutcome *outcome) {
   memset(solve->s, 0, bytes);
   tb_contact_method.step(solve, MAJORANT_CAP, MAJORANT_TOLERANCE);
   for (uint32_t row = 0; row < total_rows(solve); row++) {
-    const TbLaw *law = law_of(solve, row);
+    const TbContactLaw *law = law_of(solve, row);
     if (!law) continue;
     solve->warm.force[row] =
-      tb_law_static_force(law, solve->in.y[row]) + solve->work.slope[row] * solve->s[row];
+      tb_contact_law_static_force(law, solve->in.y[row]) + solve->work.slope[row] * solve->s[row];
   }
   tb_contact_method.product(solve, solve->warm.force, solve->warm.grid, solve->warm.product);
   solve->in.kernels->change(total_rows(solve), solve->in.b, solve->warm.product, solve->s);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "step/live.h"
+#include "step/live_params.h"
 
 void tb_state_reset(TbState *state, const TaborModel *model) {
   memset(state, 0, tb_state_bytes(model));
@@ -17,5 +17,5 @@ void tb_state_reset(TbState *state, const TaborModel *model) {
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
     view.solve.warm.force[row] = real ? model->rest.force[row] : 0.0;
   }
-  tb_live_reset(&view);
+  tb_live_params_reset(&view);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/rimstroke.h"
 
-#include "step/rod.h"
+#include "step/stick_rigid.h"
 
 /* Of a cross-stick: the strongest of mufflers [N s/m]. */
 static const double PALM = 30.0;
@@ -20,29 +20,29 @@ static TbSlot striker_of(TbView *view, const TbStroke *stroke) {
 }
 
 static bool strike_hoop(TbView *view, const TbStroke *stroke) {
-  const uint32_t slot = tb_slots_obtain(view);
+  const uint32_t slot = tb_pool_obtain(view);
   if (slot == TB_SLOTS) return false;
   TbSlot striker = striker_of(view, stroke);
   striker.on_hoop = 1;
-  tb_slots_put(view, slot, &striker, 0.0);
+  tb_pool_put(view, slot, &striker, 0.0);
   return true;
 }
 
 /* Two slots, or none. */
 static bool obtain_pair(TbView *view, uint32_t pair[2]) {
-  pair[0] = tb_slots_obtain(view);
+  pair[0] = tb_pool_obtain(view);
   if (pair[0] == TB_SLOTS) return false;
   view->state->slots[pair[0]] = (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
-  pair[1] = tb_slots_obtain(view);
+  pair[1] = tb_pool_obtain(view);
   view->state->slots[pair[0]] = (TbSlot){0};
   return pair[1] < TB_SLOTS;
 }
 
 /* One end of the stick, 0 its tip. */
-static TbSlot end_of(const TbView *view, TbSlot stick, const TbRod *rod, int end,
+static TbSlot end_of(const TbView *view, TbSlot stick, const TbRigidStick *rod, int end,
                      uint32_t partner) {
-  const TbRodEnd *at = end ? &rod->shaft : &rod->tip;
-  tb_rod_bend(view, &stick, at->along, stick.bend);
+  const TbRigidStickEnd *at = end ? &rod->shaft : &rod->tip;
+  tb_rigid_stick_bend(view, &stick, at->along, stick.bend);
   stick.mass = at->mass;
   stick.radius = at->radius;
   stick.angle = at->angle;
@@ -54,7 +54,7 @@ static TbSlot end_of(const TbView *view, TbSlot stick, const TbRod *rod, int end
 }
 
 /* Tip on the head, shaft on the hoop. */
-static bool strike_both(TbView *view, const TbStroke *stroke, const TbRod *rod) {
+static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick *rod) {
   uint32_t pair[2];
   if (!obtain_pair(view, pair)) return false;
   TbSlot stick = striker_of(view, stroke);
@@ -62,7 +62,7 @@ static bool strike_both(TbView *view, const TbStroke *stroke, const TbRod *rod) 
   const TbSlot tip = end_of(view, stick, rod, 0, pair[1]);
   TbSlot shaft = end_of(view, stick, rod, 1, pair[0]);
   shaft.rests = 0;
-  tb_slots_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
+  tb_pool_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
   return true;
 }
 
@@ -78,7 +78,7 @@ static uint32_t find_palm(const TbView *view) {
 }
 
 /* The hand that lies on the head while the stick in it strikes the hoop. */
-static void lay_palm(TbView *view, uint32_t id, const TbRodEnd *tip) {
+static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
   const uint32_t slot = find_palm(view);
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
   const TbSlot palm = {.kind = TB_SLOT_HAND,
@@ -89,7 +89,7 @@ static void lay_palm(TbView *view, uint32_t id, const TbRodEnd *tip) {
                        .radius = tip->radius,
                        .angle = tip->angle,
                        .strength = PALM};
-  tb_slots_put_hand(view, slot, &palm);
+  tb_pool_put_hand(view, slot, &palm);
 }
 
 bool tb_rimstroke(TbView *view, const TbStroke *stroke) {
@@ -97,10 +97,12 @@ bool tb_rimstroke(TbView *view, const TbStroke *stroke) {
   const double mass = def->striker[stroke->striker].mass;
   if (stroke->technique == TABOR_TECHNIQUE_RIM) return strike_hoop(view, stroke);
   if (stroke->technique == TABOR_TECHNIQUE_RIMSHOT) {
-    const TbRod rod = tb_rod_rimshot(def, mass, stroke->velocity, stroke->radius, stroke->angle);
+    const TbRigidStick rod =
+      tb_rigid_stick_rimshot(def, mass, stroke->velocity, stroke->radius, stroke->angle);
     return strike_both(view, stroke, &rod);
   }
-  const TbRod rod = tb_rod_across(def, mass, stroke->velocity, stroke->radius, stroke->angle);
+  const TbRigidStick rod =
+    tb_rigid_stick_across(def, mass, stroke->velocity, stroke->radius, stroke->angle);
   if (!strike_both(view, stroke, &rod)) return false;
   lay_palm(view, stroke->id, &rod.tip);
   return true;

@@ -23,7 +23,7 @@ static bool slots_act(const TbSolve *solve) {
   for (uint32_t slot = 0; in->slot_mask >> slot; slot++) {
     const uint32_t row = in->stride + slot;
     if (!tb_slot_in_play(in, slot)) continue;
-    if (in->slot_laws[slot].kind == TB_LAW_DAMPER) return true;
+    if (in->slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER) return true;
     if (in->y[row] > 0.0 || in->y[row] + in->b[row] > 0.0) return true;
     if (solve->warm.force[row] != 0.0) return true;
   }

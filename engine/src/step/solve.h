@@ -18,7 +18,7 @@
  * A cap may never create energy. Where Newton has not converged,
  * 1. the forces are balanced in the same way;
  * 2. where no t does, a majorant takes the step (majorant.h), which creates none, or reports what it does: the drum
- *    shortens the step then (guard.h).
+ *    shortens the step then (energy_guard.h).
  *
  * Contacts are solved in single precision first where the input says so (contact_solve.h); what does not settle
  * there is left to double. Audio-safe. */
@@ -52,7 +52,7 @@ typedef struct TbContacts {
   const double *coupling;      /* [TB_SLOTS][bed size]: the head's at the grid, of each slot */
   const double *slot_coupling; /* [TB_SLOTS][TB_SLOTS] */
   const double *own;           /* [stride + TB_SLOTS]: the wires' and strikers' */
-  const TbLaw *wire_laws, *slot_laws;
+  const TbContactLaw *wire_laws, *slot_laws;
   /* Heads whose stretching makes M smaller, M - r^T W r (stretch.h); r on the grid and at the slots. */
   uint32_t stretch_count;
   double *stretch_grid[2], stretch_weight[2][2];

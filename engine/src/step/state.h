@@ -22,10 +22,10 @@ typedef enum TbLiveIndex {
   TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
 } TbLiveIndex;
 
-typedef struct TbLive {
+typedef struct TbLiveParam {
   double now, target, step; /* step per sample while `left` samples remain */
   uint32_t left;
-} TbLive;
+} TbLiveParam;
 
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
@@ -39,7 +39,7 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
  * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. On the hoop w is
- * the hoop's. A stick that touches both has a slot for each: see rod.h. */
+ * the hoop's. A stick that touches both has a slot for each: see stick_rigid.h. */
 typedef struct TbSlot {
   uint32_t kind, id;
   uint64_t serial;                          /* order of arrival */
@@ -48,7 +48,7 @@ typedef struct TbSlot {
   double rest_height;                       /* of the head at its place [m] */
   uint32_t definition;                      /* which striker */
   uint32_t head;                            /* a TaborHead */
-  uint32_t held;                            /* a hand presses it: see slots.h */
+  uint32_t held;                            /* a hand presses it: see striker_pool.h */
   uint32_t on_hoop;                         /* not on the head */
   uint32_t partner;                         /* 1 + the slot of the stick's other end, 0: none */
   uint32_t rests;                           /* ... and this one is held onto the head */
@@ -92,20 +92,20 @@ typedef struct TbState {
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
   uint32_t slot_mask; /* slots in play */
-  uint32_t lifted;    /* wires hang clear of the head: see lift.h */
+  uint32_t lifted;    /* wires hang clear of the head: see wire_clearance.h */
   double gap;         /* ... by this at least [m] */
   uint32_t rings;     /* the hoop moves, or something may strike it */
   uint32_t airborne;  /* nothing touched in the last step: `modal` and `high_force` hold for this */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
-  double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see treble.h */
+  double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
   uint32_t heard;                   /* microphones whose sums below are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
-  TbLive live[TB_LIVE_COUNT];
+  TbLiveParam live[TB_LIVE_COUNT];
   TbWireCoefficients wires[TABOR_MAX_WIRES];
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
   TbSlot slots[TB_SLOTS];
-  TbLaw slot_laws[TB_SLOTS];
+  TbContactLaw slot_laws[TB_SLOTS];
   TbBrush brushes[TB_BRUSHES];
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
@@ -163,7 +163,7 @@ static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
 static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
   return view->drive + (size_t)slot * view->model->modes.padded;
 }
-static inline const TbMobility *tb_slot_missing(const TbView *view, uint32_t slot) {
+static inline const TbResidualModes *tb_slot_missing(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   const bool on_head = s->kind == TB_SLOT_STRIKER && !s->on_hoop;
   return &view->model->missing[on_head ? s->definition : TABOR_MAX_STRIKERS];

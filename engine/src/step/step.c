@@ -7,16 +7,16 @@
 #include "kernels/profile.h"
 #include "step/brush.h"
 #include "step/energy.h"
-#include "step/guard.h"
+#include "step/energy_guard.h"
 #include "step/high_ring.h"
-#include "step/lift.h"
-#include "step/listen.h"
-#include "step/live.h"
-#include "step/lugs.h"
+#include "step/live_params.h"
+#include "step/lug_forces.h"
+#include "step/mic_output.h"
 #include "step/reset.h"
-#include "step/rod.h"
-#include "step/slots.h"
+#include "step/stick_rigid.h"
 #include "step/stretch.h"
+#include "step/striker_pool.h"
+#include "step/wire_clearance.h"
 #include "step/wire_motion.h"
 
 #ifdef TABOR_PROFILE
@@ -52,7 +52,7 @@ static void free_motion(TbView *view) {
                            view->last.q);
   TB_STAGE(WIRES);
   if (!view->state->lifted) free_wires(view);
-  tb_rod_step(view);
+  tb_rigid_stick_step(view);
   if (view->state->rings) {
     tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
   }
@@ -85,14 +85,15 @@ static void free_penetration(TbView *view) {
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
     double eta = head;
     if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
-      const TbMobility *missing = tb_slot_missing(view, i);
-      tb_mobility_step(missing, view->next.missing[i], view->now.missing[i], view->last.missing[i]);
-      eta += tb_mobility_displacement(missing, view->next.missing[i]) -
-             (tb_slots_free_height(view, i) - view->state->slots[i].coat);
+      const TbResidualModes *missing = tb_slot_missing(view, i);
+      tb_residual_modes_step(missing, view->next.missing[i], view->now.missing[i],
+                             view->last.missing[i]);
+      eta += tb_residual_modes_displacement(missing, view->next.missing[i]) -
+             (tb_pool_free_height(view, i) - view->state->slots[i].coat);
       if (view->state->slots[i].on_hoop) {
         eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
       }
-      if (view->state->slots[i].partner) eta -= tb_rod_bow(view, i, &view->next);
+      if (view->state->slots[i].partner) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
@@ -137,15 +138,15 @@ static void respond(TbView *view, bool unchanged) {
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
-      tb_mobility_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
+      tb_residual_modes_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
     }
     if (view->state->slots[i].on_hoop) {
       tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
     }
-    view->next.z[i] = tb_slots_free_height(view, i) + view->own[row] * force[row];
+    view->next.z[i] = tb_pool_free_height(view, i) + view->own[row] * force[row];
     if (view->state->slots[i].partner) {
-      view->next.z[i] += tb_rod_pull(view, i);
-      tb_rod_press(view, i, force[row]);
+      view->next.z[i] += tb_rigid_stick_pull(view, i);
+      tb_rigid_stick_press(view, i, force[row]);
     }
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
@@ -158,7 +159,7 @@ static void book_losses(TbView *view) {
   sums->radiated += losses.radiated;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
-  const TbHandWork hands = tb_slots_hand_work(view);
+  const TbHandWork hands = tb_pool_hand_work(view);
   sums->injected += hands.done;
   sums->damper_loss += hands.lost;
 }
@@ -176,11 +177,11 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
 }
 
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
-  tb_live_step(view);
+  tb_live_params_step(view);
   TB_STAGE(STRIKERS);
   tb_brush_step(view);
   free_motion(view);
-  tb_lugs_pull(view);
+  tb_lug_forces_pull(view);
   TB_STAGE(STRETCH);
   tb_stretch_free(view);
   free_penetration(view);
@@ -194,7 +195,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   TB_STAGE(STRETCH);
   tb_stretch_respond(view);
   TB_STAGE(LEDGER);
-  const bool shortened = outcome.excess > 0.0 && tb_guard(view);
+  const bool shortened = outcome.excess > 0.0 && tb_energy_guard(view);
   if (shortened) {
     tb_solve_forget(&view->solve);
     tb_stretch_clear(view);
@@ -203,13 +204,13 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
     view->state->sums.damper_loss += outcome.damper_loss;
   }
   book_losses(view);
-  tb_listen(view, heard, unchanged, pressure);
+  tb_mic_output(view, heard, unchanged, pressure);
   TB_STAGE(OTHER);
   view->state->airborne = !outcome.contact;
   view->state->clock++;
   tb_view_rotate(view);
-  tb_slots_retire(view);
-  tb_lift_follow(view);
+  tb_pool_retire(view);
+  tb_wire_clearance_follow(view);
 }
 
 /* ---- housekeeping --------------------------------------------------------------------------- */
@@ -314,7 +315,7 @@ void tb_step_housekeeping(TbView *view) {
     return;
   }
   clear_vanished(view);
-  tb_lift_begin(view);
+  tb_wire_clearance_begin(view);
   tb_wire_motion_of(view)->settle(view);
   const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
                      !parameter_moves(state) && !tb_brush_moves(state);

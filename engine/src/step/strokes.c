@@ -35,10 +35,10 @@ static bool is_pressed(const TbSlot *s) {
 /* A pressed stick that touches is lifted, everything else is gone at once. */
 static void let_go(TbView *view, uint32_t i) {
   TbSlot *s = &view->state->slots[i];
-  if (is_pressed(s) && tb_slots_touches(view, i)) {
+  if (is_pressed(s) && tb_pool_touches(view, i)) {
     lift(s);
   } else {
-    tb_slots_take_away(view, i);
+    tb_pool_take_away(view, i);
   }
 }
 
@@ -53,7 +53,7 @@ static void free_hand(TbView *view, uint32_t id) {
 /* One tip on the head. */
 static bool strike_head(TbView *view, const TbStroke *stroke) {
   TbState *state = view->state;
-  const uint32_t slot = tb_slots_obtain(view);
+  const uint32_t slot = tb_pool_obtain(view);
   if (slot == TB_SLOTS) return false;
   const TbSlot striker = {.kind = TB_SLOT_STRIKER,
                           .id = stroke->id,
@@ -64,9 +64,9 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
                           .radius = stroke->radius,
                           .angle = stroke->angle,
                           .velocity = stroke->velocity};
-  tb_slots_put(view, slot, &striker, 0.0);
+  tb_pool_put(view, slot, &striker, 0.0);
   if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
-    tb_slots_hold(view, slot, tb_slots_press_force(stroke->pressure));
+    tb_pool_hold(view, slot, tb_pool_press_force(stroke->pressure));
   }
   return true;
 }
@@ -96,7 +96,7 @@ bool tb_press(TbView *view, uint32_t id, double pressure) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
     if (s->on_hoop || s->partner || s->leaving) continue;
-    tb_slots_hold(view, i, tb_slots_press_force(pressure));
+    tb_pool_hold(view, i, tb_pool_press_force(pressure));
     found = true;
   }
   return found;
@@ -112,7 +112,7 @@ static uint32_t find_hand(const TbView *view, uint32_t id) {
 
 bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
   uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
-  if (slot == TB_SLOTS) slot = tb_slots_obtain(view);
+  if (slot == TB_SLOTS) slot = tb_pool_obtain(view);
   if (slot == TB_SLOTS) return false;
   const TbSlot hand = {.kind = TB_SLOT_HAND,
                        .id = id,
@@ -120,7 +120,7 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
                        .radius = radius,
                        .angle = angle,
                        .strength = strength};
-  tb_slots_put_hand(view, slot, &hand);
+  tb_pool_put_hand(view, slot, &hand);
   return true;
 }
 

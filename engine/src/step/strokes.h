@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What a player's hands do to the drum: a stroke begins here, whatever its technique, and so do pressing, damping
- * and letting go. What a striker does then is in slots.h, brush.h and rimstroke.h. Audio-safe. */
+ * and letting go. What a striker does then is in striker_pool.h, brush.h and rimstroke.h. Audio-safe. */
 #ifndef TB_STROKES_H
 #define TB_STROKES_H
 
-#include "step/slots.h"
+#include "step/striker_pool.h"
 
 /* Places a stroke; false if there is no room among strikers in contact. */
 bool tb_strike(TbView *view, const TbStroke *stroke);

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* Modes of a drum with air inside: frequencies from cavity_eigen.h, then losses and sound of each.
+ *
+ * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
+ *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
+ *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
+ *   outside: the radiation resistance of both heads in free space at the mode's frequency (air.h).
+ * Set-up only. */
+#ifndef TB_CLOSED_DRUM_MODES_H
+#define TB_CLOSED_DRUM_MODES_H
+
+#include "acoustics/cavity_eigen.h"
+#include "acoustics/head.h"
+
+static inline bool tb_is_two_headed(const TaborDrumDef *def) { return def->two_headed != 0; }
+
+static inline bool tb_has_cavity(const TaborDrumDef *def) {
+  return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
+}
+
+/* The highest frequency [Hz] up to `bandwidth` below which two heads and the air between them have no more
+ * than TB_MAX_MODES modes, by their asymptotic numbers. */
+double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth);
+
+/* As tb_single_head_order(). */
+TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
+                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
+                                 TbHeadMode *modes, uint32_t room);
+
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Outgoing spherical waves of one moving head (radiated_field.h has the formulas). Set-up only. */
+#ifndef TB_MULTIPOLES_H
+#define TB_MULTIPOLES_H
+
+#include "acoustics/radiated_field.h"
+
+typedef struct TbMultipoles {
+  uint32_t m, degrees; /* waves m .. degrees */
+  double x;
+  double *c; /* [2 (degrees + 1)] (re, im) */
+} TbMultipoles;
+
+/* True if the waves come by projection of the far field, whose nodes must then resolve them. */
+bool tb_multipoles_project(const TbAirPlan *plan);
+
+bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *scratch,
+                           const TbWavenumberNodes *nodes, const TbAirSource *source);
+
+/* The field at a point outside the unit sphere about the head's centre. */
+void tb_multipoles_at(const TbMultipoles *waves, double radius, double height, double field[2]);
+
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* One angular order of a single head: open, in a baffle, or in vacuo (head.h). Set-up only. */
+#ifndef TB_SINGLE_HEAD_H
+#define TB_SINGLE_HEAD_H
+
+#include "acoustics/head.h"
+
+/* Modes up to `limit` [rad/s] and their vectors into `order`, which knows its zeros; at most `room`.
+ * TABOR_ERROR_MEMORY or _NUMERICS. */
+TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
+                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
+                                 TbHeadMode *modes, uint32_t room);
+
+#endif

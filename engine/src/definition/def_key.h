@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file def_key.h
+ * Full keys such as "batter.tension", "wire.3.length" and "mic.top.gain".
+ */
+#ifndef TABOR_SRC_KEY_H
+#define TABOR_SRC_KEY_H
+
+#include "definition/params.h"
+
+/** Bytes that every full key fits into, with its terminator. */
+#define TB_DEF_KEY_SIZE 128
+
+typedef enum TbKeyStatus {
+  TB_DEF_KEY_OK,
+  TB_DEF_KEY_UNKNOWN,   /**< no such section, or no such key in it */
+  TB_DEF_KEY_BAD_NAME,  /**< the name of the striker or microphone is none */
+  TB_DEF_KEY_BAD_NUMBER /**< the wire's number is none of 1 to 40 */
+} TbKeyStatus;
+
+/** A full key taken apart. */
+typedef struct TbKey {
+  const TbParam *param;
+  char name[TABOR_NAME_SIZE]; /**< of the striker or microphone, "" otherwise */
+  uint32_t wire;              /**< index of the wire, from 0; 0 otherwise */
+} TbKey;
+
+TbKeyStatus tb_def_key_parse(const char *text, TbKey *key);
+
+/** The same for a section alone, as "batter", "wire.3" and "mic.top"; param is one of its rows. */
+TbKeyStatus tb_section_parse(const char *text, TbKey *key);
+
+/** Elements of @p group that @p def has, never more than its arrays hold. All wires count; resonant
+ * heads are 0 or 1. */
+uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group);
+
+/** The name of a striker or microphone, always terminated, "" for the other groups. */
+void tb_element_name(const TaborDrumDef *def, TbGroup group, uint32_t element,
+                     char name[TABOR_NAME_SIZE]);
+
+/** Index of the striker or microphone called @p name, or -1. */
+int tb_element_find(const TaborDrumDef *def, TbGroup group, const char *name);
+
+/** Writes the full key of @p param in element @p element. */
+void tb_def_key_write(const TaborDrumDef *def, const TbParam *param, uint32_t element,
+                      char text[TB_DEF_KEY_SIZE]);
+
+/** Called for a field; false ends the walk. */
+typedef bool TbVisit(void *context, const TbParam *param, uint32_t element);
+
+/**
+ * Visits every field of @p def in preset order: section after section, element after element.
+ * Returns false if a visit did.
+ */
+bool tb_walk(const TaborDrumDef *def, TbVisit *visit, void *context);
+
+/** Writes the existing or possible full key that is nearest to @p text, "" if none is near. */
+void tb_def_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_DEF_KEY_SIZE]);
+
+/** The same for sections. */
+void tb_section_nearest(const char *text, char nearest[TB_DEF_KEY_SIZE]);
+
+#endif /* TABOR_SRC_KEY_H */

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* The high band's loops in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
+#ifndef TB_SIMD_RESONATORS_H
+#define TB_SIMD_RESONATORS_H
+
+#include "kernels/kernels.h"
+#include "kernels/simd_lanes.h"
+
+typedef TYPE_OF(TbRing) Ring;
+
+/* `ring` by value: what is stored in `next` might else change it, for all that the compiler knows. */
+static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint32_t end,
+                             Lanes sum[2]) {
+  const Lanes most = all(REAL(r.parts.most));
+  const Real loss = REAL(r.parts.loss);
+  for (uint64_t i = from; i < end; i += 8) {
+    const Lanes last = load(r.last + i);
+    Lanes next =
+      subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
+    if (pushed) next = add(next, load_float(r.push + i));
+    if (held) {
+      const Lanes part = smaller(scale(load(r.hold + i), loss), most);
+      next = add(next, multiply_lanes(part, subtract(last, next)));
+    }
+    store(r.next + i, next);
+    sum[0] = add(sum[0], multiply_lanes(load(r.ahead + i), next));
+    sum[1] = add(sum[1], multiply_lanes(load(r.behind + i), next));
+  }
+}
+
+static TbPair ring(const Ring *r) {
+  Lanes sum[2] = {zero(), zero()};
+  uint32_t from = 0;
+  for (uint32_t i = 0; i < r->parts.count; i++) {
+    const TbRingPart part = r->parts.part[i];
+    switch (part.pushed + 2 * part.held) { /* one copy of the code for each */
+    case 0: ring_part(false, false, *r, from, part.end, sum); break;
+    case 1: ring_part(true, false, *r, from, part.end, sum); break;
+    case 2: ring_part(false, true, *r, from, part.end, sum); break;
+    default: ring_part(true, true, *r, from, part.end, sum); break;
+    }
+    from = part.end;
+  }
+  return (TbPair){(double)join(sum[0]), (double)join(sum[1])};
+}
+
+static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) {
+  Lanes first = zero(), second = zero();
+  for (uint64_t i = 0; i < n; i += 8) {
+    const Lanes value = load(x + i);
+    first = add(first, multiply_lanes(load(u + i), value));
+    second = add(second, multiply_lanes(load(v + i), value));
+  }
+  return (TbPair){(double)join(first), (double)join(second)};
+}
+
+#endif

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/live_params.h"
+
+#include "definition/params.h"
+#include "step/coupling.h"
+#include "step/energy.h"
+#include "step/striker_pool.h"
+#include "step/wire_clearance.h"
+
+static const double SMOOTHING = 0.005;          /* [s] */
+static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
+enum { WIRE_SAMPLES = 8 };                      /* that wires' tension and damping take at once */
+
+static double definition_value(const TaborDrumDef *def, uint32_t index) {
+  switch (index) {
+  case TB_LIVE_TENSION: return def->wires.tension;
+  case TB_LIVE_DAMPING_0: return def->wires.damping_0;
+  case TB_LIVE_DAMPING_1: return def->wires.damping_1;
+  case TB_LIVE_STRAINER: return def->wires.strainer;
+  case TB_LIVE_REST_OFFSET: return def->wires.rest_offset;
+  case TB_LIVE_MUFFLE: return def->batter.muffle_strength;
+  case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
+  case TB_LIVE_FULL_SCALE: return def->full_scale;
+  case TB_LIVE_GRIP: return def->hand.grip;
+  default: return index - TB_LIVE_GAIN < def->mic_count ? def->mic[index - TB_LIVE_GAIN].gain : 1.0;
+  }
+}
+
+static double clamp(double value, double minimum, double maximum) {
+  return value < minimum ? minimum : (value > maximum ? maximum : value);
+}
+
+/* What the live values make of one wire. */
+static void apply_wire(TbView *view, uint32_t w) {
+  const TaborModel *model = view->model;
+  const TbWire *wire = &model->wires.wires[w];
+  const TbLiveParam *live = view->state->live;
+  const bool lossless = model->def.quality.losses == 0;
+  double tension = wire->tension;
+  if (!wire->own_tension) tension *= live[TB_LIVE_TENSION].now / model->def.wires.tension;
+  double damping_0 = wire->own_damping_0 ? wire->damping_0 : live[TB_LIVE_DAMPING_0].now;
+  double damping_1 = wire->own_damping_1 ? wire->damping_1 : live[TB_LIVE_DAMPING_1].now;
+  if (lossless) damping_0 = damping_1 = 0.0;
+  tb_wire_coefficients(wire, model->time_step, clamp(tension, 0.0, wire->tension_limit), damping_0,
+                       clamp(damping_1, 0.0, wire->damping_1_limit), &view->state->wires[w]);
+
+  const double ends = (wire->own_rest_offset ? wire->rest_offset : live[TB_LIVE_REST_OFFSET].now) +
+                      (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
+  const double shift = model->rest.offset[w] - ends;
+  const double change = shift - view->state->shift[w];
+  view->state->shift[w] = shift;
+  if (change == 0.0) return;
+  for (uint32_t row = wire->first_row; row < wire->first_row + wire->row_count; row++) {
+    view->now.eta[row] += change;
+    view->last.eta[row] += change;
+  }
+}
+
+void tb_live_params_apply(TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  for (uint32_t w = 0; w < wires->count; w++) apply_wire(view, w);
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    view->own[row] = wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
+  }
+  tb_coupling_renew(view);
+}
+
+void tb_live_params_definition(const TaborModel *model, TbLiveParam *live) {
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    const double value = definition_value(&model->def, i);
+    live[i] = (TbLiveParam){.now = value, .target = value};
+  }
+}
+
+void tb_live_params_reset(TbView *view) {
+  tb_live_params_definition(view->model, view->state->live);
+  tb_pool_muffle(view);
+  tb_live_params_apply(view);
+}
+
+static int live_index(uint32_t parameter) {
+  switch (parameter) {
+  case TB_PARAM_WIRES_TENSION: return TB_LIVE_TENSION;
+  case TB_PARAM_WIRES_DAMPING_0: return TB_LIVE_DAMPING_0;
+  case TB_PARAM_WIRES_DAMPING_1: return TB_LIVE_DAMPING_1;
+  case TB_PARAM_WIRES_STRAINER: return TB_LIVE_STRAINER;
+  case TB_PARAM_WIRES_REST_OFFSET: return TB_LIVE_REST_OFFSET;
+  case TB_PARAM_BATTER_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE;
+  case TB_PARAM_RESONANT_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE_RESONANT;
+  case TB_PARAM_OUTPUT_FULL_SCALE: return TB_LIVE_FULL_SCALE;
+  case TB_PARAM_HAND_GRIP: return TB_LIVE_GRIP;
+  case TB_PARAM_MIC_GAIN: return TB_LIVE_GAIN;
+  default: return -1;
+  }
+}
+
+bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {
+  const TbParam *param = tb_param_by_id(parameter);
+  const int first = live_index(parameter);
+  if (!param || first < 0) return false;
+  if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
+  if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
+  TbLiveParam *live = &view->state->live[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
+  live->target = clamp(value, param->info.minimum, param->info.maximum);
+  live->left = (uint32_t)(SMOOTHING * view->model->sample_rate) + 1u;
+  live->step = (live->target - live->now) / (double)live->left;
+  return true;
+}
+
+/* True if the value moved. */
+static bool advance(TbLiveParam *live, bool slewed) {
+  if (live->left == 0) return false;
+  double next = live->now + live->step;
+  if (--live->left == 0) next = live->target;
+  if (slewed) { /* stay under way until the limit lets it arrive */
+    const double most = live->now * TENSION_SLEW;
+    next = clamp(next, live->now - most, live->now + most);
+    if (live->left == 0 && next != live->target) live->left = 1;
+  }
+  live->now = next;
+  return true;
+}
+
+static bool under_way(const TbLiveParam *live, uint32_t first, uint32_t end) {
+  bool moving = false;
+  for (uint32_t i = first; i < end; i++) moving |= live[i].left > 0;
+  return moving;
+}
+
+static void advance_all(TbLiveParam *live, uint32_t first, uint32_t end) {
+  for (uint32_t i = first; i < end; i++) advance(&live[i], i == TB_LIVE_TENSION);
+}
+
+/* Mufflers store no energy. */
+static void move_mufflers(TbView *view) {
+  if (!under_way(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
+  advance_all(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
+  tb_pool_muffle(view);
+}
+
+/* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are does not. */
+static void move_wires(TbView *view) {
+  TbLiveParam *live = view->state->live;
+  const bool ends = under_way(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
+  const bool due = view->state->clock % WIRE_SAMPLES == 0;
+  const bool strings = due && under_way(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
+  if (!ends && !strings) return;
+  tb_wire_clearance_end(view);
+  const double before = tb_energy_wires(view, &view->now, &view->last);
+  for (uint32_t i = 0; strings && i < WIRE_SAMPLES; i++) {
+    advance_all(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
+  }
+  if (ends) advance_all(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
+  tb_live_params_apply(view);
+  view->state->sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
+}
+
+void tb_live_params_step(TbView *view) {
+  TbLiveParam *live = view->state->live;
+  for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
+    if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_pool_regrip(view);
+  }
+  move_mufflers(view);
+  move_wires(view);
+}

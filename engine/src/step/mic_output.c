@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/mic_output.h"
+
+#include <string.h>
+
+#include "kernels/profile.h"
+#include "step/force_equalizer.h"
+#include "step/high_ring.h"
+
+/* ---- the high band -------------------------------------------------------------------------- */
+
+/* Half-way to where a held mode was at most: towards it energy only falls. */
+static const double MOST_HELD = 0.5;
+
+/* The modes that wires push, those that they hold, and the others. */
+static TbRingParts divide(const TbView *view, double loss) {
+  const TbHighBand *high = &view->model->high;
+  const TbWires *wires = &view->model->wires;
+  TbRingParts parts = {.loss = loss, .most = MOST_HELD};
+  if (wires->count > 0 && !view->state->lifted) {
+    const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
+    const bool held = loss > 0.0; /* forces that were balanced, not solved for, may pull a little */
+    if (from > 0) parts.part[parts.count++].end = from;
+    parts.part[parts.count++] = (TbRingPart){from + high->driven, true, held};
+    parts.part[parts.count++] = (TbRingPart){end, false, held};
+  }
+  parts.part[parts.count++].end = high->padded;
+  return parts;
+}
+
+/* Strikers push the batter head's modes; true if any does. */
+static bool strike_high(TbView *view) {
+  bool struck = false;
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
+    const double push = view->solve.warm.force[view->model->wires.stride + i];
+    const TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
+    tb_high_ring_of(view)->strike(view, i, push);
+    struck = true;
+  }
+  return struck;
+}
+
+/* One step; returns what microphone `mic` hears of its end. */
+static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
+  if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
+  const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
+  double loss = 0.0;
+  if (pushed) {
+    loss = tb_high_band_push(view->model, view->solve.warm.force, view->solve.work.turned,
+                             view->high_force);
+  }
+  const TbPair heard = tb_high_ring_of(view)->move(view, mic, divide(view, loss));
+  return strike_high(view) ? tb_high_ring_of(view)->sums(view, mic, &view->next) : heard;
+}
+
+/* ---- microphones ---------------------------------------------------------------------------- */
+
+/* A line of delay + 1 samples: what goes in now comes out `delay` samples later. */
+static double delayed(TbView *view, uint32_t mic, double value) {
+  uint32_t *at = &view->state->delay_at[mic];
+  const uint32_t length = view->model->mics[mic].delay + 1u;
+  view->delay[mic][*at] = value;
+  *at = *at + 1u == length ? 0u : *at + 1u;
+  return view->delay[mic][*at];
+}
+
+/* A and B of TbMic at one instant, of which the high band's part is known. */
+static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, TbPair high) {
+  const TbMic *m = &view->model->mics[mic];
+  const TbPair sums =
+    view->model->kernels->two_dots(view->model->modes.padded, m->ahead, m->behind, phase->q);
+  return (TbPair){sums.first + high.first, sums.second + high.second};
+}
+
+/* What a microphone would have heard if it had been heard before. */
+static void begin_hearing(TbView *view, uint32_t mic) {
+  const TbPair now =
+    sums_at(view, mic, &view->now, tb_high_ring_of(view)->sums(view, mic, &view->now));
+  const TbPair last =
+    sums_at(view, mic, &view->last, tb_high_ring_of(view)->sums(view, mic, &view->last));
+  view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
+}
+
+/* Pressure [Pa] from the sums of the newest instant. */
+static double hear(TbEar *ear, TbPair sums) {
+  const double pressure = (sums.first - ear->ahead) - (ear->behind - ear->behind_before);
+  *ear = (TbEar){sums.first, sums.second, ear->behind};
+  return pressure;
+}
+
+static double hear_hoop(const TbView *view, uint32_t mic) {
+  if (!view->state->rings) return 0.0;
+  return tb_hoop_pressure(&view->model->hoop, mic, view->next.hoop, view->now.hoop,
+                          view->last.hoop);
+}
+
+static uint32_t first_of(uint32_t heard) {
+  uint32_t mic = 0;
+  while (heard != 0 && !(heard >> mic & 1u)) mic++;
+  return mic;
+}
+
+/* A microphone that nobody hears hears nothing: it begins from silence when it is heard again. */
+void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
+  TbState *state = view->state;
+  const TbLiveParam *live = state->live;
+  const uint32_t first = first_of(heard);
+  TB_STAGE(MICS);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
+  }
+  state->heard = heard;
+  TB_STAGE(HIGH);
+  const TbPair high = step_high(view, first, unchanged);
+  TB_STAGE(MICS);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    double p = 0.0;
+    if (heard >> mic & 1u) {
+      const TbPair own = mic == first ? high : tb_high_ring_of(view)->sums(view, mic, &view->next);
+      p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own)) + hear_hoop(view, mic);
+    }
+    pressure[mic] = delayed(view, mic, tb_force_equalizer(state->treble[mic], p)) *
+                    live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+  }
+}

@@ -177,9 +177,8 @@ static void touch_bed(Memory *memory, TbStage stage, bool there, bool back) {
   TOUCH(memory, stage, tb_bed_scratch(bed), memory->view.solve.work.scratch);
   for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
     const size_t size = (size_t)bed->half * bed->columns[along];
-    if (there)
-      TOUCH(memory, stage, (size_t)bed->half * tb_pad(bed->columns[along]), bed->squeeze[along]);
-    if (back) TOUCH(memory, stage, size, bed->spread[along]);
+    if (there) TOUCH(memory, stage, (size_t)bed->half * bed->padded[along], bed->contract[along]);
+    if (back) TOUCH(memory, stage, size, bed->expand[along]);
   }
 }
 

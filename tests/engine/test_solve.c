@@ -19,10 +19,11 @@ enum { MOST = 16, LANES = 8, STRIDE = MOST * LANES, ROWS = STRIDE + TB_SLOTS };
  * 8, and the grid is the points themselves. */
 typedef struct Problem {
   uint32_t n;
-  _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[MOST * LANES + 64];
+  _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[3 * MOST * LANES];
   double coupling[TB_SLOTS * STRIDE], slot_coupling[TB_SLOTS * TB_SLOTS];
   double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS];
   TbContactLaw laws[MOST], slot_laws[TB_SLOTS];
+  uint32_t place[MOST * LANES];
   TbBed bed;
   TbCompliance compliance;
 } Problem;
@@ -37,6 +38,7 @@ static void clear(Problem *p) {
   memset(p, 0, sizeof *p);
   for (int i = 0; i < ROWS; i++) p->y[i] = -1.0;
   for (uint32_t i = 0; i < MOST; i++) p->across[i * MOST + i] = 1.0;
+  for (uint32_t i = 0; i < MOST * LANES; i++) p->place[i] = i;
   p->bed = (TbBed){.wires = MOST,
                    .lanes = LANES,
                    .halves = 1,
@@ -46,6 +48,7 @@ static void clear(Problem *p) {
                    .first_line = {0, MOST, MOST},
                    .columns = {LANES, LANES},
                    .across = p->across,
+                   .place = {p->place},
                    .first = {0, STRIDE},
                    .size = STRIDE};
   p->compliance = (TbCompliance){.classes = 1, .first = {0, STRIDE}, .matrix = {p->matrix}};

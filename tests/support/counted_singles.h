@@ -47,16 +47,11 @@ COUNTED(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part, (const TB_T
         (g))
 COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
                (r))
-#if TB_REAL_IS_FLOAT
-COUNTED(contract, (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->padded),
-        (BedF bed, InF x, OutF scratch, OutF grid), (bed, x, scratch, grid))
-#else
 COUNTED(contract,
-        (uint64_t)bed->lines *(bed->lanes * bed->wires +
-                               bed->half *
-                                 (uint64_t)(tb_pad(bed->columns[0]) + tb_pad(bed->columns[1]))),
-        (Bed bed, In x, Out scratch, Out grid), (bed, x, scratch, grid))
-#endif
+        (uint64_t)bed->lines * bed->lanes * bed->wires +
+          (uint64_t)bed->lines * bed->half * (bed->padded[0] + bed->padded[1]),
+        (TB_TYPE(Bed) bed, TB_TYPE(In) x, TB_TYPE(Out) scratch, TB_TYPE(Out) grid),
+        (bed, x, scratch, grid))
 COUNTED(comply, (uint64_t)c->first[c->classes] * c->first[c->classes] / c->classes,
         (const TB_TYPE(TbCompliance) * c, TB_TYPE(In) grid, TB_TYPE(Out) out), (c, grid, out))
 COUNTED(start, n, (uint32_t n, TB_TYPE(TbStart) * start), (n, start))
@@ -87,12 +82,8 @@ COUNTED_RESULT(TB_TYPE(TbBalance), balance, n,
 static void COUNT(expand)(TB_TYPE(Bed) bed, TB_TYPE(In) grid, TB_TYPE(Out) scratch,
                           TB_TYPE(Out) x) {
   products++;
-#if TB_REAL_IS_FLOAT
-  work += (uint64_t)bed->lines * bed->lanes * (bed->wires + bed->columns);
-#else
-  work += (uint64_t)bed->lines *
-          (bed->lanes * bed->wires + bed->half * (uint64_t)(bed->columns[0] + bed->columns[1]));
-#endif
+  work += (uint64_t)bed->lines * bed->lanes * bed->wires +
+          (uint64_t)bed->lines * bed->half * (bed->columns[0] + bed->columns[1]);
   TABLE.expand(bed, grid, scratch, x);
 }
 

@@ -49,7 +49,7 @@ static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, ui
 }
 
 /* What the ledger's residual stays within, in parts of the energy put in: contacts are solved in single precision
- * at `draft` and `live` (singlesolve.h), in double at `studio` and `reference`. */
+ * at `draft` and `live` (contact_solve.h), in double at `studio` and `reference`. */
 static inline double physics_residual(uint32_t quality) {
   return quality <= TABOR_QUALITY_LIVE ? 1e-6 : 1e-9;
 }

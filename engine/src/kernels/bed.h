@@ -12,9 +12,9 @@
  *
  * Mirror symmetries make classes that do not mix: even or odd along (x -> -x) times even or odd across
  * (y -> -y). Where the bed is its own mirror image across, wires and their images go in pairs, and even lines come
- * before the odd ones. In double half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror. In
- * single precision the classes along stand side by side and each shape covers all lanes, so that nothing has to be
- * folded.
+ * before the odd ones. In double half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror. TbBedF
+ * folds nothing (halves = 1): the classes along stand side by side and each shape covers all lanes, since folding
+ * costs more than it saves where a register holds twice as many.
  *
  * A grid vector holds class after class (even along first, then even across first), each as
  * [line][column] padded with zeros to 8. What the head yields to it is c = G C (TbCompliance), one matrix per class.

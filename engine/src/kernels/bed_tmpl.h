@@ -9,33 +9,23 @@ typedef struct TB_TYPE(TbCompliance) {
 
 typedef struct TB_TYPE(TbBed) {
   uint32_t wires, lanes;
-  uint32_t quarters;      /* symmetry, as in TbModes */
-  uint32_t lines;         /* shapes across */
-  uint32_t first_line[3]; /* lines of each class across */
-  uint32_t size;          /* of a grid vector */
-  TB_REAL *across;        /* [wires][lines] */
-#if TB_REAL_IS_FLOAT
-  uint32_t columns, padded; /* of all classes along, and up to 8 more */
-  float *contract;          /* [lanes][padded] */
-  float *expand;            /* [columns][lanes] */
-  uint32_t *place;          /* [lines][columns]: where in a grid vector */
-#else
-  uint32_t middle;
-  uint32_t halves;     /* symmetry, as in TbModes */
-  uint32_t half;       /* folded lanes, padded; all lanes without symmetry */
-  uint32_t columns[2]; /* points per line of each class along */
-  bool thinned;        /* `squeeze` and `spread` are used */
-  double *squeeze[2];  /* [columns/8][half][8], transposed `along` of each class */
-  double *spread[2];   /* [half/8][columns][8] */
-  uint32_t first[5];   /* where each class begins in a grid vector, and its size */
-#endif
+  uint32_t halves, quarters; /* symmetries that are made use of, as in TbModes */
+  uint32_t middle, half;     /* folded lanes, padded; all lanes where nothing is folded */
+  uint32_t lines;            /* shapes across */
+  uint32_t first_line[3];    /* lines of each class across */
+  TB_REAL *across;           /* [wires][lines] */
+  bool thinned;              /* `contract` and `expand` are used; else each lane is a column */
+  uint32_t columns[2];       /* points per line of each class along, */
+  uint32_t padded[2];        /* ... and up to 8 more */
+  TB_REAL *contract[2];      /* [half][padded], `along` of each class, */
+  TB_REAL *expand[2];        /* [columns][half], and transposed */
+  uint32_t *place[2];        /* [lines][columns]: where in a grid vector */
+  uint32_t size;             /* of a grid vector, */
+  uint32_t first[5];         /* and where its classes begin */
 } TB_TYPE(TbBed);
 
 /* Numbers of scratch that contracting and expanding need. */
 static inline uint32_t TB_NAME(tb_bed_scratch)(const TB_TYPE(TbBed) * bed) {
-#if TB_REAL_IS_FLOAT
-  return bed->lines * (bed->lanes + bed->padded);
-#else
-  return bed->lines * bed->lanes + 3u * bed->half + 8u;
-#endif
+  const uint32_t padded = bed->padded[0] > bed->padded[1] ? bed->padded[0] : bed->padded[1];
+  return bed->lines * (bed->lanes + 2u * bed->half + padded);
 }

@@ -5,14 +5,18 @@
 #ifndef TB_REAL_H
 #define TB_REAL_H
 
+#include <math.h>
+
 #ifdef TB_FLOAT
 typedef float Real;
 enum { SINGLE = 1 };
+#  define REAL_SIZE(x) fabsf(x)
 #  define TYPE_OF(name) name##F
 #  define NAME_OF(name) name##f
 #else
 typedef double Real;
 enum { SINGLE = 0 };
+#  define REAL_SIZE(x) fabs(x)
 #  define TYPE_OF(name) name
 #  define NAME_OF(name) name
 #endif

@@ -276,18 +276,20 @@ static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
   const uint32_t columns = bed->columns[along], half = bed->half;
   double weight[1024];
   lane_weights(bed, weight);
-  double *squeeze = tb_arena_doubles(fit->arena, (size_t)tb_pad(columns) * half);
-  double *spread = tb_arena_doubles(fit->arena, (size_t)columns * half);
+  const uint32_t padded = tb_pad(columns);
+  double *contract = tb_arena_doubles(fit->arena, (size_t)half * padded);
+  double *expand = tb_arena_doubles(fit->arena, (size_t)columns * half);
   if (fit->arena->failed) return false;
   for (uint32_t a = 0; a < columns; a++) {
     for (uint32_t j = 0; j < half; j++) {
       const double value = basis[a * half + j] / weight[j];
-      squeeze[((size_t)(a / 8) * half + j) * 8 + a % 8] = value;
-      spread[((size_t)(j / 8) * columns + a) * 8 + j % 8] = value;
+      contract[(size_t)j * padded + a] = value;
+      expand[(size_t)a * half + j] = value;
     }
   }
-  bed->squeeze[along] = squeeze;
-  bed->spread[along] = spread;
+  bed->padded[along] = padded;
+  bed->contract[along] = contract;
+  bed->expand[along] = expand;
   return true;
 }
 
@@ -317,7 +319,19 @@ static bool fit_along(Fit *fit, double *basis[2]) {
 
 /* ---- tables --------------------------------------------------------------------------------- */
 
-static void place_classes(TbProjection *p) {
+static bool fill_places(TbBed *bed, TbArena *arena, uint32_t along) {
+  uint32_t *place = tb_arena_take(arena, (size_t)bed->lines * bed->columns[along], sizeof *place);
+  bed->place[along] = place;
+  for (uint32_t line = 0; place && line < bed->lines; line++) {
+    const uint32_t across = bed->quarters == 2 && line >= bed->first_line[1] ? 1 : 0;
+    const uint32_t first = bed->first[tb_bed_class(bed, along, across)] +
+                           (line - bed->first_line[across]) * bed->columns[along];
+    for (uint32_t a = 0; a < bed->columns[along]; a++) *place++ = first + a;
+  }
+  return !arena->failed;
+}
+
+static bool place_classes(TbProjection *p, TbArena *arena) {
   TbBed *bed = &p->bed;
   for (uint32_t along = 0; along < bed->halves; along++) {
     for (uint32_t across = 0; across < bed->quarters; across++) {
@@ -327,6 +341,10 @@ static void place_classes(TbProjection *p) {
     }
   }
   bed->first[p->groups] = bed->size;
+  for (uint32_t along = 0; along < bed->halves; along++) {
+    if (!fill_places(bed, arena, along)) return false;
+  }
+  return true;
 }
 
 /* Amplitude of mode i at one point of its class. */
@@ -396,7 +414,7 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
   bool done = collect_shapes(&fit) && fit_across(&fit);
   if (done) shapes_on_lines(&fit);
   done = done && fit_along(&fit, basis);
-  if (done) place_classes(p);
+  done = done && place_classes(p, arena);
   for (uint32_t g = 0; done && g < p->groups; g++) done = fill_table(&fit, basis, g);
   const bool starved = arena->failed || scratch.failed;
   tb_arena_release(&scratch);

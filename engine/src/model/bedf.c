@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/bedf.h"
 
+#include <string.h>
+
 static void round_all(double *values, size_t count) {
   for (size_t i = 0; i < count; i++) values[i] = (double)(float)values[i];
 }
@@ -8,9 +10,8 @@ static void round_all(double *values, size_t count) {
 static void round_bed(TbBed *bed) {
   round_all(bed->across, (size_t)bed->wires * bed->lines);
   for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
-    const size_t blocks = tb_pad(bed->columns[along]);
-    round_all(bed->squeeze[along], blocks * bed->half);
-    round_all(bed->spread[along], (size_t)bed->half * bed->columns[along]);
+    round_all(bed->contract[along], (size_t)bed->half * bed->padded[along]);
+    round_all(bed->expand[along], (size_t)bed->half * bed->columns[along]);
   }
 }
 
@@ -20,8 +21,8 @@ static double shape_at(const TbBed *bed, uint32_t along, uint32_t column, uint32
   if (folded && lane > 2 * bed->middle) return 0.0;
   if (along == 1 && lane == bed->middle) return 0.0;
   const uint32_t half = image ? 2 * bed->middle - lane : lane;
-  const size_t at = ((size_t)(half / 8) * bed->columns[along] + column) * 8 + half % 8;
-  const double value = bed->thinned ? bed->spread[along][at] : (half == column ? 1.0 : 0.0);
+  const size_t at = (size_t)column * bed->half + half;
+  const double value = bed->thinned ? bed->expand[along][at] : (half == column ? 1.0 : 0.0);
   return along == 1 && image ? -value : value;
 }
 
@@ -31,21 +32,21 @@ static void fill_shapes(TbBedF *bedf, const TbBed *bed) {
     for (uint32_t along = 0; along < bed->halves; along++) {
       for (uint32_t a = 0; a < bed->columns[along]; a++, c++) {
         const float shape = (float)shape_at(bed, along, a, lane);
-        bedf->contract[(size_t)lane * bedf->padded + c] = shape;
-        bedf->expand[(size_t)c * bed->lanes + lane] = shape;
+        bedf->contract[0][(size_t)lane * bedf->padded[0] + c] = shape;
+        bedf->expand[0][(size_t)c * bed->lanes + lane] = shape;
       }
     }
   }
 }
 
+/* The classes of symmetry along stand side by side. */
 static void fill_places(TbBedF *bedf, const TbBed *bed) {
-  uint32_t *place = bedf->place;
+  uint32_t *place = bedf->place[0];
   for (uint32_t line = 0; line < bed->lines; line++) {
-    const uint32_t across = bed->quarters == 2 && line >= bed->first_line[1] ? 1 : 0;
     for (uint32_t along = 0; along < bed->halves; along++) {
-      const uint32_t first = bed->first[tb_bed_class(bed, along, across)] +
-                             (line - bed->first_line[across]) * bed->columns[along];
-      for (uint32_t a = 0; a < bed->columns[along]; a++) *place++ = first + a;
+      const uint32_t columns = bed->columns[along];
+      memcpy(place, bed->place[along] + (size_t)line * columns, columns * sizeof *place);
+      place += columns;
     }
   }
 }
@@ -68,17 +69,23 @@ bool tb_bedf_prepare(TbBedF *bedf, TbArena *arena, TbBed *bed) {
   round_bed(bed);
   *bedf = (TbBedF){.wires = bed->wires,
                    .lanes = bed->lanes,
+                   .halves = 1,
                    .quarters = bed->quarters,
+                   .middle = bed->middle,
+                   .half = bed->lanes,
                    .lines = bed->lines,
+                   .thinned = true,
                    .size = bed->size};
-  for (uint32_t c = 0; c < 3; c++) bedf->first_line[c] = bed->first_line[c];
-  for (uint32_t along = 0; along < bed->halves; along++) bedf->columns += bed->columns[along];
-  bedf->padded = tb_pad(bedf->columns);
-  const size_t across = (size_t)bed->wires * bed->lines;
-  bedf->across = tb_arena_take(arena, across, sizeof *bedf->across);
-  bedf->contract = tb_arena_take(arena, (size_t)bed->lanes * bedf->padded, sizeof *bedf->contract);
-  bedf->expand = tb_arena_take(arena, (size_t)bed->lanes * bedf->columns, sizeof *bedf->expand);
-  bedf->place = tb_arena_take(arena, (size_t)bed->lines * bedf->columns, sizeof *bedf->place);
+  memcpy(bedf->first_line, bed->first_line, sizeof bedf->first_line);
+  memcpy(bedf->first, bed->first, sizeof bedf->first);
+  for (uint32_t along = 0; along < bed->halves; along++) bedf->columns[0] += bed->columns[along];
+  bedf->padded[0] = tb_pad(bedf->columns[0]);
+  const size_t across = (size_t)bed->wires * bed->lines, lanes = bed->lanes;
+  const size_t columns = bedf->columns[0];
+  bedf->across = tb_arena_take(arena, across, sizeof(float));
+  bedf->contract[0] = tb_arena_take(arena, lanes * bedf->padded[0], sizeof(float));
+  bedf->expand[0] = tb_arena_take(arena, lanes * columns, sizeof(float));
+  bedf->place[0] = tb_arena_take(arena, bed->lines * columns, sizeof(uint32_t));
   if (arena->failed) return false;
   for (size_t i = 0; i < across; i++) bedf->across[i] = (float)bed->across[i];
   fill_shapes(bedf, bed);

@@ -27,8 +27,6 @@ static const Real NOISE = REAL(SINGLE ? 2e-6 : 0.0);
 /* A point goes no farther than this many times its free way and the depth of contacts. */
 static const Real FARTHEST = REAL(100.0);
 
-static Real size_of(Real x) { return x < REAL(0.0) ? -x : x; }
-
 static const Kernels *kernels_of(const TbSolve *solve) { return solve->in.NAME_OF(kernels); }
 static Work *work_of(TbSolve *solve) { return &solve->NAME_OF(work); }
 
@@ -216,13 +214,14 @@ static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Re
 static void slot_laws(TbSolve *solve, const Real *s) {
   const Work *work = work_of(solve);
   if (!solve->in.slot_mask) return;
-  for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
+  memset(work->law + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
+  memset(work->slope + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
+  memset(work->mean + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
+  for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     const uint32_t row = solve->in.stride + slot;
-    TbContactLawResult law = {0.0, 0.0, 0.0};
-    if (tb_slot_in_play(&solve->in, slot)) {
-      law =
-        tb_contact_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
-    }
+    if (!tb_slot_in_play(&solve->in, slot)) continue;
+    const TbContactLawResult law =
+      tb_contact_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
     work->law[row] = (Real)law.force;
     work->slope[row] = (Real)law.slope;
     work->mean[row] = (Real)law.mean;
@@ -311,9 +310,9 @@ static bool balance(TbSolve *solve, Balance sums, Real reach, Move *move) {
   for (uint32_t i = 0;; i++) {
     const Real miss = sums.value + BALANCE_AIM * sums.size;
     *move = (Move){t, SINGLE ? -sums.value : REAL(0.0)};
-    if (size_of(miss) <= BALANCE_WINDOW * sums.size) return true;
+    if (REAL_SIZE(miss) <= BALANCE_WINDOW * sums.size) return true;
     t -= miss / sums.derivative;
-    if (i == MOST_BALANCE_STEPS || !(size_of(t) <= reach)) return false;
+    if (i == MOST_BALANCE_STEPS || !(REAL_SIZE(t) <= reach)) return false;
     kernels_of(solve)->extrapolate(total_rows(solve), -t, work->product, work->product_last,
                                    work->s, work->turned);
     apply_laws(solve, work->turned);

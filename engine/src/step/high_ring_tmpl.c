@@ -67,8 +67,7 @@ static double energy(const TbView *view) {
 static void clear_small(const TbView *view) {
   Real *now = view->now.high, *last = view->last.high;
   for (uint32_t i = 0; i < view->model->high.padded; i++) {
-    const bool gone =
-      (now[i] < VANISHED) & (now[i] > -VANISHED) & (last[i] < VANISHED) & (last[i] > -VANISHED);
+    const bool gone = (REAL_SIZE(now[i]) < VANISHED) & (REAL_SIZE(last[i]) < VANISHED);
     now[i] = gone ? REAL(0.0) : now[i];
     last[i] = gone ? REAL(0.0) : last[i];
   }

@@ -172,9 +172,9 @@ static void touch_wires(Memory *memory) {
 }
 
 static void touch_bed(Memory *memory, TbStage stage, bool there, bool back) {
-  const TbBed *bed = &memory->model->projection.bed;
+  const TbWireGrid *bed = &memory->model->projection.bed;
   TOUCH(memory, stage, (size_t)bed->wires * bed->lines, bed->across);
-  TOUCH(memory, stage, tb_bed_scratch(bed), memory->view.solve.work.scratch);
+  TOUCH(memory, stage, tb_wire_grid_scratch(bed), memory->view.solve.work.scratch);
   for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
     const size_t size = (size_t)bed->half * bed->columns[along];
     if (there) TOUCH(memory, stage, (size_t)bed->half * bed->padded[along], bed->contract[along]);

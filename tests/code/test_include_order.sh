@@ -47,7 +47,7 @@ circles() {
 uses() {
   awk '
     NF < 2 { next }
-    { object = $1; sub(/:[0-9a-f]*$/, "", object); sub(/.*:/, "", object) }
+    { object = $1; sub(/:[0-9a-f]*$/, "", object); sub(/.*\//, "", object) }
     $(NF - 1) ~ /^[A-TV-Z]$/ { home[$NF] = object }
     $(NF - 1) == "U" { user[++count] = object; used[count] = $NF }
     END { for (i = 1; i <= count; i++) if (used[i] in home) print user[i], home[used[i]] }'
@@ -120,7 +120,7 @@ if [ -n "$said" ]; then
   failures=$((failures + 1))
 fi
 said=$(objects b c a | uses | circles "a circle of calls")
-if ! grep -qx '  b.o' <<<"$said"; then
+if ! grep -qx '  lib.a:b.o' <<<"$said"; then
   echo "of a circle of calls this is said: '$said'"
   failures=$((failures + 1))
 fi

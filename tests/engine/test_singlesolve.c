@@ -50,8 +50,8 @@ static void both_precisions_mean_the_same_grid(void **state) {
   uint64_t seed = physics_seed();
   for (int d = 0; d < DRUM_COUNT; d++) {
     TaborModel *model = live_model(DRUMS[d]);
-    const TbBed *bed = &model->projection.bed;
-    const TbBedF *rounded = &model->bedf;
+    const TbWireGrid *bed = &model->projection.bed;
+    const TbWireGridF *rounded = &model->bedf;
     const TbKernelsF *kernels = model->kernelsf;
     const uint32_t rows = model->wires.stride;
     const TaborAllocator allocator = tb_allocator_resolve(NULL);
@@ -59,10 +59,10 @@ static void both_precisions_mean_the_same_grid(void **state) {
     tb_arena_prepare(&arena, &allocator);
     double *x = take(&arena, rows), *grid = take(&arena, bed->size),
            *answer = take(&arena, bed->size);
-    double *scratch = take(&arena, tb_bed_scratch(bed));
+    double *scratch = take(&arena, tb_wire_grid_scratch(bed));
     float *x1 = take_single(&arena, rows), *grid1 = take_single(&arena, bed->size);
     float *answer1 = take_single(&arena, bed->size);
-    float *scratch1 = take_single(&arena, tb_bed_scratchf(rounded));
+    float *scratch1 = take_single(&arena, tb_wire_grid_scratchf(rounded));
     for (uint32_t row = 0; row < rows; row++) {
       x1[row] = (float)(model->wires.real[row] * physics_uniform(&seed, -1.0, 1.0));
       x[row] = (double)x1[row];

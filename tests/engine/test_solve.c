@@ -24,7 +24,7 @@ typedef struct Problem {
   double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS];
   TbContactLaw laws[MOST], slot_laws[TB_SLOTS];
   uint32_t place[MOST * LANES];
-  TbBed bed;
+  TbWireGrid bed;
   TbCompliance compliance;
 } Problem;
 
@@ -39,18 +39,18 @@ static void clear(Problem *p) {
   for (int i = 0; i < ROWS; i++) p->y[i] = -1.0;
   for (uint32_t i = 0; i < MOST; i++) p->across[i * MOST + i] = 1.0;
   for (uint32_t i = 0; i < MOST * LANES; i++) p->place[i] = i;
-  p->bed = (TbBed){.wires = MOST,
-                   .lanes = LANES,
-                   .halves = 1,
-                   .quarters = 1,
-                   .half = LANES,
-                   .lines = MOST,
-                   .first_line = {0, MOST, MOST},
-                   .columns = {LANES, LANES},
-                   .across = p->across,
-                   .place = {p->place},
-                   .first = {0, STRIDE},
-                   .size = STRIDE};
+  p->bed = (TbWireGrid){.wires = MOST,
+                        .lanes = LANES,
+                        .halves = 1,
+                        .quarters = 1,
+                        .half = LANES,
+                        .lines = MOST,
+                        .first_line = {0, MOST, MOST},
+                        .columns = {LANES, LANES},
+                        .across = p->across,
+                        .place = {p->place},
+                        .first = {0, STRIDE},
+                        .size = STRIDE};
   p->compliance = (TbCompliance){.classes = 1, .first = {0, STRIDE}, .matrix = {p->matrix}};
 }
 

@@ -26,7 +26,7 @@
   }
 typedef TB_REAL *TB_TYPE(Out);
 typedef const TB_REAL *TB_TYPE(In);
-typedef const TB_TYPE(TbBed) * TB_TYPE(Bed);
+typedef const TB_TYPE(TbWireGrid) * TB_TYPE(Bed);
 
 COUNTED_RESULT(TB_REAL, dot, n, (uint32_t n, TB_TYPE(In) x, TB_TYPE(In) y), (n, x, y))
 COUNTED_RESULT(TbPair, two_dots, n, (uint32_t n, TB_TYPE(In) u, TB_TYPE(In) v, TB_TYPE(In) x),

@@ -75,7 +75,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   case TABOR_EVENT_MOVE: return move(drum, view, event);
   case TABOR_EVENT_RELEASE: tb_release(view, event->id); return true;
   case TABOR_EVENT_PARAMETER:
-    return tb_live_params_params_set(view, event->parameter, event->index, event->value);
+    return tb_live_params_set(view, event->parameter, event->index, event->value);
   case TABOR_EVENT_SWAP:
     if (!event->swap || !tb_swap_act(drum, event->swap)) return false;
     *view = tb_view(drum->state, drum->model);

@@ -132,7 +132,7 @@ static void carry_wires(const TbView *from, TbView *to) {
 static void carry_live(const TbView *from, TbView *to) {
   TbLiveParam fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
   memcpy(fresh, to->state->live, sizeof fresh);
-  tb_live_params_params_definition(from->model, old_fresh);
+  tb_live_params_definition(from->model, old_fresh);
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const TbLiveParam *live = &from->state->live[i];
     const bool untouched = live->left == 0 && live->now == old_fresh[i].now;
@@ -208,7 +208,7 @@ static void carry_slots(const TbView *from, TbView *to) {
       to->last.eta[first + i] = last;
     }
   }
-  tb_live_params_params_apply(to);
+  tb_live_params_apply(to);
   if (!same) return;
   const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
   memcpy(to->solve.warm.product, from->solve.warm.product, (first + TB_SLOTS) * sizeof(double));
@@ -244,7 +244,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_wires(from, to);
   carry_live(from, to);
   memcpy(state->shift, from->state->shift, sizeof state->shift);
-  tb_live_params_params_apply(to);
+  tb_live_params_apply(to);
   carry_contacts(from, to);
   carry_rims(from, to);
   carry_slots(from, to);

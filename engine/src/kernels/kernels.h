@@ -11,8 +11,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "kernels/bed.h"
 #include "kernels/contact_law.h"
+#include "kernels/wire_grid.h"
 
 /* Penetrations of single precision that may be none: it rounds gaps of millimetres by less. [m] */
 #define TB_NEAR 1e-9f

@@ -2,16 +2,16 @@
 /* Compiled once per instruction set and per precision (real.h), with TB_TABLE naming the table. */
 #include "kernels/kernels.h"
 
-#include "kernels/bedlanes.h"
-#include "kernels/contactlanes.h"
-#include "kernels/simd_contact.h"
+#include "kernels/simd_contact_law.h"
+#include "kernels/simd_contact_rows.h"
 #include "kernels/simd_resonators.h"
 #include "kernels/simd_rows.h"
-#include "kernels/tablelanes.h"
+#include "kernels/simd_tables.h"
+#include "kernels/simd_wire_grid.h"
 #ifdef TB_FLOAT
-#  include "kernels/narrowlanes.h"
+#  include "kernels/simd_narrow.h"
 #else
-#  include "kernels/statelanes.h"
+#  include "kernels/simd_state.h"
 #endif
 
 const TYPE_OF(TbKernels) TB_TABLE = {

@@ -82,9 +82,11 @@ typedef struct TB_TYPE(TbKernels) {
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
 
-  /* Between rows x[wires * lanes] and the grid under the wires (bed.h), and out = G grid. */
-  void (*contract)(const TB_TYPE(TbBed) * bed, const TB_REAL *x, TB_REAL *scratch, TB_REAL *grid);
-  void (*expand)(const TB_TYPE(TbBed) * bed, const TB_REAL *grid, TB_REAL *scratch, TB_REAL *x);
+  /* Between rows x[wires * lanes] and the grid under the wires (wire_grid.h), and out = G grid. */
+  void (*contract)(const TB_TYPE(TbWireGrid) * bed, const TB_REAL *x, TB_REAL *scratch,
+                   TB_REAL *grid);
+  void (*expand)(const TB_TYPE(TbWireGrid) * bed, const TB_REAL *grid, TB_REAL *scratch,
+                 TB_REAL *x);
   void (*comply)(const TB_TYPE(TbCompliance) * compliance, const TB_REAL *grid, TB_REAL *out);
   void (*start)(uint32_t n, TB_TYPE(TbStart) * start);
   void (*end)(uint32_t n, TB_TYPE(TbEnd) * end);

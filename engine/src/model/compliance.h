@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the head yields under the bed, on the grid (bed.h): c = G C, one matrix per class of symmetry,
+/* What the head yields under the bed, on the grid (wire_grid.h): c = G C, one matrix per class of symmetry,
  * Sum over the class's modes of table gain table^T, symmetric to the bit. */
 #ifndef TB_COMPLIANCE_H
 #define TB_COMPLIANCE_H

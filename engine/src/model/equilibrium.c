@@ -6,7 +6,7 @@
  * convex; Newton's step on it solves (I + D C) delta = f(eta) - y, D = V'', which is
  * delta = rho - D^(1/2) w, (I + D^(1/2) C D^(1/2)) w = D^(1/2) C rho, rho = f - y.
  *
- * C is a block per wire plus the head's part, which goes through the grid of bed.h. The wires' part
+ * C is a block per wire plus the head's part, which goes through the grid of wire_grid.h. The wires' part
  * alone is solved directly and preconditions conjugate gradients for all: the head is about as stiff as
  * the bed, so a few steps suffice. */
 #include <math.h>
@@ -80,7 +80,7 @@ static bool wire_responses(const TbWires *wires, const TbWire *wire, TbArena *sc
 /* The head's part of C, and of eta0 under its own weight. */
 static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Statics *s) {
   const TbModes *modes = &model->modes;
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   double *gain = tb_arena_doubles(scratch, modes->padded);
   double *sag = tb_arena_doubles(scratch, modes->padded);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
@@ -96,7 +96,7 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
 
 /* out = C y */
 static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   model->kernels->contract(bed, y, s->fold, s->grid);
   model->kernels->comply(&s->head, s->grid, s->answer);
   model->kernels->expand(bed, s->answer, s->fold, out);
@@ -293,14 +293,14 @@ static void rest_wires(TaborModel *model, double *const *responses) {
 }
 
 static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   *s = (Statics){.n = model->wires.stride};
   s->eta0 = tb_arena_doubles(scratch, s->n);
   s->yielded = tb_arena_doubles(scratch, s->n);
   s->weight = tb_arena_doubles(scratch, model->modes.padded);
   s->grid = tb_arena_doubles(scratch, bed->size);
   s->answer = tb_arena_doubles(scratch, bed->size);
-  s->fold = tb_arena_doubles(scratch, tb_bed_scratch(bed));
+  s->fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(bed));
   return !scratch->failed;
 }
 
@@ -311,7 +311,7 @@ static bool settle_in_double(TaborModel *model, TbArena *scratch) {
   TbRest *rest = &model->rest;
   double *zero = tb_arena_doubles(scratch, wires->stride);
   double *ignored = tb_arena_doubles(scratch, wires->stride);
-  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&model->projection.bed));
+  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&model->projection.bed));
   if (scratch->failed) return false;
   kernels->laws(wires->count, wires->lanes, wires->laws, rest->eta, NULL, zero, rest->force,
                 ignored, ignored);
@@ -323,7 +323,7 @@ static bool settle_in_float(TaborModel *model, TbArena *scratch) {
   const TbKernelsF *kernels = model->kernelsf;
   const uint32_t n = model->wires.stride;
   float *row[6], *grid = tb_arena_take(scratch, model->bedf.size, sizeof *grid);
-  float *fold = tb_arena_take(scratch, tb_bed_scratchf(&model->bedf), sizeof *fold);
+  float *fold = tb_arena_take(scratch, tb_wire_grid_scratchf(&model->bedf), sizeof *fold);
   for (int i = 0; i < 6; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
   if (scratch->failed) return false;
   kernels->narrow(n, model->rest.eta, row[0]);

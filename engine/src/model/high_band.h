@@ -44,7 +44,7 @@
 #define TB_HIGH_MOST 2048u
 #define TB_HIGH_MOST_LIVE 1024u
 
-#define TB_TEMPLATE "model/highband_tmpl.h"
+#define TB_TEMPLATE "model/high_band_tmpl.h"
 #include "kernels/both.h"
 
 /* What groups do to neighbouring modes of their head. */

@@ -7,11 +7,11 @@
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
-#include "model/bedf.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
 #include "model/state_layout.h"
 #include "model/stretch_gain.h"
+#include "model/wire_gridf.h"
 #include "model/wire_reach.h"
 
 /* What a quality level stands for. */
@@ -105,7 +105,7 @@ static bool prepare_in_double(TaborModel *model) {
 }
 
 static bool prepare_in_float(TaborModel *model) {
-  return tb_bedf_prepare(&model->bedf, &model->arena, &model->projection.bed) &&
+  return tb_wire_gridf_prepare(&model->bedf, &model->arena, &model->projection.bed) &&
          tb_compliancef_prepare(&model->compliancef, &model->arena, &model->compliance);
 }
 
@@ -138,7 +138,7 @@ typedef struct Probe {
 
 /* Displacement of the head at a contact point one step after a unit force there. */
 static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   probe->force[row] = 1.0;
   model->kernels->contract(bed, probe->force, probe->fold, probe->grid);
   probe->force[row] = 0.0;
@@ -164,11 +164,11 @@ static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
 }
 
 static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   const Probe probe = {.force = tb_arena_doubles(scratch, model->wires.stride),
                        .grid = tb_arena_doubles(scratch, bed->size),
                        .answer = tb_arena_doubles(scratch, bed->size),
-                       .fold = tb_arena_doubles(scratch, tb_bed_scratch(bed))};
+                       .fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(bed))};
   model->yield = tb_arena_take(&model->arena, model->wires.stride, sizeof *model->yield);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);

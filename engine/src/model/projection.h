@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Between modes and the grid under the wires, both ways through the same table:
- * c_p = Sum_i table_pi q_i, F_i = Sum_p table_pi C_p, class by class (bed.h). */
+ * c_p = Sum_i table_pi q_i, F_i = Sum_p table_pi C_p, class by class (wire_grid.h). */
 #ifndef TB_PROJECTION_H
 #define TB_PROJECTION_H
 
@@ -20,7 +20,7 @@ typedef struct TbProjectionGroup {
 } TbProjectionGroup;
 
 typedef struct TbProjection {
-  TbBed bed;
+  TbWireGrid bed;
   TbPrecision precision; /* of the tables */
   uint32_t groups;
   TbProjectionGroup group[4];

@@ -14,13 +14,13 @@ static size_t work_floats(const TaborModel *model) {
                       MODES[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = 2};
   return ROWS[model->contacts] * (model->wires.stride + TB_SLOTS) +
          GRIDS[model->contacts] * model->bedf.size + MODES[model->contacts] * model->modes.padded +
-         tb_pad(tb_bed_scratchf(&model->bedf));
+         tb_pad(tb_wire_grid_scratchf(&model->bedf));
 }
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   const size_t modes = model->modes.padded, nodes = model->wires.node_count;
   const size_t rows = model->wires.stride + TB_SLOTS;
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   *layout = (TbLayout){0};
   size_t total = 0;
   for (int phase = 0; phase < 3; phase++) {
@@ -37,7 +37,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->grid = place(&total, bed->size);
   layout->change = place(&total, bed->size);
   layout->work =
-    place(&total, TB_WORK_ROWS * rows + TB_WORK_GRIDS * bed->size + tb_bed_scratch(bed));
+    place(&total, TB_WORK_ROWS * rows + TB_WORK_GRIDS * bed->size + tb_wire_grid_scratch(bed));
   layout->workf = place(&total, work_floats(model) / 2u); /* two floats each */
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);

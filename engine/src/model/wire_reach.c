@@ -6,7 +6,7 @@
 
 static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
                            double *fold, double *rows, double *reach) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   for (uint32_t i = 0; i < group->modes; i++) {
     for (uint32_t p = 0; p < group->points; p++) {
       grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
@@ -22,7 +22,7 @@ static void largest_shapes(const TaborModel *model, const TbProjectionGroup *gro
 TaborStatus tb_wire_reach_prepare(TaborModel *model, TbArena *scratch) {
   const TbProjection *p = &model->projection;
   double *grid = tb_arena_doubles(scratch, p->bed.size);
-  double *fold = tb_arena_doubles(scratch, tb_bed_scratch(&p->bed));
+  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&p->bed));
   double *rows = tb_arena_doubles(scratch, model->wires.stride);
   model->reach = tb_arena_doubles(&model->arena, model->modes.padded);
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;

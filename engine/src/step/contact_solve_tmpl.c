@@ -190,7 +190,7 @@ static void add_others(TbSolve *solve, const double *x, const double *grid, doub
 static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Real *out) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
-  const TYPE_OF(TbBed) *bed = solve->in.NAME_OF(bed);
+  const TYPE_OF(TbWireGrid) *bed = solve->in.NAME_OF(bed);
   TB_STAGE(PRODUCT);
   if (wires) {
     kernels->contract(bed, x, work->scratch, grid);
@@ -231,7 +231,7 @@ static void slot_laws(TbSolve *solve, const Real *s) {
 /* Forces, slopes and means of the laws at s. */
 static void apply_laws(TbSolve *solve, const Real *s) {
   const Work *work = work_of(solve);
-  const TYPE_OF(TbBed) *bed = solve->in.NAME_OF(bed);
+  const TYPE_OF(TbWireGrid) *bed = solve->in.NAME_OF(bed);
   if (work->wires) {
     kernels_of(solve)->laws(bed->wires, bed->lanes, solve->in.wire_laws, y_of(solve),
                             root_of(solve), s, work->law, work->slope, work->mean);

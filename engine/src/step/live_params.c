@@ -56,7 +56,7 @@ static void apply_wire(TbView *view, uint32_t w) {
   }
 }
 
-void tb_live_params_params_apply(TbView *view) {
+void tb_live_params_apply(TbView *view) {
   const TbWires *wires = &view->model->wires;
   for (uint32_t w = 0; w < wires->count; w++) apply_wire(view, w);
   for (uint32_t row = 0; row < wires->stride; row++) {
@@ -65,17 +65,17 @@ void tb_live_params_params_apply(TbView *view) {
   tb_coupling_renew(view);
 }
 
-void tb_live_params_params_definition(const TaborModel *model, TbLiveParam *live) {
+void tb_live_params_definition(const TaborModel *model, TbLiveParam *live) {
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const double value = definition_value(&model->def, i);
     live[i] = (TbLiveParam){.now = value, .target = value};
   }
 }
 
-void tb_live_params_params_reset(TbView *view) {
-  tb_live_params_params_definition(view->model, view->state->live);
+void tb_live_params_reset(TbView *view) {
+  tb_live_params_definition(view->model, view->state->live);
   tb_pool_muffle(view);
-  tb_live_params_params_apply(view);
+  tb_live_params_apply(view);
 }
 
 static int live_index(uint32_t parameter) {
@@ -94,7 +94,7 @@ static int live_index(uint32_t parameter) {
   }
 }
 
-bool tb_live_params_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {
+bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {
   const TbParam *param = tb_param_by_id(parameter);
   const int first = live_index(parameter);
   if (!param || first < 0) return false;
@@ -151,11 +151,11 @@ static void move_wires(TbView *view) {
     advance_all(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
   }
   if (ends) advance_all(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
-  tb_live_params_params_apply(view);
+  tb_live_params_apply(view);
   view->state->sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
 }
 
-void tb_live_params_params_step(TbView *view) {
+void tb_live_params_step(TbView *view) {
   TbLiveParam *live = view->state->live;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
     if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_pool_regrip(view);

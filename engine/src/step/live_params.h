@@ -7,14 +7,14 @@
 #include "step/state.h"
 
 /* The values that the definition gives: live[TB_LIVE_COUNT]. */
-void tb_live_params_params_definition(const TaborModel *model, TbLiveParam *live);
+void tb_live_params_definition(const TaborModel *model, TbLiveParam *live);
 /* All values as the definition gives them. */
-void tb_live_params_params_reset(TbView *view);
+void tb_live_params_reset(TbView *view);
 /* Starts a move of live parameter `parameter` (a TbParamId); false if it is not live or is absent. */
-bool tb_live_params_params_set(TbView *view, uint32_t parameter, uint32_t index, double value);
+bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value);
 /* Moves what is under way by one sample. */
-void tb_live_params_params_step(TbView *view);
+void tb_live_params_step(TbView *view);
 /* Recomputes what follows from the live values. */
-void tb_live_params_params_apply(TbView *view);
+void tb_live_params_apply(TbView *view);
 
 #endif

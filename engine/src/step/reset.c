@@ -17,5 +17,5 @@ void tb_state_reset(TbState *state, const TaborModel *model) {
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
     view.solve.warm.force[row] = real ? model->rest.force[row] : 0.0;
   }
-  tb_live_params_params_reset(&view);
+  tb_live_params_reset(&view);
 }

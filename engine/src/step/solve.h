@@ -4,7 +4,7 @@
  * s is the change of penetration over two steps, b what it would be without contact forces (with the
  * rest load M f_rest added), M the compliance over one step [m/N]: diagonal for what wires and
  * strikers yield themselves, plus the head's, which couples every point to every other through the
- * grid of bed.h. M is symmetric positive definite and f grows with s, so there is one solution.
+ * grid of wire_grid.h. M is symmetric positive definite and f grows with s, so there is one solution.
  *
  * Newton from a pair s, f~ with s = b - M f~ (at first f~ are the last sample's forces): with f = f(s),
  * r = M (f - f~) and slopes D, solve (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r by conjugate gradients;
@@ -37,11 +37,11 @@
  * loops may run over them. */
 typedef struct TbContacts {
   const TbKernels *kernels;
-  const TbBed *bed;
+  const TbWireGrid *bed;
   const TbCompliance *compliance; /* the head's, between points of the grid */
   TbPrecision precision;          /* TB_IN_FLOAT needs the following, too: */
   const TbKernelsF *kernelsf;
-  const TbBedF *bedf;
+  const TbWireGridF *bedf;
   const TbComplianceF *compliancef;
   const float *yield; /* [stride] of the head at a point, to a force there alone [m/N], */
   bool near;          /* ... and whether some wire point may touch */

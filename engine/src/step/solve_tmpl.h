@@ -8,7 +8,7 @@ typedef struct TB_TYPE(TbSolveWork) {
   TB_REAL *law, *slope, *mean;
   TB_REAL *weight, *residual, *direction, *turned, *moved, *solution;
   TB_REAL *grid, *grid_last, *pushed, *answer; /* [bed size] */
-  TB_REAL *scratch;                            /* [tb_bed_scratch] */
+  TB_REAL *scratch;                            /* [tb_wire_grid_scratch] */
 #if TB_REAL_IS_FLOAT
   float *b, *y, *root, *own, *before; /* [stride + TB_SLOTS] */
   float *stretch[2];                  /* [bed size] */

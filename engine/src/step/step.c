@@ -177,7 +177,7 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
 }
 
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
-  tb_live_params_params_step(view);
+  tb_live_params_step(view);
   TB_STAGE(STRIKERS);
   tb_brush_step(view);
   free_motion(view);

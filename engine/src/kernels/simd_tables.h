@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tables times vectors in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
-#ifndef TB_TABLELANES_H
-#define TB_TABLELANES_H
+#ifndef TB_SIMD_TABLES_H
+#define TB_SIMD_TABLES_H
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The head's motion under the bed of wires, on a coarse grid, in both precisions: TbBed and TbBedF.
+/* The head's motion under the bed of wires, on a coarse grid, in both precisions: TbWireGrid and TbWireGridF.
  *
  * The head is smooth on the scale of half its shortest wavelength, while contact points lie closer:
  * w(lane j, wire v) = Sum_l across[v][l] Sum_a along[j][a] c[l][a], and forces go back through the
@@ -12,23 +12,23 @@
  *
  * Mirror symmetries make classes that do not mix: even or odd along (x -> -x) times even or odd across
  * (y -> -y). Where the bed is its own mirror image across, wires and their images go in pairs, and even lines come
- * before the odd ones. In double half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror. TbBedF
+ * before the odd ones. In double half the lanes stand for all: the folded f_j + f_mirror and f_j - f_mirror. TbWireGridF
  * folds nothing (halves = 1): the classes along stand side by side and each shape covers all lanes, since folding
  * costs more than it saves where a register holds twice as many.
  *
  * A grid vector holds class after class (even along first, then even across first), each as
  * [line][column] padded with zeros to 8. What the head yields to it is c = G C (TbCompliance), one matrix per class.
  * kernels.h has what computes with these. */
-#ifndef TB_BED_H
-#define TB_BED_H
+#ifndef TB_WIRE_GRID_H
+#define TB_WIRE_GRID_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define TB_TEMPLATE "kernels/bed_tmpl.h"
+#define TB_TEMPLATE "kernels/wire_grid_tmpl.h"
 #include "kernels/both.h"
 
-static inline uint32_t tb_bed_class(const TbBed *bed, uint32_t along, uint32_t across) {
+static inline uint32_t tb_wire_grid_class(const TbWireGrid *bed, uint32_t along, uint32_t across) {
   return along * bed->quarters + across;
 }
 

@@ -34,7 +34,7 @@ static bool shapes_at(const Fit *fit, uint32_t row, double *radial, double *shap
 }
 
 static bool collect_shapes(Fit *fit) {
-  const TbBed *bed = &fit->projection->bed;
+  const TbWireGrid *bed = &fit->projection->bed;
   double *radial = tb_arena_doubles(fit->scratch, fit->head->row_count);
   double *shape = tb_arena_doubles(fit->scratch, fit->modes->padded);
   fit->shapes = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
@@ -169,7 +169,7 @@ static uint32_t gather_modes(const Fit *fit, const double *from, uint32_t across
 }
 
 static bool fit_across_class(Fit *fit, uint32_t across, double *work, double *basis) {
-  TbBed *bed = &fit->projection->bed;
+  TbWireGrid *bed = &fit->projection->bed;
   double weight[TABOR_MAX_WIRES];
   for (uint32_t w = 0; w < bed->wires; w++) weight[w] = 1.0;
   const Samples samples = {.data = work,
@@ -191,14 +191,14 @@ static bool fit_across_class(Fit *fit, uint32_t across, double *work, double *ba
   return true;
 }
 
-static void each_wire_its_line(TbBed *bed, double *basis) {
+static void each_wire_its_line(TbWireGrid *bed, double *basis) {
   memset(basis, 0, (size_t)bed->wires * bed->wires * sizeof *basis);
   for (uint32_t w = 0; w < bed->wires; w++) basis[w * bed->wires + w] = 1.0;
   bed->lines = bed->first_line[1] = bed->first_line[2] = bed->wires;
 }
 
 static bool fit_across(Fit *fit) {
-  TbBed *bed = &fit->projection->bed;
+  TbWireGrid *bed = &fit->projection->bed;
   const uint32_t n = bed->wires;
   if (n == 0) return true;
   double *basis = tb_arena_doubles(fit->scratch, (size_t)3 * n * n);
@@ -224,13 +224,13 @@ static bool fit_across(Fit *fit) {
   return true;
 }
 
-static uint32_t lines_of_class(const TbBed *bed, uint32_t across) {
+static uint32_t lines_of_class(const TbWireGrid *bed, uint32_t across) {
   return bed->first_line[across + 1] - bed->first_line[across];
 }
 
 /* Every mode's amplitudes on the lines of its class. */
 static void shapes_on_lines(Fit *fit) {
-  const TbBed *bed = &fit->projection->bed;
+  const TbWireGrid *bed = &fit->projection->bed;
   for (uint32_t g = 0; g < fit->modes->groups; g++) {
     const uint32_t across = g % bed->quarters;
     for (uint32_t i = fit->modes->group[g]; i < fit->modes->group[g + 1]; i++) {
@@ -251,13 +251,13 @@ static void shapes_on_lines(Fit *fit) {
 /* ---- along ---------------------------------------------------------------------------------- */
 
 /* A lane off the middle stands for two. */
-static void lane_weights(const TbBed *bed, double *weight) {
+static void lane_weights(const TbWireGrid *bed, double *weight) {
   for (uint32_t j = 0; j < bed->half; j++) weight[j] = j == bed->middle ? 1.0 : sqrt(2.0);
 }
 
 /* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the wires. */
 static bool fit_along_class(Fit *fit, uint32_t along, double *work, double *basis) {
-  TbBed *bed = &fit->projection->bed;
+  TbWireGrid *bed = &fit->projection->bed;
   double weight[1024];
   lane_weights(bed, weight);
   const Samples samples = {.data = work,
@@ -272,7 +272,7 @@ static bool fit_along_class(Fit *fit, uint32_t along, double *work, double *basi
 }
 
 static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
-  TbBed *bed = &fit->projection->bed;
+  TbWireGrid *bed = &fit->projection->bed;
   const uint32_t columns = bed->columns[along], half = bed->half;
   double weight[1024];
   lane_weights(bed, weight);
@@ -293,14 +293,14 @@ static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
   return true;
 }
 
-static void leave_lanes_alone(TbBed *bed) {
+static void leave_lanes_alone(TbWireGrid *bed) {
   const uint32_t lanes = bed->halves == 2 ? bed->middle + 1 : bed->lanes;
   bed->columns[0] = bed->columns[1] = lanes;
   bed->thinned = false;
 }
 
 static bool fit_along(Fit *fit, double *basis[2]) {
-  TbBed *bed = &fit->projection->bed;
+  TbWireGrid *bed = &fit->projection->bed;
   leave_lanes_alone(bed);
   if (bed->wires == 0 || bed->halves == 1 || !fit->wires->aligned || bed->half > 1024) return true;
   double *work = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
@@ -319,12 +319,12 @@ static bool fit_along(Fit *fit, double *basis[2]) {
 
 /* ---- tables --------------------------------------------------------------------------------- */
 
-static bool fill_places(TbBed *bed, TbArena *arena, uint32_t along) {
+static bool fill_places(TbWireGrid *bed, TbArena *arena, uint32_t along) {
   uint32_t *place = tb_arena_take(arena, (size_t)bed->lines * bed->columns[along], sizeof *place);
   bed->place[along] = place;
   for (uint32_t line = 0; place && line < bed->lines; line++) {
     const uint32_t across = bed->quarters == 2 && line >= bed->first_line[1] ? 1 : 0;
-    const uint32_t first = bed->first[tb_bed_class(bed, along, across)] +
+    const uint32_t first = bed->first[tb_wire_grid_class(bed, along, across)] +
                            (line - bed->first_line[across]) * bed->columns[along];
     for (uint32_t a = 0; a < bed->columns[along]; a++) *place++ = first + a;
   }
@@ -332,10 +332,10 @@ static bool fill_places(TbBed *bed, TbArena *arena, uint32_t along) {
 }
 
 static bool place_classes(TbProjection *p, TbArena *arena) {
-  TbBed *bed = &p->bed;
+  TbWireGrid *bed = &p->bed;
   for (uint32_t along = 0; along < bed->halves; along++) {
     for (uint32_t across = 0; across < bed->quarters; across++) {
-      const uint32_t c = tb_bed_class(bed, along, across);
+      const uint32_t c = tb_wire_grid_class(bed, along, across);
       bed->first[c] = bed->size;
       bed->size += tb_pad(lines_of_class(bed, across) * bed->columns[along]);
     }
@@ -350,7 +350,7 @@ static bool place_classes(TbProjection *p, TbArena *arena) {
 /* Amplitude of mode i at one point of its class. */
 static double amplitude(const Fit *fit, double *const basis[2], uint32_t i, uint32_t along,
                         uint32_t line, uint32_t column) {
-  const TbBed *bed = &fit->projection->bed;
+  const TbWireGrid *bed = &fit->projection->bed;
   const double *values = fit->lines + (size_t)i * fit->stride + line * bed->half;
   if (!bed->thinned) return values[column];
   double sum = 0.0;
@@ -361,7 +361,7 @@ static double amplitude(const Fit *fit, double *const basis[2], uint32_t i, uint
 }
 
 static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
-  const TbBed *bed = &fit->projection->bed;
+  const TbWireGrid *bed = &fit->projection->bed;
   TbProjectionGroup *group = &fit->projection->group[g];
   const uint32_t along = g / bed->quarters, across = g % bed->quarters;
   *group = (TbProjectionGroup){.first = fit->modes->group[g],
@@ -385,12 +385,12 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   return true;
 }
 
-static void start_bed(TbBed *bed, const TbModes *modes, const TbWires *wires) {
-  *bed = (TbBed){.wires = wires->count,
-                 .lanes = wires->lanes,
-                 .middle = wires->middle,
-                 .halves = modes->halves,
-                 .quarters = modes->quarters};
+static void start_bed(TbWireGrid *bed, const TbModes *modes, const TbWires *wires) {
+  *bed = (TbWireGrid){.wires = wires->count,
+                      .lanes = wires->lanes,
+                      .middle = wires->middle,
+                      .halves = modes->halves,
+                      .quarters = modes->quarters};
   bed->half = bed->halves == 2 ? tb_pad(bed->middle + 1) : bed->lanes;
   if (wires->count == 0) bed->half = 0;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* contact_law.h's formulas on whole registers, for an exponent of 1, 3/2 or 2 (power 2, 3 or 4), in the precision of
  * simd_lanes.h. For kernels_tmpl.c alone. */
-#ifndef TB_SIMD_CONTACT_H
-#define TB_SIMD_CONTACT_H
+#ifndef TB_SIMD_CONTACT_LAW_H
+#define TB_SIMD_CONTACT_LAW_H
 
 #include <stddef.h>
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The bed (bed.h) and the head's compliance under it rounded to single precision. */
-#ifndef TB_BEDF_H
-#define TB_BEDF_H
+/* The bed (wire_grid.h) and the head's compliance under it rounded to single precision. */
+#ifndef TB_WIRE_GRIDF_H
+#define TB_WIRE_GRIDF_H
 
 #include "model/compliance.h"
 
 /* Rounds the bed's own shapes to single precision, so that both precisions mean the same grid, and copies it. */
-bool tb_bedf_prepare(TbBedF *bedf, TbArena *arena, TbBed *bed);
+bool tb_wire_gridf_prepare(TbWireGridF *bedf, TbArena *arena, TbWireGrid *bed);
 
 bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
                             const TbCompliance *compliance);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The contact solve's passes over rows in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For
  * kernels_tmpl.c alone. */
-#ifndef TB_CONTACTLANES_H
-#define TB_CONTACTLANES_H
+#ifndef TB_SIMD_CONTACT_ROWS_H
+#define TB_SIMD_CONTACT_ROWS_H
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"

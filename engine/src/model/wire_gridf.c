@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/bedf.h"
+#include "model/wire_gridf.h"
 
 #include <string.h>
 
@@ -7,7 +7,7 @@ static void round_all(double *values, size_t count) {
   for (size_t i = 0; i < count; i++) values[i] = (double)(float)values[i];
 }
 
-static void round_bed(TbBed *bed) {
+static void round_bed(TbWireGrid *bed) {
   round_all(bed->across, (size_t)bed->wires * bed->lines);
   for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
     round_all(bed->contract[along], (size_t)bed->half * bed->padded[along]);
@@ -16,7 +16,7 @@ static void round_bed(TbBed *bed) {
 }
 
 /* Of one column of a class along, at any lane. */
-static double shape_at(const TbBed *bed, uint32_t along, uint32_t column, uint32_t lane) {
+static double shape_at(const TbWireGrid *bed, uint32_t along, uint32_t column, uint32_t lane) {
   const bool folded = bed->halves == 2, image = folded && lane > bed->middle;
   if (folded && lane > 2 * bed->middle) return 0.0;
   if (along == 1 && lane == bed->middle) return 0.0;
@@ -26,7 +26,7 @@ static double shape_at(const TbBed *bed, uint32_t along, uint32_t column, uint32
   return along == 1 && image ? -value : value;
 }
 
-static void fill_shapes(TbBedF *bedf, const TbBed *bed) {
+static void fill_shapes(TbWireGridF *bedf, const TbWireGrid *bed) {
   for (uint32_t lane = 0; lane < bed->lanes; lane++) {
     uint32_t c = 0;
     for (uint32_t along = 0; along < bed->halves; along++) {
@@ -40,7 +40,7 @@ static void fill_shapes(TbBedF *bedf, const TbBed *bed) {
 }
 
 /* The classes of symmetry along stand side by side. */
-static void fill_places(TbBedF *bedf, const TbBed *bed) {
+static void fill_places(TbWireGridF *bedf, const TbWireGrid *bed) {
   uint32_t *place = bedf->place[0];
   for (uint32_t line = 0; line < bed->lines; line++) {
     for (uint32_t along = 0; along < bed->halves; along++) {
@@ -65,17 +65,17 @@ bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
   return true;
 }
 
-bool tb_bedf_prepare(TbBedF *bedf, TbArena *arena, TbBed *bed) {
+bool tb_wire_gridf_prepare(TbWireGridF *bedf, TbArena *arena, TbWireGrid *bed) {
   round_bed(bed);
-  *bedf = (TbBedF){.wires = bed->wires,
-                   .lanes = bed->lanes,
-                   .halves = 1,
-                   .quarters = bed->quarters,
-                   .middle = bed->middle,
-                   .half = bed->lanes,
-                   .lines = bed->lines,
-                   .thinned = true,
-                   .size = bed->size};
+  *bedf = (TbWireGridF){.wires = bed->wires,
+                        .lanes = bed->lanes,
+                        .halves = 1,
+                        .quarters = bed->quarters,
+                        .middle = bed->middle,
+                        .half = bed->lanes,
+                        .lines = bed->lines,
+                        .thinned = true,
+                        .size = bed->size};
   memcpy(bedf->first_line, bed->first_line, sizeof bedf->first_line);
   memcpy(bedf->first, bed->first, sizeof bedf->first);
   for (uint32_t along = 0; along < bed->halves; along++) bedf->columns[0] += bed->columns[along];

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Between wires and the grid under them (bed.h) in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
-#ifndef TB_BEDLANES_H
-#define TB_BEDLANES_H
+/* Between wires and the grid under them (wire_grid.h) in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
+#ifndef TB_SIMD_WIRE_GRID_H
+#define TB_SIMD_WIRE_GRID_H
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"
-#include "kernels/tablelanes.h"
+#include "kernels/simd_tables.h"
 
-typedef TYPE_OF(TbBed) Bed;
+typedef TYPE_OF(TbWireGrid) Bed;
 
 /* ---- across --------------------------------------------------------------------------------- */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that single precision alone has: beside a state that is double. For kernels_tmpl.c alone. */
-#ifndef TB_NARROWLANES_H
-#define TB_NARROWLANES_H
+#ifndef TB_SIMD_NARROW_H
+#define TB_SIMD_NARROW_H
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"

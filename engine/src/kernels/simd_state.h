@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that double alone has: the state of modes and wires. For kernels_tmpl.c alone. */
-#ifndef TB_STATELANES_H
-#define TB_STATELANES_H
+#ifndef TB_SIMD_STATE_H
+#define TB_SIMD_STATE_H
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The text of TbBed and TbBedF, TbCompliance and TbComplianceF: see bed.h and both.h. */
+/* The text of TbWireGrid and TbWireGridF, TbCompliance and TbComplianceF: see wire_grid.h and both.h. */
 
 typedef struct TB_TYPE(TbCompliance) {
   uint32_t classes;
-  uint32_t first[5];        /* of each class in a grid vector, as in TbBed */
+  uint32_t first[5];        /* of each class in a grid vector, as in TbWireGrid */
   const TB_REAL *matrix[4]; /* [points/8][points][8] */
 } TB_TYPE(TbCompliance);
 
-typedef struct TB_TYPE(TbBed) {
+typedef struct TB_TYPE(TbWireGrid) {
   uint32_t wires, lanes;
   uint32_t halves, quarters; /* symmetries that are made use of, as in TbModes */
   uint32_t middle, half;     /* folded lanes, padded; all lanes where nothing is folded */
@@ -22,10 +22,10 @@ typedef struct TB_TYPE(TbBed) {
   uint32_t *place[2];        /* [lines][columns]: where in a grid vector */
   uint32_t size;             /* of a grid vector, */
   uint32_t first[5];         /* and where its classes begin */
-} TB_TYPE(TbBed);
+} TB_TYPE(TbWireGrid);
 
 /* Numbers of scratch that contracting and expanding need. */
-static inline uint32_t TB_NAME(tb_bed_scratch)(const TB_TYPE(TbBed) * bed) {
+static inline uint32_t TB_NAME(tb_wire_grid_scratch)(const TB_TYPE(TbWireGrid) * bed) {
   const uint32_t padded = bed->padded[0] > bed->padded[1] ? bed->padded[0] : bed->padded[1];
   return bed->lines * (bed->lanes + 2u * bed->half + padded);
 }

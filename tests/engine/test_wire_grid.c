@@ -27,12 +27,15 @@ static double *take(TbArena *arena, size_t count) {
 }
 
 static Room make_room(TbArena *arena, const TaborModel *model) {
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   const TaborAllocator allocator = tb_allocator_resolve(NULL);
   tb_arena_prepare(arena, &allocator);
-  return (Room){take(arena, bed->size),           take(arena, bed->size),
-                take(arena, model->wires.stride), take(arena, model->wires.stride),
-                take(arena, tb_bed_scratch(bed)), take(arena, model->modes.padded)};
+  return (Room){take(arena, bed->size),
+                take(arena, bed->size),
+                take(arena, model->wires.stride),
+                take(arena, model->wires.stride),
+                take(arena, tb_wire_grid_scratch(bed)),
+                take(arena, model->modes.padded)};
 }
 
 /* Exact shapes of all modes at a row. */
@@ -46,7 +49,7 @@ static void exact(const TaborModel *model, uint32_t row, double *radial, double 
 static double worst_shape(const TaborModel *model) {
   TbArena arena;
   const Room room = make_room(&arena, model);
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   const uint32_t modes = model->modes.group[model->modes.groups];
   double *radial = take(&arena, model->head.row_count), *shape = take(&arena, model->modes.padded);
   double *table = take(&arena, (size_t)model->wires.stride * modes);
@@ -110,7 +113,7 @@ static void work_is_the_same_on_both_sides(void **state) {
   (void)state;
   const TaborDrumDef def = snares(7);
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   const uint32_t n = model->wires.stride;
   TbArena arena;
   const Room room = make_room(&arena, model);
@@ -142,7 +145,7 @@ static void compliance_agrees_with_the_modes(void **state) {
   (void)state;
   const TaborDrumDef def = snares(5);
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
-  const TbBed *bed = &model->projection.bed;
+  const TbWireGrid *bed = &model->projection.bed;
   const uint32_t modes = model->modes.group[model->modes.groups];
   TbArena arena;
   const Room room = make_room(&arena, model);

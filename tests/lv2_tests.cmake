@@ -23,5 +23,6 @@ foreach(name IN ITEMS test_lv2_validate test_lv2_jalv)
 endforeach()
 tabor_add_script_test(test_lv2_races "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}")
 if(JACK_FOUND)
-  set_property(TEST test_lv2_jalv APPEND PROPERTY ENVIRONMENT "JACK_SEND=$<TARGET_FILE:jack_send>")
+  set_property(TEST test_lv2_jalv APPEND PROPERTY ENVIRONMENT "JACK_SEND=$<TARGET_FILE:jack_send>"
+                                                    "STALLS=$<TARGET_FILE:host_stalls>")
 endif()

@@ -69,7 +69,7 @@ type_strokes() {
   echo "keys and strokes are apart by $(sed -n 3p late) s in half of the cases, by $(tail -n 1 late) s at most"
   awk 'NR == 3 && $1 >= 0.01 || $1 >= 0.1 { exit 1 }' late
 }
-in_time 0.005 "strokes come at the times of their keys" type_strokes
+in_time $CALM "strokes come at the times of their keys" type_strokes
 if [ "$via" = jack ]; then
   finish
   exit

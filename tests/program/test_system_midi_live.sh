@@ -28,9 +28,6 @@ end_play() {
   same "status" 130 $?
 }
 
-# JACK's clock stands still for blocks that a busy machine has missed.
-missed_blocks() { [ "$(json xruns)" != 0 ] || grep -qi xrun "$private/jackd.log"; }
-
 # told_strokes N: the messages have told of so many.
 told_strokes() { awk -v n="$1" '/: stroke at / { sum += / the last of / ? $NF : 1 } END { exit !(sum >= n) }' "$err"; }
 # told_notes N: ... of so many notes that are not in the map.
@@ -39,7 +36,7 @@ told_notes() {
 }
 
 # onsets_at FILE SECONDS...: strokes so long after the first, give or take the block to which RtMidi cuts the
-# times of JACK's messages; and no others.
+# times of JACK's messages; and no others. (JACK's clock stands still for blocks that a busy machine has missed.)
 onsets_at() {
   local sound=$1 onset seconds
   shift
@@ -56,7 +53,6 @@ onsets_at() {
 # ---- our own input ----
 
 play_own() {
-  : >"$private/jackd.log"
   start_play --record own.wav
   check "notes are sent" "$JACK_SEND" tabor-midi:in 0.1:992620 0.3:997f7f 0.5:992650 0.9:99267f 1.0:992600
   check "strokes are told" wait_for told_strokes 3
@@ -65,9 +61,9 @@ play_own() {
   same "strokes" 3 "$(json strokes)"
   same "nothing is dropped" 0 "$(json dropped)"
   check "velocity 127 is 10 m/s" grep -q "10.00 m/s" "$err"
-  ! missed_blocks && onsets_at own.wav 0.4 0.8
+  onsets_at own.wav 0.4 0.8
 }
-in_time 0.005 "strokes come at the times of their notes" play_own
+in_time $CALM "strokes come at the times of their notes" play_own
 
 # ---- an input that is there, and is listed ----
 
@@ -91,7 +87,6 @@ same "its stroke" 1 "$(json strokes)"
 # ---- an input that comes later, by its name ----
 
 play_named() {
-  : >"$private/jackd.log"
   start_play --midi-in jack_s --midi-channel 2 --record named.wav
   check "it is said that there is none" grep -q "^tabor: warning: --midi-in 'jack_s': no MIDI input" "$err"
   check "notes are sent" "$JACK_SEND" - 0.1:912630 0.3:922630 0.5:91267f 0.6:913c7f 0.7:91017f 0.7:910100
@@ -103,9 +98,9 @@ play_named() {
   end_play
   same "strokes on channel 2" 2 "$(json strokes)"
   same "notes that are not in the map" 2 "$(json ignored_notes)"
-  ! missed_blocks && onsets_at named.wav 0.4
+  onsets_at named.wav 0.4
 }
-in_time 0.005 "strokes of a later input come at the times of their notes" play_named
+in_time $CALM "strokes of a later input come at the times of their notes" play_named
 
 # ---- presets, maps, silence ----
 
@@ -116,19 +111,19 @@ done
 printf '[note.60]\n\n[controller.30]\nmoves = silence\n' >map.ini
 play_other() {
   local first
-  : >"$private/jackd.log"
   start_play --midi-map map.ini --record other.wav
   check "notes are sent" "$JACK_SEND" tabor-midi:in 0:993c7f 0.2:b01e00 "0.4:c9$tom" 1.0:b00740 1.0:993c7f
-  check "strokes are told" wait_for told_strokes 2
   check "the preset is told" wait_for grep -q "preset tom-12" "$err"
+  patience=5 wait_for told_strokes 2
   end_play
   same "the preset" tom-12 "$(json preset)"
-  same "strokes" 2 "$(json strokes)"
+  # silence takes away a stroke that a late machine puts behind it
+  [ "$(json strokes)" = 2 ] || return
   first=$("$INSPECT" onsets other.wav | head -n 1)
-  ! missed_blocks && awk "BEGIN { exit !($("$INSPECT" rms other.wav "$(awk "BEGIN { print $first / 48000 + 0.25 }")" \
+  awk "BEGIN { exit !($("$INSPECT" rms other.wav "$(awk "BEGIN { print $first / 48000 + 0.25 }")" \
     "$(awk "BEGIN { print $first / 48000 + 0.35 }")") == 0) }"
 }
-in_time 0.005 "a controller silences the drum at its time" play_other
+in_time $CALM "a controller silences the drum at its time" play_other
 
 # ---- far too much ----
 
@@ -148,6 +143,6 @@ play_flood() {
   echo "$strokes strokes, $dropped dropped"
   awk "BEGIN { exit !($strokes >= 200 && $dropped > 50000) }"
 }
-in_time 0.005 "strokes go on, and the others are counted" play_flood
+in_time $CALM "strokes go on, and the others are counted" play_flood
 
 finish

@@ -82,7 +82,7 @@ hear() {
   echo "JACK heard $frames frames as they were played, of 60000; $(json xruns) gaps"
   [ "$frames" = 60000 ]
 }
-in_time 0.005 "JACK hears what is played" hear
+in_time $CALM "JACK hears what is played" hear
 first=$("$INSPECT" first played.wav)
 holds "the first stroke sounds at 0.6 s: frame $first" "$first >= 28800 && $first < 28900"
 

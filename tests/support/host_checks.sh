@@ -119,11 +119,12 @@ interrupted() {
 # json PATH: what the last run printed at this path.
 json() { "$INSPECT" json "$1" <"$out"; }
 
-# wait_for COMMAND...: until the command succeeds, for a minute at most. Nothing takes so long; a busy machine may
-# make it.
+# wait_for COMMAND...: until the command succeeds, for `patience` seconds at most. Nothing takes a minute; a busy
+# machine may make it.
+patience=60
 wait_for() {
   local i
-  for ((i = 0; i < 1200; i++)); do
+  for ((i = 0; i < 20 * patience; i++)); do
     "$@" && return
     sleep 0.05
   done
@@ -133,6 +134,9 @@ wait_for() {
 # ---- time ----
 # No check may fail because the machine is slow. A test waits for what the program does instead of for a time to
 # pass. Where times themselves are compared, the machine is watched meanwhile.
+
+# A calm machine makes sleepers late by less [s].
+CALM=0.002
 
 # watch_machine: from now on it is measured by how much the machine makes sleepers late.
 watch_machine() {
@@ -180,6 +184,8 @@ recorded() {
   size=$(recorded_size) || return 1
   awk "BEGIN { exit !($size >= $1 * 48000 * $2) }"
 }
+# catches PROCESS SIGNAL-NUMBER: the process has a handler for it.
+catches() { (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status") >> ($2 - 1)) & 1)); }
 # record_more SECONDS BYTES: waits until so much has been added.
 record_more() {
   local size

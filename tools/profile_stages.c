@@ -172,13 +172,15 @@ static void touch_wires(Memory *memory) {
 }
 
 static void touch_bed(Memory *memory, TbStage stage, bool there, bool back) {
-  const TbWireGrid *bed = &memory->model->projection.bed;
-  TOUCH(memory, stage, (size_t)bed->wires * bed->lines, bed->across);
-  TOUCH(memory, stage, tb_wire_grid_scratch(bed), memory->view.solve.work.scratch);
-  for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
-    const size_t size = (size_t)bed->half * bed->columns[along];
-    if (there) TOUCH(memory, stage, (size_t)bed->half * bed->padded[along], bed->contract[along]);
-    if (back) TOUCH(memory, stage, size, bed->expand[along]);
+  const TbWireGrid *wire_grid = &memory->model->projection.wire_grid;
+  TOUCH(memory, stage, (size_t)wire_grid->wires * wire_grid->lines, wire_grid->across);
+  TOUCH(memory, stage, tb_wire_grid_scratch(wire_grid), memory->view.solve.work.scratch);
+  for (uint32_t along = 0; along < wire_grid->halves && wire_grid->thinned; along++) {
+    const size_t size = (size_t)wire_grid->half * wire_grid->columns[along];
+    if (there)
+      TOUCH(memory, stage, (size_t)wire_grid->half * wire_grid->padded[along],
+            wire_grid->contract[along]);
+    if (back) TOUCH(memory, stage, size, wire_grid->expand[along]);
   }
 }
 
@@ -202,15 +204,15 @@ static void touch_projection(Memory *memory) {
   touch_tables(memory, TB_STAGE_PROJECTION, &model->projection);
   touch_bed(memory, TB_STAGE_PROJECTION, false, true);
   TOUCH(memory, TB_STAGE_PROJECTION, coupled, v->next.q, v->modal);
-  TOUCH(memory, TB_STAGE_PROJECTION, model->projection.bed.size, v->change, v->solve.warm.grid,
-        model->rest.grid);
+  TOUCH(memory, TB_STAGE_PROJECTION, model->projection.wire_grid.size, v->change,
+        v->solve.warm.grid, model->rest.grid);
   TOUCH(memory, TB_STAGE_PROJECTION, model->wires.stride, v->head);
 }
 
 static void touch_solve(Memory *memory) {
   const TaborModel *model = memory->model;
   const TbSolve *s = &memory->view.solve;
-  const size_t rows = model->wires.stride + TB_SLOTS, size = model->projection.bed.size;
+  const size_t rows = model->wires.stride + TB_SLOTS, size = model->projection.wire_grid.size;
   const TbSolveWork *w = &s->work;
   TOUCH(memory, TB_STAGE_LAWS, rows, s->in.b, s->in.y, w->s, w->force, w->product, w->force_last,
         w->product_last, w->law, w->slope, w->mean, w->residual, w->direction, w->turned, w->moved,
@@ -236,7 +238,7 @@ static void touch_stretch(Memory *memory) {
   if (stretch->count == 0) return;
   size_t modes = 0;
   for (uint32_t g = 0; g <= memory->model->modes.groups; g++) modes += stretch->parts.size[g];
-  const size_t size = memory->model->projection.bed.size;
+  const size_t size = memory->model->projection.wire_grid.size;
   TOUCH(memory, TB_STAGE_STRETCH, modes, v->next.q, v->now.q, v->last.q, memory->model->modes.g);
   for (uint32_t h = 0; h < stretch->count; h++) {
     TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], v->stretch_pull[h]);
@@ -256,7 +258,7 @@ static void touch_strikers(Memory *memory) {
     if (v->state->slots[i].kind == TB_SLOT_FREE) continue;
     TOUCH(memory, TB_STAGE_STRIKERS, model->modes.padded, tb_slot_shape(v, i), tb_slot_drive(v, i),
           v->next.q);
-    TOUCH(memory, TB_STAGE_PRODUCT, model->projection.bed.size, tb_slot_coupling(v, i));
+    TOUCH(memory, TB_STAGE_PRODUCT, model->projection.wire_grid.size, tb_slot_coupling(v, i));
     if (v->state->slots[i].kind == TB_SLOT_STRIKER) {
       TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high_drive);
     }
@@ -492,7 +494,7 @@ static void measure(const Request *request) {
   printf("  \"modes\": %" PRIu32 ", \"high_modes\": %" PRIu32 ", \"wires\": %" PRIu32
          ", \"contact_points\": %" PRIu32 ", \"grid\": %" PRIu32 ",\n",
          info.mode_count, info.high_mode_count, info.wire_count, info.contact_points,
-         model->wires.count ? model->projection.bed.size : 0u);
+         model->wires.count ? model->projection.wire_grid.size : 0u);
   printf("  \"model_bytes\": %zu, \"drum_bytes\": %zu,\n", info.model_bytes, info.drum_bytes);
   print_series("build_s", &builds);
   if (request->instance_count) {

@@ -100,8 +100,8 @@ plant() { awk -v member="$1" -v line="RELOCATION RECORDS FOR [.text.$2]:" '
   END { exit !found }' <<< "$symbols"; }
 
 for place in kernels.c.o:turn kernelsf.c.o:turn kernelsf.c.o:relax contact_solve.c.o:solve_contacts \
-  contact_solvef.c.o:solve_contacts wire_motion.c.o:penetrate wire_motionf.c.o:penetrate high_ring.c.o:strike \
-  high_ringf.c.o:strike projection.c.o:project_rounded; do
+  contact_solvef.c.o:solve_contacts wire_motion.c.o:penetrate wire_motionf.c.o:penetrate high_band_step.c.o:strike \
+  high_band_stepf.c.o:strike projection.c.o:project_rounded; do
   planted=$(plant "${place%:*}" "${place#*:}") || { echo "$place: not in the library" >&2; exit 1; }
   if found=$(walk <<< "$planted") || [[ $found != "malloc: called by "* ]]; then
     echo "a call of malloc in $place was not found: ${found:-nothing was}" >&2

@@ -50,34 +50,34 @@ static void both_precisions_mean_the_same_grid(void **state) {
   uint64_t seed = physics_seed();
   for (int d = 0; d < DRUM_COUNT; d++) {
     TaborModel *model = live_model(DRUMS[d]);
-    const TbWireGrid *bed = &model->projection.bed;
-    const TbWireGridF *rounded = &model->bedf;
+    const TbWireGrid *wire_grid = &model->projection.wire_grid;
+    const TbWireGridF *rounded = &model->wire_gridf;
     const TbKernelsF *kernels = model->kernelsf;
     const uint32_t rows = model->wires.stride;
     const TaborAllocator allocator = tb_allocator_resolve(NULL);
     TbArena arena;
     tb_arena_prepare(&arena, &allocator);
-    double *x = take(&arena, rows), *grid = take(&arena, bed->size),
-           *answer = take(&arena, bed->size);
-    double *scratch = take(&arena, tb_wire_grid_scratch(bed));
-    float *x1 = take_single(&arena, rows), *grid1 = take_single(&arena, bed->size);
-    float *answer1 = take_single(&arena, bed->size);
+    double *x = take(&arena, rows), *grid = take(&arena, wire_grid->size),
+           *answer = take(&arena, wire_grid->size);
+    double *scratch = take(&arena, tb_wire_grid_scratch(wire_grid));
+    float *x1 = take_single(&arena, rows), *grid1 = take_single(&arena, wire_grid->size);
+    float *answer1 = take_single(&arena, wire_grid->size);
     float *scratch1 = take_single(&arena, tb_wire_grid_scratchf(rounded));
     for (uint32_t row = 0; row < rows; row++) {
       x1[row] = (float)(model->wires.real[row] * physics_uniform(&seed, -1.0, 1.0));
       x[row] = (double)x1[row];
     }
-    model->kernels->contract(bed, x, scratch, grid);
+    model->kernels->contract(wire_grid, x, scratch, grid);
     kernels->contract(rounded, x1, scratch1, grid1);
-    assert_true(off(bed->size, grid1, grid) < 2e-6);
+    assert_true(off(wire_grid->size, grid1, grid) < 2e-6);
     model->kernels->comply(&model->compliance, grid, answer);
     kernels->comply(&model->compliancef, grid1, answer1);
-    assert_true(off(bed->size, answer1, answer) < 4e-6);
-    model->kernels->expand(bed, answer, scratch, x);
+    assert_true(off(wire_grid->size, answer1, answer) < 4e-6);
+    model->kernels->expand(wire_grid, answer, scratch, x);
     kernels->expand(rounded, answer1, scratch1, x1);
     const double worst = off(rows, x1, x);
-    print_message("%s: %u points of the grid, %u of the wires, off by %.1e\n", DRUMS[d], bed->size,
-                  rows, worst);
+    print_message("%s: %u points of the grid, %u of the wires, off by %.1e\n", DRUMS[d],
+                  wire_grid->size, rows, worst);
     assert_true(worst < 6e-6);
     tb_arena_release(&arena);
     tabor_model_release(model);

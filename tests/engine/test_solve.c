@@ -24,7 +24,7 @@ typedef struct Problem {
   double own[ROWS], b[ROWS], y[ROWS], s[ROWS], force[ROWS], product[ROWS], scratch[15][ROWS];
   TbContactLaw laws[MOST], slot_laws[TB_SLOTS];
   uint32_t place[MOST * LANES];
-  TbWireGrid bed;
+  TbWireGrid wire_grid;
   TbCompliance compliance;
 } Problem;
 
@@ -39,25 +39,25 @@ static void clear(Problem *p) {
   for (int i = 0; i < ROWS; i++) p->y[i] = -1.0;
   for (uint32_t i = 0; i < MOST; i++) p->across[i * MOST + i] = 1.0;
   for (uint32_t i = 0; i < MOST * LANES; i++) p->place[i] = i;
-  p->bed = (TbWireGrid){.wires = MOST,
-                        .lanes = LANES,
-                        .halves = 1,
-                        .quarters = 1,
-                        .half = LANES,
-                        .lines = MOST,
-                        .first_line = {0, MOST, MOST},
-                        .columns = {LANES, LANES},
-                        .across = p->across,
-                        .place = {p->place},
-                        .first = {0, STRIDE},
-                        .size = STRIDE};
+  p->wire_grid = (TbWireGrid){.wires = MOST,
+                              .lanes = LANES,
+                              .halves = 1,
+                              .quarters = 1,
+                              .half = LANES,
+                              .lines = MOST,
+                              .first_line = {0, MOST, MOST},
+                              .columns = {LANES, LANES},
+                              .across = p->across,
+                              .place = {p->place},
+                              .first = {0, STRIDE},
+                              .size = STRIDE};
   p->compliance = (TbCompliance){.classes = 1, .first = {0, STRIDE}, .matrix = {p->matrix}};
 }
 
 /* Converged as far as doubles go with tolerance 0. */
 static TbContacts contacts(Problem *p, uint32_t cap, double tolerance) {
   return (TbContacts){.kernels = &tb_kernels_baseline,
-                      .bed = &p->bed,
+                      .wire_grid = &p->wire_grid,
                       .compliance = &p->compliance,
                       .stride = STRIDE,
                       .cap = cap,

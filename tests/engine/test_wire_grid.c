@@ -27,14 +27,14 @@ static double *take(TbArena *arena, size_t count) {
 }
 
 static Room make_room(TbArena *arena, const TaborModel *model) {
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const TaborAllocator allocator = tb_allocator_resolve(NULL);
   tb_arena_prepare(arena, &allocator);
-  return (Room){take(arena, bed->size),
-                take(arena, bed->size),
+  return (Room){take(arena, wire_grid->size),
+                take(arena, wire_grid->size),
                 take(arena, model->wires.stride),
                 take(arena, model->wires.stride),
-                take(arena, tb_wire_grid_scratch(bed)),
+                take(arena, tb_wire_grid_scratch(wire_grid)),
                 take(arena, model->modes.padded)};
 }
 
@@ -49,7 +49,7 @@ static void exact(const TaborModel *model, uint32_t row, double *radial, double 
 static double worst_shape(const TaborModel *model) {
   TbArena arena;
   const Room room = make_room(&arena, model);
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const uint32_t modes = model->modes.group[model->modes.groups];
   double *radial = take(&arena, model->head.row_count), *shape = take(&arena, model->modes.padded);
   double *table = take(&arena, (size_t)model->wires.stride * modes);
@@ -58,7 +58,7 @@ static double worst_shape(const TaborModel *model) {
     room.modal[i] = 1.0;
     tb_project(&model->projection, model->kernels, room.modal, room.grid);
     room.modal[i] = 0.0;
-    model->kernels->expand(bed, room.grid, room.scratch, room.rows);
+    model->kernels->expand(wire_grid, room.grid, room.scratch, room.rows);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       table[(size_t)row * modes + i] = room.rows[row];
     }
@@ -72,8 +72,8 @@ static double worst_shape(const TaborModel *model) {
     }
   }
   print_message("%u wires: %u lines, %u + %u columns%s, %u points of the grid: worst %.1e\n",
-                bed->wires, bed->lines, bed->columns[0], bed->columns[1],
-                bed->thinned ? ", thinned" : "", bed->size, worst / most);
+                wire_grid->wires, wire_grid->lines, wire_grid->columns[0], wire_grid->columns[1],
+                wire_grid->thinned ? ", thinned" : "", wire_grid->size, worst / most);
   tb_arena_release(&arena);
   return worst / most;
 }
@@ -113,7 +113,7 @@ static void work_is_the_same_on_both_sides(void **state) {
   (void)state;
   const TaborDrumDef def = snares(7);
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const uint32_t n = model->wires.stride;
   TbArena arena;
   const Room room = make_room(&arena, model);
@@ -126,14 +126,14 @@ static void work_is_the_same_on_both_sides(void **state) {
       room.modal[i] = physics_uniform(&seed, -1.0, 1.0);
     }
     tb_project(&model->projection, model->kernels, room.modal, room.answer);
-    model->kernels->expand(bed, room.answer, room.scratch, room.other);
-    model->kernels->contract(bed, room.rows, room.scratch, room.grid);
+    model->kernels->expand(wire_grid, room.answer, room.scratch, room.other);
+    model->kernels->contract(wire_grid, room.rows, room.scratch, room.grid);
     double rows = 0.0, grid = 0.0, scale = 0.0;
     for (uint32_t i = 0; i < n; i++) {
       rows += room.rows[i] * room.other[i];
       scale += fabs(room.rows[i] * room.other[i]);
     }
-    for (uint32_t i = 0; i < bed->size; i++) grid += room.grid[i] * room.answer[i];
+    for (uint32_t i = 0; i < wire_grid->size; i++) grid += room.grid[i] * room.answer[i];
     assert_true(fabs(rows - grid) < 1e-13 * scale);
   }
   tb_arena_release(&arena);
@@ -145,7 +145,7 @@ static void compliance_agrees_with_the_modes(void **state) {
   (void)state;
   const TaborDrumDef def = snares(5);
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const uint32_t modes = model->modes.group[model->modes.groups];
   TbArena arena;
   const Room room = make_room(&arena, model);
@@ -156,9 +156,9 @@ static void compliance_agrees_with_the_modes(void **state) {
     if (model->wires.real[a] == 0.0) continue;
     memset(room.rows, 0, model->wires.stride * sizeof(double));
     room.rows[a] = 1.0;
-    model->kernels->contract(bed, room.rows, room.scratch, room.grid);
+    model->kernels->contract(wire_grid, room.rows, room.scratch, room.grid);
     model->kernels->comply(&model->compliance, room.grid, room.answer);
-    model->kernels->expand(bed, room.answer, room.scratch, room.other);
+    model->kernels->expand(wire_grid, room.answer, room.scratch, room.other);
     exact(model, a, radial, here);
     for (uint32_t b = 0; b < model->wires.stride; b += 7) {
       if (model->wires.real[b] == 0.0) continue;

@@ -48,10 +48,11 @@ COUNTED(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part, (const TB_T
 COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
                (r))
 COUNTED(contract,
-        (uint64_t)bed->lines * bed->lanes * bed->wires +
-          (uint64_t)bed->lines * bed->half * (bed->padded[0] + bed->padded[1]),
-        (TB_TYPE(Bed) bed, TB_TYPE(In) x, TB_TYPE(Out) scratch, TB_TYPE(Out) grid),
-        (bed, x, scratch, grid))
+        (uint64_t)wire_grid->lines * wire_grid->lanes * wire_grid->wires +
+          (uint64_t)wire_grid->lines * wire_grid->half *
+            (wire_grid->padded[0] + wire_grid->padded[1]),
+        (TB_TYPE(Bed) wire_grid, TB_TYPE(In) x, TB_TYPE(Out) scratch, TB_TYPE(Out) grid),
+        (wire_grid, x, scratch, grid))
 COUNTED(comply, (uint64_t)c->first[c->classes] * c->first[c->classes] / c->classes,
         (const TB_TYPE(TbCompliance) * c, TB_TYPE(In) grid, TB_TYPE(Out) out), (c, grid, out))
 COUNTED(start, n, (uint32_t n, TB_TYPE(TbStart) * start), (n, start))
@@ -79,12 +80,13 @@ COUNTED_RESULT(TB_TYPE(TbBalance), balance, n,
                 TB_TYPE(In) f, TB_TYPE(In) f_last, TB_TYPE(In) p, TB_TYPE(In) p_last),
                (n, t, s, law, slope, f, f_last, p, p_last))
 
-static void COUNT(expand)(TB_TYPE(Bed) bed, TB_TYPE(In) grid, TB_TYPE(Out) scratch,
+static void COUNT(expand)(TB_TYPE(Bed) wire_grid, TB_TYPE(In) grid, TB_TYPE(Out) scratch,
                           TB_TYPE(Out) x) {
   products++;
-  work += (uint64_t)bed->lines * bed->lanes * bed->wires +
-          (uint64_t)bed->lines * bed->half * (bed->columns[0] + bed->columns[1]);
-  TABLE.expand(bed, grid, scratch, x);
+  work +=
+    (uint64_t)wire_grid->lines * wire_grid->lanes * wire_grid->wires +
+    (uint64_t)wire_grid->lines * wire_grid->half * (wire_grid->columns[0] + wire_grid->columns[1]);
+  TABLE.expand(wire_grid, grid, scratch, x);
 }
 
 static void COUNT(laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws_of, TB_TYPE(In) y,

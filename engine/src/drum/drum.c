@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "drum/drum_create.h"
-#include "kernels/fpmode.h"
+#include "kernels/flush_denormals.h"
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live_params.h"

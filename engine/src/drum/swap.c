@@ -210,10 +210,10 @@ static void carry_slots(const TbView *from, TbView *to) {
   }
   tb_live_params_apply(to);
   if (!same) return;
-  const size_t carried = (to->model->projection.bed.size + TB_SLOTS) * sizeof(double);
+  const size_t carried = (to->model->projection.wire_grid.size + TB_SLOTS) * sizeof(double);
   memcpy(to->solve.warm.product, from->solve.warm.product, (first + TB_SLOTS) * sizeof(double));
   memcpy(to->solve.warm.grid, from->solve.warm.grid,
-         to->model->projection.bed.size * sizeof(double));
+         to->model->projection.wire_grid.size * sizeof(double));
   memcpy(to->stretch_carry, from->stretch_carry, carried);
 }
 

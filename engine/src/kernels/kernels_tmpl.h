@@ -83,9 +83,9 @@ typedef struct TB_TYPE(TbKernels) {
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
 
   /* Between rows x[wires * lanes] and the grid under the wires (wire_grid.h), and out = G grid. */
-  void (*contract)(const TB_TYPE(TbWireGrid) * bed, const TB_REAL *x, TB_REAL *scratch,
+  void (*contract)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *x, TB_REAL *scratch,
                    TB_REAL *grid);
-  void (*expand)(const TB_TYPE(TbWireGrid) * bed, const TB_REAL *grid, TB_REAL *scratch,
+  void (*expand)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *grid, TB_REAL *scratch,
                  TB_REAL *x);
   void (*comply)(const TB_TYPE(TbCompliance) * compliance, const TB_REAL *grid, TB_REAL *out);
   void (*start)(uint32_t n, TB_TYPE(TbStart) * start);

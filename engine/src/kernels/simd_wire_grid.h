@@ -21,7 +21,8 @@ typedef struct Tile {
 
 static INLINE uint32_t most_blocks(uint32_t lines) {
   if (lines == 1) return PARTS == 4 ? 2 : 4;
-  return PARTS == 1 || SINGLE ? 3 : 1;
+  if (PARTS == 1 || SINGLE) return 3;
+  return PARTS == 2 ? 2 : 1;
 }
 
 static INLINE void clear_tile(Tile *tile) {
@@ -80,54 +81,56 @@ static INLINE void load_blocks(uint32_t blocks, const Real *at, Lanes *x) {
   }
 
 /* Where the mirror image of a wire stands, and one of each pair. */
-static INLINE uint32_t image_of(const Bed *bed, uint32_t wire) {
-  return bed->quarters == 2 ? bed->wires - 1u - wire : wire;
+static INLINE uint32_t image_of(const Bed *wire_grid, uint32_t wire) {
+  return wire_grid->quarters == 2 ? wire_grid->wires - 1u - wire : wire;
 }
-static INLINE uint32_t pairs_of(const Bed *bed) {
-  return bed->quarters == 2 ? (bed->wires + 1u) / 2u : bed->wires;
+static INLINE uint32_t pairs_of(const Bed *wire_grid) {
+  return wire_grid->quarters == 2 ? (wire_grid->wires + 1u) / 2u : wire_grid->wires;
 }
 
 /* lines[l] = Sum across (x[v] +- x[image]) */
 static INLINE void gather_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
-                               const Bed *bed, bool odd, const Real *x, Real *to) {
+                               const Bed *wire_grid, bool odd, const Real *x, Real *to) {
   Tile tile;
   clear_tile(&tile);
-  for (uint32_t w = 0; w < pairs_of(bed); w++) {
-    const uint32_t image = image_of(bed, w);
+  for (uint32_t w = 0; w < pairs_of(wire_grid); w++) {
+    const uint32_t image = image_of(wire_grid, w);
     Lanes own[MOST_BLOCKS], other[MOST_BLOCKS];
-    load_blocks(blocks, x + w * bed->lanes + at, own);
+    load_blocks(blocks, x + w * wire_grid->lanes + at, own);
     if (image != w) {
-      load_blocks(blocks, x + image * bed->lanes + at, other);
+      load_blocks(blocks, x + image * wire_grid->lanes + at, other);
 #pragma GCC unroll 3
       for (uint32_t b = 0; b < blocks; b++) {
         own[b] = odd ? subtract(own[b], other[b]) : add(own[b], other[b]);
       }
     }
-    add_to_tile(lines, blocks, &tile, bed->across + w * bed->lines + line, 1, own);
+    add_to_tile(lines, blocks, &tile, wire_grid->across + w * wire_grid->lines + line, 1, own);
   }
-  store_tile(lines, blocks, &tile, bed->lanes, to + line * bed->lanes + at);
+  store_tile(lines, blocks, &tile, wire_grid->lanes, to + line * wire_grid->lanes + at);
 }
 
-static INLINE void spread_parity(uint32_t blocks, const Bed *bed, uint32_t from, uint32_t end,
+static INLINE void spread_parity(uint32_t blocks, const Bed *wire_grid, uint32_t from, uint32_t end,
                                  const Real *across, const Real *lines, Lanes *sum) {
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t l = from; l < end; l++) {
 #pragma GCC unroll 4
     for (uint32_t b = 0; b < blocks; b++) {
-      sum[b] = add(sum[b], scale(load(lines + l * bed->lanes + 8u * b), across[l]));
+      sum[b] = add(sum[b], scale(load(lines + l * wire_grid->lanes + 8u * b), across[l]));
     }
   }
 }
 
 /* x[v], x[image] = Sum over even lines +- Sum over odd ones, of one pair. */
 static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, uint32_t at,
-                               const Bed *bed, const Real *from, Real *x) {
+                               const Bed *wire_grid, const Real *from, Real *x) {
   for (uint32_t w = pair; w < pair + lines; w++) {
-    const Real *across = bed->across + w * bed->lines;
-    Real *own = x + w * bed->lanes + at, *image = x + image_of(bed, w) * bed->lanes + at;
+    const Real *across = wire_grid->across + w * wire_grid->lines;
+    Real *own = x + w * wire_grid->lanes + at,
+         *image = x + image_of(wire_grid, w) * wire_grid->lanes + at;
     Lanes s[MOST_BLOCKS], d[MOST_BLOCKS];
-    spread_parity(blocks, bed, 0, bed->first_line[1], across, from + at, s);
-    spread_parity(blocks, bed, bed->first_line[1], bed->lines, across, from + at, d);
+    spread_parity(blocks, wire_grid, 0, wire_grid->first_line[1], across, from + at, s);
+    spread_parity(blocks, wire_grid, wire_grid->first_line[1], wire_grid->lines, across, from + at,
+                  d);
 #pragma GCC unroll 4
     for (uint32_t b = 0; b < blocks; b++) {
       store(image + 8u * b, subtract(s[b], d[b]));
@@ -137,70 +140,73 @@ static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, u
 }
 
 /* lines[l] = Sum over pairs of across[v][l] (x[v] +- x[image]) */
-static void gather_lines(const Bed *bed, const Real *x, Real *lines) {
-  FOR_TILES(gather_tile, 0, bed->first_line[1], bed->lanes / 8u, bed, false, x, lines)
-  FOR_TILES(gather_tile, bed->first_line[1], bed->lines, bed->lanes / 8u, bed, true, x, lines)
+static void gather_lines(const Bed *wire_grid, const Real *x, Real *lines) {
+  FOR_TILES(gather_tile, 0, wire_grid->first_line[1], wire_grid->lanes / 8u, wire_grid, false, x,
+            lines)
+  FOR_TILES(gather_tile, wire_grid->first_line[1], wire_grid->lines, wire_grid->lanes / 8u,
+            wire_grid, true, x, lines)
 }
 
-static void spread_lines(const Bed *bed, const Real *lines, Real *x) {
-  FOR_TILES(spread_tile, 0, pairs_of(bed), bed->lanes / 8u, bed, lines, x)
+static void spread_lines(const Bed *wire_grid, const Real *lines, Real *x) {
+  FOR_TILES(spread_tile, 0, pairs_of(wire_grid), wire_grid->lanes / 8u, wire_grid, lines, x)
 }
 
 /* ---- along ---------------------------------------------------------------------------------- */
 
 /* points[l] = contract^T values[l]. Few points of a single wire touch: those without force are passed over. */
 static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
-                                const Bed *bed, uint32_t along, const Real *values, Real *points) {
-  const uint32_t padded = bed->padded[along];
-  const Real *from = values + line * bed->half, *shapes = bed->contract[along] + at;
+                                const Bed *wire_grid, uint32_t along, const Real *values,
+                                Real *points) {
+  const uint32_t padded = wire_grid->padded[along];
+  const Real *from = values + line * wire_grid->half, *shapes = wire_grid->contract[along] + at;
   Tile tile;
   clear_tile(&tile);
-  for (uint32_t j = 0; j < bed->half; j++) {
+  for (uint32_t j = 0; j < wire_grid->half; j++) {
     Lanes shape[MOST_BLOCKS];
     if (lines == 1 && from[j] == REAL(0.0)) continue;
     load_blocks(blocks, shapes + j * padded, shape);
-    add_to_tile(lines, blocks, &tile, from + j, bed->half, shape);
+    add_to_tile(lines, blocks, &tile, from + j, wire_grid->half, shape);
   }
   store_tile(lines, blocks, &tile, padded, points + line * padded + at);
 }
 
 /* values[l] = expand points[l]; a single line's points are read off the grid. */
 static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
-                              const Bed *bed, uint32_t along, const Real *grid, const Real *points,
-                              Real *values) {
-  const uint32_t padded = bed->padded[along], columns = bed->columns[along];
-  const uint32_t *place = bed->place[along] + line * columns;
-  const Real *from = points + line * padded, *shapes = bed->expand[along] + at;
+                              const Bed *wire_grid, uint32_t along, const Real *grid,
+                              const Real *points, Real *values) {
+  const uint32_t padded = wire_grid->padded[along], columns = wire_grid->columns[along];
+  const uint32_t *place = wire_grid->place[along] + line * columns;
+  const Real *from = points + line * padded, *shapes = wire_grid->expand[along] + at;
   Tile tile;
   clear_tile(&tile);
   for (uint32_t a = 0; a < columns; a++) {
     Lanes shape[MOST_BLOCKS];
-    load_blocks(blocks, shapes + a * bed->half, shape);
+    load_blocks(blocks, shapes + a * wire_grid->half, shape);
     add_to_tile(lines, blocks, &tile, lines == 1 ? grid + place[a] : from + a, padded, shape);
   }
-  store_tile(lines, blocks, &tile, bed->half, values + line * bed->half + at);
+  store_tile(lines, blocks, &tile, wire_grid->half, values + line * wire_grid->half + at);
 }
 
 /* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle stands alone. */
-static void fold(const Bed *bed, const Real *x, Real *even, Real *odd) {
-  const uint32_t middle = bed->middle;
+static void fold(const Bed *wire_grid, const Real *x, Real *even, Real *odd) {
+  const uint32_t middle = wire_grid->middle;
   for (uint32_t j = 0; j < middle; j++) {
     even[j] = x[j] + x[2 * middle - j];
     odd[j] = x[j] - x[2 * middle - j];
   }
   even[middle] = x[middle];
   odd[middle] = REAL(0.0);
-  for (uint32_t j = middle + 1; j < bed->half; j++) even[j] = odd[j] = REAL(0.0);
+  for (uint32_t j = middle + 1; j < wire_grid->half; j++) even[j] = odd[j] = REAL(0.0);
 }
 
-static void unfold(const Bed *bed, const Real *even, const Real *odd, Real *x) {
-  const uint32_t middle = bed->middle;
+static void unfold(const Bed *wire_grid, const Real *even, const Real *odd, Real *x) {
+  const uint32_t middle = wire_grid->middle;
   for (uint32_t j = 0; j < middle; j++) {
     x[j] = even[j] + odd[j];
     x[2 * middle - j] = even[j] - odd[j];
   }
   x[middle] = even[middle];
-  for (uint32_t j = 2 * middle + 1; j < bed->lanes; j++) x[j] = REAL(0.0);
+  for (uint32_t j = 2 * middle + 1; j < wire_grid->lanes; j++) x[j] = REAL(0.0);
 }
 
 /* ---- both ----------------------------------------------------------------------------------- */
@@ -212,57 +218,60 @@ typedef struct Room {
   Real *points;    /* [lines][padded] */
 } Room;
 
-static Room room_in(const Bed *bed, Real *scratch) {
-  Real *folded = scratch + bed->lines * bed->lanes;
-  return (Room){
-    scratch, {folded, folded + bed->lines * bed->half}, folded + 2u * bed->lines * bed->half};
+static Room room_in(const Bed *wire_grid, Real *scratch) {
+  Real *folded = scratch + wire_grid->lines * wire_grid->lanes;
+  return (Room){scratch,
+                {folded, folded + wire_grid->lines * wire_grid->half},
+                folded + 2u * wire_grid->lines * wire_grid->half};
 }
 
-static void contract(const Bed *bed, const Real *x, Real *scratch, Real *grid) {
-  const Room room = room_in(bed, scratch);
-  const Real *lines = bed->wires > 1 ? room.lines : x; /* one wire is its line across itself */
-  if (bed->wires > 1) gather_lines(bed, x, room.lines);
-  for (uint32_t l = 0; bed->halves == 2 && l < bed->lines; l++) {
-    fold(bed, lines + l * bed->lanes, room.folded[0] + l * bed->half,
-         room.folded[1] + l * bed->half);
+static void contract(const Bed *wire_grid, const Real *x, Real *scratch, Real *grid) {
+  const Room room = room_in(wire_grid, scratch);
+  const Real *lines =
+    wire_grid->wires > 1 ? room.lines : x; /* one wire is its line across itself */
+  if (wire_grid->wires > 1) gather_lines(wire_grid, x, room.lines);
+  for (uint32_t l = 0; wire_grid->halves == 2 && l < wire_grid->lines; l++) {
+    fold(wire_grid, lines + l * wire_grid->lanes, room.folded[0] + l * wire_grid->half,
+         room.folded[1] + l * wire_grid->half);
   }
-  for (uint32_t i = 0; i < bed->size; i++) grid[i] = REAL(0.0);
-  for (uint32_t along = 0; along < bed->halves; along++) {
-    const Real *values = bed->halves == 2 ? room.folded[along] : lines;
-    const uint32_t columns = bed->columns[along], *place = bed->place[along];
-    if (bed->thinned) {
-      FOR_TILES(columns_tile, 0, bed->lines, bed->padded[along] / 8u, bed, along, values,
-                room.points)
+  for (uint32_t i = 0; i < wire_grid->size; i++) grid[i] = REAL(0.0);
+  for (uint32_t along = 0; along < wire_grid->halves; along++) {
+    const Real *values = wire_grid->halves == 2 ? room.folded[along] : lines;
+    const uint32_t columns = wire_grid->columns[along], *place = wire_grid->place[along];
+    if (wire_grid->thinned) {
+      FOR_TILES(columns_tile, 0, wire_grid->lines, wire_grid->padded[along] / 8u, wire_grid, along,
+                values, room.points)
     }
-    const Real *points = bed->thinned ? room.points : values;
-    const uint32_t step = bed->thinned ? bed->padded[along] : bed->half;
-    for (uint32_t l = 0; l < bed->lines; l++, place += columns, points += step) {
+    const Real *points = wire_grid->thinned ? room.points : values;
+    const uint32_t step = wire_grid->thinned ? wire_grid->padded[along] : wire_grid->half;
+    for (uint32_t l = 0; l < wire_grid->lines; l++, place += columns, points += step) {
       for (uint32_t a = 0; a < columns; a++) grid[place[a]] = points[a];
     }
   }
 }
 
-static void expand(const Bed *bed, const Real *grid, Real *scratch, Real *x) {
-  const Room room = room_in(bed, scratch);
-  Real *lines = bed->wires > 1 ? room.lines : x;
-  for (uint32_t along = 0; along < bed->halves; along++) {
-    Real *values = bed->halves == 2 ? room.folded[along] : lines;
-    const uint32_t columns = bed->columns[along], *place = bed->place[along];
-    Real *points = bed->thinned ? room.points : values;
-    const uint32_t step = bed->thinned ? bed->padded[along] : bed->half;
-    const uint32_t copied = bed->thinned && bed->lines == 1 ? 0 : bed->lines;
+static void expand(const Bed *wire_grid, const Real *grid, Real *scratch, Real *x) {
+  const Room room = room_in(wire_grid, scratch);
+  Real *lines = wire_grid->wires > 1 ? room.lines : x;
+  for (uint32_t along = 0; along < wire_grid->halves; along++) {
+    Real *values = wire_grid->halves == 2 ? room.folded[along] : lines;
+    const uint32_t columns = wire_grid->columns[along], *place = wire_grid->place[along];
+    Real *points = wire_grid->thinned ? room.points : values;
+    const uint32_t step = wire_grid->thinned ? wire_grid->padded[along] : wire_grid->half;
+    const uint32_t copied = wire_grid->thinned && wire_grid->lines == 1 ? 0 : wire_grid->lines;
     for (uint32_t l = 0; l < copied; l++, place += columns, points += step) {
       for (uint32_t a = 0; a < columns; a++) points[a] = grid[place[a]];
     }
-    if (bed->thinned) {
-      FOR_TILES(lanes_tile, 0, bed->lines, bed->half / 8u, bed, along, grid, room.points, values)
+    if (wire_grid->thinned) {
+      FOR_TILES(lanes_tile, 0, wire_grid->lines, wire_grid->half / 8u, wire_grid, along, grid,
+                room.points, values)
     }
   }
-  for (uint32_t l = 0; bed->halves == 2 && l < bed->lines; l++) {
-    unfold(bed, room.folded[0] + l * bed->half, room.folded[1] + l * bed->half,
-           lines + l * bed->lanes);
+  for (uint32_t l = 0; wire_grid->halves == 2 && l < wire_grid->lines; l++) {
+    unfold(wire_grid, room.folded[0] + l * wire_grid->half, room.folded[1] + l * wire_grid->half,
+           lines + l * wire_grid->lanes);
   }
-  if (bed->wires > 1) spread_lines(bed, room.lines, x);
+  if (wire_grid->wires > 1) spread_lines(wire_grid, room.lines, x);
 }
 
 static void comply(const TYPE_OF(TbCompliance) * compliance, const Real *grid, Real *out) {

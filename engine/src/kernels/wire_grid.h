@@ -28,8 +28,9 @@
 #define TB_TEMPLATE "kernels/wire_grid_tmpl.h"
 #include "kernels/both.h"
 
-static inline uint32_t tb_wire_grid_class(const TbWireGrid *bed, uint32_t along, uint32_t across) {
-  return along * bed->quarters + across;
+static inline uint32_t tb_wire_grid_class(const TbWireGrid *wire_grid, uint32_t along,
+                                          uint32_t across) {
+  return along * wire_grid->quarters + across;
 }
 
 #endif

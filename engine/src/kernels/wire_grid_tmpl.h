@@ -25,7 +25,8 @@ typedef struct TB_TYPE(TbWireGrid) {
 } TB_TYPE(TbWireGrid);
 
 /* Numbers of scratch that contracting and expanding need. */
-static inline uint32_t TB_NAME(tb_wire_grid_scratch)(const TB_TYPE(TbWireGrid) * bed) {
-  const uint32_t padded = bed->padded[0] > bed->padded[1] ? bed->padded[0] : bed->padded[1];
-  return bed->lines * (bed->lanes + 2u * bed->half + padded);
+static inline uint32_t TB_NAME(tb_wire_grid_scratch)(const TB_TYPE(TbWireGrid) * wire_grid) {
+  const uint32_t padded =
+    wire_grid->padded[0] > wire_grid->padded[1] ? wire_grid->padded[0] : wire_grid->padded[1];
+  return wire_grid->lines * (wire_grid->lanes + 2u * wire_grid->half + padded);
 }

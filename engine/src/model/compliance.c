@@ -23,7 +23,7 @@ static bool class_matrix(TbArena *arena, const TbProjectionGroup *group, const d
 TaborStatus tb_compliance_prepare(TbCompliance *c, TbArena *arena, const TbProjection *projection,
                                   const double *gain) {
   *c = (TbCompliance){.classes = projection->groups};
-  for (uint32_t g = 0; g <= projection->groups; g++) c->first[g] = projection->bed.first[g];
+  for (uint32_t g = 0; g <= projection->groups; g++) c->first[g] = projection->wire_grid.first[g];
   for (uint32_t g = 0; g < projection->groups; g++) {
     if (!class_matrix(arena, &projection->group[g], gain, &c->matrix[g])) return TABOR_ERROR_MEMORY;
   }

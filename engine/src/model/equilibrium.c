@@ -80,7 +80,7 @@ static bool wire_responses(const TbWires *wires, const TbWire *wire, TbArena *sc
 /* The head's part of C, and of eta0 under its own weight. */
 static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Statics *s) {
   const TbModes *modes = &model->modes;
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   double *gain = tb_arena_doubles(scratch, modes->padded);
   double *sag = tb_arena_doubles(scratch, modes->padded);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
@@ -89,17 +89,17 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
     sag[i] = gain[i] * s->weight[i];
   }
   tb_project(&model->projection, model->kernels, sag, s->grid);
-  model->kernels->expand(bed, s->grid, s->fold, s->eta0);
+  model->kernels->expand(wire_grid, s->grid, s->fold, s->eta0);
   for (uint32_t a = 0; a < s->n; a++) s->eta0[a] *= model->wires.real[a] * model->wires.side;
   return tb_compliance_prepare(&s->head, scratch, &model->projection, gain);
 }
 
 /* out = C y */
 static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
-  const TbWireGrid *bed = &model->projection.bed;
-  model->kernels->contract(bed, y, s->fold, s->grid);
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
+  model->kernels->contract(wire_grid, y, s->fold, s->grid);
   model->kernels->comply(&s->head, s->grid, s->answer);
-  model->kernels->expand(bed, s->answer, s->fold, out);
+  model->kernels->expand(wire_grid, s->answer, s->fold, out);
   for (uint32_t a = 0; a < s->n; a++) out[a] *= model->wires.real[a];
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
@@ -293,14 +293,14 @@ static void rest_wires(TaborModel *model, double *const *responses) {
 }
 
 static bool allocate(const TaborModel *model, TbArena *scratch, Statics *s) {
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   *s = (Statics){.n = model->wires.stride};
   s->eta0 = tb_arena_doubles(scratch, s->n);
   s->yielded = tb_arena_doubles(scratch, s->n);
   s->weight = tb_arena_doubles(scratch, model->modes.padded);
-  s->grid = tb_arena_doubles(scratch, bed->size);
-  s->answer = tb_arena_doubles(scratch, bed->size);
-  s->fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(bed));
+  s->grid = tb_arena_doubles(scratch, wire_grid->size);
+  s->answer = tb_arena_doubles(scratch, wire_grid->size);
+  s->fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(wire_grid));
   return !scratch->failed;
 }
 
@@ -311,19 +311,19 @@ static bool settle_in_double(TaborModel *model, TbArena *scratch) {
   TbRest *rest = &model->rest;
   double *zero = tb_arena_doubles(scratch, wires->stride);
   double *ignored = tb_arena_doubles(scratch, wires->stride);
-  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&model->projection.bed));
+  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&model->projection.wire_grid));
   if (scratch->failed) return false;
   kernels->laws(wires->count, wires->lanes, wires->laws, rest->eta, NULL, zero, rest->force,
                 ignored, ignored);
-  kernels->contract(&model->projection.bed, rest->force, fold, rest->grid);
+  kernels->contract(&model->projection.wire_grid, rest->force, fold, rest->grid);
   return true;
 }
 
 static bool settle_in_float(TaborModel *model, TbArena *scratch) {
   const TbKernelsF *kernels = model->kernelsf;
   const uint32_t n = model->wires.stride;
-  float *row[6], *grid = tb_arena_take(scratch, model->bedf.size, sizeof *grid);
-  float *fold = tb_arena_take(scratch, tb_wire_grid_scratchf(&model->bedf), sizeof *fold);
+  float *row[6], *grid = tb_arena_take(scratch, model->wire_gridf.size, sizeof *grid);
+  float *fold = tb_arena_take(scratch, tb_wire_grid_scratchf(&model->wire_gridf), sizeof *fold);
   for (int i = 0; i < 6; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
   if (scratch->failed) return false;
   kernels->narrow(n, model->rest.eta, row[0]);
@@ -331,8 +331,8 @@ static bool settle_in_float(TaborModel *model, TbArena *scratch) {
   kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[5], row[1],
                 row[2], row[3], row[4]);
   kernels->widen(n, row[2], model->rest.force);
-  kernels->contract(&model->bedf, row[2], fold, grid);
-  kernels->widen(model->bedf.size, grid, model->rest.grid);
+  kernels->contract(&model->wire_gridf, row[2], fold, grid);
+  kernels->widen(model->wire_gridf.size, grid, model->rest.grid);
   return true;
 }
 

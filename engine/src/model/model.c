@@ -105,7 +105,7 @@ static bool prepare_in_double(TaborModel *model) {
 }
 
 static bool prepare_in_float(TaborModel *model) {
-  return tb_wire_gridf_prepare(&model->bedf, &model->arena, &model->projection.bed) &&
+  return tb_wire_gridf_prepare(&model->wire_gridf, &model->arena, &model->projection.wire_grid) &&
          tb_compliancef_prepare(&model->compliancef, &model->arena, &model->compliance);
 }
 
@@ -138,12 +138,12 @@ typedef struct Probe {
 
 /* Displacement of the head at a contact point one step after a unit force there. */
 static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   probe->force[row] = 1.0;
-  model->kernels->contract(bed, probe->force, probe->fold, probe->grid);
+  model->kernels->contract(wire_grid, probe->force, probe->fold, probe->grid);
   probe->force[row] = 0.0;
   model->kernels->comply(&model->compliance, probe->grid, probe->answer);
-  return model->kernels->dot(bed->size, probe->grid, probe->answer);
+  return model->kernels->dot(wire_grid->size, probe->grid, probe->answer);
 }
 
 /* Wire contacts are per length: a node carries K h. */
@@ -164,11 +164,11 @@ static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
 }
 
 static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const Probe probe = {.force = tb_arena_doubles(scratch, model->wires.stride),
-                       .grid = tb_arena_doubles(scratch, bed->size),
-                       .answer = tb_arena_doubles(scratch, bed->size),
-                       .fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(bed))};
+                       .grid = tb_arena_doubles(scratch, wire_grid->size),
+                       .answer = tb_arena_doubles(scratch, wire_grid->size),
+                       .fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(wire_grid))};
   model->yield = tb_arena_take(&model->arena, model->wires.stride, sizeof *model->yield);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
@@ -239,7 +239,7 @@ static TaborStatus allocate_rest(TaborModel *model, TbArena *scratch) {
   rest->bend = tb_arena_doubles(&model->arena, model->wires.node_count);
   rest->eta = tb_arena_doubles(&model->arena, model->wires.stride);
   rest->force = tb_arena_doubles(&model->arena, model->wires.stride + TB_SLOTS);
-  rest->grid = tb_arena_doubles(&model->arena, model->projection.bed.size);
+  rest->grid = tb_arena_doubles(&model->arena, model->projection.wire_grid.size);
   rest->offset = tb_arena_doubles(&model->arena, model->wires.count);
   return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
 }

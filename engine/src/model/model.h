@@ -102,7 +102,7 @@ struct TaborModel {
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
   float *yield; /* [wires.stride] of the head at a contact point, to a force there alone [m/N] */
-  TbWireGridF bedf;          /* where contacts are solved in single precision, */
+  TbWireGridF wire_gridf;    /* where contacts are solved in single precision, */
   TbComplianceF compliancef; /* ... as is this */
   TbStretch stretch;
   TbLugs lugs;

@@ -20,7 +20,7 @@ typedef struct TbProjectionGroup {
 } TbProjectionGroup;
 
 typedef struct TbProjection {
-  TbWireGrid bed;
+  TbWireGrid wire_grid;
   TbPrecision precision; /* of the tables */
   uint32_t groups;
   TbProjectionGroup group[4];

@@ -13,14 +13,15 @@ static size_t work_floats(const TaborModel *model) {
                       GRIDS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_GRIDS},
                       MODES[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = 2};
   return ROWS[model->contacts] * (model->wires.stride + TB_SLOTS) +
-         GRIDS[model->contacts] * model->bedf.size + MODES[model->contacts] * model->modes.padded +
-         tb_pad(tb_wire_grid_scratchf(&model->bedf));
+         GRIDS[model->contacts] * model->wire_gridf.size +
+         MODES[model->contacts] * model->modes.padded +
+         tb_pad(tb_wire_grid_scratchf(&model->wire_gridf));
 }
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   const size_t modes = model->modes.padded, nodes = model->wires.node_count;
   const size_t rows = model->wires.stride + TB_SLOTS;
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   *layout = (TbLayout){0};
   size_t total = 0;
   for (int phase = 0; phase < 3; phase++) {
@@ -34,10 +35,10 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }
-  layout->grid = place(&total, bed->size);
-  layout->change = place(&total, bed->size);
-  layout->work =
-    place(&total, TB_WORK_ROWS * rows + TB_WORK_GRIDS * bed->size + tb_wire_grid_scratch(bed));
+  layout->grid = place(&total, wire_grid->size);
+  layout->change = place(&total, wire_grid->size);
+  layout->work = place(&total, TB_WORK_ROWS * rows + TB_WORK_GRIDS * wire_grid->size +
+                                 tb_wire_grid_scratch(wire_grid));
   layout->workf = place(&total, work_floats(model) / 2u); /* two floats each */
   for (int phase = 0; phase < 3; phase++) layout->high[phase] = place(&total, model->high.padded);
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
@@ -46,10 +47,10 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_pull[h] = place(&total, modes);
-    layout->stretch_grid[h] = place(&total, bed->size);
+    layout->stretch_grid[h] = place(&total, wire_grid->size);
   }
-  layout->stretch_carry = place(&total, bed->size + TB_SLOTS);
-  layout->coupling = place(&total, (size_t)TB_SLOTS * bed->size);
+  layout->stretch_carry = place(&total, wire_grid->size + TB_SLOTS);
+  layout->coupling = place(&total, (size_t)TB_SLOTS * wire_grid->size);
   layout->slot_coupling = place(&total, (size_t)TB_SLOTS * TB_SLOTS);
   layout->shape = place(&total, TB_SLOTS * modes);
   layout->drive = place(&total, TB_SLOTS * modes);

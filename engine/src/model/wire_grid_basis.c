@@ -34,27 +34,27 @@ static bool shapes_at(const Fit *fit, uint32_t row, double *radial, double *shap
 }
 
 static bool collect_shapes(Fit *fit) {
-  const TbWireGrid *bed = &fit->projection->bed;
+  const TbWireGrid *wire_grid = &fit->projection->wire_grid;
   double *radial = tb_arena_doubles(fit->scratch, fit->head->row_count);
   double *shape = tb_arena_doubles(fit->scratch, fit->modes->padded);
   fit->shapes = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
   fit->lines = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
   if (fit->scratch->failed) return false;
-  const uint32_t lanes = bed->halves == 2 ? bed->middle + 1 : bed->lanes;
-  for (uint32_t w = 0; w < bed->wires; w++) {
-    const uint32_t image = bed->wires - 1 - w;
+  const uint32_t lanes = wire_grid->halves == 2 ? wire_grid->middle + 1 : wire_grid->lanes;
+  for (uint32_t w = 0; w < wire_grid->wires; w++) {
+    const uint32_t image = wire_grid->wires - 1 - w;
     for (uint32_t j = 0; j < lanes; j++) {
-      if (bed->quarters == 2 && image < w) { /* the same bits as its image */
+      if (wire_grid->quarters == 2 && image < w) { /* the same bits as its image */
         for (uint32_t i = 0; i < fit->modes_coupled; i++) {
           double *at = fit->shapes + (size_t)i * fit->stride + j;
           const double sign = fit->modes->sine[i] ? -1.0 : 1.0;
-          at[w * bed->half] = sign * at[image * bed->half];
+          at[w * wire_grid->half] = sign * at[image * wire_grid->half];
         }
         continue;
       }
-      if (!shapes_at(fit, w * bed->lanes + j, radial, shape)) continue;
+      if (!shapes_at(fit, w * wire_grid->lanes + j, radial, shape)) continue;
       for (uint32_t i = 0; i < fit->modes_coupled; i++) {
-        fit->shapes[(size_t)i * fit->stride + w * bed->half + j] = shape[i];
+        fit->shapes[(size_t)i * fit->stride + w * wire_grid->half + j] = shape[i];
       }
     }
   }
@@ -169,78 +169,81 @@ static uint32_t gather_modes(const Fit *fit, const double *from, uint32_t across
 }
 
 static bool fit_across_class(Fit *fit, uint32_t across, double *work, double *basis) {
-  TbWireGrid *bed = &fit->projection->bed;
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
   double weight[TABOR_MAX_WIRES];
-  for (uint32_t w = 0; w < bed->wires; w++) weight[w] = 1.0;
+  for (uint32_t w = 0; w < wire_grid->wires; w++) weight[w] = 1.0;
   const Samples samples = {.data = work,
                            .modes = gather_modes(fit, fit->shapes, across, 2, work),
-                           .vectors = bed->half,
-                           .length = bed->wires,
+                           .vectors = wire_grid->half,
+                           .length = wire_grid->wires,
                            .stride = fit->stride,
                            .step = 1,
-                           .spread = bed->half};
-  uint32_t most = bed->wires;
-  if (bed->quarters == 2) most = across ? bed->wires / 2 : (bed->wires + 1) / 2;
+                           .spread = wire_grid->half};
+  uint32_t most = wire_grid->wires;
+  if (wire_grid->quarters == 2) most = across ? wire_grid->wires / 2 : (wire_grid->wires + 1) / 2;
   uint32_t count;
   if (!principal_components(fit->scratch, &samples, weight, fit->tolerance * largest_shape(fit),
-                            most, basis + (size_t)bed->lines * bed->wires, &count)) {
+                            most, basis + (size_t)wire_grid->lines * wire_grid->wires, &count)) {
     return false;
   }
-  bed->lines += count;
-  bed->first_line[across + 1] = bed->lines;
+  wire_grid->lines += count;
+  wire_grid->first_line[across + 1] = wire_grid->lines;
   return true;
 }
 
-static void each_wire_its_line(TbWireGrid *bed, double *basis) {
-  memset(basis, 0, (size_t)bed->wires * bed->wires * sizeof *basis);
-  for (uint32_t w = 0; w < bed->wires; w++) basis[w * bed->wires + w] = 1.0;
-  bed->lines = bed->first_line[1] = bed->first_line[2] = bed->wires;
+static void each_wire_its_line(TbWireGrid *wire_grid, double *basis) {
+  memset(basis, 0, (size_t)wire_grid->wires * wire_grid->wires * sizeof *basis);
+  for (uint32_t w = 0; w < wire_grid->wires; w++) basis[w * wire_grid->wires + w] = 1.0;
+  wire_grid->lines = wire_grid->first_line[1] = wire_grid->first_line[2] = wire_grid->wires;
 }
 
 static bool fit_across(Fit *fit) {
-  TbWireGrid *bed = &fit->projection->bed;
-  const uint32_t n = bed->wires;
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  const uint32_t n = wire_grid->wires;
   if (n == 0) return true;
   double *basis = tb_arena_doubles(fit->scratch, (size_t)3 * n * n);
   double *work = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
   if (fit->scratch->failed) return false;
   if (fit->wires->aligned && n > 1) {
-    for (uint32_t across = 0; across < bed->quarters; across++) {
+    for (uint32_t across = 0; across < wire_grid->quarters; across++) {
       if (!fit_across_class(fit, across, work, basis)) return false;
     }
   }
-  if (bed->quarters == 1 && (bed->lines == 0 || bed->lines == n)) each_wire_its_line(bed, basis);
-  bed->across = tb_arena_doubles(fit->arena, (size_t)n * bed->lines);
+  if (wire_grid->quarters == 1 && (wire_grid->lines == 0 || wire_grid->lines == n))
+    each_wire_its_line(wire_grid, basis);
+  wire_grid->across = tb_arena_doubles(fit->arena, (size_t)n * wire_grid->lines);
   if (fit->arena->failed) return false;
   for (uint32_t w = 0; w < n; w++) {
-    for (uint32_t l = 0; l < bed->lines; l++) {
+    for (uint32_t l = 0; l < wire_grid->lines; l++) {
       /* Images to the bit: what the eigenvectors are up to rounding. */
       const double image =
-        l < bed->first_line[1] ? basis[l * n + n - 1 - w] : -basis[l * n + n - 1 - w];
+        l < wire_grid->first_line[1] ? basis[l * n + n - 1 - w] : -basis[l * n + n - 1 - w];
       const double own = basis[l * n + w];
-      bed->across[w * bed->lines + l] = bed->quarters == 2 ? 0.5 * (own + image) : own;
+      wire_grid->across[w * wire_grid->lines + l] =
+        wire_grid->quarters == 2 ? 0.5 * (own + image) : own;
     }
   }
   return true;
 }
 
-static uint32_t lines_of_class(const TbWireGrid *bed, uint32_t across) {
-  return bed->first_line[across + 1] - bed->first_line[across];
+static uint32_t lines_of_class(const TbWireGrid *wire_grid, uint32_t across) {
+  return wire_grid->first_line[across + 1] - wire_grid->first_line[across];
 }
 
 /* Every mode's amplitudes on the lines of its class. */
 static void shapes_on_lines(Fit *fit) {
-  const TbWireGrid *bed = &fit->projection->bed;
+  const TbWireGrid *wire_grid = &fit->projection->wire_grid;
   for (uint32_t g = 0; g < fit->modes->groups; g++) {
-    const uint32_t across = g % bed->quarters;
+    const uint32_t across = g % wire_grid->quarters;
     for (uint32_t i = fit->modes->group[g]; i < fit->modes->group[g + 1]; i++) {
       double *to = fit->lines + (size_t)i * fit->stride;
       const double *from = fit->shapes + (size_t)i * fit->stride;
-      for (uint32_t l = 0; l < lines_of_class(bed, across); l++) {
-        for (uint32_t w = 0; w < bed->wires; w++) {
-          const double part = bed->across[w * bed->lines + bed->first_line[across] + l];
-          for (uint32_t j = 0; j < bed->half; j++) {
-            to[l * bed->half + j] += part * from[w * bed->half + j];
+      for (uint32_t l = 0; l < lines_of_class(wire_grid, across); l++) {
+        for (uint32_t w = 0; w < wire_grid->wires; w++) {
+          const double part =
+            wire_grid->across[w * wire_grid->lines + wire_grid->first_line[across] + l];
+          for (uint32_t j = 0; j < wire_grid->half; j++) {
+            to[l * wire_grid->half + j] += part * from[w * wire_grid->half + j];
           }
         }
       }
@@ -251,31 +254,33 @@ static void shapes_on_lines(Fit *fit) {
 /* ---- along ---------------------------------------------------------------------------------- */
 
 /* A lane off the middle stands for two. */
-static void lane_weights(const TbWireGrid *bed, double *weight) {
-  for (uint32_t j = 0; j < bed->half; j++) weight[j] = j == bed->middle ? 1.0 : sqrt(2.0);
+static void lane_weights(const TbWireGrid *wire_grid, double *weight) {
+  for (uint32_t j = 0; j < wire_grid->half; j++)
+    weight[j] = j == wire_grid->middle ? 1.0 : sqrt(2.0);
 }
 
 /* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the wires. */
 static bool fit_along_class(Fit *fit, uint32_t along, double *work, double *basis) {
-  TbWireGrid *bed = &fit->projection->bed;
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
   double weight[1024];
-  lane_weights(bed, weight);
+  lane_weights(wire_grid, weight);
   const Samples samples = {.data = work,
                            .modes = gather_modes(fit, fit->lines, 2, along, work),
-                           .vectors = bed->lines < bed->wires ? bed->lines : bed->wires,
-                           .length = bed->half,
+                           .vectors = wire_grid->lines < wire_grid->wires ? wire_grid->lines
+                                                                          : wire_grid->wires,
+                           .length = wire_grid->half,
                            .stride = fit->stride,
-                           .step = bed->half,
+                           .step = wire_grid->half,
                            .spread = 1};
   return principal_components(fit->scratch, &samples, weight, fit->tolerance * largest_shape(fit),
-                              bed->half, basis, &bed->columns[along]);
+                              wire_grid->half, basis, &wire_grid->columns[along]);
 }
 
 static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
-  TbWireGrid *bed = &fit->projection->bed;
-  const uint32_t columns = bed->columns[along], half = bed->half;
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  const uint32_t columns = wire_grid->columns[along], half = wire_grid->half;
   double weight[1024];
-  lane_weights(bed, weight);
+  lane_weights(wire_grid, weight);
   const uint32_t padded = tb_pad(columns);
   double *contract = tb_arena_doubles(fit->arena, (size_t)half * padded);
   double *expand = tb_arena_doubles(fit->arena, (size_t)columns * half);
@@ -287,31 +292,33 @@ static bool fill_along(Fit *fit, uint32_t along, const double *basis) {
       expand[(size_t)a * half + j] = value;
     }
   }
-  bed->padded[along] = padded;
-  bed->contract[along] = contract;
-  bed->expand[along] = expand;
+  wire_grid->padded[along] = padded;
+  wire_grid->contract[along] = contract;
+  wire_grid->expand[along] = expand;
   return true;
 }
 
-static void leave_lanes_alone(TbWireGrid *bed) {
-  const uint32_t lanes = bed->halves == 2 ? bed->middle + 1 : bed->lanes;
-  bed->columns[0] = bed->columns[1] = lanes;
-  bed->thinned = false;
+static void leave_lanes_alone(TbWireGrid *wire_grid) {
+  const uint32_t lanes = wire_grid->halves == 2 ? wire_grid->middle + 1 : wire_grid->lanes;
+  wire_grid->columns[0] = wire_grid->columns[1] = lanes;
+  wire_grid->thinned = false;
 }
 
 static bool fit_along(Fit *fit, double *basis[2]) {
-  TbWireGrid *bed = &fit->projection->bed;
-  leave_lanes_alone(bed);
-  if (bed->wires == 0 || bed->halves == 1 || !fit->wires->aligned || bed->half > 1024) return true;
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  leave_lanes_alone(wire_grid);
+  if (wire_grid->wires == 0 || wire_grid->halves == 1 || !fit->wires->aligned ||
+      wire_grid->half > 1024)
+    return true;
   double *work = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
   for (uint32_t along = 0; along < 2; along++) {
-    basis[along] = tb_arena_doubles(fit->scratch, (size_t)bed->half * bed->half);
+    basis[along] = tb_arena_doubles(fit->scratch, (size_t)wire_grid->half * wire_grid->half);
     if (fit->scratch->failed || !fit_along_class(fit, along, work, basis[along])) return false;
   }
-  bed->thinned =
-    bed->columns[0] + bed->columns[1] <= (uint32_t)(WORTH_THINNING * 2.0 * (bed->middle + 1));
-  if (!bed->thinned) {
-    leave_lanes_alone(bed);
+  wire_grid->thinned = wire_grid->columns[0] + wire_grid->columns[1] <=
+                       (uint32_t)(WORTH_THINNING * 2.0 * (wire_grid->middle + 1));
+  if (!wire_grid->thinned) {
+    leave_lanes_alone(wire_grid);
     return true;
   }
   return fill_along(fit, 0, basis[0]) && fill_along(fit, 1, basis[1]);
@@ -319,30 +326,31 @@ static bool fit_along(Fit *fit, double *basis[2]) {
 
 /* ---- tables --------------------------------------------------------------------------------- */
 
-static bool fill_places(TbWireGrid *bed, TbArena *arena, uint32_t along) {
-  uint32_t *place = tb_arena_take(arena, (size_t)bed->lines * bed->columns[along], sizeof *place);
-  bed->place[along] = place;
-  for (uint32_t line = 0; place && line < bed->lines; line++) {
-    const uint32_t across = bed->quarters == 2 && line >= bed->first_line[1] ? 1 : 0;
-    const uint32_t first = bed->first[tb_wire_grid_class(bed, along, across)] +
-                           (line - bed->first_line[across]) * bed->columns[along];
-    for (uint32_t a = 0; a < bed->columns[along]; a++) *place++ = first + a;
+static bool fill_places(TbWireGrid *wire_grid, TbArena *arena, uint32_t along) {
+  uint32_t *place =
+    tb_arena_take(arena, (size_t)wire_grid->lines * wire_grid->columns[along], sizeof *place);
+  wire_grid->place[along] = place;
+  for (uint32_t line = 0; place && line < wire_grid->lines; line++) {
+    const uint32_t across = wire_grid->quarters == 2 && line >= wire_grid->first_line[1] ? 1 : 0;
+    const uint32_t first = wire_grid->first[tb_wire_grid_class(wire_grid, along, across)] +
+                           (line - wire_grid->first_line[across]) * wire_grid->columns[along];
+    for (uint32_t a = 0; a < wire_grid->columns[along]; a++) *place++ = first + a;
   }
   return !arena->failed;
 }
 
 static bool place_classes(TbProjection *p, TbArena *arena) {
-  TbWireGrid *bed = &p->bed;
-  for (uint32_t along = 0; along < bed->halves; along++) {
-    for (uint32_t across = 0; across < bed->quarters; across++) {
-      const uint32_t c = tb_wire_grid_class(bed, along, across);
-      bed->first[c] = bed->size;
-      bed->size += tb_pad(lines_of_class(bed, across) * bed->columns[along]);
+  TbWireGrid *wire_grid = &p->wire_grid;
+  for (uint32_t along = 0; along < wire_grid->halves; along++) {
+    for (uint32_t across = 0; across < wire_grid->quarters; across++) {
+      const uint32_t c = tb_wire_grid_class(wire_grid, along, across);
+      wire_grid->first[c] = wire_grid->size;
+      wire_grid->size += tb_pad(lines_of_class(wire_grid, across) * wire_grid->columns[along]);
     }
   }
-  bed->first[p->groups] = bed->size;
-  for (uint32_t along = 0; along < bed->halves; along++) {
-    if (!fill_places(bed, arena, along)) return false;
+  wire_grid->first[p->groups] = wire_grid->size;
+  for (uint32_t along = 0; along < wire_grid->halves; along++) {
+    if (!fill_places(wire_grid, arena, along)) return false;
   }
   return true;
 }
@@ -350,33 +358,35 @@ static bool place_classes(TbProjection *p, TbArena *arena) {
 /* Amplitude of mode i at one point of its class. */
 static double amplitude(const Fit *fit, double *const basis[2], uint32_t i, uint32_t along,
                         uint32_t line, uint32_t column) {
-  const TbWireGrid *bed = &fit->projection->bed;
-  const double *values = fit->lines + (size_t)i * fit->stride + line * bed->half;
-  if (!bed->thinned) return values[column];
+  const TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  const double *values = fit->lines + (size_t)i * fit->stride + line * wire_grid->half;
+  if (!wire_grid->thinned) return values[column];
   double sum = 0.0;
-  for (uint32_t j = 0; j < bed->half; j++) {
-    sum += basis[along][column * bed->half + j] * (j == bed->middle ? 1.0 : sqrt(2.0)) * values[j];
+  for (uint32_t j = 0; j < wire_grid->half; j++) {
+    sum += basis[along][column * wire_grid->half + j] * (j == wire_grid->middle ? 1.0 : sqrt(2.0)) *
+           values[j];
   }
   return sum;
 }
 
 static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
-  const TbWireGrid *bed = &fit->projection->bed;
+  const TbWireGrid *wire_grid = &fit->projection->wire_grid;
   TbProjectionGroup *group = &fit->projection->group[g];
-  const uint32_t along = g / bed->quarters, across = g % bed->quarters;
-  *group = (TbProjectionGroup){.first = fit->modes->group[g],
-                               .modes = fit->modes->group[g + 1] - fit->modes->group[g],
-                               .first_point = bed->first[g],
-                               .points = bed->first[g + 1] - bed->first[g],
-                               .used = lines_of_class(bed, across) * bed->columns[along]};
+  const uint32_t along = g / wire_grid->quarters, across = g % wire_grid->quarters;
+  *group =
+    (TbProjectionGroup){.first = fit->modes->group[g],
+                        .modes = fit->modes->group[g + 1] - fit->modes->group[g],
+                        .first_point = wire_grid->first[g],
+                        .points = wire_grid->first[g + 1] - wire_grid->first[g],
+                        .used = lines_of_class(wire_grid, across) * wire_grid->columns[along]};
   group->gather = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   group->scatter = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   if (fit->arena->failed) return false;
   for (uint32_t i = 0; i < group->modes; i++) {
-    for (uint32_t l = 0; l < lines_of_class(bed, across); l++) {
-      for (uint32_t a = 0; a < bed->columns[along]; a++) {
+    for (uint32_t l = 0; l < lines_of_class(wire_grid, across); l++) {
+      for (uint32_t a = 0; a < wire_grid->columns[along]; a++) {
         const double value = amplitude(fit, basis, group->first + i, along, l, a);
-        const uint32_t point = l * bed->columns[along] + a;
+        const uint32_t point = l * wire_grid->columns[along] + a;
         group->gather[((size_t)(point / 8) * group->modes + i) * 8 + point % 8] = value;
         group->scatter[((size_t)(i / 8) * group->points + point) * 8 + i % 8] = value;
       }
@@ -385,14 +395,14 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   return true;
 }
 
-static void start_bed(TbWireGrid *bed, const TbModes *modes, const TbWires *wires) {
-  *bed = (TbWireGrid){.wires = wires->count,
-                      .lanes = wires->lanes,
-                      .middle = wires->middle,
-                      .halves = modes->halves,
-                      .quarters = modes->quarters};
-  bed->half = bed->halves == 2 ? tb_pad(bed->middle + 1) : bed->lanes;
-  if (wires->count == 0) bed->half = 0;
+static void start_bed(TbWireGrid *wire_grid, const TbModes *modes, const TbWires *wires) {
+  *wire_grid = (TbWireGrid){.wires = wires->count,
+                            .lanes = wires->lanes,
+                            .middle = wires->middle,
+                            .halves = modes->halves,
+                            .quarters = modes->quarters};
+  wire_grid->half = wire_grid->halves == 2 ? tb_pad(wire_grid->middle + 1) : wire_grid->lanes;
+  if (wires->count == 0) wire_grid->half = 0;
 }
 
 TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes *modes,
@@ -400,7 +410,7 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   *p = (TbProjection){.precision = p->precision, .groups = modes->groups};
-  start_bed(&p->bed, modes, wires);
+  start_bed(&p->wire_grid, modes, wires);
   Fit fit = {.projection = p,
              .modes = modes,
              .head = head,
@@ -409,7 +419,7 @@ TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes
              .scratch = &scratch,
              .tolerance = tolerance,
              .modes_coupled = modes->group[modes->groups],
-             .stride = wires->count * p->bed.half};
+             .stride = wires->count * p->wire_grid.half};
   double *basis[2] = {NULL, NULL};
   bool done = collect_shapes(&fit) && fit_across(&fit);
   if (done) shapes_on_lines(&fit);

@@ -7,45 +7,47 @@ static void round_all(double *values, size_t count) {
   for (size_t i = 0; i < count; i++) values[i] = (double)(float)values[i];
 }
 
-static void round_bed(TbWireGrid *bed) {
-  round_all(bed->across, (size_t)bed->wires * bed->lines);
-  for (uint32_t along = 0; along < bed->halves && bed->thinned; along++) {
-    round_all(bed->contract[along], (size_t)bed->half * bed->padded[along]);
-    round_all(bed->expand[along], (size_t)bed->half * bed->columns[along]);
+static void round_bed(TbWireGrid *wire_grid) {
+  round_all(wire_grid->across, (size_t)wire_grid->wires * wire_grid->lines);
+  for (uint32_t along = 0; along < wire_grid->halves && wire_grid->thinned; along++) {
+    round_all(wire_grid->contract[along], (size_t)wire_grid->half * wire_grid->padded[along]);
+    round_all(wire_grid->expand[along], (size_t)wire_grid->half * wire_grid->columns[along]);
   }
 }
 
 /* Of one column of a class along, at any lane. */
-static double shape_at(const TbWireGrid *bed, uint32_t along, uint32_t column, uint32_t lane) {
-  const bool folded = bed->halves == 2, image = folded && lane > bed->middle;
-  if (folded && lane > 2 * bed->middle) return 0.0;
-  if (along == 1 && lane == bed->middle) return 0.0;
-  const uint32_t half = image ? 2 * bed->middle - lane : lane;
-  const size_t at = (size_t)column * bed->half + half;
-  const double value = bed->thinned ? bed->expand[along][at] : (half == column ? 1.0 : 0.0);
+static double shape_at(const TbWireGrid *wire_grid, uint32_t along, uint32_t column,
+                       uint32_t lane) {
+  const bool folded = wire_grid->halves == 2, image = folded && lane > wire_grid->middle;
+  if (folded && lane > 2 * wire_grid->middle) return 0.0;
+  if (along == 1 && lane == wire_grid->middle) return 0.0;
+  const uint32_t half = image ? 2 * wire_grid->middle - lane : lane;
+  const size_t at = (size_t)column * wire_grid->half + half;
+  const double value =
+    wire_grid->thinned ? wire_grid->expand[along][at] : (half == column ? 1.0 : 0.0);
   return along == 1 && image ? -value : value;
 }
 
-static void fill_shapes(TbWireGridF *bedf, const TbWireGrid *bed) {
-  for (uint32_t lane = 0; lane < bed->lanes; lane++) {
+static void fill_shapes(TbWireGridF *wire_gridf, const TbWireGrid *wire_grid) {
+  for (uint32_t lane = 0; lane < wire_grid->lanes; lane++) {
     uint32_t c = 0;
-    for (uint32_t along = 0; along < bed->halves; along++) {
-      for (uint32_t a = 0; a < bed->columns[along]; a++, c++) {
-        const float shape = (float)shape_at(bed, along, a, lane);
-        bedf->contract[0][(size_t)lane * bedf->padded[0] + c] = shape;
-        bedf->expand[0][(size_t)c * bed->lanes + lane] = shape;
+    for (uint32_t along = 0; along < wire_grid->halves; along++) {
+      for (uint32_t a = 0; a < wire_grid->columns[along]; a++, c++) {
+        const float shape = (float)shape_at(wire_grid, along, a, lane);
+        wire_gridf->contract[0][(size_t)lane * wire_gridf->padded[0] + c] = shape;
+        wire_gridf->expand[0][(size_t)c * wire_grid->lanes + lane] = shape;
       }
     }
   }
 }
 
 /* The classes of symmetry along stand side by side. */
-static void fill_places(TbWireGridF *bedf, const TbWireGrid *bed) {
-  uint32_t *place = bedf->place[0];
-  for (uint32_t line = 0; line < bed->lines; line++) {
-    for (uint32_t along = 0; along < bed->halves; along++) {
-      const uint32_t columns = bed->columns[along];
-      memcpy(place, bed->place[along] + (size_t)line * columns, columns * sizeof *place);
+static void fill_places(TbWireGridF *wire_gridf, const TbWireGrid *wire_grid) {
+  uint32_t *place = wire_gridf->place[0];
+  for (uint32_t line = 0; line < wire_grid->lines; line++) {
+    for (uint32_t along = 0; along < wire_grid->halves; along++) {
+      const uint32_t columns = wire_grid->columns[along];
+      memcpy(place, wire_grid->place[along] + (size_t)line * columns, columns * sizeof *place);
       place += columns;
     }
   }
@@ -65,30 +67,31 @@ bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
   return true;
 }
 
-bool tb_wire_gridf_prepare(TbWireGridF *bedf, TbArena *arena, TbWireGrid *bed) {
-  round_bed(bed);
-  *bedf = (TbWireGridF){.wires = bed->wires,
-                        .lanes = bed->lanes,
-                        .halves = 1,
-                        .quarters = bed->quarters,
-                        .middle = bed->middle,
-                        .half = bed->lanes,
-                        .lines = bed->lines,
-                        .thinned = true,
-                        .size = bed->size};
-  memcpy(bedf->first_line, bed->first_line, sizeof bedf->first_line);
-  memcpy(bedf->first, bed->first, sizeof bedf->first);
-  for (uint32_t along = 0; along < bed->halves; along++) bedf->columns[0] += bed->columns[along];
-  bedf->padded[0] = tb_pad(bedf->columns[0]);
-  const size_t across = (size_t)bed->wires * bed->lines, lanes = bed->lanes;
-  const size_t columns = bedf->columns[0];
-  bedf->across = tb_arena_take(arena, across, sizeof(float));
-  bedf->contract[0] = tb_arena_take(arena, lanes * bedf->padded[0], sizeof(float));
-  bedf->expand[0] = tb_arena_take(arena, lanes * columns, sizeof(float));
-  bedf->place[0] = tb_arena_take(arena, bed->lines * columns, sizeof(uint32_t));
+bool tb_wire_gridf_prepare(TbWireGridF *wire_gridf, TbArena *arena, TbWireGrid *wire_grid) {
+  round_bed(wire_grid);
+  *wire_gridf = (TbWireGridF){.wires = wire_grid->wires,
+                              .lanes = wire_grid->lanes,
+                              .halves = 1,
+                              .quarters = wire_grid->quarters,
+                              .middle = wire_grid->middle,
+                              .half = wire_grid->lanes,
+                              .lines = wire_grid->lines,
+                              .thinned = true,
+                              .size = wire_grid->size};
+  memcpy(wire_gridf->first_line, wire_grid->first_line, sizeof wire_gridf->first_line);
+  memcpy(wire_gridf->first, wire_grid->first, sizeof wire_gridf->first);
+  for (uint32_t along = 0; along < wire_grid->halves; along++)
+    wire_gridf->columns[0] += wire_grid->columns[along];
+  wire_gridf->padded[0] = tb_pad(wire_gridf->columns[0]);
+  const size_t across = (size_t)wire_grid->wires * wire_grid->lines, lanes = wire_grid->lanes;
+  const size_t columns = wire_gridf->columns[0];
+  wire_gridf->across = tb_arena_take(arena, across, sizeof(float));
+  wire_gridf->contract[0] = tb_arena_take(arena, lanes * wire_gridf->padded[0], sizeof(float));
+  wire_gridf->expand[0] = tb_arena_take(arena, lanes * columns, sizeof(float));
+  wire_gridf->place[0] = tb_arena_take(arena, wire_grid->lines * columns, sizeof(uint32_t));
   if (arena->failed) return false;
-  for (size_t i = 0; i < across; i++) bedf->across[i] = (float)bed->across[i];
-  fill_shapes(bedf, bed);
-  fill_places(bedf, bed);
+  for (size_t i = 0; i < across; i++) wire_gridf->across[i] = (float)wire_grid->across[i];
+  fill_shapes(wire_gridf, wire_grid);
+  fill_places(wire_gridf, wire_grid);
   return true;
 }

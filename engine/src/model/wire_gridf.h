@@ -6,7 +6,7 @@
 #include "model/compliance.h"
 
 /* Rounds the bed's own shapes to single precision, so that both precisions mean the same grid, and copies it. */
-bool tb_wire_gridf_prepare(TbWireGridF *bedf, TbArena *arena, TbWireGrid *bed);
+bool tb_wire_gridf_prepare(TbWireGridF *wire_gridf, TbArena *arena, TbWireGrid *wire_grid);
 
 bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
                             const TbCompliance *compliance);

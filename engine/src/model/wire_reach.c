@@ -6,12 +6,12 @@
 
 static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
                            double *fold, double *rows, double *reach) {
-  const TbWireGrid *bed = &model->projection.bed;
+  const TbWireGrid *wire_grid = &model->projection.wire_grid;
   for (uint32_t i = 0; i < group->modes; i++) {
     for (uint32_t p = 0; p < group->points; p++) {
       grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
     }
-    model->kernels->expand(bed, grid, fold, rows);
+    model->kernels->expand(wire_grid, grid, fold, rows);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
     }
@@ -21,8 +21,8 @@ static void largest_shapes(const TaborModel *model, const TbProjectionGroup *gro
 
 TaborStatus tb_wire_reach_prepare(TaborModel *model, TbArena *scratch) {
   const TbProjection *p = &model->projection;
-  double *grid = tb_arena_doubles(scratch, p->bed.size);
-  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&p->bed));
+  double *grid = tb_arena_doubles(scratch, p->wire_grid.size);
+  double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&p->wire_grid));
   double *rows = tb_arena_doubles(scratch, model->wires.stride);
   model->reach = tb_arena_doubles(&model->arena, model->modes.padded);
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;

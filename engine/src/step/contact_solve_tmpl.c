@@ -74,25 +74,26 @@ static TbStartF take_in(TbSolve *solve) {
                     .own = work->own};
   solve->in.kernelsf->start(total_rows(solve), &start);
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
-    solve->in.kernelsf->narrow(solve->in.bedf->size, solve->in.stretch_grid[h], work->stretch[h]);
+    solve->in.kernelsf->narrow(solve->in.wire_gridf->size, solve->in.stretch_grid[h],
+                               work->stretch[h]);
   }
   work->wires = true;
   return start;
 }
 
 static void take_grid(TbSolve *solve) {
-  solve->in.kernelsf->narrow(solve->in.bedf->size, solve->warm.grid, solve->workf.grid_last);
+  solve->in.kernelsf->narrow(solve->in.wire_gridf->size, solve->warm.grid, solve->workf.grid_last);
 }
 
 static void give_grid(TbSolve *solve) {
-  solve->in.kernelsf->widen(solve->in.bedf->size, solve->workf.grid, solve->warm.grid);
+  solve->in.kernelsf->widen(solve->in.wire_gridf->size, solve->workf.grid, solve->warm.grid);
 }
 
 /* What the slots add to M x: few numbers, in double as ever. */
 static void add_slots(TbSolve *solve, const float *x, const float *grid, float *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   TbSolveWorkF *work = &solve->workf;
-  const uint32_t size = solve->in.bedf->size;
+  const uint32_t size = solve->in.wire_gridf->size;
   double *pushed = solve->work.pushed, *answer = solve->work.answer;
   _Alignas(64) double slots[TB_SLOTS], moved[TB_SLOTS];
   kernels->widen(size, grid, pushed);
@@ -108,7 +109,7 @@ static void add_slots(TbSolve *solve, const float *x, const float *grid, float *
 static void add_stretch(TbSolve *solve, const float *grid, float *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   TbSolveWorkF *work = &solve->workf;
-  const uint32_t size = solve->in.bedf->size;
+  const uint32_t size = solve->in.wire_gridf->size;
   float along[2] = {0.0f, 0.0f};
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
     along[h] = kernels->dot(size, work->stretch[h], grid);
@@ -171,7 +172,7 @@ static TbStart take_in(TbSolve *solve) {
 }
 
 static void take_grid(TbSolve *solve) {
-  memcpy(solve->work.grid_last, solve->warm.grid, solve->in.bed->size * sizeof(double));
+  memcpy(solve->work.grid_last, solve->warm.grid, solve->in.wire_grid->size * sizeof(double));
 }
 
 static void give_grid(TbSolve *solve) { (void)solve; } /* it is the drum's own */
@@ -190,20 +191,20 @@ static void add_others(TbSolve *solve, const double *x, const double *grid, doub
 static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Real *out) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
-  const TYPE_OF(TbWireGrid) *bed = solve->in.NAME_OF(bed);
+  const TYPE_OF(TbWireGrid) *wire_grid = solve->in.NAME_OF(wire_grid);
   TB_STAGE(PRODUCT);
   if (wires) {
-    kernels->contract(bed, x, work->scratch, grid);
+    kernels->contract(wire_grid, x, work->scratch, grid);
     kernels->comply(solve->in.NAME_OF(compliance), grid, work->answer);
   } else {
-    memset(grid, 0, bed->size * sizeof *grid);
-    memset(work->answer, 0, bed->size * sizeof *grid);
+    memset(grid, 0, wire_grid->size * sizeof *grid);
+    memset(work->answer, 0, wire_grid->size * sizeof *grid);
   }
   add_others(solve, x, grid, out);
   if (solve->in.lifted) {
     memset(out, 0, solve->in.stride * sizeof *out);
   } else {
-    kernels->expand(bed, work->answer, work->scratch, out);
+    kernels->expand(wire_grid, work->answer, work->scratch, out);
   }
   kernels->add_product(total_rows(solve), out, own_of(solve), x);
   TB_STAGE(LAWS);
@@ -231,9 +232,9 @@ static void slot_laws(TbSolve *solve, const Real *s) {
 /* Forces, slopes and means of the laws at s. */
 static void apply_laws(TbSolve *solve, const Real *s) {
   const Work *work = work_of(solve);
-  const TYPE_OF(TbWireGrid) *bed = solve->in.NAME_OF(bed);
+  const TYPE_OF(TbWireGrid) *wire_grid = solve->in.NAME_OF(wire_grid);
   if (work->wires) {
-    kernels_of(solve)->laws(bed->wires, bed->lanes, solve->in.wire_laws, y_of(solve),
+    kernels_of(solve)->laws(wire_grid->wires, wire_grid->lanes, solve->in.wire_laws, y_of(solve),
                             root_of(solve), s, work->law, work->slope, work->mean);
   }
   slot_laws(solve, s);
@@ -261,7 +262,7 @@ static Residual find_residual(TbSolve *solve) {
 static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real tolerance) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
-  const uint32_t rows = total_rows(solve), size = solve->in.bed->size;
+  const uint32_t rows = total_rows(solve), size = solve->in.wire_grid->size;
   const Real enough = square * tolerance * tolerance;
   memset(work->solution, 0, rows * sizeof(Real));
   memcpy(work->residual, work->direction, rows * sizeof(Real));
@@ -387,7 +388,7 @@ static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *out
   if (!(sums.miss <= enough + NOISE * sums.most)) return false;
   if (balance(solve, sums, reach, &move)) {
     give_back(solve, move, outcome);
-    kernels_of(solve)->extrapolate(solve->in.bed->size, move.t, work->grid, work->grid_last,
+    kernels_of(solve)->extrapolate(solve->in.wire_grid->size, move.t, work->grid, work->grid_last,
                                    work->grid, work->grid);
     give_grid(solve);
     if (work->wires || !wires_touch(solve, work->s)) return true;
@@ -498,7 +499,7 @@ static void product(TbSolve *solve, const double *x, double *grid, double *out) 
   kernels->narrow(rows, solve->in.own, work->own);
   kernels->narrow(rows, x, work->turned);
   product_of(solve, true, work->turned, work->grid, work->moved);
-  kernels->widen(solve->in.bedf->size, work->grid, grid);
+  kernels->widen(solve->in.wire_gridf->size, work->grid, grid);
   kernels->widen(rows, work->moved, out);
 }
 #else

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/energy.h"
 
-#include "step/high_ring.h"
+#include "step/high_band_step.h"
 #include "step/lug_forces.h"
 #include "step/stick_rigid.h"
 #include "step/stretch.h"
@@ -21,7 +21,7 @@ static double modes_energy(const TbView *view, const TbPhase *next, const TbPhas
   return oscillators(modes->padded, view->model->sample_rate, modes->stiffness, next->q, now->q);
 }
 
-double tb_energy_high(const TbView *view) { return tb_high_ring_of(view)->energy(view); }
+double tb_energy_high(const TbView *view) { return tb_high_band_step_of(view)->energy(view); }
 
 /* dT Int (v_r'^2/2 + v_r' v') dx, v' the mean of the two instants. */
 static double tension_energy(const TbView *view, const TbWire *wire, double change,

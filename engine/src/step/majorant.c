@@ -27,7 +27,7 @@ static double majorant_curvature(const TbContactLaw *law, double y, double b, do
 
 /* NULL for a slot that is not in play. */
 static const TbContactLaw *law_of(const TbSolve *solve, uint32_t row) {
-  if (row < solve->in.stride) return &solve->in.wire_laws[row / solve->in.bed->lanes];
+  if (row < solve->in.stride) return &solve->in.wire_laws[row / solve->in.wire_grid->lanes];
   const uint32_t slot = row - solve->in.stride;
   return tb_slot_in_play(&solve->in, slot) ? &solve->in.slot_laws[slot] : NULL;
 }

@@ -5,7 +5,7 @@
 
 #include "kernels/profile.h"
 #include "step/force_equalizer.h"
-#include "step/high_ring.h"
+#include "step/high_band_step.h"
 
 /* ---- the high band -------------------------------------------------------------------------- */
 
@@ -35,7 +35,7 @@ static bool strike_high(TbView *view) {
     const double push = view->solve.warm.force[view->model->wires.stride + i];
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
-    tb_high_ring_of(view)->strike(view, i, push);
+    tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;
   }
   return struck;
@@ -50,8 +50,8 @@ static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
     loss = tb_high_band_push(view->model, view->solve.warm.force, view->solve.work.turned,
                              view->high_force);
   }
-  const TbPair heard = tb_high_ring_of(view)->move(view, mic, divide(view, loss));
-  return strike_high(view) ? tb_high_ring_of(view)->sums(view, mic, &view->next) : heard;
+  const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view, loss));
+  return strike_high(view) ? tb_high_band_step_of(view)->sums(view, mic, &view->next) : heard;
 }
 
 /* ---- microphones ---------------------------------------------------------------------------- */
@@ -76,9 +76,9 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
 /* What a microphone would have heard if it had been heard before. */
 static void begin_hearing(TbView *view, uint32_t mic) {
   const TbPair now =
-    sums_at(view, mic, &view->now, tb_high_ring_of(view)->sums(view, mic, &view->now));
+    sums_at(view, mic, &view->now, tb_high_band_step_of(view)->sums(view, mic, &view->now));
   const TbPair last =
-    sums_at(view, mic, &view->last, tb_high_ring_of(view)->sums(view, mic, &view->last));
+    sums_at(view, mic, &view->last, tb_high_band_step_of(view)->sums(view, mic, &view->last));
   view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
 }
 
@@ -117,7 +117,8 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     double p = 0.0;
     if (heard >> mic & 1u) {
-      const TbPair own = mic == first ? high : tb_high_ring_of(view)->sums(view, mic, &view->next);
+      const TbPair own =
+        mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own)) + hear_hoop(view, mic);
     }
     pressure[mic] = delayed(view, mic, tb_force_equalizer(state->treble[mic], p)) *

@@ -5,7 +5,7 @@ void tb_penetrations_from_displacements(TbView *view, TbPhase *phase) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   tb_project(&model->projection, model->kernels, phase->q, view->change);
-  model->kernels->expand(&model->projection.bed, view->change, view->solve.work.scratch,
+  model->kernels->expand(&model->projection.wire_grid, view->change, view->solve.work.scratch,
                          phase->eta);
   for (uint32_t row = 0; row < wires->stride; row++) {
     const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];

@@ -3,7 +3,7 @@
 
 void tb_solve_stretch(const TbContacts *in, const double *pushed, const double *slots,
                       double *answer, double *out) {
-  const uint32_t size = in->bed->size;
+  const uint32_t size = in->wire_grid->size;
   double along[2] = {0.0, 0.0};
   for (uint32_t h = 0; h < in->stretch_count; h++) {
     along[h] = in->kernels->dot(size, in->stretch_grid[h], pushed) +
@@ -19,7 +19,7 @@ void tb_solve_stretch(const TbContacts *in, const double *pushed, const double *
 
 void tb_solve_slots(const TbContacts *in, const double *pushed, const double *slots, double *answer,
                     double *out) {
-  const uint32_t size = in->bed->size;
+  const uint32_t size = in->wire_grid->size;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     out[slot] = 0.0;
     if (!tb_slot_in_play(in, slot)) continue;

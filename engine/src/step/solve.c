@@ -34,7 +34,7 @@ void tb_solve_forget(TbSolve *solve) {
   const size_t bytes = (solve->in.stride + TB_SLOTS) * sizeof(double);
   memset(solve->warm.force, 0, bytes);
   memset(solve->warm.product, 0, bytes);
-  memset(solve->warm.grid, 0, solve->in.bed->size * sizeof(double));
+  memset(solve->warm.grid, 0, solve->in.wire_grid->size * sizeof(double));
 }
 
 TbSolveOutcome tb_solve(TbSolve *solve) {

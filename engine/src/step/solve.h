@@ -37,11 +37,11 @@
  * loops may run over them. */
 typedef struct TbContacts {
   const TbKernels *kernels;
-  const TbWireGrid *bed;
+  const TbWireGrid *wire_grid;
   const TbCompliance *compliance; /* the head's, between points of the grid */
   TbPrecision precision;          /* TB_IN_FLOAT needs the following, too: */
   const TbKernelsF *kernelsf;
-  const TbWireGridF *bedf;
+  const TbWireGridF *wire_gridf;
   const TbComplianceF *compliancef;
   const float *yield; /* [stride] of the head at a point, to a force there alone [m/N], */
   bool near;          /* ... and whether some wire point may touch */

@@ -45,7 +45,8 @@ static TbSolveWork work_at(TbState *state, const TaborModel *model) {
     &work.residual,   &work.direction,    &work.turned, &work.moved, &work.solution};
   double **const grids[TB_WORK_GRIDS] = {&work.grid_last, &work.pushed, &work.answer};
   for (int i = 0; i < TB_WORK_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
-  for (int i = 0; i < TB_WORK_GRIDS; i++, next += model->projection.bed.size) *grids[i] = next;
+  for (int i = 0; i < TB_WORK_GRIDS; i++, next += model->projection.wire_grid.size)
+    *grids[i] = next;
   work.scratch = next;
   return work;
 }
@@ -66,7 +67,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
   float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
                                          &work.answer, &work.stretch[0], &work.stretch[1]};
   for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
-  for (int i = 0; i < TB_WORKF_GRIDS; i++, next += model->bedf.size) *grids[i] = next;
+  for (int i = 0; i < TB_WORKF_GRIDS; i++, next += model->wire_gridf.size) *grids[i] = next;
   for (int i = 0; i < 2; i++, next += model->modes.padded) modal[i] = next;
   work.scratch = next;
   return work;
@@ -75,10 +76,10 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
 static TbContacts contacts_at(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
   return (TbContacts){.kernels = model->kernels,
-                      .bed = &model->projection.bed,
+                      .wire_grid = &model->projection.wire_grid,
                       .compliance = &model->compliance,
                       .kernelsf = model->kernelsf,
-                      .bedf = &model->bedf,
+                      .wire_gridf = &model->wire_gridf,
                       .compliancef = &model->compliancef,
                       .yield = model->yield,
                       .stride = model->wires.stride,

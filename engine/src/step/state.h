@@ -169,7 +169,7 @@ static inline const TbResidualModes *tb_slot_missing(const TbView *view, uint32_
   return &view->model->missing[on_head ? s->definition : TABOR_MAX_STRIKERS];
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
-  return view->coupling + (size_t)slot * view->model->projection.bed.size;
+  return view->coupling + (size_t)slot * view->model->projection.wire_grid.size;
 }
 
 #endif

@@ -8,7 +8,7 @@
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/energy_guard.h"
-#include "step/high_ring.h"
+#include "step/high_band_step.h"
 #include "step/live_params.h"
 #include "step/lug_forces.h"
 #include "step/mic_output.h"
@@ -102,8 +102,8 @@ static void free_penetration(TbView *view) {
 /* What the wires' forces, counted from rest, do to modes: into view->modal. */
 static void force_modes(TbView *view) {
   const TaborModel *model = view->model;
-  model->kernels->subtract(model->projection.bed.size, view->solve.warm.grid, model->rest.grid,
-                           view->change);
+  model->kernels->subtract(model->projection.wire_grid.size, view->solve.warm.grid,
+                           model->rest.grid, view->change);
   tb_wire_motion_of(view)->project_forces(view);
 }
 
@@ -234,7 +234,7 @@ static void clear_small(uint32_t n, double *now, double *last) {
 }
 
 static void clear_vanished(TbView *view) {
-  tb_high_ring_of(view)->clear_small(view);
+  tb_high_band_step_of(view)->clear_small(view);
   clear_small(view->model->modes.padded, view->now.q, view->last.q);
   clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
   clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);

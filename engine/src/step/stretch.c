@@ -43,7 +43,7 @@ static void prepare_slots(TbView *view) {
 /* side r on the grid under the wires. */
 static void prepare_grid(TbView *view) {
   const TaborModel *model = view->model;
-  const uint32_t size = model->projection.bed.size;
+  const uint32_t size = model->projection.wire_grid.size;
   tb_wire_motion_of(view)->stretch(view);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view->stretch_rest[h] =
@@ -86,7 +86,7 @@ void tb_stretch_yield(TbView *view, double *slots) {
     model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
                                view->solve.in.stretch_slots[h]);
     if (view->state->lifted) continue;
-    model->kernels->add_scaled(model->projection.bed.size, view->change, pull,
+    model->kernels->add_scaled(model->projection.wire_grid.size, view->change, pull,
                                view->solve.in.stretch_grid[h]);
   }
 }
@@ -94,7 +94,7 @@ void tb_stretch_yield(TbView *view, double *slots) {
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
   if (solve->in.stretch_count == 0 || view->state->airborne) return;
-  const uint32_t size = solve->in.bed->size, stride = solve->in.stride;
+  const uint32_t size = solve->in.wire_grid->size, stride = solve->in.stride;
   double *carry = view->stretch_carry;
   tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
   if (!view->state->lifted) tb_wire_motion_of(view)->renew(view, carry);
@@ -107,7 +107,8 @@ static double pushed_along(const TbView *view, uint32_t h) {
   const double slots = solve->in.kernels->dot(TB_SLOTS, solve->in.stretch_slots[h],
                                               solve->warm.force + solve->in.stride);
   if (view->state->lifted) return slots;
-  return solve->in.kernels->dot(solve->in.bed->size, solve->in.stretch_grid[h], solve->warm.grid) +
+  return solve->in.kernels->dot(solve->in.wire_grid->size, solve->in.stretch_grid[h],
+                                solve->warm.grid) +
          slots;
 }
 
@@ -121,7 +122,7 @@ void tb_stretch_respond(TbView *view) {
     along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
   }
   tb_stretch_clear(view);
-  const uint32_t size = model->projection.bed.size;
+  const uint32_t size = model->projection.wire_grid.size;
   for (uint32_t h = 0; h < stretch->count; h++) {
     pull[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
@@ -136,7 +137,7 @@ void tb_stretch_respond(TbView *view) {
 
 void tb_stretch_clear(TbView *view) {
   memset(view->stretch_carry, 0,
-         (view->model->projection.bed.size + TB_SLOTS) * sizeof *view->stretch_carry);
+         (view->model->projection.wire_grid.size + TB_SLOTS) * sizeof *view->stretch_carry);
 }
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {

@@ -5,7 +5,7 @@
 
 #include "math/portable_math.h"
 #include "step/coupling.h"
-#include "step/high_ring.h"
+#include "step/high_band_step.h"
 #include "step/stick_rigid.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -43,7 +43,7 @@ static void couple(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
   const TbKernels *kernels = model->kernels;
-  const uint32_t size = model->projection.bed.size;
+  const uint32_t size = model->projection.wire_grid.size;
   const double *shape = tb_slot_shape(view, slot);
   double *drive = tb_slot_drive(view, slot), *coupling = tb_slot_coupling(view, slot);
   for (uint32_t i = 0; i < modes->padded; i++) drive[i] = modes->g[i] * shape[i];
@@ -132,7 +132,7 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
     if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
   }
-  if (!hand) tb_high_ring_of(view)->keep_drive(view, slot, drive);
+  if (!hand) tb_high_band_step_of(view)->keep_drive(view, slot, drive);
   s->rest_height = head_at(view, slot, model->rest.q);
 }
 
@@ -207,7 +207,7 @@ static void clear_row(TbView *view, uint32_t slot) {
     memset(phases[i]->bow[slot], 0, sizeof phases[i]->bow[slot]);
     phases[i]->eta[row] = TB_NOTHING;
   }
-  memset(tb_slot_coupling(view, slot), 0, view->model->projection.bed.size * sizeof(double));
+  memset(tb_slot_coupling(view, slot), 0, view->model->projection.wire_grid.size * sizeof(double));
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
   }

@@ -17,7 +17,7 @@ static void stretch(TbView *view) {
 static void penetrate(TbView *view) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
-  model->kernels->expand(&model->projection.bed, view->change, view->solve.work.scratch,
+  model->kernels->expand(&model->projection.wire_grid, view->change, view->solve.work.scratch,
                          view->head);
   TB_STAGE(WIRES);
   model->kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
@@ -28,7 +28,7 @@ static void penetrate(TbView *view) {
 static void renew(TbView *view, const double *motion) {
   const TbKernels *kernels = view->model->kernels;
   const TbSolve *solve = &view->solve;
-  kernels->expand(solve->in.bed, motion, solve->work.scratch, solve->work.turned);
+  kernels->expand(solve->in.wire_grid, motion, solve->work.scratch, solve->work.turned);
   kernels->add_scaled(solve->in.stride, solve->warm.product, 1.0, solve->work.turned);
 }
 

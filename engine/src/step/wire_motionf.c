@@ -53,7 +53,7 @@ static void stretch(TbView *view) {
 static void project_forces(TbView *view) {
   const TbProjection *projection = &view->model->projection;
   const TbSolveWorkF *work = &view->solve.workf;
-  view->model->kernelsf->narrow(projection->bed.size, view->change, work->answer);
+  view->model->kernelsf->narrow(projection->wire_grid.size, view->change, work->answer);
   for (uint32_t g = 0; g < projection->groups; g++) {
     const TbProjectionGroup *group = &projection->group[g];
     const TbGatherF scatter = {.vectors = 1,
@@ -70,8 +70,8 @@ static void project_forces(TbView *view) {
 static void penetrate(TbView *view) {
   const TbWires *wires = &view->model->wires;
   const TbSolveWorkF *work = &view->solve.workf;
-  view->model->kernelsf->narrow(view->model->bedf.size, view->change, work->answer);
-  view->model->kernelsf->expand(&view->model->bedf, work->answer, work->scratch, work->moved);
+  view->model->kernelsf->narrow(view->model->wire_gridf.size, view->change, work->answer);
+  view->model->kernelsf->expand(&view->model->wire_gridf, work->answer, work->scratch, work->moved);
   view->solve.in.near = view->model->kernelsf->penetrate(
     wires->stride, (float)wires->side, work->moved, view->next.v + TB_WIRE_FRONT,
     view->last.v + TB_WIRE_FRONT, view->rest_load, view->last.eta, view->b);
@@ -79,8 +79,8 @@ static void penetrate(TbView *view) {
 
 static void renew(TbView *view, const double *motion) {
   const TbSolveWorkF *work = &view->solve.workf;
-  view->model->kernelsf->narrow(view->model->bedf.size, motion, work->answer);
-  view->model->kernelsf->expand(&view->model->bedf, work->answer, work->scratch, work->moved);
+  view->model->kernelsf->narrow(view->model->wire_gridf.size, motion, work->answer);
+  view->model->kernelsf->expand(&view->model->wire_gridf, work->answer, work->scratch, work->moved);
   view->model->kernelsf->add_widened(view->solve.in.stride, work->moved, view->solve.warm.product);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Compiled once per precision: see real.h. */
-#include "step/high_ring.h"
+#include "step/high_band_step.h"
 
 #include "kernels/real.h"
 
@@ -73,4 +73,5 @@ static void clear_small(const TbView *view) {
   }
 }
 
-const TbHighRing NAME_OF(tb_high_ring) = {move, strike, sums, keep_drive, energy, clear_small};
+const TbHighBandStep NAME_OF(tb_high_band_step) = {move,       strike, sums,
+                                                   keep_drive, energy, clear_small};

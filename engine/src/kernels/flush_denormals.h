@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The floating-point mode of the audio path: round to nearest, no traps, denormals flushed to zero.
  * Without it a decaying tail slows down a hundredfold, and a host's mode would change the sound. */
-#ifndef TB_FPMODE_H
-#define TB_FPMODE_H
+#ifndef TB_FLUSH_DENORMALS_H
+#define TB_FLUSH_DENORMALS_H
 
 #include <stdint.h>
 

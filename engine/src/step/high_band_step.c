@@ -1,3 +1,3 @@
 /* SPDX-License-Identifier: MIT */
 /* The high band in double. */
-#include "step/high_ring_tmpl.c"
+#include "step/high_band_step_tmpl.c"

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Random drums and random playing: nothing is ever not finite, and the numerics never create energy.
  *
- * usage: test_system_trials [DEFINITIONS [SEQUENCES [exact]]], 70 and 600 by default; exact: contacts in double
+ * usage: test_system_trials [DEFINITIONS [SEQUENCES [exact]]], 50 and 400 by default; exact: contacts in double
  * throughout, where nothing above 1e-9 may be created. */
 #include "physics.h"
 
-static uint32_t definitions = 70, sequences = 600;
+static uint32_t definitions = 50, sequences = 400;
 static char playing[192]; /* the drum under test, for messages */
 static double rounding;   /* of its ledger [J] */
 static double created;    /* part of what was put in that its residual may fall below zero */

@@ -3,11 +3,11 @@
 #
 #   cmake -D "OUTPUT=TABLE.c" -D "PRESETS=A.ini;B.ini" -P embed-presets.cmake
 #
-# It reads what host/preset_file.h describes, and no text but ASCII. Whether the values make sense is tested
-# later (tests/test_preset.c); here a file only has to be sound.
+# It reads what host/drums/preset_file.h describes, and no text but ASCII. Whether the values make sense is tested
+# later (tests/engine/test_preset.c); here a file only has to be sound.
 cmake_minimum_required(VERSION 3.22)
 
-set(LINE_LIMIT 198) # bytes, as host/preset_file.h has them
+set(LINE_LIMIT 198) # bytes, as host/drums/preset_file.h has them
 set(WORD_LIMIT 49)
 set(SIZE_LIMIT 65536)
 

@@ -20,7 +20,7 @@ enum { TB_NO_MIC = 255 };
 typedef struct TbMapping {
   bool continues; /* false: another instrument; the old one rings out under a fade */
   uint32_t *mode; /* [padded of new]: old mode, or TB_NO_MODE */
-  double *scale;  /* c of swap.h; 0 copies both instants as they are */
+  double *scale;  /* c of swap.c; 0 copies both instants as they are */
   double *cos_old, *sin_old, *cos_new, *sin_new;
 } TbMapping;
 

@@ -10,7 +10,7 @@
  * for the resistance, of each head. These stand for the
  * edge and for the coupling of modes by the air, which depend on the place and hardly on the frequency
  * (an open edge: 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20
- * to 108, tests/test_high_band.c), so they are measured on the upper two-way modes. Per sixth of an
+ * to 108, tests/engine/test_high_band.c), so they are measured on the upper two-way modes. Per sixth of an
  * octave the modes are sorted by the energy that they can bring to a microphone,
  * (gain sin(wk)/(wk))^2/(4 s), and kept until 99.9 % of it is there, head by head, or less of every band
  * where those were more than TB_HIGH_MOST (TB_HIGH_MOST_LIVE at live); they carry the energy of those left out. With 384

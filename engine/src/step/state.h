@@ -46,26 +46,26 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
  * has a slot for each: see stick_rigid.h. */
 typedef struct TbSlot {
   uint32_t kind, id;
-  uint64_t serial;         /* order of arrival */
-  uint64_t age;            /* samples in play */
-  double mass;             /* [kg] */
-  double rest_height;      /* of the head at its place [m] */
-  uint32_t definition;     /* which striker */
-  uint32_t head;           /* a TaborHead */
-  uint32_t held;           /* a hand presses it: see striker_pool.h */
-  uint32_t on_hoop;        /* not on the head */
-  uint32_t partner;        /* 1 + the slot of the stick's other end; 0: none */
-  uint32_t rests;          /* this end is held onto the head */
-  uint32_t palm;           /* a hand that lifts off by itself */
-  double cross;            /* C_12 of both ends [1/kg] */
-  double bend[TB_BENDS];   /* psi m^(-1/2) of the stick's bending here [kg^-1/2] */
-  double press, anchor;    /* F0 [N], z0 [m] */
-  uint32_t bristles;       /* 1: a bristle group of a brush */
-  double part;             /* fraction of a striker; 1: all of it */
-  uint32_t leaving;        /* samples since the hand began to lift it; 0: not lifting */
-  double resistance, push; /* of its wires, when held [N s/m], [N] */
-  double coat;             /* height of the coating under it [m] */
-  double due;              /* brush's path length at its next slip [m] */
+  uint64_t serial;                          /* order of arrival */
+  uint64_t age;                             /* samples in play */
+  double mass;                              /* [kg] */
+  double rest_height;                       /* of the head at its place [m] */
+  uint32_t definition;                      /* which striker */
+  uint32_t head;                            /* a TaborHead */
+  uint32_t held;                            /* a hand presses it: see striker_pool.h */
+  uint32_t on_hoop;                         /* not on the head */
+  uint32_t partner;                         /* 1 + the slot of the stick's other end; 0: none */
+  uint32_t rests;                           /* this end is held onto the head */
+  uint32_t palm;                            /* a hand that lifts off by itself */
+  double cross;                             /* C_12 of both ends [1/kg] */
+  double bend[TB_BENDS];                    /* psi m^(-1/2) of the stick's bending here [kg^-1/2] */
+  double press, anchor;                     /* F0 [N], z0 [m] */
+  uint32_t bristles;                        /* 1: a bristle group of a brush */
+  double part;                              /* fraction of a striker; 1: all of it */
+  uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
+  double resistance, push;                  /* of its wires, when held [N s/m], [N] */
+  double coat;                              /* height of the coating under it [m] */
+  double due;                               /* brush's path length at its next slip [m] */
   double radius, angle, velocity, strength; /* as asked: a swap rebuilds the slot from them */
 } TbSlot;
 

@@ -4,7 +4,7 @@
 
 typedef struct TB_TYPE(TbCompliance) {
   uint32_t classes;
-  uint32_t first[5];        /* start of each class in a grid vector, as in TbWireGrid */
+  uint32_t first[5];        /* start of each class, as in TbWireGrid */
   const TB_REAL *matrix[4]; /* [points/8][points][8] */
 } TB_TYPE(TbCompliance);
 
@@ -22,7 +22,7 @@ typedef struct TB_TYPE(TbWireGrid) {
   TB_REAL *expand[2];        /* [columns][half]: its transpose */
   uint32_t *place[2];        /* [lines][columns]: index in a grid vector */
   uint32_t size;             /* of a grid vector */
-  uint32_t first[5];         /* start of each class in it */
+  uint32_t first[5];         /* start of each class in a grid vector */
 } TB_TYPE(TbWireGrid);
 
 /* Length of the scratch array of `contract` and `expand`. */

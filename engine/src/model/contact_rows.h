@@ -8,7 +8,7 @@
 /* Slots: strikers and hands, then a muffler for each head; a multiple of 8. */
 #define TB_SLOTS 16u
 
-/* Penetration of an unused row [m]. It never touches, so loops may run over it. */
+/* Penetration of an unused row [m]. An unused row never touches, so loops may run over it. */
 #define TB_NOTHING (-1e3)
 
 #endif

@@ -75,7 +75,7 @@ typedef struct TbHighBand {
   TbRingingF ringingf;   /* `ringing` in single precision, for TB_IN_FLOAT alone */
   uint32_t groups;
   uint32_t driven;    /* modes of the wires' head that groups push: on the x axis, cosines alone */
-  uint8_t *row_group; /* [stride] group of each contact point, */
+  uint8_t *row_group; /* [stride] group of each contact point */
   bool apart;         /* each contact point of a wire is a group of its own number */
   bool folded;        /* groups are their own mirror images under x -> -x */
   TbHighPush push[2]; /* folded: odd orders feel differences, even ones sums; else [0] has all */

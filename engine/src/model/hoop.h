@@ -6,21 +6,22 @@
  * sin(n theta)/n [Rayleigh1877]. So its mass is m_n = (m/2) (1 + 1/n^2), m the mass of the hoop and
  * of the part of the shell that moves along. The definition gives the frequency and the material's
  * loss. Each mode has a sine copy, so the hoop answers alike at every angle. The wall below moves
- * outward by the same amount from top to bottom. This one ratio is chosen (shells that bend without
- * stretching have 0.3 to 0.6 of axial motion to radial at the rim, n = 3 and 2).
+ * outward as far as the hoop yields, the same from top to bottom. This one ratio is chosen (shells
+ * that bend without stretching have 0.3 to 0.6 of axial motion to radial at the rim, n = 3 and 2).
  *
  * The wall, radius R, from z = 0 down to -h, radiates as a layer of sources of strength w_tt per
  * area in free space; the drum's body is no obstacle to them:
  *   p = -omega^2 rho0 R I cos(n theta) q,
  *     I = Int_-h^0 Int_0^2pi cos(n t) e^{-i k r}/(4 pi r) dt dz
  * [MorseIngard] chapter 7. The far field takes from the mode the power
- *   P = omega^4 rho0 R^2 h^2 pi |q|^2/(8 c0) Int_0^pi [J_n(x sin t) sinc((k h/2) cos t)]^2 sin t dt,
- *     x = k R,
+ *   P = omega^4 rho0 R^2 h^2 pi |q|^2/(8 c0)
+ *     Int_0^pi [J_n(x sin t) sinc((k h/2) cos t)]^2 sin t dt,  x = k R,
  * hence a decay rate P/(m_n omega^2 |q|^2). An open drum's wall has air on both sides and shifts
  * air from one side to the other. So only the wall above the head counts, h = height of the hoop.
  *
- * Limits: for k -> 0, P vanishes with (k R)^(2n); r >> R gives I -> e^{-ikr} h/(2 r) i^n J_n(x sin
- * t) sinc(...), up to a phase. The recursion is that of modes.h, so energy is as exact. */
+ * Limits: for k -> 0, P vanishes with (k R)^(2n); r >> R gives I -> e^{-ikr} h/(2 r) i^n
+ * J_n(x sin t) sinc(...), up to a phase. The recursion is that of modes.h, so energy is as
+ * exact. */
 #ifndef TB_HOOP_H
 #define TB_HOOP_H
 
@@ -55,7 +56,7 @@ double tb_hoop_radiation(uint32_t n, double omega, const TaborAirDef *air, doubl
 
 /* All below is audio-safe; arrays are [TB_HOOP_MODES]. */
 
-/* shape[] at an angle from the wires' direction. */
+/* Computes shape[] at an angle from the wires' direction. */
 void tb_hoop_shape(const TbHoop *hoop, double sin_angle, double cos_angle, double *shape);
 /* Displacement of the place of `shape`, one step after a unit force at the place of `other`
  * [m/N]. */

@@ -13,9 +13,10 @@ TaborStatus tb_mics_prepare(struct TaborModel *model);
 
 /* Weights of a mode for microphone `index`. The pressure u (q+ - 2q + q-) + v (q+ - q-) equals
  * -omega^2 rho0 R I cos or sin(m theta) per unit amplitude, I = field[0] + i field[1], advanced by
- * the microphone's delay. The factor sin(omega k)/(omega k) makes up for the recursion's too large
- * response to a force. ahead = u + v and behind = u - v weigh q+ and q-. The weight of q is minus
- * their sum, so a step needs only sums over its newest instant. */
+ * the microphone's delay. The weights include the factor sin(omega k)/(omega k), since the
+ * recursion's response to a force is too large by the inverse of this factor. ahead = u + v and
+ * behind = u - v weigh q+ and q-. The weight of q is minus their sum, so a step needs only sums
+ * over its newest instant. */
 void tb_mic_weights(const struct TaborModel *model, uint32_t index, double omega,
                     const TbPole *pole, uint32_t m, bool sine_copy, const double *field,
                     double *ahead, double *behind);

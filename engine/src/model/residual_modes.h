@@ -22,8 +22,8 @@
  * the energy. The last cell has no upper end; its part too fast for the sample rate is a spring.
  * The cells use the recursion of modes.h, so they are as exact in energy as other modes. (One
  * spring with a damper, f = d/C + r d', would do for the spring. But at the limit, where the real
- * part leaps to its full size, it has a fifth of it or less under a drumstick, K_c a = 1 to 2; and
- * over two steps without loss it rings at a quarter of the sample rate.)
+ * part leaps to its full size, the spring has a fifth of it or less under a drumstick, K_c a = 1 to
+ * 2; and over two steps without loss the spring rings at a quarter of the sample rate.)
  *
  * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0. For omega_c ->
  * infinity or a -> infinity, nothing is missing. A point, a = 0, would yield without bound: it has
@@ -60,7 +60,7 @@ void tb_residual_modes_between(const TaborDrumDef *def, double patch_radius, dou
 /* Computes `next` without a force. */
 void tb_residual_modes_step(const TbResidualModes *mobility, double *next, const double *now,
                             const double *last);
-/* Adds a force f > 0 that presses the head down to `next`. */
+/* Adds the effect of a force f > 0 that presses the head down to `next`. */
 void tb_residual_modes_press(const TbResidualModes *mobility, double force, double *next);
 /* Upward displacement of the head by the missing modes [m]. */
 double tb_residual_modes_displacement(const TbResidualModes *mobility, const double *x);

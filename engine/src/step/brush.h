@@ -22,7 +22,7 @@
  * brush moves by a stride. The stride is random around STRIDE, or at high speed around the distance
  * travelled in STRIDE_TIME. The group then takes its shape on the head from its next place; modes
  * and tip continue unchanged, and the change of the contact's potential is work of the hand as
- * well. Strides are random and independent between groups; regular strides would sound as a tone.
+ * well. Strides are random and independent between groups; otherwise they would sound as a tone.
  *
  * The wires behind their ends: a long wire pushed at its end radiates bending waves away from it,
  * with the impedance
@@ -37,9 +37,9 @@
  *
  * The hand: force F0, spring and damper of striker_pool.h, an equal part for each group. F0 follows
  * the pressure within some milliseconds. The hand circles the drum's centre until a move is
- * requested. It then follows the moves, smoothed as by a mass on a critically damped spring, p_tt =
- * (P - p)/T^2 - 2 p_t/T. A slap spreads the wires: for a short time they slide over the coating at
- * a fraction of the stroke's speed.
+ * requested. It then follows the moves, smoothed as by a mass on a critically damped spring,
+ * p_tt = (P - p)/T^2 - 2 p_t/T. A slap spreads the wires: for a short time they slide over the
+ * coating at a fraction of the stroke's speed.
  *
  * Chosen, not measured: the coating's height and grain, strides, splay, slant. Limits: at speed 0
  * the brush is a light striker that rests on the head, which falls silent; at pressure 0 it still

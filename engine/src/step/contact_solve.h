@@ -21,7 +21,7 @@ typedef struct TbContactMethod {
   /* tb_solve() for a sample in which something may touch. Returns true with every output set.
    * Returns false if single precision does not settle; only the workspace is written then. */
   bool (*solve)(TbSolve *solve, TbSolveOutcome *outcome);
-  /* out = M x and x on the grid. */
+  /* out = M x; `grid` receives x on the grid. */
   void (*product)(TbSolve *solve, const double *x, double *grid, double *out);
   /* One Newton step. Reads s, law and slope from the workspace; updates force, product, grid and
    * s. */

@@ -6,8 +6,8 @@
  * own compliance, plus the head's, which couples every point to every other through the grid of
  * wire_grid.h. M is symmetric positive definite and f grows with s, so there is one solution.
  *
- * Newton from a pair s, f~ with s = b - M f~ (at first f~ are the last sample's forces): with f =
- * f(s), r = M (f - f~) and slopes D, solve (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r by conjugate
+ * Newton from a pair s, f~ with s = b - M f~ (at first f~ are the last sample's forces): with
+ * f = f(s), r = M (f - f~) and slopes D, solve (I + D^(1/2) M D^(1/2)) p = -D^(1/2) r by conjugate
  * gradients; then f~ = f + D^(1/2) p, s = b - M f~. Wire points take part once one of them touches.
  *
  * With `tolerance` 0 the iteration continues until r is rounding noise, and the forces are the
@@ -18,8 +18,8 @@
  *
  * A cap may never create energy. If Newton has not converged,
  * 1. the forces are balanced in the same way;
- * 2. if no t balances them, a majorant takes the step (majorant.h). It creates no energy, or reports
- *    the energy that it creates; the drum then shortens the step (energy_guard.h).
+ * 2. if no t balances them, a majorant takes the step (majorant.h). It creates no energy, or
+ *    reports the energy that it creates; the drum then shortens the step (energy_guard.h).
  *
  * Contacts are solved in single precision first if the input asks for it (contact_solve.h). A solve
  * that does not settle there is repeated in double. Audio-safe. */

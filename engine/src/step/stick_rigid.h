@@ -54,7 +54,8 @@ TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, double mass, double
 TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, double mass, double velocity,
                                    double radius, double angle);
 
-/* psi m^(-1/2) at the distance `along` from the tip, for the stick that the slot describes. */
+/* Computes psi m^(-1/2) at the distance `along` from the tip, for the stick that the slot
+ * describes. */
 void tb_rigid_stick_bend(const TbView *view, const TbSlot *slot, double along, double *bend);
 /* Moves all sticks' bending by one step, without forces. */
 void tb_rigid_stick_step(TbView *view);

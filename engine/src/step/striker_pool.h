@@ -52,7 +52,7 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
 /* Puts a damping hand with this description into a slot. */
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand);
 /* Returns a free slot. If none is free, it frees that of the oldest striker that touches nothing.
- * TB_SLOTS if there is none. */
+ * Returns TB_SLOTS if there is no such striker. */
 uint32_t tb_pool_obtain(TbView *view);
 /* Frees a slot and that of the stick's other end. The striker's remaining energy is booked as
  * removed. */

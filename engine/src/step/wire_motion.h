@@ -15,14 +15,14 @@ typedef struct TbWireMotion {
   /* view->change = the free motion on the grid; in single precision, its change over two
    * samples. */
   void (*project)(TbView *view);
-  /* r of stretch.h on the grid. */
+  /* Computes r of stretch.h on the grid. */
   void (*stretch)(TbView *view);
-  /* The wires' part of b from view->change. */
+  /* Computes the wires' part of b from view->change. */
   void (*penetrate)(TbView *view);
   /* Adds the effect of a motion of the grid to the response to the last forces at the wires'
    * points. */
   void (*renew)(TbView *view, const double *motion);
-  /* view->modal from view->change, forces on the grid. */
+  /* Computes view->modal from view->change, the forces on the grid. */
   void (*project_forces)(TbView *view);
   /* Recomputes the penetrations of both instants from displacements. */
   void (*settle)(TbView *view);

@@ -26,9 +26,9 @@
  *   hand.
  * - Rim: the stick strikes the hoop alone, with mass M.
  *
- *
  * On drums wider than the stick's length, the tip is as near to the stroke's place as it can be
- * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer to the hoop than 0.03 m. */
+ * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer than 0.03 m to the
+ * hoop. */
 #ifndef TB_STICK_RIGID_H
 #define TB_STICK_RIGID_H
 

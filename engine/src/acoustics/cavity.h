@@ -1,29 +1,34 @@
 /* SPDX-License-Identifier: MIT */
 /* The air enclosed by a rigid cylindrical shell, between two heads or a head and a rigid bottom.
  *
- * Its modes are J_m(z' r/R) cos(l pi h/L), J_m'(z') = 0 (for m = 0 starting with z' = 0), frequency
- * omega_c^2 = c0^2 ((z'/R)^2 + (l pi/L)^2), and with Int over the volume
- *   N_c = a_m L e_l n_p, e_0 = 1, else 1/2, n_p = (R^2/2)(1 - m^2/z'^2) J_m(z')^2 (R^2/2 for z' = 0).
+ * The cavity's modes are J_m(z' r/R) cos(l pi h/L), J_m'(z') = 0 (for m = 0 starting with z' = 0),
+ * with the frequency omega_c^2 = c0^2 ((z'/R)^2 + (l pi/L)^2) and the integral over the volume
+ *   N_c = a_m L e_l n_p, e_0 = 1, else 1/2,
+ *   n_p = (R^2/2)(1 - m^2/z'^2) J_m(z')^2 (R^2/2 for z' = 0).
  * A head that moves outward as w_i J_m(z_i r/R) opens the mode by S_ci w_i,
  *   S_ci = a_m R^2 W_i(z'), times (-1)^l on the upper head (W: air.h).
- * With a coordinate X_c per mode the energy is, symmetric and positive [FletcherRossing, Morse1948],
+ * With a coordinate X_c per mode the energy is, symmetric and positive [FletcherRossing,
+ * Morse1948],
  *   1/2 (N_c/(rho0 c0^2 omega_c^2)) X_c'^2 + 1/2 (N_c/(rho0 c0^2)) (X_c - (rho0 c0^2/N_c) S_c.w)^2;
- * (m, l, z') = (0, 0, 0) is a pure spring. Here X_c = sqrt(rho0 c0^2 omega_c^2/N_c) u_c, so that u_c has
- * unit mass [m kg^1/2].
+ * (m, l, z') = (0, 0, 0) is a pure spring. Here X_c = sqrt(rho0 c0^2 omega_c^2/N_c) u_c, so that
+ * u_c has unit mass [m kg^1/2].
  *
- * Modes far above what must be right follow the heads as mass. Summed over all l, per radial order with
- * kappa = z'/R, times S_i S_j/(a_m n_p): the same head (rho0/kappa) coth(kappa L), across
- * (rho0/kappa)/sinh(kappa L), for z' = 0 rho0 L/3 and -rho0 L/6; minus, for each mode kept as a
- * coordinate, rho0/(e_l L (kappa^2 + (l pi/L)^2)), times (-1)^l across.
+ * Modes far above the accurate range follow the heads as mass. Summed over all l, per radial order
+ * with kappa = z'/R, times S_i S_j/(a_m n_p), this mass is (rho0/kappa) coth(kappa L) for the same
+ * head and (rho0/kappa)/sinh(kappa L) across; for z' = 0 rho0 L/3 and -rho0 L/6. Each mode kept as
+ * a coordinate subtracts rho0/(e_l L (kappa^2 + (l pi/L)^2)) from these terms, times (-1)^l
+ * across.
  *
- * Walls take from the air, at amplitude p of the pressure, with the boundary layers of Kirchhoff and what
- * the side's material absorbs [MorseIngard ch. 6, Kuttruff ch. 2]:
+ * Walls absorb energy from the air by the boundary layers of Kirchhoff and by the side's material
+ * [MorseIngard ch. 6, Kuttruff ch. 2]. At pressure amplitude p the power is
  *   P = (1/(2 rho0 c0)) Int beta |p|^2 + (delta_v/(2 k)) |grad_t p|^2 dS, k = omega/c0,
- *   beta = (k/2)(gamma - 1) delta_t + beta_m, delta_v = sqrt(2 nu/omega), delta_t = delta_v/sqrt(Pr),
- * beta_m on the side only: a wall of small real specific admittance beta_m absorbs the part 8 beta_m of
- * sound from all directions. In a long tube it is Kirchhoff's s = sqrt(nu omega/2) (1 + (gamma - 1)/
- * sqrt(Pr))/R, over many modes Sabine's s = c0 S alpha/(8 V). A vent of 10 mm would add less than a
- * hundredth of beta_m to it in the treble and 1/s at 100 Hz. Set-up only. */
+ *   beta = (k/2)(gamma - 1) delta_t + beta_m,
+ *   delta_v = sqrt(2 nu/omega), delta_t = delta_v/sqrt(Pr),
+ * beta_m on the side only: a wall of small real specific admittance beta_m absorbs the fraction 8
+ * beta_m of sound from all directions. In a long tube the decay rate is Kirchhoff's
+ *   s = sqrt(nu omega/2) (1 + (gamma - 1)/sqrt(Pr))/R,
+ * over many modes Sabine's s = c0 S alpha/(8 V). A vent of 10 mm would add less than a hundredth of
+ * beta_m to beta_m in the treble, and 1/s at 100 Hz. Set-up only. */
 #ifndef TB_CAVITY_H
 #define TB_CAVITY_H
 
@@ -36,7 +41,7 @@ typedef struct TbCavity {
   double admittance;           /* beta_m of the side [1] */
 } TbCavity;
 
-/* A mode that stays a coordinate. */
+/* A mode kept as a coordinate. */
 typedef struct TbCavityMode {
   uint32_t radial, axial; /* index of z' among the order's, and l */
   double omega;           /* [rad/s] */
@@ -44,24 +49,26 @@ typedef struct TbCavityMode {
 
 typedef struct TbCavityOrder {
   uint32_t m, radial_count, mode_count;
-  double *zeros;       /* [radial_count] z', ascending */
-  double *edges;       /* [radial_count] J_m(z') */
-  double *norms;       /* [radial_count] n_p/R^2 */
-  uint32_t *kept;      /* [radial_count] how many l from 0 on are coordinates (or the spring) */
+  double *zeros;  /* [radial_count] z', ascending */
+  double *edges;  /* [radial_count] J_m(z') */
+  double *norms;  /* [radial_count] n_p/R^2 */
+  uint32_t *kept; /* [radial_count] number of l, from 0 on, kept as coordinates (or the spring) */
   TbCavityMode *modes; /* [mode_count] */
 } TbCavityOrder;
 
-/* Radial orders up to `top_zero`, coordinates up to `top` [rad/s]. False if memory ran out. */
+/* Prepares radial orders up to `top_zero` and coordinates up to `top` [rad/s]. Returns false if
+ * memory ran out. */
 bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity,
                              uint32_t m, double top_zero, double top);
 
-/* Adds the enclosed air to mass [kg] and stiffness [N/m], both [size][size] with size = heads count +
- * mode_count: first the outward Bessel amplitudes of the upper head, those of the lower, then u_c. */
+/* Adds the enclosed air to mass [kg] and stiffness [N/m], both [size][size] with size = heads
+ * count + mode_count. The coordinates are the outward Bessel amplitudes of the upper head, those of
+ * the lower head, then u_c. */
 void tb_cavity_assemble(const TbCavityOrder *order, const TbCavity *cavity, const TbAirOrder *air,
                         uint32_t size, double *mass, double *stiffness);
 
-/* Power [W] that the walls take at `omega` from a motion with these amplitudes: `heads` outward Bessel
- * amplitudes of the upper head, then the lower's [m], and u_c [mode_count]. */
+/* Power [W] that the walls absorb at `omega` from a motion with these amplitudes. `heads`: outward
+ * Bessel amplitudes of the upper head, then of the lower head [m]; u[mode_count]: u_c. */
 double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega);

@@ -2,10 +2,10 @@
 /* One angular order of a drum with air inside: both heads (or one over a rigid bottom), the cavity,
  * and the air outside as mass, as one symmetric eigenproblem K v = omega^2 M v.
  *
- * Unknowns: outward amplitudes of the Bessel functions of the upper head, of the lower, then the
- * cavity's coordinates u_c (cavity.h). The outside of each head carries half of the open head's
- * low-frequency mass: between that of a head without a baffle and in one. Vectors have unit modal mass.
- * Set-up only. */
+ * Unknowns: outward amplitudes of the Bessel functions of the upper head, those of the lower head,
+ * then the cavity's coordinates u_c (cavity.h). The outside of each head carries half of the open
+ * head's low-frequency mass: a value between a head without a baffle and a head in a baffle.
+ * Vectors have unit modal mass. Set-up only. */
 #ifndef TB_CAVITY_EIGEN_H
 #define TB_CAVITY_EIGEN_H
 
@@ -25,8 +25,8 @@ static inline uint32_t tb_cavity_eigen_size(const TbCavityOrder *cavity, const T
 /* Stiffness T K^2 + D K^4 of a head per area [N/m3], K its wavenumber [1/m]. */
 double tb_head_stiffness(const TaborHeadDef *head, double wavenumber);
 
-/* eigenvalues[size] ascending [rad^2/s^2], vectors[size][size] by rows. TABOR_ERROR_MEMORY or
- * _NUMERICS. */
+/* eigenvalues[size] ascending [rad^2/s^2], vectors[size][size] by rows. Returns TABOR_ERROR_MEMORY
+ * or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_cavity_eigen_solve(const TbCavityEigen *drum, TbArena *scratch,
                                   const TbAirOrder *air, const TbCavityOrder *cavity,
                                   double *eigenvalues, double *vectors);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes of a drum with air inside: frequencies from cavity_eigen.h, then losses and sound of each.
+/* Modes of a drum with air inside: frequencies from cavity_eigen.h, then each mode's losses and
+ * sound.
  *
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
@@ -18,11 +19,11 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
 
-/* The highest frequency [Hz] up to `bandwidth` below which two heads and the air between them have no more
- * than TB_MAX_MODES modes, by their asymptotic numbers. */
+/* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
+ * have no more than TB_MAX_MODES modes. The count uses asymptotic formulas. */
 double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth);
 
-/* As tb_single_head_order(). */
+/* Like tb_single_head_order(), for a drum with air inside. */
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
                                  const TbAirOrder *air, double limit, TbHeadOrder *order,
                                  TbHeadMode *modes, uint32_t room);

@@ -1,45 +1,48 @@
 /* SPDX-License-Identifier: MIT */
 /* The head, or both heads and the air between them, as a list of modes.
  *
- * rho w_tt = T lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + air + contacts, w = 0 at R,
+ *   rho w_tt = T lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + air + contacts,
+ *   w = 0 at R,
  * [Torin2014] eq. (1)-(2) with the bending stiffness D of Mylar added.
  *
- * In vacuo the modes are J_m(z r/R) {cos, sin}(m theta), omega^2 = (T K^2 + D K^4)/rho, K = z/R, with
- * Int phi^2 dA = a_m R^2 J_{m+1}(z)^2/2 and amplitude decay rate (sigma0 + sigma1 K^2)/2; D K^4 takes
- * the edge as simply supported. Air couples the modes of one order m: K v = omega^2 M v with the full
- * same-order added-mass matrix at low frequency, then the mass of each normal mode at its own
- * frequency (a Rayleigh quotient, right to second order) and its radiation resistance there.
- * Normal modes are scaled to unit modal mass [1 kg]; a shape value has the unit 1. */
+ * In vacuo the modes are J_m(z r/R) {cos, sin}(m theta), omega^2 = (T K^2 + D K^4)/rho, K = z/R,
+ * with Int phi^2 dA = a_m R^2 J_{m+1}(z)^2/2 and amplitude decay rate (sigma0 + sigma1 K^2)/2; the
+ * term D K^4 takes the edge as simply supported. Air couples the modes of one order m. First,
+ *   K v = omega^2 M v
+ * is solved with the full same-order added-mass matrix at low frequency. Then each normal mode gets
+ * the mass at its own frequency (a Rayleigh quotient, right to second order) and the radiation
+ * resistance there. Normal modes are scaled to unit modal mass [1 kg]; a shape value has unit 1. */
 #ifndef TB_HEAD_H
 #define TB_HEAD_H
 
 #include "acoustics/air.h"
 
-/* Two-way modes of one head are at most 2048. */
+/* Largest number of modes. One head has at most 2048 two-way modes. */
 #define TB_MAX_MODES 4096u
 #define TB_HEADS 2u
-/* Bessel functions of one angular order; their zeros stay below 100. */
+/* Bessel functions of one angular order. Their zeros stay below 100. */
 #define TB_MAX_ZEROS 64u
 /* Angular orders stay below the largest Bessel zero of the basis. */
 #define TB_MAX_ORDERS 256u
 
-/* Modes of one angular order: mode k moves head h as Sum_i vectors[h][k][i] J_m(zeros[i] r/R), upward. */
+/* Modes of one angular order: mode k moves head h upward as
+ * Sum_i vectors[h][k][i] J_m(zeros[i] r/R). */
 typedef struct TbHeadOrder {
   uint32_t m, zero_count, mode_count;
   uint32_t first_zero; /* index of zeros[0] among all zeros of the head */
   double *zeros, *vectors[TB_HEADS];
-  uint32_t *rows; /* row of each mode, sorted by frequency over all orders */
+  uint32_t *rows; /* row of each mode in TbHead.modes, sorted by frequency over all orders */
 } TbHeadOrder;
 
-/* A normal mode; its sine copy for m > 0 is the same row. */
+/* A normal mode. Its sine copy for m > 0 has the same row of the list. */
 typedef struct TbHeadMode {
-  uint32_t m, n;     /* n: of the Bessel function that moves most, from 1 */
+  uint32_t m, n;     /* n: Bessel function that moves most, from 1 */
   uint32_t index;    /* among the modes of its order, kept or not, from 0 */
-  uint32_t place;    /* among those of its order that were kept */
-  uint32_t part;     /* a TaborModePart: what moves */
-  int32_t phase;     /* +1: both heads move the same way, -1: against each other, 0 */
+  uint32_t place;    /* among the kept modes of its order */
+  uint32_t part;     /* a TaborModePart: the moving part */
+  int32_t phase;     /* +1: both heads move the same way, -1: against each other, 0: neither */
   double omega;      /* undamped [rad/s] */
-  double decay_rate; /* of the amplitude [1/s]; the next two are parts of it */
+  double decay_rate; /* of the amplitude [1/s]; includes the next two */
   double radiation_rate, shell_rate; /* to the air outside; at the walls of the cavity */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
 } TbHeadMode;
@@ -53,20 +56,20 @@ typedef struct TbHead {
   double bandwidth; /* of the modes kept [Hz] */
 } TbHead;
 
-/* Modes up to `bandwidth` [Hz], fewer if they are too many, none if the lowest lies above it.
- * TABOR_ERROR_MEMORY or _NUMERICS. */
+/* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies
+ * above `bandwidth`. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                             double bandwidth);
 
-/* What a user may know of a mode. */
+/* The public information about a mode. */
 TaborModeInfo tb_head_mode_info(const TbHeadMode *mode);
 
-/* Factors 2 J_1(K a)/(K a) by which a force spread over a disc of radius a drives each Bessel
- * function: patch[zero_count]. a = 0 gives 1. */
+/* Factors 2 J_1(K a)/(K a) for a force spread over a disc of radius a, one per Bessel function:
+ * patch[zero_count]. a = 0 gives 1. */
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch);
 
-/* Radial shape of every row at distance r [m] on head `which`: radial[row_count]. patch may be NULL.
- * Audio-safe. */
+/* Radial shape of every row of modes at distance r [m] on head `which`: radial[row_count]. `patch`
+ * may be NULL. Audio-safe. */
 void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
                     double *radial);
 

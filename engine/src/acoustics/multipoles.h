@@ -11,13 +11,14 @@ typedef struct TbMultipoles {
   double *c; /* [2 (degrees + 1)] (re, im) */
 } TbMultipoles;
 
-/* True if the waves come by projection of the far field, whose nodes must then resolve them. */
+/* True if the waves are projected from the far field. The far field's nodes must then resolve the
+ * waves. */
 bool tb_multipoles_project(const TbAirPlan *plan);
 
 bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *scratch,
                            const TbWavenumberNodes *nodes, const TbAirSource *source);
 
-/* The field at a point outside the unit sphere about the head's centre. */
+/* The field at a point outside the unit sphere around the head's centre. */
 void tb_multipoles_at(const TbMultipoles *waves, double radius, double height, double field[2]);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Load and field of one mode at its frequency: air.h. */
+/* Load and field of one mode at its frequency; the formulas are in air.h. */
 #include <math.h>
 
 #include "acoustics/radiated_field.h"

@@ -5,8 +5,8 @@
 
 #include "acoustics/head.h"
 
-/* Modes up to `limit` [rad/s] and their vectors into `order`, which knows its zeros; at most `room`.
- * TABOR_ERROR_MEMORY or _NUMERICS. */
+/* Computes the modes up to `limit` [rad/s], at most `room`, and their vectors into `order`, whose
+ * zeros are set. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
                                  const TbAirOrder *air, double limit, TbHeadOrder *order,
                                  TbHeadMode *modes, uint32_t room);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Quadrature nodes in the wavenumber kappa, and the transforms W and P (air.h) at them.
+/* Quadrature nodes in the wavenumber kappa, and the transforms W and P (air.h) at these nodes.
  *
- * Below x: kappa = x sin t, so that `weights` carry dkappa/cos t = x dt; above: kappa = sqrt(x^2 + t^2),
- * weights carry dt. Both substitutions remove the edge at kappa = x. Set-up only. */
+ * Below x: kappa = x sin t, so that `weights` carry dkappa/cos t = x dt. Above x:
+ * kappa = sqrt(x^2 + t^2), and `weights` carry dt. Both substitutions remove the edge at kappa = x.
+ * Set-up only. */
 #ifndef TB_WAVENUMBER_QUADRATURE_H
 #define TB_WAVENUMBER_QUADRATURE_H
 
@@ -17,8 +18,8 @@ typedef struct TbWavenumberNodes {
   double *j; /* J_m(kappa) */
 } TbWavenumberNodes;
 
-/* How the integrand of the nodes turns: `low` radians in all below x, `high` per unit of kappa above,
- * where the nodes reach `top` in t; `panel` radians are left to a panel of 16. */
+/* Phase of the integrand: `low` radians in all below x, `high` radians per unit of kappa above x,
+ * where the nodes reach `top` in t. A panel of 16 nodes covers `panel` radians. */
 typedef struct TbAirTurns {
   double low, high, top, panel;
 } TbAirTurns;

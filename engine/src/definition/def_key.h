@@ -14,24 +14,25 @@
 typedef enum TbKeyStatus {
   TB_DEF_KEY_OK,
   TB_DEF_KEY_UNKNOWN,   /**< no such section, or no such key in it */
-  TB_DEF_KEY_BAD_NAME,  /**< the name of the striker or microphone is none */
-  TB_DEF_KEY_BAD_NUMBER /**< the wire's number is none of 1 to 40 */
+  TB_DEF_KEY_BAD_NAME,  /**< not a valid name of a striker or microphone */
+  TB_DEF_KEY_BAD_NUMBER /**< the wire's number is not in 1 to 40 */
 } TbKeyStatus;
 
-/** A full key taken apart. */
+/** The parts of a full key. */
 typedef struct TbKey {
   const TbParam *param;
-  char name[TABOR_NAME_SIZE]; /**< of the striker or microphone, "" otherwise */
+  char name[TABOR_NAME_SIZE]; /**< name of the striker or microphone, "" otherwise */
   uint32_t wire;              /**< index of the wire, from 0; 0 otherwise */
 } TbKey;
 
 TbKeyStatus tb_def_key_parse(const char *text, TbKey *key);
 
-/** The same for a section alone, as "batter", "wire.3" and "mic.top"; param is one of its rows. */
+/** Parses a section alone, such as "batter", "wire.3" and "mic.top". param becomes one of its rows
+ * of the table. */
 TbKeyStatus tb_section_parse(const char *text, TbKey *key);
 
-/** Elements of @p group that @p def has, never more than its arrays hold. All wires count; resonant
- * heads are 0 or 1. */
+/** Number of elements of @p group in @p def, never more than its arrays hold. All wires count;
+ * resonant heads are 0 or 1. */
 uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group);
 
 /** The name of a striker or microphone, always terminated, "" for the other groups. */
@@ -45,19 +46,19 @@ int tb_element_find(const TaborDrumDef *def, TbGroup group, const char *name);
 void tb_def_key_write(const TaborDrumDef *def, const TbParam *param, uint32_t element,
                       char text[TB_DEF_KEY_SIZE]);
 
-/** Called for a field; false ends the walk. */
+/** Called for a field. Returning false ends the walk. */
 typedef bool TbVisit(void *context, const TbParam *param, uint32_t element);
 
 /**
  * Visits every field of @p def in preset order: section after section, element after element.
- * Returns false if a visit did.
+ * Returns false if a visit returned false.
  */
 bool tb_walk(const TaborDrumDef *def, TbVisit *visit, void *context);
 
-/** Writes the existing or possible full key that is nearest to @p text, "" if none is near. */
+/** Writes the existing or possible full key nearest to @p text, "" if none is near. */
 void tb_def_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_DEF_KEY_SIZE]);
 
-/** The same for sections. */
+/** Writes the section nearest to @p text, "" if none is near. */
 void tb_section_nearest(const char *text, char nearest[TB_DEF_KEY_SIZE]);
 
 #endif /* TABOR_SRC_KEY_H */

@@ -10,7 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Longest text of tb_number_print() with its terminator: "-1.2345678901234567e-308". */
+/** Size of the longest text of tb_number_print(), "-1.2345678901234567e-308", with its
+ * terminator. */
 #define TB_NUMBER_SIZE 32
 
 typedef enum TbParse {
@@ -20,40 +21,46 @@ typedef enum TbParse {
 } TbParse;
 
 /**
- * Reads a decimal number, "-12", ".5", "1e-3": all of @p text, no blanks, no hexadecimal, no "nan",
- * no "inf". Correctly rounded; what is too small becomes zero or a denormal.
+ * Reads a decimal number such as "-12", ".5" or "1e-3". All of @p text must be the number: no
+ * blanks, no hexadecimal, no "nan", no "inf". The result is correctly rounded; too small a number
+ * becomes zero or a denormal.
  */
 TbParse tb_number_parse(const char *text, double *value);
 
-/** Reads digits only. */
+/** Reads a whole number that consists of digits only. */
 TbParse tb_whole_parse(const char *text, uint32_t *value);
 
-/** Writes the shortest text that tb_number_parse() reads back to the same bits; "nan", "inf",
- *  "-inf" for those that it would not read. */
+/** Writes the shortest text that tb_number_parse() reads back to the same bits. Values that
+ * tb_number_parse() does not read become "nan", "inf" or "-inf". */
 void tb_number_print(double value, char text[TB_NUMBER_SIZE]);
 
 /**
- * Bytes of the printable UTF-8 character at @p text, 0 at its end, before a control character (C0,
- * DEL, C1) or an invalid, overlong or surrogate sequence. Never reads past a terminator.
+ * Number of bytes of the printable UTF-8 character at @p text. 0 at the terminator, before a
+ * control character (C0, DEL, C1), and before an invalid, overlong or surrogate sequence. Never
+ * reads past a terminator.
  */
 size_t tb_text_step(const char *text);
 
-/** True if @p text holds a terminator within @p size bytes, and printable UTF-8 only up to it. */
+/** True if @p text has a terminator within @p size bytes, and only printable UTF-8 before it. */
 bool tb_text_is_valid(const char *text, size_t size);
 
 /** True for 1 to @p size - 1 letters, digits, '-' and '_' with a terminator. */
 bool tb_name_is_valid(const char *text, size_t size);
 
-/** Copies with '?' for every byte that is not printable UTF-8, cut between characters to fit. */
+/** Copies @p from, with '?' for every byte that is not printable UTF-8. A text that is too long is
+ * cut between characters. */
 void tb_text_copy(char *to, size_t size, const char *from);
 
-/** Insertions, deletions, changes and exchanges of neighbours that turn @p a into @p b. */
+/** Number of insertions, deletions, changes and exchanges of neighbours that turn @p a into
+ * @p b. */
 size_t tb_edit_distance(const char *a, const char *b);
 
-/** How far @p word is from meaning @p candidate: as above, but the start of a word is near it. */
+/** Distance of @p word from @p candidate, like tb_edit_distance(), except that the start of a word
+ * counts as near to the word. */
 size_t tb_word_distance(const char *word, const char *candidate);
 
-/** True if what is @p distance from @p word may have been meant: a third of it differs at most. */
+/** True if a candidate at @p distance from @p word may have been meant: at most a third of the word
+ * differs. */
 bool tb_word_is_near(const char *word, size_t distance);
 
 #endif /* TABOR_SRC_TEXT_H */

@@ -21,17 +21,17 @@
  *
  * @param key     the offending key, or NULL
  * @param value   its value as text, or NULL
- * @param minimum,maximum what is allowed; NaN where no range applies
+ * @param minimum,maximum the allowed range; NaN where no range applies
  * @param format  printf-like, with the conversions %s %d %u %zu %c %g %% only and no flags, widths
  *                or precisions; %g writes the shortest text that reads back the same, always with a
  *                '.'
  *
- * What is no printable UTF-8 becomes '?'. A %s is cut to 96 bytes, between characters.
+ * Bytes that are not printable UTF-8 become '?'. A %s is cut to 96 bytes, between characters.
  */
 TaborStatus tb_error_set(TaborError *error, TaborStatus status, const char *key, const char *value,
                          double minimum, double maximum, const char *format, ...) TB_PRINTF(7, 8);
 
-/** The same for an argument that is NULL: "the WHAT is NULL". */
+/** Reports a NULL argument: "the WHAT is NULL". */
 TaborStatus tb_error_null(TaborError *error, const char *what);
 
 /** Sets @p error, if it is not NULL, to TABOR_OK without key, value, range or message. */

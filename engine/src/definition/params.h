@@ -12,8 +12,8 @@
 #include "tabor/tabor.h"
 
 /**
- * Stable ids: hosts and saved automation hold on to them, so a number is never changed or used
- * again. A section owns a hundred; keys that the vocabulary reserves for later fit into the gaps.
+ * Stable ids: hosts and saved automation refer to them, so a number is never changed or used again.
+ * A section owns a hundred numbers; keys reserved for later fit into the gaps.
  */
 typedef enum TbParamId {
   TB_PARAM_NONE = 0,
@@ -38,9 +38,9 @@ typedef enum TbParamId {
   TB_PARAM_BATTER_LUG_COUNT = 309,
   TB_PARAM_BATTER_LUG_SPREAD = 310,
   TB_PARAM_BATTER_LUG_SEED = 311,
-  TB_PARAM_BATTER_LUG = 320, /**< of the first lug; the others' follow, to 335 */
+  TB_PARAM_BATTER_LUG = 320, /**< of the first lug; the other lugs follow, to 335 */
 
-  TB_PARAM_RESONANT_TENSION = 400, /**< a hundred more than the batter's */
+  TB_PARAM_RESONANT_TENSION = 400, /**< 100 more than the batter's */
   TB_PARAM_RESONANT_SURFACE_DENSITY = 401,
   TB_PARAM_RESONANT_BENDING_STIFFNESS = 402,
   TB_PARAM_RESONANT_DAMPING_0 = 403,
@@ -107,7 +107,7 @@ typedef enum TbParamId {
   TB_PARAM_HOOP_MASS = 901,
   TB_PARAM_HOOP_CONTACT_STIFFNESS = 902,
   TB_PARAM_HOOP_CONTACT_LOSS = 903,
-  TB_PARAM_HOOP_FREQUENCY = 910, /**< of the first mode; the others' follow, to 917 */
+  TB_PARAM_HOOP_FREQUENCY = 910, /**< of the first mode; the other modes follow, to 917 */
   TB_PARAM_HOOP_DECAY = 920,     /**< likewise */
 
   TB_PARAM_STRIKE_VELOCITY = 1000,
@@ -135,8 +135,8 @@ typedef enum TbParamId {
   TB_PARAM_OUTPUT_FULL_SCALE = 1400 /**< live */
 } TbParamId;
 
-/** What a row's section consists of: one struct; one that may be absent; an array of elements with a
- * number or a name. */
+/** Structure of a row's section: one struct; one struct that may be absent; or an array of elements
+ * with a number or a name. */
 typedef enum TbGroup {
   TB_GROUP_SINGLE,
   TB_GROUP_RESONANT,
@@ -146,14 +146,14 @@ typedef enum TbGroup {
 } TbGroup;
 
 typedef struct TbParam {
-  TaborParameter info; /**< the public face; first, so that a pointer to it is one to the row */
+  TaborParameter info; /**< public part; first, so that its address is also the row's */
   TbGroup group;
   size_t offset;   /**< of the field in TaborDrumDef, of element 0 in an array */
   size_t stride;   /**< to the next element's field, 0 in single sections */
   size_t size;     /**< bytes of a text field with its terminator, 0 otherwise */
   uint32_t base;   /**< of a choice: the stored value of its first word */
-  double least;    /**< a value closer to zero than this is refused, */
-  bool zero;       /**< ... but zero itself is allowed */
+  double least;    /**< a value closer to zero than this is refused */
+  bool zero;       /**< zero itself is allowed in spite of `least` */
   bool identifier; /**< a text that must be a name or empty */
 } TbParam;
 
@@ -161,7 +161,7 @@ typedef struct TbParam {
 extern const TbParam tb_params[];
 extern const uint32_t tb_param_count;
 
-/* Nothing in params.c calls anything: all of it is fit for the audio thread. */
+/* The functions below are all audio-safe: nothing in params.c calls another function. */
 
 /** The row with this id, or NULL. */
 const TbParam *tb_param_by_id(uint32_t id);
@@ -172,7 +172,7 @@ uint32_t tb_group_capacity(TbGroup group);
 /** True if keys of the group name their element: "wire.3.length", "mic.top.gain". */
 bool tb_group_is_array(TbGroup group);
 
-/** The row's field of element @p element, which must be below the group's capacity. */
+/** The row's field in element @p element, which must be below the group's capacity. */
 void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element);
 const void *tb_param_field_const(const TbParam *param, const TaborDrumDef *def, uint32_t element);
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file preset.h
- * The built-in presets: the files of presets/ as a table that engine/embed-presets.cmake writes when
- * the library is built.
+ * The built-in presets: a table of the files of presets/, written by engine/embed-presets.cmake
+ * when the library is built.
  */
 #ifndef TABOR_SRC_PRESET_H
 #define TABOR_SRC_PRESET_H
 
 #include "tabor/tabor.h"
 
-/** A line of a preset: "batter.tension", "3000"; a section is "batter", NULL. */
+/** A line of a preset: "batter.tension", "3000". A section's line is "batter", NULL. */
 typedef struct TbPresetPair {
   const char *key, *value;
 } TbPresetPair;

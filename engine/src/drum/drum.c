@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The public face of a drum: events, blocks, queries. Everything here but create and destroy is
- * audio-safe. */
+/* The public functions of a drum: events, blocks, queries. All functions here but create and
+ * destroy are audio-safe. */
 #include "drum/drum.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a model says about itself and about the drums made from it. */
+/* Queries about a model and about the drums made from it. */
 #include "step/state.h"
 
 static uint32_t row_count(const TaborModel *model) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Continuing a ringing drum on another model.
  *
- * Carrying displacements over as they are is a parametric pump: toggling the tension by 10 % every 64
- * samples multiplies the energy without bound. Keeping phase and action per mode does not: with
- * t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
+ * To keep the displacements unchanged would make a parametric pump: toggling the tension by 10 %
+ * every 64 samples multiplies the energy without bound. To keep phase and action per mode does not.
+ * With t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
- * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine), which is right while
- * only tensions, masses, losses or quality changed. For another radius, boundary or side the old drum
- * rings out under a short fade. Audio-safe but for tb_swap_map(). */
+ * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
+ * which is right while only tensions, masses, losses or quality changed. For another radius,
+ * boundary or side, the old drum rings out under a short fade. Audio-safe but for tb_swap_map(). */
 #include <math.h>
 #include <string.h>
 

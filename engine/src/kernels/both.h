@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Includes the header TB_TEMPLATE for double and for float, with TB_REAL the type of numbers, TB_TYPE(name) and
- * TB_NAME(name) the names of types and functions (real.h), and TB_REAL_IS_FLOAT 0 or 1. No include guard. */
+/* Includes the header TB_TEMPLATE twice: for double and for float. The template sees TB_REAL, the
+ * number type; TB_TYPE(name) and TB_NAME(name), the names of types and functions (real.h); and
+ * TB_REAL_IS_FLOAT, 0 or 1. No include guard. */
 #define TB_REAL double
 #define TB_TYPE(name) name
 #define TB_NAME(name) name

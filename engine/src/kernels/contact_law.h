@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact law of one point, [Torin2014] section 3.2, with the loss that the paper lacks.
+/* The contact law of one point, [Torin2014] section 3.2, with a loss term that the paper lacks.
  *
- * Potential V(eta) = K/(a+1) [eta]_+^(a+1), 1 <= a <= 3, continued as a parabola of curvature G
- * beyond the penetration c where K a c^(a-1) = G ("slope limit": stiffer contacts than one sample can
- * resolve would need more Newton iterations than there are; a = 1: K = min(K, G)).
+ * Potential V(eta) = K/(a+1) [eta]_+^(a+1), 1 <= a <= 3. Beyond the penetration c where K a
+ * c^(a-1) = G, it continues as a parabola of curvature G ("slope limit"). Without this limit,
+ * contacts too stiff for one sample to resolve would need more Newton iterations than the cap
+ * allows. For a = 1, K = min(K, G).
  *
- * Over two steps, y = eta(n-1), s = eta(n+1) - y, the force is the discrete gradient [BilbaoTorin2015]
- * with a Hunt-Crossley factor [HuntCrossley1975],
- *   f = (DV/s) max(0, 1 + lambda s/(2k)),  DV = V(y+s) - V(y),
- * which never pulls, grows with s, and loses (f s - DV)/2 >= 0 per step. DV/s is never formed as a
- * difference quotient: it is the mean of V' over the interval, piece by piece.
+ * Over two steps, y = eta(n-1), s = eta(n+1) - y, the force is the discrete gradient
+ * [BilbaoTorin2015] with a Hunt-Crossley factor [HuntCrossley1975],
+ *   f = (DV/s) max(0, 1 + lambda s/(2k)),  DV = V(y+s) - V(y).
+ * This force never pulls, grows with s, and loses (f s - DV)/2 >= 0 per step. DV/s is never formed
+ * as a difference quotient: it is the mean of V' over the interval, piece by piece.
  *
- * Limits: s -> 0 gives f = V'(y); lambda = 0 gives f s = DV exactly.
- * A damper (a hand) is the linear row f = c s/(2k), V = 0. Audio-safe. */
+ * Limits: s -> 0 gives f = V'(y); lambda = 0 gives f s = DV exactly. A damper (a hand) is the
+ * linear contact f = c s/(2k), V = 0. Audio-safe. */
 #ifndef TB_CONTACT_LAW_H
 #define TB_CONTACT_LAW_H
 
@@ -38,10 +39,10 @@ typedef struct TbContactLaw {
 
 typedef struct TbContactLawResult {
   double force, slope; /* f [N], df/ds [N/m] */
-  double mean;         /* DV/s [N]: what the force would be without loss; 0 for a damper */
+  double mean;         /* DV/s [N]: the force without loss; 0 for a damper */
 } TbContactLawResult;
 
-/* Twice the exponent where the kernels have a formula for it, else 0. */
+/* Twice the exponent if the kernels have a formula for it, otherwise 0. */
 static inline uint32_t tb_contact_law_power(const TbContactLaw *law) {
   switch (law->kind) {
   case TB_CONTACT_LAW_LINEAR: return 2;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The floating-point mode of the audio path: round to nearest, no traps, denormals flushed to zero.
- * Without it a decaying tail slows down a hundredfold, and a host's mode would change the sound. */
+ * Without this mode a decaying tail would run a hundred times slower, and the host's mode would
+ * change the sound. */
 #ifndef TB_FLUSH_DENORMALS_H
 #define TB_FLUSH_DENORMALS_H
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops that take the time, compiled once per instruction set and per precision from one source
+/* The time-consuming loops, compiled once per instruction set and per precision from one source
  * (kernels_tmpl.c): TbKernels in double, TbKernelsF in single precision.
  *
- * Every choice of instructions computes the same bits: sums run in 8 fixed lanes that one fixed tree joins, or term
- * by term in ascending order into independent results; nothing is contracted into fused operations.
- * Lengths are multiples of 8 (only `multiply` takes any n), arrays aligned to 64 bytes. Audio-safe. */
+ * Every instruction set computes the same bits. A sum either runs in 8 fixed SIMD lanes that one
+ * fixed tree joins, or term by term in ascending order into independent results. Nothing is
+ * contracted into fused operations. Lengths are multiples of 8 (only `multiply` takes any n);
+ * arrays are aligned to 64 bytes. Audio-safe. */
 #ifndef TB_KERNELS_H
 #define TB_KERNELS_H
 
@@ -14,14 +15,15 @@
 #include "kernels/contact_law.h"
 #include "kernels/wire_grid.h"
 
-/* Penetrations of single precision that may be none: it rounds gaps of millimetres by less. [m] */
+/* A penetration in single precision above -TB_NEAR may be a contact: rounding shifts gaps of
+ * millimetres by less than TB_NEAR. [m] */
 #define TB_NEAR 1e-9f
 
 typedef struct TbPair {
   double first, second;
 } TbPair;
 
-/* Parts of the modes' arrays: `size` from each `from` on. */
+/* Parts of the modes' arrays: part i has size[i] modes from from[i] on. */
 typedef struct TbParts {
   uint32_t count, from[5], size[5];
 } TbParts;
@@ -34,7 +36,7 @@ typedef struct TbStretching {
   double along[2], own[2][2];                  /* out */
 } TbStretching;
 
-/* Neighbouring modes of the high band, up to `end`. */
+/* Consecutive modes of the high band, up to `end`. */
 typedef struct TbRingPart {
   uint32_t end;
   bool pushed, held;
@@ -43,10 +45,10 @@ typedef struct TbRingPart {
 typedef struct TbRingParts {
   uint32_t count;
   TbRingPart part[4];
-  double loss, most; /* of what is held */
+  double loss, most; /* of the held parts */
 } TbRingParts;
 
-/* What a live value makes of a wire's coefficients (wires.h). */
+/* A wire's coefficients for its live values (wires.h). */
 typedef struct TbWireCoefficients {
   double tension, damping_0, damping_1; /* in force now */
   double stretch, bend, diffuse;        /* T k^2/(mu h^2), EI k^2/(mu h^4), sigma1 k/h^2 */

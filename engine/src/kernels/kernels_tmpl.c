@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compiled once per instruction set and per precision (real.h), with TB_TABLE naming the table. */
+/* The kernels, compiled once per instruction set and per precision (real.h), with TB_TABLE the name
+ * of the table. */
 #include "kernels/kernels.h"
 
 #include "kernels/simd_contact_law.h"

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The text of TbKernels and TbKernelsF: see both.h. */
+/* Defines TbKernels and TbKernelsF: see both.h. A row is one contact. `lanes` counts the contact
+ * points along a wire; l in an index 8 b + l is a SIMD lane. */
 
-/* One or two vectors that go through the first `part` of a table's n columns at once. What few rows `blocks` blocks of
- * eight leave come from the transposed table, [n/8][stride][8], where they are neighbours. In single precision part is
- * a multiple of 4, and of 8 where rows are left. */
+/* Products of a table's first `part` columns, of n, with one or two vectors. `blocks` blocks of
+ * eight rows come from `matrix`. The `rest` rows after them come from the transposed table,
+ * [n/8][stride][8], where the terms of a row are contiguous. In single precision part is a multiple
+ * of 4, and of 8 if there are rest rows. */
 typedef struct TB_TYPE(TbGather) {
   uint32_t vectors, blocks, n, part;
   uint32_t rest, stride;
@@ -15,8 +17,8 @@ typedef struct TB_TYPE(TbGather) {
   double *out[2];
 } TB_TYPE(TbGather);
 
-/* A step of the high band, heard by one microphone (mic_output.h); arrays are [modes], `push` is read where modes are
- * pushed, `hold` where they are held. */
+/* A step of the high band and the signal of one microphone (mic_output.h). Arrays are [modes].
+ * `push` is read for pushed modes, `hold` for held ones. */
 typedef struct TB_TYPE(TbRing) {
   TbRingParts parts;
   const TB_REAL *a, *b, *now, *last, *hold, *ahead, *behind;
@@ -24,7 +26,8 @@ typedef struct TB_TYPE(TbRing) {
   TB_REAL *next;
 } TB_TYPE(TbRing);
 
-/* The way into a contact solve: p and f as they were, s = b - p, the largest |b|, and the largest y or 0. */
+/* The start of a contact solve: copies of p and f, s = b - p, the largest |b|, and the largest y or
+ * 0. */
 typedef struct TB_TYPE(TbStart) {
   const double *from_b, *from_p, *from_y, *from_f;
   TB_REAL *p, *f, *s;
@@ -35,8 +38,8 @@ typedef struct TB_TYPE(TbStart) {
   TB_REAL change, depth;
 } TB_TYPE(TbStart);
 
-/* The way out: f + t (f - f_last), the same of p, and s = b - p, in double, maybe in place; Sum s (law - mean), and
- * how many slopes > 0. */
+/* The end of a contact solve: f + t (f - f_last), the same for p, and s = b - p, in double,
+ * possibly in place; Sum s (law - mean); and the number of slopes > 0. */
 typedef struct TB_TYPE(TbEnd) {
   TB_REAL t;
   const TB_REAL *b, *f, *f_last, *p, *p_last, *law, *mean, *slope;
@@ -45,12 +48,12 @@ typedef struct TB_TYPE(TbEnd) {
   uint32_t touching;
 } TB_TYPE(TbEnd);
 
-/* The largest residual, and the square of what a Newton step is to solve for. */
+/* The largest residual, and the squared norm of the right-hand side of a Newton step. */
 typedef struct TB_TYPE(TbResidual) {
   TB_REAL largest, square;
 } TB_TYPE(TbResidual);
 
-/* What a balance is made of (solve.h), the largest |law - f|, and the largest |f|. */
+/* The terms of a balance (solve.h), the largest |law - f|, and the largest |f|. */
 typedef struct TB_TYPE(TbBalance) {
   TB_REAL value, derivative, size, miss, most;
 } TB_TYPE(TbBalance);
@@ -74,15 +77,16 @@ typedef struct TB_TYPE(TbKernels) {
   /* out[8 b + l] = Sum_i matrix[b][i][l] x[i], i ascending, for b < blocks, i < n */
   void (*multiply)(uint32_t blocks, uint32_t n, TB_REAL *out, const TB_REAL *matrix,
                    const TB_REAL *x);
-  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part, in double in ascending order */
+  /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
   void (*gather)(const TB_TYPE(TbGather) * gather);
-  /* next = a now - b last + push, then next += min(loss hold, most) (last - next); Sum ahead next and
-   * Sum behind next. */
+  /* next = a now - b last + push, then next += min(loss hold, most) (last - next). Returns Sum
+   * ahead next and Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
 
-  /* Between rows x[wires * lanes] and the grid under the wires (wire_grid.h), and out = G grid. */
+  /* From rows x[wires * lanes] to the grid under the wires (wire_grid.h), back to rows, and out = G
+   * grid. */
   void (*contract)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *x, TB_REAL *scratch,
                    TB_REAL *grid);
   void (*expand)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *grid, TB_REAL *scratch,
@@ -90,28 +94,31 @@ typedef struct TB_TYPE(TbKernels) {
   void (*comply)(const TB_TYPE(TbCompliance) * compliance, const TB_REAL *grid, TB_REAL *out);
   void (*start)(uint32_t n, TB_TYPE(TbStart) * start);
   void (*end)(uint32_t n, TB_TYPE(TbEnd) * end);
-  /* The laws of `wires` wires with `lanes` rows each: force and slope at s, and the mean of V' between y and y + s.
-   * root = sqrt(y), 0 where y < 0, or NULL. */
+  /* The laws of `wires` wires with `lanes` rows each: force and slope at s, and the mean of V'
+   * between y and y + s. root = sqrt(y), 0 where y < 0, or NULL. */
   void (*laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws, const TB_REAL *y,
                const TB_REAL *root, const TB_REAL *s, TB_REAL *force, TB_REAL *slope,
                TB_REAL *mean);
-  /* s = b - p; largest |s| */
+  /* s = b - p; returns the largest |s| */
   TB_REAL (*change)(uint32_t n, const TB_REAL *b, const TB_REAL *p, TB_REAL *s);
-  /* weight = sqrt(slope), d = -weight r; r = (s - b) + p, which in single precision is rather p - p_last. */
+  /* weight = sqrt(slope), d = -weight r. In double r = (s - b) + p; in single precision
+   * r = p - p_last. */
   TB_TYPE(TbResidual)
   (*weigh)(uint32_t n, const TB_REAL *slope, const TB_REAL *s, const TB_REAL *b, const TB_REAL *p,
            const TB_REAL *p_last, TB_REAL *weight, TB_REAL *d);
-  /* Conjugate gradients: out = d + w m, returns Sum d out; p += t d, r -= t m, returns Sum r r; d = r + t d. */
+  /* Conjugate gradients: out = d + w m, returns Sum d out; p += t d and r -= t m, returns Sum r r;
+   * d = r + t d. */
   TB_REAL (*turn)(uint32_t n, TB_REAL *out, const TB_REAL *d, const TB_REAL *w, const TB_REAL *m);
   TB_REAL(*advance)
   (uint32_t n, TB_REAL t, TB_REAL *p, const TB_REAL *d, TB_REAL *r, const TB_REAL *m);
   void (*redirect)(uint32_t n, TB_REAL t, TB_REAL *d, const TB_REAL *r);
-  /* f = law + weight x, s = b - p; largest |s| */
+  /* f = law + weight x, s = b - p; returns the largest |s| */
   TB_REAL(*follow)
   (uint32_t n, const TB_REAL *law, const TB_REAL *weight, const TB_REAL *x, const TB_REAL *b,
    const TB_REAL *p, TB_REAL *f, TB_REAL *s);
-  /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'), its derivative in t, which is
-   * -Sum m (law - f') + s (slope m + g), and Sum |s f'|; the largest |law - f'| and |f'|. */
+  /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'); its derivative in t, which
+   * is -Sum m (law - f') + s (slope m + g); Sum |s f'|; the largest |law - f'| and the largest
+   * |f'|. */
   TB_TYPE(TbBalance)
   (*balance)(uint32_t n, TB_REAL t, const TB_REAL *s, const TB_REAL *law, const TB_REAL *slope,
              const TB_REAL *f, const TB_REAL *f_last, const TB_REAL *p, const TB_REAL *p_last);
@@ -119,25 +126,25 @@ typedef struct TB_TYPE(TbKernels) {
 #if TB_REAL_IS_FLOAT
   /* ---- beside the state, which is double ---------------------------------------------------- */
 
-  /* To single precision, x and x - y, and back. */
+  /* Conversion of x, and of x - y, to single precision; conversion of x to double. */
   void (*narrow)(uint32_t n, const double *x, float *out);
   void (*narrow_change)(uint32_t n, const double *x, const double *y, float *out);
   void (*widen)(uint32_t n, const float *x, double *out);
   /* out += x */
   void (*add_widened)(uint32_t n, const float *x, double *out);
-  /* b = (side w - (v - v_last)) + load; whether y or y + b is above -TB_NEAR anywhere. */
+  /* b = (side w - (v - v_last)) + load. Returns true if y or y + b is above -TB_NEAR anywhere. */
   bool (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
                     const double *load, const double *y, double *b);
   /* f = f_last + (law - f_last)/(1 + slope (own + head)) */
   void (*relax)(uint32_t n, const float *law, const float *slope, const float *own,
                 const float *head, const float *f_last, float *f);
-  /* out = f[0] x[0] + f[1] x[1] + ... - base, of `count` */
+  /* out = f[0] x[0] + f[1] x[1] + ... - base, with `count` terms */
   void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x,
                   const float *base, float *out);
 #else
   /* ---- the state ---------------------------------------------------------------------------- */
 
-  /* multiply and gather with a matrix of single precision, summed in double. */
+  /* `multiply` and `gather` with a matrix in single precision, summed in double. */
   void (*multiply_rounded)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                            const double *x);
   void (*gather_rounded)(const TbGather *gather);
@@ -146,7 +153,7 @@ typedef struct TB_TYPE(TbKernels) {
                    const double *y);
   /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
-  /* next += f_0 pull_0 + f_1 pull_1, the latter for two heads */
+  /* next += f_0 pull_0 + f_1 pull_1; the second term for two heads only */
   void (*unstretch)(const TbParts *parts, uint32_t heads, const double f[2],
                     const double *const pull[2], double *next);
   /* Sum c |x| */
@@ -157,20 +164,22 @@ typedef struct TB_TYPE(TbKernels) {
   /* out = x - y */
   void (*subtract)(uint32_t n, const double *x, const double *y, double *out);
 
-  /* Wires (wires.h), coefficients of each and v at its `lanes`, readable one lane before and after; inner is 1
-   * at inner nodes, else 0. One step without forces; `bend` is scratch, readable like v. */
+  /* One step of the wires (wires.h) without forces, with the coefficients of each wire and v at its
+   * `lanes`. v is readable one element before and after. inner is 1 at inner nodes, otherwise 0.
+   * `bend` is scratch, readable like v. */
   void (*wire_step)(uint32_t wires, uint32_t lanes, const TbWireCoefficients *c,
                     const double *inner, const double *now, const double *last, double *bend,
                     double *next);
-  /* What they lose in a step, Sum over wires of loss_0 Sum d^2 + loss_1 Sum (d[i] - d[i-1])^2, d = next - last. */
+  /* The wires' loss in a step, Sum over wires of loss_0 Sum d^2 + loss_1 Sum (d[i] - d[i-1])^2,
+   * d = next - last. */
   double (*wire_losses)(uint32_t wires, uint32_t lanes, const TbWireCoefficients *c,
                         const double *next, const double *last);
   /* out[l] = Sum over wires of f[w][l]; returns Sum loss f. */
   double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
                          double *out);
-  /* Whether y > 0, y + s > 0 or f != 0 anywhere. */
+  /* Returns true if y > 0, y + s > 0 or f != 0 anywhere. */
   bool (*touches)(uint32_t n, const double *y, const double *s, const double *f);
-  /* eta = (side w - v) + rest + shift, the wire's, b = (eta - last) + load */
+  /* eta = (side w - v) + rest + shift, with the wire's shift; b = (eta - last) + load */
   void (*penetrate)(uint32_t wires, uint32_t lanes, double side, const double *shift,
                     const double *w, const double *v, const double *rest, const double *last,
                     const double *load, double *b);

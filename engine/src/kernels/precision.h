@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which of two precisions something is computed in. A model chooses when it is built; what depends on it comes from
- * tables that have this as their index. */
+/* The precision of a computation. A model chooses a precision when it is built; code that depends
+ * on the precision is selected from tables indexed by TbPrecision. */
 #ifndef TB_PRECISION_H
 #define TB_PRECISION_H
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the time of a sample goes, in a profiling build (CMake option TABOR_PROFILE, see
- * tools/profile_stages.c). In any other build TB_STAGE() is nothing, and nothing else is here.
+/* Time spent in each stage of a sample, in a profiling build (CMake option TABOR_PROFILE, see
+ * tools/profile_stages.c). In any other build TB_STAGE() is empty, and this header defines nothing
+ * else.
  *
- * TB_STAGE(X) ends the stage that is under way and begins stage X: so every moment belongs to one stage,
- * and the stages' sum is the whole. The counter is read without waiting for what went before it: what is still
- * being computed when a stage ends, some ten nanoseconds, may count for the next. */
+ * TB_STAGE(X) ends the current stage and begins stage X. Every moment belongs to one stage, so the
+ * stages add up to the total. The counter is read without waiting for earlier instructions: some
+ * ten nanoseconds of work still in flight when a stage ends may count for the next stage. */
 #ifndef TB_PROFILE_H
 #define TB_PROFILE_H
 
@@ -20,12 +21,12 @@
 typedef enum TbStage {
   TB_STAGE_OTHER, /* events, live parameters, housekeeping, and the caller */
   TB_STAGE_MODES,
-  TB_STAGE_PROJECTION, /* modes to points of the wires' grid, forces back */
+  TB_STAGE_PROJECTION, /* modes to points of the wires' grid; forces back to modes */
   TB_STAGE_WIRES,
   TB_STAGE_STRIKERS,
   TB_STAGE_STRETCH, /* of the heads */
-  TB_STAGE_LAWS,    /* the contact solve but for ... */
-  TB_STAGE_PRODUCT, /* ... what forces on the heads move */
+  TB_STAGE_LAWS,    /* the contact solve without TB_STAGE_PRODUCT */
+  TB_STAGE_PRODUCT, /* the heads' response to contact forces */
   TB_STAGE_LEDGER,  /* losses of energy */
   TB_STAGE_HIGH,    /* the one-way high band */
   TB_STAGE_MICS,
@@ -35,7 +36,7 @@ typedef enum TbStage {
 typedef struct TbProfile {
   bool on;
   TbStage stage;
-  uint64_t since; /* when it began [ticks] */
+  uint64_t since; /* start of the stage [ticks] */
   uint64_t ticks[TB_STAGE_COUNT], entries[TB_STAGE_COUNT];
 } TbProfile;
 

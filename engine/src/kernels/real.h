@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The type of numbers of a template (a source *_tmpl.c, or a header that one includes): double, or float where
- * TB_FLOAT is defined. What there is of both has a name without suffix for double and ends in F, or f if it is a
- * function or a table, for float, as sqrt and sqrtf do. */
+/* The number type of a template (a source *_tmpl.c, or a header included by one): double, or float
+ * if TB_FLOAT is defined. Names that exist for both types have no suffix for double. For float,
+ * types end in F, and functions and tables end in f, as sqrt and sqrtf do. */
 #ifndef TB_REAL_H
 #define TB_REAL_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* contact_law.h's formulas on whole registers, for an exponent of 1, 3/2 or 2 (power 2, 3 or 4), in the precision of
- * simd_lanes.h. For kernels_tmpl.c alone. */
+/* The formulas of contact_law.h on whole registers, for an exponent of 1, 3/2 or 2 (power 2, 3 or
+ * 4), in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
 #ifndef TB_SIMD_CONTACT_LAW_H
 #define TB_SIMD_CONTACT_LAW_H
 
@@ -9,8 +9,8 @@
 #include "kernels/contact_law.h"
 #include "kernels/simd_lanes.h"
 
-/* What is nothing beside anything that occurs, and the part of a penetration below which its change counts as
- * small: differences are rounding there. */
+/* NEGLIGIBLE is smaller than any relevant value. A change of penetration below the fraction
+ * SMALL_CHANGE of the penetration counts as small: differences are rounding noise there. */
 #ifdef TB_FLOAT
 #  define NEGLIGIBLE 1e-30f
 #  define SMALL_CHANGE 1e-2f
@@ -19,7 +19,8 @@
 #  define SMALL_CHANGE 1e-5
 #endif
 
-/* One register at a time: a law needs more values at once than there are registers for eight lanes. */
+/* These functions work on one register at a time: a law needs more values at once than there are
+ * registers for eight lanes. A lane is one number of a register. */
 
 static INLINE Vector none(void) { return (Vector){0}; }
 static INLINE Vector every(Real value) { return none() + value; }
@@ -27,7 +28,7 @@ static INLINE Vector vector_size_of(Vector x) { return vector_larger(x, none() -
 static INLINE Vector read(const Real *p) { return *(const Vector *)(const void *)p; }
 static INLINE void write(Real *p, Vector x) { *(Vector *)(void *)p = x; }
 
-/* x where it can divide */
+/* x where x > 0, otherwise 1: a safe divisor. */
 static INLINE Vector divisor(Vector x) {
   return vector_pick(vector_greater(x, none()), x, every(REAL(1.0)));
 }
@@ -79,7 +80,8 @@ static INLINE Vector curvature(const LawLanes *law, uint32_t power, Knee knee, V
   return vector_pick(vector_greater(eta, knee.at), knee.slope, inside);
 }
 
-/* Mean of V' between lo and hi: of one piece directly, so that equal ends need no division. */
+/* Mean of V' between lo and hi. If one piece of V' covers the interval, its mean is used directly,
+ * so equal ends need no division. */
 static INLINE Vector mean_force(const LawLanes *law, uint32_t power, Knee knee, Vector lo,
                                 Vector hi) {
   const Vector from = vector_larger(lo, none()), top = vector_smaller(hi, knee.at);
@@ -98,7 +100,7 @@ typedef struct Secant {
   Vector mean, rise; /* DV/s, and its derivative in s */
 } Secant;
 
-/* Where V' goes on as a line. */
+/* The secant of an interval that reaches beyond the knee, where V' continues as a line. */
 static INLINE Secant secant_over_knee(const LawLanes *law, uint32_t power, Vector y, Vector s,
                                       Vector x) {
   const Knee knee = {every(law->limit), every(law->limit_force), every(law->limit_slope)};
@@ -112,8 +114,9 @@ static INLINE Secant secant_over_knee(const LawLanes *law, uint32_t power, Vecto
   return (Secant){mean, vector_pick(small, bend, vector_larger(quotient, none()))};
 }
 
-/* Below the knee with a = 1, where e is the part of the interval in contact: V' has the mean
- * K (x + y) e/2 of its ends counted from 0, which grows by K e (1 - e/2) entering, K e^2/2 leaving. */
+/* The secant below the knee with a = 1. e is the fraction of the interval in contact. V' has the
+ * mean K (x + y) e/2, with the ends x, y counted from 0. This mean grows by K e (1 - e/2) on
+ * entering contact, by K e^2/2 on leaving. */
 static INLINE Secant secant_of_line(const LawLanes *law, Vector y, Vector s, Vector x) {
   const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
   const Vector way = vector_pick(vector_greater(vector_size_of(s), none()), s, every(REAL(1.0)));
@@ -125,10 +128,10 @@ static INLINE Secant secant_of_line(const LawLanes *law, Vector y, Vector s, Vec
   return (Secant){law->stiffness * (end + begin) * half, law->stiffness * e * rest};
 }
 
-/* Below the knee with a = 3/2 or 2, both ends in contact: the mean of V' and its derivative in s, V' at x, and
- * 1 over `gap`. With the roots q, p of the ends x, y, DV/s for a = 3/2 is
- * (2K/5) (q^4 + q^3 p + q^2 p^2 + q p^3 + p^4)/(q + p), and its derivative
- * (K/5) (3 q^3 + 6 q^2 p + 4 q p^2 + 2 p^3)/(q + p)^2: sums of what is not negative, for any s. */
+/* The secant below the knee with a = 3/2 or 2 and both ends in contact: the mean of V' and its
+ * derivative in s; also V' at x and 1/`gap`. With the roots q, p of the ends x, y, DV/s for a = 3/2
+ * is (2K/5) (q^4 + q^3 p + q^2 p^2 + q p^3 + p^4)/(q + p), and its derivative is (K/5) (3 q^3 + 6
+ * q^2 p + 4 q p^2 + 2 p^3)/(q + p)^2. Both are sums of non-negative terms for any s. */
 static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vector x, Vector y,
                                        Vector p, Vector gap, Vector *force, Vector *per_gap) {
   const Vector sum = x + y, square = sum * sum - x * y;
@@ -138,7 +141,7 @@ static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vect
     return (Secant){law->stiffness / REAL(3.0) * square, law->stiffness / REAL(3.0) * (sum + x)};
   }
   const Vector q = vector_root(x), roots = p + q, both = roots * gap;
-  /* One division for two; of what is so small nothing is left. */
+  /* One division serves two quotients; a product below NEGLIGIBLE is replaced by 1. */
   const Vector inverse =
     REAL(1.0) / vector_pick(vector_greater(both, every(NEGLIGIBLE)), both, every(REAL(1.0)));
   const Vector per_roots = gap * inverse;
@@ -149,7 +152,8 @@ static INLINE Secant secant_in_contact(const LawLanes *law, uint32_t power, Vect
                   REAL(0.2) * law->stiffness * cubic * (per_roots * per_roots)};
 }
 
-/* p = sqrt(y) where y > 0, for a = 3/2. An interval that begins or ends in the air has the work of the part in contact over its whole length. */
+/* The secant below the knee with a = 3/2 or 2. For a = 3/2, p = sqrt(y) where y > 0. An interval
+ * with one end in the air has the work of its part in contact, divided by its whole length. */
 static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector y, Vector p,
                                      Vector s, Vector x) {
   const Vector end = vector_larger(x, none()), begin = vector_larger(y, none());
@@ -164,11 +168,11 @@ static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector
 }
 
 typedef struct LawArrays {
-  const Real *y, *root, *s; /* root = sqrt(y), 0 where y < 0, where it is at hand; else NULL */
+  const Real *y, *root, *s; /* root: sqrt(y), 0 where y < 0, if available; otherwise NULL */
   Real *force, *slope, *mean;
 } LawArrays;
 
-/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope; nothing where nothing touches */
+/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope; 0 in lanes without contact. */
 static INLINE void law_with_loss(const LawLanes *law, Vector s, Vector top, Secant secant,
                                  LawArrays at) {
   const Vector factor = REAL(1.0) + law->loss * s;
@@ -180,8 +184,9 @@ static INLINE void law_with_loss(const LawLanes *law, Vector s, Vector top, Seca
   write(at.slope, vector_pick(pushing, rise * factor + law->loss * mean, none()));
 }
 
-/* The lanes beyond the knee from their own formulas, the others as they are: which lanes share a register, and
- * so its width, must not decide about a bit. Rare: out of the way of the rest. */
+/* Lanes beyond the knee use their own formulas; the other lanes keep their values. The result of a
+ * lane must not depend on the other lanes in its register, and so on the register's width. This
+ * case is rare, so it is kept out of line. */
 static __attribute__((noinline)) Secant with_knee(const LawLanes *law, uint32_t power, Vector y,
                                                   Vector s, Bits beyond, const Secant *below) {
   const Vector x = y + s;
@@ -213,7 +218,7 @@ static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawAr
   }
 }
 
-/* An exponent without a formula goes point by point. */
+/* An exponent without a vector formula is computed point by point. */
 static void law_of_points(const TbContactLaw *law, uint32_t n, LawArrays at) {
   for (uint32_t i = 0; i < n; i++) {
     const TbContactLawResult result = tb_contact_law_force(law, (double)at.y[i], (double)at.s[i]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve's passes over rows in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For
- * kernels_tmpl.c alone. */
+/* The contact solve's passes over rows (a row is one contact) in the precision of simd_lanes.h.
+ * kernels_tmpl.h describes each pass. For kernels_tmpl.c alone. */
 #ifndef TB_SIMD_CONTACT_ROWS_H
 #define TB_SIMD_CONTACT_ROWS_H
 
@@ -13,7 +13,7 @@ typedef TYPE_OF(TbResidual) Residual;
 typedef TYPE_OF(TbBalance) Balance;
 
 static void start(uint32_t n, Start *whole) {
-  const Start copy = *whole, *at = &copy; /* which no store can change */
+  const Start copy = *whole, *at = &copy; /* no store changes the copy */
   Lanes change = zero(), deepest = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);

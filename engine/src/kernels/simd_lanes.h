@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Eight numbers in as many registers as the instruction set has for them, for kernels_tmpl.c alone: doubles, or floats
- * with TB_FLOAT defined.
+/* Eight SIMD lanes in as many registers as the instruction set needs for them: doubles, or floats
+ * with TB_FLOAT defined. For kernels_tmpl.c alone.
  *
- * Arithmetic is the compiler's own on vectors. Only what it finds no single instruction for by itself is
- * named here: for x86 comparing, choosing, largest and smallest, roots, changing precision; for aarch64 the
- * last alone. Everywhere else these are loops over lanes with the same results to the bit. */
+ * Arithmetic uses the compiler's own vector operations. Intrinsics are used only where the compiler
+ * finds no single instruction: on x86 for comparison, selection, largest and smallest, roots and
+ * change of precision; on aarch64 for change of precision alone. On other processors these
+ * operations are loops over lanes, with the same results to the bit. */
 #ifndef TB_SIMD_LANES_H
 #define TB_SIMD_LANES_H
 
@@ -38,7 +39,7 @@ typedef int64_t Whole;
 #  endif
 #endif
 #define PARTS (8 / WIDTH)
-/* Lanes live in registers only where no call stands between. */
+/* Lanes stay in registers only between calls, so every function is inlined. */
 #define INLINE inline __attribute__((always_inline))
 
 typedef Real Vector __attribute__((vector_size(WIDTH * sizeof(Real)), may_alias));
@@ -104,7 +105,7 @@ static INLINE bool vector_any(Bits m) {
 #  endif
 #endif
 
-/* From the other precision, and back. */
+/* Conversion from the other precision, and back. */
 #ifdef TB_FLOAT
 #  if WIDTH == 8
 static INLINE Vector vector_narrow(const double *p) {
@@ -186,7 +187,7 @@ static INLINE Lanes load_double(const double *p) {
   return x;
 }
 
-/* p - q, rounded once it is known. */
+/* p - q, computed in double and then rounded. */
 static INLINE Lanes load_change(const double *p, const double *q) {
   Lanes x;
   for (int i = 0; i < PARTS; i++) {
@@ -298,7 +299,7 @@ static INLINE bool any(Mask m) {
   return found;
 }
 
-/* In double these are the plain ones. */
+/* In double these are the plain loads and stores. */
 #ifndef TB_FLOAT
 static INLINE Lanes load_double(const double *p) { return load(p); }
 static INLINE Lanes load_change(const double *p, const double *q) {
@@ -315,7 +316,7 @@ static INLINE Real join(Lanes x) {
   return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
 
-/* The largest, or 0. */
+/* The largest lane, or 0 if all are negative. */
 static INLINE Real largest_of(Lanes x) {
   Real s[8] __attribute__((aligned(64))), most = 0;
   store(s, x);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels that single precision alone has: beside a state that is double. For kernels_tmpl.c alone. */
+/* The kernels that exist in single precision alone; they work on a state in double. For
+ * kernels_tmpl.c alone. */
 #ifndef TB_SIMD_NARROW_H
 #define TB_SIMD_NARROW_H
 
@@ -43,7 +44,7 @@ static void relax(uint32_t n, const float *law, const float *slope, const float 
   }
 }
 
-/* `count` blocks of eight side by side, a constant where it is called. */
+/* `blocks` blocks of eight side by side; `blocks` is a constant at every call. */
 static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *f,
                                   const float *const *x, const float *base, uint32_t at,
                                   float *out) {

@@ -8,7 +8,7 @@
 
 typedef TYPE_OF(TbRing) Ring;
 
-/* `ring` by value: what is stored in `next` might else change it, for all that the compiler knows. */
+/* Takes `r` by value: the compiler would have to assume that a store to `next` changes *r. */
 static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint32_t end,
                              Lanes sum[2]) {
   const Lanes most = all(REAL(r.parts.most));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Passes over vectors in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
+/* Passes over vectors in the precision of simd_lanes.h. kernels_tmpl.h describes each pass. For
+ * kernels_tmpl.c alone. */
 #ifndef TB_SIMD_ROWS_H
 #define TB_SIMD_ROWS_H
 

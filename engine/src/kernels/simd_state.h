@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels that double alone has: the state of modes and wires. For kernels_tmpl.c alone. */
+/* The kernels that exist in double alone: the state of modes and wires. For kernels_tmpl.c
+ * alone. */
 #ifndef TB_SIMD_STATE_H
 #define TB_SIMD_STATE_H
 
@@ -14,7 +15,7 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
   }
 }
 
-/* From a copy of `out`, which what is stored might else change, for all that the compiler knows. */
+/* Reads a copy of `out`: the compiler would have to assume that a store changes *out. */
 static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *out) {
   const TbStretching s = *out;
   Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
@@ -129,7 +130,8 @@ static void wire_step(uint32_t wires, uint32_t lanes, const TbWireCoefficients *
       Lanes push = scale(curve, c.stretch);
       push = subtract(push, scale(second_difference(bend + i), c.bend));
       push = add(push, scale(subtract(curve, second_difference(last + i)), c.diffuse));
-      /* As a change: a wire that hangs far away may not lose or gain by rounding where it is. */
+      /* Adds a change to the present value, so that rounding of the position of a wire far from
+       * rest adds or takes no energy. */
       const Lanes at = load(now + i), coast = scale(subtract(at, load(last + i)), c.keep);
       store(next + i, multiply_lanes(load(inner + i), add(at, scale(add(coast, push), c.gain))));
     }

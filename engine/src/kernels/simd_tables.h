@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables times vectors in the precision of simd_lanes.h; kernels_tmpl.h says what each does. For kernels_tmpl.c alone. */
+/* Tables times vectors in the precision of simd_lanes.h. kernels_tmpl.h describes each kernel. For
+ * kernels_tmpl.c alone. */
 #ifndef TB_SIMD_TABLES_H
 #define TB_SIMD_TABLES_H
 
@@ -8,7 +9,8 @@
 
 /* ---- one vector ----------------------------------------------------------------------------- */
 
-/* `count` blocks of rows side by side, a constant where it is called; `rounded`: of a table of floats. */
+/* `count` blocks of rows side by side, a constant at every call. `rounded`: the table holds
+ * floats. */
 static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Real *out,
                                    const void *table, uint32_t block, const Real *x) {
   const uint64_t stride = 8u * (uint64_t)n, from = stride * block;
@@ -30,7 +32,7 @@ static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Rea
   for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
 }
 
-/* How many of `left` blocks to take at once: enough to hide the latency of an addition. */
+/* Number of blocks, of `left`, to take at once: enough to hide the latency of an addition. */
 static INLINE uint32_t blocks_at_once(uint32_t left) {
   if (left == 7) return 4;
   return left < 6 ? left : 6;
@@ -59,8 +61,8 @@ static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix,
 
 typedef TYPE_OF(TbGather) Gather;
 
-/* Blocks of rows that are taken at once, and in how many sums of every so many terms, so that an addition seldom
- * waits for the one before. In double each sum is one, in ascending order. */
+/* Number of blocks of rows taken at once, and the number of partial sums per row, so that an
+ * addition seldom waits for the one before. In double each row has one sum, in ascending order. */
 enum { GATHER_BLOCKS = SINGLE ? 4 : 2 };
 
 static INLINE uint32_t ways_of(uint32_t vectors, uint32_t count) {
@@ -76,7 +78,8 @@ static INLINE Lanes entry(bool rounded, const Gather *g, uint64_t at) {
   return load(g->matrix + at);
 }
 
-/* `count` blocks side by side of each of the vectors; all constants where it is called. */
+/* `count` blocks side by side for each vector. `rounded`, `vectors` and `count` are constants at
+ * every call. */
 static INLINE void gather_blocks(bool rounded, uint32_t vectors, uint32_t count, const Gather *g,
                                  uint32_t block) {
   const uint64_t stride = 8u * (uint64_t)g->n, from = stride * block;

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Between wires and the grid under them (wire_grid.h) in the precision of simd_lanes.h. For kernels_tmpl.c alone. */
+/* Transfer between wires and the grid under them (wire_grid.h) in the precision of simd_lanes.h. A
+ * lane of the wire grid is a contact point along a wire; `Lanes` holds eight SIMD lanes. For
+ * kernels_tmpl.c alone. */
 #ifndef TB_SIMD_WIRE_GRID_H
 #define TB_SIMD_WIRE_GRID_H
 
@@ -11,8 +13,8 @@ typedef TYPE_OF(TbWireGrid) Bed;
 
 /* ---- across --------------------------------------------------------------------------------- */
 
-/* Tiles of sums that stay in registers: `lines` lines of `blocks` times eight lanes or columns, both constants
- * where they are called. Each sum runs term by term in ascending order, whatever the tile. */
+/* A tile of sums stays in registers: `lines` lines of `blocks` times eight lanes or columns, both
+ * constants at every call. Each sum runs term by term in ascending order, whatever the tile. */
 enum { MOST_LINES = 3, MOST_BLOCKS = 4 };
 
 typedef struct Tile {
@@ -57,8 +59,8 @@ static INLINE void load_blocks(uint32_t blocks, const Real *at, Lanes *x) {
   for (uint32_t b = 0; b < blocks; b++) x[b] = load(at + 8u * b);
 }
 
-/* Calls tile(lines, blocks, ...) for the lines from `first_line` to `line_end` and `block_count` blocks, each tile a
- * copy of the code of its own size. */
+/* Calls tile(lines, blocks, ...) for the lines from `first_line` to `line_end` and `block_count`
+ * blocks. Each size of tile has its own copy of the code. */
 #define FOR_TILES(tile, first_line, line_end, block_count, ...)                                    \
   for (uint32_t line_ = (first_line); line_ < (line_end); line_ += MOST_LINES) {                   \
     const uint32_t lines_ = (line_end)-line_ < MOST_LINES ? (line_end)-line_ : MOST_LINES;         \
@@ -80,7 +82,7 @@ static INLINE void load_blocks(uint32_t blocks, const Real *at, Lanes *x) {
     }                                                                                              \
   }
 
-/* Where the mirror image of a wire stands, and one of each pair. */
+/* Index of a wire's mirror image, and number of pairs. */
 static INLINE uint32_t image_of(const Bed *wire_grid, uint32_t wire) {
   return wire_grid->quarters == 2 ? wire_grid->wires - 1u - wire : wire;
 }
@@ -120,7 +122,7 @@ static INLINE void spread_parity(uint32_t blocks, const Bed *wire_grid, uint32_t
   }
 }
 
-/* x[v], x[image] = Sum over even lines +- Sum over odd ones, of one pair. */
+/* For one pair: x[v], x[image] = Sum over even lines +- Sum over odd lines */
 static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, uint32_t at,
                                const Bed *wire_grid, const Real *from, Real *x) {
   for (uint32_t w = pair; w < pair + lines; w++) {
@@ -153,7 +155,8 @@ static void spread_lines(const Bed *wire_grid, const Real *lines, Real *x) {
 
 /* ---- along ---------------------------------------------------------------------------------- */
 
-/* points[l] = contract^T values[l]. Few points of a single wire touch: those without force are passed over. */
+/* points[l] = contract^T values[l]. A single wire has few points in contact, so points without
+ * force are skipped. */
 static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
                                 const Bed *wire_grid, uint32_t along, const Real *values,
                                 Real *points) {
@@ -170,7 +173,7 @@ static INLINE void columns_tile(uint32_t lines, uint32_t blocks, uint32_t line, 
   store_tile(lines, blocks, &tile, padded, points + line * padded + at);
 }
 
-/* values[l] = expand points[l]; a single line's points are read off the grid. */
+/* values[l] = expand points[l]. The points of a single line are read directly from the grid. */
 static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, uint32_t at,
                               const Bed *wire_grid, uint32_t along, const Real *grid,
                               const Real *points, Real *values) {
@@ -187,7 +190,7 @@ static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, ui
   store_tile(lines, blocks, &tile, wire_grid->half, values + line * wire_grid->half + at);
 }
 
-/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle stands alone. */
+/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle has no mirror image. */
 static void fold(const Bed *wire_grid, const Real *x, Real *even, Real *odd) {
   const uint32_t middle = wire_grid->middle;
   for (uint32_t j = 0; j < middle; j++) {
@@ -214,7 +217,7 @@ static void unfold(const Bed *wire_grid, const Real *even, const Real *odd, Real
 /* Parts of the scratch. */
 typedef struct Room {
   Real *lines;     /* [lines][lanes] */
-  Real *folded[2]; /* [lines][half], each class along by itself */
+  Real *folded[2]; /* [lines][half] for each class along */
   Real *points;    /* [lines][padded] */
 } Room;
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Set-up memory: many arrays taken one by one, given back all at once. Never used on the audio path. */
+/* Set-up memory: arrays are taken one by one and released all at once. Never used on the audio
+ * path. */
 #ifndef TB_ARENA_H
 #define TB_ARENA_H
 
@@ -16,16 +17,16 @@ typedef struct TbArena {
   bool failed;          /* an allocation returned NULL */
 } TbArena;
 
-/* The C library's allocator where both functions are NULL, else the caller's. */
+/* The C library's allocator if both functions are NULL, otherwise the caller's. */
 TaborAllocator tb_allocator_resolve(const TaborAllocator *allocator);
 
 void tb_arena_prepare(TbArena *arena, const TaborAllocator *allocator);
-/* Zeroed memory aligned to 64 bytes. On failure NULL, and `failed` stays set. */
+/* Returns zeroed memory aligned to 64 bytes. On failure it returns NULL, and `failed` stays set. */
 void *tb_arena_take(TbArena *arena, size_t count, size_t size);
 double *tb_arena_doubles(TbArena *arena, size_t count);
 void tb_arena_release(TbArena *arena);
 
-/* Rounds up to the 8 lanes that every kernel works in. */
+/* Rounds up to a multiple of 8, the number of SIMD lanes in every kernel. */
 static inline uint32_t tb_pad(uint32_t count) { return (count + 7u) & ~7u; }
 
 #endif

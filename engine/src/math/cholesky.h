@@ -6,17 +6,18 @@
 
 #include "math/arena.h"
 
-/* Replaces A, row-major n x n, by U in its upper and U^T in its lower triangle: then every substitution runs
- * along rows. False if A is not positive definite. */
+/* Replaces A, row-major n x n, by U in its upper and U^T in its lower triangle, so that every
+ * substitution runs along rows. Returns false if A is not positive definite. */
 bool tb_factor_positive(uint32_t n, double *matrix);
 
-/* Solves A x = b with that factor; b becomes x. */
+/* Solves A x = b with the factor from tb_factor_positive(); b becomes x. */
 void tb_solve_with_factor(uint32_t n, const double *factor, double *right_hand_side);
 
-/* Solves U x = b, the second half of it. */
+/* Solves U x = b, the second half of tb_solve_with_factor(); b becomes x. */
 void tb_solve_upper(uint32_t n, const double *factor, double *right_hand_side);
 
-/* Solves A x = b for each of the b in the rows of `right_hand_sides`; A becomes its factor, b becomes x. */
+/* Solves A x = b for each b in the rows of `right_hand_sides`. A becomes its factor, b becomes x.
+ * Returns false if A is not positive definite. */
 bool tb_solve_positive(uint32_t n, double *matrix, uint32_t columns, double *right_hand_sides);
 
 #endif

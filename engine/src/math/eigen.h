@@ -6,9 +6,10 @@
  *   3. Q^T A Q = T                                    tridiagonal, by Householder's reflections
  *   4. T = S diag(lambda) S^T,  y = Q S               implicit QL with Wilkinson's shifts
  *
- * Steps 3 and 4 are the algorithm of EISPACK's tred2 and imtql2 [WilkinsonReinsch, II/2, II/4]. Errors of an
- * eigenvalue are a few rounding errors of the largest one; small ones are best where K grows from
- * its first row to its last, as it does for modes sorted by frequency.
+ * Steps 3 and 4 are the algorithm of EISPACK's tred2 and imtql2 [WilkinsonReinsch, II/2, II/4]. The
+ * error of an eigenvalue is a few rounding errors of the largest eigenvalue. Small eigenvalues are
+ * most accurate if K grows from its first row to its last, as it does for modes sorted by
+ * frequency.
  *
  * All operations run in a fixed order, so the same matrices give the same bits on every machine. */
 #ifndef TB_EIGEN_H
@@ -16,9 +17,10 @@
 
 #include "math/arena.h"
 
-/* K and M are row-major n x n and are destroyed; `mass` NULL stands for the unit matrix. On return row i of
- * `vectors` is the i-th eigenvector with v^T M v = 1, eigenvalues ascending. False if memory ran out, M is not
- * positive definite, or QL did not converge, as with a NaN in K. */
+/* K and M are row-major n x n and are destroyed; `mass` NULL stands for the unit matrix. On return,
+ * row i of `vectors` is the i-th eigenvector with v^T M v = 1, eigenvalues ascending. Returns false
+ * if memory ran out, if M is not positive definite, or if QL did not converge, as with a NaN in
+ * K. */
 bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double *mass,
                         double *eigenvalues, double *vectors);
 

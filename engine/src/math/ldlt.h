@@ -5,12 +5,13 @@
 
 #include "math/arena.h"
 
-/* A = L D L^T for a complex symmetric A whose real part is positive definite and whose imaginary part is
- * semidefinite: then no pivot is small and none need be exchanged [Higham1998]. Lower triangles, row-major,
- * become L (its unit diagonal left out) and D. False if memory ran out or A is singular. */
+/* Factors A = L D L^T for a complex symmetric A whose real part is positive definite and whose
+ * imaginary part is semidefinite. For such an A no pivot is small, so no pivots are exchanged
+ * [Higham1998]. Lower triangles, row-major, become L (without its unit diagonal) and D. Returns
+ * false if memory ran out or A is singular. */
 bool tb_factor_symmetric(TbArena *scratch, uint32_t n, double *re, double *im);
 
-/* Solves A x = b with these factors; b as (re, im) pairs becomes x. */
+/* Solves A x = b with the factors from tb_factor_symmetric(); b as (re, im) pairs becomes x. */
 void tb_solve_factored(uint32_t n, const double *re, const double *im, double *b);
 
 #endif

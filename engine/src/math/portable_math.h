@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of libm that the engine needs, made of + - * / and sqrt: the same bits on every machine. Of libm
- * itself the engine calls only functions whose results are exact or correctly rounded: sqrt, fabs, floor, ceil,
- * fmin, fmax.
+/* The functions of libm that the engine needs, made of + - * / and sqrt: the same bits on every
+ * machine. From libm itself the engine calls only functions with exact or correctly rounded
+ * results: sqrt, fabs, floor, ceil, fmin, fmax.
  *
- * sin, cos   x = n pi/2 + r, |r| <= pi/4, with pi/2 in four parts; Taylor's series of r
- * exp        x = n ln 2 + r, |r| <= ln 2/2; Taylor's series of r
- * log        x = 2^e f with f in [sqrt(1/2), sqrt(2)); log f = 2 atanh((f - 1)/(f + 1)) by its series
+ *   sin, cos   x = n pi/2 + r, |r| <= pi/4, with pi/2 in four parts; Taylor's series of r
+ *   exp        x = n ln 2 + r, |r| <= ln 2/2; Taylor's series of r
+ *   log        x = 2^e f with f in [sqrt(1/2), sqrt(2)); series of log f = 2 atanh((f - 1)/(f + 1))
  *
- * Errors stated here are measured in tests/engine/test_portable_math.c. One ulp is one unit in the last place. */
+ * tests/engine/test_portable_math.c measures the errors stated here. One ulp is one unit in the last
+ * place. */
 #ifndef TB_PORTABLE_MATH_H
 #define TB_PORTABLE_MATH_H
 
@@ -22,10 +23,10 @@ void tb_sin_cos(double x, double *sine, double *cosine);
 /* Within 1 ulp; 0 below -708 and infinite above 709.78. */
 double tb_exp(double x);
 
-/* Within 2 ulp for x >= 2.3e-308; minus infinity for less, NaN for x < 0. */
+/* Within 2 ulp for x >= 2.3e-308; minus infinity for 0 <= x below that, NaN for x < 0. */
 double tb_log(double x);
 
-/* Within 4 ulp. They become infinite like exp. */
+/* Within 4 ulp. Overflow gives infinity, as for tb_exp(). */
 double tb_sinh(double x);
 double tb_cosh(double x);
 double tb_tanh(double x);
@@ -39,8 +40,8 @@ double tb_hypot(double x, double y);
 /* x^n, within n ulp. */
 double tb_whole_power(double x, uint32_t n);
 
-/* x^a for finite x >= 0 and 0 <= a <= 4; x = 0 gives 0 (a > 0). For the audio path. Relative error below 4e-14 for x
- * in (1e-40, 1e40). */
+/* x^a for finite x >= 0 and 0 <= a <= 4; x = 0 gives 0 (a > 0). For the audio path. Relative error
+ * below 4e-14 for x in (1e-40, 1e40). */
 double tb_power(double x, double a);
 
 /* sin and cos of an angle in degrees, |angle| <= 1e9; exact at multiples of 90. */

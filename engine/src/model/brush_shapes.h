@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Where on a head groups of bristles stand: on rings, one a hundredth of a head apart, so that what a mode's
- * shape is there comes from a table. A brush takes another place every few milliseconds, and Bessel functions
- * of a thousand modes would take most of its time. On a ring the values are those of tb_model_shape() and
- * tb_model_high_drive(), to the bit. */
+/* Places of bristle groups on a head. They lie on rings a hundredth of a head apart, so that mode
+ * shapes at a place come from a table. A brush takes another place every few milliseconds, and
+ * Bessel functions of a thousand modes would take most of its time. On a ring, the table's values
+ * are those of tb_model_shape() and tb_model_high_drive(), to the bit. */
 #ifndef TB_BRUSH_SHAPES_H
 #define TB_BRUSH_SHAPES_H
 
@@ -12,21 +12,21 @@ struct TaborModel;
 
 #define TB_RINGS 128u
 
-/* Of one brush; none of other strikers. */
+/* Tables of one brush; empty for other strikers. */
 typedef struct TbBrushShapes {
-  double apart;  /* rings, from radius 0 on [m] */
+  double apart;  /* distance of the rings, from radius 0 on [m] */
   double *rows;  /* [TB_RINGS][head.row_count]: radial shapes on the batter head */
   double *waves; /* [TB_RINGS][cosines]: drives of its high band */
 } TbBrushShapes;
 
-/* Of all brushes, into model->places. Set-up only. */
+/* Prepares model->places for all brushes. Set-up only. */
 TaborStatus tb_brush_shapes_prepare(struct TaborModel *model);
 
 /* All below is audio-safe. */
 
 /* Radius of the ring nearest to `radius` [m]. */
 double tb_brush_shapes_ring(const struct TaborModel *model, uint32_t striker, double radius);
-/* shape[modes.padded] and drive[high.padded] on the ring of this radius. */
+/* Computes shape[modes.padded] and drive[high.padded] on the ring of this radius. */
 void tb_brush_shapes_shape(const struct TaborModel *model, uint32_t striker, double radius,
                            double angle, double *shape, double *drive);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the head yields under the bed, on the grid (wire_grid.h): c = G C, one matrix per class of symmetry,
- * Sum over the class's modes of table gain table^T, symmetric to the bit. */
+/* Compliance of the head under the bed of wires, on the grid (wire_grid.h): c = G C, one matrix per
+ * symmetry class. The matrix is the sum of table gain table^T over the modes of the class,
+ * symmetric to the bit. */
 #ifndef TB_COMPLIANCE_H
 #define TB_COMPLIANCE_H
 

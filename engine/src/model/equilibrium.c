@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The static equilibrium of head and wires under gravity, strainer and contact.
  *
- * With y the contact forces, eta = eta0 - C y, C the static compliance of head and wires at the contact
- * points and eta0 the penetration without contact. The potential y^T C y/2 + Sum V(eta0 - C y) is
- * convex; Newton's step on it solves (I + D C) delta = f(eta) - y, D = V'', which is
- * delta = rho - D^(1/2) w, (I + D^(1/2) C D^(1/2)) w = D^(1/2) C rho, rho = f - y.
+ * Let y be the contact forces, C the static compliance of head and wires at the contact points, and
+ * eta0 the penetration without contact; then eta = eta0 - C y. The potential y^T C y/2 + Sum
+ * V(eta0 - C y) is convex. Newton's step on this potential solves (I + D C) delta = f(eta) - y,
+ * D = V''. The solution is
+ *   delta = rho - D^(1/2) w, (I + D^(1/2) C D^(1/2)) w = D^(1/2) C rho, rho = f - y.
  *
- * C is a block per wire plus the head's part, which goes through the grid of wire_grid.h. The wires' part
- * alone is solved directly and preconditions conjugate gradients for all: the head is about as stiff as
- * the bed, so a few steps suffice. */
+ * C is a block per wire plus the head's part, which goes through the grid of wire_grid.h. The
+ * wires' part alone is solved directly and preconditions conjugate gradients for the whole system.
+ * The head is about as stiff as the bed of wires, so a few steps suffice. */
 #include <math.h>
 #include <string.h>
 

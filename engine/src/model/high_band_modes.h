@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Which modes the high band needs: chosen from all Bessel functions of both heads. Set-up only. */
+/* Choice of the high band's modes from all Bessel functions of both heads. Set-up only. */
 #ifndef TB_HIGH_BAND_MODES_H
 #define TB_HIGH_BAND_MODES_H
 
@@ -11,21 +11,21 @@ typedef struct TbHighMode {
   uint32_t band; /* sixth of an octave */
   double zero, slope, scale, omega;
   double decay_rate,
-    radiation_rate; /* [1/s]; of both sides or the outer one, in the first or yet to be */
+    radiation_rate; /* [1/s]; of both sides or the outer one, in decay_rate or yet to be added */
   double loudness;  /* the largest over microphones */
   double fields[2 * TABOR_MAX_MICS];
 } TbHighMode;
 
-/* Chosen modes in the order of their bands, or NULL if memory ran out. */
+/* Chosen modes in the order of their bands; NULL if memory ran out. */
 typedef struct TbHighModes {
   TbHighMode *modes;
   uint32_t count;      /* of modes */
   uint32_t copies;     /* of modes, sine copies counted */
-  uint32_t candidates; /* Bessel functions that there were to choose from */
+  uint32_t candidates; /* Bessel functions to choose from */
 } TbHighModes;
 
 struct TaborModel;
-/* Up to `top` [Hz], at most `most` with copies. False if memory ran out. */
+/* Chooses modes up to `top` [Hz], at most `most` with copies. Returns false if memory ran out. */
 bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const struct TaborModel *model,
                           double top, uint32_t most);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Microphones: pressure computed from each mode's radiation, with its phase and its delay. */
+/* Microphones: the pressure of each mode's radiation, with phase and delay. */
 #include "model/mics.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Microphones: from each mode's radiation to the weights with which a step reads it. Set-up only. */
+/* Microphones: weights that turn each mode's motion into sound pressure, from its radiation. Set-up
+ * only. */
 #ifndef TB_MICS_H
 #define TB_MICS_H
 
@@ -7,14 +8,15 @@
 
 struct TaborModel;
 
-/* Weights and delays of all microphones into model->mics. */
+/* Computes weights and delays of all microphones, into model->mics. */
 TaborStatus tb_mics_prepare(struct TaborModel *model);
 
-/* Weights with which microphone `index` hears a mode: pressure u (q+ - 2q + q-) + v (q+ - q-) is
- * -omega^2 rho0 R I cos or sin(m theta) per unit amplitude, I = field[0] + i field[1], advanced by the
- * delay that is taken out, and times sin(omega k)/(omega k), by which the recursion's answer to a force
- * is too large. ahead = u + v and behind = u - v weigh q+ and q-; q has minus their sum, so that a step needs
- * no sums but those over its newest instant. */
+/* Weights of a mode for microphone `index`. The pressure u (q+ - 2q + q-) + v (q+ - q-) equals
+ * -omega^2 rho0 R I cos or sin(m theta) per unit amplitude, I = field[0] + i field[1], advanced by
+ * the microphone's delay. The weights include the factor sin(omega k)/(omega k), since the
+ * recursion's response to a force is too large by the inverse of this factor. ahead = u + v and
+ * behind = u - v weigh q+ and q-. The weight of q is minus their sum, so a step needs only sums
+ * over its newest instant. */
 void tb_mic_weights(const struct TaborModel *model, uint32_t index, double omega,
                     const TbPole *pole, uint32_t m, bool sine_copy, const double *field,
                     double *ahead, double *behind);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Everything computed once from a definition and a sample rate; immutable afterwards.
+/* All data computed once from a definition and a sample rate; immutable afterwards.
  *
- * All state counts from the static equilibrium (rest): strainer, gravity, contact. Then a drum at
- * rest is exactly zero, and stays so. */
+ * All state counts from the static equilibrium (rest) under strainer, gravity and contact. A drum
+ * at rest is therefore exactly zero, and stays so. */
 #ifndef TB_MODEL_H
 #define TB_MODEL_H
 
@@ -24,8 +24,8 @@
 /* Contact curvature times compliance: the stiffest contact that one sample resolves. */
 #define TB_SLOPE_LIMIT 10.0
 
-/* A microphone hears A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n, B(n) = Sum behind q^n, `delay`
- * samples later: see mics.h. */
+/* The signal of a microphone is A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n,
+ * B(n) = Sum behind q^n, `delay` samples later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
   uint32_t delay;
@@ -36,39 +36,39 @@ typedef struct TbRest {
   double *v;      /* [node_count] wires [m] */
   double *bend;   /* [node_count] their second differences [m] */
   double *eta;    /* [stride] penetration [m] */
-  double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the slots */
-  double *grid;   /* [bed size] the same on the grid under the wires */
+  double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the striker pool */
+  double *grid;   /* [bed size] `force` on the grid under the wires */
   double *offset; /* [wires] of the ends [m] */
-  double head;    /* height of the centre of the head that has the wires [m] */
+  double head;    /* height of the centre of the wires' head [m] */
 } TbRest;
 
-/* What the heads' stretching needs, see stretch.h. */
+/* Data of the heads' stretching, see stretch.h. */
 typedef struct TbStretch {
   uint32_t count;   /* heads that stretch */
-  TbParts parts;    /* the modes that count, at the beginning of each group (modes.h) */
-  double *gain[2];  /* [padded] G, diagonal, of each of them [1/kg] */
+  TbParts parts;    /* the modes that stretch, at the start of each group (modes.h) */
+  double *gain[2];  /* [padded] G, diagonal, of each head [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
 } TbStretch;
 
 /* Uneven lugs couple at most this many modes, copies and padding counted. */
 #define TB_LUG_MODES 128u
 
-/* What uneven lugs do, see lug_forces.h. */
+/* Data of uneven lugs, see lug_forces.h. */
 typedef struct TbLugs {
-  uint32_t count;      /* coupled modes, with padding; 0 where all lugs are alike */
-  uint32_t from[5];    /* where they begin in each group (modes.h), */
-  uint32_t size[5];    /* ... and how many they are, a multiple of 8 */
+  uint32_t count;      /* coupled modes, with padding; 0 if all lugs are alike */
+  uint32_t from[5];    /* start of the coupled modes in each group (modes.h) */
+  uint32_t size[5];    /* number of coupled modes in each group, a multiple of 8 */
   float *pull;         /* [count/8][count][8] dK */
-  uint32_t row_count;  /* modes of the uneven heads, copies counted apart where they are coupled */
-  TaborModeInfo *rows; /* ... sorted by frequency */
+  uint32_t row_count;  /* modes of the uneven heads; copies are separate if coupled */
+  TaborModeInfo *rows; /* those modes, sorted by frequency */
 } TbLugs;
 
-/* Where the arrays of a drum's state lie, in bytes from the first of them (state_layout.h). */
+/* Offsets of the arrays of a drum's state, in bytes from the first array (state_layout.h). */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
   size_t head, rest_load, own, b, s, force, product; /* by rows */
   size_t grid, change;                               /* by points of the grid */
-  size_t work, workf; /* the arrays of TbSolveWork, and of TbSolveWorkF, one after the other */
+  size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
   size_t high[3], high_drive, high_scratch, high_force, modal, stretch_pull[2], stretch_grid[2],
     stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
   size_t total;
@@ -81,14 +81,14 @@ struct TaborModel {
   uint32_t quality;
   double sample_rate, time_step; /* [Hz], k [s] */
   double top;                    /* of the high band [Hz] */
-  TbPrecision precision;         /* of the quality: of the high band, */
-  TbPrecision contacts;          /* ... and of contacts where their laws have kernels */
+  TbPrecision precision;         /* of the high band */
+  TbPrecision contacts;          /* of contacts, if the kernels have their laws */
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */
   double *reach;                     /* [modes padded] see wire_clearance.h */
-  const TbKernels *kernels;          /* for this processor, */
-  const TbKernelsF *kernelsf;        /* ... and in single precision */
+  const TbKernels *kernels;          /* for this processor, in double */
+  const TbKernelsF *kernelsf;        /* for this processor, in single precision */
   TbHead head;
   TbWires wires;
   TbModes modes;
@@ -101,27 +101,28 @@ struct TaborModel {
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
-  float *yield; /* [wires.stride] of the head at a contact point, to a force there alone [m/N] */
-  TbWireGridF wire_gridf;    /* where contacts are solved in single precision, */
-  TbComplianceF compliancef; /* ... as is this */
+  float *yield; /* [wires.stride]: the head's compliance at a point, to a force there [m/N] */
+  TbWireGridF wire_gridf;    /* for contacts in single precision */
+  TbComplianceF compliancef; /* for contacts in single precision */
   TbStretch stretch;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1];         /* of each striker, then of a hand */
-  TbResidualModes missing[TABOR_MAX_STRIKERS + 1]; /* likewise; none for a hand */
-  double *center; /* [padded]: shape at the centre of the head that has the wires */
+  TbResidualModes missing[TABOR_MAX_STRIKERS + 1]; /* likewise; zero for a hand */
+  double *center; /* [padded]: shape at the centre of the wires' head */
   TbLayout layout;
-  uint64_t fingerprint; /* of everything that a saved state depends on */
+  uint64_t fingerprint; /* hash of all that a saved state depends on */
 };
 
-/* Static equilibrium into model->rest (equilibrium.c). */
+/* Computes the static equilibrium, into model->rest (equilibrium.c). */
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 
-/* Shape of every mode on a TaborHead at radius [m] and angle [deg, absolute], `patch` as in
- * tb_head_radial(); radial is scratch of head.row_count. shape[padded]. Audio-safe. */
+/* Computes shape[padded], the shape of every mode on a TaborHead at radius [m] and angle [deg,
+ * absolute]. `patch` as in tb_head_radial(); radial is scratch of head.row_count. Audio-safe. */
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape);
 
-/* The high band's answer to a unit force of a striker there: drive[high.padded]. Audio-safe. */
+/* The high band's response to a unit force of a striker at this place: drive[high.padded].
+ * Audio-safe. */
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
                          double *drive);
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The head's modes as the step sees them: one two-step recursion each, with exact poles and unit modal
+/* The head's modes in the step: one two-step recursion per mode, with exact poles and unit modal
  * mass [NSS ch. 3],
  *   q+ = a q - b q- + g F, a = 2 e^{-sk} cos(w_d k), b = e^{-2sk}, g = k^2/(1 + tanh(sk)),
- * s the decay rate, w_d = sqrt(w^2 - s^2) (cosh in place of cos where that is imaginary). It is
+ * s the decay rate, w_d = sqrt(w^2 - s^2) (cosh in place of cos if w_d is imaginary). The recursion
+ * equals
  *   (q+ - 2q + q-)/k^2 + (tanh(sk)/k^2)(q+ - q-) + K' q = F, K' = (2/k^2)(1 - cos(w_d k)/cosh(sk)),
  * so it stores ((q+ - q)/k)^2/2 + K' q+ q/2 and loses (tanh(sk)/(2k^2))(q+ - q-)^2 per step. */
 #ifndef TB_MODES_H
@@ -13,23 +14,23 @@
 
 #define TB_NO_MODE UINT32_MAX
 
-/* Modes that some wire feels come first, in groups of one symmetry each: those whose shape is even under
- * the mirror x -> -x across the wires' middles before the odd ones, and in each half those even under
- * y -> -y before the odd ones. Groups are padded with silent modes to 8; the modes that no wire feels
- * follow. Wires that lack a symmetry have half the groups. */
+/* Modes that some wire feels come first, in groups of one symmetry each. Shapes even under the
+ * mirror x -> -x across the wires' middles precede the odd ones; in each half, shapes even under y
+ * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
+ * wire feels follow. Wires that lack a symmetry have half the groups. */
 typedef struct TbModes {
-  uint32_t count, padded;        /* modes, sine copies counted; with padding */
+  uint32_t count, padded;        /* modes, sine copies counted; the same with padding */
   uint32_t halves, quarters;     /* groups under x -> -x, and under y -> -y: 1 or 2 each */
   uint32_t groups;               /* halves * quarters */
   uint32_t group[5];             /* first mode of each group; coupled modes end at group[groups] */
-  uint32_t *row;                 /* [padded]: of head.modes, or TB_NO_MODE for padding */
+  uint32_t *row;                 /* [padded]: index in head.modes, or TB_NO_MODE for padding */
   uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
-  double *a, *b, *g;             /* [padded], as are all below */
+  double *a, *b, *g;             /* [padded], as are all arrays below */
   double *stiffness;             /* K' */
-  double *loss_head;             /* tanh(sk)/(2k^2) by origin: the heads, */
-  double *loss_air, *loss_shell; /* ... sound, the cavity's walls */
+  double *loss_head;             /* tanh(sk)/(2k^2): the part of the heads */
+  double *loss_air, *loss_shell; /* the parts of sound and of the cavity's walls */
   bool walls;                    /* some loss_shell is not 0 */
-  double *pull;                  /* -side g: what a wire's contact force does to a mode */
+  double *pull;                  /* -side g: a mode's response to a wire's contact force */
 } TbModes;
 
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */
@@ -42,20 +43,21 @@ TbPole tb_pole(double omega, double decay_rate, double time_step);
 /* cos(m t) or sin(m t) from sin t, cos t. Audio-safe; exact zeros stay exact. */
 double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 
-/* The same for orders 0 .. orders - 1 at once: c[orders], s[orders]. */
+/* tb_angular() for orders 0 .. orders - 1 at once: c[orders], s[orders]. */
 void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s);
 
 /* Lists and orders the modes and computes their coefficients. */
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, double time_step);
 
-/* Shape of every mode on head `which` at radius [m] and angle from the wires' direction (sine, cosine);
- * `patch` as in tb_head_radial(); radial is scratch of head.row_count. shape[padded]. Audio-safe. */
+/* Computes shape[padded], the shape of every mode on head `which` at radius [m] and angle from the
+ * wires' direction (sine, cosine). `patch` as in tb_head_radial(); radial is scratch of
+ * head.row_count. Audio-safe. */
 void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape);
 
-/* The same from radial shapes, radial[head.row_count]. */
+/* Computes the same from given radial shapes, radial[head.row_count]. */
 void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
                    double cos_angle, double *shape);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Between modes and the grid under the wires, both ways through the same table:
- * c_p = Sum_i table_pi q_i, F_i = Sum_p table_pi C_p, class by class (wire_grid.h). */
+/* Transfer between modes and the grid under the wires, both ways through the same table:
+ *   c_p = Sum_i table_pi q_i, F_i = Sum_p table_pi C_p,
+ * class by class (wire_grid.h). */
 #ifndef TB_PROJECTION_H
 #define TB_PROJECTION_H
 
@@ -8,15 +9,15 @@
 #include "kernels/precision.h"
 #include "model/modes.h"
 
-/* One class: the modes of one group on the points of the same symmetry. */
+/* One symmetry class: the modes of one group, on the grid points of the same symmetry. */
 typedef struct TbProjectionGroup {
   uint32_t first, modes;        /* in the order of TbModes; a multiple of 8 */
-  uint32_t first_point, points; /* in a grid vector; a multiple of 8, */
-  uint32_t used;                /* ... of which so many stand for something */
+  uint32_t first_point, points; /* in a grid vector; a multiple of 8 */
+  uint32_t used;                /* points without the padding */
   double *gather;               /* [points/8][modes][8]: to points */
   double *scatter;              /* [modes/8][points][8]: to modes */
-  float *gather_rounded;        /* the same in single precision, or NULL: */
-  float *scatter_rounded;       /* see tb_projection_round() */
+  float *gather_rounded;        /* in single precision, or NULL */
+  float *scatter_rounded;       /* likewise: see tb_projection_round() */
 } TbProjectionGroup;
 
 typedef struct TbProjection {
@@ -26,25 +27,25 @@ typedef struct TbProjection {
   TbProjectionGroup group[4];
 } TbProjection;
 
-/* After `precision` has been set: chooses a grid on which every mode's shape is right to `tolerance` of the largest shape at every
- * contact point, and fills the tables. */
+/* Chooses a grid on which the error of every mode's shape at every contact point is within
+ * `tolerance` of the largest shape, and fills the tables. Set `precision` first. */
 TaborStatus tb_projection_prepare(TbProjection *projection, TbArena *arena, const TbModes *modes,
                                   const TbHead *head, const TbWires *wires, double tolerance);
 
-/* Rounds tables whose precision is single, both alike, so that forces still do the work that the ledger
- * books: half the memory to read every sample, and shapes right to 6e-8. */
+/* Rounds both tables alike if `precision` is single, so that forces still do the work that the
+ * ledger books. This halves the memory read in every sample; shapes are right to 6e-8. */
 bool tb_projection_round(TbProjection *projection, TbArena *arena);
 
-/* c[bed.size] from modal displacements q[padded]. Audio-safe. */
+/* Computes grid[size] from modal displacements q[padded]. Audio-safe. */
 void tb_project(const TbProjection *projection, const TbKernels *kernels, const double *q,
                 double *grid);
 
-/* The same from the modes of `parts` alone, of one or two vectors of them. Audio-safe. */
+/* Computes the same from the modes of `parts` alone, for one or two vectors. Audio-safe. */
 void tb_project_parts(const TbProjection *projection, const TbKernels *kernels,
                       const TbParts *parts, uint32_t vectors, double *const q[2],
                       double *const grid[2]);
 
-/* Modal forces of the coupled modes, F[group[groups]], from C[bed.size]. Audio-safe. */
+/* Computes modal forces of the coupled modes, modal[group[groups]], from grid[size]. Audio-safe. */
 void tb_project_forces(const TbProjection *projection, const TbKernels *kernels, const double *grid,
                        double *modal);
 

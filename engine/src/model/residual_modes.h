@@ -1,28 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* What a head yields to a striker by the modes that a model leaves out.
+/* Compliance of a head under a striker by the modes that a model leaves out.
  *
- * Two-way modes end at omega_c. A head without those above finds a tip too stiff a thing: beyond omega_c it
- * answers like a mass, and the tip's stiffness rings against that with nothing to carry the motion away. But
- * waves as short as these leave the patch, radius a, and are gone before the rim returns them: near the patch
- * the head is an infinite membrane, S(K) = T K^2 + D K^4, of mass mu(K) = rho + 2 rho0/K per area with the
- * air on both sides, and omega(K)^2 = S/mu. A force f spread over the patch moves the head's mean under it by
- *   d = f Int_{K_c}^inf B^2/(S - omega^2 mu) K dK/(2 pi),  B = 2 J1(K a)/(K a),  omega(K_c) = omega_c,
- * more than the two-way modes say. Its mobility is nothing but springy below omega_c and has the real part
- * omega B^2/(4 T) above (D = 0, no air).
+ * Two-way modes end at omega_c. To a tip, a head without the modes above is too stiff: beyond
+ * omega_c it answers like a mass, and the tip's stiffness rings against that mass with nothing to
+ * carry the motion away. In fact such short waves leave the patch, radius a, and are gone before
+ * the rim returns them. Near the patch the head is an infinite membrane, S(K) = T K^2 + D K^4, of
+ * mass mu(K) = rho + 2 rho0/K per area with the air on both sides, and omega(K)^2 = S/mu. A force f
+ * spread over the patch moves the head's mean under the patch by
+ *   d = f Int_{K_c}^inf B^2/(S - omega^2 mu) K dK/(2 pi),  B = 2 J1(K a)/(K a),
+ *     omega(K_c) = omega_c,
+ * more than the two-way modes do. The mobility of this part is purely springy below omega_c and has
+ * the real part omega B^2/(4 T) above (D = 0, no air).
  *
- * The integral is cut into TB_MISSING cells, each an oscillator of unit mass that the force drives by phi:
- *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C:
- * so they yield together as the missing modes do, at low frequencies and at high ones. Each decays by half
- * its cell's width in frequency: side by side, such resonances are as smooth as the continuum (within 2 exp(-pi)),
- * if a fifth short of it half an octave above the limit, by tails that reach below. What they lose is the head's, in
- * waves; without losses they keep it. The last cell has no end; what the rate cannot follow there is a spring. They
- * are modes like any other in the recursion of modes.h, so all that keeps those exact in energy keeps these. (One
- * spring with a damper, f = d/C + r d', would do for the spring; but at the limit, where the real part leaps to its
- * full size, it has a fifth of it or less under a drumstick, K_c a = 1 to 2, and over two steps without loss it
- * rings at a quarter of the rate.)
+ * The integral is cut into TB_MISSING cells, each an oscillator of unit mass that the force drives
+ * by phi:
+ *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
+ * Together the cells yield as the missing modes do, at low and at high frequencies. Each decays by
+ * half its cell's width in frequency. Side by side, such resonances are as smooth as the continuum
+ * (within 2 exp(-pi)), but half an octave above omega_c they are a fifth short of it, because their
+ * tails reach below omega_c. Their losses are the head's, in waves; without losses the cells keep
+ * the energy. The last cell has no upper end; its part too fast for the sample rate is a spring.
+ * The cells use the recursion of modes.h, so they are as exact in energy as other modes. (One
+ * spring with a damper, f = d/C + r d', would do for the spring. But at the limit, where the real
+ * part leaps to its full size, the spring has a fifth of it or less under a drumstick, K_c a = 1 to
+ * 2; and over two steps without loss the spring rings at a quarter of the sample rate.)
  *
- * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0; omega_c -> infinity or
- * a -> infinity leaves nothing. A point, a = 0, would yield without bound: it has no missing modes here. */
+ * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0. For omega_c ->
+ * infinity or a -> infinity, nothing is missing. A point, a = 0, would yield without bound: it has
+ * no missing modes here. */
 #ifndef TB_RESIDUAL_MODES_H
 #define TB_RESIDUAL_MODES_H
 
@@ -30,7 +35,7 @@
 
 #define TB_MISSING 8u
 
-/* Of one striker on one head; all 0: nothing is missing. */
+/* Missing modes of one striker on one head; all 0: none. */
 typedef struct TbResidualModes {
   double a[TB_MISSING], b[TB_MISSING]; /* the recursion: see modes.h */
   double stiffness[TB_MISSING];        /* K' [1/s2] */
@@ -40,29 +45,32 @@ typedef struct TbResidualModes {
   double compliance;                   /* Sum g phi^2: over one step [m/N] */
 } TbResidualModes;
 
-/* Of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a patch of `patch_radius` [m]. Set-up only. */
+/* Prepares the missing modes of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a
+ * patch of `patch_radius` [m]. Set-up only. */
 void tb_residual_modes_prepare(TbResidualModes *mobility, const TaborDrumDef *def, double bandwidth,
                                double patch_radius, double time_step);
 
-/* Static compliance C and inverse mass [1/kg] of the modes with wavenumbers from..to [1/m]. Set-up only. */
+/* Static compliance C and inverse mass [1/kg] of the modes with wavenumbers `from` to `to` [1/m].
+ * Set-up only. */
 void tb_residual_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
                                double *compliance, double *inverse_mass);
 
 /* All below is audio-safe; arrays are [TB_MISSING]. */
 
-/* next, without a force. */
+/* Computes `next` without a force. */
 void tb_residual_modes_step(const TbResidualModes *mobility, double *next, const double *now,
                             const double *last);
-/* next with a force f > 0 that presses the head down. */
+/* Adds the effect of a force f > 0 that presses the head down to `next`. */
 void tb_residual_modes_press(const TbResidualModes *mobility, double force, double *next);
-/* What the head moves up more than its modes say [m]. */
+/* Upward displacement of the head by the missing modes [m]. */
 double tb_residual_modes_displacement(const TbResidualModes *mobility, const double *x);
-/* Stored between two instants, and lost in a step [J]. */
+/* Energy stored between two instants, and energy lost in a step [J]. */
 double tb_residual_modes_energy(const TbResidualModes *mobility, double rate, const double *next,
                                 const double *now);
 double tb_residual_modes_loss(const TbResidualModes *mobility, const double *next,
                               const double *last);
-/* The two instants of a motion under `from` as it goes on under `to`, phase and action kept (swap.c). */
+/* Converts the two instants of a motion from the coefficients of `from` to those of `to`, keeping
+ * phase and action (swap.c). */
 void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double *now,
                              double *last);
 

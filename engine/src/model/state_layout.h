@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the arrays of a drum's state lie (step/state.h): their sizes depend on the model alone. */
+/* Layout of the arrays of a drum's state (step/state.h). Their sizes depend on the model alone. */
 #ifndef TB_STATE_LAYOUT_H
 #define TB_STATE_LAYOUT_H
 
 #include "model/model.h"
 
-/* How many arrays by rows and by points of the grid TbSolveWork and TbSolveWorkF have beside the drum's own. */
+/* Number of arrays by rows (a row is one contact) and by grid points that TbSolveWork and
+ * TbSolveWorkF have beside the drum's own. */
 enum { TB_WORK_ROWS = 11, TB_WORK_GRIDS = 3, TB_WORKF_ROWS = 19, TB_WORKF_GRIDS = 6 };
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model);

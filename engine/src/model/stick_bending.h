@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* How a stick bends: the first modes of a uniform beam, of length L and mass m, free at both ends, or pinned at its
- * tip where fingers hold it there [Rayleigh1877]:
- *   free:   psi = cosh u + cos u - s (sinh u + sin u), s = (sinh b + sin b)/(cosh b - cos b), cos b cosh b = 1,
+/* Bending of a stick: the first modes of a uniform beam, of length L and mass m. The beam is free
+ * at both ends, or pinned at its tip where fingers hold the tip [Rayleigh1877]:
+ *   free:   psi = cosh u + cos u - s (sinh u + sin u), s = (sinh b + sin b)/(cosh b - cos b),
+ *     cos b cosh b = 1,
  *   pinned: psi ~ sin u + (sin b/sinh b) sinh u, tan b = tanh b,
- * u = b x/L, x from the tip, Int psi^2 dx = L; so each has the mass m. Frequencies go with b^2; the lowest of a free
- * 7A of hickory (E = 15 GPa, 820 kg/m3, 13.2 mm thick, 0.4 m) is 320 Hz. The hand that holds it damps them.
+ * u = b x/L, x from the tip, Int psi^2 dx = L, so each mode has the mass m. Frequencies go with
+ * b^2; the lowest of a free 7A of hickory (E = 15 GPa, 820 kg/m3, 13.2 mm thick, 0.4 m) is 320 Hz.
+ * The hand that holds the stick damps the modes.
  *
- * It is what makes a rimshot: where the hoop stops the shaft, the tip of a stiff rod is thrown off the head at once,
- * that of a real one whips on into it. */
+ * Bending makes the sound of a rimshot: when the hoop stops the shaft, the tip of a stiff rod is
+ * thrown off the head at once, while the tip of a real stick whips on into the head. */
 #ifndef TB_STICK_BENDING_H
 #define TB_STICK_BENDING_H
 
@@ -31,7 +33,7 @@ extern const double tb_stick_bending_length; /* L [m] */
 
 /* Set-up only. */
 void tb_stick_bending_prepare(TbStickBending *stick, double time_step, bool losses);
-/* psi[] at `along` [m] from the tip, up to L; straight lines between the table's. Audio-safe. */
+/* psi[] at `along` [m] from the tip, up to L, by linear interpolation in the table. Audio-safe. */
 void tb_stick_bending_shape(const TbBends *bends, double along, double *psi);
 
 #endif

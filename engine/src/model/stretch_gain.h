@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* G of step/stretch.h: the diagonal of Int |grad w|^2 dA over the modes, of each head that stretches. Set-up only. */
+/* G of step/stretch.h: for each head that stretches, the diagonal of Int |grad w|^2 dA over the
+ * modes. Set-up only. */
 #ifndef TB_STRETCH_GAIN_H
 #define TB_STRETCH_GAIN_H
 

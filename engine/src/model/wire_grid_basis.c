@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Set-up of the grid under the bed: shapes of all modes at the contact points, their principal
- * components across and along, and the modes' tables on them. */
+/* Set-up of the grid under the bed of wires: shapes of all modes at the contact points, the
+ * principal components of these shapes across and along, and the modes' tables on these
+ * components. */
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* How far each mode of the head can reach the wires: max |phi| over all contact points. Then the head's
- * displacement under the wires is at most Sum_i |q_i| max |phi_i|, which tells when no wire can be touched
- * (step/wire_clearance.h). Set-up only. */
+/* Largest displacement that each mode of the head causes at the wires, per unit amplitude: max
+ * |phi| over all contact points. The head's displacement under the wires is at most Sum_i |q_i| max
+ * |phi_i|; below the clearance no wire can be touched (step/wire_clearance.h). Set-up only. */
 #ifndef TB_WIRE_REACH_H
 #define TB_WIRE_REACH_H
 

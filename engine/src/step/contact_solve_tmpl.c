@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Compiled once per precision: see real.h. */
+/* The contact solve (contact_solve.h), compiled once per precision: see real.h. */
 #include "step/contact_solve.h"
 
 #include <math.h>

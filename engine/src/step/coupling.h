@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* How contact forces move the drum depends on which slots are in play and on what hands do to them. Audio-safe. */
+/* The drum's response to contact forces depends on which slots (places in the striker pool) are in
+ * play, and on the hands that hold their strikers. Audio-safe. */
 #ifndef TB_COUPLING_H
 #define TB_COUPLING_H
 
 #include "step/state.h"
 
-/* Call after a slot was filled, freed or held otherwise, or wires have changed: computes anew what the rest load and
- * the forces of the last step do. */
+/* Recomputes the response to the rest load and to the last step's forces. Call after a slot was
+ * filled, freed or held otherwise, or after the wires have changed. */
 void tb_coupling_renew(TbView *view);
 
 #endif

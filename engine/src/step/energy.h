@@ -12,14 +12,14 @@
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
 
-/* Of these, what the wires and their contacts store. */
+/* The part of tb_energy_stored() that the wires and their contacts store. */
 double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *now);
-/* Energy of the high band, which no balance includes. */
+/* Energy of the high band; no balance includes it. */
 double tb_energy_high(const TbView *view);
 /* Kinetic energy alone, of head, wires and strikers. */
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now);
 
-/* Losses [J] of the step from view->last to view->next, contacts apart. */
+/* Losses [J] of the step from view->last to view->next, without those of contacts. */
 typedef struct TbLosses {
   double head, radiated, shell, wires;
 } TbLosses;

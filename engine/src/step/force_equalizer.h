@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The treble that contact forces lose to the sample rate, given back at the microphones.
+/* Equalizer at the microphones that restores the treble that contact forces lose to the sample
+ * rate.
  *
- * A contact's force is the discrete gradient of its potential over two steps: the mean of the true force
- * over 2k, whose spectrum is sin(omega k)/(omega k) times the true one (-7.4 dB at 16 kHz and 48 kHz).
- * Everything heard is driven by such forces, so one filter per microphone undoes it:
- *   y = g (x + b1 x-) - a1 y- - a2 y--,  g = (1 + a1 + a2)/(1 + b1), gain 1 at 0 Hz,
- * fitted to omega k/sin(omega k), within 0.07 dB up to 16 kHz at 44.1 kHz (omega k = 2.28) and so at every
- * higher rate; poles at 0.70 and 0.37 keep its gain at half the rate to 19 dB. Audio-safe. */
+ * A contact's force is the discrete gradient of its potential over two steps. It is the mean of the
+ * true force over 2k, whose spectrum is sin(omega k)/(omega k) times the true one (-7.4 dB at 16
+ * kHz and 48 kHz). Such forces drive every audible motion, so one filter per microphone undoes the
+ * loss:
+ *   y = g (x + b1 x-) - a1 y- - a2 y--,  g = (1 + a1 + a2)/(1 + b1), gain 1 at 0 Hz.
+ * It is fitted to omega k/sin(omega k), within 0.07 dB up to 16 kHz at 44.1 kHz (omega k = 2.28),
+ * and hence at every higher rate. Poles at 0.70 and 0.37 keep its gain at half the rate to 19 dB.
+ * Audio-safe. */
 #ifndef TB_FORCE_EQUALIZER_H
 #define TB_FORCE_EQUALIZER_H
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The coating of a head as a bristle meets it: a rough track, drawn from a seed.
+/* The coating of a head under a bristle: a rough track, drawn from a seed.
  *
- * Sprayed coatings are rough at all lengths from their grains up. The height over a track, s the way along it,
- * is a sum over lengths l_j = 2^j l, j = 0 .. 4, of cubic splines whose coefficients are independent numbers
- * one l_j apart,
- *   h(s) = H c Sum_j Sum_i B3(s/l_j - i) x_ji,
- * so that its spectrum falls as 1/K from 1/(16 l) to 1/l, and as 1/K^8 beyond: there the grains end. H = 1
- * makes its variance 1. Swept at a speed v, what lies at K sounds at f = v K/(2 pi): faster is louder and
- * brighter. It is a function of place alone, so a brush at rest hears nothing, and the same way gives
- * the same sound. Audio-safe; the same bits everywhere. */
+ * Sprayed coatings are rough at all lengths from their grains up. The height over a track, s the
+ * distance along it, is a sum over lengths l_j = 2^j l, j = 0 .. 4, of cubic splines with
+ * independent random coefficients one l_j apart,
+ *   h(s) = H c Sum_j Sum_i B3(s/l_j - i) x_ji.
+ * Its spectrum falls as 1/K from 1/(16 l) to 1/l, and as 1/K^8 beyond, the end of the grains. H = 1
+ * makes its variance 1. Swept at a speed v, the wavenumber K sounds at f = v K/(2 pi): a faster
+ * sweep is louder and brighter. The height is a function of place alone, so a brush at rest hears
+ * nothing, and the same path gives the same sound. Audio-safe; the same bits on every machine. */
 #ifndef TB_HEAD_COATING_H
 #define TB_HEAD_COATING_H
 
@@ -19,7 +19,7 @@
 
 /* Height at s >= 0 [m] of track number `seed`, in units of its root mean square. */
 double tb_head_coating_height(uint64_t seed, double s);
-/* A number from -1 to 1, as good as independent of those of other seeds and places. */
+/* A pseudo-random number from -1 to 1, practically independent between seeds and places. */
 double tb_head_coating_draw(uint64_t seed, uint64_t place);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Compiled once per precision: see real.h. */
+/* The step of the high band (high_band_step.h), compiled once per precision: see real.h. */
 #include "step/high_band_step.h"
 
 #include "kernels/real.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Parameters that move while the drum rings. A change of the wires acts on the unchanged state, and
- * the energy it adds or takes is booked to `control`. Audio-safe. */
+/* Parameters that move while the drum rings. A change of the wires acts on the unchanged state; the
+ * energy that it adds or takes is booked to `control`. Audio-safe. */
 #ifndef TB_LIVE_PARAMS_H
 #define TB_LIVE_PARAMS_H
 
@@ -8,13 +8,14 @@
 
 /* The values that the definition gives: live[TB_LIVE_COUNT]. */
 void tb_live_params_definition(const TaborModel *model, TbLiveParam *live);
-/* All values as the definition gives them. */
+/* Resets all values to the definition's. */
 void tb_live_params_reset(TbView *view);
-/* Starts a move of live parameter `parameter` (a TbParamId); false if it is not live or is absent. */
+/* Starts a move of the live parameter `parameter` (a TbParamId). Returns false if it is not live or
+ * is absent. */
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value);
-/* Moves what is under way by one sample. */
+/* Advances all running moves by one sample. */
 void tb_live_params_step(TbView *view);
-/* Recomputes what follows from the live values. */
+/* Recomputes the quantities that depend on the live values. */
 void tb_live_params_apply(TbView *view);
 
 #endif

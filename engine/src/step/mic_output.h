@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What is heard of a step: the high band, which hears the contact forces and does not answer, and the
- * microphones. Audio-safe. */
+/* The output of a step: the high band, which is driven by the contact forces but does not act back
+ * on the contacts, and the microphones. Audio-safe. */
 #ifndef TB_MIC_OUTPUT_H
 #define TB_MIC_OUTPUT_H
 
 #include "step/state.h"
 
-/* Moves the high band from view->now to view->next, and reads the microphones of the mask `heard` into
- * pressure[mic] as parts of full scale, 0 for the others. `unchanged`: nothing touched in this step and in the
- * last one. */
+/* Moves the high band from view->now to view->next. Writes the signals of the microphones in the
+ * mask `heard` to pressure[mic] as fractions of full scale, and 0 for the others. `unchanged`:
+ * nothing touched in this step or in the last one. */
 void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure);
 
 #endif

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The text of TbSolveWork and TbSolveWorkF, what a contact solve works in: see solve.h and both.h. */
+/* Defines TbSolveWork and TbSolveWorkF, the workspace of a contact solve: see solve.h and
+ * both.h. */
 typedef struct TB_TYPE(TbSolveWork) {
   bool wires;               /* wire points take part */
-  TB_REAL *s;               /* [stride + TB_SLOTS], as are all these: */
+  TB_REAL *s;               /* [stride + TB_SLOTS], as all arrays before `grid` */
   TB_REAL *force, *product; /* f~ and M f~ */
   TB_REAL *force_last, *product_last;
   TB_REAL *law, *slope, *mean;

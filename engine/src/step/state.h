@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of one sounding drum: one block without pointers into itself, and a view of its arrays.
- * Everything counts from the model's rest state. Audio-safe. */
+/* The state of one sounding drum: one memory block without internal pointers, and a view of its
+ * arrays. All displacements count from the model's rest state. A slot is a place in the striker
+ * pool. Audio-safe. */
 #ifndef TB_STATE_H
 #define TB_STATE_H
 
@@ -14,11 +15,11 @@ typedef enum TbLiveIndex {
   TB_LIVE_DAMPING_1,
   TB_LIVE_STRAINER,
   TB_LIVE_REST_OFFSET,
-  TB_LIVE_MUFFLE, /* of the batter head; the resonant one's follows */
+  TB_LIVE_MUFFLE, /* of the batter head; the resonant head's is next */
   TB_LIVE_MUFFLE_RESONANT,
   TB_LIVE_FULL_SCALE,
   TB_LIVE_GRIP, /* of hands that press a stick */
-  TB_LIVE_GAIN, /* of the first microphone; the others follow */
+  TB_LIVE_GAIN, /* of the first microphone; the others follow in order */
   TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
 } TbLiveIndex;
 
@@ -29,17 +30,20 @@ typedef struct TbLiveParam {
 
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
-/* The slot of the batter head's muffler, a hand that stays; the resonant head's follows. */
+/* The slot of the batter head's muffler, a permanent hand. The resonant head's muffler has the next
+ * slot. */
 #define TB_MUFFLERS ((uint32_t)TABOR_MAX_ACTIVE)
 
-/* Brushes in play at once, the groups of bristles of each (brush.h), and the first one's first slot. */
+/* Brushes in play at once, bristle groups of each brush (brush.h), and the first brush's first
+ * slot. */
 #define TB_BRUSHES 2u
 #define TB_BRISTLE_GROUPS 3u
 #define TB_BRISTLES (TB_MUFFLERS + 2u)
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
- * height at its place; penetration eta = w + d - z (a hand: eta = w), d by the missing modes. On the hoop w is
- * the hoop's. A stick that touches both has a slot for each: see stick_rigid.h. */
+ * height at its place. Penetration eta = w + d - z (a hand: eta = w); d is the displacement of the
+ * missing modes. On the hoop, w is the hoop's displacement. A stick that touches both head and hoop
+ * has a slot for each: see stick_rigid.h. */
 typedef struct TbSlot {
   uint32_t kind, id;
   uint64_t serial;                          /* order of arrival */
@@ -50,38 +54,38 @@ typedef struct TbSlot {
   uint32_t head;                            /* a TaborHead */
   uint32_t held;                            /* a hand presses it: see striker_pool.h */
   uint32_t on_hoop;                         /* not on the head */
-  uint32_t partner;                         /* 1 + the slot of the stick's other end, 0: none */
-  uint32_t rests;                           /* ... and this one is held onto the head */
-  uint32_t palm;                            /* a hand that lifts by itself */
+  uint32_t partner;                         /* 1 + the slot of the stick's other end; 0: none */
+  uint32_t rests;                           /* this end is held onto the head */
+  uint32_t palm;                            /* a hand that lifts off by itself */
   double cross;                             /* C_12 of both ends [1/kg] */
   double bend[TB_BENDS];                    /* psi m^(-1/2) of the stick's bending here [kg^-1/2] */
   double press, anchor;                     /* F0 [N], z0 [m] */
-  uint32_t bristles;                        /* it is a group of a brush's */
-  double part;                              /* ... or all of a striker: 1 */
-  uint32_t leaving;                         /* samples since the hand began to lift it, or 0 */
+  uint32_t bristles;                        /* 1: a bristle group of a brush */
+  double part;                              /* fraction of a striker; 1: all of it */
+  uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
   double resistance, push;                  /* of its wires, when held [N s/m], [N] */
   double coat;                              /* height of the coating under it [m] */
-  double due;                               /* the brush's way when it slips on [m] */
-  double radius, angle, velocity, strength; /* as asked for: a swap rebuilds the slot from them */
+  double due;                               /* brush's path length at its next slip [m] */
+  double radius, angle, velocity, strength; /* as asked: a swap rebuilds the slot from them */
 } TbSlot;
 
-/* What a hand does with a brush: see brush.h. Lengths of a way are per sample. */
+/* Motion of a brush by a hand: see brush.h. Path lengths are per sample. */
 typedef struct TbBrush {
   uint32_t active, id;
   uint32_t definition;  /* which striker */
-  uint32_t lifting;     /* the hand is lifting it, for so many samples yet */
+  uint32_t lifting;     /* samples left of the hand's lifting; 0: not lifting */
   uint64_t seed;        /* of its tracks */
   uint64_t moved;       /* clock at the last move */
-  double radius, angle; /* where the hand aims [m], [deg], */
-  double along, around; /* ... by how much that moves, */
-  uint32_t left;        /* ... for so many samples; 0: forever, `around` alone */
+  double radius, angle; /* target of the hand [m], [deg] */
+  double along, around; /* motion of the target per sample [m], [deg] */
+  uint32_t left;        /* samples left of it; 0: endless, `around` alone */
   double x, y, dx, dy;  /* the middle of the fan [m] */
-  double slide;         /* of its bristles besides [m] */
-  double way, track;    /* of the middle and of the bristles so far [m] */
-  double press;         /* F0 that it is going to [N] */
+  double slide;         /* extra slide of its bristles [m] */
+  double way, track;    /* path so far of the middle and of the bristles [m] */
+  double press;         /* target of F0 [N] */
 } TbBrush;
 
-/* What a microphone's sums over the modes were, A(n), B(n), B(n-1): see TbMic. */
+/* A microphone's sums over the modes: A(n), B(n), B(n-1); see TbMic. */
 typedef struct TbEar {
   double ahead, behind, behind_before;
 } TbEar;
@@ -93,13 +97,13 @@ typedef struct TbState {
   uint32_t asleep, quiet_checks;
   uint32_t slot_mask; /* slots in play */
   uint32_t lifted;    /* wires hang clear of the head: see wire_clearance.h */
-  double gap;         /* ... by this at least [m] */
-  uint32_t rings;     /* the hoop moves, or something may strike it */
-  uint32_t airborne;  /* nothing touched in the last step: `modal` and `high_force` hold for this */
+  double gap;         /* least clearance of lifted wires [m] */
+  uint32_t rings;     /* the hoop moves, or a striker may hit it */
+  uint32_t airborne;  /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
-  uint32_t heard;                   /* microphones whose sums below are those of this instant */
+  uint32_t heard;                   /* microphones whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
   TbLiveParam live[TB_LIVE_COUNT];
   TbWireCoefficients wires[TABOR_MAX_WIRES];
@@ -110,18 +114,18 @@ typedef struct TbState {
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
   double hoop[3][TB_HOOP_MODES];
-  double bow[3][TB_SLOTS][TB_BENDS];          /* how sticks bend, by the slots of their tips */
-  double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of the slots on it, 0 for others */
+  double bow[3][TB_SLOTS][TB_BENDS];          /* bending of sticks, by the slots of their tips */
+  double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of slots on the hoop, 0 for others */
   TaborLedger sums;                           /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
-/* One instant: modal displacements, wires' nodes, penetrations of all rows, heights of strikers, modes of the
- * high band, what stands for the head's missing modes under each striker, modes of the hoop,
- * and how sticks bend. */
+/* One instant: modal displacements, wires' nodes, penetrations of all rows (a row is one contact),
+ * heights of strikers, modes of the high band, the head's missing modes under each striker, modes
+ * of the hoop, and bending of sticks. */
 typedef struct TbPhase {
   double *q, *v, *eta, *z;
-  void *high; /* of the high band's precision */
+  void *high; /* in the high band's precision */
   double (*missing)[TB_MISSING], *hoop, (*bow)[TB_BENDS];
 } TbPhase;
 
@@ -132,13 +136,13 @@ typedef struct TbView {
   TbPhase next, now, last;
   double *bend, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
-  void *high_drive;       /* [TB_SLOTS][high padded], of its precision */
+  void *high_drive;       /* [TB_SLOTS][high padded], in its precision */
   double *high_scratch;
   float *high_force,
     *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
-  double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and what the forces at rest do to it */
-  double *stretch_carry; /* [bed size + TB_SLOTS]: what `product` has of a stretch that is past */
+  double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
+  double *stretch_carry; /* [bed size + TB_SLOTS]: part of `product` due to past stretch */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbSolve solve;
@@ -147,16 +151,17 @@ typedef struct TbView {
 size_t tb_state_bytes(const TaborModel *model);
 
 TbView tb_view(TbState *state, const TaborModel *model);
-/* After `next` was filled: it becomes the newest. */
+/* Makes `next` the newest instant. Call after `next` was filled. */
 void tb_view_rotate(TbView *view);
 
-/* Wires that are lifted, or no longer: then double is precise and fast enough. */
+/* Marks the wires as lifted or not. While they are lifted, contacts are solved in double, which is
+ * fast enough. */
 static inline void tb_view_lift(TbView *view, bool lifted) {
   view->solve.in.lifted = lifted;
   view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
 }
 
-/* Places of one slot in the per-slot arrays. */
+/* One slot's part of the per-slot arrays. */
 static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
   return view->shape + (size_t)slot * view->model->modes.padded;
 }

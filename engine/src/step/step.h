@@ -5,12 +5,12 @@
 
 #include "step/state.h"
 
-/* Advances by one sample; pressure[mic] [Pa times gain over full_scale] of the microphones whose bit is
- * set in `heard`, 0 of the others. */
+/* Advances the drum by one sample. pressure[mic] [Pa times gain over full_scale] receives the
+ * signals of the microphones whose bit is set in `heard`, and 0 for the others. */
 void tb_step(TbView *view, uint32_t heard, double *pressure);
 
-/* Call every 64 samples: puts a drum that has died away to sleep, clears vanished modes, recovers
- * from a state that is not finite. */
+/* Housekeeping, to be called every 64 samples: puts a drum that has died away to sleep, clears
+ * vanished modes, and recovers from a state that is not finite. */
 void tb_step_housekeeping(TbView *view);
 
 #endif

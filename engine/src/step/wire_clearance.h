@@ -1,22 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* Wires that hang clear of the head.
+/* Wires that hang clear of the head ("lifted").
  *
- * With the strainer off, wires lie still some millimetres away from a head that moves by a fraction of
- * that. While no point of the head can come near one of them, neither the wires nor the head's motion
- * under them is computed: their deviations, contact forces and changes of penetration are exactly 0.
+ * With the strainer off, wires lie still some millimetres away from a head that moves by a fraction
+ * of that distance. While no point of the head can come near a wire, neither the wires nor the
+ * head's motion under them is computed: the wires' deviations, contact forces and changes of
+ * penetration are exactly 0.
  *
- * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i| (model/wire_reach.h). The wires count as lifted while that stays below half of the least gap; it would take 30 m/s to
- * cross the other half of the least gap that counts within one sample, even at 22,050 Hz. Audio-safe. */
+ * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i| (model/wire_reach.h).
+ * The wires count as lifted while this bound stays below half of the least gap. To cross the other
+ * half of the least gap that counts within one sample would take 30 m/s, even at 22,050 Hz.
+ * Audio-safe. */
 #ifndef TB_WIRE_CLEARANCE_H
 #define TB_WIRE_CLEARANCE_H
 
 #include "step/state.h"
 
-/* Lifts wires that lie still and out of reach. */
+/* Lifts wires that lie still and out of the head's reach. */
 void tb_wire_clearance_begin(TbView *view);
-/* After a step: lowers them when the head comes near. */
+/* Lowers the wires if the head comes near. Call after a step. */
 void tb_wire_clearance_follow(TbView *view);
-/* Lowers them: all that was left out is made good. Before anything of theirs is moved. */
+/* Lowers the wires and computes every quantity that was skipped. Call before anything of the wires
+ * is moved. */
 void tb_wire_clearance_end(TbView *view);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* In double. */
+/* The wires' motion (wire_motion.h) in double. */
 #include "step/wire_motion.h"
 
 #include "kernels/profile.h"

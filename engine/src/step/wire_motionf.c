@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* In single precision. */
+/* The wires' motion (wire_motion.h) in single precision. */
 #include "step/wire_motion.h"
 
 #include "step/penetration.h"

@@ -21,9 +21,9 @@ typedef struct Strokes {
   MidiResponse response; /**< for velocities given as midi */
 } Strokes;
 
-/** Appends a stroke, in any order of time. Call strokes_sort() after the last one. */
+/** Appends a stroke, in any order of time, and the release of a buzz or a sweep. Call strokes_sort() after the last. */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
-/** Sorts by time and adds the releases of buzzes and sweeps. Call once, after the last strokes_add(). */
+/** Sorts by time, converts moves, and drops outdated releases. Call once, after the last strokes_add(). */
 void strokes_sort(Strokes *strokes);
 /** Makes @p stroke the only one. */
 Outcome strokes_replace(Strokes *strokes, const Stroke *stroke);

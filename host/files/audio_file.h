@@ -40,7 +40,7 @@ typedef struct AudioFile {
 bool audio_container(const char *name, AudioContainer *container);
 /** Finds the encoding called @p name ("pcm16", "pcm24", "float"). */
 Outcome audio_encoding(const char *name, AudioEncoding *encoding);
-/** Refuses a format that the container cannot hold: FLAC has no float, at most 8 channels, and round rates only. */
+/** Refuses a format that the container cannot hold: FLAC has no float, up to 8 channels, only round rates. */
 Outcome audio_format_check(const AudioFormat *format);
 /** Largest sample that the encoding holds (1 is full scale; infinite for float). */
 double audio_largest(AudioEncoding encoding);

@@ -36,7 +36,7 @@ typedef enum PluginMic {
   PLUGIN_MICS = MODEL_WORKER_MICS
 } PluginMic;
 
-/** The drum as it was before a swap. It plays on until the new sound has reached all microphones, then crossfades. */
+/** The drum before a swap. It plays on until the new sound has reached all microphones, then crossfades. */
 typedef struct Crossing {
   TaborDrum *drum;     /**< or NULL */
   uint32_t hold, fade; /**< frames left of each stage */

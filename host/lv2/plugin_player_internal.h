@@ -20,7 +20,7 @@ void plugin_player_let_act(PluginPlayer *player, uint32_t count) REALTIME;
 void plugin_player_place_strokes(PluginPlayer *player) REALTIME;
 /* Requests the drum of a preset. */
 void plugin_player_choose_preset(PluginPlayer *player, uint32_t preset) REALTIME;
-/* Executes the due MIDI actions. Stops after a silence, or with @p waits after a change of preset: the rest must wait. */
+/* Executes the due MIDI actions, up to and including a silence or, with @p waits, a change of preset. */
 void plugin_player_act_due(PluginPlayer *player, bool waits) REALTIME;
 /* Restores the drum's live values that differ from its model's; call after another model has come. */
 void plugin_player_move_live(PluginPlayer *player) REALTIME;

@@ -4,8 +4,9 @@
  * Estimates when a MIDI message was played from the time of its delivery.
  *
  * A port reports the time between consecutive messages, by its own clock. The thread that delivers the
- * messages is late by a varying amount. So the time of a message is the port's time plus the smallest
- * delay seen. This shift may grow by one part in a thousand, because the clocks differ.
+ * messages is late by a varying amount. So the time of a message is the port's time plus a shift, the
+ * smallest difference between time of delivery and port time seen so far. The shift may grow by one
+ * part in a thousand, because the clocks differ.
  */
 #ifndef TABOR_HOST_MIDI_CLOCK_H
 #define TABOR_HOST_MIDI_CLOCK_H

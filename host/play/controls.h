@@ -41,7 +41,7 @@ Controls controls_begin(Player *player, ModelBuilder *builder, double rate, doub
                         Humanizer humanizer);
 /** Executes the action of a key pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
-/** Lifts buzzing sticks and sweeping brushes whose time is up, since a terminal reports no key releases. Call often. */
+/** Lifts buzzing sticks and sweeping brushes after their time: a terminal reports no key releases. Call often. */
 void controls_pass(Controls *controls, double time);
 /** Executes a command, such as "set wires.tension 20", entered at @p time. */
 void controls_run(Controls *controls, const char *command, double time);

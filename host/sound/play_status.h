@@ -10,7 +10,7 @@
 #include <tabor/tabor.h>
 
 typedef struct PlayStatus {
-  /* what plays */
+  /* source and device */
   char preset[TABOR_TEXT_SIZE];
   bool building;                /**< a new model is being built */
   uint32_t quality;             /**< a TaborQuality; 0 if unknown */

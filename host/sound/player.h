@@ -11,7 +11,7 @@
  * bit. A message whose frame has passed acts at once. A source must send its messages in order of
  * their frames, because a message holds back all later ones of its queue.
  *
- * Functions are grouped by thread. player.c holds what the audio thread runs, player_setup.c the rest.
+ * Functions are grouped by thread. player.c holds the functions of the audio thread, player_setup.c the rest.
  */
 #ifndef TABOR_HOST_PLAYER_H
 #define TABOR_HOST_PLAYER_H

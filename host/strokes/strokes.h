@@ -21,7 +21,7 @@ typedef struct Strokes {
   MidiResponse response; /**< for velocities given as midi */
 } Strokes;
 
-/** Appends a stroke, in any order of time, and the release of a buzz or a sweep. Call strokes_sort() after the last. */
+/** Appends a stroke of any time, and the release of a buzz or a sweep. Call strokes_sort() after the last. */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
 /** Sorts by time, converts moves, and drops outdated releases. Call once, after the last strokes_add(). */
 void strokes_sort(Strokes *strokes);

@@ -59,7 +59,7 @@ typedef struct KeyDecoder {
 size_t key_decoder_feed(KeyDecoder *decoder, unsigned char byte, Key keys[KEYS_AT_ONCE]);
 /** True while an incomplete key waits for more bytes. */
 bool key_decoder_waits(const KeyDecoder *decoder);
-/** Call if no byte has come within KEY_PATIENCE: turns the waiting bytes into @p keys and returns their number. */
+/** Call after KEY_PATIENCE without a byte: turns the waiting bytes into @p keys; returns their number. */
 size_t key_decoder_expire(KeyDecoder *decoder, Key keys[KEYS_AT_ONCE]);
 
 /** Number of bytes of the UTF-8 character at the terminated @p text, and its code point; 0 if invalid. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file command.h
- * The commands of the program, one file each.
+ * The commands of the program, each in a file of its own.
  */
 #ifndef TABOR_HOST_COMMAND_H
 #define TABOR_HOST_COMMAND_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file folder.h
- * Folders that sounds are written into.
+ * Output folders for sounds.
  */
 #ifndef TABOR_HOST_FOLDER_H
 #define TABOR_HOST_FOLDER_H
@@ -11,13 +11,13 @@
 #include "base/message.h"
 
 bool folder_ends_with_slash(const char *path);
-/** "FOLDER/" of a path with or without the slash, to be freed; NULL without memory. */
+/** Returns "FOLDER/" for a path with or without the slash. The caller frees it; NULL if memory is short. */
 char *folder_name(const char *path);
-/** "FOLDER/file" of "FOLDER/" and "file", to be freed; NULL without memory. */
+/** Joins "FOLDER/" and "file" to "FOLDER/file". The caller frees it; NULL if memory is short. */
 char *folder_path(const char *folder, const char *file);
-/** Refuses what is there and no folder; what is not there may become one. */
+/** Refuses an existing path that is not a folder; accepts a path that does not exist. */
 Outcome folder_check(const char *path);
-/** Creates @p folder unless it is there. */
+/** Creates @p folder unless it exists. */
 Outcome folder_create(const char *folder);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file input_file.h
- * A whole file in memory, of bounded size: from the standard input and pipes, too.
+ * Reads a whole file of limited size into memory, also from standard input and pipes.
  */
 #ifndef TABOR_HOST_INPUT_FILE_H
 #define TABOR_HOST_INPUT_FILE_H
@@ -11,9 +11,9 @@
 #include "base/message.h"
 
 /**
- * Reads file @p name, "-" for the standard input. *bytes has a terminator behind its *length bytes, and
- * is the caller's to free(), whatever the outcome; NULL if nothing was read. Refuses more than
- * @p limit bytes.
+ * Reads file @p name, "-" for standard input. *bytes has a terminator after its *length bytes. The caller
+ * frees it with free(), whatever the outcome; it is NULL if nothing was read. Refuses more than @p limit
+ * bytes.
  */
 Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *length);
 

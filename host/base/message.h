@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file message.h
- * What the program says on standard error, and the exit status that goes with it.
+ * Messages on standard error, and the exit status.
  *
- * A function that can go wrong says so itself, in one line, and returns the outcome; its callers
- * only pass the outcome on. So every error is printed once, where most is known about it. Any
- * thread may speak: lines stay whole.
+ * A function that fails prints one line about its error and returns the outcome; its callers only return
+ * the outcome. So every error is printed once, where most is known about it. Any thread may print; lines
+ * are never interleaved.
  */
 #ifndef TABOR_HOST_MESSAGE_H
 #define TABOR_HOST_MESSAGE_H
@@ -22,56 +22,56 @@
 /** How a request ended; the values are the program's exit status. */
 typedef enum Outcome {
   OUTCOME_OK = 0,
-  OUTCOME_FAILED = 1,       /**< a right request failed: files, memory, devices */
-  OUTCOME_REFUSED = 2,      /**< the request is wrong */
-  OUTCOME_READER_LEFT = 141 /**< nobody reads the standard output any more; nothing to say: it is as
-                                 if SIGPIPE had ended the program */
+  OUTCOME_FAILED = 1,       /**< a valid request failed: files, memory, devices */
+  OUTCOME_REFUSED = 2,      /**< the request is invalid */
+  OUTCOME_READER_LEFT = 141 /**< the reader of standard output is gone; ends without a message,
+                                 with the status of SIGPIPE */
 } Outcome;
 
-/** Says what is wrong with the request; returns OUTCOME_REFUSED. */
+/** Prints what is wrong with the request; returns OUTCOME_REFUSED. */
 PRINTF_LIKE Outcome refuse(const char *format, ...);
-/** Says what failed; returns OUTCOME_FAILED. */
+/** Prints what failed; returns OUTCOME_FAILED. */
 PRINTF_LIKE Outcome fail(const char *format, ...);
-/** fail() for memory. */
+/** fail() for lack of memory. */
 Outcome fail_memory(void);
-/** Fails with the reason of errno; says nothing where the reader left, as in 'tabor modes | head'. */
+/** Fails with the reason of errno; prints nothing if the reader is gone, as in 'tabor modes | head'. */
 Outcome standard_output_failure(void);
-/** Says what the engine found wrong: refused for wrong requests, failed for memory and numerics. */
+/** Prints an error of the engine: refused for invalid requests, failed for memory and numerics. */
 Outcome report_engine_error(const TaborError *error);
-/** Something the user should know although the request is carried out. */
+/** Prints a warning; the request is executed nevertheless. */
 PRINTF_LIKE void warn(const char *format, ...);
-/** Something the user may like to know. */
+/** Prints a piece of information. */
 PRINTF_LIKE void note(const char *format, ...);
 
-/** What this thread's messages are about: put before those that do not name it. NULL: nothing. */
+/** Sets the subject of this thread's messages, a prefix of messages that do not name it. NULL: none. */
 void message_subject(const char *subject);
 
-/** Takes a message, one line without its end. Called by any thread, one at a time; must not speak. */
+/** Takes a message, one line without its end. Called by any thread, one at a time; must not print. */
 typedef void MessageSink(void *context, const char *line);
 
-/** From now on @p sink gets every message instead of the standard error; NULL: as before. */
+/** Sends every message to @p sink instead of standard error; NULL: back to standard error. */
 void message_redirect(MessageSink *sink, void *context);
-/** Where what a thread says goes instead of being seen. */
+/** Buffer for the messages of a thread that are captured instead of printed. */
 typedef struct MessageCapture {
-  char *text; /**< NULL: nowhere, it is seen */
+  char *text; /**< NULL: messages are printed */
   size_t size;
 } MessageCapture;
 
 /**
- * Until message_release(), what this thread says comes into @p text, the first line of it, "" if there
- * is none; nobody else sees it. Returns what message_release() needs; captures may lie within each other.
+ * Captures this thread's messages until message_release(). @p text gets the first line, "" if there is none;
+ * nothing is printed. Returns the argument of message_release(). Captures may be nested.
  */
 MessageCapture message_capture(char *text, size_t size);
 void message_release(MessageCapture before);
 
-/** Shows a line that the next one or any message replaces; "" takes it away. For terminals. */
+/** Shows a line that the next status line or any message replaces; "" removes it. For terminals. */
 void status_line(const char *text);
 
-/** "standard input" for "-", any other name as it is. */
+/** Returns "standard input" for "-", any other name unchanged. */
 const char *input_name(const char *name);
-/** The quote that goes around input_name(): none around the standard input. */
+/** Returns the quote around input_name(): none for standard input. */
 const char *input_quote(const char *name);
-/** An input file in a message: "cannot read " INPUT with the arguments INPUT_OF(name). */
+/** Format of an input file in a message: "cannot read " INPUT with the arguments INPUT_OF(name). */
 #define INPUT "%s%s%s"
 #define INPUT_OF(name) input_quote(name), input_name(name), input_quote(name)
 

@@ -8,16 +8,16 @@
 
 #include "base/message.h"
 
-/** A number as the user wrote it and what is allowed for it. */
+/** Name and allowed range of a number. */
 typedef struct NumberField {
   const char *name; /**< "--rate", "--strike time", for messages */
   double minimum, maximum;
-  bool whole; /**< only whole numbers */
+  bool whole; /**< allow only whole numbers */
 } NumberField;
 
 /**
- * Reads "-1.5e3" and the like. Refuses, naming field, text and range, anything else: blanks,
- * hexadecimal digits, inf, nan, numbers too large for a double or outside the range.
+ * Reads a number such as "-1.5e3". Refuses anything else, naming field, text and range: blanks, hexadecimal
+ * digits, inf, nan, numbers too large for a double or outside the range.
  */
 Outcome number_read(const NumberField *field, const char *text, double *value);
 

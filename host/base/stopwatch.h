@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What a clock of the system shows. */
+/* Reads a clock of the system. */
 #ifndef TABOR_HOST_STOPWATCH_H
 #define TABOR_HOST_STOPWATCH_H
 
 #include <time.h>
 
-/* [s]; CLOCK_THREAD_CPUTIME_ID: the calling thread's processor time. Any thread. */
+/* Time [s]; CLOCK_THREAD_CPUTIME_ID: the calling thread's processor time. Any thread. */
 static inline double stopwatch_seconds(clockid_t clock) {
   struct timespec now = {0};
   (void)clock_gettime(clock, &now);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file default_preset.h
- * The drum that is meant when none is named.
+ * The preset that is used if none is named.
  */
 #ifndef TABOR_HOST_DEFAULT_PRESET_H
 #define TABOR_HOST_DEFAULT_PRESET_H

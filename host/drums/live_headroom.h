@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file live_headroom.h
- * How far live keys of the wires may go above what a model was built with: its grid is made for values not
- * far above. Beyond, another model is needed.
+ * The largest factor by which live parameters of the wires may exceed the values that a model was built with.
+ * The model's grid does not suit larger values; they need another model.
  */
 #ifndef TABOR_HOST_LIVE_HEADROOM_H
 #define TABOR_HOST_LIVE_HEADROOM_H

@@ -7,14 +7,14 @@
  *     [batter]
  *     tension = 3000   ; N/m: why
  *
- * inih takes the lines apart. What it would let through in silence is refused before it sees the
- * text: more than 64 KiB; anything but valid UTF-8; control characters other than tab and line
- * ends; lines over PRESET_LINE_LIMIT, section names and keys over 49 (it cuts them); indented lines (it
- * appends them to the value before); text after a section's ']'; ':' for '='; a key before the
- * first section; sections and keys that occur twice. So is a last line that ends right after its
- * value without a line end: a file that was cut off there would give another number.
+ * inih parses the lines. Errors that inih would accept silently are refused before: more than 64 KiB;
+ * invalid UTF-8; control characters other than tab and line ends; lines over PRESET_LINE_LIMIT bytes,
+ * section names and keys over 49 (inih truncates them); indented lines (inih appends them to the previous
+ * value); text after a section's ']'; ':' for '='; a key before the first section; sections and keys that
+ * occur twice; and a last line that ends right after its value without a line end, because a file
+ * truncated there would give another number.
  *
- * What sections, keys and values mean is up to the caller.
+ * The caller interprets sections, keys and values.
  */
 #ifndef TABOR_HOST_PRESET_FILE_H
 #define TABOR_HOST_PRESET_FILE_H
@@ -24,12 +24,12 @@
 
 /** Largest preset file [bytes]. */
 #define PRESET_FILE_LIMIT 65536
-/** Longest line [bytes], without its end: what inih 55 keeps. */
+/** Longest line without its end that inih 55 keeps [bytes]. */
 #define PRESET_LINE_LIMIT 198
 
 /**
- * Takes a pair of the file's line @p line, or the line of a section, where @p key and @p value are
- * NULL. On false, it has written one line about what is wrong into @p message, and reading ends.
+ * Takes the pair in line @p line of the file; for the line of a section, @p key and @p value are NULL.
+ * Returns false on an error, with one line about it in @p message; reading then ends.
  */
 typedef bool PresetPairFn(void *context, const char *section, const char *key, const char *value,
                           unsigned line, char *message, size_t size);
@@ -37,13 +37,13 @@ typedef bool PresetPairFn(void *context, const char *section, const char *key, c
 typedef enum PresetFileStatus {
   PRESET_FILE_OK,
   PRESET_FILE_UNREADABLE, /**< missing, not permitted, not a regular file, a failed read */
-  PRESET_FILE_INVALID     /**< read, but no preset; or a pair was refused */
+  PRESET_FILE_INVALID     /**< malformed, or a pair was refused */
 } PresetFileStatus;
 
 /**
  * Calls @p pair for every section and pair of the file, in order; for none if the file as a whole is
- * malformed. Otherwise than with PRESET_FILE_OK, @p message is one line that names the file, the
- * line and the thing. Never waits for a FIFO or device and never reads more than the limit.
+ * malformed. On any status but PRESET_FILE_OK, @p message is one line that names the file, the line and
+ * the error. Never waits for a FIFO or device and never reads more than the limit.
  */
 PresetFileStatus preset_file_read(const char *path, PresetPairFn *pair, void *context,
                                   char *message, size_t size);

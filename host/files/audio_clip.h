@@ -10,9 +10,9 @@
 
 #include "base/message.h"
 
-#define AUDIO_CLIP_LONGEST 120.0 /**< seconds that are taken at most */
+#define AUDIO_CLIP_LONGEST 120.0 /**< longest part that is read [s] */
 
-/** What to take of a sound file. */
+/** The part of a sound file to read. */
 typedef struct AudioClipPart {
   uint32_t channel; /**< from 1 */
   double from, to;  /**< [s]; infinite: the file's end */
@@ -25,7 +25,7 @@ typedef struct AudioClip {
   size_t count, capacity;
 } AudioClip;
 
-/** Reads any file that libsndfile knows; "-" is the standard input. Free with audio_clip_free(). */
+/** Reads any file that libsndfile supports; "-" is standard input. Free with audio_clip_free(). */
 Outcome audio_clip_read(const char *name, const AudioClipPart *part, AudioClip *clip);
 void audio_clip_free(AudioClip *clip);
 

@@ -20,43 +20,43 @@ typedef struct AudioFormat {
   AudioEncoding encoding;
   uint32_t rate; /**< [Hz] */
   uint32_t channels;
-  uint64_t most_frames; /**< how long the sound may become */
+  uint64_t most_frames; /**< longest length of the sound */
 } AudioFormat;
 
-/** A sound file being written to an open OutputFile, which it does not own. Stays where it is. */
+/** A sound file being written to an open OutputFile, which it does not own. Must not be moved or copied. */
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
-  SndfileIo io; /**< what stream writes to, unless that is a pipe */
+  SndfileIo io; /**< destination of stream, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
   uint64_t frames;
 } AudioFile;
 
-/** Frames that audio_file_write() takes at most. */
+/** Most frames that audio_file_write() takes. */
 #define AUDIO_BLOCK 256
 
-/** Container by the extension of @p name; false if it has none of those. */
+/** Finds the container by the extension of @p name; false for another extension. */
 bool audio_container(const char *name, AudioContainer *container);
-/** Encoding called @p name ("pcm16", "pcm24", "float"). */
+/** Finds the encoding called @p name ("pcm16", "pcm24", "float"). */
 Outcome audio_encoding(const char *name, AudioEncoding *encoding);
-/** Refuses what a container cannot hold: FLAC has no float, 8 channels, and round rates only. */
+/** Refuses a format that the container cannot hold: FLAC has no float, up to 8 channels, only round rates. */
 Outcome audio_format_check(const AudioFormat *format);
 /** Largest sample that the encoding holds (1 is full scale; infinite for float). */
 double audio_largest(AudioEncoding encoding);
 
-/** Half of the encoding's step: what is smaller becomes zero (0 for float). */
+/** Half of the encoding's step: smaller samples become zero (0 for float). */
 double audio_least(AudioEncoding encoding);
 
 /** Starts the file. Free with audio_file_free(), whatever the outcome. */
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
 /** Appends @p frames frames, interleaved; integer encodings round and saturate. */
 Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
-/** Completes the file; where it can be read back, reopens it and checks that it is complete. */
+/** Completes the file; if it can be read back, reopens it and checks that it is complete. */
 Outcome audio_file_finish(AudioFile *file);
 /**
- * After audio_file_write() has failed: makes a whole file of the frames before. Only where it can be
- * read back, and not for FLAC.
+ * Call after audio_file_write() has failed: makes a valid file of the frames written before. Works only
+ * if the file can be read back, and not for FLAC.
  */
 Outcome audio_file_salvage(AudioFile *file);
 void audio_file_free(AudioFile *file);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sndfile_io.h
- * File access for libsndfile that remembers the first error. libsndfile itself forgets some: a
- * header that could not be written at the end goes unnoticed by sf_close(), and such a file may
- * even be read back without complaint, because readers guess what the header lacks.
+ * File access for libsndfile that keeps the first error. libsndfile loses some errors: sf_close() does not
+ * report a header that could not be written at the end. Such a file may even be read back without an
+ * error, because readers guess the values missing in the header.
  */
 #ifndef TABOR_HOST_SNDFILE_IO_H
 #define TABOR_HOST_SNDFILE_IO_H
@@ -11,7 +11,7 @@
 #include <sndfile.h>
 
 typedef struct SndfileIo {
-  int descriptor; /**< of a file that can seek */
+  int descriptor; /**< descriptor of a seekable file */
   int error;      /**< errno of the first call that failed, or 0 */
 } SndfileIo;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file analyze.c
- * `tabor analyze`: the strongest partials of a recording.
+ * `tabor analyze`: lists the strongest partials of a recording.
  */
 #include <math.h>
 #include <stdio.h>

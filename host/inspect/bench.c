@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file bench.c
- * `tabor bench`: how much processor time a drum takes while it is played without a pause, and while
- * it sleeps.
+ * `tabor bench`: measures the processor time of a drum during continuous play and while it sleeps.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file devices.c
- * `tabor devices`: where `tabor play` can be heard, and what it can be played on.
+ * `tabor devices`: lists the audio outputs and MIDI inputs for `tabor play`.
  */
 #include <stdio.h>
 

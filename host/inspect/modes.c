@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file modes.c
- * `tabor modes`: frequencies and decays of the heads with their air, sorted by frequency.
+ * `tabor modes`: lists frequencies and decays of the heads coupled to the air, sorted by frequency.
  */
 #include <math.h>
 #include <stdio.h>

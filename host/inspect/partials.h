@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file partials.h
- * The partials of a struck sound: those that ring, with their frequencies, levels and decays.
+ * Finds the ringing partials of a struck sound, with their frequencies, levels and decays.
  *
- * Spectra of the sound from its onset on are taken with windows from long to short, each half as long
- * as the one before. Peaks of a long one tell close partials apart, those of a short one find
- * partials that do not ring for long. Every peak is followed through time (partial_tracker.h); it is taken
- * with the longest window through which it decays in a straight line, and hides others that this
- * window cannot tell from it.
+ * Spectra of the sound from its onset are computed with windows from long to short, each half as long as
+ * the previous one. A long window separates close partials; a short window finds partials that decay
+ * fast. Every peak is tracked through time (partial_tracker.h). The result is from the longest window
+ * through which the level decays in a straight line. The peak then hides others that this window cannot
+ * separate from it.
  */
 #ifndef TABOR_HOST_PARTIALS_H
 #define TABOR_HOST_PARTIALS_H
@@ -20,7 +20,7 @@
 
 typedef struct Partial {
   double frequency;  /**< [Hz] */
-  double level;      /**< of its amplitude at the onset, 0 = that of a full-scale sine [dB] */
+  double level;      /**< of the amplitude at the onset, relative to a full-scale sine [dB] */
   double decay_rate; /**< of the amplitude [1/s]; 0 = steady, below 0 = growing */
 } Partial;
 
@@ -29,18 +29,18 @@ typedef struct Partials {
   size_t count;
 } Partials;
 
-/** What to look for. */
+/** Search criteria. */
 typedef struct PartialSearch {
   double rate;        /**< [Hz] */
-  size_t most;        /**< partials wanted */
+  size_t most;        /**< largest number of partials */
   double least_level; /**< [dB] */
 } PartialSearch;
 
-/** First sample of a sound that begins; @p count if all of them are zero. */
+/** Index of the first sample of the sound's onset; @p count if all samples are zero. */
 size_t find_onset(const double *samples, size_t count);
-/** Samples from the onset on that partials_find() needs. */
+/** Number of samples from the onset on that partials_find() needs. */
 size_t partials_least_samples(double rate);
-/** Finds the partials of a sound that begins with its onset. */
+/** Finds the partials of a sound whose first sample is its onset. */
 Outcome partials_find(const PartialSearch *wanted, const double *samples, size_t count,
                       Partials *partials);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file presets_command.c
- * `tabor presets`: the built-in presets.
+ * `tabor presets`: lists the built-in presets.
  */
 #include <stdio.h>
 #include <string.h>

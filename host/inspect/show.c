@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file show.c
- * `tabor show`: a drum's parameters, written as a preset file that reads back to the same drum.
+ * `tabor show`: prints a drum's parameters as a preset file, which reads back to the same drum.
  */
 #include <stdio.h>
 #include <string.h>

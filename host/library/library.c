@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library.c
- * `tabor library`: plays a drum into a sample library for samplers.
+ * `tabor library`: renders a drum as a sample library for samplers.
  */
 #include <stdio.h>
 #include <stdlib.h>

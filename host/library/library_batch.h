@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library_batch.h
- * What is left to render of a library: the sounds whose files are not there yet. A file has its name only
- * once it is complete, so one that is there is finished.
+ * The sounds of a library that are still to be rendered: those without a file. A file gets its name only once
+ * it is complete, so an existing file is finished.
  */
 #ifndef TABOR_HOST_LIBRARY_BATCH_H
 #define TABOR_HOST_LIBRARY_BATCH_H
@@ -10,7 +10,7 @@
 #include "library/library_request.h"
 #include "render/render_batch.h"
 
-/** Free with render_batch_free(), whatever the outcome. */
+/** Makes the batch of missing sounds. Free with render_batch_free(), whatever the outcome. */
 Outcome library_batch_make(const Arguments *arguments, const LibraryRequest *request,
                            RenderBatch *batch);
 

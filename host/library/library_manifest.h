@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library_manifest.h
- * What makes a folder a sample library: the file tabor-library.json, which holds everything that the
- * bytes of its sounds depend on. A folder belongs to one request, so that a run that was ended can be
- * taken up again and never mixes two libraries; and to one run at a time.
+ * The manifest of a sample library, tabor-library.json. It holds everything that the bytes of the sounds
+ * depend on. A folder belongs to one request, so an unfinished run can be resumed and two libraries never
+ * mix. One run at a time may hold a folder.
  */
 #ifndef TABOR_HOST_LIBRARY_MANIFEST_H
 #define TABOR_HOST_LIBRARY_MANIFEST_H
@@ -13,10 +13,9 @@
 #define LIBRARY_MANIFEST "tabor-library.json"
 
 /**
- * Takes the request's folder, which is created if need be, for this run. Refused if it holds another
- * library, or sounds of these names without a manifest; fails if another run is at work there. Removes what
- * a run that was killed has left half-written. The folder is held until *hold is closed, and by -1 not
- * at all.
+ * Claims the request's folder for this run; creates it if needed. Refuses a folder that holds another
+ * library, or sounds of these names without a manifest; fails if another run holds it. Removes the partial
+ * files of a killed run. The folder is held until *hold is closed; *hold is -1 if it is not held.
  */
 Outcome library_manifest_claim(const LibraryRequest *request, int *hold);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library_request.h
- * What `tabor library` is asked to do, checked in full before anything is computed or touched.
+ * The request to `tabor library`, checked in full before anything is computed or written.
  */
 #ifndef TABOR_HOST_LIBRARY_REQUEST_H
 #define TABOR_HOST_LIBRARY_REQUEST_H
@@ -11,12 +11,12 @@
 
 typedef struct LibraryRequest {
   const char *preset;
-  char *stem;       /**< what its files' names begin with */
+  char *stem;       /**< start of the file names */
   char *folder;     /**< "FOLDER/" */
   char *instrument; /**< "FOLDER/PRESET.sfz" */
   LibraryPlan plan;
-  uint32_t seed;        /**< of --humanize */
-  RenderRequest render; /**< how each sound is rendered: of its stroke and file it knows nothing */
+  uint32_t seed;        /**< seed of --humanize */
+  RenderRequest render; /**< settings for every sound, without stroke and file */
   uint32_t threads;
 } LibraryRequest;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file definition_text.h
- * A definition as text, in the states of the plugins: a line "key = value" for every key.
+ * A drum definition as text, as the plugins save it: one line "key = value" per key.
  *
  *     shell.radius = 0.1778
  *     mic.top.gain = 1
@@ -15,12 +15,12 @@
 
 #define DEFINITION_TEXT_LIMIT 65536u /**< bytes, with the terminator */
 
-/** The text, to be freed; NULL without memory. */
+/** Returns the text, which the caller frees; NULL if memory is short. */
 char *definition_write(const TaborDrumDef *def);
 /**
- * Reads @p text of @p size bytes, which need not be terminated. Keys that are not known, of later versions, are
- * passed over; keys that are missing have their defaults. False, with the reason, if anything else is wrong:
- * then @p def is unchanged.
+ * Reads @p text of @p size bytes, which need not be terminated. Unknown keys, from later versions, are
+ * skipped; missing keys have their defaults. Any other error returns false with the reason in @p error
+ * and leaves @p def unchanged.
  */
 bool definition_read(const char *text, size_t size, TaborDrumDef *def, TaborError *error);
 

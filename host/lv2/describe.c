@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file describe.c
- * Writes the plugins' description in Turtle, from the tables that the plugins are made of and the presets.
+ * Writes the plugins' description in Turtle, from the plugins' own tables and the presets.
  *
  *     describe FOLDER BINARY
  *
- * FOLDER gets manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets); BINARY is the name of
- * the plugins' file in it. Status 1 if that fails.
+ * It writes manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets) to FOLDER. BINARY is the
+ * name of the plugins' binary in FOLDER. The exit status is 1 on failure.
  */
 #include <ctype.h>
 #include <math.h>

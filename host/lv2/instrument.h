@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file instrument.h
- * An instance of a plugin. instrument.c is its life and its runs, instrument_state.c what it saves.
+ * An instance of a plugin. instrument.c creates, runs and destroys it; instrument_state.c saves and restores it.
  */
 #ifndef TABOR_LV2_INSTRUMENT_H
 #define TABOR_LV2_INSTRUMENT_H
@@ -15,21 +15,21 @@
 #include "lv2/plugin_player.h"
 #include "lv2/ports.h"
 
-/** What URIs are called in this host. */
+/** The numbers that the host has mapped the URIs to. */
 typedef struct Urids {
   LV2_URID sequence, midi, atom_int, atom_float, atom_string;
-  LV2_URID version, definition; /**< properties of states */
-  LV2_URID controls[KNOB_KEYS]; /**< likewise */
+  LV2_URID version, definition; /**< properties of a saved state */
+  LV2_URID controls[KNOB_KEYS]; /**< properties of a saved state, too */
 } Urids;
 
 typedef struct Instrument {
   Urids urids;
-  LV2_Log_Logger logger;               /**< without a log of the host it says nothing */
-  const LV2_Worker_Schedule *schedule; /**< or NULL: */
-  pthread_t thread;                    /**< there is a thread of its own */
+  LV2_Log_Logger logger;               /**< silent if the host has no log */
+  const LV2_Worker_Schedule *schedule; /**< of the host; NULL: has_thread */
+  pthread_t thread;                    /**< the instance's own worker thread, if has_thread */
   bool has_thread;
   atomic_bool stops;
-  bool asks; /**< somebody has to work */
+  bool asks; /**< a request waits for a worker */
 
   KnobRange ranges[KNOB_COUNT];
   const LV2_Atom_Sequence *events;

@@ -3,10 +3,10 @@
  * @file knobs.h
  * The controls of the plugins: one table for the plugin, its description in Turtle, and the documentation.
  *
- * A knob that stands for a key of a drum's definition takes unit, logarithm and, unless the table narrows
- * it, range from the engine's parameter, and its default from the preset DEFAULT_PRESET.
- * Symbols are such keys with '_' for '.', and never change. New knobs go to the end: their order is that of
- * the ports.
+ * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and its range
+ * from the engine's parameter; the table may narrow the range. Its default comes from the preset
+ * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change. New knobs go to the end,
+ * because the order of the knobs is the order of the ports.
  */
 #ifndef TABOR_LV2_KNOBS_H
 #define TABOR_LV2_KNOBS_H
@@ -16,7 +16,7 @@
 #include "base/realtime.h"
 #include "drums/default_preset.h"
 
-/** In the order of the ports. */
+/** Knobs, in the order of the ports. */
 typedef enum KnobId {
   KNOB_BATTER_TENSION,
   KNOB_RESONANT_TENSION,
@@ -31,40 +31,40 @@ typedef enum KnobId {
   KNOB_HUMANIZE,
   KNOB_QUALITY,
   KNOB_GAIN,
-  KNOB_LEVEL_PAIR, /**< from here to KNOB_LEVEL_FAR of the stereo plugin alone */
+  KNOB_LEVEL_PAIR, /**< the levels, to KNOB_LEVEL_FAR: stereo plugin only */
   KNOB_LEVEL_TOP,
   KNOB_LEVEL_BOTTOM,
   KNOB_LEVEL_NEAR,
-  KNOB_LEVEL_FAR, /**< the last of these */
+  KNOB_LEVEL_FAR, /**< the last level */
   KNOB_VELOCITY_RANGE,
   KNOB_COUNT
 } KnobId;
 
-#define KNOB_KEYS (KNOB_STRIKE_ANGLE + 1) /**< the first so many stand for keys */
+#define KNOB_KEYS (KNOB_STRIKE_ANGLE + 1) /**< number of knobs for keys; they come first */
 
-/** What turning a knob takes. */
+/** How a knob takes effect. */
 typedef enum KnobKind {
-  KNOB_LIVE,    /**< a parameter event */
-  KNOB_REBUILD, /**< another model */
-  KNOB_STROKE,  /**< later strokes differ */
-  KNOB_SETTING  /**< the plugin does it by itself */
+  KNOB_LIVE,    /**< by a parameter event */
+  KNOB_REBUILD, /**< by building another model */
+  KNOB_STROKE,  /**< on later strokes */
+  KNOB_SETTING  /**< in the plugin, outside the drum */
 } KnobKind;
 
 typedef struct Knob {
-  const char *symbol; /**< of the port */
-  const char *name;   /**< for a person */
-  const char *key;    /**< of the definition, "batter.tension"; NULL if it stands for none */
+  const char *symbol; /**< symbol of the port */
+  const char *name;   /**< displayed name */
+  const char *key;    /**< key of the definition, "batter.tension"; or NULL */
   const char *group;  /**< symbol of its group */
   KnobKind kind;
-  double minimum, maximum; /**< NaN: the engine's */
-  double fallback;         /**< NaN: the preset's */
-  const char *unit;        /**< NULL: the engine's */
+  double minimum, maximum; /**< range; NaN: the engine's */
+  double fallback;         /**< default; NaN: the preset's */
+  const char *unit;        /**< unit; NULL: the engine's */
   const char *choices;     /**< words separated by '|', for 0, 1, ...; or NULL */
-  double off;              /**< the value that switches it off, or NaN */
+  double off;              /**< value that switches the knob off, or NaN */
   const char *comment;
 } Knob;
 
-/** What a port of a knob is. */
+/** Range, default and unit of a knob's port. */
 typedef struct KnobRange {
   float minimum, maximum, fallback;
   bool logarithmic;
@@ -73,22 +73,22 @@ typedef struct KnobRange {
 
 extern const Knob knobs[KNOB_COUNT];
 
-/** Knob number @p place of the stereo plugin, or of the other one; KNOB_COUNT past the last. */
+/** Knob number @p place of the stereo or the multi-output plugin; KNOB_COUNT past the last. */
 static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
   const uint32_t levels = KNOB_LEVEL_FAR - KNOB_LEVEL_PAIR + 1;
   const uint32_t id = stereo || place < KNOB_LEVEL_PAIR ? place : place + levels;
   return id < KNOB_COUNT ? (KnobId)id : KNOB_COUNT;
 }
 
-/** SET-UP. @p usual is the definition of DEFAULT_PRESET. */
+/** SET-UP. Range of a knob. @p usual is the definition of DEFAULT_PRESET. */
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
-/** The field of @p def that a knob with a key stands for; NULL if the drum has no such part. */
+/** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
-/** The level that a value of LEVEL or GAIN [dB] stands for: a factor, 0 at the lowest level. */
+/** Converts a value of a LEVEL or GAIN knob [dB] to a factor; the lowest level gives 0. */
 double knob_factor(KnobId id, float value) REALTIME;
 /**
- * A port's value as a person would have written it, with six digits: 0.05f is 0.05, so that a definition
- * gets the very number that stands in a preset.
+ * Rounds a port's value to six decimal digits: 0.05f becomes 0.05. So a definition gets exactly the number
+ * that a preset has.
  */
 double knob_decimal(float value) REALTIME;
 

@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file model_cache.h
- * Models that the plugin's instances share: those with the same sound, rate and quality have one, and one that
- * is being built for an instance is waited for by the others.
+ * Models shared by the plugin's instances. Instances with the same sound, rate and quality share one model. If
+ * one instance is building that model, the others wait for it.
  *
- * The one thing that instances have in common, under a lock of its own. SET-UP: any thread but the audio
- * thread.
+ * The cache is the only state that instances share; its own lock protects it. SET-UP: any thread but the
+ * audio thread.
  */
 #ifndef TABOR_LV2_MODEL_CACHE_H
 #define TABOR_LV2_MODEL_CACHE_H
 
 #include <tabor/tabor.h>
 
-/** A model for @p def, to be given back with model_cache_give_back(). On an error *model is NULL. */
+/** Takes a model for @p def; return it with model_cache_give_back(). On an error *model is NULL. */
 TaborStatus model_cache_take(const TaborDrumDef *def, const TaborModelOptions *options,
                              TaborModel **model, TaborError *error);
-/** NULL is allowed. */
+/** Returns a model to the cache. NULL is allowed. */
 void model_cache_give_back(TaborModel *model);
-/** Models that are in use now. */
+/** Number of models in use. */
 uint32_t model_cache_count(void);
 
 #endif

@@ -3,9 +3,10 @@
  * @file plugin_player.h
  * The audio thread of an instance: MIDI and knobs in, sound out.
  *
- * A run is played in pieces that begin where something happens, so that everything acts at its frame, whatever
- * the runs are. MIDI means what it means to `tabor render --midi-file` (midi_to_events.h), and sounds the same to
- * the bit. Nothing here allocates, locks or calls the system; the work is bounded by frames and messages.
+ * A run is played in pieces. Each piece starts where something happens, so everything acts at its frame for every
+ * run length. MIDI has the same meaning as in `tabor render --midi-file` (midi_to_events.h) and gives the same
+ * sound to the bit. Nothing here allocates, locks or makes a system call. The number of frames and messages
+ * bounds the work.
  */
 #ifndef TABOR_LV2_PLUGIN_PLAYER_H
 #define TABOR_LV2_PLUGIN_PLAYER_H
@@ -17,14 +18,14 @@
 #include "sound/silencer.h"
 #include "strokes/humanize.h"
 
-#define PLUGIN_PIECE 256 /**< frames computed at once at most */
+#define PLUGIN_PIECE 256 /**< most frames computed at once */
 #define PLUGIN_EVENTS                                                                              \
-  256 /**< that may wait, or act at one frame; see docs/lv2.md for further ones */
-#define PLUGIN_ACTIONS 64 /**< likewise beside them */
+  256 /**< most events that wait or act at one frame; docs/lv2.md: what happens to more */
+#define PLUGIN_ACTIONS 64 /**< the same limit for actions */
 
-#define PLUGIN_WAIT 0.04 /**< [s] until what is under way to a microphone has arrived for sure */
+#define PLUGIN_WAIT 0.04 /**< [s] longer than any delay of sound to a microphone */
 
-/** The microphones that the plugins know, in the order of the outputs of the one that has all. */
+/** Microphones of the plugins, in the order of the multi-output plugin's outputs. */
 typedef enum PluginMic {
   PLUGIN_TOP,
   PLUGIN_BOTTOM,
@@ -35,16 +36,16 @@ typedef enum PluginMic {
   PLUGIN_MICS = MODEL_WORKER_MICS
 } PluginMic;
 
-/** The drum as it was before a swap: it plays along until the new one's sound is everywhere, then they cross. */
+/** The drum before a swap. It plays on until the new sound has reached all microphones, then crossfades. */
 typedef struct Crossing {
   TaborDrum *drum;     /**< or NULL */
-  uint32_t hold, fade; /**< frames left of it */
+  uint32_t hold, fade; /**< frames left of each stage */
 } Crossing;
 
-/** What MIDI wants beside strokes. */
+/** A MIDI action other than a stroke. */
 typedef struct PluginAction {
   MidiAction action;
-  uint32_t after; /**< of the events that wait, those of frames before: they act first */
+  uint32_t after; /**< number of waiting events that came before the action and act first */
 } PluginAction;
 
 typedef struct PluginPlayer {
@@ -52,9 +53,9 @@ typedef struct PluginPlayer {
   ModelWorker *worker;
   double rate;
   bool stereo;           /**< two outputs, mixed; or one per microphone */
-  MidiBinding *bindings; /**< of the built-in presets */
+  MidiBinding *bindings; /**< one per built-in preset */
   MidiMap map;
-  uint32_t ids[KNOB_KEYS]; /**< of live knobs' parameters */
+  uint32_t ids[KNOB_KEYS]; /**< parameter of each live knob */
   uint32_t grip_id;
 
   TaborDrum *drum; /**< NULL until there is one */
@@ -62,70 +63,70 @@ typedef struct PluginPlayer {
   Humanizer humanizer;
   uint32_t striker_count;
   Crossing crossing;
-  Leaving leaving;                      /**< of programs before */
-  TaborDrum *trash[MODEL_WORKER_TRASH]; /**< that the worker is to destroy */
-  uint32_t mics[PLUGIN_MICS];           /**< of the model of now, or MODEL_WORKER_NO_MIC */
+  Leaving leaving;                      /**< drums of earlier programs */
+  TaborDrum *trash[MODEL_WORKER_TRASH]; /**< drums for the worker to destroy */
+  uint32_t mics[PLUGIN_MICS];           /**< of the current model, or MODEL_WORKER_NO_MIC */
   Silencer silencer;
   Fader gain, expression;
   Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR to KNOB_LEVEL_FAR */
-  uint32_t
-    waits[KNOB_COUNT]; /**< frames until a level moves: the microphone has just been switched on */
+  /** Frames until a level moves, after its microphone was switched on. */
+  uint32_t waits[KNOB_COUNT];
 
   Request request;
   uint32_t asked, asked_restoration;       /**< of the newest request that was made */
   uint32_t answered, answered_restoration; /**< of the newest reply that was taken */
-  int32_t chosen;          /**< program that messages are for; knobs turned since make it none */
-  int32_t chosen_before;   /**< the same before the frame of now */
-  float seen[KNOB_COUNT];  /**< of the ports; NaN: not yet */
-  double built[KNOB_KEYS]; /**< of the model; NaN: the drum has no such part */
+  int32_t chosen;          /**< program that messages are for; none after a turn of a knob */
+  int32_t chosen_before;   /**< the same, before the current frame */
+  float seen[KNOB_COUNT];  /**< values of the ports; NaN: not yet known */
+  double built[KNOB_KEYS]; /**< values of the model; NaN: the drum has no such part */
   double built_grip;
-  double strainer;       /**< of the drum's definition, whatever MIDI has moved */
-  bool moved[KNOB_KEYS]; /**< live values of the drum, from those of its model */
+  double strainer;       /**< of the drum's definition, before moves by MIDI */
+  bool moved[KNOB_KEYS]; /**< the drum's live value differs from its model's */
   bool grip_moved;
-  const TaborSwap *swap; /**< the newest, while it may have to be cleared up */
+  const TaborSwap *swap; /**< the newest, while it may have to be freed */
 
-  TaborEvent events[PLUGIN_EVENTS]; /**< for the drum, at the frame of now */
+  TaborEvent events[PLUGIN_EVENTS]; /**< for the drum, at the current frame */
   uint32_t event_count;
-  PluginAction actions[PLUGIN_ACTIONS]; /**< beside them */
+  PluginAction actions[PLUGIN_ACTIONS]; /**< at the current frame */
   uint32_t action_count;
-  uint32_t held_events,
-    held_actions; /**< of these, those of frames before: they wait for the end of a silence */
-  float planar[TABOR_MAX_MICS][PLUGIN_PIECE];          /**< of the drum */
-  float crossing_planar[TABOR_MAX_MICS][PLUGIN_PIECE]; /**< of what it was before a swap */
-  double sound[PLUGIN_MICS][PLUGIN_PIECE];             /**< of all drums */
+  /** Numbers of events and actions from earlier frames that wait for the end of a silence. */
+  uint32_t held_events, held_actions;
+  float planar[TABOR_MAX_MICS][PLUGIN_PIECE];          /**< sound of the drum */
+  float crossing_planar[TABOR_MAX_MICS][PLUGIN_PIECE]; /**< sound of the drum before a swap */
+  double sound[PLUGIN_MICS][PLUGIN_PIECE];             /**< sum of all drums */
 } PluginPlayer;
 
-/** Where a run's sound goes: of each output, or NULL. */
+/** Buffer of each output, or NULL. */
 typedef struct PluginOutputs {
   float *channels[PLUGIN_MICS];
 } PluginOutputs;
 
 /* SET-UP */
 
-/** False without memory. */
+/** Initialises @p player. False if memory is short. */
 bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo);
-/** Frees the drum, too. */
+/** Frees everything, the drum too. */
 void plugin_player_end(PluginPlayer *player);
 
 /* AUDIO */
 
-/** As if nothing had happened yet; what knobs have set stays. */
+/** Resets the player to its start, but keeps the values of the knobs. */
 void plugin_player_rest(PluginPlayer *player) REALTIME;
-/** Knob @p id's port says @p value. */
+/** Sets knob @p id to @p value, the value of its port. */
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
-/** A whole MIDI message comes at the frame that is played next. */
+/** Takes a complete MIDI message for the frame that is played next. */
 void plugin_player_take(PluginPlayer *player, const MidiMessage *message) REALTIME;
-/** Takes what the model worker has ready. */
+/** Takes the reply of the model worker, if there is one. */
 void plugin_player_receive(PluginPlayer *player) REALTIME;
-/** Asks the model worker for what is wanted, if it is free. True: now somebody has to work. */
+/** Sends the model worker a request if one is needed and it is idle. True: a worker has to run now. */
 bool plugin_player_ask(PluginPlayer *player) REALTIME;
-/** True if there is a drum, and it is what it is to be. */
+/** True if there is a drum and it is the wanted one. */
 bool plugin_player_is_ready(const PluginPlayer *player) REALTIME;
-/** True if nothing is asked for that the model worker has not answered, and it has nothing else to do. */
+/** True if the model worker has answered every request and has nothing else to do. */
 bool plugin_player_is_settled(const PluginPlayer *player) REALTIME;
 /**
- * Plays up to @p most frames into @p outputs from frame @p at on; returns how many: up to where something
- * happens. With @p waits it plays none if the drum is to become another one before.
+ * Plays up to @p most frames into @p outputs, starting at frame @p at, but stops where something happens.
+ * Returns the number of frames. With @p waits it plays none while a change of the drum is due first.
  */
 uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
                             uint32_t most, bool waits) REALTIME;

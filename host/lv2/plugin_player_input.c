@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What knobs and MIDI messages do to a player. */
+/* Applies knobs and MIDI messages to a player. */
 #include "lv2/plugin_player_internal.h"
 
 #include <math.h>

@@ -1,38 +1,38 @@
 /* SPDX-License-Identifier: MIT */
-/* What the files of a player have in common. Calls go one way: plugin_player.c and plugin_player_sound.c call
+/* Functions shared by the files of a player. Calls go one way: plugin_player.c and plugin_player_sound.c call
    plugin_player_model.c, and all three call plugin_player_input.c. */
 #ifndef TABOR_LV2_PLUGIN_PLAYER_INTERNAL_H
 #define TABOR_LV2_PLUGIN_PLAYER_INTERNAL_H
 
 #include "lv2/plugin_player.h"
 
-#define CROSS_FADE 0.008 /* [s] of a drum that leaves and the same one, changed */
+#define CROSS_FADE 0.008 /* crossfade from the drum before a swap to the drum after it [s] */
 
-/* Knobs stand where the definition says. */
+/* Sets all knobs to the values of the definition. */
 void plugin_player_forget_turns(Request *request) REALTIME;
-/* Moves a live parameter of the drum at once, before what waits for it. */
+/* Moves a live parameter of the drum at once, before all waiting events. */
 void plugin_player_move_parameter(PluginPlayer *player, uint32_t id, double value) REALTIME;
-/* The first @p count events, which are about to act, are what the drum is from now on. */
+/* Records the values that the first @p count events are about to give the drum. */
 void plugin_player_note_events(PluginPlayer *player, uint32_t count) REALTIME;
-/* The first @p count events act at once. */
+/* Makes the first @p count events act at once. */
 void plugin_player_let_act(PluginPlayer *player, uint32_t count) REALTIME;
-/* Where strokes fall, until controllers say. */
+/* Sets the position of strokes, until controllers move it. */
 void plugin_player_place_strokes(PluginPlayer *player) REALTIME;
-/* Wishes for a preset's drum. */
+/* Requests the drum of a preset. */
 void plugin_player_choose_preset(PluginPlayer *player, uint32_t preset) REALTIME;
-/* Does what MIDI wants beside strokes, until a silence, or with @p waits a change, that the rest has to wait for. */
+/* Executes the due MIDI actions, up to and including a silence or, with @p waits, a change of preset. */
 void plugin_player_act_due(PluginPlayer *player, bool waits) REALTIME;
-/* Gives the drum its live values, if they are not its model's; after another model has come. */
+/* Restores the drum's live values that differ from its model's; call after another model has come. */
 void plugin_player_move_live(PluginPlayer *player) REALTIME;
-/* The drum is none that MIDI has chosen. */
+/* Marks the drum as not chosen by MIDI. */
 void plugin_player_forget_choice(PluginPlayer *player) REALTIME;
-/* For the worker to destroy; NULL is nothing. */
+/* Leaves @p drum to the worker, which destroys it; NULL is allowed. */
 void plugin_player_throw_away(PluginPlayer *player, TaborDrum *drum) REALTIME;
-/* What the drum was before its last swap is not needed any more. */
+/* Ends the crossfade of the last swap and discards the old drum. */
 void plugin_player_end_crossing(PluginPlayer *player) REALTIME;
-/* Throws drums away that have left. */
+/* Leaves drums whose fade has ended to the worker. */
 void plugin_player_clear_up(PluginPlayer *player) REALTIME;
-/* Nothing sounds beside the drum any more. */
+/* Silences every drum but the current one. */
 void plugin_player_cut_others(PluginPlayer *player) REALTIME;
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a player gets another model while its drum rings. */
+/* Changes the model of a player while its drum sounds. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a player sounds like: its drum's microphones, and those of drums on their way out, at their levels. */
+/* Mixes a player's sound: the microphones of its drum and of leaving drums, at their levels. */
 #include <string.h>
 
 #include "lv2/plugin_player_internal.h"

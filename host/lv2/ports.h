@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ports.h
- * Which port of the two plugins is what.
+ * The ports of the two plugins.
  *
  *     0                 MIDI
  *     1 ...             outputs: left and right, or one per microphone
@@ -19,7 +19,7 @@
 
 typedef enum PortKind {
   PORT_EVENTS,
-  PORT_OUTPUT, /**< audio; index: of the channel */
+  PORT_OUTPUT, /**< audio; index: the channel */
   PORT_FREEWHEEL,
   PORT_READY,
   PORT_KNOB, /**< index: a KnobId */
@@ -31,10 +31,10 @@ typedef struct Port {
   uint32_t index;
 } Port;
 
-/** Audio outputs of a plugin. */
+/** Number of audio outputs of a plugin. */
 static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 6; }
 
-/** Port number @p number of the stereo plugin, or of the other one. */
+/** Port number @p number of the stereo or the multi-output plugin. */
 static inline Port port_at(bool stereo, uint32_t number) REALTIME {
   const uint32_t outputs = port_outputs(stereo);
   if (number == 0) return (Port){PORT_EVENTS, 0};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sequence.h
- * The events of an LV2 atom sequence, whatever stands in it: nothing beyond its end is read, and what is no
- * sequence has no events. AUDIO: all functions.
+ * Reads the events of an LV2 atom sequence, which may be malformed. Nothing beyond its end is read. An atom that
+ * is not a sequence has no events. AUDIO: all functions.
  */
 #ifndef TABOR_LV2_SEQUENCE_H
 #define TABOR_LV2_SEQUENCE_H
@@ -14,16 +14,16 @@
 
 #include "base/realtime.h"
 
-/** A place in a sequence. */
+/** A position in a sequence. */
 typedef struct Sequence {
   const uint8_t *next, *end;
 } Sequence;
 
-/** @p atom may be NULL; @p type is the URID of atom:Sequence. */
+/** Starts at the first event. @p atom may be NULL; @p type is the URID of atom:Sequence. */
 Sequence sequence_begin(const LV2_Atom_Sequence *atom, LV2_URID type) REALTIME;
-/** The event at this place, complete, or NULL past the last. */
+/** Returns the event at this position, which is complete; NULL past the last. */
 const LV2_Atom_Event *sequence_event(const Sequence *sequence) REALTIME;
-/** On to the next; there must be an event at this place. */
+/** Moves to the next event; there must be an event at this position. */
 void sequence_step(Sequence *sequence) REALTIME;
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file uris.h
- * Names of the plugins and of what their states hold. They never change: sessions refer to them.
+ * URIs of the plugins and of the properties in their states. They never change, because sessions refer to them.
  */
 #ifndef TABOR_LV2_URIS_H
 #define TABOR_LV2_URIS_H
@@ -16,6 +16,6 @@
 #define URI_STATE_DEFINITION "urn:tabor:state:definition" /**< atom:String, see definition_text.h */
 #define URI_STATE_CONTROL "urn:tabor:state:" /**< atom:Float, with a control's symbol */
 
-#define STATE_VERSION 1 /**< raised when older plugins could not read what newer ones write */
+#define STATE_VERSION 1 /**< raised when older plugins cannot read newer states */
 
 #endif

@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_clock.h
- * When a MIDI message was played, as well as can be known from when it was handed over.
+ * Estimates when a MIDI message was played from the time of its delivery.
  *
- * A port tells how much later each message came than the one before, by a clock of its own; the thread
- * that hands messages over is late by more or less. So the time of a message is the port's, shifted by the
- * least lateness that was seen; this shift may grow by one part in a thousand, as clocks differ.
+ * A port reports the time between consecutive messages, by its own clock. The thread that delivers the
+ * messages is late by a varying amount. So the time of a message is the port's time plus a shift, the
+ * smallest difference between time of delivery and port time seen so far. The shift may grow by one
+ * part in a thousand, because the clocks differ.
  */
 #ifndef TABOR_HOST_MIDI_CLOCK_H
 #define TABOR_HOST_MIDI_CLOCK_H
 
 #include <stdbool.h>
 
-/** A port's. All zero is its beginning. */
+/** The clock of one port. All members zero is the initial state. */
 typedef struct MidiClock {
-  double port;  /**< its time: the sum of what it told [s] */
-  double shift; /**< from that to the time of ours [s] */
+  double port;  /**< port time: the sum of the reported differences [s] */
+  double shift; /**< from port time to the time of delivery [s] */
   bool is_running;
 } MidiClock;
 
-/** The time of a message that came @p later [s] after the one before and is handed over at @p now [s]. */
+/** Time of a message that came @p later [s] after the previous one and is delivered at @p now [s]. */
 double midi_clock_take(MidiClock *clock, double later, double now);
 
 #endif

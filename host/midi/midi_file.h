@@ -3,13 +3,13 @@
  * @file midi_file.h
  * Standard MIDI Files, formats 0 and 1: channel messages with their times in seconds.
  *
- * All tracks are merged: by time, then by their order in the file. Tempo changes of any track count from
- * their tick on; before the first it is 120 quarters a minute. Times with an SMPTE division have no tempo.
- * Meta events but tempo and end of track, and system exclusive data, are passed over, as are chunks that
- * are not tracks and bytes behind the last track.
+ * Tracks are merged by time, then by their order in the file. A tempo change in any track applies to all
+ * tracks from its tick on; the initial tempo is 120 quarters a minute. An SMPTE division has no tempo.
+ * The reader skips meta events other than tempo and end of track, system exclusive data, chunks that are
+ * not tracks, and bytes after the last track.
  *
- * Refused, with the byte where it stands: anything that breaks off, and what no file may hold. Work and
- * memory are in proportion to the file's size.
+ * Truncated or invalid data is refused with its byte offset. Work and memory are proportional to the
+ * file's size.
  */
 #ifndef TABOR_HOST_MIDI_FILE_H
 #define TABOR_HOST_MIDI_FILE_H
@@ -31,12 +31,12 @@ typedef struct MidiFileEvent {
 typedef struct MidiFile {
   MidiFileEvent *events; /**< in order of time */
   size_t count;
-  double length; /**< until the end of the longest track [s] */
+  double length; /**< time of the end of the longest track [s] */
 } MidiFile;
 
-/** Reads file @p name, "-" for the standard input. Free with midi_file_free(), whatever the outcome. */
+/** Reads file @p name, "-" for standard input. Free with midi_file_free(), whatever the outcome. */
 Outcome midi_file_read(const char *name, MidiFile *file);
-/** The same of @p size bytes in memory, which @p name names in messages. */
+/** Reads a file from @p size bytes in memory; messages call it @p name. */
 Outcome midi_file_parse(const char *name, const void *bytes, size_t size, MidiFile *file);
 void midi_file_free(MidiFile *file);
 

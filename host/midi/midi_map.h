@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_map.h
- * Which note is which stroke, and what each controller moves: a plain table, the same for a live
- * player, a MIDI file and a plugin.
+ * Maps notes to strokes and controllers to parameters: a plain table, the same for live playing, MIDI
+ * files and the plugins.
  *
  * | note                    | stroke          |   | controller       | moves                          |
  * |-------------------------|-----------------|---|------------------|--------------------------------|
@@ -22,12 +22,12 @@
 #include "midi/midi_stream.h"
 
 #define MIDI_OMNI (-1) /**< every channel */
-/** Controller with the low bits of the next note's velocity (MIDI's CA-031), unless it is mapped. */
+/** Controller for the low bits of the next note's velocity (MIDI's CA-031), unless the map uses it. */
 #define MIDI_HIGH_RESOLUTION_PREFIX 88
 
 /**
- * Of messages at one frame, those that go with notes act last: notes, pressure, the prefix of a velocity,
- * whose order among each other is kept. Controllers and program changes act before.
+ * True for notes, pressure and velocity prefixes. At one frame, these messages act last and keep their
+ * order; controllers and program changes act first.
  */
 static inline bool midi_goes_with_notes(const MidiMessage *message) {
   const uint8_t kind = midi_kind(message);
@@ -35,44 +35,44 @@ static inline bool midi_goes_with_notes(const MidiMessage *message) {
   return kind != MIDI_PROGRAM;
 }
 
-/** What a note does. */
+/** The stroke of a note. */
 typedef enum MidiStroke {
   MIDI_STROKE_NONE,
   MIDI_STROKE_HEAD,
   MIDI_STROKE_RIMSHOT,
   MIDI_STROKE_CROSS_STICK,
   MIDI_STROKE_RIM,
-  MIDI_STROKE_BUZZ, /**< pressed until the note ends; key pressure presses */
-  MIDI_STROKE_SWEEP /**< of a brush, until the note ends; place and pressure move it */
+  MIDI_STROKE_BUZZ, /**< stick pressed until the note ends; key pressure sets the force */
+  MIDI_STROKE_SWEEP /**< brush sweep until the note ends; controllers and pressure move it */
 } MidiStroke;
 
 typedef struct MidiNote {
   MidiStroke stroke;
-  double radius; /**< of the head's radius, 0 to 1; NaN: the controller's, else the preset's */
-  double angle;  /**< [deg]; NaN: likewise */
+  double radius; /**< fraction of the head's, 0 to 1; NaN: the controller's, else the preset's */
+  double angle;  /**< [deg]; NaN: the controller's, else the preset's */
   double speed;  /**< factor, 0.01 to 10 */
-  char striker[TABOR_NAME_SIZE]; /**< its name; "", or none that the drum has: the preset's */
+  char striker[TABOR_NAME_SIZE]; /**< name; "" or unknown to the drum: the preset's */
 } MidiNote;
 
-/** What a controller moves. */
+/** The target of a controller. */
 typedef enum MidiTarget {
   MIDI_TARGET_NONE,
-  MIDI_TARGET_RADIUS,   /**< 0 the centre, 127 just inside of the rim */
-  MIDI_TARGET_ANGLE,    /**< 0 to 127: once around */
-  MIDI_TARGET_GRIP,     /**< the hand's grip over its range, where the engine has one */
-  MIDI_TARGET_STRAINER, /**< 0 off, 64 the preset's, 127 on */
-  MIDI_TARGET_GAIN,     /**< (value/127)^2; several multiply */
-  MIDI_TARGET_SILENCE,  /**< whatever the value */
+  MIDI_TARGET_RADIUS,   /**< 0: centre, 127: just inside the rim */
+  MIDI_TARGET_ANGLE,    /**< 0 to 127: one turn */
+  MIDI_TARGET_GRIP,     /**< the hand's grip over its range, if the drum has one */
+  MIDI_TARGET_STRAINER, /**< 0: off, 64: the preset's, 127: on */
+  MIDI_TARGET_GAIN,     /**< (value/127)^2; several controllers multiply */
+  MIDI_TARGET_SILENCE,  /**< at any value */
   MIDI_TARGET_PARAMETER /**< a live parameter, from 0 to 127 over a range */
 } MidiTarget;
 
 typedef struct MidiControl {
   MidiTarget target;
-  char key[TABOR_NAME_SIZE]; /**< of the live parameter, "wires.tension" */
-  double from, to;           /**< its values for 0 and 127 */
+  char key[TABOR_NAME_SIZE]; /**< key of the live parameter, "wires.tension" */
+  double from, to;           /**< values of the parameter at 0 and 127 */
 } MidiControl;
 
-/** All of it. Plain data. */
+/** A complete map. Plain data. */
 typedef struct MidiMap {
   MidiNote notes[MIDI_VALUES];
   MidiControl controls[MIDI_VALUES];

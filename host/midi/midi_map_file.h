@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_map_file.h
- * `--midi-map`: a MIDI map from a file, which changes the usual one or, with `defaults = no`, replaces
- * it. The file is an INI file and checked like a preset (preset_file.h):
+ * `--midi-map`: reads a MIDI map from a file. The file changes the default map or, with `defaults = no`,
+ * replaces it. It is an INI file and checked like a preset (preset_file.h):
  *
- *     [map]                   ; stands first
+ *     [map]                   ; comes first
  *     channel = 10            ; 1 to 16, or omni
  *     velocity = soft         ; soft, linear, hard
  *     velocity_range = full   ; normal, full
- *     defaults = yes          ; no: begin with an empty map
+ *     defaults = yes          ; no: start with an empty map
  *     pressure = yes          ; no: pressure does nothing
  *     programs = yes          ; no: program changes do nothing
  *
  *     [note.60]               ; 0 to 127
- *     stroke = head           ; head (as it is without this), rimshot, cross-stick, rim, buzz, sweep,
+ *     stroke = head           ; head (the default), rimshot, cross-stick, rim, buzz, sweep,
  *                             ; none
  *     radius = 30             ; per cent of the head, 0 to 100
  *     angle = 90              ; degrees, -360 to 360
@@ -31,13 +31,13 @@
 #include "base/message.h"
 #include "midi/midi_map.h"
 
-/** Reads file @p path into *map, and refuses what is wrong in it with its line. */
+/** Reads file @p path into *map; refuses an error with its line number. */
 Outcome midi_map_file_read(const char *path, MidiMap *map);
-/** Refuses, as @p where says, a name that is none of soft, linear, hard. */
+/** Reads soft, linear or hard; refuses other text with a message that starts with @p where. */
 Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve);
-/** Likewise one that is neither normal nor full. */
+/** Reads normal or full; refuses other text likewise. */
 Outcome midi_range_read(const char *where, const char *text, MidiRange *range);
-/** "omni" or a number from 1 to 16, which *channel counts from 0. */
+/** Reads "omni" or a number from 1 to 16; *channel counts from 0. Refuses other text likewise. */
 Outcome midi_channel_read(const char *where, const char *text, int *channel);
 
 #endif

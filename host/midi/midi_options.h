@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_options.h
- * The MIDI map that the command line asks for.
+ * Reads the options of the command line for MIDI.
  */
 #ifndef TABOR_HOST_MIDI_OPTIONS_H
 #define TABOR_HOST_MIDI_OPTIONS_H
@@ -9,7 +9,7 @@
 #include "base/options.h"
 #include "midi/midi_map.h"
 
-/** Rows of the option tables for what midi_map_read() reads. */
+/** Rows of the option tables for the options that midi_map_read() reads. */
 #define OPTION_MIDI_MAP                                                                            \
   { "midi-map", 0, "FILE", "what notes and controllers do (docs/midi.md)" }
 #define OPTION_MIDI_CHANNEL                                                                        \
@@ -25,11 +25,11 @@
       "normal or full (default normal): 1 to 10 m/s or 0.3 to 12; docs/midi.md"                    \
   }
 
-/** Puts --velocity-curve and --velocity-range, where they are given, into *response. */
+/** Writes --velocity-curve and --velocity-range, if given, to *response. */
 Outcome midi_response_read(const Arguments *arguments, MidiResponse *response);
 /**
- * The usual map, or that of --midi-map, with the other options above. Refuses one that names a striker
- * which @p def has not got.
+ * Reads the default map, or the map of --midi-map, and applies the other options above. Refuses a map that
+ * names a striker unknown to @p def.
  */
 Outcome midi_map_read(const Arguments *arguments, const TaborDrumDef *def, MidiMap *map);
 

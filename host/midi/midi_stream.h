@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_stream.h
- * MIDI bytes, as they come from a cable or port, into channel messages.
+ * Parses MIDI bytes from a cable or port into channel messages.
  *
- * Knows running status, real-time bytes inside of other messages, system exclusive data of any length,
- * which is passed over, and messages that break off. Every byte is a bounded amount of work; nothing is
- * allocated. AUDIO: all functions. One stream for each source.
+ * The parser handles running status, real-time bytes inside other messages and truncated messages. It skips
+ * system exclusive data of any length. The work per byte is bounded; nothing is allocated. AUDIO: all
+ * functions. Use one stream per source.
  */
 #ifndef TABOR_HOST_MIDI_STREAM_H
 #define TABOR_HOST_MIDI_STREAM_H
@@ -16,7 +16,7 @@
 #include "base/realtime.h"
 
 #define MIDI_CHANNELS 16
-#define MIDI_VALUES 128 /**< of a data byte; notes, controllers, programs */
+#define MIDI_VALUES 128 /**< number of values of a data byte: notes, controllers, programs */
 
 /** Kinds of channel message: the status byte without its channel. */
 enum {
@@ -32,26 +32,26 @@ enum {
 /** A channel message. */
 typedef struct MidiMessage {
   uint8_t status;  /**< 0x80 to 0xEF */
-  uint8_t data[2]; /**< 0 to 127 each; the second is 0 in messages that have one */
+  uint8_t data[2]; /**< 0 to 127 each; the second is 0 if the message has only one */
 } MidiMessage;
 
-/** A source of bytes. All zero is its beginning. */
+/** Parser state for one source. All members zero is the initial state. */
 typedef struct MidiStream {
-  uint8_t status;  /**< running status, or 0: data bytes are passed over */
-  uint8_t data[2]; /**< what has come of the message */
+  uint8_t status;  /**< running status, or 0: data bytes are skipped */
+  uint8_t data[2]; /**< data bytes received so far */
   uint8_t count;
 } MidiStream;
 
 static inline uint8_t midi_kind(const MidiMessage *message) { return message->status & 0xF0u; }
-/** 0 to 15. */
+/** Channel of a message, 0 to 15. */
 static inline uint8_t midi_channel(const MidiMessage *message) { return message->status & 0x0Fu; }
-/** Data bytes of a channel message, 1 or 2. */
+/** Number of data bytes of a channel message, 1 or 2. */
 static inline uint8_t midi_data_count(uint8_t status) {
   const uint8_t kind = status & 0xF0u;
   return kind == MIDI_PROGRAM || kind == MIDI_CHANNEL_PRESSURE ? 1 : 2;
 }
 
-/** Takes the next byte; true if it completes @p message, which is untouched otherwise. */
+/** Takes the next byte. True if it completes @p message; otherwise @p message is unchanged. */
 bool midi_stream_take(MidiStream *stream, uint8_t byte, MidiMessage *message) REALTIME;
 
 #endif

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_to_events.h
- * MIDI messages into what a drum does: events for the engine, and the few things beside it. Data in,
- * data out; every message is a bounded amount of work and at most one action.
+ * Converts MIDI messages to actions of a drum: events for the engine, and gain, preset changes and silence.
+ * A message is a bounded amount of work and gives at most one action. There are no side effects.
  *
- * Strokes take place and angle from the controllers once these have moved, from the preset's [strike]
- * before. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
- * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. That is the hand that mutes best; a stronger one holds
- * the head still where it lies, and lets it ring around.
+ * Strokes take radius and angle from the controllers, or from the preset's [strike] until a controller has
+ * moved. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
+ * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. 6 N s/m mutes best; a stronger hand would hold the
+ * head still under it and let the rest of the head ring.
  *
- * A note that sweeps begins where strokes fall, around the centre, as fast as its brush's sweep_speed at velocity 64 and
- * in proportion; controllers of place then move it. Its own key's pressure, and while it lasts the channel's,
- * is the brush's.
+ * A sweep note starts at the position of strokes and circles the centre. Its speed is proportional to the
+ * velocity and equals the brush's sweep_speed at 64. Controllers of the position then move the brush. Key
+ * pressure of the note, and channel pressure during the note, set the pressure of the brush.
  */
 #ifndef TABOR_HOST_MIDI_TO_EVENTS_H
 #define TABOR_HOST_MIDI_TO_EVENTS_H
@@ -20,10 +20,10 @@
 #include "midi/midi_map.h"
 
 typedef enum MidiActionType {
-  MIDI_ACTION_EVENT = 1, /**< for tabor_drum_process(); its frame is the caller's to set */
-  MIDI_ACTION_GAIN,      /**< the output's gain from here on is value */
-  MIDI_ACTION_PRESET,    /**< built-in preset number preset */
-  MIDI_ACTION_SILENCE    /**< everything stops sounding at once */
+  MIDI_ACTION_EVENT = 1, /**< for tabor_drum_process(); the caller sets its frame */
+  MIDI_ACTION_GAIN,      /**< sets the output gain to value */
+  MIDI_ACTION_PRESET,    /**< changes to the built-in preset number preset */
+  MIDI_ACTION_SILENCE    /**< silences everything at once */
 } MidiActionType;
 
 typedef struct MidiAction {
@@ -33,7 +33,7 @@ typedef struct MidiAction {
   uint32_t preset; /**< index for tabor_preset() */
 } MidiAction;
 
-/** A live parameter as events name it. */
+/** A live parameter, as identified in events. */
 typedef struct MidiParameter {
   bool there; /**< the drum has it */
   uint32_t id, index;
@@ -43,20 +43,20 @@ typedef struct MidiParameter {
 
 #define MIDI_NO_BRUSH UINT32_MAX
 
-/** What the map means on one drum. Plain data: copy it by assignment. */
+/** The map resolved for one drum. Plain data: copy it by assignment. */
 typedef struct MidiBinding {
   double head_radius;   /**< [m] */
   double radius, angle; /**< of the preset's stroke [m], [deg] */
-  uint32_t
-    strikers[MIDI_VALUES]; /**< of each note: index; of a sweep MIDI_NO_BRUSH if there is none */
+  /** Index of each note's striker; for a sweep on a drum without a brush, MIDI_NO_BRUSH. */
+  uint32_t strikers[MIDI_VALUES];
   double sweep_speed[MIDI_VALUES]; /**< of each note that sweeps [m/s] */
-  double strainer;                 /**< the preset's */
-  uint32_t presets;                /**< that programs may choose */
+  double strainer;                 /**< the preset's strainer */
+  uint32_t presets;                /**< number of presets that programs may choose */
   MidiParameter grip, strainer_parameter;
-  MidiParameter parameters[MIDI_VALUES]; /**< that controllers move */
+  MidiParameter parameters[MIDI_VALUES]; /**< targets of the controllers */
 } MidiBinding;
 
-/** What came and was not used, and what was. */
+/** Numbers of used and ignored notes. */
 typedef struct MidiCounts {
   uint64_t strokes;
   uint64_t ignored_notes; /**< not in the map */
@@ -64,24 +64,24 @@ typedef struct MidiCounts {
 
 typedef struct MidiToEvents {
   const MidiMap *map;
-  MidiBinding binding;             /**< of the drum that plays; assign another when it changes */
-  uint8_t values[MIDI_VALUES];     /**< of controllers */
-  bool moved[MIDI_VALUES];         /**< controllers that have come */
-  double radius, angle;            /**< by controllers: of the head's radius, [deg]; NaN before */
+  MidiBinding binding;         /**< of the drum that plays; assign another when it changes */
+  uint8_t values[MIDI_VALUES]; /**< last value of each controller */
+  bool moved[MIDI_VALUES];     /**< controllers received so far */
+  double radius, angle;        /**< set by controllers: fraction of the head's, [deg]; NaN before */
   uint8_t prefixes[MIDI_CHANNELS]; /**< low bits for the next note's velocity */
-  bool hands[2];                   /**< by channel and by key pressure: on the head */
-  bool held[MIDI_VALUES];          /**< notes that buzz or sweep */
-  int sweeping;                    /**< the last note that began to sweep, while it does; else -1 */
-  uint32_t next_id;                /**< of a stroke */
+  bool hands[2];                   /**< a hand is on the head, by channel and by key pressure */
+  bool held[MIDI_VALUES];          /**< notes that are buzzing or sweeping */
+  int sweeping;                    /**< note of the latest sweep while it lasts, else -1 */
+  uint32_t next_id;                /**< id of the next stroke */
   MidiCounts counts;
 } MidiToEvents;
 
-/** SET-UP. What @p map means on @p def. */
+/** SET-UP. Resolves @p map for @p def. */
 void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding *binding);
-/** AUDIO. Begins; @p map must outlive it. */
+/** AUDIO. Starts; @p map must outlive @p drum. */
 void midi_to_events_begin(MidiToEvents *drum, const MidiMap *map,
                           const MidiBinding *binding) REALTIME;
-/** AUDIO. True if @p message does something: then *action says what. */
+/** AUDIO. True if @p message has an effect, which is then in *action. */
 bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
                          MidiAction *action) REALTIME;
 

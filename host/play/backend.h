@@ -1,61 +1,61 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file backend.h
- * Where sound goes: one interface, several implementations.
+ * Audio output: one interface, several implementations.
  */
 #ifndef TABOR_HOST_BACKEND_H
 #define TABOR_HOST_BACKEND_H
 
 #include "base/message.h"
 
-#define BACKEND_WIDEST 64 /* channels of a device that are used at most */
+#define BACKEND_WIDEST 64 /* most channels of a device that are used */
 
-/** What the user asked for. */
+/** The output that the user asked for. */
 typedef struct BackendRequest {
   const char *device; /**< "HOST API: NAME", or NULL for the default */
-  double rate;        /**< [Hz], or 0 for the device's */
-  uint32_t buffer;    /**< frames at once */
-  uint32_t channels;  /**< at least so many; a single one is sent to a stereo pair */
+  double rate;        /**< [Hz], or 0 for the device's own rate */
+  uint32_t buffer;    /**< frames per block */
+  uint32_t channels;  /**< smallest number; a single channel goes to a stereo pair */
 } BackendRequest;
 
-/** What there is. */
+/** The output that was opened. */
 typedef struct BackendFacts {
   char device[TABOR_TEXT_SIZE]; /**< "JACK: system" */
   double rate;                  /**< [Hz] */
-  uint32_t buffer;              /**< frames asked for at once, or 0: the first block will show */
+  uint32_t buffer;              /**< frames per block, or 0: unknown until the first block */
   uint32_t width;               /**< channels */
-  double latency;               /**< from asking for a block to its sound [s] */
+  double latency;               /**< from the request for a block to its sound [s] */
 } BackendFacts;
 
-/** Whom a backend asks for sound. Both functions run on its thread. */
+/** The source of sound for a backend. Both functions run on the backend's thread. */
 typedef struct BackendClient {
-  /** Fills @p frames frames of all channels, interleaved, asked for at @p now [s of CLOCK_MONOTONIC];
-   * @p gap: the device has run dry before. Real-time safe. False: there is no more. */
+  /** Fills @p frames frames of all channels, interleaved. @p now: time of the request [s of
+   * CLOCK_MONOTONIC]. @p gap: the device had a dropout before. Real-time safe. False: the end. */
   bool (*process)(void *context, float *samples, uint32_t frames, double now, bool gap);
-  /** Backends that wait call this before each block; may take any time. False: stop. */
+  /** Called before each block by backends that wait; may take any time. False: stop. */
   bool (*prepare)(void *context, uint32_t frames);
   void *context;
 } BackendClient;
 
-typedef struct BackendStream BackendStream; /* each backend's own */
+typedef struct BackendStream BackendStream; /* each backend defines its own */
 
 typedef struct Backend {
   const char *name;
-  bool waits; /**< there is no clock that sound must keep up with */
+  bool waits; /**< sound has no deadline: the backend waits for it */
   Outcome (*open)(const BackendRequest *request, BackendStream **stream, BackendFacts *facts);
-  /** Starts to ask @p client, which must stay until the stream is closed. */
+  /** Starts to request sound of @p client, which must live until the stream is closed. */
   Outcome (*start)(BackendStream *stream, const BackendClient *client);
-  /** False once it asks no more: the client said so, or the device is gone. */
+  /** False once the requests have ended: the client returned false, or the device is gone. */
   bool (*is_running)(BackendStream *stream);
-  /** Stops and frees; NULL is allowed. May hang where a sound server has died. */
+  /** Stops and frees the stream; NULL is allowed. May hang if a sound server has died. */
   void (*close)(BackendStream *stream);
 } Backend;
 
 extern const Backend backend_portaudio; /* backend_portaudio.c */
-extern const Backend backend_null;      /* backend_thread.c: paced by a clock, and not heard */
-extern const Backend backend_file;      /* backend_thread.c: as fast as can be computed */
+extern const Backend backend_null;      /* backend_thread.c: paced by a clock, inaudible */
+extern const Backend backend_file;      /* backend_thread.c: as fast as possible */
 
-/** The backend called @p name; refuses a name that is none. */
+/** Finds the backend called @p name; refuses an unknown name. */
 Outcome backend_find(const char *name, const Backend **backend);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Devices through PortAudio: ALSA, JACK. PortAudio's thread asks for the sound.
+ * Output to devices through PortAudio (ALSA, JACK). PortAudio's thread requests the sound.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * No device: a thread of our own asks for the blocks.
+ * Output without a device: a thread of this file requests the blocks.
  *
- * "null" asks whenever a clock says that the last block has been played; for trying things out where there is no
- * sound. "file" asks as fast as can be computed, for the recording alone; its time is that of the sound.
+ * "null" requests a block whenever the clock shows that the last one has been played. It is for trials on a
+ * machine without sound. "file" requests blocks as fast as possible, for the recording alone; its time is
+ * the time of the sound.
  */
 #include <errno.h>
 #include <math.h>

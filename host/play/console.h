@@ -3,8 +3,8 @@
  * @file console.h
  * The computer keyboard and the screen of `tabor play`.
  *
- * Keys are played while the standard input is a terminal, and the screen is drawn where the standard output is
- * one as well; otherwise, or with --no-ui, lines say what happens.
+ * The keys play while standard input is a terminal. The screen is drawn if standard output is a terminal as
+ * well. Otherwise, or with --no-ui, messages are printed line by line.
  */
 #ifndef TABOR_HOST_CONSOLE_H
 #define TABOR_HOST_CONSOLE_H
@@ -13,11 +13,11 @@
 
 typedef struct Console Console;
 
-/** Takes the terminal, for a live session that is open. *created is valid, if not NULL, whatever the outcome. */
+/** Takes over the terminal for an open live session. *created is valid or NULL, whatever the outcome. */
 Outcome console_open(LiveSession *session, Console **created);
-/** What the user's thread does again and again (LiveSessionTurn). False: the user wants to stop. */
+/** One turn of the user's thread (LiveSessionTurn). False: the user wants to stop. */
 bool console_turn(void *console);
-/** Gives the terminal back. NULL is allowed. */
+/** Restores the terminal. NULL is allowed. */
 void console_close(Console *console);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file live_session.h
- * A drum being played on a device: everything that `tabor play` opens, runs and closes. All of it is for
- * the user's thread.
+ * A drum played on a device: everything that `tabor play` opens, runs and closes. All functions are for the
+ * user's thread.
  */
 #ifndef TABOR_HOST_LIVE_SESSION_H
 #define TABOR_HOST_LIVE_SESSION_H
@@ -21,15 +21,15 @@ typedef struct LiveSession {
   Player *player;
   TakeWriter *writer;
   CueQueue queue;
-  PlayMidi *midi;     /**< live, or NULL */
+  PlayMidi *midi;     /**< live MIDI, or NULL */
   bool is_urgent;     /**< the audio thread has real-time priority */
-  bool is_lost;       /**< the device did not open or start, or is gone: closing it could crash */
-  uint64_t unwritten; /**< frames that the recording lacks at its end, because it failed */
+  bool is_lost;       /**< the device failed to open or start, or is gone: closing it could crash */
+  uint64_t unwritten; /**< frames missing at the end of a recording that failed */
 } LiveSession;
 
-/** What the user's thread does while the drum plays. */
+/** Callback of the user's thread while the drum plays. */
 typedef struct LiveSessionTurn {
-  /** Called again and again; waits for the user, 50 ms at most. False: the user wants to stop. */
+  /** Called repeatedly; waits for the user, 50 ms at most. False: the user wants to stop. */
   bool (*take)(void *context);
   void *context;
 } LiveSessionTurn;
@@ -37,21 +37,21 @@ typedef struct LiveSessionTurn {
 /** Opens the device and builds the drum. Close with live_session_close(), whatever the outcome. */
 Outcome live_session_open(LiveSession *session, PlayRequest *request);
 /**
- * Plays until everything has been played, the user or a signal ends it, or the device is gone. After a
- * signal the outcome is 128 + its number.
+ * Plays until everything has been played, the user or a signal stops it, or the device is gone. After a
+ * signal the outcome is 128 + the signal's number.
  */
 Outcome live_session_run(LiveSession *session, const LiveSessionTurn *turn);
 /** Stops the sound and completes the recording. */
 Outcome live_session_finish(LiveSession *session);
 /**
- * Lets go of the device and frees everything. A device that is lost, or that does not let go, is left as it
- * is: then the program ends here, with the status @p outcome.
+ * Closes the device and frees everything. If the device is lost or does not close, it stays open and the
+ * program exits here with the status @p outcome.
  */
 void live_session_close(LiveSession *session, Outcome outcome);
 
-/** What there is to show; medians and maxima are of the time since the last call. */
+/** Fills in @p status; medians and maxima cover the time since the last call. */
 void live_session_status(LiveSession *session, PlayStatus *status);
-/** From a stroke to its sound [s]; known once the first block has been played. */
+/** Time from a stroke to its sound [s]; known once the first block has been played. */
 double live_session_latency(const LiveSession *session);
 
 #endif

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file model_builder.h
- * The drum that is played, and how it changes meanwhile.
+ * Owns the drum that is played and changes it during play.
  *
- * Live keys act at once. For every other key, and for another preset, a thread of its own builds a model, which
- * takes some tenths of a second. Until then the old one plays on; then the ringing drum is swapped to it, or, if it
- * is another preset, a new drum takes its place, and the old one rings out beside it (leaving.h). At most
- * one build is under way; when it is done the latest request is next, and those between are skipped.
- * Where sound waits (--backend file), the change is built on the spot and acts at its frame.
+ * A live parameter changes at once. Any other parameter, and another preset, needs a new model, which the
+ * builder's thread builds in some tenths of a second. Until then the old model plays on. Then the ringing drum
+ * is swapped to the new model; for another preset, a new drum replaces the old one, which fades out beside it
+ * (leaving.h). One build runs at a time. After it the latest request is built; requests between are skipped.
+ * If sound waits (--backend file), the change is built in the caller's thread and acts at its frame.
  *
- * Functions may be called by any thread but the audio thread; those that may go wrong say so (message.h).
+ * Any thread but the audio thread may call these functions. A function that fails prints why (message.h).
  */
 #ifndef TABOR_HOST_MODEL_BUILDER_H
 #define TABOR_HOST_MODEL_BUILDER_H
@@ -18,42 +18,42 @@
 
 typedef struct ModelBuilder ModelBuilder;
 
-/** What there is to begin with. */
+/** The drum to start with. */
 typedef struct ModelBuilderSetup {
   const char *preset; /**< a name or a file; copied */
-  bool is_listed;     /**< def is the preset's, which is built in */
+  bool is_listed;     /**< the preset is built in and def is its definition */
   const TaborDrumDef *def;
   TaborModelOptions options;
   uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel */
+  uint32_t mics[TABOR_MAX_MICS]; /**< microphone of each channel */
   bool waits;                    /**< sound waits for changes */
 } ModelBuilderSetup;
 
-/** Builds the drum. *changes is valid, if not NULL, whatever the outcome. */
+/** Builds the drum. *builder is valid or NULL, whatever the outcome. */
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
-/** The newest drum, at first the one for player_create(). Belongs to @p builder. */
+/** Returns the newest drum, at first the one for player_create(). Owned by @p builder. */
 TaborDrum *model_builder_drum(const ModelBuilder *builder);
-/** From now on changes are possible: they go to @p player. */
+/** Enables changes and sends them to @p player. */
 Outcome model_builder_start(ModelBuilder *builder, Player *player);
-/** No change acts any more. To be called before the player is destroyed; NULL is allowed. */
+/** Disables changes. Call before the player is destroyed; NULL is allowed. */
 void model_builder_stop(ModelBuilder *builder);
-/** Frees the drums, too; the player is destroyed by then. NULL is allowed. */
+/** Frees everything, the drums too. Call after the player was destroyed. NULL is allowed. */
 void model_builder_destroy(ModelBuilder *builder);
 
 /**
- * Sets the parameter @p key, as "wires.tension", to @p value at @p frame, or as soon after as it is
- * built; @p what, as "--set", begins the message if that is wrong.
+ * Sets the parameter @p key, such as "wires.tension", to @p value at @p frame, or later, once the
+ * model is built. An error message starts with @p what, such as "--set".
  */
 Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
                           const char *value);
-/** Changes to a preset, by name or from a file. Nothing of what was set before remains. */
+/** Changes to a preset, by name or from a file. Discards all earlier settings. */
 Outcome model_builder_preset(ModelBuilder *builder, uint64_t frame, const char *preset);
-/** The same for a built-in preset by a program change of MIDI; does nothing if it is there already, as listed. */
+/** Changes to a built-in preset by a MIDI program change; does nothing if it plays already, unmodified. */
 Outcome model_builder_program(ModelBuilder *builder, uint64_t frame, const char *preset);
-/** Changes to the built-in preset that is @p step places further in the list, which is a circle. */
+/** Changes to the built-in preset @p step places further in the list, which wraps around. */
 Outcome model_builder_step_preset(ModelBuilder *builder, uint64_t frame, int step);
 
-/** The drum as it is wished for now. */
+/** Gives the definition of the drum as requested last, built or not. */
 void model_builder_definition(ModelBuilder *builder, TaborDrumDef *def);
 /** Fills in preset and building. */
 void model_builder_status(ModelBuilder *builder, PlayStatus *status);

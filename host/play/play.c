@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file play.c
- * `tabor play`: a drum to play on.
+ * `tabor play`: plays a drum live.
  */
 #include "base/command.h"
 #include "drums/drum_args.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file play_midi.h
- * Live MIDI for a drum that is played: what the inputs receive goes to the player, on its frame.
+ * Live MIDI for a drum that is played: sends each received message to the player at its frame.
  */
 #ifndef TABOR_HOST_PLAY_MIDI_H
 #define TABOR_HOST_PLAY_MIDI_H
@@ -13,16 +13,16 @@
 
 typedef struct PlayMidi PlayMidi;
 
-/** Opens the inputs that @p request asks for. *midi is valid, if not NULL, whatever the outcome. */
+/** Opens the inputs that @p request asks for. *midi is valid or NULL, whatever the outcome. */
 Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder *builder,
                        PlayMidi **midi);
 void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
-/** How many notes have come that are not in the map. @p midi may be NULL. */
+/** Number of received notes that are not in the map. @p midi may be NULL. */
 uint64_t play_midi_ignored(const PlayMidi *midi);
-/** To be called before @p builder and the player go. NULL is allowed. */
+/** Closes the inputs. Call before the builder and the player are destroyed. NULL is allowed. */
 void play_midi_close(PlayMidi *midi);
 
-/** What MIDI does, at @p frame. */
+/** Converts a MIDI action to a cue at @p frame. */
 Cue play_midi_cue(const MidiAction *action, uint64_t frame);
 
 #endif

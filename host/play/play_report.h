@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file play_report.h
- * What there is to say once a live session is over.
+ * The report at the end of a live session.
  */
 #ifndef TABOR_HOST_PLAY_REPORT_H
 #define TABOR_HOST_PLAY_REPORT_H
 
 #include "play/live_session.h"
 
-/** Warns of what went wrong, and prints a line, or with --json the facts. */
+/** Prints warnings about problems, then a summary line, or with --json the facts. */
 Outcome play_report(LiveSession *session);
 
 #endif

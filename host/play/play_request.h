@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file play_request.h
- * What `tabor play` is asked to do, checked before anything is opened.
+ * The request to `tabor play`, checked before anything is opened.
  */
 #ifndef TABOR_HOST_PLAY_REQUEST_H
 #define TABOR_HOST_PLAY_REQUEST_H
@@ -19,18 +19,18 @@ typedef struct PlayRequest {
   TaborDrumDef def;
   TaborModelOptions model; /**< the rate is the device's */
   uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index into the definition's microphones */
+  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index among the definition's microphones */
   double gain;                   /**< factor */
   Humanizer humanizer;
   MidiMap midi_map;
-  MidiSong song;   /**< of --midi-file */
-  Keymap keymap;   /**< what the keyboard does */
-  double duration; /**< [s], or 0 */
+  MidiSong song;   /**< from --midi-file */
+  Keymap keymap;   /**< actions of the computer keyboard */
+  double duration; /**< [s], or 0: no limit */
   const Backend *backend;
   BackendRequest device;
   bool records;
   OutputFile record; /**< planned, if records */
-  AudioFormat audio; /**< of the recording; its rate is the device's */
+  AudioFormat audio; /**< format of the recording; its rate is the device's */
   bool json, quiet, no_ui;
 } PlayRequest;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file portaudio_devices.h
- * PortAudio's outputs, by name: its numbers change from run to run.
+ * PortAudio's outputs, found by name, because PortAudio's numbers change from run to run.
  */
 #ifndef TABOR_HOST_PORTAUDIO_DEVICES_H
 #define TABOR_HOST_PORTAUDIO_DEVICES_H
@@ -15,34 +15,35 @@ typedef struct OutputDevice {
   PaDeviceIndex index;
   char label[TABOR_TEXT_SIZE]; /**< "JACK: system" */
   uint32_t channels;
-  double rate;    /**< its own [Hz] */
-  double latency; /**< the least that it promises [s] */
-  bool is_jack;   /**< JACK decides on rate and block */
+  double rate;    /**< the device's default rate [Hz] */
+  double latency; /**< lowest latency that the device reports [s] */
+  bool is_jack;   /**< JACK sets rate and block size */
   bool is_default;
 } OutputDevice;
 
-/** Starts PortAudio, without the lines that its libraries print where there is no sound card. */
+/** Starts PortAudio; suppresses the lines that its libraries print without a sound card. */
 Outcome portaudio_start(void);
-/** Ends PortAudio. May hang where a sound server has died. */
+/** Ends PortAudio. May hang if a sound server has died. */
 void portaudio_end(void);
-/** Output @p index, or false past the last. */
+/** Describes output @p index; false past the last. */
 bool portaudio_output(uint32_t index, OutputDevice *device);
 /**
- * The output with the label @p name, or whose name alone or host API alone that is; NULL: the default,
- * JACK's where its server runs. Fails with a list of those that there are.
+ * Finds the output whose label, name or host API is @p name. NULL: the default output, which is JACK's if
+ * its server runs. A failure lists the available outputs.
  */
 Outcome portaudio_find(const char *name, OutputDevice *device);
 
-/** What portaudio_enter() has changed. */
+/** State to restore after portaudio_enter(). */
 typedef struct PortaudioCare {
   int muted;
   struct sigaction before;
 } PortaudioCare;
 
 /**
- * Goes around what speaks to a sound server before there is anything to lose. What libraries print is not
- * seen; and PortAudio asserts that JACK does as it is told, which a server that has just died does not: that
- * ends the program with one line and the status 1, not with an abort that says nothing. One thread at a time.
+ * Call before, and portaudio_leave() after, calls that talk to a sound server while there is nothing to lose.
+ * In between, output of libraries is suppressed. PortAudio asserts that JACK calls succeed, so it aborts if
+ * the server has just died; here such an abort ends the program with one line and the status 1. One thread
+ * at a time.
  */
 void portaudio_enter(PortaudioCare *care);
 void portaudio_leave(const PortaudioCare *care);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file take_writer.h
- * Everything that is played goes into a sound file, which a thread of its own writes.
+ * Records everything that is played into a sound file, on a separate thread.
  *
- * If the disk fails, that is said once and playing goes on; the file holds what came before.
+ * If the disk fails, one message reports it and playing continues; the file keeps the sound up to then.
  */
 #ifndef TABOR_HOST_TAKE_WRITER_H
 #define TABOR_HOST_TAKE_WRITER_H
@@ -13,14 +13,14 @@
 
 typedef struct TakeWriter TakeWriter;
 
-/** Starts to write what @p player records. @p output is planned, and must outlive the writer. */
+/** Starts to write the recording of @p player. @p output is planned and must outlive the writer. */
 Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player *player,
                           TakeWriter **writer);
-/** Waits until the recording has room for @p frames more, or the disk has failed. */
+/** Waits until the recording has room for @p frames more frames, or the disk has failed. */
 void take_writer_wait(const TakeWriter *writer, uint32_t frames);
 /**
- * Writes what is left, once the player is halted, and gives the file its name; @p kept: how many frames it
- * got. Frees. NULL is allowed, and then @p kept stays as it is.
+ * Writes the rest, gives the file its name and frees the writer. Call once the player is halted. @p kept:
+ * number of frames in the file; unchanged if the writer is NULL, which is allowed.
  */
 Outcome take_writer_finish(TakeWriter *writer, uint64_t *kept);
 

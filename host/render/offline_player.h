@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file offline_player.h
- * One drum being played: strokes in, interleaved samples out.
+ * Plays one drum for a rendering: strokes in, interleaved samples out.
  *
- * What a MIDI file does beside its strokes acts at its frame, before these: a gain is reached over
- * 5 ms; silence is silencer.h's; another preset is another drum, beside which the one before rings out.
+ * Other actions of a MIDI file act at their frame, before strokes of that frame. A gain is reached over
+ * 5 ms. A silence works as in silencer.h. A preset change starts a new drum, and the old one fades out
+ * beside it.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
 #define TABOR_HOST_OFFLINE_PLAYER_H
@@ -19,10 +20,10 @@
 
 #define OFFLINE_BLOCK AUDIO_BLOCK
 
-/** Events that the drum did not carry out. */
+/** Numbers of events that the drum did not execute. */
 typedef struct OfflineDrops {
-  uint64_t strokes; /**< nothing was free to strike them */
-  uint64_t others;  /**< presses or moves of what is not in play, and hands too many */
+  uint64_t strokes; /**< no slot was free for the stroke */
+  uint64_t others;  /**< presses or moves without a target in play; too many hands */
 } OfflineDrops;
 
 typedef struct OfflinePlayer {
@@ -30,17 +31,17 @@ typedef struct OfflinePlayer {
   TaborDrum *drum;
   PresetDrums presets;
   Leaving leaving;
-  Tally tally;                  /**< of the drum before the last silence or change */
-  size_t next_event, next_item; /**< of the strokes, of the song */
+  Tally tally;                  /**< counts from before the last silence or drum change */
+  size_t next_event, next_item; /**< index into the strokes, and into the song */
   uint32_t position;            /**< frames played */
-  double peak;                  /**< largest sample in size */
-  double computing;             /**< processor time that the drum took [s] */
+  double peak;                  /**< largest absolute sample */
+  double computing;             /**< processor time used by the drum [s] */
   OfflineDrops drops;
-  Fader expression; /**< factor beside the request's gain */
+  Fader expression; /**< factor on top of the request's gain */
   Silencer silencer;
-  uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the model of now */
+  uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the current model */
   float planar[TABOR_MAX_MICS][OFFLINE_BLOCK];
-  double sound[MOST_CHANNELS][OFFLINE_BLOCK];        /**< of all drums, before their gain */
+  double sound[MOST_CHANNELS][OFFLINE_BLOCK];        /**< sum of all drums, before the gain */
   double interleaved[MOST_CHANNELS * OFFLINE_BLOCK]; /**< the newest block */
 } OfflinePlayer;
 
@@ -48,7 +49,7 @@ typedef struct OfflinePlayer {
 Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request);
 /** Plays @p frames frames, at most OFFLINE_BLOCK, into interleaved. */
 Outcome offline_player_play(OfflinePlayer *player, uint32_t frames);
-/** The same one frame at a time, with a row of @p trace after each. The samples are the same. */
+/** Plays one frame at a time and adds a row to @p trace after each. The samples are the same. */
 Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, TraceFile *trace);
 void offline_player_free(OfflinePlayer *player);
 

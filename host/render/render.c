@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file render.c
- * `tabor render`: plays drums into sound files.
+ * `tabor render`: renders drums as sound files.
  */
 #include "base/command.h"
 #include "base/json_output.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file render_options.h
- * The command line of `tabor render`, checked in full before anything is computed or touched.
+ * The command line of `tabor render`, checked in full before anything is computed or written.
  */
 #ifndef TABOR_HOST_RENDER_OPTIONS_H
 #define TABOR_HOST_RENDER_OPTIONS_H
@@ -11,7 +11,7 @@
 
 #define DEFAULT_ENCODING "pcm24"
 
-/** Rows of the option tables for what render_request_read() reads. */
+/** Rows of the option tables for the options that render_request_read() reads. */
 #define OPTION_FORMAT                                                                              \
   { "format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")" }
 #define OPTION_DURATION                                                                            \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file fader.h
- * A factor that glides to its target over 5 ms, sample by sample: no click, and the same for every
- * size of block.
+ * A gain factor that ramps linearly to its target over 5 ms. It moves every sample, so it does not
+ * click and does not depend on the block size.
  */
 #ifndef TABOR_HOST_FADER_H
 #define TABOR_HOST_FADER_H
@@ -16,7 +16,7 @@
 typedef struct Fader {
   double now, target, step;
   uint32_t left;   /**< frames until the target */
-  uint32_t length; /**< of a glide [frames] */
+  uint32_t length; /**< of a ramp [frames] */
 } Fader;
 
 static inline Fader fader_at(double value, double rate) {
@@ -29,7 +29,7 @@ static inline void fader_set(Fader *fader, double target) {
   fader->step = (target - fader->now) / fader->length;
 }
 
-/** The factor of the next frame. */
+/** Returns the factor of the next frame. */
 static inline double fader_next(Fader *fader) {
   if (fader->left == 0) return fader->now;
   fader->left--;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file leaving.h
- * Drums that others have taken the place of: each rings out under a fade of 30 ms beside the one that is played.
+ * Drums that were replaced: each fades out over 30 ms while the new drum plays.
  *
- * Every channel goes on hearing the microphone that it had. Where more than LEAVING_MOST leave at once, the
- * oldest is cut. The drums stay the caller's, who gets each back to destroy it where he may. The sound depends
- * on frames alone, not on blocks. Real-time safe.
+ * Each channel keeps the leaving drum's microphone that it had. If more than LEAVING_MOST drums leave at
+ * once, the oldest is cut. The caller owns the drums and gets each back, to destroy it on a thread that
+ * may free memory. The sound does not depend on the block size. Real-time safe.
  */
 #ifndef TABOR_HOST_LEAVING_H
 #define TABOR_HOST_LEAVING_H
@@ -18,12 +18,12 @@
 #define LEAVING_MOST 4            /**< drums at once */
 #define LEAVING_CHANNELS 64       /**< at most */
 #define LEAVING_PIECE 256         /**< frames computed at once at most */
-#define LEAVING_NO_MIC UINT32_MAX /**< of a channel that hears nothing */
+#define LEAVING_NO_MIC UINT32_MAX /**< the channel has no microphone */
 
 typedef struct LeavingDrum {
   TaborDrum *drum;
-  uint32_t mics[LEAVING_CHANNELS]; /**< of each channel, or LEAVING_NO_MIC */
-  uint32_t left;                   /**< frames of its fade */
+  uint32_t mics[LEAVING_CHANNELS]; /**< microphone of each channel, or LEAVING_NO_MIC */
+  uint32_t left;                   /**< frames left of its fade */
 } LeavingDrum;
 
 typedef struct Leaving {
@@ -33,23 +33,24 @@ typedef struct Leaving {
   float planar[TABOR_MAX_MICS][LEAVING_PIECE];
 } Leaving;
 
-/** None leaves yet, at @p rate [Hz]. */
+/** Starts without leaving drums, at @p rate [Hz]. */
 void leaving_begin(Leaving *leaving, double rate) REALTIME;
 /**
- * From the next frame on @p drum leaves, which each of @p channels channels has heard by the microphone in @p mics.
- * Gives back the drum that is done with at once: this one if it is silent, or the oldest for want of room; or NULL.
+ * Starts the fade of @p drum at the next frame. @p mics: its microphone for each of @p channels channels.
+ * Returns a drum that is finished already, or NULL: @p drum itself if it is silent, or the oldest one if there
+ * is no room.
  */
 TaborDrum *leaving_add(Leaving *leaving, TaborDrum *drum, const uint32_t *mics,
                        uint32_t channels) REALTIME;
-/** Adds the next @p frames frames to @p sound, [channel][frame]; NULL: nobody hears the channel. */
+/** Adds the next @p frames frames to @p sound, [channel][frame]. A NULL channel is skipped. */
 void leaving_play(Leaving *leaving, double *const *sound, uint32_t channels,
                   uint32_t frames) REALTIME;
-/** The same added to @p samples of the drum that is played: @p sound is what every channel hears of all. */
+/** Sets @p sound to the sum of @p samples, from the current drum, and of all leaving drums. */
 void leaving_join(Leaving *leaving, const float *const *samples, double *const *sound,
                   uint32_t channels, uint32_t frames) REALTIME;
-/** All have left. */
+/** Ends all fades at once. */
 void leaving_cut(Leaving *leaving) REALTIME;
-/** Gives a drum back that has left; NULL if there is none. */
+/** Returns a drum whose fade has ended; NULL if there is none. */
 TaborDrum *leaving_take(Leaving *leaving) REALTIME;
 
 #endif

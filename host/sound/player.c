@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the audio thread runs. It allocates nothing, locks nothing, makes no system call (the clock is
- * read in user space), and its work is bounded: by the frames, by PLAYER_EVENTS events a frame, and by what the
- * queues hold.
+ * The audio thread's part of the player. It does not allocate, lock or make system calls (the clock is read
+ * in user space). Its work is bounded by the number of frames, by PLAYER_EVENTS events per frame, and by
+ * the capacity of the queues.
  *
- * A block is played in pieces that begin where a message acts, and every PLAYER_PIECE frames. So a
- * message acts at its frame whatever the blocks are, and the end is looked for at the same frames as
- * a rendering does.
+ * A block is played in pieces. A piece starts wherever a message acts, and every PLAYER_PIECE frames. So
+ * a message acts at its frame for every block size, and the end is checked at the same frames as in a
+ * rendering.
  */
 #include "sound/player.h"
 

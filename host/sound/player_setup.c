@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What threads other than the audio thread do with a player. */
+/* The functions of a player for all threads but the audio thread. */
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>

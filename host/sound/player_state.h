@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is inside a player; for player.c and player_setup.c. */
+/* Internals of a player, for player.c and player_setup.c. */
 #ifndef TABOR_HOST_PLAYER_STATE_H
 #define TABOR_HOST_PLAYER_STATE_H
 
@@ -14,21 +14,21 @@
 #include "sound/silencer.h"
 #include "sound/tally.h"
 
-#define PLAYER_PIECE RING_OUT_BLOCK /* frames computed at once at most, and looks at the end */
-#define PLAYER_EVENTS 256           /* of one frame; further ones act at the next */
-#define LOAD_BINS 256               /* of the load, in steps of 1 %; the last is for all above */
+#define PLAYER_PIECE RING_OUT_BLOCK /* most frames computed at once, between checks of the end */
+#define PLAYER_EVENTS 256 /* most events at one frame; further ones act at the next frame */
+#define LOAD_BINS 256     /* load histogram in steps of 1 %; the last bin holds all higher loads */
 
-/* What the audio thread tells. Each is written by it alone, relaxed: numbers, not order. */
+/* Meters, written by the audio thread with relaxed order: readers need the numbers, not their order. */
 typedef struct PlayerMeters {
-  _Atomic double peak[TABOR_MAX_MICS]; /* taken by the reader, who leaves 0 */
-  _Atomic double loudest;              /* peak of all channels since the beginning */
+  _Atomic double peak[TABOR_MAX_MICS]; /* the reader takes the value and leaves 0 */
+  _Atomic double loudest;              /* peak of all channels since the start */
   _Atomic double gain;
   atomic_ullong clipped, xruns, late, dropped, lost_frames;
   atomic_ullong strokes, solves, iterations, capped, recovered;
   atomic_uint newton_max, strikers;
   atomic_bool sleeping;
   atomic_uint load[LOAD_BINS];
-  _Atomic double load_worst, load_worst_recent; /* the latter is taken by the reader */
+  _Atomic double load_worst, load_worst_recent; /* the reader takes the latter, leaves 0 */
   atomic_uint last_type;
   _Atomic double last_velocity, last_radius, last_angle, last_value;
   atomic_ullong last_frame;
@@ -41,12 +41,12 @@ struct Player {
   bool records, ends;
   SpscQueue sources[SOURCE_COUNT];
   SpscQueue recording;
-  SpscQueue gone; /* drums that are done with */
+  SpscQueue gone; /* drums that the player no longer uses */
 
-  /* the audio thread's */
+  /* audio thread */
   TaborDrum *drum;
   Leaving leaving;
-  Tally tally; /* of the drum before the last silence or change */
+  Tally tally; /* counts from before the last silence or drum change */
   uint64_t position, end;
   RingOut ring_out;
   Fader gain, expression;
@@ -55,26 +55,26 @@ struct Player {
   uint32_t striker_count;
   TaborEvent events[PLAYER_EVENTS];
   uint32_t event_count;
-  float *outputs[TABOR_MAX_MICS]; /* into planar, NULL for what nobody hears */
+  float *outputs[TABOR_MAX_MICS]; /* into planar; NULL for a microphone that no channel uses */
   float planar[TABOR_MAX_MICS][PLAYER_PIECE];
-  double mixed[TABOR_MAX_MICS]
-              [PLAYER_PIECE]; /* channels of all drums, then at their level, clipped */
-  PlayerRecord *record;       /* the block being filled */
+  /* sum of all drums in each channel; later with gain applied and clipped */
+  double mixed[TABOR_MAX_MICS][PLAYER_PIECE];
+  PlayerRecord *record; /* the block being filled */
 
   /* shared */
   FrameClock clock;
   PlayerMeters meters;
-  atomic_ullong played; /* = position, for others */
+  atomic_ullong played; /* = position, for other threads */
   atomic_bool over, halted, busy, has_thread;
   pthread_t thread; /* the audio thread, if has_thread */
 
-  /* the user's thread */
+  /* user's thread */
   uint32_t load_seen[LOAD_BINS];
 };
 
-/* Gives each channel's microphone its samples in planar. */
+/* Points outputs at planar for every microphone that a channel uses. */
 void player_listen(Player *player) REALTIME;
-/* The block for the recording is complete. */
+/* Sends the completed block to the recording's thread. */
 void player_hand_over(Player *player) REALTIME;
 
 #endif

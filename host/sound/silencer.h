@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file silencer.h
- * Silence at once: the sound fades out within 5 ms, the drum goes to rest, and is heard again 15 ms after the wish.
- * A drum that nothing has acted on since it was at rest is silent already: there a wish does nothing.
+ * Silences a drum: the sound fades out within 5 ms, the drum is reset, and it is audible again 15 ms after the
+ * request. If nothing has acted on the drum since its last reset, it is silent and the request does nothing.
  *
- * Until it may be heard, strokes wait. A drum at rest has the values of its model: live parameters that were
- * moved since are moved again, unheard. Everything depends on frames alone, not on blocks. Real-time safe.
+ * Strokes wait until the drum is audible again. A reset restores the parameters of the model, so live parameters
+ * that were moved are moved again while the drum is inaudible. The block size has no influence. Real-time safe.
  */
 #ifndef TABOR_HOST_SILENCER_H
 #define TABOR_HOST_SILENCER_H
@@ -14,44 +14,44 @@
 
 #include "sound/fader.h"
 
-#define SILENCER_LIVE 24 /* live parameters that outlive a silence */
+#define SILENCER_LIVE 24 /* most live parameters kept through a silence */
 
 typedef enum SilencerPhase {
-  SILENCER_HEARD,
-  SILENCER_FADING, /**< to a silence that was wished for */
-  SILENCER_RESTING /**< in it */
+  SILENCER_HEARD,  /**< the drum is audible */
+  SILENCER_FADING, /**< a silence was requested; the sound fades out */
+  SILENCER_RESTING /**< the drum was reset and is inaudible */
 } SilencerPhase;
 
 typedef struct Silencer {
   SilencerPhase phase;
-  bool at_rest; /**< nothing has acted on the drum since it was */
+  bool at_rest; /**< nothing has acted on the drum since its last reset */
   Fader fader;
-  uint32_t resting; /**< frames left of that phase */
+  uint32_t resting; /**< frames left of SILENCER_RESTING */
   TaborEvent live[SILENCER_LIVE];
   uint32_t live_count;
 } Silencer;
 
-/** For @p rate [Hz]; the drum is at rest and heard. */
+/** Starts at @p rate [Hz] with a drum that is at rest and audible. */
 Silencer silencer_begin(double rate) REALTIME;
-/** Silence is wished for. */
+/** Requests a silence. */
 void silencer_wish(Silencer *silencer) REALTIME;
-/** True while messages wait. */
+/** True while messages have to wait. */
 static inline bool silencer_waits(const Silencer *silencer) {
   return silencer->phase != SILENCER_HEARD;
 }
 
-/** An @p event acts on the drum: if it moves a live parameter, that is to outlive a silence. */
+/** Call when @p event acts on the drum. A live parameter that it moves is kept through a silence. */
 void silencer_remember(Silencer *silencer, const TaborEvent *event) REALTIME;
-/** Another model has come, with values of its own. */
+/** Forgets moved parameters; call when another model, with its own values, has come. */
 void silencer_forget(Silencer *silencer) REALTIME;
 
-/** True if the drum goes to rest at this frame: silencer_step() will reset it, with its counters. */
+/** True if silencer_step() will reset the drum, with its counters, at this frame. */
 bool silencer_is_due(const Silencer *silencer) REALTIME;
-/** Does what is to be done at this frame. */
+/** Advances the phase at this frame; resets @p drum when that is due. */
 void silencer_step(Silencer *silencer, TaborDrum *drum) REALTIME;
-/** How many of the next @p most frames to compute before the next silencer_step(). */
+/** Number of frames, @p most at most, to compute before the next silencer_step(). */
 uint32_t silencer_limit(const Silencer *silencer, uint32_t most) REALTIME;
-/** The factor of the next frame's sound. */
+/** The gain factor of the next frame. */
 double silencer_next(Silencer *silencer) REALTIME;
 
 #endif

@@ -4,9 +4,10 @@
  * `--events`: strokes as comma-separated values.
  *
  * The first line names the columns: any of stroke.h's fields, each once, in any order. Every further
- * line is a stroke, or with `press`, `release` or `move` in the column `event` a change to what is in play; an empty field is the preset's, an empty time 0. Lines that are blank, hold
- * nothing but commas, or begin with '#' are passed over. Blanks around fields do not count; a field
- * may stand in double quotes, as spreadsheets write them. Line ends are LF or CR LF.
+ * line is a stroke or, with `press`, `release` or `move` in the column `event`, a change to a stroke in
+ * play. An empty field means the preset's value, an empty time 0. Lines that are blank, hold only commas,
+ * or start with '#' are skipped. Blanks around fields are ignored. A field may be in double quotes, as
+ * spreadsheets write it. Line ends are LF or CR LF.
  */
 #ifndef TABOR_HOST_EVENTS_FILE_H
 #define TABOR_HOST_EVENTS_FILE_H
@@ -15,7 +16,7 @@
 
 #define EVENTS_FILE_LIMIT (8 * 1024 * 1024) /**< bytes */
 
-/** Adds the strokes of file @p name, "-" for the standard input; refuses a file without any. */
+/** Adds the strokes of file @p name, "-" for standard input; refuses a file without strokes. */
 Outcome events_file_read(const char *name, const TaborDrumDef *def, Strokes *strokes);
 
 #endif

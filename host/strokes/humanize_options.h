@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file humanize_options.h
- * The scatter of strokes that the command line asks for.
+ * The options of the command line for the scatter of strokes.
  */
 #ifndef TABOR_HOST_HUMANIZE_OPTIONS_H
 #define TABOR_HOST_HUMANIZE_OPTIONS_H
@@ -9,7 +9,7 @@
 #include "base/options.h"
 #include "strokes/humanize.h"
 
-/** Rows of an option table for what humanize_read() reads; @p fallback is a string, "0". */
+/** Rows of an option table for the options that humanize_read() reads; @p fallback is a string, "0". */
 #define OPTION_HUMANIZE(fallback)                                                                  \
   { "humanize", 0, "AMOUNT", "scatter of place and speed, 0 to 1 (default " fallback ")" }
 #define OPTION_SEED                                                                                \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stroke_options.h
- * The strokes that the command line asks for: --strike options and events files.
+ * The strokes on the command line: --strike options and events files.
  */
 #ifndef TABOR_HOST_STROKE_OPTIONS_H
 #define TABOR_HOST_STROKE_OPTIONS_H
@@ -15,9 +15,9 @@
   { "events", 0, "FILE", "strokes from a CSV file (repeatable), '-' for standard input; see below" }
 
 /**
- * Reads every --strike and the files of every --events for a drum at @p rate [Hz]; without any, and
- * without --midi-file, the preset's own stroke at time 0. Velocities that are given as MIDI's become speeds
- * as --velocity-curve and --velocity-range say. Free with strokes_free(), whatever the outcome.
+ * Reads every --strike and the files of every --events for a drum at @p rate [Hz]. Without these and without
+ * --midi-file, the result is the preset's own stroke at time 0. --velocity-curve and --velocity-range
+ * convert MIDI velocities to speeds. Free with strokes_free(), whatever the outcome.
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file command_words.h
- * The commands that may be typed, or bound to a key, while a drum is played: "set KEY VALUE" and the like.
+ * The commands for typing or for a key while a drum is played, such as "set KEY VALUE".
  */
 #ifndef TABOR_HOST_COMMAND_WORDS_H
 #define TABOR_HOST_COMMAND_WORDS_H
@@ -25,8 +25,8 @@ typedef enum CommandWord {
 /** The word of command @p index, a NameAt; NULL past the last. @p list is ignored. */
 const char *command_word_at(const void *list, size_t index);
 /**
- * Which command @p text is, and what follows its word. Refuses words that are none, with the nearest, commands that
- * lack what has to follow, and those that nothing may follow.
+ * Finds the command in @p text and the text after its word. Refuses an unknown word, with the nearest command; a
+ * missing argument; and an argument that the command does not take.
  */
 Outcome command_words_read(const char *text, CommandWord *command, const char **rest);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file notices.h
- * Messages while a screen is drawn: they wait for their line on it instead of spoiling it, and what was wrong
- * is said again once the screen is gone.
+ * Collects messages while a screen is drawn. They wait for the screen's message line; errors and warnings are
+ * printed again after the screen is closed.
  */
 #ifndef TABOR_HOST_NOTICES_H
 #define TABOR_HOST_NOTICES_H
@@ -11,9 +11,9 @@
 
 #include "base/message.h"
 
-#define NOTICE_SIZE 512    /**< bytes of a line with its terminator */
-#define NOTICES_WAITING 16 /**< further ones are not shown */
-#define NOTICES_KEPT 32    /**< of what was wrong; further ones are counted */
+#define NOTICE_SIZE 512    /**< size of a line with its terminator [bytes] */
+#define NOTICES_WAITING 16 /**< most waiting lines; further ones are not shown */
+#define NOTICES_KEPT 32    /**< most errors and warnings kept; further ones are counted */
 
 typedef struct Notices {
   pthread_mutex_t lock;
@@ -23,11 +23,11 @@ typedef struct Notices {
   size_t kept_count, lost_count;
 } Notices;
 
-/** From now on all messages come here. */
+/** Starts to collect all messages. */
 void notices_begin(Notices *notices);
-/** Takes the oldest that waits; false if there is none. */
+/** Takes the oldest waiting message; false if there is none. */
 bool notices_take(Notices *notices, char text[NOTICE_SIZE], bool *is_trouble);
-/** Messages are seen again; errors and warnings of the meantime are now. */
+/** Prints the kept errors and warnings; from now on messages are printed directly. */
 void notices_end(Notices *notices);
 
 #endif

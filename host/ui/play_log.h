@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file play_log.h
- * What happens while a drum is played, in lines, for those who have no screen or want none.
+ * Logs what happens during play, line by line, for use without a screen.
  */
 #ifndef TABOR_HOST_PLAY_LOG_H
 #define TABOR_HOST_PLAY_LOG_H
 
 #include "sound/play_status.h"
 
-/** What has been told. Begins as {0}. */
+/** The state that has been logged. Initialise with {0}. */
 typedef struct PlayLog {
   bool has_begun, clips;
   char preset[TABOR_TEXT_SIZE];
   uint64_t strokes, xruns, dropped, recovered, ignored_notes;
 } PlayLog;
 
-/** Tells what is new since the last look: strokes, another drum, gaps and other trouble, a line each. */
+/** Prints changes since the last call, a line each: strokes, a new drum, dropouts and other trouble. */
 void play_log_take(PlayLog *log, const PlayStatus *status, double head_radius);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file screen.h
- * What a player sees: from plain numbers to a picture of characters. Knows nothing of terminals.
+ * Draws the screen of `tabor play` on a canvas, from plain numbers. It does not access the terminal.
  *
- * From the top: the drum and the device, a meter for each channel, computing, the drum's state, what was last
- * played, the settings, a line for messages and one for commands. A terminal that is too low loses the rows
- * that matter least, first; one that is too narrow the ends of its rows.
+ * From the top: the drum and the device, a meter per channel, the load, the drum's state, the last event, the
+ * settings, a line for messages and one for commands. If the terminal is too low, the least important rows
+ * are left out first; if it is too narrow, rows are cut at the end.
  */
 #ifndef TABOR_HOST_SCREEN_H
 #define TABOR_HOST_SCREEN_H
@@ -21,7 +21,7 @@
 typedef struct ScreenState {
   PlayStatus play;
   const char *quality;                        /**< "live" */
-  char mics[TABOR_MAX_MICS][TABOR_NAME_SIZE]; /**< of each channel, its microphone */
+  char mics[TABOR_MAX_MICS][TABOR_NAME_SIZE]; /**< microphone of each channel */
   Meter meters[TABOR_MAX_MICS];               /**< of each channel */
   LoadMeter load;
   double head_radius; /**< [m] */
@@ -29,15 +29,15 @@ typedef struct ScreenState {
   double humanize;    /**< 0 to 1 */
   bool has_snares, snares_on, is_muffled;
   char message[SCREEN_MESSAGE_SIZE]; /**< "" for none */
-  bool is_trouble;                   /**< the message is of something wrong */
+  bool is_trouble;                   /**< the message is an error or warning */
   const LineEditor *line;            /**< the command line, or NULL while it is closed */
-  const Keymap *help;                /**< the keys to explain, or NULL while nobody asks */
+  const Keymap *help;                /**< keys for the help, or NULL while it is closed */
 } ScreenState;
 
 void screen_draw(const ScreenState *state, Canvas *canvas);
 
 #define SCREEN_HELP_SIZE 120
-/** Writes line @p index of what there is to know about the keys; false past the last. */
+/** Writes line @p index of the help on the keys; false past the last. */
 bool screen_help(const Keymap *keymap, size_t index, char *text, size_t size);
 
 /** "stroke at 45 % of the radius, 30 degrees, 2.5 m/s"; "" for no event. Returns @p text. */

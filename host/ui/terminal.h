@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file terminal.h
- * The terminal while somebody plays on it: keys come one by one and unechoed, and a full screen may be
- * drawn. However the program ends or is suspended, by signals and failed assertions too, the terminal
- * is as it was before.
+ * Terminal input and output during play: keys come singly and without echo, and a full screen can be
+ * drawn. However the program ends or is suspended, also by signals and failed assertions, the terminal's
+ * earlier settings and screen are restored.
  *
- * One terminal, of one process: what is entered lies in this module. One thread uses it; terminal_restore()
- * may be called by any, and by signal handlers.
+ * The state is global: there is one terminal per process. One thread uses these functions; any thread and
+ * signal handlers may call terminal_restore().
  */
 #ifndef TABOR_HOST_TERMINAL_H
 #define TABOR_HOST_TERMINAL_H
@@ -16,10 +16,10 @@
 
 #include "base/message.h"
 
-/** What the standard streams are good for. */
+/** Abilities of the standard streams. */
 typedef struct TerminalAbilities {
-  bool keys;   /**< the standard input is a terminal, and this process is in its foreground */
-  bool screen; /**< so is the standard output, and a cursor can be moved on it */
+  bool keys;   /**< standard input is a terminal, with this process in the foreground */
+  bool screen; /**< so is standard output, and its cursor can be moved */
   bool colour; /**< NO_COLOR is not set */
   bool utf8;   /**< the user's locale has UTF-8 */
 } TerminalAbilities;
@@ -31,28 +31,28 @@ typedef struct TerminalSize {
 TerminalAbilities terminal_abilities(void);
 
 /**
- * Switches to single keys and, with @p screen, to an empty screen whose cursor is hidden. Needs
- * TerminalAbilities.keys. SIGTSTP, SIGCONT, SIGWINCH and those of crashes are handled from now on; signals
- * that end the program are interrupt.h's, which restores the terminal, too.
+ * Switches to single keys and, with @p screen, to an empty screen with a hidden cursor. Requires
+ * TerminalAbilities.keys. Installs handlers for SIGTSTP, SIGCONT, SIGWINCH and the signals of crashes.
+ * interrupt.h handles signals that end the program and restores the terminal, too.
  */
 Outcome terminal_enter(bool screen);
-/** Leaves everything as it was before terminal_enter(). May be called at any time, also twice. */
+/** Undoes terminal_enter(). May be called at any time, also twice. */
 void terminal_leave(void);
-/** Gives the terminal its settings and its screen back, at once. Async-signal-safe. */
+/** Restores the settings and the screen of the terminal at once. Async-signal-safe. */
 void terminal_restore(void);
 
 /**
- * Waits up to @p timeout milliseconds for keys. Returns the bytes read; 0 for none in that time, or while
- * this process is in the background; -1 once the terminal is gone.
+ * Waits up to @p timeout milliseconds for keys. Returns the number of bytes read; 0 if none came in that time,
+ * or in the background; -1 once the terminal is gone.
  */
 ptrdiff_t terminal_read(unsigned char *bytes, size_t size, int timeout);
 /**
- * Shows @p bytes. Does not wait for a terminal that takes nothing: returns false if not all was shown, also
- * in the background.
+ * Writes @p bytes to the terminal without waiting for it. False if not all bytes were written, also in the
+ * background.
  */
 bool terminal_write(const char *bytes, size_t size);
 TerminalSize terminal_size(void);
-/** True once after everything is to be drawn anew: the size changed, or the process was suspended. */
+/** True, once, if the screen must be redrawn: the size changed, or the process was suspended. */
 bool terminal_changed(void);
 
 #endif

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The same model gives the same bits everywhere only if no compiler may reorder or fuse arithmetic:
-# every engine source is compiled with -ffp-contract=off, and nothing anywhere asks for more freedom. And it
-# calls no function of libm that rounds otherwise on another machine.
+# A model has the same bits on every machine only if the compiler must not reorder or fuse arithmetic. This test
+# checks that every engine source is compiled with -ffp-contract=off, that no source or flag relaxes arithmetic,
+# and that the engine calls no function of libm whose rounding depends on the machine.
 #
 # test_arithmetic.sh SOURCE-FOLDER BUILD-FOLDER [LIBTABOR.A]
 set -euo pipefail

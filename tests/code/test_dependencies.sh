@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# No Fortran runtime, LAPACK or BLAS comes with the program or the plugins, by whatever library; and the plugins
-# themselves need the C library and libm alone.
+# The program and the plugins must not depend on a Fortran runtime, LAPACK or BLAS, also not through other
+# libraries. The plugins themselves may depend only on the C library and libm.
 #
 # test_dependencies.sh PROGRAM [PLUGINS.so]
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# engine/embed-presets.cmake takes sound preset files, and refuses others by their line. That the table holds what
-# the program reads from the same files is shown by test_preset_file.
+# engine/embed-presets.cmake must accept valid preset files and refuse others with the line number. test_preset_file
+# checks that the table has the same contents as the program reads from the files.
 #
 # test_embed_presets.sh SOURCE-FOLDER CMAKE
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The library has no mutable global state: none of its objects has anything in a writable section.
+# The library must not have mutable global state: the writable sections of its objects must be empty.
 # Constants that hold addresses (.data.rel.ro) become read-only at load time and are allowed.
 #
 # test_globals.sh LIBTABOR.A

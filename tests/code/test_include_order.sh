@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The order of the folders of engine and host. A file may include files of its own folder and of those that stand
-# before it; no files include each other in a circle, and in the libraries no sources use each other in one. Includes
-# are written from engine/src and host.
+# Checks the order of the folders of engine and host. A file may include files of its own folder and of earlier
+# folders. Includes must not form a cycle, and in the libraries references between sources must not form a cycle.
+# Include paths start at engine/src and host.
 #
 # test_include_order.sh SOURCE-FOLDER [ARCHIVE]...
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Drums that are created and destroyed leave nothing behind, and touch no memory that is not theirs: the
-# cases of test_system_instances, seen by valgrind.
+# Runs the cases of test_system_instances under valgrind: creating and destroying drums must not leak memory or
+# access invalid memory.
 #
 # test_leaks.sh TEST_SYSTEM_INSTANCES CYCLES
 set -euo pipefail

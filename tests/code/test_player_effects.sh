@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The audio threads of the program and of the plugins under clang's checks for real-time code: -Wfunction-effects
-# for what is called, RealtimeSanitizer for what happens while test_player_realtime and test_lv2_realtime play.
+# Checks the audio threads of the program and the plugins with clang's tools for real-time code: -Wfunction-effects
+# for the calls in the source, RealtimeSanitizer for the calls while test_player_realtime and test_lv2_realtime play.
 #
 # test_player_effects.sh SOURCE CMAKE
 set -eu

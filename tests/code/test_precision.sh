@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The engine is written once for both precisions: outside the templates (*_tmpl.*, and the headers of kernels/ that they
-# include) nothing asks which precision it is. What depends on it comes from tables whose index is the precision.
+# The engine is written once for both precisions. Only the templates (*_tmpl.*, and the headers of kernels/ that they
+# include) may branch on the precision. Other code takes values and functions from tables indexed by the precision.
 #
 # test_precision.sh SOURCE-FOLDER
 set -euo pipefail

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What the audio thread may call, read off the compiled library, whatever branches other tests take.
-# Every function has its own section; from those that tabor.h calls AUDIO or ANY, this follows every
-# reference to other sections, tables of functions included, and looks at what is reached outside the
-# library. What it cannot see is a pointer that the user gave: the allocator, which test_realtime counts.
+# Checks in the compiled library which functions the audio thread can call, independent of the branches that other
+# tests take. Every function has its own section. From the functions that tabor.h marks AUDIO or ANY, this test
+# follows every reference to other sections, tables of functions included, and checks the symbols reached
+# outside the library. It cannot see the user's function pointers, the allocator; test_realtime counts its calls.
 #
-# With archives of the program it is the same for its audio thread, which adds a clock that is read in user
-# space.
+# With archives of the program, this test checks the program's audio thread in the same way and also allows the
+# clock, which is read in user space.
 #
 # test_realtime_symbols.sh LIBTABOR.A TABOR.H [ARCHIVE]...
 set -euo pipefail

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced, after embed_checks.sh, by tests that take a system with nothing but Debian's base: makes one in $root.
-# Takes being root, a network and a minute; skips the test where it cannot be had.
+# Sourced, after embed_checks.sh, by tests that need a system with only Debian's base: installs one in $root.
+# Needs root, a network and a minute; skips the test if the system cannot be installed.
 
 needs debootstrap debootstrap
 needs coreutils chroot
@@ -18,7 +18,7 @@ timeout 900 debootstrap --variant=minbase "$VERSION_CODENAME" "$root" "$mirror" 
 }
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 
-# within COMMAND...: runs it there.
+# within COMMAND...: runs it in that system.
 within() {
   chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of one precision (kernels_tmpl.h), counted: test_system_work.c, which has the counters, includes this
- * once for each (both.h). */
+/* Wrappers that count the work of the kernels (kernels_tmpl.h) of one precision. test_system_work.c defines the
+ * counters and includes this file once per precision (both.h). */
 
-/* One that returns nothing: its parameters and its arguments in brackets. */
+/* A kernel that returns nothing, with its parameters and its arguments in parentheses. */
 #undef COUNTED
 #undef COUNTED_RESULT
 #undef COUNT

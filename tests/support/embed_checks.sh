@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced by the tests of what other programs get: a folder to work in, commands that speak only when
-# they fail, and the two installed trees.
+# Sourced by the tests of the installed library: a work folder, commands that print only when they fail, and the two
+# installed trees.
 #
-# They get from ctest: SOURCE, the source folder; CMAKE, CC and, where there is one, CXX; STATIC_BUILD
-# and SHARED_BUILD, build folders of both kinds; TABOR, the program; INSPECT, host_inspect.
+# ctest sets: SOURCE, the source folder; CMAKE, CC and, if there is one, CXX; STATIC_BUILD and SHARED_BUILD, build
+# folders of both kinds; TABOR, the program; INSPECT, host_inspect.
 # shellcheck source=tests/support/skips.sh
 . "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
 
@@ -21,35 +21,35 @@ complain() {
   exit 1
 }
 
-# quietly COMMAND...: shows what it said only if it failed, which ends the test.
+# quietly COMMAND...: prints its output only if it fails, which ends the test.
 quietly() {
   "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; complain "$*"; }
 }
 
-# fresh_clone FOLDER: the source as somebody else would get it if all that is in the folder now were committed.
+# fresh_clone FOLDER: makes a clone of the source as if all its present files were committed.
 fresh_clone() {
   needs git git
   needs tar tar
   git -C "$SOURCE" ls-files -z --cached --others --exclude-standard -- README.md >"$scratch/files" 2>&1 &&
     [ -s "$scratch/files" ] || skip "the source is not a git checkout"
   mkdir "$1"
-  # What git knows of but was removed cannot be copied.
+  # Files that git tracks but that were removed cannot be copied.
   (cd "$SOURCE" && git ls-files -z --cached --others --exclude-standard | sort -zu |
     while IFS= read -r -d '' file; do if [ -e "$file" ]; then printf '%s\0' "$file"; fi; done |
     tar --null -T - -cf -) | tar -xf - -C "$1"
 }
 
-# install_tree BUILD-FOLDER FOLDER: installs it there by way of another folder: trees can be moved.
+# install_tree BUILD-FOLDER FOLDER: installs into another folder and moves the tree to FOLDER: trees must be movable.
 install_tree() {
   quietly "$CMAKE" --install "$1" --prefix "$scratch/elsewhere"
   mv "$scratch/elsewhere" "$2"
 }
 
-# use_pkg_config FOLDER: pkg-config finds the tree there.
+# use_pkg_config FOLDER: makes pkg-config find the tree in FOLDER.
 use_pkg_config() {
   PKG_CONFIG_PATH=$(dirname "$(find "$1" -name tabor.pc)")
   export PKG_CONFIG_PATH
 }
 
-# library_folder FOLDER: where the tree's library lies.
+# library_folder FOLDER: prints the folder of the tree's library.
 library_folder() { dirname "$(find "$1" -name 'libtabor.*' | head -n 1)"; }

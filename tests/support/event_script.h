@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Events by their frame, played in pieces: whatever the pieces, saves, resets and swaps, a drum sounds the same. */
+/* Plays events by frame in pieces and checks that pieces, saves, resets and swaps do not change the sound. */
 #ifndef TEST_EVENT_SCRIPT_H
 #define TEST_EVENT_SCRIPT_H
 
 #include "physics.h"
 
-/* Whether there is an event at this frame, and which. */
+/* Returns true if there is an event at this frame, and fills it in. */
 typedef uint32_t EventScript(uint32_t frame, TaborEvent *event);
 
-/* Frames from .. to in blocks, into out[from ..]. */
+/* Plays frames from .. to in blocks into out[from ..]. */
 static inline void event_script_play(EventScript *script, TaborDrum *drum, uint32_t from,
                                      uint32_t to, uint32_t block, float *out) {
   for (uint32_t start = from; start < to; start += block) {
@@ -46,7 +46,7 @@ static inline void event_script_keeps_every_bit(EventScript *script, TaborModel 
   tabor_drum_destroy(other);
 }
 
-/* A drum that went on on another model at frame `at`. */
+/* Plays a drum that is swapped to another model at frame `at`. */
 static inline TaborDrum *event_script_swapped(EventScript *script, TaborModel *from, TaborModel *to,
                                               uint32_t at, uint32_t frames, float *out) {
   TaborDrum *drum = physics_drum(from);

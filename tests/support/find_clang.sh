@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced by the tests that need a clang with the sanitizers of today.
+# Sourced by the tests that need a recent clang with its sanitizers.
 
-# find_clang: names the newest that is here.
+# find_clang: prints the name of the newest installed clang.
 find_clang() {
   local candidate
   for candidate in clang-22 clang-21 clang-20; do

@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # Sourced by the tests that run Python.
 
-# find_python MODULE,...: names the first Python that has all of these.
+# find_python MODULE,...: prints the name of the first Python that has all of these modules.
 find_python() {
   local candidate
   for candidate in python3 /usr/bin/python3; do

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced by the scripts that test the program. They get it as $TABOR and host_inspect as $INSPECT,
-# and work in a folder of their own.
+# Sourced by the scripts that test the program. $TABOR is the program and $INSPECT is host_inspect. Each script
+# works in a folder of its own.
 
 # shellcheck source=tests/support/skips.sh
 . "$(dirname "${BASH_SOURCE[0]}")/skips.sh"
@@ -19,7 +19,7 @@ cd "$work" || exit 1
 
 checks=0 failures=0
 
-# complain WHAT: a check has failed.
+# complain WHAT: reports a failed check.
 complain() {
   failures=$((failures + 1))
   printf 'FAILED: %s\n' "$1"
@@ -33,19 +33,19 @@ check() {
   "$@" || complain "$what"
 }
 
-# same WHAT EXPECTED ACTUAL
+# same WHAT EXPECTED ACTUAL: both must be equal.
 same() {
   checks=$((checks + 1))
   [ "$2" = "$3" ] || complain "$1: expected '$2', got '$3'"
 }
 
-# holds WHAT EXPRESSION: an arithmetic statement of awk's.
+# holds WHAT EXPRESSION: the expression, in awk's language, must be true.
 holds() {
   checks=$((checks + 1))
   awk "BEGIN { exit !($2) }" || complain "$1: $2"
 }
 
-# Everything in the folder, with contents.
+# snapshot: prints the files of the folder and checksums of their contents.
 snapshot() {
   { find . -printf '%p %y %m %l\n'; find . -type f -exec cksum {} + 2>&1; } | sort
 }
@@ -56,8 +56,8 @@ run() {
   status=$?
 }
 
-# expect_error STATUS PATTERN: the last run ended so, with one line that matches on standard error
-# and nothing on standard output.
+# expect_error STATUS PATTERN: the last run must have this status, one matching line on standard error, and nothing
+# on standard output.
 expect_error() {
   checks=$((checks + 1))
   if [ "$status" != "$1" ] || [ "$(wc -l <"$err")" != 1 ] || [ -s "$out" ] ||
@@ -66,8 +66,8 @@ expect_error() {
   fi
 }
 
-# refused PATTERN ARGUMENT..., failed PATTERN ARGUMENT...: the program ends with status 2, 1, says
-# so in one line that matches, prints nothing, and leaves the folder as it was.
+# refused PATTERN ARGUMENT..., failed PATTERN ARGUMENT...: the program must end with status 2 or 1 respectively,
+# with one matching line on standard error and nothing on standard output, and must not change the folder.
 refused() { rejected 2 "$@"; }
 failed() { rejected 1 "$@"; }
 rejected() {
@@ -79,7 +79,7 @@ rejected() {
   same "folder after: $*" "$before" "$(snapshot)"
 }
 
-# done_quietly ARGUMENT...: the program succeeds and says nothing.
+# done_quietly ARGUMENT...: the program must succeed and print nothing.
 done_quietly() {
   run "$@"
   checks=$((checks + 1))
@@ -88,7 +88,7 @@ done_quietly() {
   fi
 }
 
-# render_strikes FILE STROKE...: renders these strokes without a word, with the script's options in `short`.
+# render_strikes FILE STROKE...: renders these strokes silently, with the script's options in `short`.
 render_strikes() {
   local file=$1 stroke words=()
   shift
@@ -97,12 +97,12 @@ render_strikes() {
   done_quietly render "${short[@]}" -o "$file" "${words[@]}"
 }
 
-# same_bytes WHAT FILE FILE, other_bytes WHAT FILE FILE
+# same_bytes WHAT FILE FILE, other_bytes WHAT FILE FILE: the files must be equal, or different.
 same_bytes() { check "$1" cmp -s "$2" "$3"; }
 other_bytes() { check "$1" eval "! cmp -s '$2' '$3'"; }
 
-# interrupted SIGNAL STATUS BEGUN ARGUMENT...: the signal comes when the program has begun so many temporary
-# files; it ends with this status, and leaves the folder as it was.
+# interrupted SIGNAL STATUS BEGUN ARGUMENT...: sends the signal when the program has BEGUN temporary files. The
+# program must end with this status and not change the folder.
 interrupted() {
   local signal=$1 expected=$2 begun=$3 before child
   shift 3
@@ -116,11 +116,11 @@ interrupted() {
   same "folder after SIG$signal: $*" "$before" "$(snapshot)"
 }
 
-# json PATH: what the last run printed at this path.
+# json PATH: prints the value at this path in the output of the last run.
 json() { "$INSPECT" json "$1" <"$out"; }
 
-# wait_for COMMAND...: until the command succeeds, for `patience` seconds at most. Nothing takes a minute; a busy
-# machine may make it.
+# wait_for COMMAND...: waits until the command succeeds, for `patience` seconds at most. Only a very busy machine
+# needs a minute.
 patience=60
 wait_for() {
   local i
@@ -132,31 +132,31 @@ wait_for() {
 }
 
 # ---- time ----
-# No check may fail because the machine is slow. A test waits for what the program does instead of for a time to
-# pass. Where times themselves are compared, the machine is watched meanwhile.
+# No check may fail because the machine is slow. A test waits for an effect of the program, not for a fixed time. If a
+# test compares times, it measures the delays of the machine as well.
 
-# A calm machine makes sleepers late by less [s].
+# Largest delay of a sleeping process on a calm machine [s].
 CALM=0.002
 
-# watch_machine: from now on it is measured by how much the machine makes sleepers late.
+# watch_machine: starts to measure by how much the machine delays a sleeping process.
 watch_machine() {
   : "${STALLS:?host_stalls}"
   echo 0 >"$private/stalled"
   "$STALLS" "$private/stalled" &
   watcher=$!
 }
-# watched: ends that; the largest lateness [s] is then in `stalled`.
+# watched: ends the measurement; `stalled` is then the largest delay [s].
 watched() {
   kill "$watcher"
   wait "$watcher"
   stalled=$(cat "$private/stalled")
 }
-# machine_kept_time SECONDS: while it was watched, it made nobody late by so much.
+# machine_kept_time SECONDS: true if the largest delay measured is below SECONDS.
 machine_kept_time() { awk "BEGIN { exit !($stalled < $1) }"; }
 
-# in_time SECONDS WHAT COMMAND...: what comes too late is tried again, up to four times, for a machine may be busy.
-# It is a failure if all tries were late though at one of them the machine kept time; otherwise it is skipped. What
-# the command checks by itself is a failure at once.
+# in_time SECONDS WHAT COMMAND...: a command that is late is tried again, up to four times, because the machine may be
+# busy. If all tries are late, the check fails if the machine kept time in one of them, and is skipped otherwise. A
+# failed check within the command is a failure at once.
 in_time() {
   local limit=$1 what=$2 try excused=yes before=$failures
   shift 2
@@ -176,24 +176,24 @@ in_time() {
   fi
 }
 
-# recorded_size: bytes of the recording that goes on in this folder.
+# recorded_size: prints the size of the running recording in this folder [bytes].
 recorded_size() { stat -c %s .tabor-* 2>/dev/null; }
-# recorded SECONDS BYTES: it has come so far, with so many bytes a frame at 48 kHz.
+# recorded SECONDS BYTES: true if the recording has SECONDS of sound, with BYTES per frame at 48 kHz.
 recorded() {
   local size
   size=$(recorded_size) || return 1
   awk "BEGIN { exit !($size >= $1 * 48000 * $2) }"
 }
-# catches PROCESS SIGNAL-NUMBER: the process has a handler for it.
+# catches PROCESS SIGNAL-NUMBER: true if the process has a handler for the signal.
 catches() { (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status") >> ($2 - 1)) & 1)); }
-# record_more SECONDS BYTES: waits until so much has been added.
+# record_more SECONDS BYTES: waits until SECONDS more sound is recorded, with BYTES per frame.
 record_more() {
   local size
   size=$(recorded_size)
   check "the recording goes on" wait_for recorded "$(awk "BEGIN { print $1 + ${size:-0} / 48000 / $2 }")" "$2"
 }
 
-# The last line of every script.
+# finish: prints the summary; must be the last line of every script.
 finish() {
   printf '%s: %d checks, %d failed\n' "$(basename "$0" .sh)" "$checks" "$failures"
   [ "$failures" = 0 ]

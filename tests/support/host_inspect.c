@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file host_inspect.c
- * What the scripts need to see in JSON and in sound files, one answer a call:
+ * Prints values of JSON and of sound files for the test scripts, one value per call:
  *
  *     host_inspect json PATH        the value at a path such as modes.0.frequency, from standard
- *                                   input; 'keys' and 'size' at its end ask for just these
+ *                                   input; 'keys' or 'size' at its end prints just these
  *     host_inspect sound FILE       container encoding rate channels frames
- *     host_inspect peak FILE        largest sample in size
- *     host_inspect first FILE       number of the first frame that is not zero
+ *     host_inspect peak FILE        largest absolute sample
+ *     host_inspect first FILE       number of the first nonzero frame
  *     host_inspect onsets FILE      frames at which it becomes twice as loud as in the 20 ms before
  *     host_inspect rms FILE A B     root mean square from A to B [s]
  *     host_inspect sounds FILE      time [s] and largest sample of each sound after 50 ms of silence
  *     host_inspect distance A B     largest difference of two sounds
- *     host_inspect equal A B        status 0 if there is none, whatever the containers
+ *     host_inspect equal A B        status 0 if they do not differ; containers may differ
  */
 #include <jansson.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file host_synthesise.c
- * Writes sounds whose partials are known, as float WAV, for what analyses sounds:
+ * Writes sounds with known partials as float WAV, for tests of the analysis:
  *
  *     host_synthesise FILE RATE CHANNELS SECONDS ONSET NOISE [HZ,DBFS,DECAY]...
  *

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file host_typist.c
- * Somebody at a terminal: runs a program on a pseudo-terminal, types what a script says, and sees its screen.
+ * Simulates a user at a terminal: runs a program on a pseudo-terminal, types from a script, and reads the screen.
  *
  *     host_typist SCRIPT PROGRAM ARGUMENT...
  *
- * A line of the script, one after the other:
- *     wait TEXT      until the screen shows it; gives up, with status 1, after a minute
- *     gone TEXT      until the screen shows it no more
- *     read FILE TEXT until the file has the text in one of its lines; gives up likewise
+ * Commands of the script, one per line, executed in order:
+ *     wait TEXT      waits until the screen shows it; gives up with status 1 after a minute
+ *     gone TEXT      waits until the screen no longer shows it
+ *     read FILE TEXT waits until a line of the file has the text; gives up likewise
  *     type TEXT      \e is Escape, \r Enter, \t Tab, \xHH any byte; prints "typed SECONDS" (a monotonic clock)
  *     sleep SECONDS
- *     escape         Escape twice within a tenth of a second, as quits the program; again, if a busy machine drew
- *                    that out
- *     signal NUMBER  to the program
- *     size COLUMNS ROWS
- *     raw, cooked    until the terminal gives single keys, or lines; gives up likewise
+ *     escape         types Escape twice within a tenth of a second, which quits the program; retries if a busy
+ *                    machine took longer
+ *     signal NUMBER  sends it to the program
+ *     size COLUMNS ROWS   sets the size of the terminal
+ *     raw, cooked    waits until the terminal delivers single keys, or lines; gives up likewise
  *     show           prints the screen
- * After it the program has a minute to end. Then it prints "status N", as a shell tells it, and "settings same" or
- * "settings changed": whether the terminal's are those from before the program began; and "screen main" if it is
- * back on the main screen with the cursor shown.
+ * After the script the program has a minute to end. host_typist then prints "status N", as a shell reports it;
+ * "settings same" or "settings changed" for the terminal's settings compared with those before the start; and
+ * "screen main" if the terminal is back on the main screen with a visible cursor.
  */
 #define _GNU_SOURCE
 #include <poll.h>

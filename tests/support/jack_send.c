@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file jack_send.c
- * A MIDI keyboard for the tests: a JACK client that sends what it is told, on its frame.
+ * A MIDI keyboard for the tests: a JACK client that sends given messages, each at its frame.
  *
- *     jack_send PORT MESSAGE...     connects to PORT, or for '-' waits to be connected, and sends;
- *                                   MESSAGE is SECONDS:HEX, as 0.5:992640, counted from then on
- *     jack_send PORT flood RATE SECONDS   so many notes a second
+ *     jack_send PORT MESSAGE...     connects to PORT, or for '-' waits for a connection, and sends;
+ *                                   MESSAGE is SECONDS:HEX, as 0.5:992640, timed from the connection
+ *     jack_send PORT flood RATE SECONDS   sends RATE notes a second
  *
- * Waits a minute for the port. Status 1 if there is no server, port or connection.
+ * Waits up to a minute for the port. Status 1 if there is no server, port or connection.
  */
 #include <jack/jack.h>
 #include <jack/midiport.h>

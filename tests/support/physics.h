@@ -23,7 +23,7 @@ static inline TaborDrumDef physics_preset(const char *name) {
   return def;
 }
 
-/* An ideal membrane in a vacuum: without stiffness, stretching and losses of its own. */
+/* An ideal membrane in a vacuum: without stiffness, stretching and internal losses. */
 static inline TaborDrumDef physics_membrane(void) {
   TaborDrumDef def;
   tabor_drum_def_default(&def);
@@ -48,13 +48,13 @@ static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, ui
   return model;
 }
 
-/* What the ledger's residual stays within, in parts of the energy put in: contacts are solved in single precision
- * at `draft` and `live` (contact_solve.h), in double at `studio` and `reference`. */
+/* Largest residual of the ledger, as a fraction of the injected energy. Contacts are solved in single precision at
+ * `draft` and `live` (contact_solve.h), in double precision at `studio` and `reference`. */
 static inline double physics_residual(uint32_t quality) {
   return quality <= TABOR_QUALITY_LIVE ? 1e-6 : 1e-9;
 }
 
-/* A drum of the size of `live` with contacts in double: what studio does, faster. */
+/* A drum with the size of `live` and contacts in double precision: works like studio, but is faster. */
 static inline TaborDrumDef physics_small(const TaborDrumDef *def) {
   TaborDrumDef small = *def;
   if (small.quality.two_way_bandwidth == 0.0) small.quality.two_way_bandwidth = 2500.0;
@@ -80,7 +80,7 @@ static inline TaborEvent physics_strike(const TaborDrumDef *def) {
                       .angle = def->strike.angle};
 }
 
-/* Splitmix64: one number after another from a seed, the same everywhere. */
+/* SplitMix64: the next random number; the sequence of a seed is the same on every machine. */
 static inline uint64_t physics_random(uint64_t *state) {
   uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
   z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
@@ -92,7 +92,8 @@ static inline double physics_uniform(uint64_t *state, double lo, double hi) {
   return lo + (hi - lo) * ((double)(physics_random(state) >> 11) * 0x1p-53);
 }
 
-/* From the environment variable TABOR_TEST_SEED, or 1; printed, so that a failure repeats. */
+/* Reads the seed from the environment variable TABOR_TEST_SEED, default 1, and prints it, so that a failure can be
+ * repeated. */
 static inline uint64_t physics_seed(void) {
   const char *text = getenv("TABOR_TEST_SEED");
   const uint64_t seed = text ? strtoull(text, NULL, 0) : 1;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_host.h
- * A host for the LV2 plugins, as small as one can be: knobs, MIDI, runs, a worker, states in memory. Any failure
- * fails the test.
+ * A minimal host for the LV2 plugins: knobs, MIDI, runs, a worker, states in memory. Any failure fails the test.
  */
 #ifndef TABOR_TESTS_PLUGIN_HOST_H
 #define TABOR_TESTS_PLUGIN_HOST_H
@@ -21,20 +20,20 @@
 #include "lv2/ports.h"
 #include "midi/midi_stream.h"
 
-#define HOST_BLOCK 8192 /**< frames of a run at most */
+#define HOST_BLOCK 8192 /**< most frames of a run */
 #define HOST_OUTPUTS 6
-#define HOST_ROOM 65536 /**< bytes of the events of a run */
+#define HOST_ROOM 65536 /**< buffer for the events of a run [bytes] */
 #define HOST_PROPERTIES 64
 
-/** Who does what the plugin asks for beside the audio thread. */
+/** Executor of the work that the plugin schedules. */
 typedef enum HostWorker {
-  HOST_WITHOUT_WORKER, /**< the plugin by itself */
+  HOST_WITHOUT_WORKER, /**< none: the plugin uses a thread of its own */
   HOST_WORKER_THREAD,
-  HOST_WORKER_AT_ONCE, /**< the thread that runs it, while it asks */
-  HOST_WORKER_REFUSES  /**< nobody: there is no room */
+  HOST_WORKER_AT_ONCE, /**< the thread that runs the plugin, within the request */
+  HOST_WORKER_REFUSES  /**< none: every request fails for lack of space */
 } HostWorker;
 
-/** A property of a state. */
+/** A property of a saved state. */
 typedef struct HostProperty {
   char uri[128];
   uint32_t type, flags;
@@ -68,53 +67,53 @@ typedef struct PluginHost {
   LV2_Worker_Schedule scheduler;
   LV2_URID_Map urids;
   LV2_Log_Log log;
-  char said[512];    /**< the newest line of the log, "" if there was none */
-  uint64_t position; /**< frames that were run */
+  char said[512];    /**< newest line of the log, or "" */
+  uint64_t position; /**< frames run so far */
   pthread_t thread;
   atomic_uint asked, done; /**< calls of the worker */
   atomic_bool stops;
 } PluginHost;
 
-/** What all hosts map URIs with; any thread. */
+/** Maps a URI, the same for all hosts. Any thread. */
 LV2_URID host_map(const char *uri);
-/** The same as a function of LV2's feature. */
+/** host_map() with the signature of LV2's feature. */
 LV2_URID host_map_feature(LV2_URID_Map_Handle handle, const char *uri);
-/** The plugin @p uri of the file @p binary. */
+/** Loads the plugin @p uri from the file @p binary. */
 const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 
-/** Instantiates, connects all ports and activates at 48 kHz; knobs stand at their defaults. */
+/** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults. */
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);
 void host_close(PluginHost *host);
-/** For the next run; in order of @p frame. */
+/** Adds an event for the next run; call in order of @p frame. */
 void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes);
-/** For the next run: a stroke. */
+/** Adds a note for the next run. */
 void host_note(PluginHost *host, int64_t frame, uint8_t key, uint8_t velocity);
-/** Takes the events of the next run away. */
+/** Removes the events of the next run. */
 void host_clear(PluginHost *host);
-/** Runs, with the events that were put there, which are gone then. */
+/** Runs with the added events and removes them. */
 void host_run(PluginHost *host, uint32_t frames);
-/** Runs until the plugin is ready, in silence or not, 20 s at most. */
+/** Runs until the plugin is ready, whether it sounds or not, 20 s at most. */
 void host_wait(PluginHost *host);
 /**
- * Plays @p count messages, in order of their frames from now on, until @p frames have been played into
- * @p sound, [channel][frame], in runs of @p block frames, 0: of random sizes from 0 to HOST_BLOCK.
+ * Plays @p count messages, in order of frames that count from now, until @p frames have been played into
+ * @p sound, [channel][frame]. Runs have @p block frames; 0: random sizes from 0 to HOST_BLOCK.
  */
 void host_play(PluginHost *host, const HostMessage *messages, size_t count, uint32_t frames,
                uint32_t block, float *const *sound);
 
-/** Free with host_state_free(). */
+/** Saves the state. Free with host_state_free(). */
 void host_save(PluginHost *host, HostState *state);
 LV2_State_Status host_restore(PluginHost *host, const HostState *state);
 void host_state_free(HostState *state);
-/** The property, or NULL. */
+/** Finds a property; NULL if there is none. */
 HostProperty *host_property(HostState *state, const char *uri);
-/** Adds one, or replaces its value. */
+/** Adds a property or replaces its value. */
 void host_set_property(HostState *state, const char *uri, const char *type, const void *value,
                        size_t size);
 
-/** Largest of @p count samples, in size. */
+/** Largest absolute value of @p count samples. */
 double host_peak(const float *samples, uint32_t count);
-/** The next of a sequence of numbers from 0 to below 1. */
+/** Returns the next random number, at least 0 and below 1. */
 double host_random(uint64_t *state);
 
 #endif

@@ -24,7 +24,7 @@ static inline double reference_number(const json_t *array, size_t index) {
   return json_number_value(json_array_get(array, index));
 }
 
-/* Copies an array of numbers; returns how many. */
+/* Copies an array of numbers; returns its length. */
 static inline size_t reference_vector(const json_t *array, double *out, size_t room) {
   const size_t count = json_array_size(array);
   if (count > room) abort();

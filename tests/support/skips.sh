@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced by the test scripts: how a test says that it, or a part of it, is skipped, and why. tools/check reads
-# the reasons. A reason that ends with "needs PACKAGE..." names the packages of Debian that are missing.
+# Sourced by the test scripts: reports that a test, or a part of it, is skipped, and why. tools/check reads the
+# reasons. A reason that ends with "needs PACKAGE..." names the missing packages of Debian.
 
-# skip_part REASON: a part of the test is skipped.
+# skip_part REASON: reports that a part of the test is skipped.
 skip_part() { echo "SKIPPED: $1"; }
 
-# skip REASON: the whole test is skipped.
+# skip REASON: skips the whole test.
 skip() {
   skip_part "$1"
   exit 77
 }
 
-# needs PACKAGE TOOL...: skips the whole test unless all of these tools are there, which the package has.
+# needs PACKAGE TOOL...: skips the whole test unless all of these tools, which the package contains, are installed.
 needs() {
   local package=$1 tool
   shift

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sound_hashes.c
- * Hashes of what the library computes, for tools/same-sound and test_system_sound_hashes. It uses the public
- * interface alone, so that it can be linked to the library of another commit.
+ * Prints hashes of the library's results, for tools/same-sound and test_system_sound_hashes. It uses only the
+ * public interface, so it can be linked to the library of another commit.
  *
  *     sound_hashes list                                      the built-in presets
  *     sound_hashes hash PRESET QUALITY [SECONDS [FOLDER]]    a line for each case
@@ -11,12 +11,12 @@
  *
  * A line is "PRESET QUALITY CASE BLOCKS SOUND LEDGER STATE". SOUND covers the samples of all microphones, LEDGER
  * the ledger, the statistics and the probe, STATE the bytes that tabor_drum_state_save() writes. A case plays in
- * blocks of 64 frames; where that is cheap it plays also in blocks of 1 and of 1000, and "everything" with the
- * baseline instructions ("64-baseline"): hashes of one case must not differ among these. The case "model" hashes
- * the facts and modes of the model instead of a sound.
+ * blocks of 64 frames. Cheap cases play also in blocks of 1 and of 1000, and "everything" also with the baseline
+ * instructions ("64-baseline"); the hashes of one case must be the same for all of these. The case "model"
+ * hashes the facts and modes of the model instead of a sound.
  *
  * FOLDER receives the samples of each case as native floats, in the file PRESET-QUALITY-CASE. SECONDS is 0.05
- * unless given (or 0); then snare drums at reference play a twentieth of it.
+ * by default or if 0; then snare drums at reference play a twentieth of it.
  */
 #include <inttypes.h>
 #include <math.h>

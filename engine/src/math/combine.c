@@ -6,18 +6,10 @@
 /* So many columns at a time stay in registers. */
 enum { COLUMNS = 16 };
 
-static void combine_block(uint32_t count, const double *factors, const double *rows,
-                          uint32_t stride, double sign, double *out) {
-  double sum[COLUMNS] = {0.0};
-  for (uint32_t j = 0; j < count; j++) {
-    const double factor = factors[j], *row = rows + (size_t)j * stride;
-    for (uint32_t k = 0; k < COLUMNS; k++) sum[k] += factor * row[k];
-  }
-  for (uint32_t k = 0; k < COLUMNS; k++) out[k] += sign * sum[k];
-}
-
-static void combine_rest(uint32_t length, uint32_t count, const double *factors, const double *rows,
-                         uint32_t stride, double sign, double *out) {
+/* Columns 0 .. length - 1; inlined, so that a known length keeps its sums in registers. */
+static inline __attribute__((always_inline)) void
+combine_columns(uint32_t length, uint32_t count, const double *factors, const double *rows,
+                uint32_t stride, double sign, double *out) {
   double sum[COLUMNS] = {0.0};
   for (uint32_t j = 0; j < count; j++) {
     const double factor = factors[j], *row = rows + (size_t)j * stride;
@@ -30,7 +22,7 @@ void tb_combine_rows(uint32_t length, uint32_t count, const double *factors, con
                      uint32_t stride, double sign, double *out) {
   uint32_t k = 0;
   for (; k + COLUMNS <= length; k += COLUMNS) {
-    combine_block(count, factors, rows + k, stride, sign, out + k);
+    combine_columns(COLUMNS, count, factors, rows + k, stride, sign, out + k);
   }
-  combine_rest(length - k, count, factors, rows + k, stride, sign, out + k);
+  combine_columns(length - k, count, factors, rows + k, stride, sign, out + k);
 }

@@ -20,8 +20,8 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
 }
 
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
- * have no more than TB_MAX_MODES modes. The count uses asymptotic formulas. */
-double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth);
+ * have no more than `most` modes. The count uses asymptotic formulas. */
+double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint32_t most);
 
 /* Like tb_single_head_order(), for a drum with air inside. */
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,

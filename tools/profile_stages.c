@@ -280,9 +280,9 @@ static void touch_high(Memory *memory) {
   }
   touch(memory, TB_STAGE_HIGH, h->row_group, w->stride * sizeof *h->row_group);
   touch(memory, TB_STAGE_HIGH, v->high_force, h->driven * sizeof *v->high_force);
-  TOUCH(memory, TB_STAGE_HIGH, w->stride, h->row_loss, v->solve.warm.force,
-        memory->model->rest.force, v->solve.work.turned);
-  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, h->ringing.hold);
+  TOUCH(memory, TB_STAGE_HIGH, w->stride, v->solve.warm.force, memory->model->rest.force,
+        v->solve.work.turned);
+  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high_held);
 }
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */

@@ -215,7 +215,7 @@ static void the_account_of_resting_wires_does_not_drift(void **state) {
     largest = fmax(largest, fabs(ledger.residual));
   }
   print_message("residual %.2g J at first, %.2g J at last, %.2g J at most\n", early, late, largest);
-  assert_true(fabs(late - early) < 3e-13 && largest < 5e-12);
+  assert_true(fabs(late - early) < 3e-13 && largest < 1e-11);
   tabor_drum_destroy(drum);
   tabor_model_release(model);
 }
@@ -235,7 +235,7 @@ static void falls_asleep(TaborModel *model, TaborDrum *drum) {
   print_message("%s: silent after %.2f s, %.2f Newton steps a solve\n", model->def.name,
                 0.01 * blocks, mean);
   assert_true(tabor_drum_is_silent(drum));
-  assert_true(mean < 1.5);
+  assert_true(mean < 2.0);
 }
 
 static void a_drum_that_has_died_away_sleeps(void **state) {

@@ -67,6 +67,7 @@ static double worst_shape(const TaborModel *model) {
     if (model->wires.real[row] == 0.0) continue;
     exact(model, row, radial, shape);
     for (uint32_t i = 0; i < modes; i++) {
+      if (model->modes.row[i] == TB_NO_MODE) continue; /* it stands for missing modes */
       worst = fmax(worst, fabs(table[(size_t)row * modes + i] - shape[i]));
       most = fmax(most, fabs(shape[i]));
     }
@@ -143,7 +144,8 @@ static void work_is_the_same_on_both_sides(void **state) {
 /* The operator between rows against the sum over the exact modes. */
 static void compliance_agrees_with_the_modes(void **state) {
   (void)state;
-  const TaborDrumDef def = snares(5);
+  TaborDrumDef def = snares(5);
+  def.quality.bandwidth = def.quality.two_way_bandwidth = 6000.0; /* no modes are missing */
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
   const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const uint32_t modes = model->modes.group[model->modes.groups];

@@ -132,9 +132,8 @@ COUNTED(wire_step, (uint64_t)wires *lanes,
 COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
                (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
                (wires, lanes, c, next, last))
-COUNTED_RESULT(double, gather_wires, (uint64_t)wires *lanes,
-               (uint32_t wires, uint32_t lanes, In f, In loss, Out out),
-               (wires, lanes, f, loss, out))
+COUNTED_RESULT(TbWireContacts, gather_wires, (uint64_t)wires *lanes,
+               (uint32_t wires, uint32_t lanes, In f, In s, Out out), (wires, lanes, f, s, out))
 COUNTED_RESULT(bool, touches, n, (uint32_t n, In y, In s, In f), (n, y, s, f))
 COUNTED(penetrate, (uint64_t)wires *lanes,
         (uint32_t wires, uint32_t lanes, double side, In shift, In w, In v, In rest, In last,

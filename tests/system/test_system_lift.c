@@ -37,6 +37,8 @@ static void assert_balanced(const TaborDrum *drum) {
   TaborLedger ledger;
   tabor_drum_ledger(drum, &ledger);
   const double scale = ledger.injected + fabs(ledger.control);
+  print_message("residual %.2g of %.3g J, %llu capped\n", ledger.residual, scale,
+                (unsigned long long)statistics_of(drum).newton_capped);
   assert_true(ledger.residual > -1e-9 * scale);
   assert_true(ledger.residual < (statistics_of(drum).newton_capped ? CAPPED_LOSS : 1e-9) * scale);
 }

@@ -42,6 +42,7 @@ static void define(TaborDrumDef *def) {
   def->air.density = 0.0;
   def->air.gravity = 0.0;
   def->quality.two_way_bandwidth = 3000.0;
+  def->quality.bandwidth = 3000.0; /* no other modes are missing */
   def->quality.newton_cap = 16;
   def->quality.wire_points = 48;
   def->quality.losses = 0;

@@ -72,6 +72,7 @@ bool tb_swap_map(TaborSwap *swap) {
   map_mics(swap);
   if (!map->continues) return true;
   const uint32_t n = to->modes.padded;
+  const bool same = from->fingerprint == to->fingerprint;
   map->mode = tb_arena_take(&swap->arena, n, sizeof *map->mode);
   double **arrays[] = {&map->scale, &map->cos_old, &map->sin_old, &map->cos_new, &map->sin_new};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
@@ -79,7 +80,7 @@ bool tb_swap_map(TaborSwap *swap) {
   }
   if (swap->arena.failed) return false;
   for (uint32_t i = 0; i < n; i++) {
-    map->mode[i] = TB_NO_MODE;
+    map->mode[i] = same ? i : TB_NO_MODE; /* those that stand for missing modes, see wire_yield.h */
     if (to->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
@@ -223,6 +224,10 @@ static void carry_high(const TbView *from, TbView *to) {
   const size_t bytes = to->model->high.padded * sizeof(double);
   memcpy(to->now.high, from->now.high, bytes);
   memcpy(to->last.high, from->last.high, bytes);
+  memcpy(to->high_held, from->high_held, bytes);
+  to->state->held = from->state->held;
+  to->state->hold_steps = from->state->hold_steps;
+  to->state->contacts = from->state->contacts;
 }
 
 static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {

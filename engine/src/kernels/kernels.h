@@ -42,10 +42,14 @@ typedef struct TbRingPart {
   bool pushed, held;
 } TbRingPart;
 
+/* Of the wires' contacts: Sum f, Sum f^2, Sum f s^2. */
+typedef struct TbWireContacts {
+  double force, square, motion;
+} TbWireContacts;
+
 typedef struct TbRingParts {
   uint32_t count;
   TbRingPart part[4];
-  double loss, most; /* of the held parts */
 } TbRingParts;
 
 /* A wire's coefficients for its live values (wires.h). */

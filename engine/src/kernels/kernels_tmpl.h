@@ -18,10 +18,10 @@ typedef struct TB_TYPE(TbGather) {
 } TB_TYPE(TbGather);
 
 /* A step of the high band and the signal of one microphone (mic_output.h). Arrays are [modes].
- * `push` is read for pushed modes, `hold` for held ones. */
+ * `push` is read for pushed modes, `held` for held ones. */
 typedef struct TB_TYPE(TbRing) {
   TbRingParts parts;
-  const TB_REAL *a, *b, *now, *last, *hold, *ahead, *behind;
+  const TB_REAL *a, *b, *now, *last, *held, *ahead, *behind;
   const float *push;
   TB_REAL *next;
 } TB_TYPE(TbRing);
@@ -79,8 +79,8 @@ typedef struct TB_TYPE(TbKernels) {
                    const TB_REAL *x);
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
   void (*gather)(const TB_TYPE(TbGather) * gather);
-  /* next = a now - b last + push, then next += min(loss hold, most) (last - next). Returns Sum
-   * ahead next and Sum behind next. */
+  /* next = a now - b last + push, then next += held (last - next). Returns Sum ahead next and
+   * Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
@@ -174,9 +174,9 @@ typedef struct TB_TYPE(TbKernels) {
    * d = next - last. */
   double (*wire_losses)(uint32_t wires, uint32_t lanes, const TbWireCoefficients *c,
                         const double *next, const double *last);
-  /* out[l] = Sum over wires of f[w][l]; returns Sum loss f. */
-  double (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
-                         double *out);
+  /* out[l] = Sum over wires of f[w][l]. */
+  TbWireContacts (*gather_wires)(uint32_t wires, uint32_t lanes, const double *f, const double *s,
+                                 double *out);
   /* Returns true if y > 0, y + s > 0 or f != 0 anywhere. */
   bool (*touches)(uint32_t n, const double *y, const double *s, const double *f);
   /* eta = (side w - v) + rest + shift, with the wire's shift; b = (eta - last) + load */

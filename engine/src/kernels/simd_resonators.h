@@ -11,16 +11,13 @@ typedef TYPE_OF(TbRing) Ring;
 /* Takes `r` by value: the compiler would have to assume that a store to `next` changes *r. */
 static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint32_t end,
                              Lanes sum[2]) {
-  const Lanes most = all(REAL(r.parts.most));
-  const Real loss = REAL(r.parts.loss);
   for (uint64_t i = from; i < end; i += 8) {
     const Lanes last = load(r.last + i);
     Lanes next =
       subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
     if (pushed) next = add(next, load_float(r.push + i));
     if (held) {
-      const Lanes part = smaller(scale(load(r.hold + i), loss), most);
-      next = add(next, multiply_lanes(part, subtract(last, next)));
+      next = add(next, multiply_lanes(load(r.held + i), subtract(last, next)));
     }
     store(r.next + i, next);
     sum[0] = add(sum[0], multiply_lanes(load(r.ahead + i), next));

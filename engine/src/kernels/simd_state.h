@@ -153,20 +153,21 @@ static double wire_losses(uint32_t wires, uint32_t lanes, const TbWireCoefficien
   return join(sum);
 }
 
-static double gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *loss,
-                           double *out) {
-  Lanes lost = zero();
+static TbWireContacts gather_wires(uint32_t wires, uint32_t lanes, const double *f, const double *s,
+                                   double *out) {
+  Lanes total = zero(), square = zero(), motion = zero();
   for (uint32_t i = 0; i < lanes; i += 8) {
     Lanes sum = zero();
     for (uint32_t w = 0; w < wires; w++) {
-      const uint32_t at = w * lanes + i;
-      const Lanes force = load(f + at);
+      const Lanes force = load(f + w * lanes + i), change = load(s + w * lanes + i);
       sum = add(sum, force);
-      lost = add(lost, multiply_lanes(load(loss + at), force));
+      square = add(square, multiply_lanes(force, force));
+      motion = add(motion, multiply_lanes(force, multiply_lanes(change, change)));
     }
+    total = add(total, sum);
     store(out + i, sum);
   }
-  return join(lost);
+  return (TbWireContacts){join(total), join(square), join(motion)};
 }
 
 static bool touches(uint32_t n, const double *y, const double *s, const double *f) {

@@ -10,6 +10,8 @@
 #include "model/mics.h"
 #include "model/model.h"
 
+static const double PI = 3.14159265358979323846;
+
 /* From a cosine copy to its sine copy. */
 static uint32_t to_sine(const TbHighBand *band, uint32_t head) {
   return tb_pad(band->cosines[head]);
@@ -35,6 +37,7 @@ static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
 
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
+  band->hold_band = tb_arena_take(arena, band->padded, sizeof *band->hold_band);
   double **arrays[] = {&band->zero,      &band->scale, &band->ringing.a,
                        &band->ringing.b, &band->g,     &band->stiffness};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
@@ -45,6 +48,13 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
     band->ringing.behind[p] = tb_arena_doubles(arena, band->padded);
   }
   return !arena->failed;
+}
+
+static void prepare_wire_hold(TbHighBand *band, const TaborModel *model, double top) {
+  const TaborDrumDef *def = &model->def;
+  const TaborHeadDef *head = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
+  tb_wire_hold_prepare(&band->wire_hold, head, &def->air, &model->wires, model->head.radius,
+                       2.0 * PI * model->head.bandwidth, 2.0 * PI * top);
 }
 
 static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, const TbHighMode *c,
@@ -58,6 +68,7 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   band->ringing.b[i] = pole.b;
   band->g[i] = pole.g;
   band->stiffness[i] = pole.stiffness;
+  band->hold_band[i] = (uint8_t)tb_wire_hold_band(&band->wire_hold, c->omega);
   for (uint32_t p = 0; p < model->def.mic_count; p++) {
     tb_mic_weights(model, p, c->omega, &pole, c->m, sine, c->fields + 2 * p,
                    &band->ringing.ahead[p][i], &band->ringing.behind[p][i]);
@@ -235,11 +246,12 @@ static void fold_groups(const TbHighBand *band, const double *groups, Pushers to
   to[1].count = evens;
 }
 
-double tb_high_band_push(const TaborModel *model, const double *force, double *sums, float *out) {
+TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, const double *s,
+                                 double *sums, float *out) {
   const TbHighBand *band = &model->high;
   const TbWires *wires = &model->wires;
   const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
-  const double loss = model->kernels->gather_wires(count, each, force, band->row_loss, sums);
+  const TbWireContacts contacts = model->kernels->gather_wires(count, each, force, s, sums);
   double groups[TB_HIGH_GROUPS];
   Pushers pushers[2];
   if (!band->apart) group_forces(band, each, sums, groups);
@@ -249,7 +261,7 @@ double tb_high_band_push(const TaborModel *model, const double *force, double *s
     model->kernelsf->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,
                              band->rest + push->from, out + push->from);
   }
-  return loss;
+  return contacts;
 }
 
 TaborStatus tb_high_band_rest(TaborModel *model, TbArena *scratch) {
@@ -259,7 +271,7 @@ TaborStatus tb_high_band_rest(TaborModel *model, TbArena *scratch) {
   float *push = tb_arena_take(scratch, band->padded, sizeof *push);
   band->rest = tb_arena_take(&model->arena, band->padded, sizeof *band->rest);
   if (!sums || !push || !band->rest) return TABOR_ERROR_MEMORY;
-  tb_high_band_push(model, model->rest.force, sums, push);
+  tb_high_band_push(model, model->rest.force, model->rest.force, sums, push);
   memcpy(band->rest, push, band->padded * sizeof *push);
   return TABOR_OK;
 }
@@ -267,10 +279,10 @@ TaborStatus tb_high_band_rest(TaborModel *model, TbArena *scratch) {
 /* Mean squares of the shapes over a few wires stand for those over all. */
 static const uint32_t HOLDING_WIRES = 4;
 
-static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, const TbWires *wires,
-                         double time_step) {
+static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch,
+                         const TaborModel *model) {
+  const TbWires *wires = &model->wires;
   const uint32_t begin = band->begin[wires->head], size = band->begin[wires->head + 1] - begin;
-  band->row_loss = tb_arena_doubles(arena, wires->stride);
   band->ringing.hold = tb_arena_doubles(arena, band->padded);
   double *drive = tb_arena_doubles(scratch, band->padded);
   if (arena->failed || scratch->failed) return false;
@@ -278,13 +290,12 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch, con
   uint32_t points = 0;
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
-    band->row_loss[row] = wires->wires[wires->row_wire[row]].contact_loss;
     if (wires->row_wire[row] % every != every / 2) continue;
     drive_at(band, wires->head, wires->row_x[row], wires->row_y[row], drive);
     for (uint32_t i = 0; i < size; i++) {
       if (band->g[begin + i] == 0.0) continue; /* padding */
       const double shape = drive[begin + i] / band->g[begin + i];
-      band->ringing.hold[begin + i] += 0.5 * time_step * shape * shape;
+      band->ringing.hold[begin + i] += 0.5 * model->time_step * shape * shape;
     }
     points++;
   }
@@ -330,11 +341,12 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
   bool done = tb_high_modes_choose(&chosen, &scratch, model, top, most);
   if (done) {
     count_modes(band, &chosen);
+    prepare_wire_hold(band, model, top);
     done = allocate(band, arena, model->def.mic_count);
   }
   if (done) fill_modes(band, model, &chosen);
   done = done && prepare_groups(band, arena, &scratch, &model->wires) &&
-         prepare_hold(band, arena, &scratch, &model->wires, model->time_step) &&
+         prepare_hold(band, arena, &scratch, model) &&
          ROUND[band->precision](band, arena, model->def.mic_count);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;

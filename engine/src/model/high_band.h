@@ -26,16 +26,12 @@
  * many neighbouring points as it takes to have at most TB_HIGH_GROUPS. (Sixteen uneven groups on a
  * snare drum's 23 points: 3 to 5 dB too loud at 6 and 8 kHz.)
  *
- * Wires in contact also damp the head by their contacts' loss, f lambda v, lambda [s/m], f the
- * contact force. It adds Sum lambda f phi^2/2 to a mode's amplitude decay rate: 100 to 200 1/s on a
- * snare drum whose modes lose 75 to 200 by themselves. A two-way mode feels this loss through the
- * solve; here phi^2 is replaced by its mean over the bed. Without this loss everything is 4 to 9 dB
- * too loud.
+ * Wires in contact also damp the head: wire_hold.h says by how much. A two-way mode feels this
+ * through the solve. Without it, everything is 5 to 9 dB too loud.
  *
- * Limits: under firmly pressed wires the band is too soft, since the wires do not feel it
- * (marching-14x12 at live lacks 16 to 22 dB at 5 to 10 kHz once the stroke is over). At live, wire
- * points are 12.5 mm apart on a snare drum, as long as the head's waves at 12 kHz; they push these
- * waves 4 to 5 dB too much.
+ * Limits: the wires do not feel the band. The push of one group acts at its middle, so forces that
+ * neighbouring wires share are heard a little too much: 2 to 6 dB while a stroke is fresh. The
+ * cavity no longer couples the heads.
  *
  * At draft and live the band moves in single precision: rounding changes a mode by some 1e-6 of
  * itself, and no energy balance depends on it. */
@@ -44,6 +40,7 @@
 
 #include "kernels/precision.h"
 #include "model/modes.h"
+#include "model/wire_hold.h"
 
 #define TB_HIGH_GROUPS 64u
 #define TB_HIGH_MOST 2048u
@@ -80,8 +77,9 @@ typedef struct TbHighBand {
   bool folded;        /* groups are their own mirror images under x -> -x */
   TbHighPush push[2]; /* folded: odd orders feel differences, even ones sums; else [0] has all */
   float *rest;        /* [padded] push of the wires at rest */
-  double *row_loss;   /* [stride] lambda of each contact point [s/m], 0 in unused rows */
-  double radius;      /* of the head [m] */
+  TbWireHold wire_hold; /* what wires in contact take from modes */
+  uint8_t *hold_band;   /* [padded] band of each mode of the wires' head in that table */
+  double radius;        /* of the head [m] */
 } TbHighBand;
 
 struct TaborModel;
@@ -94,9 +92,10 @@ TaborStatus tb_high_band_rest(struct TaborModel *model, TbArena *scratch);
 
 /* Effect of the forces at the wires' contact points, force[stride], on the modes, minus the effect
  * of the rest forces: out[padded], where wires push. The result is 0 to the bit for the rest
- * forces. Returns Sum lambda f. sums[stride] is scratch. Audio-safe. */
-double tb_high_band_push(const struct TaborModel *model, const double *force, double *sums,
-                         float *out);
+ * forces. Returns sums over the contacts; s[stride] as in solve.h. sums[stride] is scratch.
+ * Audio-safe. */
+TbWireContacts tb_high_band_push(const struct TaborModel *model, const double *force,
+                                 const double *s, double *sums, float *out);
 
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_high_band_patch(const TbHighBand *band, double patch_radius, double *patch);

@@ -10,6 +10,7 @@
 #include "acoustics/single_head.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
+#include "model/head_waves.h"
 #include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
@@ -46,21 +47,9 @@ typedef struct Builder {
   uint32_t count;
 } Builder;
 
-/* Mass per area of head and air, by fixed-point passes from the head alone. */
+/* Of a wave with this Bessel zero, and its mass per area. */
 static double frequency(const Builder *b, const Side *side, double zero, double *mass) {
-  const TaborAirDef *air = &b->model->def.air;
-  const double wavenumber = zero / b->model->head.radius;
-  const double stiffness = tb_head_stiffness(side->head, wavenumber);
-  *mass = side->head->surface_density;
-  double omega = sqrt(stiffness / *mass);
-  for (int pass = 0; pass < 3 && air->density > 0.0; pass++) {
-    const double slowness = omega / (air->sound_speed * wavenumber);
-    if (slowness >= 0.98) break; /* as fast as sound: no mass, all radiation */
-    *mass = side->head->surface_density +
-            2.0 * air->density / (wavenumber * sqrt(1.0 - slowness * slowness));
-    omega = sqrt(stiffness / *mass);
-  }
-  return omega;
+  return tb_head_wave_frequency(side->head, &b->model->def.air, zero / b->model->head.radius, mass);
 }
 
 static double x_at(const Builder *b, double omega) {

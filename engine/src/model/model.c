@@ -13,6 +13,7 @@
 #include "model/stretch_gain.h"
 #include "model/wire_gridf.h"
 #include "model/wire_reach.h"
+#include "model/wire_yield.h"
 
 /* What a quality level stands for. */
 typedef struct Level {
@@ -41,10 +42,10 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_DRAFT:
     return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_LIVE:
-    return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
+    return (Level){2500.0, 18000.0, 16, 16, 64, 3e-2, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_REFERENCE:
-    return (Level){16000.0, 18000.0, 16, 64, 256, 1e-6, 1e-2, 1e-4, TB_IN_DOUBLE, TB_IN_FLOAT};
-  default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
+    return (Level){16000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
+  default: return (Level){8000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
   }
 }
 
@@ -58,11 +59,22 @@ static const double TOP_OF_HEARING = 0.42;
  * than half the head's shortest wavelength. */
 static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
 
+/* At reference, many wires are solved less far and on a coarser grid; otherwise a sample would take four
+ * times as long. Energy is balanced as at studio. */
+static void ease_many_wires(Level *level, uint32_t quality) {
+  level->wire_cells = CELLS_OF_MANY[quality];
+  if (quality != TABOR_QUALITY_REFERENCE) return;
+  level->tolerance = 1e-6;
+  level->inner_tolerance = 1e-2;
+  level->grid_tolerance = 1e-4;
+  level->tables = TB_IN_FLOAT;
+}
+
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);
   if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
   if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
-  if (def->wires.count > MANY_WIRES) level.wire_cells = CELLS_OF_MANY[quality];
+  if (def->wires.count > MANY_WIRES) ease_many_wires(&level, quality);
   if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
   if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * rate);
@@ -188,14 +200,34 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
   return TABOR_OK;
 }
 
+/* Modes and their projection, with `spare` modes at the end of each group. */
+static TaborStatus list_modes(TaborModel *model, TbArena *arena, const uint32_t *spare,
+                              TbModes *modes, TbProjection *projection) {
+  const TaborStatus status =
+    tb_modes_prepare(modes, arena, &model->head, &model->wires, spare, model->time_step);
+  if (status != TABOR_OK) return status;
+  return tb_projection_prepare(projection, arena, modes, &model->head, &model->wires,
+                               model->grid_tolerance);
+}
+
+/* The modes that stand for those left out depend on the grid, which depends on the others. */
+static TaborStatus prepare_yield(TaborModel *model, TbArena *scratch, TbWireYield *yield) {
+  TbModes modes;
+  TbProjection projection = model->projection;
+  if (!tb_wire_yields(model)) return TABOR_OK;
+  const TaborStatus status = list_modes(model, scratch, NULL, &modes, &projection);
+  if (status != TABOR_OK) return status;
+  return tb_wire_yield_prepare(yield, scratch, model, &projection);
+}
+
 static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
-  (void)scratch;
-  TaborStatus status =
-    tb_modes_prepare(&model->modes, &model->arena, &model->head, &model->wires, model->time_step);
+  TbWireYield yield = {.count = {0}};
+  TaborStatus status = prepare_yield(model, scratch, &yield);
   if (status != TABOR_OK) return status;
-  status = tb_projection_prepare(&model->projection, &model->arena, &model->modes, &model->head,
-                                 &model->wires, model->grid_tolerance);
+  status = list_modes(model, &model->arena, yield.count, &model->modes, &model->projection);
   if (status != TABOR_OK) return status;
+  tb_wire_yield_apply(&yield, &model->modes, &model->projection, model->wires.side,
+                      model->time_step);
   return tb_projection_round(&model->projection, &model->arena) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 

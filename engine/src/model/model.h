@@ -69,8 +69,9 @@ typedef struct TbLayout {
   size_t head, rest_load, own, b, s, force, product; /* by rows */
   size_t grid, change;                               /* by points of the grid */
   size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
-  size_t high[3], high_drive, high_scratch, high_force, modal, stretch_pull[2], stretch_grid[2],
-    stretch_carry, coupling, slot_coupling, shape, drive, radial, delay[TABOR_MAX_MICS];
+  size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
+    stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
+    delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;
 

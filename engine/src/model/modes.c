@@ -127,8 +127,9 @@ static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbHead
 }
 
 static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, const TbHead *head,
-                        const uint8_t *felt) {
-  const uint32_t room = tb_pad(list->count) + 8u * modes->groups;
+                        const uint8_t *felt, const uint32_t *spare) {
+  uint32_t room = tb_pad(list->count) + 8u * modes->groups;
+  for (uint32_t group = 0; spare && group < modes->groups; group++) room += spare[group];
   modes->count = list->count;
   modes->row = tb_arena_take(arena, room, sizeof *modes->row);
   modes->sine = tb_arena_take(arena, room, sizeof *modes->sine);
@@ -142,6 +143,8 @@ static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, con
       modes->sine[next++] = list->sine[i];
     }
     while (next % 8 != 0) modes->row[next++] = TB_NO_MODE;
+    const uint32_t kept = spare && group < modes->groups ? spare[group] : 0u;
+    for (uint32_t i = 0; i < kept; i++) modes->row[next++] = TB_NO_MODE;
   }
   modes->padded = next;
   return true;
@@ -174,7 +177,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
 }
 
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
-                             const TbWires *wires, double time_step) {
+                             const TbWires *wires, const uint32_t *spare, double time_step) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
@@ -183,7 +186,7 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
   uint8_t *felt = tb_arena_take(&scratch, head->most_modes, sizeof *felt);
   const bool done = felt && list_modes(&list, &scratch, head) &&
                     find_felt(&list, &scratch, head, wires, felt) &&
-                    order_modes(modes, arena, &list, head, felt) &&
+                    order_modes(modes, arena, &list, head, felt, spare) &&
                     mode_coefficients(modes, arena, head, wires->side, time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;

@@ -46,9 +46,10 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 /* tb_angular() for orders 0 .. orders - 1 at once: c[orders], s[orders]. */
 void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s);
 
-/* Lists and orders the modes and computes their coefficients. */
+/* Lists and orders the modes and computes their coefficients. Each group ends with spare[group]
+ * modes that have neither, a multiple of 8; NULL: none. */
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
-                             const TbWires *wires, double time_step);
+                             const TbWires *wires, const uint32_t *spare, double time_step);
 
 /* Computes shape[padded], the shape of every mode on head `which` at radius [m] and angle from the
  * wires' direction (sine, cosine). `patch` as in tb_head_radial(); radial is scratch of

@@ -44,6 +44,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->high_drive = place(&total, (size_t)TB_SLOTS * model->high.padded);
   layout->high_scratch = place(&total, model->high.padded);
   layout->high_force = place(&total, model->high.padded / 2u);
+  layout->high_held = place(&total, model->high.padded);
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_pull[h] = place(&total, modes);

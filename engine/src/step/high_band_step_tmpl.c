@@ -19,6 +19,22 @@ static Real *drive_of(const TbView *view, uint32_t slot) {
   return (Real *)view->high_drive + (size_t)slot * view->model->high.padded;
 }
 
+/* Limited to what flows into the bed (wire_hold.h). */
+static void hold(const TbView *view, const double *resistance) {
+  const TbHighBand *high = &view->model->high;
+  const uint32_t head = view->model->wires.head;
+  const Real *share = ringing_of(view)->hold;
+  Real *held = view->high_held, most[TB_HOLD_BANDS];
+  for (uint32_t band = 0; band < TB_HOLD_BANDS; band++) {
+    most[band] = (Real)(view->model->time_step * high->wire_hold.most[band]);
+  }
+  for (uint32_t i = high->begin[head]; i < high->begin[head + 1]; i++) {
+    const uint32_t band = high->hold_band[i];
+    const Real part = share[i] * (Real)resistance[band];
+    held[i] = part * most[band] / (part + most[band]);
+  }
+}
+
 static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
   const TYPE_OF(TbRinging) *ringing = ringing_of(view);
   const TYPE_OF(TbRing) ring = {.parts = parts,
@@ -28,7 +44,7 @@ static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
                                 .last = view->last.high,
                                 .next = view->next.high,
                                 .push = view->high_force,
-                                .hold = ringing->hold,
+                                .held = view->high_held,
                                 .ahead = ringing->ahead[mic],
                                 .behind = ringing->behind[mic]};
   return kernels_of(view)->ring(&ring);
@@ -73,5 +89,5 @@ static void clear_small(const TbView *view) {
   }
 }
 
-const TbHighBandStep NAME_OF(tb_high_band_step) = {move,       strike, sums,
+const TbHighBandStep NAME_OF(tb_high_band_step) = {hold,       move,   strike,     sums,
                                                    keep_drive, energy, clear_small};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/mic_output.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "kernels/profile.h"
@@ -9,17 +10,17 @@
 
 /* ---- the high band -------------------------------------------------------------------------- */
 
-/* Half-way to where a held mode was at most: towards it energy only falls. */
-static const double MOST_HELD = 0.5;
+/* Samples after which what wires take from modes is renewed: modes decay in hundreds. */
+enum { HOLD_STEPS = 16 };
 
 /* The modes that wires push, those that they hold, and the others. */
-static TbRingParts divide(const TbView *view, double loss) {
+static TbRingParts divide(const TbView *view) {
   const TbHighBand *high = &view->model->high;
   const TbWires *wires = &view->model->wires;
-  TbRingParts parts = {.loss = loss, .most = MOST_HELD};
+  TbRingParts parts = {.count = 0};
   if (wires->count > 0 && !view->state->lifted) {
     const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
-    const bool held = loss > 0.0; /* forces that were balanced, not solved for, may pull a little */
+    const bool held = view->state->held;
     if (from > 0) parts.part[parts.count++].end = from;
     parts.part[parts.count++] = (TbRingPart){from + high->driven, true, held};
     parts.part[parts.count++] = (TbRingPart){end, false, held};
@@ -41,16 +42,37 @@ static bool strike_high(TbView *view) {
   return struck;
 }
 
+/* Every HOLD_STEPS samples, counted from a first contact: from the wires' contacts since the last time. */
+static void renew_hold(TbView *view) {
+  TbState *state = view->state;
+  const TbWireContacts sums = state->contacts;
+  if (sums.force == 0.0 && !state->held) return;
+  if (++state->hold_steps < HOLD_STEPS) return;
+  state->hold_steps = 0;
+  state->contacts = (TbWireContacts){0.0, 0.0, 0.0};
+  state->held = sums.force > 0.0 && sums.square > 0.0 && sums.motion >= 0.0;
+  if (!state->held) return;
+  const double mean = sums.force / HOLD_STEPS; /* and speeds are s/(2k) */
+  const TbWireTouch touch = {mean, mean * sums.force / sums.square,
+                             0.5 * view->model->sample_rate * sqrt(sums.motion / sums.force)};
+  double resistance[TB_HOLD_BANDS];
+  tb_wire_hold_resistance(&view->model->high.wire_hold, touch, resistance);
+  tb_high_band_step_of(view)->hold(view, resistance);
+}
+
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
   const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
-  double loss = 0.0;
   if (pushed) {
-    loss = tb_high_band_push(view->model, view->solve.warm.force, view->solve.work.turned,
-                             view->high_force);
+    const TbWireContacts contacts = tb_high_band_push(view->model, view->solve.warm.force, view->s,
+                                                      view->solve.work.turned, view->high_force);
+    view->state->contacts.force += contacts.force;
+    view->state->contacts.square += contacts.square;
+    view->state->contacts.motion += contacts.motion;
   }
-  const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view, loss));
+  renew_hold(view);
+  const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view));
   return strike_high(view) ? tb_high_band_step_of(view)->sums(view, mic, &view->next) : heard;
 }
 

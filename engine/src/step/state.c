@@ -124,6 +124,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .high_drive = at(state, l->high_drive),
                  .high_scratch = at(state, l->high_scratch),
                  .high_force = (float *)(void *)at(state, l->high_force),
+                 .high_held = at(state, l->high_held),
                  .coupling = at(state, l->coupling),
                  .slot_coupling = at(state, l->slot_coupling),
                  .shape = at(state, l->shape),

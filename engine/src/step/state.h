@@ -95,11 +95,14 @@ typedef struct TbState {
   uint64_t clock;  /* samples stepped since reset */
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
-  uint32_t slot_mask; /* slots in play */
-  uint32_t lifted;    /* wires hang clear of the head: see wire_clearance.h */
-  double gap;         /* least clearance of lifted wires [m] */
-  uint32_t rings;     /* the hoop moves, or a striker may hit it */
-  uint32_t airborne;  /* nothing touched in the last step; `modal` and `high_force` assume that */
+  uint32_t slot_mask;      /* slots in play */
+  uint32_t lifted;         /* wires hang clear of the head: see wire_clearance.h */
+  double gap;              /* least clearance of lifted wires [m] */
+  uint32_t rings;          /* the hoop moves, or a striker may hit it */
+  uint32_t held;           /* wires hold the high band's modes: `high_held` */
+  uint32_t hold_steps;     /* samples since `high_held` was renewed */
+  TbWireContacts contacts; /* sums over these samples */
+  uint32_t airborne; /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
@@ -138,6 +141,7 @@ typedef struct TbView {
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   void *high_drive;       /* [TB_SLOTS][high padded], in its precision */
   double *high_scratch;
+  void *high_held; /* [high padded], in its precision: see high_band_step.h */
   float *high_force,
     *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */

@@ -244,6 +244,8 @@ static void clear_high(TbView *view) {
   const size_t bytes = view->model->high.padded * sizeof(double);
   memset(view->now.high, 0, bytes);
   memset(view->last.high, 0, bytes);
+  view->state->held = view->state->hold_steps = 0;
+  view->state->contacts = (TbWireContacts){0.0, 0.0, 0.0};
 }
 
 static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }

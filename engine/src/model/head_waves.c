@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/head_waves.h"
+
+#include <math.h>
+
+#include "acoustics/cavity_eigen.h"
+
+/* By fixed-point passes from the head alone. */
+double tb_head_wave_frequency(const TaborHeadDef *head, const TaborAirDef *air, double wavenumber,
+                              double *mass) {
+  const double stiffness = tb_head_stiffness(head, wavenumber);
+  *mass = head->surface_density;
+  double omega = sqrt(stiffness / *mass);
+  for (int pass = 0; pass < 3 && air->density > 0.0; pass++) {
+    const double slowness = omega / (air->sound_speed * wavenumber);
+    if (slowness >= 0.98) break; /* as fast as sound: no mass, all radiation */
+    *mass =
+      head->surface_density + 2.0 * air->density / (wavenumber * sqrt(1.0 - slowness * slowness));
+    omega = sqrt(stiffness / *mass);
+  }
+  return omega;
+}
+
+double tb_head_wave_number(const TaborHeadDef *head, const TaborAirDef *air, double omega) {
+  double lo = 1e-3, hi = 1e7, mass;
+  for (int i = 0; i < 100; i++) {
+    const double middle = sqrt(lo * hi);
+    if (tb_head_wave_frequency(head, air, middle, &mass) < omega) {
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  return lo;
+}

@@ -44,7 +44,7 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_LIVE:
     return (Level){2500.0, 18000.0, 16, 16, 64, 3e-2, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_REFERENCE:
-    return (Level){16000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
+    return (Level){16000.0, 18000.0, 16, 64, 256, 1e-6, 1e-2, 1e-4, TB_IN_DOUBLE, TB_IN_FLOAT};
   default: return (Level){8000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
   }
 }
@@ -59,22 +59,11 @@ static const double TOP_OF_HEARING = 0.42;
  * than half the head's shortest wavelength. */
 static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
 
-/* At reference, many wires are solved less far and on a coarser grid; otherwise a sample would take four
- * times as long. Energy is balanced as at studio. */
-static void ease_many_wires(Level *level, uint32_t quality) {
-  level->wire_cells = CELLS_OF_MANY[quality];
-  if (quality != TABOR_QUALITY_REFERENCE) return;
-  level->tolerance = 1e-6;
-  level->inner_tolerance = 1e-2;
-  level->grid_tolerance = 1e-4;
-  level->tables = TB_IN_FLOAT;
-}
-
 static Level resolve_level(const TaborDrumDef *def, uint32_t quality, double rate) {
   Level level = level_of(quality);
   if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
   if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
-  if (def->wires.count > MANY_WIRES) ease_many_wires(&level, quality);
+  if (def->wires.count > MANY_WIRES) level.wire_cells = CELLS_OF_MANY[quality];
   if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
   if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * rate);

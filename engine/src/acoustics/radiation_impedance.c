@@ -258,17 +258,19 @@ bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, bool both_sides, dou
 
 /* ---- a drum ------------------------------------------------------------------------------------ */
 
-/* W_1 .. and P_1 .. of air.h's resistance at one node below x; `second` may be NULL. */
+/* The bracket of air.h's resistance at one node below x; `second` may be NULL. */
 static double drum_integrand(const TbWavenumberNodes *nodes, const TbAirSource *first,
                              const TbAirSource *second, double depth, uint32_t q) {
-  const double *p = first->p + 2 * q;
-  const double square = nodes->root[q] * nodes->root[q]; /* x^2 cos^2 t */
-  double sum = first->w[q] * first->w[q] + square * (p[0] * p[0] + p[1] * p[1]);
+  const double root = nodes->root[q], square = root * root; /* x cos t */
+  const double w1 = first->w[q], *p1 = first->p + 2 * q;
+  const double sum = w1 * w1 + square * (p1[0] * p1[0] + p1[1] * p1[1]);
   if (!second) return sum;
-  const double *r = second->p + 2 * q;
-  const double phase = tb_cos(nodes->root[q] * depth);
-  sum += second->w[q] * second->w[q] + square * (r[0] * r[0] + r[1] * r[1]);
-  return sum + 2.0 * phase * (first->w[q] * second->w[q] - square * (p[0] * r[0] + p[1] * r[1]));
+  const double w2 = second->w[q], *p2 = second->p + 2 * q;
+  double sine, cosine;
+  tb_sin_cos(root * depth, &sine, &cosine);
+  return sum + w2 * w2 + square * (p2[0] * p2[0] + p2[1] * p2[1]) +
+         2.0 * cosine * (w1 * w2 - square * (p1[0] * p2[0] + p1[1] * p2[1])) -
+         2.0 * sine * root * (w1 * p2[0] + w2 * p1[0]);
 }
 
 static double drum_resistance(const TbWavenumberNodes *nodes, const TbAirSource *first,

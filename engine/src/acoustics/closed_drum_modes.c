@@ -2,6 +2,8 @@
 #include "acoustics/closed_drum_modes.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -23,10 +25,19 @@ static const double ONE_HEAD = 0.1;
  * [Kuttruff, Kinsler]. */
 static const double WOOD = 0.05;
 
+/* From this part of the shell's largest x on, its loads pass into those of air.h. */
+static const double BLEND_FROM = 0.9;
+/* A mode's frequency and the load at it agree when a pass changes the frequency by less than this. */
+static const double SETTLED = 2e-3;
+/* Other modes that come in with less of the mass than this change nothing that matters. */
+static const double LEAST_MIXED = 1e-6;
+enum { MOST_PASSES = 3 };
+
 typedef struct Enclosed {
   const TaborDrumDef *def;
   TbCavityEigen drum;
   const TbAirOrder *air;
+  TbShellOrder outside; /* without a shell: of a high order */
   TbCavityOrder cavity;
   double azimuth; /* a_m */
 } Enclosed;
@@ -118,7 +129,7 @@ typedef struct Parts {
   double head_mass[TB_HEADS], cavity_mass;
   double head_loss;
   uint32_t strongest;       /* Bessel function that moves most, of either head */
-  double largest[TB_HEADS]; /* upward amplitude of each head's strongest function, mass-weighted */
+  double largest[TB_HEADS]; /* outward amplitude of each head's strongest function, mass-weighted */
 } Parts;
 
 static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts *parts) {
@@ -137,7 +148,7 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
   }
 }
 
-/* v: upward amplitudes of the heads, then cavity coordinates. */
+/* v: outward amplitudes of the heads, then cavity coordinates. */
 static Parts parts_of(const Enclosed *e, const double *v) {
   Parts parts = {.strongest = 0};
   const uint32_t heads = e->drum.cavity.heads, n = e->air->count;
@@ -157,84 +168,227 @@ static uint32_t part_name(const Parts *parts) {
   return TABOR_PART_BOTH;
 }
 
-/* Resistance and sound outside; `outward` holds the outward amplitudes of both heads. */
-static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, TbHeadMode *mode) {
-  const TaborDrumDef *def = e->def;
-  const double radius = def->shell.radius, density = def->air.density;
-  if (density == 0.0) return true;
-  TbAirPoint points[TABOR_MAX_MICS];
+/* ---- the air outside --------------------------------------------------------------------------- */
+
+static uint32_t mic_points(const TaborDrumDef *def, TbAirPoint *points) {
+  const double radius = def->shell.radius;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
   }
-  double resistance;
-  const uint32_t heads = e->drum.cavity.heads;
-  if (!tb_air_drum_load(e->air, scratch, outward, heads > 1 ? outward + e->air->count : NULL,
-                        def->shell.depth / radius, mode->omega * radius / def->air.sound_speed,
-                        points, def->mic_count, &resistance, mode->fields)) {
+  return def->mic_count;
+}
+
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShell *shell) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(def, points);
+  return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
+}
+
+/* What a mode meets outside at one frequency. */
+typedef struct Outside {
+  TbShellLoad load;
+  double fields[2 * TABOR_MAX_MICS];
+} Outside;
+
+/* 1: the shell's load alone, 0: that of air.h alone. */
+static double shell_part(const Enclosed *e, double x) {
+  if (!e->outside.shell) return 0.0;
+  const double top = e->outside.shell->top;
+  return fmin(1.0, fmax(0.0, (top - x) / ((1.0 - BLEND_FROM) * top)));
+}
+
+static void scale(double *v, uint32_t count, double factor) {
+  for (uint32_t i = 0; i < count; i++) v[i] *= factor;
+}
+
+/* The load of both models, the shell's with the weight `part`. */
+static bool load_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
+                         Outside *outside) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(e->def, points), size = e->drum.cavity.heads * e->air->count;
+  const double *lower = e->drum.cavity.heads > 1 ? upper + e->air->count : NULL;
+  const double part = shell_part(e, x), depth = e->def->shell.depth / e->def->shell.radius;
+  *outside = (Outside){.load.inertia = tb_arena_doubles(scratch, size)};
+  if (scratch->failed) return false;
+  if (part > 0.0 && !tb_shell_load(&e->outside, scratch, upper, lower, x, points, count,
+                                   &outside->load, outside->fields)) {
     return false;
   }
-  mode->radiation_rate =
-    0.5 * fmax(0.0, resistance) * e->azimuth * density * def->air.sound_speed * radius * radius;
+  if (part == 1.0) return true;
+  double resistance, fields[2 * TABOR_MAX_MICS];
+  if (!tb_air_drum_load(e->air, scratch, upper, lower, depth, x, points, count, &resistance,
+                        fields)) {
+    return false;
+  }
+  scale(outside->load.inertia, size, part);
+  outside->load.resistance += (1.0 - part) * (resistance - outside->load.resistance);
+  for (uint32_t i = 0; i < 2 * count; i++) {
+    outside->fields[i] += (1.0 - part) * (fields[i] - outside->fields[i]);
+  }
   return true;
 }
 
-static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
-                        const double *outward, const double *coordinates, TbHeadMode *mode) {
+/* The modes of one order at low frequency, by rows: what corrections of a mode are made of. */
+typedef struct Spectrum {
+  const double *eigenvalues, *vectors;
+  uint32_t size;
+} Spectrum;
+
+static double product(const double *a, const double *b, uint32_t count) {
+  double sum = 0.0;
+  for (uint32_t i = 0; i < count; i++) sum += a[i] * b[i];
+  return sum;
+}
+
+/* Adds what the inertia D = `unit` * inertia mixes into mode k of the other modes j, to first order:
+ * omega^2 v_j.D/(lambda_j - omega^2), less from neighbours that are nearer than the coupling is wide.
+ * Returns what is added to the mode's mass; *stiffness grows as well. */
+static double mix(const Spectrum *spectrum, uint32_t k, double omega, double unit,
+                  const double *inertia, uint32_t heads, double *v, double *stiffness) {
+  const uint32_t size = spectrum->size;
+  const double square = omega * omega;
+  double mass = 0.0;
+  for (uint32_t j = 0; j < size; j++) {
+    const double *other = spectrum->vectors + (size_t)j * size;
+    const double coupling = square * unit * product(other, inertia, heads);
+    if (j == k || coupling == 0.0) continue;
+    const double gap = spectrum->eigenvalues[j] - square;
+    const double amount = coupling * gap / (gap * gap + 4.0 * coupling * coupling);
+    mass += amount * amount;
+    *stiffness += amount * amount * spectrum->eigenvalues[j];
+    for (uint32_t i = 0; i < size; i++) v[i] += amount * other[i];
+  }
+  return mass;
+}
+
+/* Takes over what a motion of this mass meets outside. */
+static void set_radiation(const Enclosed *e, const Outside *outside, double mass,
+                          TbHeadMode *mode) {
+  const double radius = e->def->shell.radius, sound_speed = e->def->air.sound_speed;
+  const double unit = e->azimuth * e->def->air.density * sound_speed * radius * radius;
+  mode->radiation_rate = 0.5 * unit * fmax(0.0, outside->load.resistance) / mass;
+  for (uint32_t i = 0; i < 2 * e->def->mic_count; i++) {
+    mode->fields[i] = outside->fields[i] / sqrt(mass);
+  }
+}
+
+/* Sets frequency, radiation and sound of mode k, and makes its vector v one of unit mass at its own
+ * frequency. */
+static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum, uint32_t k,
+                    double *v, TbHeadMode *mode) {
+  const double radius = e->def->shell.radius, density = e->def->air.density;
+  if (density == 0.0) return true;
+  const uint32_t heads = e->drum.cavity.heads * e->air->count;
+  const double unit = e->azimuth * density * radius * radius * radius;
+  double still = 1.0, stiffness = spectrum->eigenvalues[k], mass = 1.0;
+  bool settled = false;
+  for (int pass = 0; pass < MOST_PASSES && !settled; pass++) {
+    const double before = mode->omega, x = before * radius / e->def->air.sound_speed;
+    Outside outside;
+    TbArena one;
+    tb_arena_prepare(&one, &arena->allocator);
+    const bool done = load_outside(e, &one, v, x, &outside);
+    if (done) {
+      mass = still + unit * product(v, outside.load.inertia, heads);
+      mode->omega = sqrt(stiffness / mass);
+      set_radiation(e, &outside, mass, mode);
+      settled = fabs(mode->omega / before - 1.0) < SETTLED;
+      if (pass == 0) {
+        const double mixed =
+          mix(spectrum, k, mode->omega, unit, outside.load.inertia, heads, v, &stiffness);
+        still += mixed;
+        settled = settled && mixed < LEAST_MIXED;
+      }
+    }
+    tb_arena_release(&one);
+    if (!done) return false;
+  }
+  scale(v, spectrum->size, 1.0 / sqrt(mass));
+  return true;
+}
+
+/* ---- all modes of an order --------------------------------------------------------------------- */
+
+/* v: outward amplitudes of the heads, then cavity coordinates. */
+static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, TbHeadMode *mode) {
   mode->n = parts->strongest + 1;
   mode->part = part_name(parts);
   const double both = parts->largest[0] * parts->largest[1];
-  mode->phase = both > 0.0 ? 1 : (both < 0.0 ? -1 : 0);
-  if (!radiate(e, scratch, outward, mode)) return false;
+  mode->phase = both < 0.0 ? 1 : (both > 0.0 ? -1 : 0);
   if (e->def->quality.losses == 0) {
     mode->radiation_rate = 0.0;
-    return true;
+    return;
   }
+  const double *coordinates = v + e->drum.cavity.heads * e->air->count;
   mode->shell_rate =
-    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, outward, coordinates, mode->omega) /
+    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, v, coordinates, mode->omega) /
     (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
   mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
-  return true;
 }
 
-/* Keeps what moves a head, up to `limit`; `vectors` are outward, the order's upward. */
+/* Keeps the upward amplitudes of both heads. */
+static void keep_vectors(const Enclosed *e, const double *v, TbHeadOrder *order) {
+  const uint32_t n = e->air->count;
+  for (uint32_t h = 0; h < e->drum.cavity.heads; h++) {
+    double *kept = order->vectors[h] + (size_t)order->mode_count * n;
+    for (uint32_t i = 0; i < n; i++) kept[i] = h ? -v[h * n + i] : v[h * n + i];
+  }
+}
+
+/* Keeps what moves a head, up to `limit`. Vectors: outward amplitudes, then cavity coordinates. */
 static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *eigenvalues,
                               double *vectors, double limit, TbHeadOrder *order, TbHeadMode *modes,
                               uint32_t room) {
-  const uint32_t n = e->air->count, heads = e->drum.cavity.heads;
   const uint32_t size = tb_cavity_eigen_size(&e->cavity, &e->drum, e->air);
-  double outward[2 * TB_MAX_ZEROS];
+  const Spectrum spectrum = {eigenvalues, vectors, size};
+  double v[2048];
   for (uint32_t k = 0; k < size && order->mode_count < room; k++) {
     if (!(eigenvalues[k] <= limit * limit)) break;
-    double *v = vectors + (size_t)k * size;
-    for (uint32_t i = 0; i < heads * n; i++) outward[i] = v[i];
-    for (uint32_t i = n; i < heads * n; i++) v[i] = -v[i]; /* the lower head's upward */
-    const Parts parts = parts_of(e, v);
+    memcpy(v, vectors + (size_t)k * size, size * sizeof *v);
+    Parts parts = parts_of(e, v);
     if (parts.head_mass[0] + parts.head_mass[1] < LEAST_HEAD) continue;
     TbHeadMode *mode = &modes[order->mode_count];
     *mode = (TbHeadMode){.m = order->m, .index = k, .omega = sqrt(eigenvalues[k])};
     mode->place = order->mode_count;
-    TbArena one;
-    tb_arena_prepare(&one, &arena->allocator);
-    const bool finished = finish_mode(e, &parts, &one, outward, v + heads * n, mode);
-    tb_arena_release(&one);
-    if (!finished) return TABOR_ERROR_MEMORY;
-    for (uint32_t h = 0; h < heads; h++) {
-      double *kept = order->vectors[h] + (size_t)order->mode_count * n;
-      for (uint32_t i = 0; i < n; i++) kept[i] = v[h * n + i];
-    }
+    if (!radiate(e, arena, &spectrum, k, v, mode)) return TABOR_ERROR_MEMORY;
+    if (mode->omega > limit) continue;
+    parts = parts_of(e, v);
+    finish_mode(e, &parts, v, mode);
+    keep_vectors(e, v, order);
     order->mode_count++;
   }
   return TABOR_OK;
 }
 
+/* The mass of the air outside: of the shell, or for an order that it does not have half of an open head's,
+ * a value between a head without a baffle and a head in a baffle. */
+static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShell *shell) {
+  const uint32_t count = e->air->count;
+  if (!shell) return true;
+  double *own = tb_arena_doubles(scratch, (size_t)count * count);
+  double *mutual = tb_arena_doubles(scratch, (size_t)count * count);
+  if (scratch->failed) return false;
+  e->drum.own = own;
+  e->drum.mutual = mutual;
+  if (e->air->m < shell->mesh.orders) {
+    if (!tb_shell_order_prepare(&e->outside, scratch, shell, e->air)) return false;
+    tb_shell_order_mass(&e->outside, own, mutual);
+    return true;
+  }
+  tb_air_mass_open(e->air, own);
+  scale(own, count * count, 0.5);
+  return true;
+}
+
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
-                                 TbHeadMode *modes, uint32_t room) {
+                                 const TbAirOrder *air, const TbShell *shell, double limit,
+                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room) {
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               highest_coordinate(&e.drum, limit))) {
+                               highest_coordinate(&e.drum, limit)) ||
+      !prepare_outside(&e, scratch, shell)) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_cavity_eigen_size(&e.cavity, &e.drum, air);

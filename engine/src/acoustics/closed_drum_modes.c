@@ -2,7 +2,6 @@
 #include "acoustics/closed_drum_modes.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double PI = 3.14159265358979323846;
@@ -29,7 +28,7 @@ static const double WOOD = 0.05;
 static const double BLEND_FROM = 0.9;
 /* A mode's frequency and the load at it agree when a pass changes the frequency by less than this. */
 static const double SETTLED = 2e-3;
-/* Other modes that come in with less of the mass than this change nothing that matters. */
+/* Another mode that comes in with less than this of the mass changes nothing that matters. */
 static const double LEAST_MIXED = 1e-6;
 enum { MOST_PASSES = 3 };
 
@@ -178,7 +177,7 @@ static uint32_t mic_points(const TaborDrumDef *def, TbAirPoint *points) {
   return def->mic_count;
 }
 
-bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShell *shell) {
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell) {
   TbAirPoint points[TABOR_MAX_MICS];
   const uint32_t count = mic_points(def, points);
   return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
@@ -186,14 +185,16 @@ bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShell *shel
 
 /* What a mode meets outside at one frequency. */
 typedef struct Outside {
-  TbShellLoad load;
+  double part;          /* 1: the shell's load alone, 0: that of air.h alone */
+  TbShellMotion motion; /* of the shell, if part > 0 */
+  double *inertia;      /* [heads][count] what x adds to (low-frequency mass) * amplitudes */
+  double resistance;    /* of both, with their weights */
   double fields[2 * TABOR_MAX_MICS];
 } Outside;
 
-/* 1: the shell's load alone, 0: that of air.h alone. */
 static double shell_part(const Enclosed *e, double x) {
-  if (!e->outside.shell) return 0.0;
-  const double top = e->outside.shell->top;
+  if (!e->outside.mesh) return 0.0;
+  const double top = e->outside.mesh->top;
   return fmin(1.0, fmax(0.0, (top - x) / ((1.0 - BLEND_FROM) * top)));
 }
 
@@ -201,29 +202,44 @@ static void scale(double *v, uint32_t count, double factor) {
   for (uint32_t i = 0; i < count; i++) v[i] *= factor;
 }
 
-/* The load of both models, the shell's with the weight `part`. */
-static bool load_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
-                         Outside *outside) {
-  TbAirPoint points[TABOR_MAX_MICS];
-  const uint32_t count = mic_points(e->def, points), size = e->drum.cavity.heads * e->air->count;
-  const double *lower = e->drum.cavity.heads > 1 ? upper + e->air->count : NULL;
-  const double part = shell_part(e, x), depth = e->def->shell.depth / e->def->shell.radius;
-  *outside = (Outside){.load.inertia = tb_arena_doubles(scratch, size)};
+static const double *lower_head(const Enclosed *e, const double *upper) {
+  return e->drum.cavity.heads > 1 ? upper + e->air->count : NULL;
+}
+
+/* The part of the load that the shell gives. */
+static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper, double x,
+                       Outside *outside) {
+  const uint32_t size = e->drum.cavity.heads * e->air->count;
+  *outside = (Outside){.part = shell_part(e, x), .inertia = tb_arena_doubles(scratch, size)};
   if (scratch->failed) return false;
-  if (part > 0.0 && !tb_shell_load(&e->outside, scratch, upper, lower, x, points, count,
-                                   &outside->load, outside->fields)) {
+  if (outside->part == 0.0) return true;
+  if (!tb_shell_solve(&outside->motion, scratch, &e->outside, upper, lower_head(e, upper), x)) {
+    return false;
+  }
+  for (uint32_t i = 0; i < size; i++)
+    outside->inertia[i] = outside->part * outside->motion.inertia[i];
+  outside->resistance = outside->part * outside->motion.resistance;
+  return true;
+}
+
+/* Fields of the shell, and the part of load and fields that air.h gives. */
+static bool finish_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
+                           Outside *outside) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(e->def, points);
+  const double part = outside->part, depth = e->def->shell.depth / e->def->shell.radius;
+  if (part > 0.0 && !tb_shell_fields(&outside->motion, scratch, points, count, outside->fields)) {
     return false;
   }
   if (part == 1.0) return true;
   double resistance, fields[2 * TABOR_MAX_MICS];
-  if (!tb_air_drum_load(e->air, scratch, upper, lower, depth, x, points, count, &resistance,
-                        fields)) {
+  if (!tb_air_drum_load(e->air, scratch, upper, lower_head(e, upper), depth, x, points, count,
+                        &resistance, fields)) {
     return false;
   }
-  scale(outside->load.inertia, size, part);
-  outside->load.resistance += (1.0 - part) * (resistance - outside->load.resistance);
+  outside->resistance += (1.0 - part) * resistance;
   for (uint32_t i = 0; i < 2 * count; i++) {
-    outside->fields[i] += (1.0 - part) * (fields[i] - outside->fields[i]);
+    outside->fields[i] = part * outside->fields[i] + (1.0 - part) * fields[i];
   }
   return true;
 }
@@ -240,25 +256,30 @@ static double product(const double *a, const double *b, uint32_t count) {
   return sum;
 }
 
+/* A mode while its frequency, its load and its shape v are made to agree. */
+typedef struct Refined {
+  double mass, stiffness; /* of the low-frequency problem, in this shape */
+  double *v;
+} Refined;
+
 /* Adds what the inertia D = `unit` * inertia mixes into mode k of the other modes j, to first order:
  * omega^2 v_j.D/(lambda_j - omega^2), less from neighbours that are nearer than the coupling is wide.
- * Returns what is added to the mode's mass; *stiffness grows as well. */
-static double mix(const Spectrum *spectrum, uint32_t k, double omega, double unit,
-                  const double *inertia, uint32_t heads, double *v, double *stiffness) {
+ * Returns true if that is enough to matter. */
+static bool mix(const Spectrum *spectrum, uint32_t k, double omega, double unit,
+                const double *inertia, uint32_t heads, Refined *refined) {
   const uint32_t size = spectrum->size;
-  const double square = omega * omega;
-  double mass = 0.0;
+  const double square = omega * omega, before = refined->mass;
   for (uint32_t j = 0; j < size; j++) {
     const double *other = spectrum->vectors + (size_t)j * size;
     const double coupling = square * unit * product(other, inertia, heads);
-    if (j == k || coupling == 0.0) continue;
     const double gap = spectrum->eigenvalues[j] - square;
     const double amount = coupling * gap / (gap * gap + 4.0 * coupling * coupling);
-    mass += amount * amount;
-    *stiffness += amount * amount * spectrum->eigenvalues[j];
-    for (uint32_t i = 0; i < size; i++) v[i] += amount * other[i];
+    if (j == k || !(amount * amount > LEAST_MIXED)) continue;
+    refined->mass += amount * amount;
+    refined->stiffness += amount * amount * spectrum->eigenvalues[j];
+    for (uint32_t i = 0; i < size; i++) refined->v[i] += amount * other[i];
   }
-  return mass;
+  return refined->mass > before;
 }
 
 /* Takes over what a motion of this mass meets outside. */
@@ -266,45 +287,50 @@ static void set_radiation(const Enclosed *e, const Outside *outside, double mass
                           TbHeadMode *mode) {
   const double radius = e->def->shell.radius, sound_speed = e->def->air.sound_speed;
   const double unit = e->azimuth * e->def->air.density * sound_speed * radius * radius;
-  mode->radiation_rate = 0.5 * unit * fmax(0.0, outside->load.resistance) / mass;
+  mode->radiation_rate = 0.5 * unit * fmax(0.0, outside->resistance) / mass;
   for (uint32_t i = 0; i < 2 * e->def->mic_count; i++) {
     mode->fields[i] = outside->fields[i] / sqrt(mass);
   }
+}
+
+/* One pass: the load at the mode's frequency, and the frequency that follows. The first pass mixes in
+ * other modes. The last one sets radiation and sound, and scales v to unit mass. */
+static bool refine(const Enclosed *e, TbArena *scratch, const Spectrum *spectrum, uint32_t k,
+                   int pass, Refined *refined, TbHeadMode *mode, bool *settled) {
+  const uint32_t heads = e->drum.cavity.heads * e->air->count;
+  const double radius = e->def->shell.radius, before = mode->omega;
+  const double unit = e->azimuth * e->def->air.density * radius * radius * radius;
+  const double x = before * radius / e->def->air.sound_speed;
+  Outside outside;
+  if (!load_shell(e, scratch, refined->v, x, &outside)) return false;
+  const double mass = refined->mass + unit * product(refined->v, outside.inertia, heads);
+  mode->omega = sqrt(refined->stiffness / mass);
+  *settled = fabs(mode->omega / before - 1.0) < SETTLED;
+  if (pass == 0 && mix(spectrum, k, mode->omega, unit, outside.inertia, heads, refined)) {
+    *settled = false;
+  }
+  if (pass + 1 == MOST_PASSES) *settled = true;
+  if (!*settled) return true;
+  if (!finish_outside(e, scratch, refined->v, x, &outside)) return false;
+  set_radiation(e, &outside, mass, mode);
+  scale(refined->v, spectrum->size, 1.0 / sqrt(mass));
+  return true;
 }
 
 /* Sets frequency, radiation and sound of mode k, and makes its vector v one of unit mass at its own
  * frequency. */
 static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum, uint32_t k,
                     double *v, TbHeadMode *mode) {
-  const double radius = e->def->shell.radius, density = e->def->air.density;
-  if (density == 0.0) return true;
-  const uint32_t heads = e->drum.cavity.heads * e->air->count;
-  const double unit = e->azimuth * density * radius * radius * radius;
-  double still = 1.0, stiffness = spectrum->eigenvalues[k], mass = 1.0;
-  bool settled = false;
-  for (int pass = 0; pass < MOST_PASSES && !settled; pass++) {
-    const double before = mode->omega, x = before * radius / e->def->air.sound_speed;
-    Outside outside;
-    TbArena one;
-    tb_arena_prepare(&one, &arena->allocator);
-    const bool done = load_outside(e, &one, v, x, &outside);
-    if (done) {
-      mass = still + unit * product(v, outside.load.inertia, heads);
-      mode->omega = sqrt(stiffness / mass);
-      set_radiation(e, &outside, mass, mode);
-      settled = fabs(mode->omega / before - 1.0) < SETTLED;
-      if (pass == 0) {
-        const double mixed =
-          mix(spectrum, k, mode->omega, unit, outside.load.inertia, heads, v, &stiffness);
-        still += mixed;
-        settled = settled && mixed < LEAST_MIXED;
-      }
-    }
-    tb_arena_release(&one);
-    if (!done) return false;
+  if (e->def->air.density == 0.0) return true;
+  Refined refined = {.mass = 1.0, .stiffness = spectrum->eigenvalues[k], .v = v};
+  bool settled = false, done = true;
+  for (int pass = 0; done && !settled; pass++) {
+    TbArena scratch;
+    tb_arena_prepare(&scratch, &arena->allocator);
+    done = refine(e, &scratch, spectrum, k, pass, &refined, mode, &settled);
+    tb_arena_release(&scratch);
   }
-  scale(v, spectrum->size, 1.0 / sqrt(mass));
-  return true;
+  return done;
 }
 
 /* ---- all modes of an order --------------------------------------------------------------------- */
@@ -362,7 +388,7 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
 
 /* The mass of the air outside: of the shell, or for an order that it does not have half of an open head's,
  * a value between a head without a baffle and a head in a baffle. */
-static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShell *shell) {
+static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShellMesh *shell) {
   const uint32_t count = e->air->count;
   if (!shell) return true;
   double *own = tb_arena_doubles(scratch, (size_t)count * count);
@@ -370,10 +396,9 @@ static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShell *shell)
   if (scratch->failed) return false;
   e->drum.own = own;
   e->drum.mutual = mutual;
-  if (e->air->m < shell->mesh.orders) {
+  if (e->air->m < shell->orders) {
     if (!tb_shell_order_prepare(&e->outside, scratch, shell, e->air)) return false;
-    tb_shell_order_mass(&e->outside, own, mutual);
-    return true;
+    return tb_shell_order_mass(&e->outside, scratch, own, mutual);
   }
   tb_air_mass_open(e->air, own);
   scale(own, count * count, 0.5);
@@ -381,7 +406,7 @@ static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShell *shell)
 }
 
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, const TbShell *shell, double limit,
+                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
                                  TbHeadOrder *order, TbHeadMode *modes, uint32_t room) {
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
   e.azimuth = air->m ? PI : 2.0 * PI;

@@ -28,11 +28,11 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
 double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth);
 
 /* The shell of a drum and its microphones. Returns false if memory ran out. */
-bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShell *shell);
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell);
 
 /* Like tb_single_head_order(), for a drum with air inside. `shell` is NULL without air. */
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, const TbShell *shell, double limit,
+                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
                                  TbHeadOrder *order, TbHeadMode *modes, uint32_t room);
 
 #endif

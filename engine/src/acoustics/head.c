@@ -40,7 +40,7 @@ static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *hea
 }
 
 static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                               const TbBesselTable *table, const TbShell *shell,
+                               const TbBesselTable *table, const TbShellMesh *shell,
                                TbHeadOrder *order) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
@@ -93,8 +93,8 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
 }
 
 static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                                const TbBesselTable *table, const TbShell *shell, double basis_top,
-                                uint32_t most) {
+                                const TbBesselTable *table, const TbShellMesh *shell,
+                                double basis_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
@@ -122,7 +122,7 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbBesselTable table;
-  TbShell shell;
+  TbShellMesh shell;
   const bool outside = tb_has_cavity(def) && def->air.density > 0.0;
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&

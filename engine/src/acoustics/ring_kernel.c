@@ -24,38 +24,49 @@ static void inverse_powers(TbCircle point, TbCircle source, uint32_t orders, dou
   for (uint32_t m = 0; m <= orders; m++) f[m] = 2.0 * q[m] / root;
 }
 
-void tb_ring_still(TbCircle point, TbCircle source, bool radial, uint32_t orders, double *still,
-                   double *slow) {
+/* H_m */
+static double mean_distance(TbCircle point, TbCircle source, const double *f, uint32_t m) {
+  const double height = source.z - point.z;
+  const double squares = point.r * point.r + source.r * source.r + height * height;
+  return squares * f[m] - point.r * source.r * (f[m + 1] + f[m ? m - 1 : 1]);
+}
+
+void tb_ring_terms(TbCircle point, TbCircle source, bool radial, uint32_t orders,
+                   TbRingTerms *terms) {
   double f[TB_RING_ORDERS + 1], e[TB_RING_ORDERS];
   inverse_powers(point, source, orders, f, e);
-  const double height = source.z - point.z;
-  if (!radial) {
-    const double size = -source.r * height / (4.0 * PI);
-    for (uint32_t m = 0; m < orders; m++) {
-      still[m] = size * e[m];
-      slow[m] = 0.5 * size * f[m];
-    }
-    return;
-  }
-  const double squares = point.r * point.r + source.r * source.r + height * height;
+  const double height = source.z - point.z, size = source.r / (4.0 * PI);
   const double inside = (source.r - point.r) * (source.r + point.r) - height * height;
   for (uint32_t m = 0; m < orders; m++) {
-    const double h = squares * f[m] - point.r * source.r * (f[m + 1] + f[m ? m - 1 : 1]);
-    still[m] = -(f[m] + inside * e[m]) / (8.0 * PI);
-    slow[m] = -(h + inside * f[m]) / (16.0 * PI);
+    const double h = mean_distance(point, source, f, m);
+    terms[m].single = size * f[m];
+    terms[m].single_slow = -0.5 * size * h;
+    if (radial) {
+      terms[m].dipole = -(f[m] + inside * e[m]) / (8.0 * PI);
+      terms[m].dipole_slow = -(h + inside * f[m]) / (16.0 * PI);
+    } else {
+      terms[m].dipole = -size * height * e[m];
+      terms[m].dipole_slow = -0.5 * size * height * f[m];
+    }
   }
 }
 
-void tb_ring_rest(double a, double *re, double *im) {
+/* Where the differences would cancel: the first terms of the series. */
+static TbRingRest rest_of_small(double a) {
+  const double s = a * a;
+  return (TbRingRest){{a * s * (1.0 / 24.0 + s * (-1.0 / 720.0 + s / 40320.0)),
+                       -1.0 + s * (1.0 / 6.0 + s * (-1.0 / 120.0 + s / 5040.0))},
+                      {a * (-1.0 / 8.0 + s * (1.0 / 144.0 + s * (-1.0 / 5760.0 + s / 403200.0))),
+                       -1.0 / 3.0 + s * (1.0 / 30.0 + s * (-1.0 / 840.0 + s / 45360.0))}};
+}
+
+TbRingRest tb_ring_rest(double a) {
   const double square = a * a;
-  if (square < 0.25) { /* the series, where the differences would cancel */
-    *re = a * (-1.0 / 8.0 + square * (1.0 / 144.0 + square * (-1.0 / 5760.0 + square / 403200.0)));
-    *im = -1.0 / 3.0 + square * (1.0 / 30.0 + square * (-1.0 / 840.0 + square / 45360.0));
-    return;
-  }
+  if (square < 0.25) return rest_of_small(a);
   double sine, cosine;
   tb_sin_cos(a, &sine, &cosine);
-  const double inverse = 1.0 / (square * a);
-  *re = (cosine + a * sine - 1.0 - 0.5 * square) * inverse;
-  *im = (a * cosine - sine) * inverse;
+  const double inverse = 1.0 / a, cube = inverse * inverse * inverse;
+  return (TbRingRest){
+    {(cosine - 1.0 + 0.5 * square) * inverse, -sine * inverse},
+    {(cosine + a * sine - 1.0 - 0.5 * square) * cube, (a * cosine - sine) * cube}};
 }

@@ -2,7 +2,9 @@
 #include "acoustics/shell_mesh.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "math/combine.h"
 #include "math/portable_math.h"
 #include "math/quadrature.h"
 
@@ -59,7 +61,7 @@ typedef struct Part {
   TbCircle target;
 } Part;
 
-static TbCircle ring_at(const Part *part, double t) {
+static TbCircle circle_at(const Part *part, double t) {
   const double along = tb_shell_grade(t), half = part->mesh->half;
   const TbCircle ring =
     part->side ? (TbCircle){1.0, half * along} : (TbCircle){fmax(along, LEAST_RADIUS), half};
@@ -76,48 +78,60 @@ static double nearest_parameter(const Part *part) {
   return along >= 1.0 ? 1.0 : grade_inverse(along);
 }
 
-/* What a target's rows of all orders grow by. */
-typedef struct Rows {
-  double *still, *slow; /* [orders][2: even, odd basis][nodes of the part] */
-} Rows;
+/* What a part gives to a target: [orders][2: even, odd basis][nodes of the part]. */
+typedef TbRingTerms Terms;
 
-static void add_point(const Part *part, const Rows *rows, double t, double weight) {
+static void add_terms(Terms *sum, const Terms *term, double single, double dipole) {
+  sum->single += single * term->single;
+  sum->single_slow += single * term->single_slow;
+  sum->dipole += dipole * term->dipole;
+  sum->dipole_slow += dipole * term->dipole_slow;
+}
+
+static uint32_t nodes_of(const Part *part) {
+  return part->side ? part->mesh->side : part->mesh->cap;
+}
+
+static uint32_t first_node(const Part *part) { return part->side ? part->mesh->cap : 0; }
+
+/* The lower cap's normal points down. */
+static double normal_sign(bool side, bool mirrored) { return mirrored && !side ? -1.0 : 1.0; }
+
+static void add_point(const Part *part, Terms *rows, double t, double weight) {
   const TbShellMesh *mesh = part->mesh;
-  const uint32_t count = part->side ? mesh->side : mesh->cap, orders = mesh->orders;
-  const double *parameters = mesh->parameters + (part->side ? mesh->cap : 0);
-  double basis[2][TB_SHELL_NODES], still[TB_RING_ORDERS], slow[TB_RING_ORDERS];
-  tb_shell_basis(parameters, count, false, t, basis[0]);
-  tb_shell_basis(parameters, count, true, t, basis[1]);
-  tb_ring_still(part->target, ring_at(part, t), part->side, orders, still, slow);
-  const double down = part->mirrored && !part->side ? -1.0 : 1.0; /* the lower cap's normal */
-  const double length = down * weight * tb_shell_grade_slope(t) * (part->side ? mesh->half : 1.0);
+  const uint32_t count = nodes_of(part), orders = mesh->orders;
+  double basis[2][TB_SHELL_NODES];
+  Terms terms[TB_RING_ORDERS];
+  tb_shell_basis(mesh->parameters + first_node(part), count, false, t, basis[0]);
+  tb_shell_basis(mesh->parameters + first_node(part), count, true, t, basis[1]);
+  tb_ring_terms(part->target, circle_at(part, t), part->side, orders, terms);
+  const double length = weight * tb_shell_grade_slope(t) * (part->side ? mesh->half : 1.0);
+  const double normal = normal_sign(part->side, part->mirrored);
   for (uint32_t m = 0; m < orders; m++) {
     for (uint32_t odd = 0; odd < 2; odd++) {
       if (!part->side && odd != m % 2) continue; /* on the cap t goes with r */
-      double *still_row = rows->still + (size_t)(2 * m + odd) * count;
-      double *slow_row = rows->slow + (size_t)(2 * m + odd) * count;
-      const double still_size = length * still[m], slow_size = length * slow[m];
+      Terms *row = rows + (size_t)(2 * m + odd) * count;
       for (uint32_t j = 0; j < count; j++) {
-        still_row[j] += still_size * basis[odd][j];
-        slow_row[j] += slow_size * basis[odd][j];
+        const double size = length * basis[odd][j];
+        add_terms(&row[j], &terms[m], size, normal * size);
       }
     }
   }
 }
 
-static void add_panel(const Part *part, const Rows *rows, double from, double to) {
+static void add_panel(const Part *part, Terms *rows, double from, double to) {
   double t[TB_PANEL], weights[TB_PANEL];
   tb_quadrature(fmin(from, to), fmax(from, to), 1, t, weights);
   for (uint32_t q = 0; q < TB_PANEL; q++) add_point(part, rows, t[q], weights[q]);
 }
 
 /* Integrates from `near`, which is the nearest point to the target, to `far`. */
-static void add_towards(const Part *part, const Rows *rows, double near, double far) {
+static void add_towards(const Part *part, Terms *rows, double near, double far) {
   if (near == far) return;
-  const TbCircle nearest = ring_at(part, near);
+  const TbCircle nearest = circle_at(part, near);
   const double gap = distance(part->target, nearest);
   for (int split = 0; split < MOST_SPLITS; split++) {
-    if (distance(nearest, ring_at(part, far)) <= LONGEST_PANEL * gap) break;
+    if (distance(nearest, circle_at(part, far)) <= LONGEST_PANEL * gap) break;
     const double middle = near + 0.25 * (far - near);
     add_panel(part, rows, middle, far);
     far = middle;
@@ -125,59 +139,178 @@ static void add_towards(const Part *part, const Rows *rows, double near, double 
   add_panel(part, rows, near, far);
 }
 
-static void add_part(const Part *part, const Rows *rows) {
+static void add_part(const Part *part, Terms *rows) {
   const double near = nearest_parameter(part);
   add_towards(part, rows, near, 0.0);
   add_towards(part, rows, near, 1.0);
 }
 
-/* ---- rows of one target ------------------------------------------------------------------------ */
+/* ---- the singular terms of one target ---------------------------------------------------------- */
+
+static Terms *terms_of(const TbShellMesh *mesh, uint32_t m, uint32_t target, uint32_t odd) {
+  return mesh->terms + (((size_t)m * mesh->targets + target) * 2 + odd) * mesh->nodes;
+}
 
 /* Adds what a part gives to the rows of both symmetries; a mirror image is the same or the negative. */
-static void gather(const TbShellMesh *mesh, uint32_t target, const Part *part, const Rows *rows) {
-  const uint32_t count = part->side ? mesh->side : mesh->cap, first = part->side ? mesh->cap : 0;
+static void gather(const Part *part, const Terms *rows, uint32_t target) {
+  const TbShellMesh *mesh = part->mesh;
+  const uint32_t count = nodes_of(part);
   for (uint32_t m = 0; m < mesh->orders; m++) {
     for (uint32_t odd = 0; odd < 2; odd++) {
-      const uint32_t basis = part->side ? odd : m % 2;
       const double sign = part->mirrored && odd ? -1.0 : 1.0;
-      const size_t from = (size_t)(2 * m + basis) * count;
-      const size_t to = tb_shell_row(mesh, m, target, odd) + first;
-      for (uint32_t j = 0; j < count; j++) {
-        mesh->still[to + j] += sign * rows->still[from + j];
-        mesh->slow[to + j] += sign * rows->slow[from + j];
-      }
+      const Terms *from = rows + (size_t)(2 * m + (part->side ? odd : m % 2)) * count;
+      Terms *to = terms_of(mesh, m, target, odd) + first_node(part);
+      for (uint32_t j = 0; j < count; j++) add_terms(&to[j], &from[j], sign, sign);
     }
   }
 }
 
 static bool add_target(const TbShellMesh *mesh, TbArena *scratch, uint32_t target) {
-  const size_t size = (size_t)mesh->orders * 2 * (mesh->cap > mesh->side ? mesh->cap : mesh->side);
-  const Rows rows = {tb_arena_doubles(scratch, size), tb_arena_doubles(scratch, size)};
-  if (scratch->failed) return false;
+  const uint32_t most = mesh->cap > mesh->side ? mesh->cap : mesh->side;
+  const size_t size = (size_t)mesh->orders * 2 * most;
+  Terms *rows = tb_arena_take(scratch, size, sizeof *rows);
+  if (!rows) return false;
   for (int which = 0; which < 4; which++) {
-    const Part part = {mesh, which % 2, which / 2, mesh->rings[target]};
-    const bool same_plane = !part.side && !part.mirrored && part.target.z == mesh->half;
-    if (same_plane) continue; /* n'.d = 0 */
-    for (size_t i = 0; i < size; i++) rows.still[i] = rows.slow[i] = 0.0;
-    add_part(&part, &rows);
-    gather(mesh, target, &part, &rows);
+    const Part part = {mesh, which % 2, which / 2, mesh->circles[target]};
+    for (size_t i = 0; i < size; i++) rows[i] = (Terms){0.0, 0.0, 0.0, 0.0};
+    add_part(&part, rows);
+    gather(&part, rows, target);
   }
   return true;
 }
 
-static void add_distances(const TbShellMesh *mesh, uint32_t target) {
-  const TbCircle a = mesh->rings[target];
-  double *out = mesh->distances + (size_t)target * 2 * mesh->nodes * TB_SHELL_ANGLES;
-  for (uint32_t image = 0; image < 2; image++) {
-    for (uint32_t j = 0; j < mesh->nodes; j++) {
-      const TbCircle b = mesh->rings[j];
-      const double height = a.z - (image ? -b.z : b.z);
-      const double squares = a.r * a.r + b.r * b.r + height * height;
-      for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
-        *out++ = sqrt(fmax(0.0, squares - 2.0 * a.r * b.r * mesh->cosine[l]));
-      }
+/* ---- the smooth rest --------------------------------------------------------------------------- */
+
+/* Sums over the angles between a target and a circle of the surface: s, f and f cos t, with cos(m t). */
+typedef struct Sums {
+  double single[2], dipole[2], turned[2];
+} Sums;
+
+static void angle_values(const TbShellMesh *mesh, TbCircle a, TbCircle b, double x,
+                         TbRingRest *values) {
+  const double height = a.z - b.z;
+  const double squares = a.r * a.r + b.r * b.r + height * height;
+  for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
+    const double square = squares - 2.0 * a.r * b.r * mesh->cosine[l];
+    values[l] = tb_ring_rest(x * sqrt(fmax(0.0, square)));
+  }
+}
+
+static Sums angle_sums(const TbShellMesh *mesh, const TbRingRest *values, uint32_t m) {
+  const double *cosines = mesh->cosines + (size_t)m * TB_SHELL_ANGLES;
+  Sums sums = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+  for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
+    const double turned = cosines[l] * mesh->cosine[l];
+    for (int part = 0; part < 2; part++) {
+      sums.single[part] += cosines[l] * values[l].single[part];
+      sums.dipole[part] += cosines[l] * values[l].dipole[part];
+      sums.turned[part] += turned * values[l].dipole[part];
     }
   }
+  return sums;
+}
+
+static TbCircle circle_of(const TbShellMesh *mesh, uint32_t node, uint32_t mirrored) {
+  const TbCircle circle = mesh->circles[node];
+  return mirrored ? (TbCircle){circle.r, -circle.z} : circle;
+}
+
+/* Adds the rest of both layers on a node, or its mirror image, to a target's rows. */
+static void add_rest(const TbShellMesh *mesh, uint32_t target, uint32_t node, uint32_t mirrored,
+                     double x, const Sums *sums, TbShellRow *even, TbShellRow *odd) {
+  const TbCircle s = mesh->circles[target], circle = circle_of(mesh, node, mirrored);
+  const bool side = node >= mesh->cap;
+  const double weight = circle.r * mesh->weights[node] / (4.0 * PI), sign = mirrored ? -1.0 : 1.0;
+  const double cube = -weight * x * x * x, up = normal_sign(side, mirrored) * (circle.z - s.z);
+  for (int part = 0; part < 2; part++) {
+    const double turn =
+      side ? circle.r * sums->dipole[part] - s.r * sums->turned[part] : up * sums->dipole[part];
+    even->single[part] += weight * x * sums->single[part];
+    odd->single[part] += sign * weight * x * sums->single[part];
+    even->dipole[part] += cube * turn;
+    odd->dipole[part] += sign * cube * turn;
+  }
+}
+
+static TbShellRow *rests_of(const TbShellMesh *mesh, uint32_t m, uint32_t step) {
+  return mesh->rests + ((size_t)m * mesh->steps + step) * mesh->solved * 2 * mesh->nodes;
+}
+
+/* Both directions between a target and a node have the same distances. */
+static void add_pair(const TbShellMesh *mesh, uint32_t step, uint32_t target, uint32_t node,
+                     uint32_t mirrored) {
+  const uint32_t n = mesh->nodes;
+  TbRingRest values[TB_SHELL_ANGLES];
+  angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), mesh->x[step], values);
+  for (uint32_t m = 0; m < mesh->orders; m++) {
+    const Sums sums = angle_sums(mesh, values, m);
+    TbShellRow *rows = rests_of(mesh, m, step), *row = rows + (size_t)target * 2 * n + node;
+    add_rest(mesh, target, node, mirrored, mesh->x[step], &sums, row, row + n);
+    if (target >= n || target == node) continue;
+    row = rows + (size_t)node * 2 * n + target;
+    add_rest(mesh, node, target, mirrored, mesh->x[step], &sums, row, row + n);
+  }
+}
+
+static void add_step(const TbShellMesh *mesh, uint32_t step) {
+  for (uint32_t target = 0; target < mesh->solved; target++) {
+    for (uint32_t node = 0; node < mesh->nodes; node++) {
+      if (target < mesh->nodes && node > target) break;
+      add_pair(mesh, step, target, node, 0);
+      add_pair(mesh, step, target, node, 1);
+    }
+  }
+}
+
+/* ---- rows at any x ----------------------------------------------------------------------------- */
+
+static void add_singular(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
+                         TbShellRow *rows) {
+  const Terms *terms = terms_of(mesh, m, target, 0);
+  for (uint32_t i = 0; i < 2 * mesh->nodes; i++) {
+    rows[i].single[0] += terms[i].single + x * x * terms[i].single_slow;
+    rows[i].dipole[0] += terms[i].dipole + x * x * terms[i].dipole_slow;
+  }
+}
+
+/* Lagrange's factors of the steps at x. */
+static void step_factors(const TbShellMesh *mesh, double x, double *factors) {
+  for (uint32_t i = 0; i < mesh->steps; i++) {
+    factors[i] = 1.0;
+    for (uint32_t k = 0; k < mesh->steps; k++) {
+      if (k != i) factors[i] *= (x - mesh->x[k]) / (mesh->x[i] - mesh->x[k]);
+    }
+  }
+}
+
+void tb_shell_rows(const TbShellMesh *mesh, uint32_t m, double x, TbShellRow *rows) {
+  const uint32_t size = mesh->solved * 2 * mesh->nodes;
+  double factors[TB_SHELL_STEPS];
+  memset(rows, 0, size * sizeof *rows);
+  if (x > 0.0) {
+    const uint32_t length = size * (uint32_t)(sizeof *rows / sizeof(double));
+    step_factors(mesh, x, factors);
+    tb_combine_rows(length, mesh->steps, factors, rests_of(mesh, m, 0)->single, length, 1.0,
+                    rows->single);
+  }
+  for (uint32_t t = 0; t < mesh->solved; t++) {
+    add_singular(mesh, m, t, x, rows + (size_t)t * 2 * mesh->nodes);
+  }
+}
+
+void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
+                          TbShellRow *rows) {
+  const uint32_t n = mesh->nodes;
+  memset(rows, 0, 2 * n * sizeof *rows);
+  for (uint32_t node = 0; node < n; node++) {
+    for (uint32_t mirrored = 0; mirrored < 2; mirrored++) {
+      TbRingRest values[TB_SHELL_ANGLES];
+      angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), x, values);
+      const Sums sums = angle_sums(mesh, values, m);
+      add_rest(mesh, target, node, mirrored, x, &sums, rows + node, rows + n + node);
+    }
+  }
+  add_singular(mesh, m, target, x, rows);
 }
 
 /* ---- all of it --------------------------------------------------------------------------------- */
@@ -188,7 +321,7 @@ static void place_cap(TbShellMesh *mesh) {
   for (uint32_t j = 0; j < mesh->cap; j++) {
     const double t = sqrt(0.5 + 0.5 * mesh->parameters[j]);
     mesh->parameters[j] = t;
-    mesh->rings[j] = (TbCircle){tb_shell_grade(t), mesh->half};
+    mesh->circles[j] = (TbCircle){tb_shell_grade(t), mesh->half};
     mesh->weights[j] *= 0.25 / t * tb_shell_grade_slope(t); /* dt = d(t^2)/(2 t) */
   }
 }
@@ -200,7 +333,7 @@ static void place_side(TbShellMesh *mesh) {
   for (uint32_t j = 0; j < mesh->side; j++) {
     const uint32_t node = mesh->cap + j, from = mesh->side + j;
     mesh->parameters[node] = t[from];
-    mesh->rings[node] = (TbCircle){1.0, mesh->half * tb_shell_grade(t[from])};
+    mesh->circles[node] = (TbCircle){1.0, mesh->half * tb_shell_grade(t[from])};
     mesh->weights[node] = weights[from] * mesh->half * tb_shell_grade_slope(t[from]);
   }
 }
@@ -216,43 +349,62 @@ static void place_angles(TbShellMesh *mesh) {
   }
 }
 
-static bool take_memory(TbShellMesh *mesh, TbArena *arena) {
-  const size_t rows = (size_t)mesh->orders * mesh->targets * 2 * mesh->nodes;
-  mesh->rings = tb_arena_take(arena, mesh->targets, sizeof *mesh->rings);
-  mesh->parameters = tb_arena_doubles(arena, mesh->nodes);
-  mesh->weights = tb_arena_doubles(arena, mesh->nodes);
-  mesh->still = tb_arena_doubles(arena, rows);
-  mesh->slow = tb_arena_doubles(arena, rows);
-  mesh->distances =
-    tb_arena_doubles(arena, (size_t)mesh->targets * 2 * mesh->nodes * TB_SHELL_ANGLES);
-  mesh->cosines = tb_arena_doubles(arena, (size_t)mesh->orders * TB_SHELL_ANGLES);
-  mesh->cosine = tb_arena_doubles(arena, TB_SHELL_ANGLES);
-  return !arena->failed;
+/* As many as e^{-i x D} needs, D up to the diagonal. */
+static void place_steps(TbShellMesh *mesh) {
+  const double turn = 0.5 * mesh->top * tb_hypot(2.0, 2.0 * mesh->half);
+  mesh->steps = (uint32_t)fmin(TB_SHELL_STEPS, 8.0 + turn + 2.0 * tb_cbrt(turn));
+  for (uint32_t i = 0; i < mesh->steps; i++) {
+    mesh->x[i] = 0.5 * mesh->top * (1.0 - tb_cos(PI * (i + 0.5) / mesh->steps));
+  }
 }
 
-bool tb_shell_mesh_prepare(TbShellMesh *mesh, TbArena *arena, double half, uint32_t cap,
-                           uint32_t side, uint32_t orders, const TbCircle *points,
-                           uint32_t point_count) {
-  *mesh = (TbShellMesh){.half = half,
-                        .cap = cap,
-                        .side = side,
-                        .nodes = cap + side,
-                        .targets = cap + side + point_count,
-                        .orders = orders};
+static bool take_memory(TbShellMesh *mesh, TbArena *arena) {
+  const size_t orders = mesh->orders, nodes = mesh->nodes;
+  mesh->circles = tb_arena_take(arena, mesh->targets, sizeof *mesh->circles);
+  mesh->parameters = tb_arena_doubles(arena, nodes);
+  mesh->weights = tb_arena_doubles(arena, nodes);
+  mesh->terms = tb_arena_take(arena, orders * mesh->targets * 2 * nodes, sizeof *mesh->terms);
+  mesh->cosines = tb_arena_doubles(arena, orders * TB_SHELL_ANGLES);
+  mesh->cosine = tb_arena_doubles(arena, TB_SHELL_ANGLES);
+  mesh->x = tb_arena_doubles(arena, TB_SHELL_STEPS);
+  if (arena->failed) return false;
+  place_steps(mesh);
+  mesh->rests =
+    tb_arena_take(arena, orders * mesh->steps * mesh->solved * 2 * nodes, sizeof *mesh->rests);
+  return mesh->rests != NULL;
+}
+
+static void place_points(TbShellMesh *mesh, uint32_t first, const TbCircle *points,
+                         uint32_t count) {
+  for (uint32_t p = 0; p < count; p++) {
+    mesh->circles[first + p] = (TbCircle){fmax(points[p].r, LEAST_RADIUS), points[p].z};
+  }
+}
+
+bool tb_shell_mesh_prepare(TbShellMesh *mesh, TbArena *arena, TbShellSize size,
+                           const TbCircle *inner, uint32_t inner_count, const TbCircle *outer,
+                           uint32_t outer_count) {
+  *mesh = (TbShellMesh){.half = size.half,
+                        .top = size.top,
+                        .cap = size.cap,
+                        .side = size.side,
+                        .nodes = size.cap + size.side,
+                        .orders = size.orders};
+  mesh->solved = mesh->nodes + inner_count;
+  mesh->targets = mesh->solved + outer_count;
   if (!take_memory(mesh, arena)) return false;
   place_cap(mesh);
   place_side(mesh);
-  for (uint32_t p = 0; p < point_count; p++) {
-    mesh->rings[mesh->nodes + p] = (TbCircle){fmax(points[p].r, LEAST_RADIUS), points[p].z};
-  }
+  place_points(mesh, mesh->nodes, inner, inner_count);
+  place_points(mesh, mesh->solved, outer, outer_count);
   place_angles(mesh);
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   bool done = true;
   for (uint32_t target = 0; target < mesh->targets && done; target++) {
     done = add_target(mesh, &scratch, target);
-    add_distances(mesh, target);
   }
   tb_arena_release(&scratch);
+  for (uint32_t step = 0; step < mesh->steps; step++) add_step(mesh, step);
   return done;
 }

@@ -192,8 +192,9 @@ typedef struct Outside {
   double fields[2 * TABOR_MAX_MICS];
 } Outside;
 
+/* Orders above 3 + 1.5 x do not radiate, and their mass is that at low frequency. */
 static double shell_part(const Enclosed *e, double x) {
-  if (!e->outside.mesh) return 0.0;
+  if (!e->outside.mesh || (double)e->air->m > 3.0 + 1.5 * x) return 0.0;
   const double top = e->outside.mesh->top;
   return fmin(1.0, fmax(0.0, (top - x) / ((1.0 - BLEND_FROM) * top)));
 }

@@ -12,8 +12,8 @@ static const double PI = 3.14159265358979323846;
 
 /* A panel is as long as the distance to the target times this at most; nearer than this to the axis a
  * point counts as that far off. */
-static const double LONGEST_PANEL = 2.0, LEAST_RADIUS = 1e-4;
-enum { MOST_SPLITS = 14 };
+static const double LONGEST_PANEL = 3.0, LEAST_RADIUS = 1e-4;
+enum { MOST_SPLITS = 7 };
 
 double tb_shell_grade(double t) {
   const double s = t * t;
@@ -352,7 +352,7 @@ static void place_angles(TbShellMesh *mesh) {
 /* As many as e^{-i x D} needs, D up to the diagonal. */
 static void place_steps(TbShellMesh *mesh) {
   const double turn = 0.5 * mesh->top * tb_hypot(2.0, 2.0 * mesh->half);
-  mesh->steps = (uint32_t)fmin(TB_SHELL_STEPS, 8.0 + turn + 2.0 * tb_cbrt(turn));
+  mesh->steps = (uint32_t)fmin(TB_SHELL_STEPS, 6.0 + turn + 1.5 * tb_cbrt(turn));
   for (uint32_t i = 0; i < mesh->steps; i++) {
     mesh->x[i] = 0.5 * mesh->top * (1.0 - tb_cos(PI * (i + 0.5) / mesh->steps));
   }

@@ -5,6 +5,8 @@
 
 #include "acoustics/radiated_field.h"
 #include "math/least_squares.h"
+#include "math/lu.h"
+#include "math/portable_math.h"
 #include "math/quadrature.h"
 
 /* ---- the shell --------------------------------------------------------------------------------- */
@@ -16,7 +18,12 @@ static const TbCircle INSIDE[INNER] = {
 
 /* With ten nodes on a cap loads are right to 1e-4 up to here. */
 static const double TOP = 6.0;
-enum { CAP = 10, ORDERS = 16 };
+enum { CAP = 10, ORDERS = 12 };
+
+/* Below this part of the lowest resonance of the soft cylinder the equations on the surface do alone. */
+static const double SAFE = 0.9;
+
+static const double PI = 3.14159265358979323846;
 
 bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbAirPoint *points,
                       uint32_t point_count) {
@@ -181,11 +188,45 @@ static void project(const TbShellMotion *motion, uint32_t odd) {
   }
 }
 
-/* The complex equations of one symmetry as real ones for (re, im) of I at the nodes. */
-static void equations(const TbShellMotion *motion, const TbShellRow *rows, uint32_t odd,
-                      double *matrix, double *sides) {
+static void right_sides(const TbShellMotion *motion, const TbShellRow *rows, uint32_t odd,
+                        uint32_t count, double *sides) {
+  const TbShellMesh *mesh = motion->order->mesh;
+  for (uint32_t t = 0; t < count; t++) {
+    const TbShellRow *row = row_of(mesh, rows, t, odd);
+    for (uint32_t j = 0; j < mesh->cap; j++) {
+      sides[2 * t] += row[j].single[0] * motion->w[odd][j];
+      sides[2 * t + 1] += row[j].single[1] * motion->w[odd][j];
+    }
+  }
+}
+
+/* Equations as they are, for as many nodes. */
+static bool solve_square(const TbShellMotion *motion, TbArena *scratch, const TbShellRow *rows,
+                         uint32_t odd, double *pressure) {
   const TbShellMesh *mesh = motion->order->mesh;
   const uint32_t n = mesh->nodes;
+  double *matrix = tb_arena_doubles(scratch, 2 * (size_t)n * n);
+  if (!matrix) return false;
+  for (uint32_t t = 0; t < n; t++) {
+    const TbShellRow *row = row_of(mesh, rows, t, odd);
+    double *out = matrix + 2 * (size_t)t * n;
+    for (uint32_t j = 0; j < n; j++) {
+      out[2 * j] = (t == j ? 0.5 : 0.0) - row[j].dipole[0];
+      out[2 * j + 1] = -row[j].dipole[1];
+    }
+  }
+  right_sides(motion, rows, odd, n, pressure);
+  return tb_solve_complex(n, matrix, pressure);
+}
+
+/* Equations of the points inside too: as real ones for (re, im) of I. */
+static bool solve_overdetermined(const TbShellMotion *motion, TbArena *scratch,
+                                 const TbShellRow *rows, uint32_t odd, double *pressure) {
+  const TbShellMesh *mesh = motion->order->mesh;
+  const uint32_t n = mesh->nodes;
+  double *matrix = tb_arena_doubles(scratch, 4 * (size_t)mesh->solved * n);
+  double *sides = tb_arena_doubles(scratch, 2 * (size_t)mesh->solved);
+  if (scratch->failed) return false;
   for (uint32_t t = 0; t < mesh->solved; t++) {
     const TbShellRow *row = row_of(mesh, rows, t, odd);
     double *re = matrix + (size_t)(2 * t) * 2 * n, *im = re + 2 * n;
@@ -194,11 +235,15 @@ static void equations(const TbShellMotion *motion, const TbShellRow *rows, uint3
       re[2 * j + 1] = row[j].dipole[1];
       im[2 * j] = -row[j].dipole[1];
     }
-    for (uint32_t j = 0; j < mesh->cap; j++) {
-      sides[2 * t] += row[j].single[0] * motion->w[odd][j];
-      sides[2 * t + 1] += row[j].single[1] * motion->w[odd][j];
-    }
   }
+  right_sides(motion, rows, odd, mesh->solved, sides);
+  return tb_least_squares(scratch, 2 * mesh->solved, 2 * n, matrix, 1, sides, pressure);
+}
+
+/* True near the lowest resonance of the soft cylinder, and above. */
+static bool may_resonate(const TbShellOrder *order, double x) {
+  const double across = order->air->zeros[0], along = 0.5 * PI / order->mesh->half;
+  return x > SAFE * tb_hypot(across, along);
 }
 
 /* Adds what one symmetry's pressure, less that at low frequency, does to both heads. */
@@ -224,19 +269,15 @@ static void add_load(TbShellMotion *motion, uint32_t odd) {
 static bool solve_symmetry(TbShellMotion *motion, TbArena *scratch, const TbShellRow *rows,
                            uint32_t odd) {
   const TbShellMesh *mesh = motion->order->mesh;
-  const uint32_t n = 2 * mesh->nodes, equation_count = 2 * mesh->solved;
   motion->w[odd] = tb_arena_doubles(scratch, mesh->cap);
-  motion->pressure[odd] = tb_arena_doubles(scratch, n);
-  double *matrix = tb_arena_doubles(scratch, (size_t)equation_count * n);
-  double *sides = tb_arena_doubles(scratch, equation_count);
+  motion->pressure[odd] = tb_arena_doubles(scratch, 2 * (size_t)mesh->nodes);
   if (scratch->failed) return false;
   project(motion, odd);
-  equations(motion, rows, odd, matrix, sides);
-  if (!tb_least_squares(scratch, equation_count, n, matrix, 1, sides, motion->pressure[odd])) {
-    return false;
-  }
-  add_load(motion, odd);
-  return true;
+  const bool done = may_resonate(motion->order, motion->x)
+                      ? solve_overdetermined(motion, scratch, rows, odd, motion->pressure[odd])
+                      : solve_square(motion, scratch, rows, odd, motion->pressure[odd]);
+  if (done) add_load(motion, odd);
+  return done;
 }
 
 bool tb_shell_solve(TbShellMotion *motion, TbArena *scratch, const TbShellOrder *order,

@@ -16,9 +16,10 @@ enum { INNER = 5 };
 static const TbCircle INSIDE[INNER] = {
   {0.32, 0.27}, {0.53, 0.61}, {0.71, 0.16}, {0.79, 0.47}, {0.88, 0.73}};
 
-/* With ten nodes on a cap loads are right to 1e-4 up to here. */
-static const double TOP = 6.0;
-enum { CAP = 10, ORDERS = 12 };
+/* With twelve nodes on a cap the loads of low modes are right to 1e-4 up to here. Where a wave has room
+ * for many turns along the side, the largest x is lower, so that the side's nodes stay few. */
+static const double TOP = 6.0, MOST_TURNS = 18.0;
+enum { CAP = 12, ORDERS = 12 };
 
 /* Below this part of the lowest resonance of the soft cylinder the equations on the surface do alone. */
 static const double SAFE = 0.9;
@@ -27,11 +28,11 @@ static const double PI = 3.14159265358979323846;
 
 bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbAirPoint *points,
                       uint32_t point_count) {
-  const double half = 0.5 * depth;
+  const double half = 0.5 * depth, top = fmin(TOP, MOST_TURNS / half);
   const TbShellSize size = {.half = half,
-                            .top = TOP,
+                            .top = top,
                             .cap = CAP,
-                            .side = 6u + (uint32_t)(0.5 * half * TOP),
+                            .side = 6u + (uint32_t)(0.6 * half * top),
                             .orders = ORDERS};
   TbCircle inner[INNER], outer[TABOR_MAX_MICS];
   for (uint32_t p = 0; p < INNER; p++) inner[p] = (TbCircle){INSIDE[p].r, half * INSIDE[p].z};

@@ -88,6 +88,12 @@ bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *u
                       const double *lower, double depth, double x, const TbAirPoint *points,
                       uint32_t point_count, double *resistance, double *fields);
 
+/* Half the baffled fields of both heads of a drum, arguments as for tb_air_drum_load(): what their
+ * motion would give without the shell. */
+bool tb_air_half_baffled(const TbAirOrder *order, TbArena *scratch, const double *upper,
+                         const double *lower, double depth, double x, const TbAirPoint *points,
+                         uint32_t point_count, double *fields);
+
 /* Resistance and fields of one baffled Bessel function, to four digits. With air on `both_sides`,
  * the result is that of tb_air_load(); otherwise one side's resistance and a field that is even in
  * the height. `order` has one zero and needs no expansion. */

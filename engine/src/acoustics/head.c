@@ -40,7 +40,8 @@ static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *hea
 }
 
 static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                               const TbBesselTable *table, TbHeadOrder *order) {
+                               const TbBesselTable *table, const TbShellMesh *shell,
+                               TbHeadOrder *order) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   const double limit = 2.0 * PI * head->bandwidth;
@@ -51,7 +52,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
     air.table = table;
     status = tb_has_cavity(def)
-               ? tb_closed_drum_order(def, arena, &scratch, &air, limit, order, modes, room)
+               ? tb_closed_drum_order(def, arena, &scratch, &air, shell, limit, order, modes, room)
                : tb_single_head_order(def, arena, &scratch, &air, limit, order, modes, room);
   }
   order->rows = tb_arena_take(arena, order->mode_count + 1u, sizeof *order->rows);
@@ -92,7 +93,8 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
 }
 
 static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                                const TbBesselTable *table, double basis_top, uint32_t most) {
+                                const TbBesselTable *table, const TbShellMesh *shell,
+                                double basis_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
@@ -102,7 +104,7 @@ static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef
     if (arena->failed) return TABOR_ERROR_MEMORY;
     order->zero_count = tb_bessel_zeros(m, basis_top, order->zeros, room);
     if (order->zero_count == 0) break;
-    const TaborStatus status = build_order(head, arena, def, table, order);
+    const TaborStatus status = build_order(head, arena, def, table, shell, order);
     if (status != TABOR_OK) return status;
     head->zero_count += order->zero_count;
     head->order_count++;
@@ -120,10 +122,13 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbBesselTable table;
+  TbShellMesh shell;
+  const bool outside = tb_has_cavity(def) && def->air.density > 0.0;
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
-      !arena->failed) {
-    status = build_orders(head, arena, def, &table, basis_top, most_orders);
+      (!outside || tb_closed_drum_shell(def, &scratch, &shell)) && !arena->failed) {
+    status =
+      build_orders(head, arena, def, &table, outside ? &shell : NULL, basis_top, most_orders);
   }
   tb_arena_release(&scratch);
   if (status == TABOR_OK) sort_modes(head);

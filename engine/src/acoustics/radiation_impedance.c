@@ -318,3 +318,22 @@ bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *u
   *resistance = drum_resistance(&nodes, &sources[0], lower ? &sources[1] : NULL, depth);
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, sources, heads, fields);
 }
+
+bool tb_air_half_baffled(const TbAirOrder *order, TbArena *scratch, const double *upper,
+                         const double *lower, double depth, double x, const TbAirPoint *points,
+                         uint32_t point_count, double *fields) {
+  const uint32_t heads = lower ? 2 : 1;
+  TbAirPlan plan = plan_of(order, x, points, point_count, FINE);
+  TbAirSource sources[2] = {{.v = upper, .up = 1.0, .baffled = 0.5},
+                            {.v = lower, .plane = -depth, .up = -1.0, .baffled = 0.5}};
+  for (uint32_t h = 0; h < heads; h++) widen_reach(order, sources[h].v, &plan);
+  tb_air_plan_fields(&plan, sources, heads);
+  for (uint32_t i = 0; i < 2 * point_count; i++) fields[i] = 0.0;
+  if (point_count == 0 || is_silent(&plan)) return true;
+  TbWavenumberNodes nodes;
+  if (!nodes_for(&nodes, &plan, scratch, 0.0)) return false;
+  for (uint32_t h = 0; h < heads; h++) {
+    if (!transform(&plan, scratch, &nodes, &sources[h])) return false;
+  }
+  return tb_air_fields(&plan, scratch, &nodes, sources, heads, fields);
+}

@@ -215,20 +215,21 @@ static TbCircle circle_of(const TbShellMesh *mesh, uint32_t node, uint32_t mirro
   return mirrored ? (TbCircle){circle.r, -circle.z} : circle;
 }
 
-/* Adds the rest of both layers on a node, or its mirror image, to a target's rows. */
+/* Adds the rest of both layers on a node, or its mirror image, to a target's rows: of the single layer
+ * divided by x, of the double layer by x^3. */
 static void add_rest(const TbShellMesh *mesh, uint32_t target, uint32_t node, uint32_t mirrored,
-                     double x, const Sums *sums, TbShellRow *even, TbShellRow *odd) {
+                     const Sums *sums, TbShellRow *even, TbShellRow *odd) {
   const TbCircle s = mesh->circles[target], circle = circle_of(mesh, node, mirrored);
   const bool side = node >= mesh->cap;
   const double weight = circle.r * mesh->weights[node] / (4.0 * PI), sign = mirrored ? -1.0 : 1.0;
-  const double cube = -weight * x * x * x, up = normal_sign(side, mirrored) * (circle.z - s.z);
+  const double up = normal_sign(side, mirrored) * (circle.z - s.z);
   for (int part = 0; part < 2; part++) {
     const double turn =
       side ? circle.r * sums->dipole[part] - s.r * sums->turned[part] : up * sums->dipole[part];
-    even->single[part] += weight * x * sums->single[part];
-    odd->single[part] += sign * weight * x * sums->single[part];
-    even->dipole[part] += cube * turn;
-    odd->dipole[part] += sign * cube * turn;
+    even->single[part] += weight * sums->single[part];
+    odd->single[part] += sign * weight * sums->single[part];
+    even->dipole[part] -= weight * turn;
+    odd->dipole[part] -= sign * weight * turn;
   }
 }
 
@@ -245,10 +246,10 @@ static void add_pair(const TbShellMesh *mesh, uint32_t step, uint32_t target, ui
   for (uint32_t m = 0; m < mesh->orders; m++) {
     const Sums sums = angle_sums(mesh, values, m);
     TbShellRow *rows = rests_of(mesh, m, step), *row = rows + (size_t)target * 2 * n + node;
-    add_rest(mesh, target, node, mirrored, mesh->x[step], &sums, row, row + n);
+    add_rest(mesh, target, node, mirrored, &sums, row, row + n);
     if (target >= n || target == node) continue;
     row = rows + (size_t)node * 2 * n + target;
-    add_rest(mesh, node, target, mirrored, mesh->x[step], &sums, row, row + n);
+    add_rest(mesh, node, target, mirrored, &sums, row, row + n);
   }
 }
 
@@ -264,12 +265,16 @@ static void add_step(const TbShellMesh *mesh, uint32_t step) {
 
 /* ---- rows at any x ----------------------------------------------------------------------------- */
 
-static void add_singular(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
-                         TbShellRow *rows) {
+/* From the rests, which come in without their powers of x, to whole rows. */
+static void finish_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
+                        TbShellRow *rows) {
   const Terms *terms = terms_of(mesh, m, target, 0);
+  const double square = x * x, cube = x * square;
   for (uint32_t i = 0; i < 2 * mesh->nodes; i++) {
-    rows[i].single[0] += terms[i].single + x * x * terms[i].single_slow;
-    rows[i].dipole[0] += terms[i].dipole + x * x * terms[i].dipole_slow;
+    rows[i].single[0] = terms[i].single + square * terms[i].single_slow + x * rows[i].single[0];
+    rows[i].single[1] *= x;
+    rows[i].dipole[0] = terms[i].dipole + square * terms[i].dipole_slow + cube * rows[i].dipole[0];
+    rows[i].dipole[1] *= cube;
   }
 }
 
@@ -294,7 +299,7 @@ void tb_shell_rows(const TbShellMesh *mesh, uint32_t m, double x, TbShellRow *ro
                     rows->single);
   }
   for (uint32_t t = 0; t < mesh->solved; t++) {
-    add_singular(mesh, m, t, x, rows + (size_t)t * 2 * mesh->nodes);
+    finish_rows(mesh, m, t, x, rows + (size_t)t * 2 * mesh->nodes);
   }
 }
 
@@ -307,10 +312,10 @@ void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, 
       TbRingRest values[TB_SHELL_ANGLES];
       angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), x, values);
       const Sums sums = angle_sums(mesh, values, m);
-      add_rest(mesh, target, node, mirrored, x, &sums, rows + node, rows + n + node);
+      add_rest(mesh, target, node, mirrored, &sums, rows + node, rows + n + node);
     }
   }
-  add_singular(mesh, m, target, x, rows);
+  finish_rows(mesh, m, target, x, rows);
 }
 
 /* ---- all of it --------------------------------------------------------------------------------- */

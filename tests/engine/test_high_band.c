@@ -116,9 +116,10 @@ static double band_energy(const float *x, double lo, double hi) {
 /* Third-octave levels of a struck head [dB]. Near the centre the three or so modes of a third of an octave and
  * of each low order sound alone, so that each must have its own coupling by the air. */
 static const double TOLERANCE = 1.5;
-/* Resonances of the enclosed air are not in the high band: what they make of a single mode, and at the very
- * centre one or two alone are a third of an octave, and of all of them in the mean over the places. */
-static const double TOLERANCE_ENCLOSED = 7.0, TOLERANCE_MEAN = 2.5;
+/* Resonances of the enclosed air are not in the high band. At the very centre one or two modes alone are a
+ * third of an octave, and the first tolerance is for those; the second is for the mean over the places, which
+ * lacks up to 3 dB where a wall of plywood, by the mass law, hardly damps the air. */
+static const double TOLERANCE_ENCLOSED = 9.5, TOLERANCE_MEAN = 4.0;
 
 static void levels_agree_with_the_full_sum(void **state) {
   (void)state;

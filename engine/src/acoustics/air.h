@@ -36,6 +36,8 @@
  * sides of a baffled head. A single slow head gives a quarter of both sides of a baffled head, the
  * monopole of free space.
  *
+ * (Low modes of a drum do better, see shell_radiation.h; this is for the others.)
+ *
  * All results are dimensionless: multiply masses by a_m rho0 R^3 [kg], resistances by a_m rho0 c0
  * R^2 [kg/s]. Set-up only. */
 #ifndef TB_AIR_H

@@ -37,14 +37,21 @@ typedef struct Enclosed {
   double azimuth; /* a_m */
 } Enclosed;
 
-/* Specific admittance of the shell's wall, of surface density mu, to the enclosed air. Its impedance is i omega
- * mu, and behind it rho0 c0 of the air outside: the real part of its inverse is beta_m ([Kinsler], the mass
- * law). 6 mm of plywood, 4.2 kg/m2, has 3.9e-3 at 250 Hz and 2.4e-4 at 1 kHz. A kettle, which is curved both
- * ways, gives way much less than its mass would let it, and is rigid here. */
-static double side_admittance(const TaborDrumDef *def, double omega) {
+/* Speed of sound along a shell's wall, of wood or of metal: 3 to 5 km/s [Kinsler]. */
+static const double WALL_SPEED = 3500.0;
+
+/* Specific admittance of the shell's wall, of surface density mu, to the enclosed air. A limp wall has the
+ * impedance i omega mu, and rho0 c0 of the air behind it: the real part of the inverse is the admittance,
+ * the mass law. 6 mm of plywood, 4.2 kg/m2, has 3.9e-3 at 250 Hz and 2.4e-4 at 1 kHz; an eighth of what a
+ * panel absorbs from all directions in rooms, 0.05, is 6.3e-3 at either. A pressure that is the same all round (m
+ * = 0) stretches the wall, which withstands it like a hoop: its impedance is (omega_r/omega)^2 - 1 times as large
+ * below the ring frequency omega_r = WALL_SPEED/R. A kettle, which is curved both ways, is rigid here. */
+static double side_admittance(const TaborDrumDef *def, uint32_t m, double omega) {
   if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
+  const double ring = WALL_SPEED / (def->shell.radius * omega);
+  const double stiffer = m == 0 ? fmax(1.0, ring * ring - 1.0) : 1.0;
   const double ratio =
-    omega * def->shell.surface_density / (def->air.density * def->air.sound_speed);
+    stiffer * omega * def->shell.surface_density / (def->air.density * def->air.sound_speed);
   return 1.0 / (1.0 + ratio * ratio);
 }
 
@@ -349,7 +356,7 @@ static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, 
   }
   const double *coordinates = v + e->drum.cavity.heads * e->air->count;
   TbCavity cavity = e->drum.cavity;
-  cavity.admittance = side_admittance(e->def, mode->omega);
+  cavity.admittance = side_admittance(e->def, mode->m, mode->omega);
   mode->shell_rate =
     tb_cavity_wall_power(&e->cavity, &cavity, e->air, v, coordinates, mode->omega) /
     (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */

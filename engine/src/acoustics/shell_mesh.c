@@ -42,13 +42,14 @@ static double grade_inverse(double value) {
 void tb_shell_basis(const double *parameters, uint32_t count, bool odd, double t, double *basis) {
   for (uint32_t j = 0; j < count; j++) {
     const double own = parameters[j];
-    double product = odd ? t / own : 1.0; /* even: a polynomial in t^2 */
+    double above = odd ? t : 1.0, below = odd ? own : 1.0; /* even: a polynomial in t^2 */
     for (uint32_t k = 0; k < count; k++) {
       if (k == j) continue;
       const double other = parameters[k];
-      product *= (t - other) * (t + other) / ((own - other) * (own + other));
+      above *= (t - other) * (t + other);
+      below *= (own - other) * (own + other);
     }
-    basis[j] = product;
+    basis[j] = above / below;
   }
 }
 
@@ -102,8 +103,9 @@ static void add_point(const Part *part, Terms *rows, double t, double weight) {
   const uint32_t count = nodes_of(part), orders = mesh->orders;
   double basis[2][TB_SHELL_NODES];
   Terms terms[TB_RING_ORDERS];
-  tb_shell_basis(mesh->parameters + first_node(part), count, false, t, basis[0]);
-  tb_shell_basis(mesh->parameters + first_node(part), count, true, t, basis[1]);
+  const double *parameters = mesh->parameters + first_node(part);
+  tb_shell_basis(parameters, count, false, t, basis[0]);
+  for (uint32_t j = 0; j < count; j++) basis[1][j] = basis[0][j] * t / parameters[j];
   tb_ring_terms(part->target, circle_at(part, t), part->side, orders, terms);
   const double length = weight * tb_shell_grade_slope(t) * (part->side ? mesh->half : 1.0);
   const double normal = normal_sign(part->side, part->mirrored);
@@ -186,26 +188,36 @@ typedef struct Sums {
   double single[2], dipole[2], turned[2];
 } Sums;
 
+/* s and f, (re, im) each, at every angle. */
+typedef struct Values {
+  double parts[4][TB_SHELL_ANGLES];
+} Values;
+
 static void angle_values(const TbShellMesh *mesh, TbCircle a, TbCircle b, double x,
-                         TbRingRest *values) {
+                         Values *values) {
   const double height = a.z - b.z;
   const double squares = a.r * a.r + b.r * b.r + height * height;
   for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
     const double square = squares - 2.0 * a.r * b.r * mesh->cosine[l];
-    values[l] = tb_ring_rest(x * sqrt(fmax(0.0, square)));
+    const TbRingRest rest = tb_ring_rest(x * sqrt(fmax(0.0, square)));
+    values->parts[0][l] = rest.single[0];
+    values->parts[1][l] = rest.single[1];
+    values->parts[2][l] = rest.dipole[0];
+    values->parts[3][l] = rest.dipole[1];
   }
 }
 
-static Sums angle_sums(const TbShellMesh *mesh, const TbRingRest *values, uint32_t m) {
+static Sums angle_sums(const TbShellMesh *mesh, const Values *values, uint32_t m) {
   const double *cosines = mesh->cosines + (size_t)m * TB_SHELL_ANGLES;
   Sums sums = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
   for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
     const double turned = cosines[l] * mesh->cosine[l];
-    for (int part = 0; part < 2; part++) {
-      sums.single[part] += cosines[l] * values[l].single[part];
-      sums.dipole[part] += cosines[l] * values[l].dipole[part];
-      sums.turned[part] += turned * values[l].dipole[part];
-    }
+    sums.single[0] += cosines[l] * values->parts[0][l];
+    sums.single[1] += cosines[l] * values->parts[1][l];
+    sums.dipole[0] += cosines[l] * values->parts[2][l];
+    sums.dipole[1] += cosines[l] * values->parts[3][l];
+    sums.turned[0] += turned * values->parts[2][l];
+    sums.turned[1] += turned * values->parts[3][l];
   }
   return sums;
 }
@@ -215,20 +227,21 @@ static TbCircle circle_of(const TbShellMesh *mesh, uint32_t node, uint32_t mirro
   return mirrored ? (TbCircle){circle.r, -circle.z} : circle;
 }
 
-/* Adds the rest of both layers on a node, or its mirror image, to a target's rows. */
+/* Adds the rest of both layers on a node, or its mirror image, to a target's rows: of the single layer
+ * divided by x, of the double layer by x^3. */
 static void add_rest(const TbShellMesh *mesh, uint32_t target, uint32_t node, uint32_t mirrored,
-                     double x, const Sums *sums, TbShellRow *even, TbShellRow *odd) {
+                     const Sums *sums, TbShellRow *even, TbShellRow *odd) {
   const TbCircle s = mesh->circles[target], circle = circle_of(mesh, node, mirrored);
   const bool side = node >= mesh->cap;
   const double weight = circle.r * mesh->weights[node] / (4.0 * PI), sign = mirrored ? -1.0 : 1.0;
-  const double cube = -weight * x * x * x, up = normal_sign(side, mirrored) * (circle.z - s.z);
+  const double up = normal_sign(side, mirrored) * (circle.z - s.z);
   for (int part = 0; part < 2; part++) {
     const double turn =
       side ? circle.r * sums->dipole[part] - s.r * sums->turned[part] : up * sums->dipole[part];
-    even->single[part] += weight * x * sums->single[part];
-    odd->single[part] += sign * weight * x * sums->single[part];
-    even->dipole[part] += cube * turn;
-    odd->dipole[part] += sign * cube * turn;
+    even->single[part] += weight * sums->single[part];
+    odd->single[part] += sign * weight * sums->single[part];
+    even->dipole[part] -= weight * turn;
+    odd->dipole[part] -= sign * weight * turn;
   }
 }
 
@@ -240,15 +253,16 @@ static TbShellRow *rests_of(const TbShellMesh *mesh, uint32_t m, uint32_t step) 
 static void add_pair(const TbShellMesh *mesh, uint32_t step, uint32_t target, uint32_t node,
                      uint32_t mirrored) {
   const uint32_t n = mesh->nodes;
-  TbRingRest values[TB_SHELL_ANGLES];
-  angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), mesh->x[step], values);
+  Values values;
+  angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), mesh->x[step],
+               &values);
   for (uint32_t m = 0; m < mesh->orders; m++) {
-    const Sums sums = angle_sums(mesh, values, m);
+    const Sums sums = angle_sums(mesh, &values, m);
     TbShellRow *rows = rests_of(mesh, m, step), *row = rows + (size_t)target * 2 * n + node;
-    add_rest(mesh, target, node, mirrored, mesh->x[step], &sums, row, row + n);
+    add_rest(mesh, target, node, mirrored, &sums, row, row + n);
     if (target >= n || target == node) continue;
     row = rows + (size_t)node * 2 * n + target;
-    add_rest(mesh, node, target, mirrored, mesh->x[step], &sums, row, row + n);
+    add_rest(mesh, node, target, mirrored, &sums, row, row + n);
   }
 }
 
@@ -264,12 +278,16 @@ static void add_step(const TbShellMesh *mesh, uint32_t step) {
 
 /* ---- rows at any x ----------------------------------------------------------------------------- */
 
-static void add_singular(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
-                         TbShellRow *rows) {
+/* From the rests, which come in without their powers of x, to whole rows. */
+static void finish_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
+                        TbShellRow *rows) {
   const Terms *terms = terms_of(mesh, m, target, 0);
+  const double square = x * x, cube = x * square;
   for (uint32_t i = 0; i < 2 * mesh->nodes; i++) {
-    rows[i].single[0] += terms[i].single + x * x * terms[i].single_slow;
-    rows[i].dipole[0] += terms[i].dipole + x * x * terms[i].dipole_slow;
+    rows[i].single[0] = terms[i].single + square * terms[i].single_slow + x * rows[i].single[0];
+    rows[i].single[1] *= x;
+    rows[i].dipole[0] = terms[i].dipole + square * terms[i].dipole_slow + cube * rows[i].dipole[0];
+    rows[i].dipole[1] *= cube;
   }
 }
 
@@ -294,7 +312,7 @@ void tb_shell_rows(const TbShellMesh *mesh, uint32_t m, double x, TbShellRow *ro
                     rows->single);
   }
   for (uint32_t t = 0; t < mesh->solved; t++) {
-    add_singular(mesh, m, t, x, rows + (size_t)t * 2 * mesh->nodes);
+    finish_rows(mesh, m, t, x, rows + (size_t)t * 2 * mesh->nodes);
   }
 }
 
@@ -304,13 +322,13 @@ void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, 
   memset(rows, 0, 2 * n * sizeof *rows);
   for (uint32_t node = 0; node < n; node++) {
     for (uint32_t mirrored = 0; mirrored < 2; mirrored++) {
-      TbRingRest values[TB_SHELL_ANGLES];
-      angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), x, values);
-      const Sums sums = angle_sums(mesh, values, m);
-      add_rest(mesh, target, node, mirrored, x, &sums, rows + node, rows + n + node);
+      Values values;
+      angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), x, &values);
+      const Sums sums = angle_sums(mesh, &values, m);
+      add_rest(mesh, target, node, mirrored, &sums, rows + node, rows + n + node);
     }
   }
-  add_singular(mesh, m, target, x, rows);
+  finish_rows(mesh, m, target, x, rows);
 }
 
 /* ---- all of it --------------------------------------------------------------------------------- */
@@ -352,7 +370,7 @@ static void place_angles(TbShellMesh *mesh) {
 /* As many as e^{-i x D} needs, D up to the diagonal. */
 static void place_steps(TbShellMesh *mesh) {
   const double turn = 0.5 * mesh->top * tb_hypot(2.0, 2.0 * mesh->half);
-  mesh->steps = (uint32_t)fmin(TB_SHELL_STEPS, 6.0 + turn + 1.5 * tb_cbrt(turn));
+  mesh->steps = (uint32_t)fmin(TB_SHELL_STEPS, 7.0 + turn + 1.5 * tb_cbrt(turn));
   for (uint32_t i = 0; i < mesh->steps; i++) {
     mesh->x[i] = 0.5 * mesh->top * (1.0 - tb_cos(PI * (i + 0.5) / mesh->steps));
   }

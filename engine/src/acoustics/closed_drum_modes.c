@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+#include "acoustics/cavity_pressure.h"
+#include "definition/definition.h"
+
 static const double PI = 3.14159265358979323846;
 
 /* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
@@ -28,6 +31,7 @@ typedef struct Enclosed {
   TbCavityEigen drum;
   const TbAirOrder *air;
   TbCavityOrder cavity;
+  TbCavityMics inside;
   double azimuth; /* a_m */
 } Enclosed;
 
@@ -36,14 +40,21 @@ static double side_admittance(const TaborDrumDef *def) {
   return tb_is_two_headed(def) ? WOOD / 8.0 : 0.0;
 }
 
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def) {
+  const bool two = tb_is_two_headed(def);
+  return (TbCavity){
+    .radius = def->shell.radius,
+    .depth = def->shell.depth,
+    .density = def->air.density,
+    .sound_speed = def->air.sound_speed,
+    .heads = two ? 2 : 1,
+    .admittance = side_admittance(def),
+    .head_density = {def->batter.surface_density, two ? def->resonant.surface_density : 0.0}};
+}
+
 static TbCavityEigen coupled_of(const TaborDrumDef *def) {
   const bool two = tb_is_two_headed(def);
-  return (TbCavityEigen){.cavity = {.radius = def->shell.radius,
-                                    .depth = def->shell.depth,
-                                    .density = def->air.density,
-                                    .sound_speed = def->air.sound_speed,
-                                    .heads = two ? 2 : 1,
-                                    .admittance = side_admittance(def)},
+  return (TbCavityEigen){.cavity = tb_closed_drum_cavity(def),
                          .heads = {&def->batter, two ? &def->resonant : NULL},
                          .outside = def->air.density};
 }
@@ -163,19 +174,39 @@ static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, 
   const double radius = def->shell.radius, density = def->air.density;
   if (density == 0.0) return true;
   TbAirPoint points[TABOR_MAX_MICS];
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t mic_count = tb_mics_outside(def, mics);
+  for (uint32_t p = 0; p < mic_count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    points[p] = (TbAirPoint){mic->radius / radius, mic->height / radius};
   }
-  double resistance;
+  double resistance, fields[2 * TABOR_MAX_MICS];
   const uint32_t heads = e->drum.cavity.heads;
   if (!tb_air_drum_load(e->air, scratch, outward, heads > 1 ? outward + e->air->count : NULL,
                         def->shell.depth / radius, mode->omega * radius / def->air.sound_speed,
-                        points, def->mic_count, &resistance, mode->fields)) {
+                        points, mic_count, &resistance, fields)) {
     return false;
+  }
+  for (uint32_t p = 0; p < mic_count; p++) {
+    mode->fields[2 * mics[p]] = fields[2 * p];
+    mode->fields[2 * mics[p] + 1] = fields[2 * p + 1];
   }
   mode->radiation_rate =
     0.5 * fmax(0.0, resistance) * e->azimuth * density * def->air.sound_speed * radius * radius;
   return true;
+}
+
+/* Losses of a mode whose radiation is known. */
+static void add_losses(const Enclosed *e, const Parts *parts, const double *outward,
+                       const double *coordinates, TbHeadMode *mode) {
+  if (e->def->quality.losses == 0) {
+    mode->radiation_rate = 0.0;
+    return;
+  }
+  mode->shell_rate =
+    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, outward, coordinates, mode->omega) /
+    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
+  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
 }
 
 static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
@@ -185,14 +216,11 @@ static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
   const double both = parts->largest[0] * parts->largest[1];
   mode->phase = both > 0.0 ? 1 : (both < 0.0 ? -1 : 0);
   if (!radiate(e, scratch, outward, mode)) return false;
-  if (e->def->quality.losses == 0) {
-    mode->radiation_rate = 0.0;
-    return true;
+  add_losses(e, parts, outward, coordinates, mode);
+  if (e->inside.count > 0) {
+    tb_cavity_fields(&e->inside, &e->cavity, &e->drum.cavity, e->air, outward, coordinates,
+                     mode->omega, mode->decay_rate, mode->fields);
   }
-  mode->shell_rate =
-    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, outward, coordinates, mode->omega) /
-    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
-  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
   return true;
 }
 
@@ -234,7 +262,8 @@ TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbAren
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               highest_coordinate(&e.drum, limit))) {
+                               highest_coordinate(&e.drum, limit)) ||
+      (def->air.density > 0.0 && !tb_cavity_mics_prepare(&e.inside, scratch, def, &e.cavity))) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_cavity_eigen_size(&e.cavity, &e.drum, air);

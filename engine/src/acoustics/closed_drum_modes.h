@@ -6,6 +6,7 @@
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
  *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
  *   outside: the radiation resistance of both heads in free space at the mode's frequency (air.h).
+ * Microphones outside the shell hear the field of air.h, those inside that of cavity_pressure.h.
  * Set-up only. */
 #ifndef TB_CLOSED_DRUM_MODES_H
 #define TB_CLOSED_DRUM_MODES_H
@@ -18,6 +19,9 @@ static inline bool tb_is_two_headed(const TaborDrumDef *def) { return def->two_h
 static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
+
+/* The air inside. */
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def);
 
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
  * have no more than TB_MAX_MODES modes. The count uses asymptotic formulas. */

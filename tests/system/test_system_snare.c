@@ -204,15 +204,15 @@ static void snares_off_is_one_key(void **state) {
   assert_int_equal(differences, 1);
 }
 
-static void snare_drums_have_six_microphones(void **state) {
+static void snare_drums_have_seven_microphones(void **state) {
   (void)state;
   static const char *const DRUMS[] = {"snare-14x5.5", "snare-14x5.5-off", "snare-14x6.5-loose",
                                       "piccolo-13x3.5", "marching-14x12"};
-  static const char *const MICS[] = {"top", "bottom", "near", "far", "left", "right"};
+  static const char *const MICS[] = {"top", "bottom", "near", "far", "left", "right", "inside"};
   for (size_t d = 0; d < sizeof DRUMS / sizeof *DRUMS; d++) {
     const TaborDrumDef def = physics_preset(DRUMS[d]);
-    assert_int_equal(def.mic_count, 6);
-    for (int i = 0; i < 6; i++) assert_string_equal(def.mic[i].name, MICS[i]);
+    assert_int_equal(def.mic_count, 7);
+    for (int i = 0; i < 7; i++) assert_string_equal(def.mic[i].name, MICS[i]);
   }
 }
 
@@ -342,7 +342,7 @@ int main(int count, char **words) {
   brief = count > 1 && strcmp(words[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(snares_off_is_one_key),
-    cmocka_unit_test(snare_drums_have_six_microphones),
+    cmocka_unit_test(snare_drums_have_seven_microphones),
     cmocka_unit_test(snares_are_heard),
     cmocka_unit_test(soft_strokes_at_the_edge_sound_them_too),
     cmocka_unit_test(slack_wires_rattle_longer),

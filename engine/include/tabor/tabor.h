@@ -313,7 +313,8 @@ typedef struct TaborMicDef {
   double radius;              /**< distance from the axis [m], 0 to 10, default 0.05 */
   double angle;               /**< [deg], -360 to 360, default 90 */
   /** Height above the batter head, negative below [m]; 0.01 to 10 in magnitude, default 0.10. Not
-   * inside a closed or two-headed shell, nor within 0.01 m of a resonant head's plane. */
+   * within 0.01 m of a resonant head's plane. In a closed or two-headed shell, a microphone between
+   * its ends hears the air inside; below the head of an open one it hears the air outside. */
   double height;
   double gain; /**< a pure number, 0 to 100, default 1 */
 } TaborMicDef;

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "acoustics/cavity_pressure.h"
+#include "definition/definition.h"
+
 static const double PI = 3.14159265358979323846;
 
 /* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
@@ -34,6 +37,7 @@ typedef struct Enclosed {
   const TbAirOrder *air;
   TbShellOrder outside; /* without a shell: of a high order */
   TbCavityOrder cavity;
+  TbCavityMics inside;
   double azimuth; /* a_m */
 } Enclosed;
 
@@ -53,6 +57,18 @@ static double side_admittance(const TaborDrumDef *def, uint32_t m, double omega)
   const double ratio =
     stiffer * omega * def->shell.surface_density / (def->air.density * def->air.sound_speed);
   return 1.0 / (1.0 + ratio * ratio);
+}
+
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega) {
+  const bool two = tb_is_two_headed(def);
+  return (TbCavity){
+    .radius = def->shell.radius,
+    .depth = def->shell.depth,
+    .density = def->air.density,
+    .sound_speed = def->air.sound_speed,
+    .heads = two ? 2 : 1,
+    .admittance = side_admittance(def, m, omega),
+    .head_density = {def->batter.surface_density, two ? def->resonant.surface_density : 0.0}};
 }
 
 static TbCavityEigen coupled_of(const TaborDrumDef *def) {
@@ -177,17 +193,21 @@ static uint32_t part_name(const Parts *parts) {
 
 /* ---- the air outside --------------------------------------------------------------------------- */
 
-static uint32_t mic_points(const TaborDrumDef *def, TbAirPoint *points) {
+/* Places of the microphones outside, whose indices go to `mics`. Returns their number. */
+static uint32_t mic_points(const TaborDrumDef *def, uint32_t *mics, TbAirPoint *points) {
   const double radius = def->shell.radius;
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
+  const uint32_t count = tb_mics_outside(def, mics);
+  for (uint32_t p = 0; p < count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    points[p] = (TbAirPoint){mic->radius / radius, mic->height / radius};
   }
-  return def->mic_count;
+  return count;
 }
 
 bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell) {
   TbAirPoint points[TABOR_MAX_MICS];
-  const uint32_t count = mic_points(def, points);
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(def, mics, points);
   return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
 }
 
@@ -197,7 +217,7 @@ typedef struct Outside {
   TbShellMotion motion; /* of the shell, if part > 0 */
   double *inertia;      /* [heads][count] what x adds to (low-frequency mass) * amplitudes */
   double resistance;    /* of both, with their weights */
-  double fields[2 * TABOR_MAX_MICS];
+  double fields[2 * TABOR_MAX_MICS]; /* at the microphones outside */
 } Outside;
 
 /* Orders above 3 + 1.5 x do not radiate, and their mass is that at low frequency. */
@@ -235,7 +255,8 @@ static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper,
 static bool finish_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
                            Outside *outside) {
   TbAirPoint points[TABOR_MAX_MICS];
-  const uint32_t count = mic_points(e->def, points);
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(e->def, mics, points);
   const double part = outside->part, depth = e->def->shell.depth / e->def->shell.radius;
   if (part > 0.0 && !tb_shell_fields(&outside->motion, scratch, points, count, outside->fields)) {
     return false;
@@ -297,8 +318,11 @@ static void set_radiation(const Enclosed *e, const Outside *outside, double mass
   const double radius = e->def->shell.radius, sound_speed = e->def->air.sound_speed;
   const double unit = e->azimuth * e->def->air.density * sound_speed * radius * radius;
   mode->radiation_rate = 0.5 * unit * fmax(0.0, outside->resistance) / mass;
-  for (uint32_t i = 0; i < 2 * e->def->mic_count; i++) {
-    mode->fields[i] = outside->fields[i] / sqrt(mass);
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = tb_mics_outside(e->def, mics);
+  for (uint32_t p = 0; p < count; p++) {
+    mode->fields[2 * mics[p]] = outside->fields[2 * p] / sqrt(mass);
+    mode->fields[2 * mics[p] + 1] = outside->fields[2 * p + 1] / sqrt(mass);
   }
 }
 
@@ -344,23 +368,32 @@ static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum,
 
 /* ---- all modes of an order --------------------------------------------------------------------- */
 
+/* Losses of a mode whose radiation is known. */
+static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *cavity,
+                       const double *outward, const double *coordinates, TbHeadMode *mode) {
+  if (e->def->quality.losses == 0) {
+    mode->radiation_rate = 0.0;
+    return;
+  }
+  mode->shell_rate =
+    tb_cavity_wall_power(&e->cavity, cavity, e->air, outward, coordinates, mode->omega) /
+    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
+  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
+}
+
 /* v: outward amplitudes of the heads, then cavity coordinates. */
 static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, TbHeadMode *mode) {
   mode->n = parts->strongest + 1;
   mode->part = part_name(parts);
   const double both = parts->largest[0] * parts->largest[1];
   mode->phase = both < 0.0 ? 1 : (both > 0.0 ? -1 : 0);
-  if (e->def->quality.losses == 0) {
-    mode->radiation_rate = 0.0;
-    return;
-  }
   const double *coordinates = v + e->drum.cavity.heads * e->air->count;
-  TbCavity cavity = e->drum.cavity;
-  cavity.admittance = side_admittance(e->def, mode->m, mode->omega);
-  mode->shell_rate =
-    tb_cavity_wall_power(&e->cavity, &cavity, e->air, v, coordinates, mode->omega) /
-    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
-  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
+  const TbCavity cavity = tb_closed_drum_cavity(e->def, mode->m, mode->omega);
+  add_losses(e, parts, &cavity, v, coordinates, mode);
+  if (e->inside.count > 0) {
+    tb_cavity_fields(&e->inside, &e->cavity, &cavity, e->air, v, coordinates, mode->omega,
+                     mode->decay_rate, mode->fields);
+  }
 }
 
 /* Keeps the upward amplitudes of both heads. */
@@ -424,7 +457,8 @@ TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbAren
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
                                highest_coordinate(&e.drum, limit)) ||
-      !prepare_outside(&e, scratch, shell)) {
+      !prepare_outside(&e, scratch, shell) ||
+      (def->air.density > 0.0 && !tb_cavity_mics_prepare(&e.inside, scratch, def, &e.cavity))) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_cavity_eigen_size(&e.cavity, &e.drum, air);

@@ -9,7 +9,8 @@
  * Low modes radiate from the finite rigid shell (shell_radiation.h) and get the mass of the air
  * outside at their own frequency (a Rayleigh quotient, right to second order). Modes of high order,
  * or above the shell's largest x, radiate as in air.h ("Drum"); from 0.9 of that x on, one passes
- * into the other. Set-up only. */
+ * into the other. Microphones outside the shell hear that field, those inside the one of
+ * cavity_pressure.h. Set-up only. */
 #ifndef TB_CLOSED_DRUM_MODES_H
 #define TB_CLOSED_DRUM_MODES_H
 
@@ -22,6 +23,9 @@ static inline bool tb_is_two_headed(const TaborDrumDef *def) { return def->two_h
 static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
+
+/* The air inside, with the wall's admittance to motions of order m at omega [rad/s]. */
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega);
 
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
  * have no more than TB_MAX_MODES modes. The count uses asymptotic formulas. */

@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+#include "acoustics/cavity_pressure.h"
+#include "acoustics/closed_drum_modes.h"
+#include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "math/quadrature.h"
@@ -65,12 +68,22 @@ static double depth_of(const TaborDrumDef *def) {
   return enclosed ? def->shell.depth : def->hoop.height;
 }
 
+static void field_at(const TaborDrumDef *def, uint32_t n, double omega, const TaborMicDef *mic,
+                     double field[2]) {
+  if (tb_mic_is_inside(def, mic)) {
+    const TbCavity cavity = tb_closed_drum_cavity(def, n, omega);
+    tb_cavity_wall_field(&cavity, n, omega, mic->radius, field);
+    return;
+  }
+  tb_hoop_field(n, omega / def->air.sound_speed, def->shell.radius, depth_of(def), mic->radius,
+                mic->height, field);
+}
+
 static void listen(TaborModel *model, uint32_t n, double omega, const TbPole *pole, uint32_t at) {
   const TaborDrumDef *def = &model->def;
   for (uint32_t mic = 0; mic < def->mic_count; mic++) {
     double field[2];
-    tb_hoop_field(n, omega / def->air.sound_speed, def->shell.radius, depth_of(def),
-                  def->mic[mic].radius, def->mic[mic].height, field);
+    field_at(def, n, omega, &def->mic[mic], field);
     for (uint32_t copy = 0; copy < 2; copy++) {
       tb_mic_weights(model, mic, omega, pole, n, copy == 1, field,
                      &model->hoop.ahead[mic][at + copy], &model->hoop.behind[mic][at + copy]);

@@ -119,10 +119,10 @@ static const double TOLERANCE = 1.5;
 /* Resonances of the enclosed air are not in the high band. At the very centre one or two modes alone are a
  * third of an octave, and the first tolerance is for those; the second is for the mean over the places, which
  * lacks up to 3 dB where a wall of plywood, by the mass law, hardly damps the air. */
-static const double TOLERANCE_ENCLOSED = 9.5, TOLERANCE_MEAN = 4.0;
+static const double TOLERANCE_ENCLOSED = 10.5, TOLERANCE_MEAN = 4.0;
 /* Inside, these resonances are what is heard; a stroke on the very centre drives one or two modes in a third of
  * an octave, which meet one or miss it. */
-static const double TOLERANCE_CENTRE = 22.0, TOLERANCE_MEAN_INSIDE = 4.5;
+static const double TOLERANCE_CENTRE = 28.0, TOLERANCE_MEAN_INSIDE = 5.5;
 
 static double tolerance_at(uint32_t kind, int place) {
   if (kind < TABOR_BOUNDARY_CLOSED) return TOLERANCE;

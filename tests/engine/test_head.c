@@ -149,7 +149,8 @@ static void shapes_have_unit_modal_mass(void **state) {
   TbArena arena;
   tb_arena_prepare(&arena, &system);
   TbHead head;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 2000.0), TABOR_OK);
+  assert_int_equal(tb_head_prepare(&head, &arena, &def, 2000.0, (TbHeadLimits){4096, 91.0}),
+                   TABOR_OK);
   enum { STEPS = 4000, MOST = 12 };
   double mass[MOST][MOST] = {{0.0}}, *radial = tb_arena_doubles(&arena, head.row_count);
   for (int i = 0; i < STEPS; i++) {

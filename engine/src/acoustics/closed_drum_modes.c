@@ -122,21 +122,22 @@ static double cavity_modes_below(const TbCavity *cavity, double omega) {
   return k * k * (area * cavity->depth * k / (6.0 * PI * PI) + surface / (16.0 * PI));
 }
 
-/* The numbers are right to 1 %: so many fit. */
-static const double FITTING = 0.99 * TB_MAX_MODES;
+/* The numbers are right to 1 %: this part of the room can be used. */
+static const double FITTING = 0.99;
 
 static double modes_below(const TbCavityEigen *drum, double omega) {
   return head_modes_below(drum, drum->heads[0], omega) +
          head_modes_below(drum, drum->heads[1], omega) + cavity_modes_below(&drum->cavity, omega);
 }
 
-double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth) {
+double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint32_t most) {
   const TbCavityEigen drum = coupled_of(def);
-  if (modes_below(&drum, 2.0 * PI * bandwidth) <= FITTING) return bandwidth;
+  const double fitting = FITTING * most;
+  if (modes_below(&drum, 2.0 * PI * bandwidth) <= fitting) return bandwidth;
   double lo = 0.0, hi = bandwidth;
   for (int i = 0; i < 50; i++) {
     const double middle = 0.5 * (lo + hi);
-    if (modes_below(&drum, 2.0 * PI * middle) <= FITTING) {
+    if (modes_below(&drum, 2.0 * PI * middle) <= fitting) {
       lo = middle;
     } else {
       hi = middle;

@@ -28,8 +28,8 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
 TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega);
 
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
- * have no more than TB_MAX_MODES modes. The count uses asymptotic formulas. */
-double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth);
+ * have no more than `most` modes. The count uses asymptotic formulas. */
+double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint32_t most);
 
 /* The shell of a drum and its microphones. Returns false if memory ran out. */
 bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell);

@@ -11,9 +11,6 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* About z^2/4 - z/2 modes lie below z, sine copies counted: 2048 of them below this. */
-static const double TOP_ZERO = 91.0;
-
 /* Most of the air's integrals end at this many times the basis' highest zero. */
 static const double AIR_REACH = 4.0;
 
@@ -24,9 +21,9 @@ static double frequency_at(const TaborDrumDef *def, const TaborHeadDef *head, do
   return sqrt(tb_head_stiffness(head, wavenumber) / mass) / (2.0 * PI);
 }
 
-static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *head,
-                                double frequency) {
-  double lo = 0.5, hi = TOP_ZERO;
+static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *head, double frequency,
+                                double top) {
+  double lo = 0.5, hi = top;
   if (frequency_at(def, head, hi) <= frequency) return hi;
   for (int i = 0; i < 60; i++) {
     const double middle = 0.5 * (lo + hi);
@@ -46,7 +43,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
   tb_arena_prepare(&scratch, &arena->allocator);
   const double limit = 2.0 * PI * head->bandwidth;
   TbHeadMode *modes = head->modes + head->row_count;
-  const uint32_t room = TB_MAX_MODES - head->row_count;
+  const uint32_t room = head->most_modes - head->row_count;
   TbAirOrder air;
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
@@ -79,16 +76,18 @@ static void sort_modes(TbHead *head) {
 
 /* The basis and the bandwidth that it holds: of both heads, the slower needs more functions; and with the
  * air between them there must be room for all modes. */
-static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwidth) {
+static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwidth,
+                           TbHeadLimits limits) {
   const TaborHeadDef *const heads[TB_HEADS] = {&def->batter, &def->resonant};
   double top = 0.0;
   head->bandwidth = bandwidth;
   for (uint32_t h = 0; h < head->heads; h++) {
-    const double own = zero_at_frequency(def, heads[h], 1.03 * bandwidth);
+    const double own = zero_at_frequency(def, heads[h], 1.03 * bandwidth, limits.zero);
     top = fmax(top, own);
     head->bandwidth = fmin(head->bandwidth, frequency_at(def, heads[h], own));
   }
-  if (head->heads == 2) head->bandwidth = tb_closed_drum_bandwidth(def, head->bandwidth);
+  if (head->heads == 2)
+    head->bandwidth = tb_closed_drum_bandwidth(def, head->bandwidth, limits.modes);
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 
@@ -112,13 +111,15 @@ static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef
   return TABOR_OK;
 }
 
-TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                            double bandwidth) {
-  *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1, .radius = def->shell.radius};
-  const double basis_top = choose_basis(head, def, bandwidth);
+TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def, double bandwidth,
+                            TbHeadLimits limits) {
+  *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1,
+                   .most_modes = limits.modes,
+                   .radius = def->shell.radius};
+  const double basis_top = choose_basis(head, def, bandwidth, limits);
   const uint32_t most_orders = (uint32_t)basis_top + 1u;
   head->orders = tb_arena_take(arena, most_orders, sizeof *head->orders);
-  head->modes = tb_arena_take(arena, TB_MAX_MODES, sizeof *head->modes);
+  head->modes = tb_arena_take(arena, limits.modes, sizeof *head->modes);
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbBesselTable table;

@@ -17,11 +17,9 @@
 
 #include "acoustics/air.h"
 
-/* Largest number of modes. One head has at most 2048 two-way modes. */
-#define TB_MAX_MODES 4096u
 #define TB_HEADS 2u
-/* Bessel functions of one angular order. Their zeros stay below 100. */
-#define TB_MAX_ZEROS 64u
+/* Bessel functions of one angular order. Their zeros stay below 248. */
+#define TB_MAX_ZEROS 96u
 /* Angular orders stay below the largest Bessel zero of the basis. */
 #define TB_MAX_ORDERS 256u
 
@@ -47,8 +45,19 @@ typedef struct TbHeadMode {
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
 } TbHeadMode;
 
+/* How large a model may get. About z^2/4 - z/2 modes of one head lie below its Bessel zero z, sine
+ * copies counted. */
+typedef struct TbHeadLimits {
+  uint32_t modes; /* sine copies counted */
+  double zero;    /* the largest Bessel zero of a mode, at most TB_TOP_ZERO */
+} TbHeadLimits;
+
+/* Above this zero and its margin, orders would exceed TB_MAX_ORDERS. */
+#define TB_TOP_ZERO 240.0
+
 typedef struct TbHead {
-  uint32_t heads; /* 1 or 2: batter, resonant */
+  uint32_t heads;      /* 1 or 2: batter, resonant */
+  uint32_t most_modes; /* TbHeadLimits.modes */
   uint32_t order_count, row_count, zero_count;
   TbHeadOrder *orders;
   TbHeadMode *modes;
@@ -58,8 +67,8 @@ typedef struct TbHead {
 
 /* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies
  * above `bandwidth`. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
-TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                            double bandwidth);
+TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def, double bandwidth,
+                            TbHeadLimits limits);
 
 /* The public information about a mode. */
 TaborModeInfo tb_head_mode_info(const TbHeadMode *mode);

@@ -1,19 +1,37 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/compliance.h"
 
+/* Eight points by eight: sum[i][j] = Sum_m (x_mi gain_m) y_mj. */
+static void block_of(uint32_t modes, const double *gain, const double *x, const double *y,
+                     double sum[8][8]) {
+  for (uint32_t i = 0; i < 8; i++) {
+    for (uint32_t j = 0; j < 8; j++) sum[i][j] = 0.0;
+  }
+  for (uint32_t m = 0; m < modes; m++, x += 8, y += 8) {
+    for (uint32_t i = 0; i < 8; i++) {
+      const double push = x[i] * gain[m];
+      for (uint32_t j = 0; j < 8; j++) sum[i][j] += push * y[j];
+    }
+  }
+}
+
 static bool class_matrix(TbArena *arena, const TbProjectionGroup *group, const double *gain,
                          const double **out) {
   const uint32_t points = group->points, modes = group->modes;
   double *matrix = tb_arena_doubles(arena, (size_t)points * points);
   if (!matrix) return false;
-  for (uint32_t a = 0; a < points; a++) {
-    for (uint32_t b = 0; b <= a; b++) {
-      const double *x = group->gather + ((size_t)(a / 8) * modes) * 8 + a % 8;
-      const double *y = group->gather + ((size_t)(b / 8) * modes) * 8 + b % 8;
-      double sum = 0.0;
-      for (uint32_t i = 0; i < modes; i++) sum += x[8 * i] * gain[group->first + i] * y[8 * i];
-      matrix[((size_t)(a / 8) * points + b) * 8 + a % 8] = sum;
-      matrix[((size_t)(b / 8) * points + a) * 8 + b % 8] = sum;
+  for (uint32_t a = 0; a < points; a += 8) {
+    for (uint32_t b = 0; b <= a; b += 8) {
+      double sum[8][8];
+      block_of(modes, gain + group->first, group->gather + (size_t)a * modes,
+               group->gather + (size_t)b * modes, sum);
+      for (uint32_t i = 0; i < 8; i++) {
+        for (uint32_t j = 0; j < 8; j++) {
+          if (a == b && j > i) continue; /* its mirror image has been computed */
+          matrix[(size_t)a * points + (b + j) * 8 + i] = sum[i][j];
+          matrix[(size_t)b * points + (a + i) * 8 + j] = sum[i][j];
+        }
+      }
     }
   }
   *out = matrix;

@@ -23,6 +23,19 @@ typedef struct Level {
   TbPrecision precision, tables;     /* of contacts and high band; between modes and that grid */
 } Level;
 
+/* Tables between modes and contact points have a number for each pair: at most so many, where a model
+ * may have more modes than FEW_MODES. */
+static const double MOST_PAIRS = 48e6;
+static const uint32_t FEW_MODES = 4096, MANY_MODES = 16384;
+static const double FEW_ZERO = 91.0; /* leaves half of FEW_MODES to either head */
+
+static TbHeadLimits limits_of(uint32_t quality, uint32_t points) {
+  if (quality != TABOR_QUALITY_REFERENCE) return (TbHeadLimits){FEW_MODES, FEW_ZERO};
+  const double fitting = MOST_PAIRS / fmax(1.0, points);
+  const uint32_t modes = (uint32_t)fmin(MANY_MODES, fmax(FEW_MODES, fitting));
+  return (TbHeadLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes)))};
+}
+
 static Level level_of(uint32_t quality) {
   switch (quality) {
   case TABOR_QUALITY_DRAFT:
@@ -30,7 +43,7 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_LIVE:
     return (Level){2500.0, 16000.0, 8, 16, 64, 3e-2, 1e-1, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_REFERENCE:
-    return (Level){12000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
+    return (Level){16000.0, 18000.0, 16, 64, 256, 1e-6, 1e-2, 1e-4, TB_IN_DOUBLE, TB_IN_FLOAT};
   default: return (Level){8000.0, 16000.0, 8, 24, 128, 1e-4, 3e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
   }
 }
@@ -292,7 +305,9 @@ static const TbKernels *choose_kernels(uint32_t instructions) {
 
 static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level,
                          TaborError *error) {
-  TaborStatus status = tb_head_prepare(&model->head, &model->arena, &model->def, level->bandwidth);
+  TaborStatus status =
+    tb_head_prepare(&model->head, &model->arena, &model->def, level->bandwidth,
+                    limits_of(model->quality, model->def.wires.count * level->wire_cells));
   if (status != TABOR_OK) return status;
   if (model->head.row_count == 0) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,

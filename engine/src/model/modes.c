@@ -64,12 +64,12 @@ void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radia
 /* All modes with their copies, by frequency, as long as they fit. */
 static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
   *list = (TbModes){0};
-  list->row = tb_arena_take(scratch, TB_MAX_MODES, sizeof *list->row);
-  list->sine = tb_arena_take(scratch, TB_MAX_MODES, sizeof *list->sine);
+  list->row = tb_arena_take(scratch, head->most_modes, sizeof *list->row);
+  list->sine = tb_arena_take(scratch, head->most_modes, sizeof *list->sine);
   if (scratch->failed) return false;
   for (uint32_t row = 0; row < head->row_count; row++) {
     const uint32_t copies = head->modes[row].m ? 2 : 1;
-    if (list->count + copies > TB_MAX_MODES) break;
+    if (list->count + copies > head->most_modes) break;
     for (uint32_t copy = 0; copy < copies; copy++) {
       list->row[list->count] = row;
       list->sine[list->count++] = (uint8_t)copy;
@@ -180,7 +180,7 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
   *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
   modes->groups = modes->halves * modes->quarters;
   TbModes list;
-  uint8_t *felt = tb_arena_take(&scratch, TB_MAX_MODES, sizeof *felt);
+  uint8_t *felt = tb_arena_take(&scratch, head->most_modes, sizeof *felt);
   const bool done = felt && list_modes(&list, &scratch, head) &&
                     find_felt(&list, &scratch, head, wires, felt) &&
                     order_modes(modes, arena, &list, head, felt) &&

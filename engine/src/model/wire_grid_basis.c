@@ -90,24 +90,31 @@ static void gram(const Samples *s, const double *weight, double *matrix) {
   }
 }
 
-/* Largest element of what the components leave of a sample, over all samples. */
-static double remainder_of(const Samples *s, const double *weight, const double *basis,
-                           uint32_t components) {
+/* Largest element of what the components leave of one sample. */
+static double remainder_of(const Samples *s, uint32_t m, uint32_t v, const double *weight,
+                           const double *basis, uint32_t components) {
   const uint32_t n = s->length;
-  double worst = 0.0;
-  for (uint32_t m = 0; m < s->modes; m++) {
+  double rest[1024], worst = 0.0;
+  for (uint32_t i = 0; i < n; i++) rest[i] = weight[i] * sample(s, m, v, i);
+  for (uint32_t c = 0; c < components; c++) {
+    double part = 0.0;
+    for (uint32_t i = 0; i < n; i++) part += basis[c * n + i] * rest[i];
+    for (uint32_t i = 0; i < n; i++) rest[i] -= part * basis[c * n + i];
+  }
+  for (uint32_t i = 0; i < n; i++) worst = fmax(worst, fabs(rest[i]) / weight[i]);
+  return worst;
+}
+
+/* Whether the components leave at most `error` of every sample. The last modes, which have the finest
+ * shapes, are the first to fail. */
+static bool suffice(const Samples *s, const double *weight, const double *basis,
+                    uint32_t components, double error) {
+  for (uint32_t m = s->modes; m-- > 0;) {
     for (uint32_t v = 0; v < s->vectors; v++) {
-      double rest[1024];
-      for (uint32_t i = 0; i < n; i++) rest[i] = weight[i] * sample(s, m, v, i);
-      for (uint32_t c = 0; c < components; c++) {
-        double part = 0.0;
-        for (uint32_t i = 0; i < n; i++) part += basis[c * n + i] * rest[i];
-        for (uint32_t i = 0; i < n; i++) rest[i] -= part * basis[c * n + i];
-      }
-      for (uint32_t i = 0; i < n; i++) worst = fmax(worst, fabs(rest[i]) / weight[i]);
+      if (!(remainder_of(s, m, v, weight, basis, components) <= error)) return false;
     }
   }
-  return worst;
+  return true;
 }
 
 /* All n orthonormal components, largest first, basis[component][n]. */
@@ -133,7 +140,7 @@ static bool principal_components(TbArena *scratch, const Samples *s, const doubl
   uint32_t low = 0, high = most;
   while (low < high) { /* the remainder falls with their number */
     const uint32_t count = (low + high) / 2;
-    if (remainder_of(s, weight, basis, count) <= error) {
+    if (suffice(s, weight, basis, count, error)) {
       high = count;
     } else {
       low = count + 1;

@@ -28,7 +28,8 @@
  * does so for them. There the part of G that differs from its value at k = 0 is increased by
  * sqrt(1 + s_w/s_d), which makes up for their energy.
  *
- * Limits: p = -rho0 c0^2 dV/V for omega -> 0; in a long tube p = -rho0 c0 omega w cos(k z)/sin(k L).
+ * Limits: p = -rho0 c0^2 dV/V for omega -> 0, and in a long tube
+ * p = -rho0 c0 omega w cos(k z)/sin(k L).
  * Set-up only. */
 #ifndef TB_CAVITY_PRESSURE_H
 #define TB_CAVITY_PRESSURE_H

@@ -64,7 +64,7 @@ static void two_heads_radiate_as_boundary_elements_say(void **state) {
   json_decref(root);
 }
 
-/* Published with the tension and the kettle that the preset has [FletcherRossing]. */
+/* The preset has the published kettle and head; its tension puts (1,1) near the published 150 Hz. */
 static void a_timpano_has_its_published_frequencies(void **state) {
   (void)state;
   static const struct {

@@ -310,7 +310,8 @@ static void centre_and_edge_differ(void **state) {
   assert_true(ratio[0] - ratio[1] > 6.0);
 }
 
-/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharp, soft ones less than 2. */
+/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharper than a soft one, whose pitch moves by less
+ * than 10 while the other round modes, which radiate more quickly, fade. */
 static void hard_strokes_glide(void **state) {
   (void)state;
   TaborDrumDef def = drum_of("snare-14x5.5-off");
@@ -319,11 +320,13 @@ static void hard_strokes_glide(void **state) {
   def.wires.count = 0;
   def.air.gravity = 0.0; /* zero is where the head comes to rest */
   static const double SPEEDS[] = {0.5, 6.0, 8.0};
+  double soft = 0.0;
   for (int i = 0; i < 3; i++) {
     const Take *take = watch(&def, stroke(&def, SPEEDS[i], 0.0), 0.59);
     const double cents = 1200.0 * log2(pitch(take, 0.025, 0.085) / pitch(take, 0.45, 0.58));
     print_message("%3.1f m/s: %+.1f cents\n", SPEEDS[i], cents);
-    assert_true(i == 0 ? fabs(cents) < 2.0 : cents > 15.0 && cents < 100.0);
+    if (i == 0) soft = cents;
+    assert_true(i == 0 ? fabs(soft) < 10.0 : cents - soft > 15.0 && cents - soft < 100.0);
   }
 }
 

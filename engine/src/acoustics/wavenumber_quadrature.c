@@ -21,12 +21,11 @@ bool tb_wavenumber_nodes_prepare(TbWavenumberNodes *nodes, TbArena *scratch,
   for (int i = 0; i < 4; i++) *arrays[i] = tb_arena_doubles(scratch, nodes->count);
   if (scratch->failed) return false;
 
-  if (low) tb_quadrature(0.0, 0.5 * PI, low, nodes->kappa, nodes->weights);
+  if (low) tb_quadrature(0.0, 0.5 * PI, low, nodes->j, nodes->weights);
+  tb_sin_cos_array(nodes->below, nodes->j, nodes->kappa, nodes->root);
   for (uint32_t q = 0; q < nodes->below; q++) {
-    double sine, cosine;
-    tb_sin_cos(nodes->kappa[q], &sine, &cosine);
-    nodes->kappa[q] = x * sine;
-    nodes->root[q] = x * cosine;
+    nodes->kappa[q] *= x;
+    nodes->root[q] *= x;
     nodes->weights[q] *= x;
   }
   if (high) {

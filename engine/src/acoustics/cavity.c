@@ -12,21 +12,24 @@ double tb_cavity_azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
 
 /* ---- z' ------------------------------------------------------------------------------------- */
 
-/* The zero of J_m' between lo and hi, where it changes its sign once: Newton, held by bisection. */
-static double extremum(uint32_t m, double lo, double hi) {
-  const bool falling = tb_bessel_slope(m, lo) > 0.0;
+/* The zero of J_m' between lo and hi, where it changes its sign once: Halley's step, which cubes the error, where it
+ * stays inside, else halving. `falling`: J_m' is positive at lo. Derivatives come from Bessel's equation. */
+static double extremum(uint32_t m, double lo, double hi, bool falling) {
   double z = 0.5 * (lo + hi);
   for (int i = 0; i < 60 && hi - lo > 1e-14 * hi; i++) {
-    const double slope = tb_bessel_slope(m, z);
+    double j[2];
+    tb_bessel_pair(m, z, j);
+    const double order = (double)m / z, factor = 1.0 - order * order;
+    const double slope = order * j[0] - j[1], bend = -slope / z - factor * j[0];
+    const double third =
+      -bend / z + slope / (z * z) - factor * slope - 2.0 * order * order / z * j[0];
     if ((slope > 0.0) == falling) {
       lo = z;
     } else {
       hi = z;
     }
-    const double order = (double)m / z;
-    const double bend = -slope / z - (1.0 - order * order) * tb_bessel_j(m, z);
-    const double next = z - slope / bend;
-    if (fabs(next - z) < 1e-15 * z) break;
+    const double next = z - slope / (bend - 0.5 * slope * third / bend);
+    if (fabs(next - z) <= 3e-7 * z) return next; /* its cube is nothing */
     z = next > lo && next < hi ? next : 0.5 * (lo + hi);
   }
   return z;
@@ -36,7 +39,7 @@ static double extremum(uint32_t m, double lo, double hi) {
 static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, double *zeros) {
   for (uint32_t i = 0; i < count; i++) {
     const double lo = i ? nodes[i - 1] : (double)m;
-    zeros[i] = i == 0 && m == 0 ? 0.0 : extremum(m, lo, nodes[i]);
+    zeros[i] = i == 0 && m == 0 ? 0.0 : extremum(m, lo, nodes[i], i % 2 == 0);
   }
   return count;
 }

@@ -78,8 +78,8 @@ static Complex decay(Complex g, double x) {
 
 /* cosh(g d)/(g sinh(g L)) */
 static Complex all_axial(Complex g, double d, double depth) {
-  const Complex near = decay(g, depth - d), far = decay(g, depth + d);
-  const Complex round = decay(g, 2.0 * depth);
+  const Complex near = decay(g, depth - d);
+  const Complex far = product(near, decay(g, 2.0 * d)), round = product(near, far);
   const Complex sum = {near.re + far.re, near.im + far.im};
   return quotient(sum, product(g, (Complex){1.0 - round.re, -round.im}));
 }
@@ -166,8 +166,9 @@ static Complex driven(const Motion *m, const Drive *drive, uint32_t p, double d)
 /* R I of the rest of radial order `p`, without J_m. */
 static Complex driven_field(const Motion *m, const Drive *drive, uint32_t p, double height) {
   const double depth = m->cavity->depth;
-  const Complex above = driven(m, drive, p, height);
-  const Complex below = driven(m, drive, p, depth - height);
+  const Complex still = {0.0, 0.0};
+  const Complex above = drive->upper != 0.0 ? driven(m, drive, p, height) : still;
+  const Complex below = drive->lower != 0.0 ? driven(m, drive, p, depth - height) : still;
   Complex sum = {-(drive->upper * above.re + drive->lower * below.re),
                  -(drive->upper * above.im + drive->lower * below.im)};
   if (m->order->zeros[p] == 0.0 && m->order->kept[p] > 0) {
@@ -183,6 +184,16 @@ static double project(const double *s, const double *w, uint32_t n) {
   return sum;
 }
 
+/* A radial order with less than this at every microphone, of functions that are near 1, is not heard. */
+static const double LEAST_SHAPE = 1e-10;
+
+static bool is_heard(const TbCavityMics *mics, uint32_t p) {
+  for (uint32_t i = 0; i < mics->count; i++) {
+    if (fabs(mics->shapes[i][p]) > LEAST_SHAPE) return true;
+  }
+  return false;
+}
+
 static uint32_t coordinates_of(const TbCavityOrder *order, uint32_t p) {
   const uint32_t kept = order->kept[p];
   return kept > 0 && order->zeros[p] == 0.0 ? kept - 1u : kept;
@@ -196,7 +207,8 @@ void tb_cavity_fields(const TbCavityMics *mics, const TbCavityOrder *order, cons
     fields[2 * mics->index[i]] = fields[2 * mics->index[i] + 1] = 0.0;
   }
   uint32_t next = 0;
-  for (uint32_t p = 0; p < order->radial_count; p++) {
+  for (uint32_t p = 0; p < order->radial_count; next += coordinates_of(order, p++)) {
+    if (!is_heard(mics, p)) continue;
     double s[TB_CAVITY_OPENINGS];
     tb_cavity_openings(order, air, p, s);
     const double upper = project(s, heads, air->count);
@@ -209,7 +221,6 @@ void tb_cavity_fields(const TbCavityMics *mics, const TbCavityOrder *order, cons
       field[0] += shape * (kept_field(&motion, p, next, mics->height[i]) + rest.re);
       field[1] += shape * rest.im;
     }
-    next += coordinates_of(order, p);
   }
 }
 

@@ -174,17 +174,36 @@ static void order_values(const TbHeadOrder *order, double r, const double *patch
   }
 }
 
+/* Sums the Bessel functions of one order, values[zero_count], to its modes. */
+static void order_radial(const TbHeadOrder *order, uint32_t which, const double *values,
+                         double *radial) {
+  for (uint32_t k = 0; k < order->mode_count; k++) {
+    const double *v = order->vectors[which] + (size_t)k * order->zero_count;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < order->zero_count; i++) sum += v[i] * values[i];
+    radial[order->rows[k]] = sum;
+  }
+}
+
 void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
                     double *radial) {
   double values[TB_MAX_ZEROS];
   for (uint32_t m = 0; m < head->order_count; m++) {
     const TbHeadOrder *order = &head->orders[m];
     order_values(order, r / head->radius, patch ? patch + order->first_zero : NULL, values);
-    for (uint32_t k = 0; k < order->mode_count; k++) {
-      const double *v = order->vectors[which] + (size_t)k * order->zero_count;
-      double sum = 0.0;
-      for (uint32_t i = 0; i < order->zero_count; i++) sum += v[i] * values[i];
-      radial[order->rows[k]] = sum;
+    order_radial(order, which, values, radial);
+  }
+}
+
+void tb_head_radial_tabled(const TbHead *head, const TbBesselTable *table, uint32_t which, double r,
+                           const double *patch, double *radial) {
+  double values[TB_MAX_ZEROS];
+  for (uint32_t m = 0; m < head->order_count; m++) {
+    const TbHeadOrder *order = &head->orders[m];
+    for (uint32_t i = 0; i < order->zero_count; i++) {
+      values[i] = patch[order->first_zero + i] *
+                  tb_bessel_table_value(table, m, order->zeros[i] * r / head->radius);
     }
+    order_radial(order, which, values, radial);
   }
 }

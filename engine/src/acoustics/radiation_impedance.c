@@ -9,11 +9,12 @@
 
 static const double PI = 3.14159265358979323846;
 
-static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5}; /* two wavelengths */
+/* Sixteen nodes integrate a wave of 12.5 radians to rounding, one of 30 radians to 1e-7. */
+static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5};
 /* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the
  * loudest are right to 0.1 dB, resistances to 1e-4 of the damping. */
-static const TbAirPrecision FINE = {.digits = 4.5, .panel = 17.5};
-static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
+static const TbAirPrecision FINE = {.digits = 4.5, .panel = 30.0};
+static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 30.0};
 
 /* ---- the open head ----------------------------------------------------------------------------- */
 

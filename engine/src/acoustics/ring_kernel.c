@@ -52,21 +52,39 @@ void tb_ring_terms(TbCircle point, TbCircle source, bool radial, uint32_t orders
 }
 
 /* Where the differences would cancel: the first terms of the series. */
-static TbRingRest rest_of_small(double a) {
-  const double s = a * a;
-  return (TbRingRest){{a * s * (1.0 / 24.0 + s * (-1.0 / 720.0 + s / 40320.0)),
-                       -1.0 + s * (1.0 / 6.0 + s * (-1.0 / 120.0 + s / 5040.0))},
-                      {a * (-1.0 / 8.0 + s * (1.0 / 144.0 + s * (-1.0 / 5760.0 + s / 403200.0))),
-                       -1.0 / 3.0 + s * (1.0 / 30.0 + s * (-1.0 / 840.0 + s / 45360.0))}};
+static const double SMALL_SQUARE = 0.25;
+
+static inline double small_single_re(double a, double s) {
+  return a * s * (1.0 / 24.0 + s * (-1.0 / 720.0 + s / 40320.0));
 }
 
-TbRingRest tb_ring_rest(double a) {
-  const double square = a * a;
-  if (square < 0.25) return rest_of_small(a);
-  double sine, cosine;
-  tb_sin_cos(a, &sine, &cosine);
-  const double inverse = 1.0 / a, cube = inverse * inverse * inverse;
-  return (TbRingRest){
-    {(cosine - 1.0 + 0.5 * square) * inverse, -sine * inverse},
-    {(cosine + a * sine - 1.0 - 0.5 * square) * cube, (a * cosine - sine) * cube}};
+static inline double small_single_im(double s) {
+  return -1.0 + s * (1.0 / 6.0 + s * (-1.0 / 120.0 + s / 5040.0));
+}
+
+static inline double small_dipole_re(double a, double s) {
+  return a * (-1.0 / 8.0 + s * (1.0 / 144.0 + s * (-1.0 / 5760.0 + s / 403200.0)));
+}
+
+static inline double small_dipole_im(double s) {
+  return -1.0 / 3.0 + s * (1.0 / 30.0 + s * (-1.0 / 840.0 + s / 45360.0));
+}
+
+/* Both forms are computed everywhere, so that the loops are vectorised. */
+void tb_ring_rests(uint32_t count, const double *a, TbRingRests *rests) {
+  double sine[TB_RING_MOST], cosine[TB_RING_MOST];
+  tb_sin_cos_array(count, a, sine, cosine);
+  for (uint32_t i = 0; i < count; i++) {
+    const double square = a[i] * a[i];
+    const bool small = square < SMALL_SQUARE;
+    const double inverse = 1.0 / (small ? 1.0 : a[i]), cube = inverse * inverse * inverse;
+    const double re = (cosine[i] - 1.0 + 0.5 * square) * inverse;
+    const double im = -sine[i] * inverse;
+    rests->single_re[i] = small ? small_single_re(a[i], square) : re;
+    rests->single_im[i] = small ? small_single_im(square) : im;
+    const double dipole_re = (cosine[i] + a[i] * sine[i] - 1.0 - 0.5 * square) * cube;
+    const double dipole_im = (a[i] * cosine[i] - sine[i]) * cube;
+    rests->dipole_re[i] = small ? small_dipole_re(a[i], square) : dipole_re;
+    rests->dipole_im[i] = small ? small_dipole_im(square) : dipole_im;
+  }
 }

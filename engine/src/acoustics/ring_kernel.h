@@ -42,11 +42,13 @@ enum { TB_RING_ORDERS = 64 };
 void tb_ring_terms(TbCircle point, TbCircle source, bool radial, uint32_t orders,
                    TbRingTerms *terms);
 
-/* s(a) and f(a) as (re, im), a >= 0. */
-typedef struct TbRingRest {
-  double single[2], dipole[2];
-} TbRingRest;
+/* s(a[i]) and f(a[i]), a[i] >= 0, at up to TB_RING_MOST values: real and imaginary parts. */
+enum { TB_RING_MOST = 24 };
+typedef struct TbRingRests {
+  double single_re[TB_RING_MOST], single_im[TB_RING_MOST];
+  double dipole_re[TB_RING_MOST], dipole_im[TB_RING_MOST];
+} TbRingRests;
 
-TbRingRest tb_ring_rest(double a);
+void tb_ring_rests(uint32_t count, const double *a, TbRingRests *rests);
 
 #endif

@@ -188,36 +188,30 @@ typedef struct Sums {
   double single[2], dipole[2], turned[2];
 } Sums;
 
-/* s and f, (re, im) each, at every angle. */
-typedef struct Values {
-  double parts[4][TB_SHELL_ANGLES];
-} Values;
-
+/* s and f at every angle. */
 static void angle_values(const TbShellMesh *mesh, TbCircle a, TbCircle b, double x,
-                         Values *values) {
+                         TbRingRests *values) {
+  double arguments[TB_SHELL_ANGLES];
   const double height = a.z - b.z;
   const double squares = a.r * a.r + b.r * b.r + height * height;
   for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
     const double square = squares - 2.0 * a.r * b.r * mesh->cosine[l];
-    const TbRingRest rest = tb_ring_rest(x * sqrt(fmax(0.0, square)));
-    values->parts[0][l] = rest.single[0];
-    values->parts[1][l] = rest.single[1];
-    values->parts[2][l] = rest.dipole[0];
-    values->parts[3][l] = rest.dipole[1];
+    arguments[l] = x * sqrt(square > 0.0 ? square : 0.0);
   }
+  tb_ring_rests(TB_SHELL_ANGLES, arguments, values);
 }
 
-static Sums angle_sums(const TbShellMesh *mesh, const Values *values, uint32_t m) {
+static Sums angle_sums(const TbShellMesh *mesh, const TbRingRests *values, uint32_t m) {
   const double *cosines = mesh->cosines + (size_t)m * TB_SHELL_ANGLES;
   Sums sums = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
   for (uint32_t l = 0; l < TB_SHELL_ANGLES; l++) {
     const double turned = cosines[l] * mesh->cosine[l];
-    sums.single[0] += cosines[l] * values->parts[0][l];
-    sums.single[1] += cosines[l] * values->parts[1][l];
-    sums.dipole[0] += cosines[l] * values->parts[2][l];
-    sums.dipole[1] += cosines[l] * values->parts[3][l];
-    sums.turned[0] += turned * values->parts[2][l];
-    sums.turned[1] += turned * values->parts[3][l];
+    sums.single[0] += cosines[l] * values->single_re[l];
+    sums.single[1] += cosines[l] * values->single_im[l];
+    sums.dipole[0] += cosines[l] * values->dipole_re[l];
+    sums.dipole[1] += cosines[l] * values->dipole_im[l];
+    sums.turned[0] += turned * values->dipole_re[l];
+    sums.turned[1] += turned * values->dipole_im[l];
   }
   return sums;
 }
@@ -253,7 +247,7 @@ static TbShellRow *rests_of(const TbShellMesh *mesh, uint32_t m, uint32_t step) 
 static void add_pair(const TbShellMesh *mesh, uint32_t step, uint32_t target, uint32_t node,
                      uint32_t mirrored) {
   const uint32_t n = mesh->nodes;
-  Values values;
+  TbRingRests values;
   angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), mesh->x[step],
                &values);
   for (uint32_t m = 0; m < mesh->orders; m++) {
@@ -322,7 +316,7 @@ void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, 
   memset(rows, 0, 2 * n * sizeof *rows);
   for (uint32_t node = 0; node < n; node++) {
     for (uint32_t mirrored = 0; mirrored < 2; mirrored++) {
-      Values values;
+      TbRingRests values;
       angle_values(mesh, mesh->circles[target], circle_of(mesh, node, mirrored), x, &values);
       const Sums sums = angle_sums(mesh, &values, m);
       add_rest(mesh, target, node, mirrored, &sums, rows + node, rows + n + node);

@@ -27,6 +27,11 @@
 
 enum { TB_SHELL_ANGLES = 21, TB_SHELL_NODES = 96, TB_SHELL_STEPS = 64 };
 
+/* A node's single_j and double_j, or what is left of them, as (re, im). */
+typedef struct TbShellRow {
+  double single[2], dipole[2];
+} TbShellRow;
+
 typedef struct TbShellMesh {
   double half;        /* h */
   double top;         /* the largest x */
@@ -41,7 +46,7 @@ typedef struct TbShellMesh {
   TbRingTerms *terms; /* [orders][targets][2: even, odd][nodes] */
   uint32_t steps;     /* values of x */
   double *x;          /* [steps] */
-  TbRingRest *rests;  /* [orders][steps][solved][2: even, odd][nodes] */
+  TbShellRow *rests;  /* [orders][steps][solved][2: even, odd][nodes] */
   double *cosines;    /* [orders][TB_SHELL_ANGLES] cos(m t), with the weights of the angles */
   double *cosine;     /* [TB_SHELL_ANGLES] cos t itself */
 } TbShellMesh;
@@ -51,9 +56,6 @@ typedef struct TbShellSize {
   double half, top;
   uint32_t cap, side, orders;
 } TbShellSize;
-
-/* One row at one x: values[j], single_j and double_j as (re, im). */
-typedef TbRingRest TbShellRow;
 
 /* Computes the rows of the nodes, of `inner_count` points inside and of `outer_count` points outside.
  * Returns false if memory ran out. */

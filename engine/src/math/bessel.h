@@ -15,6 +15,9 @@
 /* J_m(x), m >= 0, x >= 0. */
 double tb_bessel_j(uint32_t m, double x);
 
+/* j[0] = J_m(x) and j[1] = J_{m+1}(x), x > 0. */
+void tb_bessel_pair(uint32_t m, double x, double j[2]);
+
 /* J_m'(x). */
 double tb_bessel_slope(uint32_t m, double x);
 

@@ -37,6 +37,12 @@ typedef struct Side {
   double top_zero;                   /* where its modes reach the top of the band */
 } Side;
 
+/* All Bessel functions of one order. */
+typedef struct Functions {
+  uint32_t count;
+  double zeros[MOST_ZEROS], slopes[MOST_ZEROS]; /* z, J_{m+1}(z) */
+} Functions;
+
 /* The air inside, as the modes of one order drive it; no microphones without a cavity. */
 typedef struct Inside {
   TbCavityOrder order;
@@ -48,6 +54,7 @@ typedef struct Builder {
   TbArena *scratch;
   Side sides[TB_HEADS];
   uint32_t outside[TABOR_MAX_MICS], outside_count; /* microphones outside the shell */
+  Functions functions;                             /* of the order at hand */
   Inside inside;
   bool both_sides; /* a single head, with air outside on both */
   TbBesselTable table;
@@ -119,15 +126,16 @@ static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder
   return done;
 }
 
-/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. */
-static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, TbHighMode *c) {
+/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. `slope`:
+ * J_{m+1}(zero) */
+static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, double slope,
+                    TbHighMode *c) {
   const TaborDrumDef *def = &b->model->def;
   const Side *side = &b->sides[head];
   const double radius = b->model->head.radius, wavenumber = zero / radius;
   double mass, resistance;
-  *c = (TbHighMode){.head = head, .m = m, .zero = zero};
+  *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope};
   c->omega = frequency(b, side, zero, &mass);
-  c->slope = tb_bessel_j(m + 1, zero);
   const TbAirOrder order = {
     .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
   if (!radiate_outside(b, side, &order, c, &resistance)) return false;
@@ -177,9 +185,10 @@ static void take_candidate(Builder *b) {
   c->band = (uint32_t)fmax(0.0, 6.0 * tb_log(c->omega / (2.0 * PI * 20.0)) / tb_log(2.0));
 }
 
-static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
+static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
   const TaborDrumDef *def = &b->model->def;
   const Side *side = &b->sides[head];
+  const double zero = b->functions.zeros[n];
   double mass;
   const double omega = frequency(b, side, zero, &mass);
   if (omega > b->top || b->count == MOST_CANDIDATES ||
@@ -187,7 +196,7 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
     return true;
   }
   TbHighMode *c = &b->candidates[b->count];
-  if (!radiate(b, head, m, zero, c)) return false;
+  if (!radiate(b, head, m, zero, b->functions.slopes[n], c)) return false;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     c->fields[2 * p] *= side->edge.field[p];
     c->fields[2 * p + 1] *= side->edge.field[p];
@@ -217,8 +226,9 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
   for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
     const TbHeadMode *mode = &model->head.modes[order->rows[k]];
     if (head_of(mode) != head) continue;
+    const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
     TbHighMode c;
-    if (!radiate(b, head, order->m, order->zeros[mode->n - 1], &c)) return false;
+    if (!radiate(b, head, order->m, zero, slope, &c)) return false;
     for (uint32_t p = 0; p < model->def.mic_count; p++) {
       real->field[p] += square_of(mode->fields + 2 * p);
       simple->field[p] += square_of(c.fields + 2 * p);
@@ -304,14 +314,23 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
   return true;
 }
 
-/* All Bessel functions of an order above its two-way modes. */
+/* A head's Bessel functions of an order above its two-way modes. */
 static bool add_order(Builder *b, uint32_t head, uint32_t m) {
-  double zeros[MOST_ZEROS];
-  const uint32_t count = tb_bessel_zeros(m, b->sides[head].top_zero, zeros, MOST_ZEROS);
-  for (uint32_t n = taken(b, head, m, zeros, count); n < count; n++) {
-    if (!add_candidate(b, head, m, zeros[n])) return false;
+  const Functions *functions = &b->functions;
+  uint32_t n = taken(b, head, m, functions->zeros, functions->count);
+  for (; n < functions->count && functions->zeros[n] < b->sides[head].top_zero; n++) {
+    if (!add_candidate(b, head, m, n)) return false;
   }
   return true;
+}
+
+static void find_functions(Builder *b, uint32_t m) {
+  Functions *functions = &b->functions;
+  const double top = fmax(b->sides[0].top_zero, b->sides[1].top_zero);
+  functions->count = tb_bessel_zeros(m, top, functions->zeros, MOST_ZEROS);
+  for (uint32_t n = 0; n < functions->count; n++) {
+    functions->slopes[n] = tb_bessel_j(m + 1, functions->zeros[n]);
+  }
 }
 
 /* Radial orders that come as far as a microphone inside: those faster than sound, and slower ones up
@@ -326,9 +345,18 @@ static double inside_zero(const Builder *b) {
   return fmin(x_at(b, b->top) + 7.0 * def->shell.radius / nearest, 2.0 * TOP_ZERO);
 }
 
-static bool collect_order(Builder *b, uint32_t head, uint32_t m) {
+static bool add_heads(Builder *b, const bool *heard, uint32_t m) {
+  for (uint32_t h = 0; h < TB_HEADS; h++) {
+    if (heard[h] && !add_order(b, h, m)) return false;
+  }
+  return true;
+}
+
+/* The Bessel functions of one order, on the heads that are heard. */
+static bool collect_order(Builder *b, const bool *heard, uint32_t m) {
+  find_functions(b, m);
   b->inside.mics.count = 0;
-  if (b->outside_count == b->model->def.mic_count) return add_order(b, head, m);
+  if (b->outside_count == b->model->def.mic_count) return add_heads(b, heard, m);
   TbArena scratch;
   tb_arena_prepare(&scratch, &b->scratch->allocator);
   Inside *inside = &b->inside;
@@ -336,18 +364,22 @@ static bool collect_order(Builder *b, uint32_t head, uint32_t m) {
   const bool done =
     tb_cavity_order_prepare(&inside->order, &scratch, &cavity, m, inside_zero(b), 0.0) &&
     tb_cavity_mics_prepare(&inside->mics, &scratch, &b->model->def, &inside->order) &&
-    add_order(b, head, m);
+    add_heads(b, heard, m);
   tb_arena_release(&scratch);
   return done;
 }
 
-/* Every order up to the last one that is heard. */
-static bool collect(Builder *b, uint32_t head) {
-  const Side *side = &b->sides[head];
+/* Every order of each head up to the last one that is heard. */
+static bool collect(Builder *b, uint32_t heads) {
+  bool heard[TB_HEADS] = {true, heads > 1};
   for (uint32_t m = 0; m < TB_MAX_ORDERS - 2; m++) {
-    if (inaudible(b, side, m, x_at(b, b->top), side->top_zero)) break;
+    for (uint32_t h = 0; h < heads; h++) {
+      const Side *side = &b->sides[h];
+      heard[h] = heard[h] && !inaudible(b, side, m, x_at(b, b->top), side->top_zero);
+    }
+    if (!heard[0] && !heard[1]) break;
     if (!b->both_sides || m >= WHOLE_ORDERS) {
-      if (!collect_order(b, head, m)) return false;
+      if (!collect_order(b, heard, m)) return false;
       continue;
     }
     TbArena scratch;
@@ -465,8 +497,9 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
     return false;
   }
   for (uint32_t h = 0; h < heads; h++) {
-    if (!measure_edge(&b, h) || !collect(&b, h)) return false;
+    if (!measure_edge(&b, h)) return false;
   }
+  if (!collect(&b, heads)) return false;
   thin(&b, most, chosen);
   return true;
 }

@@ -197,7 +197,8 @@ static void shapes_from_a_table_are_the_same(void **state) {
   tb_arena_prepare(&arena, &allocator);
   TbHead head;
   TbBesselTable table;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0), TABOR_OK);
+  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0, (TbHeadLimits){4096, 91.0}),
+                   TABOR_OK);
   assert_true(tb_bessel_table_prepare(&table, &arena, head.order_count, 60.0));
   double *patch = tb_arena_doubles(&arena, head.zero_count);
   double *exact = tb_arena_doubles(&arena, head.row_count);

@@ -66,8 +66,9 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
   plan->degrees = isfinite(nearest) ? degrees_for(plan, nearest) : 0;
 }
 
+/* Along t, kappa = x sin t, phases advance most quickly at t = 0: the panels are even, and as short as that asks. */
 double tb_air_plan_turns(const TbAirPlan *plan) {
-  const double own = plan->x * fmax(2.0, plan->stretch);
+  const double own = 0.5 * PI * plan->x * fmax(2.0, plan->stretch);
   if (plan->degrees == 0 || !tb_multipoles_project(plan)) return own;
   return fmax(own, 1.3 * (plan->x + 0.5 * PI * plan->degrees)); /* rounding alone may be left */
 }

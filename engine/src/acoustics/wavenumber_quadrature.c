@@ -14,7 +14,7 @@ static uint32_t panels_for(double turns, double panel) { return 1u + (uint32_t)(
 bool tb_wavenumber_nodes_prepare(TbWavenumberNodes *nodes, TbArena *scratch,
                                  const TbAirOrder *order, double x, TbAirTurns turns) {
   const uint32_t low = x > 0.0 ? panels_for(turns.low, turns.panel) : 0u;
-  const uint32_t high = turns.top > 0.0 ? panels_for(turns.top * turns.high, turns.panel) + 1u : 0u;
+  const uint32_t high = turns.top > 0.0 ? panels_for(turns.top * turns.high, turns.panel) + 2u : 0u;
   *nodes = (TbWavenumberNodes){.x = x, .below = low * TB_PANEL, .count = (low + high) * TB_PANEL};
   if (high) nodes->panel = turns.top / (double)high;
   double **arrays[] = {&nodes->kappa, &nodes->root, &nodes->weights, &nodes->j};

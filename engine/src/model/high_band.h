@@ -114,10 +114,8 @@ void tb_high_band_patch(const TbHighBand *band, double patch_radius, double *pat
 void tb_high_band_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,
                         double cos_angle, const double *patch, double *drive);
 
-/* The part of the drive that depends on the radius alone, waves[cosines[which]]; and the drive
- * computed from it. Audio-safe. */
-void tb_high_band_waves(const TbHighBand *band, uint32_t which, double radius, const double *patch,
-                        double *waves);
+/* The drive computed from its part that depends on the radius alone, waves[cosines[which]].
+ * Audio-safe. */
 void tb_high_band_turn(const TbHighBand *band, uint32_t which, const double *waves,
                        double sin_angle, double cos_angle, double *drive);
 

@@ -555,8 +555,8 @@ TABOR_API void tabor_model_options_default(TaborModelOptions *options);
  * On an error *model is NULL: the errors of tabor_drum_def_validate(), TABOR_ERROR_ARGUMENT or
  * TABOR_ERROR_RANGE for @p options, TABOR_ERROR_RANGE for a drum that cannot be computed,
  * TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
- * quarter of a second at live and less than a second at studio. At reference, or with heads of
- * twice their size, a model takes some seconds.
+ * quarter of a second at live and about a second at studio. With heads of twice their size, or at
+ * reference, a model takes some seconds; at reference at 88.2 kHz and more, half a minute.
  */
 TABOR_API TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                          TaborModel **model, TaborError *error);

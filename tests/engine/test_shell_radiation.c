@@ -7,6 +7,7 @@
 #include "math/least_squares.h"
 #include "math/quadrature.h"
 #include "physics.h"
+#include "reference.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -407,10 +408,148 @@ static void resonances_inside_are_not_heard(void **state) {
   }
 }
 
+/* ---- an independent method ---------------------------------------------------------------------- */
+
+/* tests/reference/shell_radiation.json: fundamental solutions, tools/radiation_reference.py. Differences of masses of
+ * motions i and j are in parts of sqrt(own_ii own_jj), those of fields in parts of the largest. */
+typedef struct Agreement {
+  double mass, resistance, field;
+} Agreement;
+
+static uint32_t integer(const json_t *entry, const char *name) {
+  return (uint32_t)json_integer_value(json_object_get(entry, name));
+}
+
+static double real(const json_t *entry, const char *name) {
+  return json_number_value(json_object_get(entry, name));
+}
+
+/* Row i, column j of an upper triangle that is stored by rows. */
+static double element(const json_t *entry, const char *name, uint32_t size, uint32_t i,
+                      uint32_t j) {
+  const uint32_t row = i < j ? i : j, column = i < j ? j : i;
+  return reference_number(json_object_get(entry, name), row * size - row * (row + 1) / 2 + column);
+}
+
+/* The upper head alone moves in motion j. */
+static void compare_motion(Drum *drum, const json_t *entry, uint32_t size, uint32_t j,
+                           const double *own, const double *mutual, Agreement *worst) {
+  double moving[ZEROS] = {0.0};
+  const double still[ZEROS] = {0.0};
+  moving[j] = 1.0;
+  const double x = real(entry, "k");
+  const TbShellMotion alone = solve(drum, moving, still, x), both = solve(drum, moving, moving, x);
+  for (uint32_t i = 0; i < size; i++) {
+    const double unit =
+      sqrt(fabs(element(entry, "own_mass", size, i, i) * element(entry, "own_mass", size, j, j)));
+    const double here = own[i * ZEROS + j] + alone.inertia[i];
+    const double there = mutual[i * ZEROS + j] + alone.inertia[ZEROS + i];
+    worst->mass = fmax(worst->mass, fabs(here - element(entry, "own_mass", size, i, j)) / unit);
+    worst->mass = fmax(worst->mass, fabs(there - element(entry, "mutual_mass", size, i, j)) / unit);
+  }
+  const double single = element(entry, "own_resistance", size, j, j);
+  const double across = element(entry, "mutual_resistance", size, j, j);
+  /* less than 1e-4 of the reactance is no resistance that would be heard */
+  const double heard = fmax(single, 1e-4 * x * element(entry, "own_mass", size, j, j));
+  worst->resistance = fmax(worst->resistance, fabs(alone.resistance - single) / heard);
+  worst->resistance =
+    fmax(worst->resistance, fabs(0.5 * both.resistance - alone.resistance - across) / heard);
+}
+
+/* The lowest two motions of each order, which hold most of the sound; the others are those of eight nodes a
+ * wavelength and less. */
+enum { COMPARED = 2 };
+
+static void loads_are_those_of_fundamental_solutions(void **state) {
+  (void)state;
+  json_t *root = reference_load("shell_radiation.json");
+  const json_t *list = json_object_get(root, "impedances");
+  Agreement worst = {0.0, 0.0, 0.0};
+  uint32_t compared = 0;
+  for (size_t e = 0; e < json_array_size(list); e++) {
+    const json_t *entry = json_array_get(list, e);
+    const uint32_t m = integer(entry, "m"), size = m < 4 ? 4 : 2;
+    Drum drum;
+    prepare_drum(&drum, real(entry, "depth"), m, NULL, 0);
+    double own[ZEROS * ZEROS], mutual[ZEROS * ZEROS];
+    assert_true(tb_shell_order_mass(&drum.order, &drum.arena, own, mutual));
+    if (real(entry, "k") < drum.mesh.top) {
+      for (uint32_t j = 0; j < COMPARED; j++) {
+        compare_motion(&drum, entry, size, j, own, mutual, &worst);
+      }
+      compared++;
+    }
+    tb_arena_release(&drum.arena);
+  }
+  print_message("%u loads: masses within %.1e, resistances within %.1e\n", compared, worst.mass,
+                worst.resistance);
+  assert_true(compared > 100);
+  assert_true(worst.mass < 5e-3 && worst.resistance < 1e-3);
+  json_decref(root);
+}
+
+/* Heights are numbers, or "-d/2" and "-d-0.5". */
+static uint32_t reference_points(const json_t *root, double depth, TbAirPoint *points) {
+  const json_t *list = json_object_get(root, "points");
+  const uint32_t count = (uint32_t)json_array_size(list);
+  for (uint32_t p = 0; p < count; p++) {
+    const json_t *height = json_array_get(json_array_get(list, p), 1);
+    const char *text = json_string_value(height);
+    points[p].radius = reference_number(json_array_get(list, p), 0);
+    points[p].height =
+      !text ? json_number_value(height) : (strcmp(text, "-d/2") == 0 ? -0.5 * depth : -depth - 0.5);
+  }
+  return count;
+}
+
+static void compare_fields(Drum *drum, const json_t *entry, const TbAirPoint *points,
+                           uint32_t count, uint32_t n, Agreement *worst) {
+  double moving[ZEROS] = {0.0}, fields[2 * MOST_POINTS], largest = 0.0, difference = 0.0;
+  const double still[ZEROS] = {0.0};
+  moving[n] = 1.0;
+  const TbShellMotion motion = solve(drum, moving, still, real(entry, "k"));
+  assert_true(tb_shell_fields(&motion, &drum->arena, points, count, fields));
+  const json_t *re = json_array_get(json_object_get(entry, "re"), n);
+  const json_t *im = json_array_get(json_object_get(entry, "im"), n);
+  for (uint32_t p = 0; p < count; p++) {
+    const double there[2] = {reference_number(re, p), reference_number(im, p)};
+    largest = fmax(largest, hypot(there[0], there[1]));
+    difference = fmax(difference, hypot(fields[2 * p] - there[0], fields[2 * p + 1] - there[1]));
+  }
+  worst->field = fmax(worst->field, difference / largest);
+}
+
+static void fields_are_those_of_fundamental_solutions(void **state) {
+  (void)state;
+  json_t *root = reference_load("shell_radiation.json");
+  const json_t *list = json_object_get(root, "fields");
+  Agreement worst = {0.0, 0.0, 0.0};
+  uint32_t compared = 0;
+  for (size_t e = 0; e < json_array_size(list); e++) {
+    const json_t *entry = json_array_get(list, e);
+    const double depth = real(entry, "depth");
+    TbAirPoint points[MOST_POINTS];
+    const uint32_t count = reference_points(root, depth, points);
+    Drum drum;
+    prepare_drum(&drum, depth, integer(entry, "m"), points, count);
+    if (real(entry, "k") < drum.mesh.top) {
+      for (uint32_t n = 0; n < 2; n++) compare_fields(&drum, entry, points, count, n, &worst);
+      compared++;
+    }
+    tb_arena_release(&drum.arena);
+  }
+  print_message("%u fields: within %.1e\n", compared, worst.field);
+  assert_true(compared > 10);
+  assert_true(worst.field < 2e-3);
+  json_decref(root);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_ring_inside_gives_back_its_own_field),
     cmocka_unit_test(a_constant_has_the_solid_angle_of_the_shell),
+    cmocka_unit_test(loads_are_those_of_fundamental_solutions),
+    cmocka_unit_test(fields_are_those_of_fundamental_solutions),
     cmocka_unit_test(power_on_the_heads_is_power_far_away),
     cmocka_unit_test(loads_are_reciprocal),
     cmocka_unit_test(a_slow_drum_is_a_monopole),

@@ -456,8 +456,7 @@ static void compare_motion(Drum *drum, const json_t *entry, uint32_t size, uint3
     fmax(worst->resistance, fabs(0.5 * both.resistance - alone.resistance - across) / heard);
 }
 
-/* The lowest two motions of each order, which hold most of the sound; the others are those of eight nodes a
- * wavelength and less. */
+/* The lowest two motions of each order, which radiate most. */
 enum { COMPARED = 2 };
 
 static void loads_are_those_of_fundamental_solutions(void **state) {

@@ -32,7 +32,8 @@ static void frequencies(const TbCavityEigen *drum, uint32_t m, uint32_t basis, d
   for (uint32_t i = 0; i < basis * basis; i++) own[i] *= 0.5;
   TbCavityEigen loaded = *drum;
   loaded.own = own;
-  assert_int_equal(tb_cavity_eigen_solve(&loaded, &arena, &air, &cavity, values, vectors), TABOR_OK);
+  assert_int_equal(tb_cavity_eigen_solve(&loaded, &arena, &air, &cavity, values, vectors),
+                   TABOR_OK);
   for (uint32_t i = 0; i < count; i++) hz[i] = sqrt(values[i]) / (2.0 * PI);
   tb_arena_release(&arena);
 }

@@ -27,7 +27,8 @@ function(tabor_add_embed_test name)
              "STATIC_BUILD=${PROJECT_BINARY_DIR}"
              "SHARED_BUILD=${PROJECT_BINARY_DIR}/shared"
              "TABOR=$<TARGET_FILE:tabor-program>"
-             "INSPECT=$<TARGET_FILE:host_inspect>")
+             "INSPECT=$<TARGET_FILE:host_inspect>"
+             "STALLS=$<TARGET_FILE:host_stalls>")
   if("NEEDS_SHARED" IN_LIST ARGN)
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED shared_build)
   endif()

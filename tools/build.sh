@@ -5,8 +5,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # What was compiled before, in this tree or in another one, is not compiled again where there is ccache.
-if [ -z "${CMAKE_C_COMPILER_LAUNCHER-}" ] && command -v ccache >/dev/null; then
-  export CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=/ CCACHE_DIR="${CCACHE_DIR-$HOME/.cache/ccache}"
+if command -v ccache >/dev/null; then
+  export CMAKE_C_COMPILER_LAUNCHER="${CMAKE_C_COMPILER_LAUNCHER-ccache}" CCACHE_DIR="${CCACHE_DIR-$HOME/.cache/ccache}"
+  export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
 fi
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 

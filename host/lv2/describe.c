@@ -159,13 +159,13 @@ static void put_events(void) {
 }
 
 static void put_output(bool stereo, uint32_t channel) {
-  static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right"};
-  const uint32_t first_side = port_outputs(stereo) - 2;
+  static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right", "Inside"};
+  const uint32_t first_side = stereo ? 0 : 4;
   const char *const name = names[stereo ? channel + 4 : channel];
   put("\t\ta lv2:OutputPort , lv2:AudioPort ;\n");
   put("\t\tlv2:symbol \"out_%c%s\" ;\n", tolower(name[0]), name + 1);
   if (!stereo) put("\t\tlv2:portProperty lv2:connectionOptional ;\n");
-  if (channel >= first_side) {
+  if (channel == first_side || channel == first_side + 1) {
     put("\t\tlv2:designation pg:%s ;\n", channel == first_side ? "left" : "right");
     put("\t\tpg:group <%spair> ;\n", URI_GROUP);
   }

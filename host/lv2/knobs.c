@@ -166,6 +166,11 @@ const Knob knobs[KNOB_COUNT] = {
                            .off = NAN,
                            .comment = "Normal: 1 to 10 m/s, and softer ghost notes below velocity "
                                       "20. Full: 0.3 to 12 m/s."},
+  [KNOB_LEVEL_INSIDE] = {.symbol = "level_inside",
+                         .name = "Inside microphone",
+                         LEVEL(LOWEST_LEVEL),
+                         .comment = "Level of the microphone inside the shell of snares and bass "
+                                    "drums."},
 };
 
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {

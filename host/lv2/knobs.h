@@ -31,12 +31,13 @@ typedef enum KnobId {
   KNOB_HUMANIZE,
   KNOB_QUALITY,
   KNOB_GAIN,
-  KNOB_LEVEL_PAIR, /**< the levels, to KNOB_LEVEL_FAR: stereo plugin only */
+  KNOB_LEVEL_PAIR, /**< the levels, to KNOB_LEVEL_FAR, and KNOB_LEVEL_INSIDE: stereo plugin only */
   KNOB_LEVEL_TOP,
   KNOB_LEVEL_BOTTOM,
   KNOB_LEVEL_NEAR,
-  KNOB_LEVEL_FAR, /**< the last level */
+  KNOB_LEVEL_FAR,
   KNOB_VELOCITY_RANGE,
+  KNOB_LEVEL_INSIDE, /**< the last level; last, so that no older port has another number */
   KNOB_COUNT
 } KnobId;
 
@@ -73,11 +74,24 @@ typedef struct KnobRange {
 
 extern const Knob knobs[KNOB_COUNT];
 
+/** True for the level of a microphone. */
+static inline bool knob_is_level(KnobId id) REALTIME {
+  return (id >= KNOB_LEVEL_PAIR && id <= KNOB_LEVEL_FAR) || id == KNOB_LEVEL_INSIDE;
+}
+
 /** Knob number @p place of the stereo or the multi-output plugin; KNOB_COUNT past the last. */
 static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
   const uint32_t levels = KNOB_LEVEL_FAR - KNOB_LEVEL_PAIR + 1;
   const uint32_t id = stereo || place < KNOB_LEVEL_PAIR ? place : place + levels;
-  return id < KNOB_COUNT ? (KnobId)id : KNOB_COUNT;
+  const uint32_t end = stereo ? KNOB_COUNT : KNOB_LEVEL_INSIDE;
+  return id < end ? (KnobId)id : KNOB_COUNT;
+}
+
+/** Number of knobs of a plugin. */
+static inline uint32_t knob_number(bool stereo) REALTIME {
+  uint32_t number = 0;
+  while (knob_at(stereo, number) != KNOB_COUNT) number++;
+  return number;
 }
 
 /** SET-UP. Range of a knob. @p usual is the definition of DEFAULT_PRESET. */

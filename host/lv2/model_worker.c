@@ -125,8 +125,8 @@ static void compose_model(const Request *request, Reply *reply) {
   set_field(def, &def->hand.grip, request->grip);
 }
 
-static const char *const mic_names[MODEL_WORKER_MICS] = {"top", "bottom", "near",
-                                                         "far", "left",   "right"};
+static const char *const mic_names[MODEL_WORKER_MICS] = {"top",  "bottom", "near",  "far",
+                                                         "left", "right",  "inside"};
 
 /* What the audio thread has to know of the model. */
 static void describe(Reply *reply) {

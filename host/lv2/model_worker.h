@@ -27,7 +27,8 @@
 
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_NO_MIC LEAVING_NO_MIC
-#define MODEL_WORKER_MICS 6 /**< known to the plugins: top, bottom, near, far, left, right */
+#define MODEL_WORKER_MICS                                                                          \
+  7 /**< known to the plugins: top, bottom, near, far, left, right, inside */
 #define MODEL_WORKER_TRASH (LEAVING_MOST + 4) /**< most drums that one request can destroy */
 
 /** The wanted drum. NaN means: as in the definition. */

@@ -84,7 +84,8 @@ void plugin_player_rest(PluginPlayer *player) {
   plugin_player_cut_others(player);
   start_over(player, &binding);
   player->gain = fader_at(player->gain.target, player->rate);
-  for (uint32_t i = KNOB_LEVEL_PAIR; i <= KNOB_LEVEL_FAR; i++) {
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (!knob_is_level((KnobId)i)) continue;
     player->levels[i] = fader_at(player->levels[i].target, player->rate);
     player->waits[i] = 0;
   }

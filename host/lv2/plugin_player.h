@@ -33,6 +33,7 @@ typedef enum PluginMic {
   PLUGIN_FAR,
   PLUGIN_LEFT,
   PLUGIN_RIGHT,
+  PLUGIN_INSIDE,
   PLUGIN_MICS = MODEL_WORKER_MICS
 } PluginMic;
 
@@ -68,7 +69,7 @@ typedef struct PluginPlayer {
   uint32_t mics[PLUGIN_MICS];           /**< of the current model, or MODEL_WORKER_NO_MIC */
   Silencer silencer;
   Fader gain, expression;
-  Fader levels[KNOB_COUNT]; /**< from KNOB_LEVEL_PAIR to KNOB_LEVEL_FAR */
+  Fader levels[KNOB_COUNT]; /**< where knob_is_level() */
   /** Frames until a level moves, after its microphone was switched on. */
   uint32_t waits[KNOB_COUNT];
 

@@ -21,7 +21,7 @@ static void take_restoration(PluginPlayer *player, const Reply *reply) {
 /* Both sides of a drum without a stereo pair are heard by its first microphone. */
 static void attend(PluginPlayer *player, const Reply *reply) {
   for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
-    const bool may_replace = player->stereo && i >= PLUGIN_LEFT;
+    const bool may_replace = player->stereo && (i == PLUGIN_LEFT || i == PLUGIN_RIGHT);
     player->mics[i] = reply->mics[i] == MODEL_WORKER_NO_MIC && may_replace ? 0 : reply->mics[i];
   }
 }

@@ -5,8 +5,9 @@
 #include "lv2/plugin_player_internal.h"
 
 /* The knob of each microphone's level. */
-static const KnobId mic_levels[PLUGIN_MICS] = {KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,
-                                               KNOB_LEVEL_FAR, KNOB_LEVEL_PAIR,   KNOB_LEVEL_PAIR};
+static const KnobId mic_levels[PLUGIN_MICS] = {KNOB_LEVEL_TOP,   KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,
+                                               KNOB_LEVEL_FAR,   KNOB_LEVEL_PAIR,   KNOB_LEVEL_PAIR,
+                                               KNOB_LEVEL_INSIDE};
 
 static bool is_audible(const PluginPlayer *player, KnobId id) {
   return player->levels[id].now != 0 || player->levels[id].left > 0;
@@ -107,7 +108,8 @@ static void mix_stereo(PluginPlayer *player, const bool *heard, float *const *ch
     const double gain = next_gain(player), pair = next_level(player, KNOB_LEVEL_PAIR);
     double left = heard[PLUGIN_LEFT] ? pair * player->sound[PLUGIN_LEFT][frame] : 0;
     double right = heard[PLUGIN_RIGHT] ? pair * player->sound[PLUGIN_RIGHT][frame] : 0;
-    for (uint32_t mic = PLUGIN_TOP; mic <= PLUGIN_FAR; mic++) {
+    for (uint32_t mic = PLUGIN_TOP; mic < PLUGIN_MICS; mic++) {
+      if (mic == PLUGIN_LEFT || mic == PLUGIN_RIGHT) continue;
       const double level = next_level(player, mic_levels[mic]);
       const double sample = heard[mic] ? level * player->sound[mic][frame] : 0;
       left += sample;

@@ -7,6 +7,8 @@
  *     1 ...             outputs: left and right, or one per microphone
  *     then              freewheel, ready
  *     then              knobs, in the order of knobs.h
+ *     then              the output of the microphone inside, of the multi-output plugin: last, so that no
+ *                       older port has another number
  */
 #ifndef TABOR_LV2_PORTS_H
 #define TABOR_LV2_PORTS_H
@@ -32,16 +34,18 @@ typedef struct Port {
 } Port;
 
 /** Number of audio outputs of a plugin. */
-static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 6; }
+static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 7; }
 
 /** Port number @p number of the stereo or the multi-output plugin. */
 static inline Port port_at(bool stereo, uint32_t number) REALTIME {
-  const uint32_t outputs = port_outputs(stereo);
+  const uint32_t outputs = stereo ? 2 : 6; /* in one row */
   if (number == 0) return (Port){PORT_EVENTS, 0};
   if (number <= outputs) return (Port){PORT_OUTPUT, number - 1};
   if (number == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
   if (number == outputs + 2) return (Port){PORT_READY, 0};
-  const KnobId knob = knob_at(stereo, number - outputs - 3);
+  const uint32_t place = number - outputs - 3;
+  if (!stereo && place == knob_number(stereo)) return (Port){PORT_OUTPUT, outputs};
+  const KnobId knob = knob_at(stereo, place);
   return (Port){knob < KNOB_COUNT ? PORT_KNOB : PORT_NONE, knob};
 }
 

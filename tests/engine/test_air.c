@@ -416,37 +416,24 @@ static void a_slow_drum_is_a_monopole(void **state) {
   tb_arena_release(&arena);
 }
 
-/* The resistance from the definition in air.h, with W and P as a listener far away finds them. */
+/* The resistance that carries the power of the drum's field, through a sphere so large that p^2/(rho0 c0)
+ * is the intensity: x^2 s^2 Int |I|^2 over the cosine, in units of a_m rho0 c0 R^2. */
 static double resistance_from_afar(const TbAirOrder *order, TbArena *arena, const double *upper,
                                    const double *lower, double depth, double x) {
-  enum { PANELS = 6 };
+  enum { PANELS = 8, POINTS = PANELS * TB_PANEL };
   const double distance = 1e6;
-  double angles[PANELS * TB_PANEL], weights[PANELS * TB_PANEL], sum = 0.0;
-  tb_quadrature(0.0, 0.5 * PI, PANELS, angles, weights);
-  for (uint32_t i = 0; i < PANELS * TB_PANEL; i++) {
-    const TbAirPoint point = {distance * sin(angles[i]), distance * cos(angles[i])};
-    double complex far[2][2];
-    for (int h = 0; h < 2; h++) {
-      for (int boundary = 0; boundary < 2; boundary++) {
-        double f[2];
-        TbAirLoad load;
-        assert_true(tb_air_load(order, arena, (TaborBoundary)boundary, true, h ? lower : upper, x,
-                                &point, 1, &load, f));
-        far[h][boundary] = (f[0] + I * f[1]) * distance;
-      }
-    }
-    const double phase = cos(x * depth * cos(angles[i]));
-    const int open = TABOR_BOUNDARY_OPEN, baffled = TABOR_BOUNDARY_BAFFLED;
-    double power = 0.0;
-    for (int h = 0; h < 2; h++) {
-      power += pow(cabs(far[h][open]), 2.0) + pow(cabs(far[h][baffled]), 2.0);
-    }
-    power +=
-      2.0 * phase *
-      (creal(far[0][baffled] * conj(far[1][baffled])) - creal(far[0][open] * conj(far[1][open])));
-    sum += weights[i] * sin(angles[i]) * power;
+  double cosines[POINTS], weights[POINTS], fields[2 * POINTS], resistance, sum = 0.0;
+  TbAirPoint points[POINTS];
+  tb_quadrature(-1.0, 1.0, PANELS, cosines, weights);
+  for (uint32_t i = 0; i < POINTS; i++) {
+    points[i] = (TbAirPoint){distance * sqrt(1.0 - cosines[i] * cosines[i]), distance * cosines[i]};
   }
-  return 0.5 * x * x * sum;
+  assert_true(
+    tb_air_drum_load(order, arena, upper, lower, depth, x, points, POINTS, &resistance, fields));
+  for (uint32_t i = 0; i < POINTS; i++) {
+    sum += weights[i] * (pow(fields[2 * i], 2.0) + pow(fields[2 * i + 1], 2.0));
+  }
+  return x * x * distance * distance * sum;
 }
 
 static void a_deep_drum_has_the_resistance_of_its_far_fields(void **state) {

@@ -950,7 +950,8 @@ static void test_second_head_keys(void **state) {
   tabor_drum_def_default(&def);
   const uint32_t count = list_keys(&def, all, sizeof all);
   assert_null(strstr(all, "resonant."));
-  assert_non_null(strstr(all, "shell.radius shell.depth shell.boundary batter.tension "));
+  assert_non_null(
+    strstr(all, "shell.radius shell.depth shell.boundary shell.surface_density batter.tension "));
   assert_non_null(strstr(
     all, "batter.muffle_strength batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
   must_set(&def, "resonant.damping_0", "17");
@@ -1048,20 +1049,47 @@ static void test_mics_and_shell(void **state) {
   tabor_drum_def_default(&def);
   accept_mic(&def, "0.05", "-0.05"); /* an open frame has no inside */
   must_set(&def, "shell.boundary", "closed");
-  refuse_mic(&def, "0.05", "-0.05", "inside the shell, which ends 0.14 m below the batter head");
-  refuse_mic(&def, "0.165", "-0.139", "would be inside the shell");
+  accept_mic(&def, "0.05", "-0.05");   /* inside */
+  accept_mic(&def, "0.165", "-0.139"); /* inside: a rigid bottom has no motion to be near to */
   accept_mic(&def, "0.1651", "-0.05");
   accept_mic(&def, "0", "-0.145");
   must_set(&def, "shell.boundary", "open");
   must_set(&def, "resonant.tension", "2000");
-  refuse_mic(&def, "0.05", "-0.05", "inside the shell, which ends 0.14 m below the batter head");
+  accept_mic(&def, "0.05", "-0.05");
+  refuse_mic(&def, "0", "-0.135", "within 0.01 m of the resonant head's plane, 0.14 m below");
   refuse_mic(&def, "0", "-0.145", "within 0.01 m of the resonant head's plane, 0.14 m below");
   refuse_mic(&def, "1", "-0.132", "within 0.01 m of the resonant head's plane");
   accept_mic(&def, "0", "-0.15");
   accept_mic(&def, "1", "-0.13");
   accept_mic(&def, "0.2", "-0.05");
   must_set(&def, "shell.depth", "0.3");
-  refuse_mic(&def, "0", "-0.15", "inside the shell, which ends 0.3 m below");
+  accept_mic(&def, "0", "-0.15");
+}
+
+static void test_inside(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  TaborMicDef *mic = &def.mic[0];
+  mic->radius = 0.1;
+  mic->height = -0.05;
+  assert_false(tb_mic_is_inside(&def, mic)); /* an open frame has no inside */
+  def.shell.boundary = TABOR_BOUNDARY_BAFFLED;
+  assert_false(tb_mic_is_inside(&def, mic));
+  def.shell.boundary = TABOR_BOUNDARY_CLOSED;
+  assert_true(tb_mic_is_inside(&def, mic));
+  must_set(&def, "mic.near.height", "0.05");
+  must_set(&def, "mic.below.height", "-0.2");
+  must_set(&def, "mic.beside.height", "-0.05");
+  must_set(&def, "mic.beside.radius", "0.1651");
+  uint32_t mics[TABOR_MAX_MICS];
+  assert_int_equal(tb_mics_outside(&def, mics), 3);
+  assert_int_equal(mics[0], 1);
+  assert_int_equal(mics[2], 3);
+  def.shell.boundary = TABOR_BOUNDARY_OPEN;
+  assert_int_equal(tb_mics_outside(&def, mics), 4);
+  must_set(&def, "resonant.tension", "2000");
+  assert_int_equal(tb_mics_outside(&def, mics), 3);
 }
 
 static void test_names(void **state) {
@@ -1297,6 +1325,7 @@ int main(void) {
     cmocka_unit_test(test_resonant_sheet),
     cmocka_unit_test(test_between_heads),
     cmocka_unit_test(test_mics_and_shell),
+    cmocka_unit_test(test_inside),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -186,6 +186,36 @@ static void shapes_have_unit_modal_mass(void **state) {
   tb_arena_release(&arena);
 }
 
+/* Each Bessel function of a table is right to 3e-11; a shape sums a few of them. */
+static void shapes_from_a_table_are_the_same(void **state) {
+  (void)state;
+  const double TOLERANCE = 1e-9;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  TbArena arena;
+  const TaborAllocator allocator = tb_allocator_resolve(NULL);
+  tb_arena_prepare(&arena, &allocator);
+  TbHead head;
+  TbBesselTable table;
+  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0, (TbHeadLimits){4096, 91.0}),
+                   TABOR_OK);
+  assert_true(tb_bessel_table_prepare(&table, &arena, head.order_count, 60.0));
+  double *patch = tb_arena_doubles(&arena, head.zero_count);
+  double *exact = tb_arena_doubles(&arena, head.row_count);
+  double *tabled = tb_arena_doubles(&arena, head.row_count);
+  tb_head_patch(&head, 0.01, patch);
+  for (double r = 0.0; r <= head.radius; r += 0.11 * head.radius) {
+    double largest = 0.0;
+    tb_head_radial(&head, 0, r, patch, exact);
+    tb_head_radial_tabled(&head, &table, 0, r, patch, tabled);
+    for (uint32_t i = 0; i < head.row_count; i++) largest = fmax(largest, fabs(exact[i]));
+    for (uint32_t i = 0; i < head.row_count; i++) {
+      assert_true(fabs(tabled[i] - exact[i]) < TOLERANCE * largest);
+    }
+  }
+  tb_arena_release(&arena);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(in_vacuo_the_zeros_give_frequencies_and_losses),
@@ -193,6 +223,7 @@ int main(void) {
     cmocka_unit_test(timpani_head_without_kettle_is_nearly_harmonic),
     cmocka_unit_test(radiation_follows_from_the_finite_frequency_resistance),
     cmocka_unit_test(shapes_have_unit_modal_mass),
+    cmocka_unit_test(shapes_from_a_table_are_the_same),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,6 +39,44 @@ static void far_field_is_the_closed_form(void **state) {
   }
 }
 
+/* The wall's integral by the midpoint rule, with points 0.6 mm apart. */
+static void field_by_sums(uint32_t n, double k, double r, double z, double field[2]) {
+  enum { AROUND = 900, LEVELS = 240 };
+  field[0] = field[1] = 0.0;
+  for (int i = 0; i < AROUND; i++) {
+    const double t = PI * (i + 0.5) / AROUND;
+    const double across = r * r + RADIUS * RADIUS - 2.0 * r * RADIUS * cos(t);
+    for (int l = 0; l < LEVELS; l++) {
+      const double up = z + DEPTH * (l + 0.5) / LEVELS, distance = sqrt(across + up * up);
+      const double size =
+        cos(n * t) * DEPTH / (2.0 * distance) / AROUND / LEVELS; /* 2 pi R dt dz/(4 pi d R) */
+      field[0] += size * cos(k * distance);
+      field[1] -= size * sin(k * distance);
+    }
+  }
+}
+
+/* Few points far from the wall, many near it: in front of it 2 cm away, and on the axis. The midpoint rule is
+ * right to (h/distance)^2/24, less than 1e-4. */
+static void field_takes_points_enough(void **state) {
+  (void)state;
+  const double TOLERANCE = 1e-4;
+  static const double DISTANCES[] = {0.0, 0.02, 0.1, RADIUS - 0.02, RADIUS + 0.02, 0.3, 1.1};
+  for (uint32_t n = 2; n < 12; n += 3) {
+    for (double k = 2.0; k < 200.0; k *= 3.1) {
+      double worst = 0.0, largest = 0.0;
+      for (size_t i = 0; i < sizeof DISTANCES / sizeof *DISTANCES; i++) {
+        double field[2], expected[2];
+        tb_hoop_field(n, k, RADIUS, DEPTH, DISTANCES[i], -0.6 * DEPTH, field);
+        field_by_sums(n, k, DISTANCES[i], -0.6 * DEPTH, expected);
+        worst = fmax(worst, hypot(field[0] - expected[0], field[1] - expected[1]));
+        largest = fmax(largest, hypot(expected[0], expected[1]));
+      }
+      assert_true(worst < TOLERANCE * largest);
+    }
+  }
+}
+
 /* What passes a sphere 100 m away, Int |p|^2/(2 rho0 c0) dA, by the field itself. */
 static double power_through_sphere(uint32_t n, double omega) {
   const double away = 100.0, k = omega / AIR.sound_speed;
@@ -232,6 +270,7 @@ static void a_swap_keeps_phase_and_action(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(far_field_is_the_closed_form),
+    cmocka_unit_test(field_takes_points_enough),
     cmocka_unit_test(what_leaves_is_what_the_mode_loses),
     cmocka_unit_test(long_waves_take_nothing),
     cmocka_unit_test(an_impulse_finds_the_same_mass_everywhere),

@@ -4,21 +4,22 @@
 # sends are heard, it says when there is no server or preset, and SIGTERM ends it.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
-needs jackd2 jackd jack_wait jack_rec jack_midiseq jack_connect jack_lsp
+needs jackd2 jack_rec jack_midiseq jack_connect
 needs pkg-config pkg-config
 pkg-config --exists jack || skip "needs libjack-jackd2-dev"
+# shellcheck source=tests/support/jack_server.sh
+. "$(dirname "$0")/../support/jack_server.sh"
 
 install_tree "$STATIC_BUILD" "$scratch/tree"
 use_pkg_config "$scratch/tree"
 read -ra flags <<<"$(pkg-config --cflags --libs tabor jack)"
 quietly "$CC" -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Werror "$SOURCE/examples/jack_drum.c" "${flags[@]}" -lm -o jack_drum
 
-server=tabor-test-$$
-export JACK_DEFAULT_SERVER=$server JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
 started=()
 clean_up() {
   local process
   for process in "${started[@]}"; do kill "$process" 2>/dev/null || true; done
+  end_jack
   wait
   rm -rf "$scratch"
 }
@@ -43,8 +44,7 @@ wait_until() {
 if ./jack_drum 2>message; then complain "it runs without a server"; fi
 grep -q 'no JACK server' message
 
-in_background jackd --no-realtime -n "$server" -d dummy -r 48000 -p 1024
-jack_wait -s "$server" -w -t 60 >"$scratch/log" 2>&1 || complain "the server does not start: $(cat jackd.txt)"
+start_jack
 if ./jack_drum nonesuch 2>message; then complain "it plays a preset that there is not"; fi
 grep -q nonesuch message
 

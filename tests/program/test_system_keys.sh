@@ -9,13 +9,10 @@ export TERM=xterm
 
 via=${1-null}
 if [ "$via" = jack ]; then
-  needs jackd2 jackd jack_wait
-  export JACK_DEFAULT_SERVER=tabor-keys-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
-  jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p 1024 >/dev/null 2>&1 &
-  server=$!
-  trap 'kill $server; wait $server; rm -rf "$private"' EXIT
-  jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null 2>&1 ||
-    skip "no JACK server can be started"
+  # shellcheck source=tests/support/jack_server.sh
+  . "$(dirname "$0")/../support/jack_server.sh"
+  trap 'end_jack; rm -rf "$private"' EXIT
+  start_jack
   backend=(--device "JACK: system")
 else
   backend=(--backend null)

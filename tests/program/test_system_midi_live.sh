@@ -3,16 +3,11 @@
 # Live MIDI from a JACK client, end to end: notes are strokes at their times in the recording of play.
 
 . "$(dirname "$0")/../support/host_checks.sh"
-needs jackd2 jackd jack_wait
 needs libjack-jackd2-dev "${JACK_SEND:-jack_send}"
-
-export JACK_DEFAULT_SERVER=tabor-midi-test-$$ JACK_NO_START_SERVER=1 JACK_NO_AUDIO_RESERVATION=1
-period=1024
-jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "$period" >>"$private/jackd.log" 2>&1 &
-server=$!
-# A server that is killed keeps one of JACK's eight places; one that ends by itself gives it back.
-trap 'kill "$server"; wait "$server" 2>/dev/null; chmod -R u+w "$private"; rm -rf "$private"' EXIT
-check "the server starts" jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 60 >/dev/null
+# shellcheck source=tests/support/jack_server.sh
+. "$(dirname "$0")/../support/jack_server.sh"
+trap 'end_jack; chmod -R u+w "$private"; rm -rf "$private"' EXIT
+start_jack
 
 # start_play ARGUMENT...: in the background, until it plays.
 start_play() {
@@ -45,7 +40,7 @@ onsets_at() {
   [ "${#onsets[@]}" = $(($# + 1)) ] || return
   for seconds in "$@"; do
     onset=${onsets[1]}
-    awk "BEGIN { exit !(($onset - ${onsets[0]} - 48000 * $seconds) ^ 2 <= ($period + 48) ^ 2) }" || return
+    awk "BEGIN { exit !(($onset - ${onsets[0]} - 48000 * $seconds) ^ 2 <= ($jack_period + 48) ^ 2) }" || return
     onsets=("${onsets[0]}" "${onsets[@]:2}")
   done
 }

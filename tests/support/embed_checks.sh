@@ -17,6 +17,7 @@ trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
 complain() {
+  excuse
   echo "FAILED: $1" >&2
   exit 1
 }

@@ -21,7 +21,7 @@
 #include "midi/midi_stream.h"
 
 #define HOST_BLOCK 8192 /**< most frames of a run */
-#define HOST_OUTPUTS 6
+#define HOST_OUTPUTS 7
 #define HOST_ROOM 65536 /**< buffer for the events of a run [bytes] */
 #define HOST_PROPERTIES 64
 

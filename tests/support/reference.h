@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Loads the independent reference values of tests/reference (made by tools/make-reference.py). */
+/* Loads the independent reference values of tests/reference (made by tools/make-reference.py and
+ * tools/radiation_reference.py). */
 #ifndef TEST_REFERENCE_H
 #define TEST_REFERENCE_H
 

@@ -3,8 +3,8 @@
  * the pairs of frequencies; tensions and depth are fitted here, one value for each head, to six of them. */
 #include "physics.h"
 
-/* Within 10 %: the heads' masses, the shell's give and the table under the drum are not known. */
-static const double NEARNESS = 0.10;
+/* Within 5 %: the heads' masses, the shell's give and the table under the drum are not known. */
+static const double NEARNESS = 0.05;
 
 typedef struct Measured {
   uint32_t m;

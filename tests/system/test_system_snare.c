@@ -53,25 +53,29 @@ static Take *play(const TaborDrumDef *def, TaborEvent first, const TaborEvent *l
   return &take;
 }
 
-/* The same sample by sample, with the centre's height and the stick's first unbroken contact. */
+/* What a force sensor tells from nothing: a stick that parts from a head that follows it hangs on to it for some
+ * tenths of a millisecond by thousandths of its force. */
+static const double SENSED = 0.01; /* of the largest force */
+
+/* The same sample by sample, with the centre's height and how long the stick's first touch is sensed. */
 static Take *watch(const TaborDrumDef *def, TaborEvent first, double seconds) {
   static Take take;
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);
   take.frames = (uint32_t)(seconds * RATE);
   assert_true(take.frames <= MOST_FRAMES);
-  bool touched = false, parted = false;
-  take.contact = 0.0;
+  double most = 0.0;
+  uint32_t from = 0, to = 0;
   for (uint32_t n = 0; n < take.frames; n++) {
     tabor_drum_process(drum, &first, n == 0 ? 1 : 0, NULL, 1);
     TaborProbe probe;
     tabor_drum_probe(drum, &probe);
     take.head[n] = probe.head;
-    const bool touches = probe.striker_force > 0.0;
-    touched = touched || touches;
-    parted = parted || (touched && !touches);
-    if (touched && !parted) take.contact += 1.0 / RATE;
+    if (most == 0.0) from = to = n;
+    if (to == n && probe.striker_force > SENSED * most) to = n + 1;
+    most = fmax(most, probe.striker_force);
   }
+  take.contact = (to - from) / RATE;
   tabor_drum_destroy(drum);
   tabor_model_release(model);
   return &take;
@@ -204,15 +208,15 @@ static void snares_off_is_one_key(void **state) {
   assert_int_equal(differences, 1);
 }
 
-static void snare_drums_have_six_microphones(void **state) {
+static void snare_drums_have_seven_microphones(void **state) {
   (void)state;
   static const char *const DRUMS[] = {"snare-14x5.5", "snare-14x5.5-off", "snare-14x6.5-loose",
                                       "piccolo-13x3.5", "marching-14x12"};
-  static const char *const MICS[] = {"top", "bottom", "near", "far", "left", "right"};
+  static const char *const MICS[] = {"top", "bottom", "near", "far", "left", "right", "inside"};
   for (size_t d = 0; d < sizeof DRUMS / sizeof *DRUMS; d++) {
     const TaborDrumDef def = physics_preset(DRUMS[d]);
-    assert_int_equal(def.mic_count, 6);
-    for (int i = 0; i < 6; i++) assert_string_equal(def.mic[i].name, MICS[i]);
+    assert_int_equal(def.mic_count, 7);
+    for (int i = 0; i < 7; i++) assert_string_equal(def.mic[i].name, MICS[i]);
   }
 }
 
@@ -312,7 +316,8 @@ static void centre_and_edge_differ(void **state) {
   assert_true(ratio[0] - ratio[1] > 6.0);
 }
 
-/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharp, soft ones less than 2. */
+/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharper than a soft one, whose pitch moves by less
+ * than 10 while the other round modes, which radiate more quickly, fade. */
 static void hard_strokes_glide(void **state) {
   (void)state;
   TaborDrumDef def = drum_of("snare-14x5.5-off");
@@ -321,11 +326,13 @@ static void hard_strokes_glide(void **state) {
   def.wires.count = 0;
   def.air.gravity = 0.0; /* zero is where the head comes to rest */
   static const double SPEEDS[] = {0.5, 6.0, 8.0};
+  double soft = 0.0;
   for (int i = 0; i < 3; i++) {
     const Take *take = watch(&def, stroke(&def, SPEEDS[i], 0.0), 0.59);
     const double cents = 1200.0 * log2(pitch(take, 0.025, 0.085) / pitch(take, 0.45, 0.58));
     print_message("%3.1f m/s: %+.1f cents\n", SPEEDS[i], cents);
-    assert_true(i == 0 ? fabs(cents) < 2.0 : cents > 15.0 && cents < 100.0);
+    if (i == 0) soft = cents;
+    assert_true(i == 0 ? fabs(soft) < 10.0 : cents - soft > 15.0 && cents - soft < 100.0);
   }
 }
 
@@ -344,7 +351,7 @@ int main(int count, char **words) {
   brief = count > 1 && strcmp(words[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(snares_off_is_one_key),
-    cmocka_unit_test(snare_drums_have_six_microphones),
+    cmocka_unit_test(snare_drums_have_seven_microphones),
     cmocka_unit_test(snares_are_heard),
     cmocka_unit_test(soft_strokes_at_the_edge_sound_them_too),
     cmocka_unit_test(slack_wires_rattle_longer),

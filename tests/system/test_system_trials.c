@@ -101,13 +101,15 @@ static bool is(const TaborParameter *p, const char *section, const char *key) {
   return strcmp(p->section, section) == 0 && strcmp(p->key, key) == 0;
 }
 
-/* Microphones may not stand in the shell. */
-static void clear_shell(uint64_t *seed, TaborDrumDef *def) {
+/* Microphones stand above, below or, where the shell has room, inside; not within 0.01 m of a head. */
+static void place_mics(uint64_t *seed, TaborDrumDef *def) {
   if (!def->two_headed && def->shell.boundary != TABOR_BOUNDARY_CLOSED) return;
   for (uint32_t i = 0; i < def->mic_count; i++) {
-    def->mic[i].height = physics_random(seed) % 2
-                           ? physics_uniform(seed, 0.01, 3.0)
-                           : -def->shell.depth - physics_uniform(seed, 0.02, 3.0);
+    const uint64_t side = physics_random(seed) % 3;
+    const double depth = def->shell.depth;
+    def->mic[i].height = side == 0                   ? physics_uniform(seed, 0.01, 3.0)
+                         : side == 1 || depth < 0.03 ? -depth - physics_uniform(seed, 0.02, 3.0)
+                                                     : -physics_uniform(seed, 0.01, depth - 0.01);
   }
 }
 
@@ -145,7 +147,7 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
   def->strike.radius = fmin(def->strike.radius, 0.99 * def->shell.radius);
   def->batter.muffle_radius = fmin(def->batter.muffle_radius, 0.9 * def->shell.radius);
   def->resonant.muffle_radius = fmin(def->resonant.muffle_radius, 0.9 * def->shell.radius);
-  clear_shell(seed, def);
+  place_mics(seed, def);
   def->quality.two_way_bandwidth = physics_uniform(seed, 500.0, 3000.0);
   def->quality.newton_cap = 1 + (uint32_t)(physics_random(seed) % 4);
   def->quality.losses = physics_random(seed) % 4 != 0;

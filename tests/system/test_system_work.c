@@ -176,7 +176,7 @@ static void a_roll_is_even(void **state) {
   tabor_model_release(model);
 }
 
-/* What a brush that is drawn along adds to a drum that is played. */
+/* What a brush that is drawn along adds to a drum that is played: its own contacts, less those of wires that it calms. */
 static void a_sweep_is_half_a_drum_at_most(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5");
@@ -204,8 +204,9 @@ static void a_sweep_is_half_a_drum_at_most(void **state) {
     tabor_drum_destroy(drum);
   }
   const double ratio = (double)whole[1] / (double)whole[0];
-  print_message("played and swept, a drum is %.2f times the work of one that is played\n", ratio);
-  assert_true(ratio > 1.0 && ratio < 1.5);
+  print_message("played and swept, a drum is %.4f times the work of one that is played\n", ratio);
+  assert_true(whole[0] != whole[1]); /* it is there */
+  assert_true(ratio < 1.5);
   tabor_model_release(model);
 }
 

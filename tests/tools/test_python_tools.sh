@@ -39,7 +39,7 @@ sounds="python3-numpy python3-scipy python3-matplotlib"
 asks_for "python3-numpy python3-matplotlib" plot-trace strike.csv
 asks_for "python3-numpy python3-matplotlib python3-scipy" plot-trace strike.csv --wav strike.wav
 asks_for "python3-numpy python3-matplotlib" bench
-asks_for "python3-numpy python3-scipy" make-reference.py
+for tool in make-reference.py radiation_reference.py; do asks_for "python3-numpy python3-scipy" $tool; done
 asks_for "$sounds python3-soundfile" compare-recordings
 for tool in compare-qualities make-playing make-validation render-examples rudiments; do asks_for "$sounds" $tool; done
 

@@ -162,6 +162,9 @@ typedef struct TaborShellDef {
    * drum [m], 0.01 to 1.5, default 0.14. Without effect on a single open or baffled head. */
   double depth;
   uint32_t boundary; /**< a TaborBoundary, default open; a two-headed drum needs open */
+  /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The
+   * lighter the wall, the more of the enclosed sound it lets through. */
+  double surface_density;
 } TaborShellDef;
 
 /**
@@ -310,7 +313,8 @@ typedef struct TaborMicDef {
   double radius;              /**< distance from the axis [m], 0 to 10, default 0.05 */
   double angle;               /**< [deg], -360 to 360, default 90 */
   /** Height above the batter head, negative below [m]; 0.01 to 10 in magnitude, default 0.10. Not
-   * inside a closed or two-headed shell, nor within 0.01 m of a resonant head's plane. */
+   * within 0.01 m of a resonant head's plane. In a closed or two-headed shell, a microphone between
+   * its ends hears the air inside; below the head of an open one it hears the air outside. */
   double height;
   double gain; /**< a pure number, 0 to 100, default 1 */
 } TaborMicDef;
@@ -551,8 +555,8 @@ TABOR_API void tabor_model_options_default(TaborModelOptions *options);
  * On an error *model is NULL: the errors of tabor_drum_def_validate(), TABOR_ERROR_ARGUMENT or
  * TABOR_ERROR_RANGE for @p options, TABOR_ERROR_RANGE for a drum that cannot be computed,
  * TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
- * quarter of a second at live and less than a second at studio. At reference, or with heads of
- * twice their size, a model takes some seconds.
+ * quarter of a second at live and about a second at studio. With heads of twice their size, or at
+ * reference, a model takes some seconds; at reference at 88.2 kHz and more, half a minute.
  */
 TABOR_API TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                          TaborModel **model, TaborError *error);

@@ -24,14 +24,19 @@
  * both heads:
  *   field: I = (I_baffled + I_open)/2 of each head at its own outward height, summed;
  *   I_baffled is even in that height, I_open odd;
- *   resistance, from the far fields W and i x cos t P of I_baffled and I_open:
+ *   resistance, from the power of the far field, W +- i x cos t P of a head above and below, over
+ *   all directions:
  *   r = (x^2/2) Int_0^{pi/2} [W_1^2 + W_2^2 + 2 W_1 W_2 cos(x d cos t)
- *       + x^2 cos^2 t (|P_1|^2 + |P_2|^2 - 2 Re(P_1 P_2*) cos(x d cos t))] sin t dt, d the depth.
- * That is (r_b + r_o/2)/2 of each head and (r_b - r_o/2)/2 between them, never negative. (The
- * products of the far field W of one head and P of the other, with sin(x d cos t), are left out.)
+ *       + x^2 cos^2 t (|P_1|^2 + |P_2|^2 - 2 Re(P_1 P_2*) cos(x d cos t))
+ *       - 2 x cos t (W_1 Re P_2 + W_2 Re P_1) sin(x d cos t)] sin t dt, d the depth.
+ * It is never negative. At depth 0 it is (r_b + r_o/2)/2 of each head and (r_b - r_o/2)/2 between
+ * them. The last product, of one head's W and the other's P, grows with the depth; without it two
+ * heads that move together would radiate half of what a listener hears.
  * Limits: two heads at the same place that move outwards alike cancel as dipoles and give both
  * sides of a baffled head. A single slow head gives a quarter of both sides of a baffled head, the
  * monopole of free space.
+ *
+ * (Low modes of a drum do better, see shell_radiation.h; this is for the others.)
  *
  * All results are dimensionless: multiply masses by a_m rho0 R^3 [kg], resistances by a_m rho0 c0
  * R^2 [kg/s]. Set-up only. */
@@ -84,6 +89,12 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
 bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *upper,
                       const double *lower, double depth, double x, const TbAirPoint *points,
                       uint32_t point_count, double *resistance, double *fields);
+
+/* Half the baffled fields of both heads of a drum, arguments as for tb_air_drum_load(): what their
+ * motion would give without the shell. */
+bool tb_air_half_baffled(const TbAirOrder *order, TbArena *scratch, const double *upper,
+                         const double *lower, double depth, double x, const TbAirPoint *points,
+                         uint32_t point_count, double *fields);
 
 /* Resistance and fields of one baffled Bessel function, to four digits. With air on `both_sides`,
  * the result is that of tb_air_load(); otherwise one side's resistance and a field that is even in

@@ -8,32 +8,28 @@
 
 static const double PI = 3.14159265358979323846;
 
-static const double KINEMATIC_VISCOSITY = 1.5e-5; /* nu of air [m2/s] */
-static const double PRANDTL = 0.71, GAMMA = 1.4;  /* of air */
-
-static double azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
+double tb_cavity_azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
 
 /* ---- z' ------------------------------------------------------------------------------------- */
 
-static double slope_at(uint32_t m, double z) {
-  return m ? 0.5 * (tb_bessel_j(m - 1, z) - tb_bessel_j(m + 1, z)) : -tb_bessel_j(1, z);
-}
-
-/* The zero of J_m' between lo and hi, where it changes its sign once: Newton, held by bisection. */
-static double extremum(uint32_t m, double lo, double hi) {
-  const bool falling = slope_at(m, lo) > 0.0;
+/* The zero of J_m' between lo and hi, where it changes its sign once: Halley's step, which cubes the error, where it
+ * stays inside, else halving. `falling`: J_m' is positive at lo. Derivatives come from Bessel's equation. */
+static double extremum(uint32_t m, double lo, double hi, bool falling) {
   double z = 0.5 * (lo + hi);
   for (int i = 0; i < 60 && hi - lo > 1e-14 * hi; i++) {
-    const double slope = slope_at(m, z);
+    double j[2];
+    tb_bessel_pair(m, z, j);
+    const double order = (double)m / z, factor = 1.0 - order * order;
+    const double slope = order * j[0] - j[1], bend = -slope / z - factor * j[0];
+    const double third =
+      -bend / z + slope / (z * z) - factor * slope - 2.0 * order * order / z * j[0];
     if ((slope > 0.0) == falling) {
       lo = z;
     } else {
       hi = z;
     }
-    const double order = (double)m / z;
-    const double bend = -slope / z - (1.0 - order * order) * tb_bessel_j(m, z);
-    const double next = z - slope / bend;
-    if (fabs(next - z) < 1e-15 * z) break;
+    const double next = z - slope / (bend - 0.5 * slope * third / bend);
+    if (fabs(next - z) <= 3e-7 * z) return next; /* its cube is nothing */
     z = next > lo && next < hi ? next : 0.5 * (lo + hi);
   }
   return z;
@@ -43,14 +39,14 @@ static double extremum(uint32_t m, double lo, double hi) {
 static uint32_t radial_zeros(uint32_t m, const double *nodes, uint32_t count, double *zeros) {
   for (uint32_t i = 0; i < count; i++) {
     const double lo = i ? nodes[i - 1] : (double)m;
-    zeros[i] = i == 0 && m == 0 ? 0.0 : extremum(m, lo, nodes[i]);
+    zeros[i] = i == 0 && m == 0 ? 0.0 : extremum(m, lo, nodes[i], i % 2 == 0);
   }
   return count;
 }
 
 /* ---- one order ------------------------------------------------------------------------------ */
 
-static double mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
+double tb_cavity_mode_omega(const TbCavity *cavity, double zero, uint32_t axial) {
   return cavity->sound_speed * tb_hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
@@ -62,7 +58,7 @@ static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double 
   uint32_t total = 0;
   for (uint32_t p = 0; p < order->radial_count; p++) {
     order->kept[p] = 0;
-    while (mode_omega(cavity, order->zeros[p], order->kept[p]) < top) order->kept[p]++;
+    while (tb_cavity_mode_omega(cavity, order->zeros[p], order->kept[p]) < top) order->kept[p]++;
     total += order->kept[p];
   }
   return total;
@@ -75,7 +71,7 @@ static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cav
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {
     for (uint32_t l = 0; l < order->kept[p]; l++) {
-      const double omega = mode_omega(cavity, order->zeros[p], l);
+      const double omega = tb_cavity_mode_omega(cavity, order->zeros[p], l);
       if (omega == 0.0) continue; /* the spring */
       order->modes[order->mode_count++] = (TbCavityMode){p, l, omega};
     }
@@ -129,8 +125,7 @@ static void radial_mass(const TbCavityOrder *order, const TbCavity *cavity, uint
   *across *= cavity->density;
 }
 
-/* S_i/(a_m R^2) = W_i(z') for every Bessel function of a head; z' never equals a z_i. */
-static void openings(const TbCavityOrder *order, const TbAirOrder *air, uint32_t p, double *s) {
+void tb_cavity_openings(const TbCavityOrder *order, const TbAirOrder *air, uint32_t p, double *s) {
   const double zero = order->zeros[p], j = order->edges[p];
   for (uint32_t i = 0; i < air->count; i++) {
     const double z = air->zeros[i];
@@ -156,10 +151,9 @@ static void add_heads(const TbCavity *cavity, uint32_t size, double *matrix, uin
   }
 }
 
-/* N_c */
-static double mode_norm(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
-                        uint32_t l) {
-  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
+double tb_cavity_mode_norm(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                           uint32_t l) {
+  const double area = tb_cavity_azimuth(order->m) * cavity->radius * cavity->radius;
   return area * cavity->depth * (l ? 0.5 : 1.0) * order->norms[p];
 }
 
@@ -167,9 +161,9 @@ static double mode_norm(const TbCavityOrder *order, const TbCavity *cavity, uint
 static void add_mode(const TbCavityOrder *order, const TbCavity *cavity, uint32_t n, uint32_t p,
                      uint32_t l, double omega, uint32_t index, uint32_t size, const double *s,
                      double *mass, double *stiffness) {
-  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
-  const double spring =
-    cavity->density * cavity->sound_speed * cavity->sound_speed / mode_norm(order, cavity, p, l);
+  const double area = tb_cavity_azimuth(order->m) * cavity->radius * cavity->radius;
+  const double spring = cavity->density * cavity->sound_speed * cavity->sound_speed /
+                        tb_cavity_mode_norm(order, cavity, p, l);
   const double upper = l % 2 ? -1.0 : 1.0;
   add_heads(cavity, size, stiffness, n, spring * area * area, upper * spring * area * area, s);
   if (omega == 0.0) return;
@@ -190,17 +184,17 @@ void tb_cavity_assemble(const TbCavityOrder *order, const TbCavity *cavity, cons
   const uint32_t n = air->count;
   const double radius = cavity->radius;
   const double unit =
-    azimuth(order->m) * radius * radius; /* S_i S_j/(a_m n_p) = unit s s/(n_p/R^2) */
-  double s[128];                         /* more than an order has zeros: see head.c */
+    tb_cavity_azimuth(order->m) * radius * radius; /* S_i S_j/(a_m n_p) = unit s s/(n_p/R^2) */
+  double s[TB_CAVITY_OPENINGS];
   uint32_t next = cavity->heads * n;
   for (uint32_t p = 0; p < order->radial_count; p++) {
     double own, across;
-    openings(order, air, p, s);
+    tb_cavity_openings(order, air, p, s);
     radial_mass(order, cavity, p, &own, &across);
     add_heads(cavity, size, mass, n, unit * own / order->norms[p], unit * across / order->norms[p],
               s);
     for (uint32_t l = 0; l < order->kept[p]; l++) {
-      const double omega = mode_omega(cavity, order->zeros[p], l);
+      const double omega = tb_cavity_mode_omega(cavity, order->zeros[p], l);
       add_mode(order, cavity, n, p, l, omega, next, size, s, mass, stiffness);
       if (omega > 0.0) next++;
     }
@@ -222,28 +216,28 @@ static void add_wall(Wall *wall, double area, double amplitude, double wavenumbe
 /* Pressure in the spring (0,0,0): -(rho0 c0^2/N) S.w. */
 static double spring_pressure(const TbCavityOrder *order, const TbCavity *cavity,
                               const TbAirOrder *air, const double *heads) {
-  double s[128], swept = 0.0;
-  openings(order, air, 0, s);
+  double s[TB_CAVITY_OPENINGS], swept = 0.0;
+  tb_cavity_openings(order, air, 0, s);
   for (uint32_t h = 0; h < cavity->heads; h++) {
     for (uint32_t i = 0; i < air->count; i++) swept += s[i] * heads[h * air->count + i];
   }
-  const double area = azimuth(order->m) * cavity->radius * cavity->radius;
+  const double area = tb_cavity_azimuth(order->m) * cavity->radius * cavity->radius;
   return -cavity->density * cavity->sound_speed * cavity->sound_speed * area * swept /
-         mode_norm(order, cavity, 0, 0);
+         tb_cavity_mode_norm(order, cavity, 0, 0);
 }
 
 /* Pressure of a coordinate: its inertia keeps the balance, p = (omega^2/omega_c) sqrt(rho0 c0^2/N_c) u. */
 static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbCavityMode *mode, double u, double omega) {
   return omega * omega / mode->omega * cavity->sound_speed *
-         sqrt(cavity->density / mode_norm(order, cavity, mode->radial, mode->axial)) * u;
+         sqrt(cavity->density / tb_cavity_mode_norm(order, cavity, mode->radial, mode->axial)) * u;
 }
 
 double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega) {
   if (cavity->density == 0.0) return 0.0; /* no air, no pressure */
-  const double radius = cavity->radius, depth = cavity->depth, a = azimuth(order->m);
+  const double radius = cavity->radius, depth = cavity->depth, a = tb_cavity_azimuth(order->m);
   double along[MOST_COORDINATES + 1] = {0.0}; /* at the side, by l */
   Wall side = {0.0, 0.0}, ends = {0.0, 0.0};
   uint32_t next = 0, axial = 0;
@@ -270,8 +264,9 @@ double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
     const double around = (double)order->m / radius, axis = (double)l * PI / depth;
     add_wall(&side, a * radius * depth * (l ? 0.5 : 1.0), along[l], around * around + axis * axis);
   }
-  const double k = omega / cavity->sound_speed, viscous = sqrt(2.0 * KINEMATIC_VISCOSITY / omega);
-  const double heat = 0.5 * k * (GAMMA - 1.0) * viscous / sqrt(PRANDTL);
+  const double k = omega / cavity->sound_speed,
+               viscous = sqrt(2.0 * TB_KINEMATIC_VISCOSITY / omega);
+  const double heat = 0.5 * k * (TB_HEAT_RATIO - 1.0) * viscous / sqrt(TB_PRANDTL);
   const double friction = 0.5 * viscous / k;
   return (heat * (side.square + ends.square) + friction * (side.slope + ends.slope) +
           cavity->admittance * side.square) /

@@ -34,11 +34,17 @@
 
 #include "acoustics/air.h"
 
+#define TB_KINEMATIC_VISCOSITY 1.5e-5 /* nu of air [m2/s] */
+#define TB_PRANDTL 0.71               /* Pr of air */
+#define TB_HEAT_RATIO 1.4             /* gamma of air */
+#define TB_CAVITY_OPENINGS 128u       /* more than an order of a head has zeros: see head.c */
+
 typedef struct TbCavity {
   double radius, depth;        /* R, L [m] */
   double density, sound_speed; /* rho0 [kg/m3], c0 [m/s] */
   uint32_t heads;              /* 2, or 1 over a rigid bottom */
   double admittance;           /* beta_m of the side [1] */
+  double head_density[2];      /* mass of each head per area [kg/m2]; 0: no sound goes through */
 } TbCavity;
 
 /* A mode kept as a coordinate. */
@@ -60,6 +66,20 @@ typedef struct TbCavityOrder {
  * memory ran out. */
 bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity,
                              uint32_t m, double top_zero, double top);
+
+/* a_m */
+double tb_cavity_azimuth(uint32_t m);
+
+/* Frequency [rad/s] of the mode with the zero z' and axial order l. */
+double tb_cavity_mode_omega(const TbCavity *cavity, double zero, uint32_t axial);
+
+/* S_i/(a_m R^2) = W_i(z') of radial order `p` for every Bessel function of a head: s[air->count].
+ * z' never equals a z_i. */
+void tb_cavity_openings(const TbCavityOrder *order, const TbAirOrder *air, uint32_t p, double *s);
+
+/* N_c of the mode with radial order `p` and axial order `l` [m3]. */
+double tb_cavity_mode_norm(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                           uint32_t l);
 
 /* Adds the enclosed air to mass [kg] and stiffness [N/m], both [size][size] with size = heads
  * count + mode_count. The coordinates are the outward Bessel amplitudes of the upper head, those of

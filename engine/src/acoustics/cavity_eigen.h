@@ -3,9 +3,8 @@
  * and the air outside as mass, as one symmetric eigenproblem K v = omega^2 M v.
  *
  * Unknowns: outward amplitudes of the Bessel functions of the upper head, those of the lower head,
- * then the cavity's coordinates u_c (cavity.h). The outside of each head carries half of the open
- * head's low-frequency mass: a value between a head without a baffle and a head in a baffle.
- * Vectors have unit modal mass. Set-up only. */
+ * then the cavity's coordinates u_c (cavity.h). The air outside adds its low-frequency mass to each
+ * head and between them (shell_radiation.h). Vectors have unit modal mass. Set-up only. */
 #ifndef TB_CAVITY_EIGEN_H
 #define TB_CAVITY_EIGEN_H
 
@@ -15,6 +14,9 @@ typedef struct TbCavityEigen {
   TbCavity cavity;
   const TaborHeadDef *heads[2]; /* upper, lower; the second NULL over a rigid bottom */
   double outside;               /* density of the air outside [kg/m3] */
+  /* Its mass matrices in units of a_m rho0 R^3, [count][count] row-major: of each head, and between
+   * the heads. NULL: no mass. */
+  const double *own, *mutual;
 } TbCavityEigen;
 
 static inline uint32_t tb_cavity_eigen_size(const TbCavityOrder *cavity, const TbCavityEigen *drum,

@@ -2,6 +2,10 @@
 #include "acoustics/closed_drum_modes.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "acoustics/cavity_pressure.h"
+#include "definition/definition.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -19,21 +23,53 @@ static const double LEAST_HEAD = 1e-4;
 /* One head's mode: the other has less than this part of the heads' energy. */
 static const double ONE_HEAD = 0.1;
 
-/* Sound from all directions that hard wood absorbs, 250 Hz to 4 kHz: 0.04 to 0.07 in tables of rooms
- * [Kuttruff, Kinsler]. */
-static const double WOOD = 0.05;
+/* From this part of the shell's largest x on, its loads pass into those of air.h. */
+static const double BLEND_FROM = 0.9;
+/* A mode's frequency and the load at it agree when a pass changes the frequency by less than this. */
+static const double SETTLED = 2e-3;
+/* Another mode that comes in with less than this of the mass changes nothing that matters. */
+static const double LEAST_MIXED = 1e-6;
+enum { MOST_PASSES = 3 };
 
 typedef struct Enclosed {
   const TaborDrumDef *def;
   TbCavityEigen drum;
   const TbAirOrder *air;
+  TbShellOrder outside; /* without a shell: of a high order */
   TbCavityOrder cavity;
+  TbCavityMics inside;
   double azimuth; /* a_m */
 } Enclosed;
 
-/* A shell between two heads is taken for wood, a kettle for metal, which absorbs next to nothing. */
-static double side_admittance(const TaborDrumDef *def) {
-  return tb_is_two_headed(def) ? WOOD / 8.0 : 0.0;
+/* Speed of sound along a shell's wall [m/s], sqrt(E/rho): 8.5 GPa and 700 kg/m3 of plywood. Metal has 5000. */
+static const double WALL_SPEED = 3500.0;
+
+/* Specific admittance beta_m (cavity.h) of the shell's wall, of surface density mu, to the enclosed air. A limp
+ * wall has the impedance i omega mu, and behind it rho0 c0 of the air outside; the admittance is the real part
+ * of the inverse, rho0 c0 in units of it: beta_m = 1/(1 + (omega mu/(rho0 c0))^2), the mass law [Kinsler]. 6 mm of
+ * plywood, 4.2 kg/m2, has 3.9e-3 at 250 Hz and 2.4e-4 at 1 kHz. (A panel that absorbs 0.05 of the sound in a
+ * room has 6.3e-3.) A pressure that is the same all round, m = 0, stretches the wall, which withstands it like a
+ * hoop: below the ring frequency omega_r = WALL_SPEED/R the impedance is (omega_r/omega)^2 - 1 times as large. A
+ * kettle, which is curved both ways, is rigid here. */
+static double side_admittance(const TaborDrumDef *def, uint32_t m, double omega) {
+  if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
+  const double ring = WALL_SPEED / (def->shell.radius * omega);
+  const double stiffer = m == 0 ? fmax(1.0, ring * ring - 1.0) : 1.0;
+  const double ratio =
+    stiffer * omega * def->shell.surface_density / (def->air.density * def->air.sound_speed);
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega) {
+  const bool two = tb_is_two_headed(def);
+  return (TbCavity){
+    .radius = def->shell.radius,
+    .depth = def->shell.depth,
+    .density = def->air.density,
+    .sound_speed = def->air.sound_speed,
+    .heads = two ? 2 : 1,
+    .admittance = side_admittance(def, m, omega),
+    .head_density = {def->batter.surface_density, two ? def->resonant.surface_density : 0.0}};
 }
 
 static TbCavityEigen coupled_of(const TaborDrumDef *def) {
@@ -42,8 +78,7 @@ static TbCavityEigen coupled_of(const TaborDrumDef *def) {
                                     .depth = def->shell.depth,
                                     .density = def->air.density,
                                     .sound_speed = def->air.sound_speed,
-                                    .heads = two ? 2 : 1,
-                                    .admittance = side_admittance(def)},
+                                    .heads = two ? 2 : 1},
                          .heads = {&def->batter, two ? &def->resonant : NULL},
                          .outside = def->air.density};
 }
@@ -119,7 +154,7 @@ typedef struct Parts {
   double head_mass[TB_HEADS], cavity_mass;
   double head_loss;
   uint32_t strongest;       /* Bessel function that moves most, of either head */
-  double largest[TB_HEADS]; /* upward amplitude of each head's strongest function, mass-weighted */
+  double largest[TB_HEADS]; /* outward amplitude of each head's strongest function, mass-weighted */
 } Parts;
 
 static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts *parts) {
@@ -138,7 +173,7 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
   }
 }
 
-/* v: upward amplitudes of the heads, then cavity coordinates. */
+/* v: outward amplitudes of the heads, then cavity coordinates. */
 static Parts parts_of(const Enclosed *e, const double *v) {
   Parts parts = {.strongest = 0};
   const uint32_t heads = e->drum.cavity.heads, n = e->air->count;
@@ -158,84 +193,274 @@ static uint32_t part_name(const Parts *parts) {
   return TABOR_PART_BOTH;
 }
 
-/* Resistance and sound outside; `outward` holds the outward amplitudes of both heads. */
-static bool radiate(const Enclosed *e, TbArena *scratch, const double *outward, TbHeadMode *mode) {
-  const TaborDrumDef *def = e->def;
-  const double radius = def->shell.radius, density = def->air.density;
-  if (density == 0.0) return true;
-  TbAirPoint points[TABOR_MAX_MICS];
-  for (uint32_t p = 0; p < def->mic_count; p++) {
-    points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
+/* ---- the air outside --------------------------------------------------------------------------- */
+
+/* Places of the microphones outside, whose indices go to `mics`. Returns their number. */
+static uint32_t mic_points(const TaborDrumDef *def, uint32_t *mics, TbAirPoint *points) {
+  const double radius = def->shell.radius;
+  const uint32_t count = tb_mics_outside(def, mics);
+  for (uint32_t p = 0; p < count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    points[p] = (TbAirPoint){mic->radius / radius, mic->height / radius};
   }
-  double resistance;
-  const uint32_t heads = e->drum.cavity.heads;
-  if (!tb_air_drum_load(e->air, scratch, outward, heads > 1 ? outward + e->air->count : NULL,
-                        def->shell.depth / radius, mode->omega * radius / def->air.sound_speed,
-                        points, def->mic_count, &resistance, mode->fields)) {
+  return count;
+}
+
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(def, mics, points);
+  return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
+}
+
+/* What a mode meets outside at one frequency. */
+typedef struct Outside {
+  double part;          /* 1: the shell's load alone, 0: that of air.h alone */
+  TbShellMotion motion; /* of the shell, if part > 0 */
+  double *inertia;      /* [heads][count] what x adds to (low-frequency mass) * amplitudes */
+  double resistance;    /* of both, with their weights */
+  double fields[2 * TABOR_MAX_MICS]; /* at the microphones outside */
+} Outside;
+
+/* Orders above 3 + 1.5 x do not radiate, and their mass is that at low frequency. */
+static double shell_part(const Enclosed *e, double x) {
+  if (!e->outside.mesh || (double)e->air->m > 3.0 + 1.5 * x) return 0.0;
+  const double top = e->outside.mesh->top;
+  return fmin(1.0, fmax(0.0, (top - x) / ((1.0 - BLEND_FROM) * top)));
+}
+
+static void scale(double *v, uint32_t count, double factor) {
+  for (uint32_t i = 0; i < count; i++) v[i] *= factor;
+}
+
+static const double *lower_head(const Enclosed *e, const double *upper) {
+  return e->drum.cavity.heads > 1 ? upper + e->air->count : NULL;
+}
+
+/* The part of the load that the shell gives. */
+static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper, double x,
+                       Outside *outside) {
+  const uint32_t size = e->drum.cavity.heads * e->air->count;
+  *outside = (Outside){.part = shell_part(e, x), .inertia = tb_arena_doubles(scratch, size)};
+  if (scratch->failed) return false;
+  if (outside->part == 0.0) return true;
+  if (!tb_shell_solve(&outside->motion, scratch, &e->outside, upper, lower_head(e, upper), x)) {
     return false;
   }
-  mode->radiation_rate =
-    0.5 * fmax(0.0, resistance) * e->azimuth * density * def->air.sound_speed * radius * radius;
+  for (uint32_t i = 0; i < size; i++)
+    outside->inertia[i] = outside->part * outside->motion.inertia[i];
+  outside->resistance = outside->part * outside->motion.resistance;
   return true;
 }
 
-static bool finish_mode(const Enclosed *e, const Parts *parts, TbArena *scratch,
-                        const double *outward, const double *coordinates, TbHeadMode *mode) {
+/* Fields of the shell, and the part of load and fields that air.h gives. */
+static bool finish_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
+                           Outside *outside) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = mic_points(e->def, mics, points);
+  const double part = outside->part, depth = e->def->shell.depth / e->def->shell.radius;
+  if (part > 0.0 && !tb_shell_fields(&outside->motion, scratch, points, count, outside->fields)) {
+    return false;
+  }
+  if (part == 1.0) return true;
+  double resistance, fields[2 * TABOR_MAX_MICS];
+  if (!tb_air_drum_load(e->air, scratch, upper, lower_head(e, upper), depth, x, points, count,
+                        &resistance, fields)) {
+    return false;
+  }
+  outside->resistance += (1.0 - part) * resistance;
+  for (uint32_t i = 0; i < 2 * count; i++) {
+    outside->fields[i] = part * outside->fields[i] + (1.0 - part) * fields[i];
+  }
+  return true;
+}
+
+/* The modes of one order at low frequency, by rows: what corrections of a mode are made of. */
+typedef struct Spectrum {
+  const double *eigenvalues, *vectors;
+  uint32_t size;
+} Spectrum;
+
+static double product(const double *a, const double *b, uint32_t count) {
+  double sum = 0.0;
+  for (uint32_t i = 0; i < count; i++) sum += a[i] * b[i];
+  return sum;
+}
+
+/* A mode while its frequency, its load and its shape v are made to agree. */
+typedef struct Refined {
+  double mass, stiffness; /* of the low-frequency problem, in this shape */
+  double *v;
+} Refined;
+
+/* Adds what the inertia D = `unit` * inertia mixes into mode k of the other modes j, to first order:
+ * omega^2 v_j.D/(lambda_j - omega^2), less from neighbours that are nearer than the coupling is wide.
+ * Returns true if that is enough to matter. */
+static bool mix(const Spectrum *spectrum, uint32_t k, double omega, double unit,
+                const double *inertia, uint32_t heads, Refined *refined) {
+  const uint32_t size = spectrum->size;
+  const double square = omega * omega, before = refined->mass;
+  for (uint32_t j = 0; j < size; j++) {
+    const double *other = spectrum->vectors + (size_t)j * size;
+    const double coupling = square * unit * product(other, inertia, heads);
+    const double gap = spectrum->eigenvalues[j] - square;
+    const double amount = coupling * gap / (gap * gap + 4.0 * coupling * coupling);
+    if (j == k || !(amount * amount > LEAST_MIXED)) continue;
+    refined->mass += amount * amount;
+    refined->stiffness += amount * amount * spectrum->eigenvalues[j];
+    for (uint32_t i = 0; i < size; i++) refined->v[i] += amount * other[i];
+  }
+  return refined->mass > before;
+}
+
+/* Takes over what a motion of this mass meets outside. */
+static void set_radiation(const Enclosed *e, const Outside *outside, double mass,
+                          TbHeadMode *mode) {
+  const double radius = e->def->shell.radius, sound_speed = e->def->air.sound_speed;
+  const double unit = e->azimuth * e->def->air.density * sound_speed * radius * radius;
+  mode->radiation_rate = 0.5 * unit * fmax(0.0, outside->resistance) / mass;
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = tb_mics_outside(e->def, mics);
+  for (uint32_t p = 0; p < count; p++) {
+    mode->fields[2 * mics[p]] = outside->fields[2 * p] / sqrt(mass);
+    mode->fields[2 * mics[p] + 1] = outside->fields[2 * p + 1] / sqrt(mass);
+  }
+}
+
+/* One pass: the load at the mode's frequency, and the frequency that follows. The first pass mixes in
+ * other modes. The last one sets radiation and sound, and scales v to unit mass. */
+static bool refine(const Enclosed *e, TbArena *scratch, const Spectrum *spectrum, uint32_t k,
+                   int pass, Refined *refined, TbHeadMode *mode, bool *settled) {
+  const uint32_t heads = e->drum.cavity.heads * e->air->count;
+  const double radius = e->def->shell.radius, before = mode->omega;
+  const double unit = e->azimuth * e->def->air.density * radius * radius * radius;
+  const double x = before * radius / e->def->air.sound_speed;
+  Outside outside;
+  if (!load_shell(e, scratch, refined->v, x, &outside)) return false;
+  const double mass = refined->mass + unit * product(refined->v, outside.inertia, heads);
+  mode->omega = sqrt(refined->stiffness / mass);
+  *settled = fabs(mode->omega / before - 1.0) < SETTLED;
+  if (pass == 0 && mix(spectrum, k, mode->omega, unit, outside.inertia, heads, refined)) {
+    *settled = false;
+  }
+  if (pass + 1 == MOST_PASSES) *settled = true;
+  if (!*settled) return true;
+  if (!finish_outside(e, scratch, refined->v, x, &outside)) return false;
+  set_radiation(e, &outside, mass, mode);
+  scale(refined->v, spectrum->size, 1.0 / sqrt(mass));
+  return true;
+}
+
+/* Sets frequency, radiation and sound of mode k, and makes its vector v one of unit mass at its own
+ * frequency. */
+static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum, uint32_t k,
+                    double *v, TbHeadMode *mode) {
+  if (e->def->air.density == 0.0) return true;
+  Refined refined = {.mass = 1.0, .stiffness = spectrum->eigenvalues[k], .v = v};
+  bool settled = false, done = true;
+  for (int pass = 0; done && !settled; pass++) {
+    TbArena scratch;
+    tb_arena_prepare(&scratch, &arena->allocator);
+    done = refine(e, &scratch, spectrum, k, pass, &refined, mode, &settled);
+    tb_arena_release(&scratch);
+  }
+  return done;
+}
+
+/* ---- all modes of an order --------------------------------------------------------------------- */
+
+/* Losses of a mode whose radiation is known. */
+static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *cavity,
+                       const double *outward, const double *coordinates, TbHeadMode *mode) {
+  if (e->def->quality.losses == 0) {
+    mode->radiation_rate = 0.0;
+    return;
+  }
+  mode->shell_rate =
+    tb_cavity_wall_power(&e->cavity, cavity, e->air, outward, coordinates, mode->omega) /
+    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
+  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
+}
+
+/* v: outward amplitudes of the heads, then cavity coordinates. */
+static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, TbHeadMode *mode) {
   mode->n = parts->strongest + 1;
   mode->part = part_name(parts);
   const double both = parts->largest[0] * parts->largest[1];
-  mode->phase = both > 0.0 ? 1 : (both < 0.0 ? -1 : 0);
-  if (!radiate(e, scratch, outward, mode)) return false;
-  if (e->def->quality.losses == 0) {
-    mode->radiation_rate = 0.0;
-    return true;
+  mode->phase = both < 0.0 ? 1 : (both > 0.0 ? -1 : 0);
+  const double *coordinates = v + e->drum.cavity.heads * e->air->count;
+  const TbCavity cavity = tb_closed_drum_cavity(e->def, mode->m, mode->omega);
+  add_losses(e, parts, &cavity, v, coordinates, mode);
+  if (e->inside.count > 0) {
+    tb_cavity_fields(&e->inside, &e->cavity, &cavity, e->air, v, coordinates, mode->omega,
+                     mode->decay_rate, mode->fields);
   }
-  mode->shell_rate =
-    tb_cavity_wall_power(&e->cavity, &e->drum.cavity, e->air, outward, coordinates, mode->omega) /
-    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
-  mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
-  return true;
 }
 
-/* Keeps what moves a head, up to `limit`; `vectors` are outward, the order's upward. */
+/* Keeps the upward amplitudes of both heads. */
+static void keep_vectors(const Enclosed *e, const double *v, TbHeadOrder *order) {
+  const uint32_t n = e->air->count;
+  for (uint32_t h = 0; h < e->drum.cavity.heads; h++) {
+    double *kept = order->vectors[h] + (size_t)order->mode_count * n;
+    for (uint32_t i = 0; i < n; i++) kept[i] = h ? -v[h * n + i] : v[h * n + i];
+  }
+}
+
+/* Keeps what moves a head, up to `limit`. Vectors: outward amplitudes, then cavity coordinates. */
 static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *eigenvalues,
                               double *vectors, double limit, TbHeadOrder *order, TbHeadMode *modes,
                               uint32_t room) {
-  const uint32_t n = e->air->count, heads = e->drum.cavity.heads;
   const uint32_t size = tb_cavity_eigen_size(&e->cavity, &e->drum, e->air);
-  double outward[2 * TB_MAX_ZEROS];
+  const Spectrum spectrum = {eigenvalues, vectors, size};
+  double v[2048];
   for (uint32_t k = 0; k < size && order->mode_count < room; k++) {
     if (!(eigenvalues[k] <= limit * limit)) break;
-    double *v = vectors + (size_t)k * size;
-    for (uint32_t i = 0; i < heads * n; i++) outward[i] = v[i];
-    for (uint32_t i = n; i < heads * n; i++) v[i] = -v[i]; /* the lower head's upward */
-    const Parts parts = parts_of(e, v);
+    memcpy(v, vectors + (size_t)k * size, size * sizeof *v);
+    Parts parts = parts_of(e, v);
     if (parts.head_mass[0] + parts.head_mass[1] < LEAST_HEAD) continue;
     TbHeadMode *mode = &modes[order->mode_count];
     *mode = (TbHeadMode){.m = order->m, .index = k, .omega = sqrt(eigenvalues[k])};
     mode->place = order->mode_count;
-    TbArena one;
-    tb_arena_prepare(&one, &arena->allocator);
-    const bool finished = finish_mode(e, &parts, &one, outward, v + heads * n, mode);
-    tb_arena_release(&one);
-    if (!finished) return TABOR_ERROR_MEMORY;
-    for (uint32_t h = 0; h < heads; h++) {
-      double *kept = order->vectors[h] + (size_t)order->mode_count * n;
-      for (uint32_t i = 0; i < n; i++) kept[i] = v[h * n + i];
-    }
+    if (!radiate(e, arena, &spectrum, k, v, mode)) return TABOR_ERROR_MEMORY;
+    if (mode->omega > limit) continue;
+    parts = parts_of(e, v);
+    finish_mode(e, &parts, v, mode);
+    keep_vectors(e, v, order);
     order->mode_count++;
   }
   return TABOR_OK;
 }
 
+/* The mass of the air outside: of the shell, or for an order that it does not have half of an open head's,
+ * a value between a head without a baffle and a head in a baffle. */
+static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShellMesh *shell) {
+  const uint32_t count = e->air->count;
+  if (!shell) return true;
+  double *own = tb_arena_doubles(scratch, (size_t)count * count);
+  double *mutual = tb_arena_doubles(scratch, (size_t)count * count);
+  if (scratch->failed) return false;
+  e->drum.own = own;
+  e->drum.mutual = mutual;
+  if (e->air->m < shell->orders) {
+    if (!tb_shell_order_prepare(&e->outside, scratch, shell, e->air)) return false;
+    return tb_shell_order_mass(&e->outside, scratch, own, mutual);
+  }
+  tb_air_mass_open(e->air, own);
+  scale(own, count * count, 0.5);
+  return true;
+}
+
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
-                                 TbHeadMode *modes, uint32_t room) {
+                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
+                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room) {
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               highest_coordinate(&e.drum, limit))) {
+                               highest_coordinate(&e.drum, limit)) ||
+      !prepare_outside(&e, scratch, shell) ||
+      (def->air.density > 0.0 && !tb_cavity_mics_prepare(&e.inside, scratch, def, &e.cavity))) {
     return TABOR_ERROR_MEMORY;
   }
   const uint32_t size = tb_cavity_eigen_size(&e.cavity, &e.drum, air);

@@ -5,13 +5,18 @@
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
  *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
- *   outside: the radiation resistance of both heads in free space at the mode's frequency (air.h).
- * Set-up only. */
+ *   outside: the radiation resistance of both heads at the mode's frequency.
+ * Low modes radiate from the finite rigid shell (shell_radiation.h) and get the mass of the air
+ * outside at their own frequency (a Rayleigh quotient, right to second order). Modes of high order,
+ * or above the shell's largest x, radiate as in air.h ("Drum"); from 0.9 of that x on, one passes
+ * into the other. Microphones outside the shell hear that field, those inside the one of
+ * cavity_pressure.h. Set-up only. */
 #ifndef TB_CLOSED_DRUM_MODES_H
 #define TB_CLOSED_DRUM_MODES_H
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/head.h"
+#include "acoustics/shell_radiation.h"
 
 static inline bool tb_is_two_headed(const TaborDrumDef *def) { return def->two_headed != 0; }
 
@@ -19,13 +24,19 @@ static inline bool tb_has_cavity(const TaborDrumDef *def) {
   return tb_is_two_headed(def) || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
 }
 
+/* The air inside, with the wall's admittance to motions of order m at omega [rad/s]. */
+TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega);
+
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
  * have no more than `most` modes. The count uses asymptotic formulas. */
 double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint32_t most);
 
-/* Like tb_single_head_order(), for a drum with air inside. */
+/* The shell of a drum and its microphones. Returns false if memory ran out. */
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell);
+
+/* Like tb_single_head_order(), for a drum with air inside. `shell` is NULL without air. */
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
-                                 TbHeadMode *modes, uint32_t room);
+                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
+                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room);
 
 #endif

@@ -37,7 +37,8 @@ static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *hea
 }
 
 static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                               const TbBesselTable *table, TbHeadOrder *order) {
+                               const TbBesselTable *table, const TbShellMesh *shell,
+                               TbHeadOrder *order) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   const double limit = 2.0 * PI * head->bandwidth;
@@ -48,7 +49,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
     air.table = table;
     status = tb_has_cavity(def)
-               ? tb_closed_drum_order(def, arena, &scratch, &air, limit, order, modes, room)
+               ? tb_closed_drum_order(def, arena, &scratch, &air, shell, limit, order, modes, room)
                : tb_single_head_order(def, arena, &scratch, &air, limit, order, modes, room);
   }
   order->rows = tb_arena_take(arena, order->mode_count + 1u, sizeof *order->rows);
@@ -91,7 +92,8 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
 }
 
 static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                                const TbBesselTable *table, double basis_top, uint32_t most) {
+                                const TbBesselTable *table, const TbShellMesh *shell,
+                                double basis_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
@@ -101,7 +103,7 @@ static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef
     if (arena->failed) return TABOR_ERROR_MEMORY;
     order->zero_count = tb_bessel_zeros(m, basis_top, order->zeros, room);
     if (order->zero_count == 0) break;
-    const TaborStatus status = build_order(head, arena, def, table, order);
+    const TaborStatus status = build_order(head, arena, def, table, shell, order);
     if (status != TABOR_OK) return status;
     head->zero_count += order->zero_count;
     head->order_count++;
@@ -121,10 +123,13 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
   TbBesselTable table;
+  TbShellMesh shell;
+  const bool outside = tb_has_cavity(def) && def->air.density > 0.0;
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
-      !arena->failed) {
-    status = build_orders(head, arena, def, &table, basis_top, most_orders);
+      (!outside || tb_closed_drum_shell(def, &scratch, &shell)) && !arena->failed) {
+    status =
+      build_orders(head, arena, def, &table, outside ? &shell : NULL, basis_top, most_orders);
   }
   tb_arena_release(&scratch);
   if (status == TABOR_OK) sort_modes(head);
@@ -169,17 +174,36 @@ static void order_values(const TbHeadOrder *order, double r, const double *patch
   }
 }
 
+/* Sums the Bessel functions of one order, values[zero_count], to its modes. */
+static void order_radial(const TbHeadOrder *order, uint32_t which, const double *values,
+                         double *radial) {
+  for (uint32_t k = 0; k < order->mode_count; k++) {
+    const double *v = order->vectors[which] + (size_t)k * order->zero_count;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < order->zero_count; i++) sum += v[i] * values[i];
+    radial[order->rows[k]] = sum;
+  }
+}
+
 void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
                     double *radial) {
   double values[TB_MAX_ZEROS];
   for (uint32_t m = 0; m < head->order_count; m++) {
     const TbHeadOrder *order = &head->orders[m];
     order_values(order, r / head->radius, patch ? patch + order->first_zero : NULL, values);
-    for (uint32_t k = 0; k < order->mode_count; k++) {
-      const double *v = order->vectors[which] + (size_t)k * order->zero_count;
-      double sum = 0.0;
-      for (uint32_t i = 0; i < order->zero_count; i++) sum += v[i] * values[i];
-      radial[order->rows[k]] = sum;
+    order_radial(order, which, values, radial);
+  }
+}
+
+void tb_head_radial_tabled(const TbHead *head, const TbBesselTable *table, uint32_t which, double r,
+                           const double *patch, double *radial) {
+  double values[TB_MAX_ZEROS];
+  for (uint32_t m = 0; m < head->order_count; m++) {
+    const TbHeadOrder *order = &head->orders[m];
+    for (uint32_t i = 0; i < order->zero_count; i++) {
+      values[i] = patch[order->first_zero + i] *
+                  tb_bessel_table_value(table, m, order->zeros[i] * r / head->radius);
     }
+    order_radial(order, which, values, radial);
   }
 }

@@ -82,4 +82,8 @@ void tb_head_patch(const TbHead *head, double patch_radius, double *patch);
 void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
                     double *radial);
 
+/* The same from a table of all orders and zeros, within its 3e-11; `patch` is not NULL. Set-up only. */
+void tb_head_radial_tabled(const TbHead *head, const TbBesselTable *table, uint32_t which, double r,
+                           const double *patch, double *radial);
+
 #endif

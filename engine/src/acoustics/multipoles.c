@@ -19,30 +19,26 @@ bool tb_multipoles_project(const TbAirPlan *plan) {
 
 /* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m ------------------- */
 
-/* L_n = rise(n) (u L_{n-1} - back(n) L_{n-2}) [DLMF] 14.10.3, normalised. */
-static double rise(uint32_t m, uint32_t n) {
-  return sqrt((4.0 * n * n - 1.0) / ((double)n * n - (double)m * m));
+/* g_n^2, with u L_n = g_{n+1} L_{n+1} + g_n L_{n-1}, g_m = 0 ([DLMF] 14.10.3, normalised). */
+static double coupling_square(uint32_t m, uint32_t n) {
+  return ((double)n * n - (double)m * m) / (4.0 * n * n - 1.0);
 }
 
-static double back(uint32_t m, uint32_t n) {
-  const double k = (double)n - 1.0;
-  return sqrt((k * k - (double)m * m) / (4.0 * k * k - 1.0));
-}
-
-/* L_m(u), s = sqrt(1 - u^2). */
-static double first_of(uint32_t m, double s) {
-  double value = 1.0;
-  for (uint32_t k = 1; k <= m; k++) value *= s * sqrt(1.0 + 0.5 / (double)k);
-  return value;
+/* L_m(0); L_m(u) is s^m times that, s = sqrt(1 - u^2). */
+static double first_of(uint32_t m) {
+  double square = 1.0;
+  for (uint32_t k = 1; k <= m; k++) square *= 1.0 + 0.5 / (double)k;
+  return sqrt(square);
 }
 
 /* on_disc[n] = L_n(0) for even n - m, L_n'(0) for odd ones. */
 static void legendre_on_disc(uint32_t m, uint32_t degrees, double *on_disc) {
-  on_disc[m] = first_of(m, 1.0);
-  if (degrees > m) on_disc[m + 1] = rise(m, m + 1) * on_disc[m];
-  for (uint32_t n = m + 2; n <= degrees; n++) {
-    const double slope = (n - m) % 2 ? on_disc[n - 1] : 0.0;
-    on_disc[n] = rise(m, n) * (slope - back(m, n) * on_disc[n - 2]);
+  double g = 0.0;
+  on_disc[m] = first_of(m);
+  for (uint32_t n = m + 1; n <= degrees; n++) {
+    const double slope = (n - m) % 2 ? on_disc[n - 1] : 0.0, before = g;
+    g = sqrt(coupling_square(m, n));
+    on_disc[n] = (slope - (n > m + 1 ? before * on_disc[n - 2] : 0.0)) / g;
   }
 }
 
@@ -164,21 +160,22 @@ static bool by_disc(TbMultipoles *waves, const TbAirPlan *plan, TbArena *scratch
 /* Far fields at the nodes below x with the weight sin t dt, and Legendre functions of two degrees. */
 typedef struct Sphere {
   uint32_t count;
-  double *u, *shape, *jump_re, *jump_im, *here, *last;
+  double *u_square, *first, *shape, *jump_re, *jump_im, *here, *last;
 } Sphere;
 
 static bool sphere_prepare(Sphere *sphere, const TbWavenumberNodes *nodes, TbArena *scratch,
                            const TbAirSource *source, uint32_t m) {
-  const double x = nodes->x;
+  const double x = nodes->x, first = first_of(m);
   sphere->count = nodes->below;
-  double **arrays[] = {&sphere->u,       &sphere->shape, &sphere->jump_re,
-                       &sphere->jump_im, &sphere->here,  &sphere->last};
-  for (int i = 0; i < 6; i++) *arrays[i] = tb_arena_doubles(scratch, sphere->count);
+  double **arrays[] = {&sphere->u_square, &sphere->first, &sphere->shape, &sphere->jump_re,
+                       &sphere->jump_im,  &sphere->here,  &sphere->last};
+  for (int i = 0; i < 7; i++) *arrays[i] = tb_arena_doubles(scratch, sphere->count);
   if (scratch->failed) return false;
   for (uint32_t q = 0; q < sphere->count; q++) {
-    const double sine = nodes->kappa[q] / x, weight = nodes->weights[q] * sine / x;
-    sphere->u[q] = nodes->root[q] / x;
-    sphere->here[q] = first_of(m, sine);
+    const double sine = nodes->kappa[q] / x, u = nodes->root[q] / x;
+    const double weight = nodes->weights[q] * sine / x;
+    sphere->u_square[q] = u * u;
+    sphere->first[q] = first * tb_whole_power(sine, m);
     if (source->baffled != 0.0) sphere->shape[q] = source->baffled * weight * source->w[q];
     if (source->open == 0.0) continue;
     sphere->jump_re[q] = source->open * weight * nodes->root[q] * source->p[2 * q];
@@ -195,31 +192,56 @@ static double dot(uint32_t count, const double *a, const double *b) {
   return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
-/* here, last := L_{n+1}, L_n. */
-static void next_degree(Sphere *sphere, uint32_t m, uint32_t n) {
-  const double a = rise(m, n + 1), b = n > m ? back(m, n + 1) : 0.0;
+/* here, last := L_{n+2}, L_n. */
+static void next_but_one(Sphere *sphere, uint32_t m, uint32_t n) {
+  const double above = sqrt(coupling_square(m, n + 1) * coupling_square(m, n + 2));
+  const double below = n < m + 2 ? 0.0 : sqrt(coupling_square(m, n) * coupling_square(m, n - 1));
+  const double middle = coupling_square(m, n + 1) + coupling_square(m, n);
+  const double a = 1.0 / above, b = middle / above, c = below / above;
   double *restrict last = sphere->last;
-  const double *restrict here = sphere->here, *restrict u = sphere->u;
-  for (uint32_t q = 0; q < sphere->count; q++) last[q] = a * (u[q] * here[q] - b * last[q]);
+  const double *restrict here = sphere->here, *restrict u_square = sphere->u_square;
+  for (uint32_t q = 0; q < sphere->count; q++) {
+    last[q] = (a * u_square[q] - b) * here[q] - c * last[q];
+  }
   double *swap = sphere->here;
   sphere->here = sphere->last;
   sphere->last = swap;
+}
+
+/* c_n for even n - m, which the shape gives. */
+static void project_shape(TbMultipoles *waves, Sphere *sphere) {
+  for (uint32_t q = 0; q < sphere->count; q++) {
+    sphere->here[q] = sphere->first[q];
+    sphere->last[q] = 0.0;
+  }
+  double sign = 1.0;
+  for (uint32_t n = waves->m; n <= waves->degrees; n += 2, sign = -sign) {
+    waves->c[2 * n] = sign * dot(sphere->count, sphere->shape, sphere->here);
+    next_but_one(sphere, waves->m, n);
+  }
+}
+
+/* c_n for odd n - m, which the jump gives. */
+static void project_jump(TbMultipoles *waves, Sphere *sphere) {
+  const double second = 1.0 / sqrt(coupling_square(waves->m, waves->m + 1));
+  for (uint32_t q = 0; q < sphere->count; q++) {
+    sphere->here[q] = second * sqrt(sphere->u_square[q]) * sphere->first[q];
+    sphere->last[q] = 0.0;
+  }
+  double sign = 1.0;
+  for (uint32_t n = waves->m + 1; n <= waves->degrees; n += 2, sign = -sign) {
+    waves->c[2 * n] = sign * dot(sphere->count, sphere->jump_re, sphere->here);
+    waves->c[2 * n + 1] = sign * dot(sphere->count, sphere->jump_im, sphere->here);
+    next_but_one(sphere, waves->m, n);
+  }
 }
 
 static bool by_projection(TbMultipoles *waves, TbArena *scratch, const TbWavenumberNodes *nodes,
                           const TbAirSource *source) {
   Sphere sphere;
   if (!sphere_prepare(&sphere, nodes, scratch, source, waves->m)) return false;
-  for (uint32_t n = waves->m; n <= waves->degrees; n++) {
-    const double sign = (n - waves->m) / 2 % 2 ? -1.0 : 1.0;
-    if ((n - waves->m) % 2 == 0 && source->baffled != 0.0) {
-      waves->c[2 * n] = sign * dot(sphere.count, sphere.shape, sphere.here);
-    } else if ((n - waves->m) % 2 && source->open != 0.0) {
-      waves->c[2 * n] = sign * dot(sphere.count, sphere.jump_re, sphere.here);
-      waves->c[2 * n + 1] = sign * dot(sphere.count, sphere.jump_im, sphere.here);
-    }
-    next_degree(&sphere, waves->m, n);
-  }
+  if (source->baffled != 0.0) project_shape(waves, &sphere);
+  if (source->open != 0.0) project_jump(waves, &sphere);
   return true;
 }
 
@@ -227,7 +249,11 @@ bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *
                            const TbWavenumberNodes *nodes, const TbAirSource *source) {
   *waves = (TbMultipoles){.m = plan->order->m, .degrees = plan->degrees, .x = plan->x};
   waves->c = tb_arena_doubles(scratch, 2 * ((size_t)plan->degrees + 1));
-  if (!waves->c) return false;
+  waves->couplings = tb_arena_doubles(scratch, (size_t)plan->degrees + 2);
+  if (scratch->failed) return false;
+  for (uint32_t n = waves->m + 1; n <= waves->degrees + 1; n++) {
+    waves->couplings[n] = sqrt(coupling_square(waves->m, n));
+  }
   return tb_multipoles_project(plan) ? by_projection(waves, scratch, nodes, source)
                                      : by_disc(waves, plan, scratch, source);
 }
@@ -245,18 +271,20 @@ void tb_multipoles_at(const TbMultipoles *waves, double radius, double height, d
   const double c = cosine / rho, d = sine / rho;
   double h[2] = {d, c};                         /* h_0 = i e^{-i rho}/rho */
   double above[2] = {d / rho - c, c / rho + d}; /* h_1 = (1/rho + i) h_0 */
-  double sum[2] = {0.0}, last = 0.0, here = first_of(m, radius / s);
+  double sum[2] = {0.0}, last = 0.0;
+  double here = first_of(m) * tb_whole_power(radius / s, m);
+  const double *g = waves->couplings, inverse = 1.0 / rho;
   for (uint32_t n = 0; n <= waves->degrees && fabs(h[1]) < LARGEST; n++) {
     if (n >= m) {
       const double re = waves->c[2 * n], im = waves->c[2 * n + 1];
       sum[0] += here * (re * h[0] - im * h[1]);
       sum[1] += here * (re * h[1] + im * h[0]);
-      const double next = rise(m, n + 1) * (u * here - (n > m ? back(m, n + 1) : 0.0) * last);
+      const double next = (u * here - g[n] * last) / g[n + 1];
       last = here;
       here = next;
     }
     for (int i = 0; i < 2; i++) {
-      const double next = (2.0 * n + 3.0) / rho * above[i] - h[i];
+      const double next = (2.0 * n + 3.0) * inverse * above[i] - h[i];
       h[i] = above[i];
       above[i] = next;
     }

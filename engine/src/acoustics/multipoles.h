@@ -8,7 +8,8 @@
 typedef struct TbMultipoles {
   uint32_t m, degrees; /* waves m .. degrees */
   double x;
-  double *c; /* [2 (degrees + 1)] (re, im) */
+  double *c;         /* [2 (degrees + 1)] (re, im) */
+  double *couplings; /* [degrees + 2] g_n of u L_n = g_{n+1} L_{n+1} + g_n L_{n-1} */
 } TbMultipoles;
 
 /* True if the waves are projected from the far field. The far field's nodes must then resolve the

@@ -66,8 +66,9 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
   plan->degrees = isfinite(nearest) ? degrees_for(plan, nearest) : 0;
 }
 
+/* Along t, kappa = x sin t, phases advance most quickly at t = 0: the panels are even, and as short as that asks. */
 double tb_air_plan_turns(const TbAirPlan *plan) {
-  const double own = plan->x * fmax(2.0, plan->stretch);
+  const double own = 0.5 * PI * plan->x * fmax(2.0, plan->stretch);
   if (plan->degrees == 0 || !tb_multipoles_project(plan)) return own;
   return fmax(own, 1.3 * (plan->x + 0.5 * PI * plan->degrees)); /* rounding alone may be left */
 }
@@ -89,27 +90,34 @@ static void integrand(const TbWavenumberNodes *nodes, const TbAirSource *source,
   *im += measure * source->p[2 * q + 1];
 }
 
-/* Adds the integrals at one point, j = J_m(kappa r). */
+/* Factors of the integrands at one point and the nodes. */
+typedef struct Near {
+  double *j;                     /* J_m(kappa r) */
+  double *phase, *sine, *cosine; /* below x: root |h| */
+} Near;
+
+/* Adds the integrals at one point. */
 static void add_near(const TbAirPlan *plan, const TbWavenumberNodes *nodes,
-                     const TbAirSource *source, double height, const double *j, double *field) {
+                     const TbAirSource *source, double height, const Near *near, double *field) {
   const double sign = height < 0.0 ? -1.0 : 1.0, h = fabs(height);
   const double baffled = source->mirrored ? sign * source->baffled : source->baffled;
   const double cut = plan->precision.digits * DECADE;
-  double sum_re = 0.0, sum_im = 0.0;
-  for (uint32_t q = 0; q < nodes->count; q++) {
-    const double decay = nodes->root[q] * h;
-    double re, im;
+  const double *j = near->j, *s = near->sine, *c = near->cosine; /* e^{-i root h} */
+  double sum_re = 0.0, sum_im = 0.0, re, im;
+  for (uint32_t q = 0; q < nodes->below; q++) near->phase[q] = nodes->root[q] * h;
+  tb_sin_cos_array(nodes->below, near->phase, near->sine, near->cosine);
+  for (uint32_t q = 0; q < nodes->below; q++) {
     integrand(nodes, source, baffled, sign * source->open, q, &re, &im);
-    if (q < nodes->below) {
-      double c, s; /* e^{-i root h} */
-      tb_sin_cos(decay, &s, &c);
-      sum_re += j[q] * (re * c + im * s);
-      sum_im += j[q] * (im * c - re * s);
-    } else if (decay < cut) {
-      const double size = j[q] * tb_exp(-decay);
-      sum_re += size * re;
-      sum_im += size * im;
-    }
+    sum_re += j[q] * (re * c[q] + im * s[q]);
+    sum_im += j[q] * (im * c[q] - re * s[q]);
+  }
+  for (uint32_t q = nodes->below; q < nodes->count; q++) {
+    const double decay = nodes->root[q] * h;
+    if (decay >= cut) break;
+    integrand(nodes, source, baffled, sign * source->open, q, &re, &im);
+    const double size = j[q] * tb_exp(-decay);
+    sum_re += size * re;
+    sum_im += size * im;
   }
   field[0] += sum_re;
   field[1] += sum_im;
@@ -117,8 +125,11 @@ static void add_near(const TbAirPlan *plan, const TbWavenumberNodes *nodes,
 
 static bool add_near_points(const TbAirPlan *plan, TbArena *scratch, const TbWavenumberNodes *nodes,
                             const TbAirSource *sources, uint32_t source_count, double *fields) {
-  double *j = tb_arena_doubles(scratch, nodes->count);
-  if (!j) return false;
+  const Near near = {.j = tb_arena_doubles(scratch, nodes->count),
+                     .phase = tb_arena_doubles(scratch, nodes->below),
+                     .sine = tb_arena_doubles(scratch, nodes->below),
+                     .cosine = tb_arena_doubles(scratch, nodes->below)};
+  if (scratch->failed) return false;
   for (uint32_t p = 0; p < plan->point_count; p++) {
     const double radius = plan->points[p].radius;
     bool known = false;
@@ -127,10 +138,10 @@ static bool add_near_points(const TbAirPlan *plan, TbArena *scratch, const TbWav
       if (is_far(radius, height) || !is_heard(plan, radius, fabs(height))) continue;
       if (!known) {
         tb_bessel_table_values(plan->order->table, plan->order->m, nodes->count, radius,
-                               nodes->kappa, j);
+                               nodes->kappa, near.j);
       }
       known = true;
-      add_near(plan, nodes, &sources[s], height, j, fields + 2 * p);
+      add_near(plan, nodes, &sources[s], height, &near, fields + 2 * p);
     }
   }
   return true;

@@ -9,11 +9,12 @@
 
 static const double PI = 3.14159265358979323846;
 
-static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5}; /* two wavelengths */
+/* Sixteen nodes integrate a wave of 12.5 radians to rounding, one of 30 radians to 1e-7. */
+static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5};
 /* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the
  * loudest are right to 0.1 dB, resistances to 1e-4 of the damping. */
-static const TbAirPrecision FINE = {.digits = 4.5, .panel = 17.5};
-static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 18.5};
+static const TbAirPrecision FINE = {.digits = 4.5, .panel = 30.0};
+static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 30.0};
 
 /* ---- the open head ----------------------------------------------------------------------------- */
 
@@ -258,17 +259,19 @@ bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, bool both_sides, dou
 
 /* ---- a drum ------------------------------------------------------------------------------------ */
 
-/* W_1 .. and P_1 .. of air.h's resistance at one node below x; `second` may be NULL. */
+/* The bracket of air.h's resistance at one node below x; `second` may be NULL. */
 static double drum_integrand(const TbWavenumberNodes *nodes, const TbAirSource *first,
                              const TbAirSource *second, double depth, uint32_t q) {
-  const double *p = first->p + 2 * q;
-  const double square = nodes->root[q] * nodes->root[q]; /* x^2 cos^2 t */
-  double sum = first->w[q] * first->w[q] + square * (p[0] * p[0] + p[1] * p[1]);
+  const double root = nodes->root[q], square = root * root; /* x cos t */
+  const double w1 = first->w[q], *p1 = first->p + 2 * q;
+  const double sum = w1 * w1 + square * (p1[0] * p1[0] + p1[1] * p1[1]);
   if (!second) return sum;
-  const double *r = second->p + 2 * q;
-  const double phase = tb_cos(nodes->root[q] * depth);
-  sum += second->w[q] * second->w[q] + square * (r[0] * r[0] + r[1] * r[1]);
-  return sum + 2.0 * phase * (first->w[q] * second->w[q] - square * (p[0] * r[0] + p[1] * r[1]));
+  const double w2 = second->w[q], *p2 = second->p + 2 * q;
+  double sine, cosine;
+  tb_sin_cos(root * depth, &sine, &cosine);
+  return sum + w2 * w2 + square * (p2[0] * p2[0] + p2[1] * p2[1]) +
+         2.0 * cosine * (w1 * w2 - square * (p1[0] * p2[0] + p1[1] * p2[1])) -
+         2.0 * sine * root * (w1 * p2[0] + w2 * p1[0]);
 }
 
 static double drum_resistance(const TbWavenumberNodes *nodes, const TbAirSource *first,
@@ -315,4 +318,23 @@ bool tb_air_drum_load(const TbAirOrder *order, TbArena *scratch, const double *u
   }
   *resistance = drum_resistance(&nodes, &sources[0], lower ? &sources[1] : NULL, depth);
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, sources, heads, fields);
+}
+
+bool tb_air_half_baffled(const TbAirOrder *order, TbArena *scratch, const double *upper,
+                         const double *lower, double depth, double x, const TbAirPoint *points,
+                         uint32_t point_count, double *fields) {
+  const uint32_t heads = lower ? 2 : 1;
+  TbAirPlan plan = plan_of(order, x, points, point_count, FINE);
+  TbAirSource sources[2] = {{.v = upper, .up = 1.0, .baffled = 0.5},
+                            {.v = lower, .plane = -depth, .up = -1.0, .baffled = 0.5}};
+  for (uint32_t h = 0; h < heads; h++) widen_reach(order, sources[h].v, &plan);
+  tb_air_plan_fields(&plan, sources, heads);
+  for (uint32_t i = 0; i < 2 * point_count; i++) fields[i] = 0.0;
+  if (point_count == 0 || is_silent(&plan)) return true;
+  TbWavenumberNodes nodes;
+  if (!nodes_for(&nodes, &plan, scratch, 0.0)) return false;
+  for (uint32_t h = 0; h < heads; h++) {
+    if (!transform(&plan, scratch, &nodes, &sources[h])) return false;
+  }
+  return tb_air_fields(&plan, scratch, &nodes, sources, heads, fields);
 }

@@ -13,7 +13,7 @@ static uint32_t panels_for(double turns, double panel) { return 1u + (uint32_t)(
 
 bool tb_wavenumber_nodes_prepare(TbWavenumberNodes *nodes, TbArena *scratch,
                                  const TbAirOrder *order, double x, TbAirTurns turns) {
-  const uint32_t low = x > 0.0 ? panels_for(turns.low, turns.panel) + 1u : 0u;
+  const uint32_t low = x > 0.0 ? panels_for(turns.low, turns.panel) : 0u;
   const uint32_t high = turns.top > 0.0 ? panels_for(turns.top * turns.high, turns.panel) + 2u : 0u;
   *nodes = (TbWavenumberNodes){.x = x, .below = low * TB_PANEL, .count = (low + high) * TB_PANEL};
   if (high) nodes->panel = turns.top / (double)high;
@@ -21,12 +21,11 @@ bool tb_wavenumber_nodes_prepare(TbWavenumberNodes *nodes, TbArena *scratch,
   for (int i = 0; i < 4; i++) *arrays[i] = tb_arena_doubles(scratch, nodes->count);
   if (scratch->failed) return false;
 
-  if (low) tb_quadrature(0.0, 0.5 * PI, low, nodes->kappa, nodes->weights);
+  if (low) tb_quadrature(0.0, 0.5 * PI, low, nodes->j, nodes->weights);
+  tb_sin_cos_array(nodes->below, nodes->j, nodes->kappa, nodes->root);
   for (uint32_t q = 0; q < nodes->below; q++) {
-    double sine, cosine;
-    tb_sin_cos(nodes->kappa[q], &sine, &cosine);
-    nodes->kappa[q] = x * sine;
-    nodes->root[q] = x * cosine;
+    nodes->kappa[q] *= x;
+    nodes->root[q] *= x;
     nodes->weights[q] *= x;
   }
   if (high) {

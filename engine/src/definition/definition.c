@@ -270,6 +270,20 @@ int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name) {
   return def && name ? tb_element_find(def, TB_GROUP_MIC, name) : -1;
 }
 
+bool tb_mic_is_inside(const TaborDrumDef *def, const TaborMicDef *mic) {
+  const bool encloses = def->two_headed == 1 || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
+  return encloses && mic->radius < def->shell.radius && mic->height < 0 &&
+         mic->height > -def->shell.depth;
+}
+
+uint32_t tb_mics_outside(const TaborDrumDef *def, uint32_t *mics) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < def->mic_count; i++) {
+    if (!tb_mic_is_inside(def, &def->mic[i])) mics[count++] = i;
+  }
+  return count;
+}
+
 int tb_strike_striker(const TaborDrumDef *def) {
   if (!memchr(def->strike.striker, '\0', sizeof def->strike.striker)) return -1;
   if (!*def->strike.striker) return tb_group_count(def, TB_GROUP_STRIKER) > 0 ? 0 : -1;

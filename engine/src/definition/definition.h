@@ -27,6 +27,13 @@ double tb_deviate(uint32_t seed, uint32_t index);
 /** Index of the striker named by strike.striker ("" is the first), or -1. */
 int tb_strike_striker(const TaborDrumDef *def);
 
+/** True if @p mic of a valid definition stands in the air that the shell encloses. */
+bool tb_mic_is_inside(const TaborDrumDef *def, const TaborMicDef *mic);
+
+/** Writes the indices of the microphones outside the shell to @p mics[TABOR_MAX_MICS]; returns
+ * how many there are. */
+uint32_t tb_mics_outside(const TaborDrumDef *def, uint32_t *mics);
+
 /** Checks that @p def is not NULL and has this library's size. */
 TaborStatus tb_check_struct(const TaborDrumDef *def, TaborError *error);
 

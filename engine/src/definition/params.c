@@ -80,6 +80,10 @@ const TbParam tb_params[] = {
        "of a single head; open: free air; baffled: each side in a baffle; closed: over a cavity",
        CHOICE("open|baffled|closed", TABOR_BOUNDARY_OPEN)),
    AT(shell.boundary)},
+  {ROW(TB_PARAM_SHELL_SURFACE_DENSITY, "shell", "surface_density", "kg/m2",
+       "mass of the wall between two heads per area; a light one lets more sound through",
+       NUMBER(0.1, 1000, 4.2), LOGARITHMIC),
+   AT(shell.surface_density)},
 
   {ROW(TB_PARAM_BATTER_TENSION, "batter", "tension", "N/m", "tension of the head",
        NUMBER(100, 20000, 3000), LOGARITHMIC),

@@ -168,32 +168,20 @@ static TaborStatus check_wire(const TaborDrumDef *def, uint32_t index, TaborErro
     (unsigned)index + 1u, wire.offset, def->shell.radius);
 }
 
-static TaborStatus refuse_height(const TaborDrumDef *def, uint32_t index, const char *reason,
-                                 TaborError *error) {
-  char key[TB_DEF_KEY_SIZE], value[TB_NUMBER_SIZE];
-  (void)snprintf(key, sizeof key, "mic.%s.height", def->mic[index].name);
-  tb_number_print(def->mic[index].height, value);
-  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, NAN, NAN,
-                      "%s = %s: the microphone would be %s %g m below the batter head", key, value,
-                      reason, def->shell.depth);
-}
-
-/* Microphones stand in the outer air, and as far from the resonant head's plane as the table asks
- * for the batter's. */
+/* Microphones stand as far from the resonant head's plane as the table asks for the batter's. */
 static TaborStatus check_mic(const TaborDrumDef *def, uint32_t index, TaborError *error) {
   const TaborMicDef *const mic = &def->mic[index];
-  const double depth = def->shell.depth;
-  const bool two_headed = def->two_headed == 1;
-  const bool encloses = two_headed || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
-  if (encloses && mic->radius < def->shell.radius && mic->height < 0 && mic->height > -depth) {
-    return refuse_height(def, index, "inside the shell, which ends", error);
-  }
   const double rounding = 1e-9; /* -0.15 m is 0.01 m below a shell of 0.14 m */
   const double least = tb_param_by_id(TB_PARAM_MIC_HEIGHT)->least * (1 - rounding);
-  if (two_headed && fabs(mic->height + depth) < least) {
-    return refuse_height(def, index, "within 0.01 m of the resonant head's plane,", error);
-  }
-  return TABOR_OK;
+  if (def->two_headed != 1 || fabs(mic->height + def->shell.depth) >= least) return TABOR_OK;
+  char key[TB_DEF_KEY_SIZE], value[TB_NUMBER_SIZE];
+  (void)snprintf(key, sizeof key, "mic.%s.height", mic->name);
+  tb_number_print(mic->height, value);
+  return tb_error_set(
+    error, TABOR_ERROR_RANGE, key, value, NAN, NAN,
+    "%s = %s: the microphone would be within 0.01 m of the resonant head's plane, "
+    "%g m below the batter head",
+    key, value, def->shell.depth);
 }
 
 TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error) {

@@ -87,8 +87,7 @@ void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]) {
   }
 }
 
-/* J_m and J_{m+1}. */
-static void bessel_pair(uint32_t m, double x, double j[2]) {
+void tb_bessel_pair(uint32_t m, double x, double j[2]) {
   const uint32_t start = miller_start(m + 1, x);
   const double twice_inverse = 2.0 / x;
   double above = 0.0, here = 1e-200, sum = 0.0;
@@ -117,8 +116,12 @@ static void bessel_pair(uint32_t m, double x, double j[2]) {
 double tb_bessel_j(uint32_t m, double x) {
   if (x <= 1e-30) return m == 0 ? 1.0 : 0.0;
   double j[2];
-  bessel_pair(m, x, j);
+  tb_bessel_pair(m, x, j);
   return j[0];
+}
+
+double tb_bessel_slope(uint32_t m, double x) {
+  return m ? 0.5 * (tb_bessel_j(m - 1, x) - tb_bessel_j(m + 1, x)) : -tb_bessel_j(1, x);
 }
 
 /* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
@@ -195,14 +198,13 @@ void tb_bessel_whole8(const double x[8], uint32_t count, double *j) {
   }
 }
 
-/* The one zero of J_m between lo and hi, where it is positive at lo or at hi: Halley's step, which squares
- * and more, where it stays inside, else halving. J_m'' comes from Bessel's equation. */
-static double refine_zero(uint32_t m, double lo, double hi, bool falling) {
+/* The one zero of J_m between lo and hi, where it is positive at lo or at hi: Halley's step from x, which cubes
+ * the error, where it stays inside, else halving. J_m'' comes from Bessel's equation. */
+static double refine_zero(uint32_t m, double lo, double hi, double x, bool falling) {
   const double order = (double)m;
-  double x = 0.5 * (lo + hi);
   for (int i = 0; i < 100; i++) {
     double j[2];
-    bessel_pair(m, x, j);
+    tb_bessel_pair(m, x, j);
     if ((j[0] > 0.0) == falling) {
       lo = x;
     } else {
@@ -210,9 +212,9 @@ static double refine_zero(uint32_t m, double lo, double hi, bool falling) {
     }
     const double slope = order / x * j[0] - j[1];
     const double bend = -slope / x - (1.0 - order * order / (x * x)) * j[0];
-    double next = x - j[0] / (slope - 0.5 * j[0] * bend / slope);
+    const double next = x - j[0] / (slope - 0.5 * j[0] * bend / slope);
     const double step = magnitude(next - x);
-    if (step <= 1e-7 * x) return next; /* its cube is nothing */
+    if (step <= 3e-7 * x) return next; /* its cube is nothing */
     x = next > lo && next < hi ? next : 0.5 * (lo + hi);
   }
   return x;
@@ -224,7 +226,7 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
   for (uint32_t n = 1;; n++) {
     const double b = ((double)n - 0.25) * PI;
     const double guess = b + 1.0 / (8.0 * b) - 31.0 / (384.0 * b * b * b);
-    const double zero = refine_zero(0, guess - 0.3, guess + 0.3, n % 2 == 1);
+    const double zero = refine_zero(0, guess - 0.3, guess + 0.3, guess, n % 2 == 1);
     if (zero >= top || count == room) return count;
     zeros[count++] = zero;
   }
@@ -232,17 +234,19 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
 
 /* The first zero lies between m + 1.8557571 m^(1/3) and 1.0331503 m^(-1/3) more [QuWong1999]. u = sqrt(x) J_m
  * satisfies u'' + (1 - (m^2 - 1/4)/x^2) u = 0, so from a zero z the next is at least pi away and at most pi
- * over the root of that factor at z (Sturm). */
+ * over the root of that factor at z (Sturm); and nearly pi over its root between the two. */
 uint32_t tb_bessel_zeros(uint32_t m, double top, double *zeros, uint32_t room) {
   if (m == 0) return zeros_of_order_0(top, zeros, room);
-  const double order = (double)m, root = tb_cbrt(order);
-  double lo = order + 1.8557570 * root, hi = lo + 1.0331505 / root;
+  const double order = (double)m, root = tb_cbrt(order), square = order * order - 0.25;
+  double lo = order + 1.8557570 * root, hi = lo + 1.0331505 / root, guess = 0.5 * (lo + hi);
   for (uint32_t count = 0;; count++) {
     if (lo >= top || count == room) return count;
-    const double zero = refine_zero(m, lo, hi, count % 2 == 0);
+    const double zero = refine_zero(m, lo, hi, guess, count % 2 == 0);
     if (zero >= top) return count;
     zeros[count] = zero;
     lo = zero + PI;
-    hi = zero + PI / sqrt(1.0 - (order * order - 0.25) / (zero * zero));
+    hi = zero + PI / sqrt(1.0 - square / (zero * zero));
+    const double between = 0.25 * (2.0 * zero + lo + hi);
+    guess = zero + PI / sqrt(1.0 - square / (between * between));
   }
 }

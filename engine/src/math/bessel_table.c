@@ -58,6 +58,13 @@ static double interpolate(const double *y, double t) {
   return first * high + last * low;
 }
 
+double tb_bessel_table_value(const TbBesselTable *table, uint32_t m, double x) {
+  const double *row = table->values + (size_t)m * table->count + BEFORE - 3;
+  const double place = x * PER_UNIT;
+  const uint32_t whole = (uint32_t)place;
+  return interpolate(row + whole, place - (double)whole);
+}
+
 void tb_bessel_table_values(const TbBesselTable *table, uint32_t m, uint32_t count, double scale,
                             const double *x, double *j) {
   const uint32_t orders[8] = {m, m, m, m, m, m, m, m};
@@ -67,17 +74,12 @@ void tb_bessel_table_values(const TbBesselTable *table, uint32_t m, uint32_t cou
     double argument[8], top = 0.0;
     for (uint32_t i = 0; i < 8; i++) {
       argument[i] = scale * x[q + i];
-      top = fmax(top, argument[i]);
+      top = argument[i] > top ? argument[i] : top;
     }
     if (top > end) {
       tb_bessel_j8(orders, argument, j + q);
       continue;
     }
-    const double *row = table->values + (size_t)m * table->count + BEFORE - 3;
-    for (uint32_t i = 0; i < 8; i++) {
-      const double place = argument[i] * PER_UNIT;
-      const uint32_t whole = (uint32_t)place;
-      j[q + i] = interpolate(row + whole, place - (double)whole);
-    }
+    for (uint32_t i = 0; i < 8; i++) j[q + i] = tb_bessel_table_value(table, m, argument[i]);
   }
 }

@@ -23,4 +23,7 @@ bool tb_bessel_table_prepare(TbBesselTable *table, TbArena *arena, uint32_t orde
 void tb_bessel_table_values(const TbBesselTable *table, uint32_t m, uint32_t count, double scale,
                             const double *x, double *j);
 
+/* J_m(x) by a table that holds m and x. */
+double tb_bessel_table_value(const TbBesselTable *table, uint32_t m, double x);
+
 #endif

@@ -196,6 +196,27 @@ void tb_sin_cos(double x, double *sine, double *cosine) {
   turn_by_quarters(quarter, sine_small(rest), cosine_small(rest), sine, cosine);
 }
 
+/* Rounds to a whole number, |x| < 2^51, in a way that loops over arrays are vectorised. */
+static inline double rounded(double x) {
+  const double large = 6755399441055744.0; /* 1.5 2^52: its neighbours are 1 apart */
+  return (x + large) - large;
+}
+
+void tb_sin_cos_array(uint32_t count, const double *restrict x, double *restrict sine,
+                      double *restrict cosine) {
+  for (uint32_t i = 0; i < count; i++) {
+    const double whole = rounded(x[i] * 0.63661977236758134308);
+    const double quarter = whole - 4.0 * rounded(0.25 * whole); /* -2 to 2 */
+    const double rest =
+      ((x[i] - whole * QUARTER[0]) - whole * QUARTER[1]) - whole * QUARTER[2] - whole * QUARTER[3];
+    const double s = sine_small(rest), c = cosine_small(rest);
+    const bool odd = quarter * quarter == 1.0;
+    const double a = odd ? c : s, b = odd ? s : c;
+    sine[i] = quarter < 0.0 || quarter > 1.0 ? -a : a;
+    cosine[i] = quarter * quarter > 1.0 || quarter > 0.0 ? -b : b;
+  }
+}
+
 void tb_sin_cos_degrees(double angle, double *sine, double *cosine) {
   const double whole = nearest_whole(angle / 90.0);
   const double rest = (angle - 90.0 * whole) * 0.017453292519943295;

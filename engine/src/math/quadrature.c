@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "math/quadrature.h"
 
+#include "math/portable_math.h"
+
+static const double PI = 3.14159265358979323846;
+
 /* Positive nodes of the 16-point rule on (-1, 1) and their weights, [DLMF] table 3.5.4 extended. */
 static const double NODE[8] = {0.09501250983763744, 0.28160355077925891, 0.45801677765722739,
                                0.61787624440264375, 0.75540440835500303, 0.86563120238783174,
@@ -18,5 +22,30 @@ void tb_quadrature(double from, double to, uint32_t panels, double *nodes, doubl
       nodes[p * TB_PANEL + 8 + i] = middle + half * NODE[i];
       weights[p * TB_PANEL + 7 - i] = weights[p * TB_PANEL + 8 + i] = half * WEIGHT[i];
     }
+  }
+}
+
+/* P_degree(x), and its slope. */
+static double legendre(uint32_t degree, double x, double *slope) {
+  double before = 1.0, here = x;
+  for (uint32_t n = 2; n <= degree; n++) {
+    const double next = ((2.0 * n - 1.0) * x * here - (n - 1.0) * before) / n;
+    before = here;
+    here = next;
+  }
+  *slope = degree * (before - x * here) / (1.0 - x * x);
+  return here;
+}
+
+void tb_gauss_rule(uint32_t count, double *nodes, double *weights) {
+  for (uint32_t i = 0; i < count; i++) {
+    double slope, x = -tb_cos(PI * ((double)i + 0.75) / (count + 0.5));
+    for (int pass = 0; pass < 6; pass++) {
+      const double value = legendre(count, x, &slope);
+      x -= value / slope;
+    }
+    legendre(count, x, &slope);
+    nodes[i] = x;
+    weights[i] = 2.0 / ((1.0 - x * x) * slope * slope);
   }
 }

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/brush_shapes.h"
 
+#include <math.h>
+
+#include "math/bessel_table.h"
 #include "math/portable_math.h"
 #include "model/model.h"
 
@@ -8,7 +11,32 @@ static const double OUTERMOST = 0.98; /* of the head's radius */
 
 static size_t cosines_of(const TaborModel *model) { return model->high.cosines[TABOR_HEAD_BATTER]; }
 
-static TaborStatus prepare_rings(TaborModel *model, uint32_t striker) {
+/* The high band's part of a drive that depends on the radius alone (tb_high_band_turn()). */
+static void fill_waves(const TaborModel *model, uint32_t striker, const TbBesselTable *table,
+                       double radius, double *waves) {
+  const TbHighBand *band = &model->high;
+  const double *patch = model->high_patches[striker];
+  const uint32_t begin = band->begin[TABOR_HEAD_BATTER];
+  for (uint32_t i = begin; i < begin + band->cosines[TABOR_HEAD_BATTER]; i++) {
+    const double j =
+      tb_bessel_table_value(table, band->order[i], band->zero[i] * radius / band->radius);
+    waves[i - begin] = -band->g[i] * band->scale[i] * j * patch[i];
+  }
+}
+
+static bool prepare_table(const TaborModel *model, TbArena *arena, TbBesselTable *table) {
+  double top = 0.0;
+  for (uint32_t m = 0; m < model->head.order_count; m++) {
+    const TbHeadOrder *order = &model->head.orders[m];
+    top = fmax(top, order->zeros[order->zero_count - 1]);
+  }
+  for (uint32_t i = 0; i < model->high.padded; i++) top = fmax(top, model->high.zero[i]);
+  const uint32_t orders =
+    model->head.order_count > model->high.orders ? model->head.order_count : model->high.orders;
+  return tb_bessel_table_prepare(table, arena, orders, top);
+}
+
+static TaborStatus prepare_rings(TaborModel *model, const TbBesselTable *table, uint32_t striker) {
   TbBrushShapes *places = &model->places[striker];
   const size_t rows = model->head.row_count, waves = cosines_of(model);
   places->apart = OUTERMOST * model->head.radius / (TB_RINGS - 1u);
@@ -17,20 +45,32 @@ static TaborStatus prepare_rings(TaborModel *model, uint32_t striker) {
   if (model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t ring = 0; ring < TB_RINGS; ring++) {
     const double radius = ring * places->apart;
-    tb_head_radial(&model->head, TABOR_HEAD_BATTER, radius, model->patches[striker],
-                   places->rows + ring * rows);
-    if (waves == 0) continue;
-    tb_high_band_waves(&model->high, TABOR_HEAD_BATTER, radius, model->high_patches[striker],
-                       places->waves + ring * waves);
+    tb_head_radial_tabled(&model->head, table, TABOR_HEAD_BATTER, radius, model->patches[striker],
+                          places->rows + ring * rows);
+    if (waves > 0) fill_waves(model, striker, table, radius, places->waves + ring * waves);
   }
   return TABOR_OK;
 }
 
-TaborStatus tb_brush_shapes_prepare(TaborModel *model) {
-  TaborStatus status = TABOR_OK;
-  for (uint32_t i = 0; i < model->def.striker_count && status == TABOR_OK; i++) {
-    if (model->def.striker[i].kind == TABOR_STRIKER_BRUSH) status = prepare_rings(model, i);
+static bool has_brush(const TaborDrumDef *def) {
+  for (uint32_t i = 0; i < def->striker_count; i++) {
+    if (def->striker[i].kind == TABOR_STRIKER_BRUSH) return true;
   }
+  return false;
+}
+
+TaborStatus tb_brush_shapes_prepare(TaborModel *model) {
+  if (!has_brush(&model->def)) return TABOR_OK;
+  TbArena scratch;
+  TbBesselTable table;
+  tb_arena_prepare(&scratch, &model->arena.allocator);
+  TaborStatus status = prepare_table(model, &scratch, &table) ? TABOR_OK : TABOR_ERROR_MEMORY;
+  for (uint32_t i = 0; i < model->def.striker_count && status == TABOR_OK; i++) {
+    if (model->def.striker[i].kind == TABOR_STRIKER_BRUSH) {
+      status = prepare_rings(model, &table, i);
+    }
+  }
+  tb_arena_release(&scratch);
   return status;
 }
 

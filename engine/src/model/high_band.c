@@ -371,16 +371,6 @@ static void eight_waves(const TbHighBand *band, uint32_t from, double radius, co
   }
 }
 
-void tb_high_band_waves(const TbHighBand *band, uint32_t which, double radius, const double *patch,
-                        double *waves) {
-  const uint32_t begin = band->begin[which], count = band->cosines[which];
-  for (uint32_t at = 0; at < count; at += 8) {
-    double eight[8];
-    eight_waves(band, begin + at, radius, patch, eight);
-    for (uint32_t l = 0; l < 8 && at + l < count; l++) waves[at + l] = eight[l];
-  }
-}
-
 /* Eight cosines from `from` on, and their sines. */
 static void turn_eight(const TbHighBand *band, uint32_t which, uint32_t from, const double *waves,
                        const double *c, const double *s, double *drive) {

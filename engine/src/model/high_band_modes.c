@@ -6,8 +6,10 @@
 #include <string.h>
 
 #include "acoustics/cavity_eigen.h"
+#include "acoustics/cavity_pressure.h"
 #include "acoustics/closed_drum_modes.h"
 #include "acoustics/single_head.h"
+#include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "model/head_waves.h"
@@ -36,10 +38,25 @@ typedef struct Side {
   double top_zero;                   /* where its modes reach the top of the band */
 } Side;
 
+/* All Bessel functions of one order. */
+typedef struct Functions {
+  uint32_t count;
+  double zeros[MOST_ZEROS], slopes[MOST_ZEROS]; /* z, J_{m+1}(z) */
+} Functions;
+
+/* The air inside, as the modes of one order drive it; no microphones without a cavity. */
+typedef struct Inside {
+  TbCavityOrder order;
+  TbCavityMics mics;
+} Inside;
+
 typedef struct Builder {
   const TaborModel *model;
   TbArena *scratch;
   Side sides[TB_HEADS];
+  uint32_t outside[TABOR_MAX_MICS], outside_count; /* microphones outside the shell */
+  Functions functions;                             /* of the order at hand */
+  Inside inside;
   bool both_sides; /* a single head, with air outside on both */
   TbBesselTable table;
   double top; /* [rad/s] */
@@ -56,10 +73,23 @@ static double x_at(const Builder *b, double omega) {
   return omega * b->model->head.radius / b->model->def.air.sound_speed;
 }
 
+/* The microphones that choose the modes: those inside the shell only where there are no others. So a
+ * microphone inside changes nothing that the others hear. */
+static uint32_t choosers(const Builder *b, uint32_t *mics) {
+  if (b->outside_count > 0) {
+    memcpy(mics, b->outside, sizeof b->outside);
+    return b->outside_count;
+  }
+  for (uint32_t p = 0; p < b->model->def.mic_count; p++) mics[p] = p;
+  return b->model->def.mic_count;
+}
+
 /* True if no microphone hears order m at all: J_m is nothing at the wavenumbers that come there. */
 static bool inaudible(const Builder *b, const Side *side, uint32_t m, double x, double zero) {
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    const TbAirPoint *point = &side->points[p];
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = choosers(b, mics);
+  for (uint32_t p = 0; p < count; p++) {
+    const TbAirPoint *point = &side->points[mics[p]];
     const double top = fmin(1.5 * fmax(x, zero) + 10.0, 10.0 / fabs(point->height));
     const double reach = tb_hypot(x, top) * fmin(1.0, point->radius);
     if ((double)m < reach + 2.5 * tb_cbrt(reach) + 5.0) return false;
@@ -67,23 +97,37 @@ static bool inaudible(const Builder *b, const Side *side, uint32_t m, double x, 
   return true;
 }
 
-/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. */
-static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, TbHighMode *c) {
+/* Baffled radiation to the microphones outside: fields, for unit amplitude, and resistance. */
+static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder *order,
+                            TbHighMode *c, double *resistance) {
+  TbAirPoint points[TABOR_MAX_MICS];
+  double fields[2 * TABOR_MAX_MICS];
+  for (uint32_t p = 0; p < b->outside_count; p++) points[p] = side->points[b->outside[p]];
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &b->scratch->allocator);
+  const bool done = tb_air_slow(order, &scratch, b->both_sides, x_at(b, c->omega), points,
+                                b->outside_count, resistance, fields);
+  tb_arena_release(&scratch);
+  for (uint32_t p = 0; done && p < b->outside_count; p++) {
+    c->fields[2 * b->outside[p]] = fields[2 * p];
+    c->fields[2 * b->outside[p] + 1] = fields[2 * p + 1];
+  }
+  return done;
+}
+
+/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. `slope`:
+ * J_{m+1}(zero) */
+static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, double slope,
+                    TbHighMode *c) {
   const TaborDrumDef *def = &b->model->def;
   const Side *side = &b->sides[head];
   const double radius = b->model->head.radius, wavenumber = zero / radius;
   double mass, resistance;
-  *c = (TbHighMode){.head = head, .m = m, .zero = zero};
+  *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope};
   c->omega = frequency(b, side, zero, &mass);
-  c->slope = tb_bessel_j(m + 1, zero);
   const TbAirOrder order = {
     .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
-  TbArena scratch;
-  tb_arena_prepare(&scratch, &b->scratch->allocator);
-  const bool done = tb_air_slow(&order, &scratch, b->both_sides, x_at(b, c->omega), side->points,
-                                def->mic_count, &resistance, c->fields);
-  tb_arena_release(&scratch);
-  if (!done) return false;
+  if (!radiate_outside(b, side, &order, c, &resistance)) return false;
   const double norm = (m ? PI : 2.0 * PI) * radius * radius * 0.5 * c->slope * c->slope;
   c->scale = 1.0 / sqrt(mass * norm);
   const double upward = head ? -1.0 : 1.0; /* shapes are upward, fields of outward motion */
@@ -93,6 +137,17 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, Tb
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;
+}
+
+/* Fields of a mode at the microphones inside. */
+static void fill_inside(const Builder *b, TbHighMode *c) {
+  const Inside *inside = &b->inside;
+  const TbAirOrder air = {.m = c->m, .count = 1, .zeros = &c->zero, .slopes = &c->slope};
+  double outward[TB_HEADS] = {0.0};
+  outward[c->head] = c->head ? -c->scale : c->scale;
+  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, c->m, c->omega);
+  tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega,
+                   c->decay_rate, c->fields);
 }
 
 /* The energy that a unit force brings to a microphone. */
@@ -105,9 +160,9 @@ static double energy_at(const Builder *b, const TbHighMode *c, uint32_t mic) {
 
 static double loudness(const Builder *b, const TbHighMode *c) {
   double loudest = 0.0;
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    loudest = fmax(loudest, energy_at(b, c, p));
-  }
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = choosers(b, mics);
+  for (uint32_t p = 0; p < count; p++) loudest = fmax(loudest, energy_at(b, c, mics[p]));
   return loudest;
 }
 
@@ -119,9 +174,10 @@ static void take_candidate(Builder *b) {
   c->band = (uint32_t)fmax(0.0, 6.0 * tb_log(c->omega / (2.0 * PI * 20.0)) / tb_log(2.0));
 }
 
-static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
+static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
   const TaborDrumDef *def = &b->model->def;
   const Side *side = &b->sides[head];
+  const double zero = b->functions.zeros[n];
   double mass;
   const double omega = frequency(b, side, zero, &mass);
   if (omega > b->top || b->count == MOST_CANDIDATES ||
@@ -129,12 +185,13 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, double zero) {
     return true;
   }
   TbHighMode *c = &b->candidates[b->count];
-  if (!radiate(b, head, m, zero, c)) return false;
+  if (!radiate(b, head, m, zero, b->functions.slopes[n], c)) return false;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     c->fields[2 * p] *= side->edge.field[p];
     c->fields[2 * p + 1] *= side->edge.field[p];
   }
   c->decay_rate += side->edge.resistance * c->radiation_rate;
+  if (b->inside.mics.count > 0) fill_inside(b, c);
   take_candidate(b);
   return true;
 }
@@ -158,8 +215,9 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
   for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
     const TbHeadMode *mode = &model->head.modes[order->rows[k]];
     if (head_of(mode) != head) continue;
+    const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
     TbHighMode c;
-    if (!radiate(b, head, order->m, order->zeros[mode->n - 1], &c)) return false;
+    if (!radiate(b, head, order->m, zero, slope, &c)) return false;
     for (uint32_t p = 0; p < model->def.mic_count; p++) {
       real->field[p] += square_of(mode->fields + 2 * p);
       simple->field[p] += square_of(c.fields + 2 * p);
@@ -245,23 +303,72 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
   return true;
 }
 
-/* All Bessel functions of an order above its two-way modes. */
-static bool collect_order(Builder *b, uint32_t head, uint32_t m) {
-  double zeros[MOST_ZEROS];
-  const uint32_t count = tb_bessel_zeros(m, b->sides[head].top_zero, zeros, MOST_ZEROS);
-  for (uint32_t n = taken(b, head, m, zeros, count); n < count; n++) {
-    if (!add_candidate(b, head, m, zeros[n])) return false;
+/* A head's Bessel functions of an order above its two-way modes. */
+static bool add_order(Builder *b, uint32_t head, uint32_t m) {
+  const Functions *functions = &b->functions;
+  uint32_t n = taken(b, head, m, functions->zeros, functions->count);
+  for (; n < functions->count && functions->zeros[n] < b->sides[head].top_zero; n++) {
+    if (!add_candidate(b, head, m, n)) return false;
   }
   return true;
 }
 
-/* Every order up to the last one that is heard. */
-static bool collect(Builder *b, uint32_t head) {
-  const Side *side = &b->sides[head];
+static void find_functions(Builder *b, uint32_t m) {
+  Functions *functions = &b->functions;
+  const double top = fmax(b->sides[0].top_zero, b->sides[1].top_zero);
+  functions->count = tb_bessel_zeros(m, top, functions->zeros, MOST_ZEROS);
+  for (uint32_t n = 0; n < functions->count; n++) {
+    functions->slopes[n] = tb_bessel_j(m + 1, functions->zeros[n]);
+  }
+}
+
+/* Radial orders that come as far as a microphone inside: those faster than sound, and slower ones up
+ * to where e^-(z' d/R), d the distance from the nearest head, is 1e-3. */
+static double inside_zero(const Builder *b) {
+  const TaborDrumDef *def = &b->model->def;
+  double nearest = INFINITY;
+  for (uint32_t p = 0; p < def->mic_count; p++) {
+    if (!tb_mic_is_inside(def, &def->mic[p])) continue;
+    nearest = fmin(nearest, fmin(-def->mic[p].height, def->shell.depth + def->mic[p].height));
+  }
+  return fmin(x_at(b, b->top) + 7.0 * def->shell.radius / nearest, 2.0 * TOP_ZERO);
+}
+
+static bool add_heads(Builder *b, const bool *heard, uint32_t m) {
+  for (uint32_t h = 0; h < TB_HEADS; h++) {
+    if (heard[h] && !add_order(b, h, m)) return false;
+  }
+  return true;
+}
+
+/* The Bessel functions of one order, on the heads that are heard. */
+static bool collect_order(Builder *b, const bool *heard, uint32_t m) {
+  find_functions(b, m);
+  b->inside.mics.count = 0;
+  if (b->outside_count == b->model->def.mic_count) return add_heads(b, heard, m);
+  TbArena scratch;
+  tb_arena_prepare(&scratch, &b->scratch->allocator);
+  Inside *inside = &b->inside;
+  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, m, b->top);
+  const bool done =
+    tb_cavity_order_prepare(&inside->order, &scratch, &cavity, m, inside_zero(b), 0.0) &&
+    tb_cavity_mics_prepare(&inside->mics, &scratch, &b->model->def, &inside->order) &&
+    add_heads(b, heard, m);
+  tb_arena_release(&scratch);
+  return done;
+}
+
+/* Every order of each head up to the last one that is heard. */
+static bool collect(Builder *b, uint32_t heads) {
+  bool heard[TB_HEADS] = {true, heads > 1};
   for (uint32_t m = 0; m < TB_MAX_ORDERS - 2; m++) {
-    if (inaudible(b, side, m, x_at(b, b->top), side->top_zero)) break;
+    for (uint32_t h = 0; h < heads; h++) {
+      const Side *side = &b->sides[h];
+      heard[h] = heard[h] && !inaudible(b, side, m, x_at(b, b->top), side->top_zero);
+    }
+    if (!heard[0] && !heard[1]) break;
     if (!b->both_sides || m >= WHOLE_ORDERS) {
-      if (!collect_order(b, head, m)) return false;
+      if (!collect_order(b, heard, m)) return false;
       continue;
     }
     TbArena scratch;
@@ -367,6 +474,7 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
                .scratch = scratch,
                .both_sides = !tb_has_cavity(&model->def),
                .top = 2.0 * PI * top};
+  b.outside_count = tb_mics_outside(&model->def, b.outside);
   double zero = 0.0;
   for (uint32_t h = 0; h < heads; h++) {
     prepare_side(&b, h);
@@ -378,8 +486,9 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
     return false;
   }
   for (uint32_t h = 0; h < heads; h++) {
-    if (!measure_edge(&b, h) || !collect(&b, h)) return false;
+    if (!measure_edge(&b, h)) return false;
   }
+  if (!collect(&b, heads)) return false;
   thin(&b, most, chosen);
   return true;
 }

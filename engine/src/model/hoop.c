@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+#include "acoustics/cavity_pressure.h"
+#include "acoustics/closed_drum_modes.h"
+#include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "math/quadrature.h"
@@ -16,19 +19,36 @@ static const double TOP_OF_RATE = 0.2;
 
 /* ---- sound ---------------------------------------------------------------------------------- */
 
-/* Points around half the wall: at 10 kHz and half a metre from the axis still five a wavelength. */
+/* Most points around half the wall: at 10 kHz and half a metre from the axis still five a wavelength. */
 enum { AROUND = 256, PANELS = 3, LEVELS = PANELS * TB_PANEL };
+
+/* Points around half the wall. Of the sources' n waves and the k r of the path's length the sum is exact with
+ * as many points; what the distance adds falls by e^-eta from one to the next,
+ * cosh eta = (r^2 + R^2)/(2 r R) at the level of the microphone. */
+static uint32_t points_around(uint32_t n, double wavenumber, double radius, double r) {
+  const double nearer = fmin(r, radius), ratio = fmax(r, radius) / fmax(nearer, 1e-6 * radius);
+  const double waves = n + wavenumber * nearer, eta = tb_log(ratio);
+  return (uint32_t)fmin(AROUND, 16.0 + 0.75 * waves + 8.0 / fmax(eta, 1e-3));
+}
+
+/* Panels of levels: 16 nodes see a quarter of their panel's length, and 20 radians, to 1e-7. */
+static uint32_t panels_along(double wavenumber, double radius, double depth, double r) {
+  const double near = 0.25 * depth / fmax(fabs(r - radius), 1e-3 * depth);
+  return (uint32_t)fmin(PANELS, 1.0 + fmax(near, wavenumber * depth / 20.0));
+}
 
 void tb_hoop_field(uint32_t n, double wavenumber, double radius, double depth, double r, double z,
                    double field[2]) {
   double levels[LEVELS], weights[LEVELS];
-  tb_quadrature(-depth, 0.0, PANELS, levels, weights);
+  const uint32_t around = points_around(n, wavenumber, radius, r);
+  const uint32_t panels = panels_along(wavenumber, radius, depth, r);
+  tb_quadrature(-depth, 0.0, panels, levels, weights);
   field[0] = field[1] = 0.0;
-  for (uint32_t i = 0; i < AROUND; i++) {
-    const double angle = PI * (i + 0.5) / AROUND;
+  for (uint32_t i = 0; i < around; i++) {
+    const double angle = PI * (i + 0.5) / around;
     const double across = r * r + radius * radius - 2.0 * r * radius * tb_cos(angle);
-    const double part = tb_cos(n * angle) * 2.0 * PI / AROUND / (4.0 * PI);
-    for (uint32_t l = 0; l < LEVELS; l++) {
+    const double part = tb_cos(n * angle) * 2.0 * PI / around / (4.0 * PI);
+    for (uint32_t l = 0; l < panels * TB_PANEL; l++) {
       const double up = z - levels[l], distance = sqrt(across + up * up);
       const double size = part * weights[l] / distance;
       double sine, cosine;
@@ -65,12 +85,22 @@ static double depth_of(const TaborDrumDef *def) {
   return enclosed ? def->shell.depth : def->hoop.height;
 }
 
+static void field_at(const TaborDrumDef *def, uint32_t n, double omega, const TaborMicDef *mic,
+                     double field[2]) {
+  if (tb_mic_is_inside(def, mic)) {
+    const TbCavity cavity = tb_closed_drum_cavity(def, n, omega);
+    tb_cavity_wall_field(&cavity, n, omega, mic->radius, field);
+    return;
+  }
+  tb_hoop_field(n, omega / def->air.sound_speed, def->shell.radius, depth_of(def), mic->radius,
+                mic->height, field);
+}
+
 static void listen(TaborModel *model, uint32_t n, double omega, const TbPole *pole, uint32_t at) {
   const TaborDrumDef *def = &model->def;
   for (uint32_t mic = 0; mic < def->mic_count; mic++) {
     double field[2];
-    tb_hoop_field(n, omega / def->air.sound_speed, def->shell.radius, depth_of(def),
-                  def->mic[mic].radius, def->mic[mic].height, field);
+    field_at(def, n, omega, &def->mic[mic], field);
     for (uint32_t copy = 0; copy < 2; copy++) {
       tb_mic_weights(model, mic, omega, pole, n, copy == 1, field,
                      &model->hoop.ahead[mic][at + copy], &model->hoop.behind[mic][at + copy]);

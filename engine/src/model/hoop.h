@@ -19,6 +19,9 @@
  * hence a decay rate P/(m_n omega^2 |q|^2). An open drum's wall has air on both sides and shifts
  * air from one side to the other. So only the wall above the head counts, h = height of the hoop.
  *
+ * A microphone inside the shell hears the air that the wall pushes there (cavity_pressure.h),
+ * between heads that are held.
+ *
  * Limits: for k -> 0, P vanishes with (k R)^(2n); r >> R gives I -> e^{-ikr} h/(2 r) i^n
  * J_n(x sin t) sinc(...), up to a phase. The recursion is that of modes.h, so energy is as
  * exact. */

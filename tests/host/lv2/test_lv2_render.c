@@ -380,7 +380,7 @@ static void compare(const Take *expected, const Take *take, uint32_t block) {
 }
 
 static const char *const pair[] = {"left", "right"};
-static const char *const all[] = {"top", "bottom", "near", "far", "left", "right"};
+static const char *const all[] = {"top", "bottom", "near", "far", "left", "right", "inside"};
 
 /* ---- tests ---------------------------------------------------------------------------------- */
 

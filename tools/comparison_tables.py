@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What compare-synthesizers and compare-qualities measured, as Markdown for tools/performance.template.md."""
+"""What compare-synthesizers, compare-qualities and compare-reference measured, as Markdown for the templates."""
 import json
 
 NOT_MEASURED = "Not measured yet: run `{}`."
@@ -60,6 +60,61 @@ def qualities(facts):
     heads = ["drum", "level", "of real time", "level [dB]", "centroid", "bands, first 50 ms [dB]",
              "bands, after [dB]", "decay", "contact [ms]", "glide [cents]"]
     return table(heads, [row for drum in facts["presets"] for row in quality_rows(drum)])
+
+
+# ---- live and studio beside reference ------------------------------------------------------------
+
+WITHIN = {"studio": (2.0, 2.0), "live": (3.0, 5.0)}  # [dB] in 90 % of the bands, and in all of them
+
+
+def hertz(frequency):
+    return f"{frequency:.0f} Hz" if frequency < 999.0 else f"{frequency / 1000.0:.3g} kHz"
+
+
+def extremes(levels):
+    return f"{min(levels):+.1f} .. {max(levels):+.1f}" if len(levels) > 1 else f"{levels[0]:+.1f}"
+
+
+def difference_rows(name, windows, by_window, groups):
+    for (start, end), bands in zip(windows, by_window):
+        yield [*name, f"{1e3 * start:.0f}-{1e3 * end:.0f} ms", *(extremes(bands[a:b]) for a, b in groups)]
+
+
+def differences(facts):
+    """The lowest and the highest band of some groups; from 6.3 kHz on every band."""
+    bands, windows = facts["bands_hz"], facts["windows_s"]
+    groups = [(0, 6), (6, 11), (11, 15), (15, 18), *((i, i + 1) for i in range(18, len(bands)))]
+    heads = ["drum", "", "window"] + [
+        f"{hertz(bands[a])} to {hertz(bands[b - 1])}" if b - a > 1 else hertz(bands[a]) for a, b in groups]
+    rows = [row for preset, result in facts["presets"].items() for level, own in result["differences"].items()
+            for row in difference_rows([f"`{preset}`", "*0.1 % faster*" if level == "faster" else level], windows,
+                                       own, groups)]
+    rows += [row for finer, own in facts.get("convergence", {}).items()
+             for row in difference_rows(["`snare-14x5.5`", f"*reference, {finer}*"], windows, own, groups)]
+    return table(heads, rows)
+
+
+def inside(level, result):
+    """How many of all bands lie within each bound; a bound is at least what a faster stroke changes."""
+    own = [abs(band) for window in result["differences"][level] for band in window]
+    faster = [abs(band) for window in result["differences"].get("faster", []) for band in window] or [0.0] * len(own)
+    most, every = (sum(size <= max(bound, limit) for size, limit in zip(own, faster)) for bound in WITHIN[level])
+    return [f"{most} of {len(own)} within {WITHIN[level][0]:g} dB", f"{every} within {WITHIN[level][1]:g} dB",
+            f"{max(own):.1f} dB"]
+
+
+def verdicts(facts):
+    rows = [[f"`{preset}`", level, *inside(level, result), f"{result['cost'][level]:.2f}",
+             f"{result['cost']['reference']:.0f}"]
+            for preset, result in facts["presets"].items() for level in result["differences"] if level != "faster"]
+    return table(["drum", "level", "bands", "", "largest", "of real time", "reference's, at 96 kHz"], rows)
+
+
+def reference(facts):
+    """What the template calls for, by name."""
+    if not facts:
+        return {"reference_differences": NOT_MEASURED.format("tools/compare-reference"), "reference_verdicts": ""}
+    return {"reference_differences": differences(facts), "reference_verdicts": verdicts(facts)}
 
 
 def values(folder):

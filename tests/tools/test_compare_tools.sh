@@ -27,7 +27,9 @@ time = np.arange(int(0.6 * rate)) / rate
 low, high = (np.exp(-6.9078 * time / 0.5) * np.sin(2 * np.pi * f * time) for f in (250.0, 500.0))
 assert abs(tool.decay_time(low, rate) - 0.5) < 0.01
 assert tool.centroid(low, rate) < tool.centroid(low + high, rate) < tool.centroid(high, rate)
-bands = tool.third_octaves(low, rate)
+bands = tool.third_octaves(low, rate, tool.BANDS)
+twice = np.interp(np.arange(0, 0.6, 0.5 / rate), time, low)  # of twice the rate
+assert abs(tool.third_octaves(twice, 2 * rate, [250.0]) - tool.third_octaves(low, rate, [250.0])) < 0.05
 assert tool.BANDS[bands.argmax()] == 250.0
 assert abs(tool.band_differences(bands + 3.0, bands)["worst_db"] - 3.0) < 1e-9
 head = np.where(time < 0.2, np.sin(2 * np.pi * 202.0 * time), np.sin(2 * np.pi * 200.0 * time))

@@ -55,6 +55,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .unstretch = unstretch,
   .reach = reach,
   .losses = losses,
+  .add = add_arrays,
   .subtract = subtract_arrays,
   .wire_step = wire_step,
   .wire_losses = wire_losses,

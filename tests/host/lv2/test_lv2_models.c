@@ -187,6 +187,7 @@ static void test_a_pitch_takes_the_place_of_the_tension(void **state) {
   turn(other, KNOB_BATTER_TENSION, 3000);
   assert_false(are_alike());
   turn(one, KNOB_BATTER_PITCH, 850); /* the resonant head keeps its own */
+  assert_non_null(strstr(one->said, "the head keeps its tension: batter.pitch = 850 is outside"));
   assert_true(are_alike());
   turn(one, KNOB_BATTER_PITCH, 220);
   assert_false(are_alike());

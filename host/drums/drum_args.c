@@ -135,7 +135,7 @@ Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const cha
   TaborError error;
   const Outcome outcome = set_key(&changed, what, key, value);
   if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_drum_def_validate(&changed, &error) != TABOR_OK) return report_engine_error(&error);
+  if (tabor_drum_def_tune(&changed, &error) != TABOR_OK) return report_engine_error(&error);
   *def = changed;
   return OUTCOME_OK;
 }
@@ -161,7 +161,7 @@ Outcome drum_load_preset(const char *preset, TaborDrumDef *def) {
   TaborError error;
   const Outcome outcome = load_preset(preset, def);
   if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_drum_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
+  if (tabor_drum_def_tune(def, &error) == TABOR_OK) return OUTCOME_OK;
   return refuse("%s: %s", preset, error.message);
 }
 
@@ -175,7 +175,7 @@ Outcome drum_load(const Arguments *arguments, TaborDrumDef *def) {
   }
   if (outcome != OUTCOME_OK) return outcome;
   TaborError error;
-  if (tabor_drum_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
+  if (tabor_drum_def_tune(def, &error) == TABOR_OK) return OUTCOME_OK;
   if (!preset_is_file(preset)) return report_engine_error(&error);
   return refuse("%s%s: %s", preset, arguments_has(arguments, "set") ? " with --set" : "",
                 error.message);

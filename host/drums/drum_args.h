@@ -40,17 +40,18 @@ const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);
 /** Microphone of @p to that corresponds to @p mic of @p from: by name, else by index, else the first. */
 uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to);
-/** Reads the preset, applies every --set in order, and validates the result. --set adds no microphone or
- * striker: a new name adds one in a file, but is taken for a mistake on the command line. */
+/** Reads the preset, applies every --set in order, validates the result, and turns pitches into tensions.
+ * --set adds no microphone or striker: a new name adds one in a file, but is taken for a mistake on the command
+ * line. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
 /** Index of a preset in the list of built-in presets; -1 for a file. */
 int preset_place(const char *preset);
 /** Index of the preset that drum_load() reads; -1 for a file or if --set may have changed it. */
 int drum_listed_preset(const Arguments *arguments);
-/** Reads a preset without any --set and validates it. */
+/** The same for a preset without any --set. */
 Outcome drum_load_preset(const char *preset, TaborDrumDef *def);
-/** Sets one parameter and validates the result; leaves @p def unchanged on an error. Messages that do not name
- * the key start with @p what, such as "--set". Adds no microphone or striker. */
+/** Sets one parameter, validates the result, and turns a pitch into a tension; leaves @p def unchanged on an error.
+ * Messages that do not name the key start with @p what, such as "--set". Adds no microphone or striker. */
 Outcome drum_set(TaborDrumDef *def, const char *what, const char *key, const char *value);
 /** Reads --rate and --quality. Without --quality the level is that of --set quality.level, else live. A level
  * in the preset itself is only for programs that use the library. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file modes.c
- * `tabor modes`: lists frequencies and decays of the heads coupled to the air, sorted by frequency.
+ * `tabor modes`: lists frequencies and decays of the heads coupled to the air, sorted by frequency, and the
+ * pitches of the heads.
  */
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +21,46 @@ static const char *part_word(TaborModePart part) {
 
 static const char *phase_word(int phase) { return phase > 0 ? "in" : "out"; }
 
-static Outcome print_table(const TaborModel *model) {
+/* The pitches of a drum's heads [Hz]. */
+typedef struct Pitches {
+  uint32_t heads; /* 1 or 2: batter, resonant */
+  double pitch[2];
+} Pitches;
+
+static Outcome find_pitches(const TaborDrumDef *def, Pitches *pitches) {
+  TaborError error;
+  pitches->heads = def->two_headed ? 2 : 1;
+  for (uint32_t head = 0; head < pitches->heads; head++) {
+    if (tabor_drum_def_pitch(def, head, &pitches->pitch[head], &error) != TABOR_OK) {
+      return report_engine_error(&error);
+    }
+  }
+  return OUTCOME_OK;
+}
+
+/* The nearest note with the cents that are missing, as "C#4-14". */
+static void write_note(double frequency, char *text, size_t size) {
+  static const char *const names[] = {"C",  "C#", "D",  "Eb", "E",  "F",
+                                      "F#", "G",  "Ab", "A",  "Bb", "B"};
+  const double semitones = 57 + 12 * log2(frequency / 440); /* above C0 */
+  const int nearest = (int)lround(semitones);
+  const long cents = lround(100 * (semitones - nearest));
+  (void)snprintf(text, size, "%s%d%+ld", names[(nearest + 120) % 12], (nearest + 120) / 12 - 10,
+                 cents);
+}
+
+static void print_pitches(const Pitches *pitches) {
+  printf("\nat a lug%s:", pitches->heads == 2 ? ", the other head held" : "");
+  for (uint32_t head = 0; head < pitches->heads; head++) {
+    char note[32];
+    write_note(pitches->pitch[head], note, sizeof note);
+    printf("%s %s %.2f Hz (%s)", head > 0 ? "," : "", part_word((TaborModePart)head),
+           pitches->pitch[head], note);
+  }
+  printf("\n");
+}
+
+static Outcome print_table(const TaborModel *model, const Pitches *pitches) {
   printf("%3s %3s %14s %11s %9s %7s %-9s %s\n", "m", "n", "frequency/Hz", "decay/(1/s)", "t60/s",
          "copies", "head", "phase");
   TaborModeInfo mode;
@@ -29,6 +69,7 @@ static Outcome print_table(const TaborModel *model) {
            mode.frequency, mode.decay_rate, t60(mode.decay_rate), (unsigned)mode.multiplicity,
            part_word(mode.part), mode.phase ? phase_word(mode.phase) : "-");
   }
+  print_pitches(pitches);
   return OUTCOME_OK;
 }
 
@@ -41,7 +82,15 @@ static json_t *mode_json(const TaborModeInfo *mode) {
                    "phase", mode->phase ? phase_word(mode->phase) : NULL);
 }
 
-static Outcome print_json(const TaborModel *model) {
+static json_t *pitches_json(const Pitches *pitches) {
+  json_t *const object = json_object();
+  for (uint32_t head = 0; head < pitches->heads; head++) {
+    json_object_set_new(object, part_word((TaborModePart)head), json_number(pitches->pitch[head]));
+  }
+  return object;
+}
+
+static Outcome print_json(const TaborModel *model, const Pitches *pitches) {
   json_t *const list = json_array();
   TaborModeInfo mode;
   uint32_t row = 0;
@@ -50,7 +99,7 @@ static Outcome print_json(const TaborModel *model) {
     json_decref(list);
     return fail_memory();
   }
-  return json_print(json_pack("{s:o}", "modes", list));
+  return json_print(json_pack("{s:o, s:o}", "modes", list, "pitches", pitches_json(pitches)));
 }
 
 static Outcome run(const Arguments *arguments) {
@@ -58,13 +107,16 @@ static Outcome run(const Arguments *arguments) {
   TaborModelOptions model_options;
   Outcome outcome = drum_load(arguments, &def);
   if (outcome == OUTCOME_OK) outcome = model_options_read(arguments, &def, &model_options);
+  Pitches pitches;
+  if (outcome == OUTCOME_OK) outcome = find_pitches(&def, &pitches);
   if (outcome != OUTCOME_OK) return outcome;
   TaborModel *model = NULL;
   TaborError error;
   if (tabor_model_create(&def, &model_options, &model, &error) != TABOR_OK) {
     return report_engine_error(&error);
   }
-  outcome = arguments_has(arguments, "json") ? print_json(model) : print_table(model);
+  outcome =
+    arguments_has(arguments, "json") ? print_json(model, &pitches) : print_table(model, &pitches);
   tabor_model_release(model);
   return outcome;
 }
@@ -74,7 +126,7 @@ static const Option options[] = {OPTION_SET, OPTION_RATE, OPTION_QUALITY, {0}};
 const Command modes_command = {
   .name = "modes",
   .operand = "[PRESET]",
-  .summary = "List the modes of a drum: frequency, decay, multiplicity",
+  .summary = "List the modes of a drum: frequency, decay, multiplicity; and its pitches at a lug",
   .notes = PRESET_NOTES,
   .options = options,
   .run = run,

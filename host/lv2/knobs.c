@@ -6,6 +6,7 @@
 
 #define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */
+#define HIGHEST_PITCH 900  /* [Hz], of the presets' heads */
 
 #define ENGINE_RANGE .minimum = NAN, .maximum = NAN
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
@@ -92,6 +93,27 @@ const Knob knobs[KNOB_COUNT] = {
                          FROM_PRESET,
                          .comment = "In which direction from the centre strokes fall, until MIDI "
                                     "controller 17 says."},
+  [KNOB_BATTER_PITCH] = {.symbol = "batter_pitch",
+                         .name = "Batter head pitch",
+                         .key = "batter.pitch",
+                         .group = "heads",
+                         .kind = KNOB_REBUILD,
+                         RANGE(0, HIGHEST_PITCH),
+                         .fallback = NAN,
+                         .off = 0,
+                         .comment =
+                           "What a tuner reads at a lug of the struck head; 0: as the "
+                           "tension says. A pitch that the head cannot reach has no effect."},
+  [KNOB_RESONANT_PITCH] = {.symbol = "resonant_pitch",
+                           .name = "Resonant head pitch",
+                           .key = "resonant.pitch",
+                           .group = "heads",
+                           .kind = KNOB_REBUILD,
+                           RANGE(0, HIGHEST_PITCH),
+                           .fallback = NAN,
+                           .off = 0,
+                           .comment = "What a tuner reads at a lug of the lower head; 0: as the "
+                                      "tension says. No effect on drums with one head."},
   [KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                            .name = "Velocity curve",
                            .group = "stick",
@@ -173,6 +195,15 @@ const Knob knobs[KNOB_COUNT] = {
                                     "drums."},
 };
 
+const KnobId knob_ports[KNOB_COUNT] = {
+  KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
+  KNOB_STRAINER,       KNOB_WIRE_TENSION,     KNOB_STICK_HARDNESS,  KNOB_STRIKE_RADIUS,
+  KNOB_STRIKE_ANGLE,   KNOB_VELOCITY_CURVE,   KNOB_HUMANIZE,        KNOB_QUALITY,
+  KNOB_GAIN,           KNOB_LEVEL_PAIR,       KNOB_LEVEL_TOP,       KNOB_LEVEL_BOTTOM,
+  KNOB_LEVEL_NEAR,     KNOB_LEVEL_FAR,        KNOB_VELOCITY_RANGE,  KNOB_LEVEL_INSIDE,
+  KNOB_BATTER_PITCH,   KNOB_RESONANT_PITCH,
+};
+
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {
   const int named = tabor_drum_def_find_striker(def, def->strike.striker);
   return &def->striker[named > 0 ? named : 0];
@@ -189,6 +220,8 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   case KNOB_STICK_HARDNESS: return &usual_striker(def)->contact_stiffness;
   case KNOB_STRIKE_RADIUS: return &def->strike.radius;
   case KNOB_STRIKE_ANGLE: return &def->strike.angle;
+  case KNOB_BATTER_PITCH: return &def->batter.pitch;
+  case KNOB_RESONANT_PITCH: return def->two_headed ? &def->resonant.pitch : NULL;
   default: return NULL;
   }
 }

@@ -5,8 +5,8 @@
  *
  * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and its range
  * from the engine's parameter; the table may narrow the range. Its default comes from the preset
- * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change. New knobs go to the end,
- * because the order of the knobs is the order of the ports.
+ * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
+ * new knobs go to the end of knob_ports.
  */
 #ifndef TABOR_LV2_KNOBS_H
 #define TABOR_LV2_KNOBS_H
@@ -16,7 +16,7 @@
 #include "base/realtime.h"
 #include "drums/default_preset.h"
 
-/** Knobs, in the order of the ports. */
+/** Knobs, those for keys first. */
 typedef enum KnobId {
   KNOB_BATTER_TENSION,
   KNOB_RESONANT_TENSION,
@@ -27,21 +27,23 @@ typedef enum KnobId {
   KNOB_STICK_HARDNESS,
   KNOB_STRIKE_RADIUS,
   KNOB_STRIKE_ANGLE,
+  KNOB_BATTER_PITCH,
+  KNOB_RESONANT_PITCH,
   KNOB_VELOCITY_CURVE,
   KNOB_HUMANIZE,
   KNOB_QUALITY,
   KNOB_GAIN,
-  KNOB_LEVEL_PAIR, /**< the levels, to KNOB_LEVEL_FAR, and KNOB_LEVEL_INSIDE: stereo plugin only */
+  KNOB_LEVEL_PAIR, /**< the levels, to KNOB_LEVEL_INSIDE: stereo plugin only */
   KNOB_LEVEL_TOP,
   KNOB_LEVEL_BOTTOM,
   KNOB_LEVEL_NEAR,
   KNOB_LEVEL_FAR,
+  KNOB_LEVEL_INSIDE,
   KNOB_VELOCITY_RANGE,
-  KNOB_LEVEL_INSIDE, /**< the last level; last, so that no older port has another number */
   KNOB_COUNT
 } KnobId;
 
-#define KNOB_KEYS (KNOB_STRIKE_ANGLE + 1) /**< number of knobs for keys; they come first */
+#define KNOB_KEYS (KNOB_RESONANT_PITCH + 1) /**< number of knobs for keys */
 
 /** How a knob takes effect. */
 typedef enum KnobKind {
@@ -73,18 +75,21 @@ typedef struct KnobRange {
 } KnobRange;
 
 extern const Knob knobs[KNOB_COUNT];
+/** All knobs, in the order of the ports. */
+extern const KnobId knob_ports[KNOB_COUNT];
 
 /** True for the level of a microphone. */
 static inline bool knob_is_level(KnobId id) REALTIME {
-  return (id >= KNOB_LEVEL_PAIR && id <= KNOB_LEVEL_FAR) || id == KNOB_LEVEL_INSIDE;
+  return id >= KNOB_LEVEL_PAIR && id <= KNOB_LEVEL_INSIDE;
 }
 
 /** Knob number @p place of the stereo or the multi-output plugin; KNOB_COUNT past the last. */
 static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
-  const uint32_t levels = KNOB_LEVEL_FAR - KNOB_LEVEL_PAIR + 1;
-  const uint32_t id = stereo || place < KNOB_LEVEL_PAIR ? place : place + levels;
-  const uint32_t end = stereo ? KNOB_COUNT : KNOB_LEVEL_INSIDE;
-  return id < end ? (KnobId)id : KNOB_COUNT;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (!stereo && knob_is_level(knob_ports[i])) continue;
+    if (place-- == 0) return knob_ports[i];
+  }
+  return KNOB_COUNT;
 }
 
 /** Number of knobs of a plugin. */

@@ -117,12 +117,40 @@ static void compose(ModelWorker *worker, Reply *reply) {
   memcpy(worker->composed_seen, reply->seen, sizeof reply->seen);
 }
 
-/* What the model is built from: where MIDI has moved it, too. */
-static void compose_model(const Request *request, Reply *reply) {
+static void say(const ModelWorker *worker, const char *what, const TaborError *error) {
+  char line[2 * TABOR_TEXT_SIZE];
+  (void)snprintf(line, sizeof line, "%s: %s", what, error->message);
+  if (worker->say) worker->say(worker->context, line);
+}
+
+/* The pitch that an error is about; NULL if it is about something else. */
+static double *pitch_of(TaborDrumDef *def, const TaborError *error) {
+  if (strcmp(error->key, "batter.pitch") == 0) return &def->batter.pitch;
+  if (strcmp(error->key, "resonant.pitch") == 0) return &def->resonant.pitch;
+  return NULL;
+}
+
+/* Tensions for pitches. A pitch that this drum's head cannot have is passed over. */
+static void tune(const ModelWorker *worker, TaborDrumDef *def) {
+  TaborError error;
+  while (tabor_drum_def_tune(def, &error) == TABOR_ERROR_RANGE) {
+    double *const pitch = pitch_of(def, &error);
+    if (!pitch) return; /* building the model refuses it */
+    *pitch = 0;
+    say(worker, "the head keeps its tension", &error);
+  }
+}
+
+/* What the model is built from: where MIDI has moved it, too, and with tensions for pitches. The pitches
+ * stay in what is saved, so that the tensions are there when they are taken back. */
+static void compose_model(const ModelWorker *worker, Reply *reply) {
+  const Request *const request = &worker->request;
   TaborDrumDef *const def = &reply->def;
-  if (reply->restoration != request->restoration) return;
-  set_field(def, knob_field(def, KNOB_STRAINER), request->strainer);
-  set_field(def, &def->hand.grip, request->grip);
+  if (reply->restoration == request->restoration) {
+    set_field(def, knob_field(def, KNOB_STRAINER), request->strainer);
+    set_field(def, &def->hand.grip, request->grip);
+  }
+  tune(worker, def);
 }
 
 static const char *const mic_names[MODEL_WORKER_MICS] = {"top",  "bottom", "near",  "far",
@@ -217,12 +245,6 @@ static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
   return status;
 }
 
-static void say(const ModelWorker *worker, const TaborError *error) {
-  char line[2 * TABOR_TEXT_SIZE];
-  (void)snprintf(line, sizeof line, "the drum stays as it is: %s", error->message);
-  if (worker->say) worker->say(worker->context, line);
-}
-
 /* Composes anew in any case, so that what is saved is not much older than the knobs. */
 static void answer(ModelWorker *worker) {
   Reply *const reply = &worker->reply;
@@ -244,13 +266,13 @@ static void answer(ModelWorker *worker) {
   if (!reply->is_news) return;
   reply->def = composed;
   midi_binding_make(&worker->map, &reply->def, &reply->binding);
-  compose_model(&worker->request, reply);
+  compose_model(worker, reply);
   describe(reply);
   reply->failed = build(worker, reply, &error) != TABOR_OK;
   if (!reply->failed) return;
   tabor_drum_destroy(reply->spare);
   reply->drum = reply->spare = NULL;
-  say(worker, &error);
+  say(worker, "the drum stays as it is", &error);
 }
 
 void model_worker_work(ModelWorker *worker) {

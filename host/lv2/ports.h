@@ -6,9 +6,8 @@
  *     0                 MIDI
  *     1 ...             outputs: left and right, or one per microphone
  *     then              freewheel, ready
- *     then              knobs, in the order of knobs.h
- *     then              the output of the microphone inside, of the multi-output plugin: last, so that no
- *                       older port has another number
+ *     then              knobs, in the order of knob_ports; in the multi-output plugin the output of the
+ *                       microphone inside stands among them, at PORT_INSIDE, where it was the last port once
  */
 #ifndef TABOR_LV2_PORTS_H
 #define TABOR_LV2_PORTS_H
@@ -33,6 +32,8 @@ typedef struct Port {
   uint32_t index;
 } Port;
 
+#define PORT_INSIDE 14 /**< knobs of the multi-output plugin before the output inside */
+
 /** Number of audio outputs of a plugin. */
 static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 7; }
 
@@ -44,8 +45,8 @@ static inline Port port_at(bool stereo, uint32_t number) REALTIME {
   if (number == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
   if (number == outputs + 2) return (Port){PORT_READY, 0};
   const uint32_t place = number - outputs - 3;
-  if (!stereo && place == knob_number(stereo)) return (Port){PORT_OUTPUT, outputs};
-  const KnobId knob = knob_at(stereo, place);
+  if (!stereo && place == PORT_INSIDE) return (Port){PORT_OUTPUT, outputs};
+  const KnobId knob = knob_at(stereo, place - (!stereo && place > PORT_INSIDE));
   return (Port){knob < KNOB_COUNT ? PORT_KNOB : PORT_NONE, knob};
 }
 

@@ -272,7 +272,8 @@ static void run_set(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
   if (model_builder_set(controls->builder, frame, "set", key, value) != OUTCOME_OK) return;
   const TaborParameter *const parameter = tabor_parameter_find(key);
-  tell(controls, "%s = %s %s", key, value, parameter ? parameter->unit : "");
+  const bool is_word = (*value >= 'A' && *value <= 'Z') || (*value >= 'a' && *value <= 'z');
+  tell(controls, "%s = %s %s", key, value, parameter && !is_word ? parameter->unit : "");
 }
 
 static void run_preset(Controls *controls, const char *text, double time) {

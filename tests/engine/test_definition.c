@@ -913,7 +913,7 @@ static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
 /* Each of its keys brings the second head, with defaults for the others. */
 static void test_second_head(void **state) {
   (void)state;
-  enum { KEYS = 12 + TABOR_MAX_LUGS };
+  enum { KEYS = 13 + TABOR_MAX_LUGS };
   TaborDrumDef one, two;
   tabor_drum_def_default(&one);
   tabor_drum_def_default(&two);
@@ -944,7 +944,7 @@ static void test_second_head(void **state) {
 
 static void test_second_head_keys(void **state) {
   (void)state;
-  enum { KEYS = 12 }; /* but for lugs' own values, which are not set */
+  enum { KEYS = 13 }; /* but for lugs' own values, which are not set */
   TaborDrumDef def, copy;
   char all[8192];
   tabor_drum_def_default(&def);

@@ -133,6 +133,12 @@ class Definitions(unittest.TestCase):
     def test_values_have_their_types(self):
         drum = tabor.Definition("snare-14x5.5", {"batter.tension": 4000, "wires.count": np.int64(12)})
         self.assertEqual(drum["batter.tension"], 4000.0)
+        drum["batter.pitch"] = "A3"
+        self.assertEqual(drum["batter.pitch"], 220.0)
+        drum.tune()
+        self.assertEqual(drum["batter.pitch"], 0.0)
+        self.assertLess(drum["batter.tension"], 4000.0)
+        drum["batter.tension"] = 4000
         self.assertEqual(drum["wires.count"], 12)
         self.assertEqual(drum["wires.head"], "resonant")
         self.assertTrue(math.isnan(drum["wire.1.tension"]))

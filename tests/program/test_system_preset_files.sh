@@ -142,8 +142,8 @@ done_quietly render tabor -q --quality draft --set batter.tension=2345 -o set.wa
 check "file and --set give the same sound" cmp -s mine.wav set.wav
 { sed 's/^height = -.*/height = -0.3/' good.ini && printf '[resonant]\ntension = 2100\n'; } >two.ini
 done_quietly show two.ini
-same "a section brings the second head" "[resonant] tension = 2100 surface_density = 0.105" \
-  "$(grep -A 2 '^\[resonant\]' "$out" | sed 's/ *;.*//' | tr '\n' ' ' | sed 's/ $//')"
+same "a section brings the second head" "[resonant] tension = 2100 pitch = 0 surface_density = 0.105" \
+  "$(grep -A 3 '^\[resonant\]' "$out" | sed 's/ *;.*//' | tr '\n' ' ' | sed 's/ $//')"
 cp "$out" shown.ini
 done_quietly show shown.ini
 check "and reads back" cmp -s shown.ini "$out"

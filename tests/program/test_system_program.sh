@@ -82,6 +82,35 @@ done_quietly show --set shell.radius=0.2 --set batter.tension=1234.5 --set=shell
 same "the last --set counts" 0.21 "$(setting radius | head -n 1)"
 same "all of them" 1234.5 "$(setting tension | head -n 1)"
 check "unit and text" grep -qE '^tension = 1234.5 +; \[N/m\] [a-z]' "$out"
+
+# tensions: those of both heads that `show` printed
+tensions() { setting tension | head -n 2 | tr '\n' ' '; }
+pitches() { echo "$(json pitches.batter) $(json pitches.resonant)"; }
+done_quietly show --set batter.pitch=A3 --set resonant.pitch=330.5
+tuned=$(tensions)
+same "show writes the tension of a pitch" "0 0" "$(setting pitch | tr '\n' ' ' | sed 's/ $//')"
+cp "$out" tuned.ini
+done_quietly modes "${quick[@]}" --json ./tuned.ini
+holds "which gives that pitch" "($(json pitches.batter) / 220 - 1)^2 + ($(json pitches.resonant) / 330.5 - 1)^2 < 1e-9"
+in_file=$(pitches)
+done_quietly modes "${quick[@]}" --json --set batter.pitch=A3 --set resonant.pitch=330.5
+same "with or without a file between" "$in_file" "$(pitches)"
+done_quietly show --set resonant.pitch=330.5 --set batter.tension=2000 --set batter.pitch=220
+same "a pitch after a tension counts" "$tuned" "$(tensions)"
+done_quietly show --set resonant.pitch=330.5 --set batter.pitch=220 --set batter.tension=2000
+same "a tension after a pitch counts" 2000 "$(setting tension | head -n 1)"
+done_quietly show --set shell.radius=0.16 --set batter.pitch=A3
+smaller=$(tensions)
+done_quietly show --set batter.pitch=A3 --set shell.radius=0.16
+same "a pitch is that of the whole drum" "$smaller" "$(tensions)"
+"$TABOR" show | sed '/^\[batter/,/^\[resonant/s/^pitch = 0 /pitch = A3 /' >pitched.ini
+done_quietly show ./pitched.ini
+same "a pitch in a file" "${tuned%% *}" "$(setting tension | head -n 1)"
+refused "batter.pitch = 1046.5 is outside 48.2 to 522.5 Hz, the pitches of this head" show --set batter.pitch=C6
+refused "pitched.ini with --set: batter.pitch = 523.25 is outside" show ./pitched.ini --set batter.pitch=C5
+refused "neither a number from 0 to 20000 Hz nor a note such as Eb2\+30" show --set batter.pitch=H3
+refused "resonant.pitch = 0.5 is neither 0 nor in 1 to 20000 Hz" show --set resonant.pitch=0.5
+
 done_quietly show tabor --set drum.name=Mine
 { cat "$out" && printf '[mic.extra]\nheight = 0.5\n[striker.other]\nmass = 0.02\n'; } >more.ini
 done_quietly show more.ini
@@ -119,9 +148,12 @@ same "keys of a parameter" "key value unit minimum maximum live text" "$(json pa
 # ---- modes ----
 
 done_quietly modes frame-drum "${quick[@]}"
-rows=$(($(wc -l <"$out") - 1))
+rows=$(($(wc -l <"$out") - 3)) # without heading, empty line and pitch
+check "the pitch at a lug" grep -qx 'at a lug: batter 190\.94 Hz (G3-45)' "$out"
 done_quietly modes frame-drum --json "${quick[@]}"
-same "modes as JSON" modes "$(json keys)"
+same "modes as JSON" "modes pitches" "$(json keys)"
+same "one head, one pitch" batter "$(json pitches.keys)"
+holds "a single head's pitch is its (1,1)" "($(json pitches.batter) / $(json modes.1.frequency) - 1)^2 < 1e-8"
 same "as many rows" "$rows" "$(json modes.size)"
 same "keys of a mode" "m n frequency decay_rate t60 multiplicity head phase" "$(json modes.0.keys)"
 same "the lowest mode" "0 1 1" "$(json modes.0.m) $(json modes.0.n) $(json modes.0.multiplicity)"

@@ -179,7 +179,11 @@ typedef struct TaborShellDef {
  * tensions differ, pairs of the lower modes split into two frequencies and beat.
  */
 typedef struct TaborHeadDef {
-  double tension;           /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
+  double tension; /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
+  /** What a tuner reads at a lug [Hz]: the frequency of this head's lowest mode with one nodal diameter, (1,1),
+   * in air, with even lugs and the other head held still; 1 to 20,000. It takes precedence over `tension`, and
+   * tabor_drum_def_tune() turns it into one. 0, the default: as `tension` says. */
+  double pitch;
   double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 and 0.105 */
   double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 and 1.5e-4 */
   double damping_0;         /**< sigma0 [1/s], 0 to 1000, default 12 */
@@ -429,7 +433,8 @@ TABOR_API void tabor_drum_def_clear(TaborDrumDef *def);
 TABOR_API TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error);
 /**
  * Sets one parameter from text, for example the key "batter.tension" to "3000". Numbers are read
- * independently of the locale. A new NAME in "striker.NAME.mass" or "mic.NAME.gain" adds that
+ * independently of the locale. A pitch may be a note, as "A3", "F#3" or "Eb2+30" (30 cents sharp), A4 = 440 Hz;
+ * of tension and pitch of a head the one that is set later counts. A new NAME in "striker.NAME.mass" or "mic.NAME.gain" adds that
  * striker or microphone, and any "resonant." key makes a one-headed drum two-headed; the other
  * fields of what is added get their defaults. On an error @p def is unchanged: TABOR_ERROR_KEY
  * (the message suggests a similar key if there is one), TABOR_ERROR_VALUE, TABOR_ERROR_RANGE,
@@ -466,6 +471,22 @@ TABOR_API bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char 
  * names the first offending key.
  */
 TABOR_API TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error);
+/**
+ * Checks @p def like tabor_drum_def_validate() and replaces pitches by tensions: each head with a pitch
+ * gets the tension that gives it, rounded to 0.01 N/m, and the pitch 0. A pitch depends on radius, depth,
+ * boundary and air, and on the head's other values, so call this when all of them are set;
+ * tabor_model_create() does. On an error @p def is unchanged: those of tabor_drum_def_validate(),
+ * TABOR_ERROR_RANGE if no tension of the allowed range gives the pitch (minimum and maximum of @p error are then
+ * those of the pitches that the head can have), TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. Takes some
+ * hundredths of a second if there is a pitch.
+ */
+TABOR_API TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error);
+/**
+ * Computes the pitch [Hz] of @p head, a TaborHead, from its tension, or returns the one that is set. Errors as
+ * for tabor_drum_def_tune(), and TABOR_ERROR_NAME if @p def has no such head.
+ */
+TABOR_API TaborStatus tabor_drum_def_pitch(const TaborDrumDef *def, uint32_t head, double *pitch,
+                                           TaborError *error);
 /** Index of the striker @p name, or -1. */
 TABOR_API int tabor_drum_def_find_striker(const TaborDrumDef *def, const char *name);
 /** Index of the microphone @p name, or -1. */
@@ -552,7 +573,7 @@ typedef struct TaborModeInfo {
 TABOR_API void tabor_model_options_default(TaborModelOptions *options);
 /**
  * Computes a model. The caller owns one reference to it. @p options may be NULL for the defaults.
- * On an error *model is NULL: the errors of tabor_drum_def_validate(), TABOR_ERROR_ARGUMENT or
+ * On an error *model is NULL: the errors of tabor_drum_def_tune(), TABOR_ERROR_ARGUMENT or
  * TABOR_ERROR_RANGE for @p options, TABOR_ERROR_RANGE for a drum that cannot be computed,
  * TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
  * quarter of a second at live and about a second at studio. With heads of twice their size, or at
@@ -564,7 +585,7 @@ TABOR_API TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborMod
 TABOR_API TaborModel *tabor_model_retain(TaborModel *model);
 /** Removes a reference, atomically; removing the last one frees the model. Ignores NULL. */
 TABOR_API void tabor_model_release(TaborModel *model);
-/** The definition that the model was built from; valid as long as the model. */
+/** The definition that the model was built from, with tensions for pitches; valid as long as the model. */
 TABOR_API const TaborDrumDef *tabor_model_definition(const TaborModel *model);
 /** Fills in the facts of @p model. */
 TABOR_API void tabor_model_info(const TaborModel *model, TaborModelInfo *info);

@@ -2,6 +2,7 @@
 #include "definition/def_value.h"
 #include "definition/def_text.h"
 #include "definition/error.h"
+#include "definition/note.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -178,14 +179,19 @@ static TaborStatus parse_number(const TbParam *param, const char *key, const cha
     value->number = NAN;
     return TABOR_OK;
   }
+  if (param->note && tb_note_parse(text, &value->number)) {
+    return tb_def_value_check(param, key, value, error);
+  }
   const TbParse parse = tb_number_parse(text, &value->number);
   if (parse == TB_PARSE_OVERFLOW) return refuse_range(param, key, text, error);
   if (parse == TB_PARSE_OK) return tb_def_value_check(param, key, value, error);
   char unit[TABOR_NAME_SIZE];
   write_unit(param, unit);
   return tb_error_set(error, TABOR_ERROR_VALUE, key, text, param->info.minimum, param->info.maximum,
-                      "%s = '%s' is not a number from %g to %g%s", key, text, param->info.minimum,
-                      param->info.maximum, unit);
+                      param->note
+                        ? "%s = '%s' is neither a number from %g to %g%s nor a note such as Eb2+30"
+                        : "%s = '%s' is not a number from %g to %g%s",
+                      key, text, param->info.minimum, param->info.maximum, unit);
 }
 
 static TaborStatus parse_whole(const TbParam *param, const char *key, const char *text,

@@ -141,6 +141,12 @@ TaborStatus tabor_drum_def_section(TaborDrumDef *def, const char *section, Tabor
   return tb_error_clear(error);
 }
 
+/* Of a head's tension and pitch the later one counts. */
+static void forget_pitch(TaborDrumDef *def, uint32_t id) {
+  if (id == TB_PARAM_BATTER_TENSION) def->batter.pitch = 0;
+  if (id == TB_PARAM_RESONANT_TENSION) def->resonant.pitch = 0;
+}
+
 TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,
                                TaborError *error) {
   TbKey parsed;
@@ -158,6 +164,7 @@ TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *v
 
   if (is_new) element = add_element(def, group, parsed.name);
   tb_def_value_store(parsed.param, tb_param_field(parsed.param, def, element), &converted);
+  forget_pitch(def, parsed.param->info.id);
   return tb_error_clear(error);
 }
 

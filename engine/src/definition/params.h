@@ -39,6 +39,7 @@ typedef enum TbParamId {
   TB_PARAM_BATTER_LUG_COUNT = 309,
   TB_PARAM_BATTER_LUG_SPREAD = 310,
   TB_PARAM_BATTER_LUG_SEED = 311,
+  TB_PARAM_BATTER_PITCH = 312,
   TB_PARAM_BATTER_LUG = 320, /**< of the first lug; the other lugs follow, to 335 */
 
   TB_PARAM_RESONANT_TENSION = 400, /**< 100 more than the batter's */
@@ -53,6 +54,7 @@ typedef enum TbParamId {
   TB_PARAM_RESONANT_LUG_COUNT = 409,
   TB_PARAM_RESONANT_LUG_SPREAD = 410,
   TB_PARAM_RESONANT_LUG_SEED = 411,
+  TB_PARAM_RESONANT_PITCH = 412,
   TB_PARAM_RESONANT_LUG = 420,
 
   TB_PARAM_WIRES_HEAD = 500,
@@ -156,6 +158,7 @@ typedef struct TbParam {
   double least;    /**< a value closer to zero than this is refused */
   bool zero;       /**< zero itself is allowed in spite of `least` */
   bool identifier; /**< a text that must be a name or empty */
+  bool note;       /**< a number that may be written as a note */
 } TbParam;
 
 /** The table in preset order; rows of one section are neighbours. */

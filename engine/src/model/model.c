@@ -11,6 +11,7 @@
 #include "model/mics.h"
 #include "model/state_layout.h"
 #include "model/stretch_gain.h"
+#include "model/tuning.h"
 #include "model/wire_gridf.h"
 #include "model/wire_reach.h"
 #include "model/wire_yield.h"
@@ -441,6 +442,11 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   atomic_init(&model->references, 1u);
   tb_arena_prepare(&model->arena, &allocator);
   model->def = *def;
+  status = tb_tune(&model->def, &allocator, error);
+  if (status != TABOR_OK) {
+    tabor_model_release(model);
+    return status;
+  }
   model->quality = options->quality ? options->quality : def->quality.level;
   model->sample_rate = options->sample_rate;
   model->time_step = 1.0 / options->sample_rate;

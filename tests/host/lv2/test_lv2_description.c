@@ -142,13 +142,14 @@ static void check_symbols(const char *plugin_uri, const char *const *symbols, ui
 /* Symbols for ever: sessions of users name them. New ones go to the end. */
 static void test_symbols_do_not_change(void **state) {
   (void)state;
-  static const char *const stereo[] = {"events",       "out_left",   "out_right",  "freewheel",
-                                       "ready",        SHARED_KNOBS, "level_pair", "level_top",
-                                       "level_bottom", "level_near", "level_far",  "velocity_range",
-                                       "level_inside"};
-  static const char *const multi[] = {"events",  "out_top",    "out_bottom",     "out_near",
-                                      "out_far", "out_left",   "out_right",      "freewheel",
-                                      "ready",   SHARED_KNOBS, "velocity_range", "out_inside"};
+  static const char *const stereo[] = {
+    "events",     "out_left",       "out_right",    "freewheel",    "ready",
+    SHARED_KNOBS, "level_pair",     "level_top",    "level_bottom", "level_near",
+    "level_far",  "velocity_range", "level_inside", "batter_pitch", "resonant_pitch"};
+  static const char *const multi[] = {
+    "events",         "out_top",    "out_bottom",   "out_near",      "out_far",
+    "out_left",       "out_right",  "freewheel",    "ready",         SHARED_KNOBS,
+    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
 }

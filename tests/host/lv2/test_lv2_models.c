@@ -150,6 +150,76 @@ static void test_equal_drums_share_a_model(void **state) {
   assert_int_equal(model_cache_count(), 0);
 }
 
+/* ---- pitches -------------------------------------------------------------------------------- */
+
+static void turn(PluginHost *host, KnobId id, double value) {
+  host->knobs[id] = (float)value;
+  host_run(host, 64);
+  host_wait(host);
+}
+
+static double tension_for(const char *key, const char *pitch, bool resonant) {
+  TaborDrumDef def;
+  assert_int_equal(tabor_drum_def_preset(&def, DEFAULT_PRESET, NULL), TABOR_OK);
+  assert_int_equal(tabor_drum_def_set(&def, key, pitch, NULL), TABOR_OK);
+  assert_int_equal(tabor_drum_def_tune(&def, NULL), TABOR_OK);
+  return resonant ? def.resonant.tension : def.batter.tension;
+}
+
+/* Drums with the same tensions share a model. */
+static bool are_alike(void) { return model_cache_count() == 1; }
+
+/* A pitch counts whatever the tension says, until it is 0 again; one out of reach does nothing. */
+static void test_a_pitch_takes_the_place_of_the_tension(void **state) {
+  (void)state;
+  PluginHost *const one = open_at_draft(URI_DRUM, HOST_WORKER_AT_ONCE), *const other =
+                                                                          open_at_draft(
+                                                                            URI_DRUM_MULTI,
+                                                                            HOST_WORKER_AT_ONCE);
+  turn(one, KNOB_BATTER_PITCH, 220);
+  turn(one, KNOB_RESONANT_PITCH, 330);
+  turn(other, KNOB_BATTER_TENSION, tension_for("batter.pitch", "220", false));
+  assert_false(are_alike());
+  turn(other, KNOB_RESONANT_TENSION, tension_for("resonant.pitch", "330", true));
+  assert_true(are_alike());
+  turn(one, KNOB_BATTER_TENSION, 3000);
+  assert_true(are_alike());
+  turn(other, KNOB_BATTER_TENSION, 3000);
+  assert_false(are_alike());
+  turn(one, KNOB_BATTER_PITCH, 850); /* the resonant head keeps its own */
+  assert_non_null(strstr(one->said, "the head keeps its tension: batter.pitch = 850 is outside"));
+  assert_true(are_alike());
+  turn(one, KNOB_BATTER_PITCH, 220);
+  assert_false(are_alike());
+  turn(one, KNOB_BATTER_PITCH, 0);
+  assert_true(are_alike());
+  host_close(one);
+  host_close(other);
+}
+
+/* A saved drum knows its pitch, and the tension that comes back without it. */
+static void test_a_pitch_is_saved(void **state) {
+  (void)state;
+  PluginHost *const one = open_at_draft(URI_DRUM, HOST_WORKER_AT_ONCE), *const other =
+                                                                          open_at_draft(
+                                                                            URI_DRUM,
+                                                                            HOST_WORKER_AT_ONCE);
+  HostState saved;
+  host_wait(other);
+  turn(one, KNOB_BATTER_PITCH, 220);
+  host_save(one, &saved);
+  assert_int_equal(host_restore(other, &saved), LV2_STATE_SUCCESS);
+  turn(other, KNOB_BATTER_PITCH, 220); /* as a host sets its ports */
+  assert_true(are_alike());
+  turn(one, KNOB_BATTER_PITCH, 0);
+  assert_false(are_alike());
+  turn(other, KNOB_BATTER_PITCH, 0);
+  assert_true(are_alike());
+  host_state_free(&saved);
+  host_close(one);
+  host_close(other);
+}
+
 /* ---- swaps ---------------------------------------------------------------------------------- */
 
 /* The largest bend of the curve: a click is a corner. */
@@ -194,6 +264,7 @@ static void change_without_click(void (*change)(PluginHost *)) {
 }
 
 static void retune(PluginHost *host) { host->knobs[KNOB_BATTER_TENSION] = 3700; }
+static void retune_by_pitch(PluginHost *host) { host->knobs[KNOB_BATTER_PITCH] = 290; }
 static void change_preset(PluginHost *host) {
   host_event(host, 0, 2, (const uint8_t[]){0xC9, 10}); /* tom-12 */
 }
@@ -207,6 +278,7 @@ static void change_mics(PluginHost *host) {
 static void test_changes_make_no_click(void **state) {
   (void)state;
   change_without_click(retune);
+  change_without_click(retune_by_pitch);
   change_without_click(change_preset);
   change_without_click(muffle);
   change_without_click(turn_down);
@@ -314,6 +386,8 @@ int main(void) {
     cmocka_unit_test(test_freewheeling_takes_over_what_a_worker_has_begun),
     cmocka_unit_test(test_rates),
     cmocka_unit_test(test_equal_drums_share_a_model),
+    cmocka_unit_test(test_a_pitch_takes_the_place_of_the_tension),
+    cmocka_unit_test(test_a_pitch_is_saved),
     cmocka_unit_test(test_changes_make_no_click),
     cmocka_unit_test(test_a_click_would_be_seen),
     cmocka_unit_test(test_what_midi_has_moved_outlives_a_retuning),

@@ -112,6 +112,10 @@ class Definition:
         """Raises Error for the first parameter that does not fit the others."""
         check(lib.tabor_drum_def_validate, self.c)
 
+    def tune(self) -> None:
+        """Validates, and gives each head with a pitch the tension that it takes. Models do this, too."""
+        check(lib.tabor_drum_def_tune, self.c)
+
     @property
     def mics(self) -> List[str]:
         """Names of the microphones, the usual one first."""

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The pitch of a head, as a tuner reads it at a lug, and the tension that gives it.
+ *
+ * The pitch is the frequency of the head's lowest mode with one nodal diameter, (1,1), in air, with
+ * even lugs, while the other head is held. A held head is a rigid bottom: the head stands alone over
+ * the air in the shell, and its modes are those of head.h. Limit: in vacuo and without bending stiffness
+ *   f = 3.8317/(2 pi R) sqrt(T/rho).
+ * f^2 is nearly linear in T, so the secant rule on f^2 finds the tension, within a bracket. Far up the pitch
+ * rises ever more slowly with the tension: the mode turns into that of the enclosed air with one nodal
+ * diameter, at c0 1.841/(2 pi R). Set-up only. */
+#ifndef TB_HEAD_PITCH_H
+#define TB_HEAD_PITCH_H
+
+#include "acoustics/head.h"
+#include "acoustics/shell_radiation.h"
+
+enum { TB_PITCH_ZEROS = 16 };
+
+/* What does not depend on heads: the air around the shell of one drum. */
+typedef struct TbPitchAir {
+  TbArena arena;
+  double zeros[TB_PITCH_ZEROS];
+  TbAirOrder order;
+  TbShellMesh shell;
+} TbPitchAir;
+
+/* Prepares the air of the valid definition `def`. Returns false if memory ran out. */
+bool tb_pitch_air_prepare(TbPitchAir *air, const TaborDrumDef *def,
+                          const TaborAllocator *allocator);
+void tb_pitch_air_release(TbPitchAir *air);
+
+/* Sets *pitch [Hz] of head `which` of the same drum at this tension [N/m] in place of its own. Returns
+ * TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
+TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborHead which,
+                          double tension, double *pitch);
+
+/* Sets *tension, from `least` to `most` [N/m], to the one with this pitch. Returns TABOR_ERROR_RANGE if
+ * there is none. */
+TaborStatus tb_head_tension(const TbPitchAir *air, const TaborDrumDef *def, TaborHead which,
+                            double pitch, double least, double most, double *tension);
+
+#endif

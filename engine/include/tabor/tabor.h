@@ -256,6 +256,10 @@ typedef struct TaborStrikerDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
   uint32_t kind;              /**< a TaborStrikerKind */
   double mass;                /**< effective tip mass [kg], 1e-4 to 1, default 0.012 */
+  /** Lowest frequency at which the free stick rings [Hz], 50 to 20,000, or 0: it does not bend;
+   * default 400. Every stroke bends a stick. Rimshots and cross-sticks bend the shafts of other
+   * strikers, too. */
+  double bending_frequency;
   double contact_stiffness;   /**< K [N/m^exponent], 1e3 to 1e13, default 3e6 */
   double contact_exponent;    /**< 1 to 3, default 1.5 */
   double contact_loss;        /**< lambda [s/m], 0 to 100, default 0.05 */

@@ -248,12 +248,9 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
 }
 
 static TaborStatus prepare_sticks(TaborModel *model, TbArena *scratch) {
-  for (uint32_t i = 0; i < model->def.striker_count; i++) {
-    if (!tb_stick_prepare(&model->stick[i], scratch, &model->def.striker[i], model->time_step,
-                          model->def.quality.losses != 0))
-      return TABOR_ERROR_MEMORY;
-  }
-  return TABOR_OK;
+  return tb_sticks_prepare(model->stick, scratch, &model->def, model->time_step)
+           ? TABOR_OK
+           : TABOR_ERROR_MEMORY;
 }
 
 static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {

@@ -2,7 +2,6 @@
 #include "model/stick_bending.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "math/eigen.h"
 #include "math/portable_math.h"
@@ -20,20 +19,21 @@ static const double FASTEST = 0.35;          /* of the sample rate */
 
 enum { TERMS = 16, RIGID = 2, PART = 2 * TB_PANEL, POINTS = 2 * PART };
 
-/* The beam with L = 1 and mu = B = 1 where it is thickest. */
+/* The free beam with L = 1, and mu = B = 1 where it is thickest. */
 typedef struct Beam {
-  double mass[TERMS * TERMS], stiffness[TERMS * TERMS];
-  double moment[3]; /* Int mu x^n dx */
+  double moment[3];            /* Int mu x^n dx */
+  double square[TERMS];        /* w^2 */
+  double vector[TERMS][TERMS]; /* one mode in each row */
 } Beam;
 
+/* Some modes of the beam in a hand. */
 typedef struct Modes {
-  double square[TERMS];        /* w^2 */
-  double vector[TERMS][TERMS]; /* one in each row */
+  double square[TB_BENDS], vector[TB_BENDS][TERMS];
 } Modes;
 
 static double diameter(double x) { return x < TAPER ? NECK + (1.0 - NECK) * x / TAPER : 1.0; }
 
-/* Legendre polynomials in 2 x - 1, and their second derivatives in x. */
+/* Legendre polynomials in 2 x - 1, normalized on (0, 1), and their second derivatives in x. */
 static void polynomials(double x, double *value, double *curve) {
   const double t = 2.0 * x - 1.0;
   double slope[TERMS] = {0.0, 2.0};
@@ -46,6 +46,18 @@ static void polynomials(double x, double *value, double *curve) {
     slope[n] = slope[n - 2] + 2.0 * odd * value[n - 1];
     curve[n] = curve[n - 2] + 2.0 * odd * slope[n - 1];
   }
+  for (uint32_t n = 0; n < TERMS; n++) {
+    value[n] *= sqrt(2.0 * n + 1.0);
+    curve[n] *= sqrt(2.0 * n + 1.0);
+  }
+}
+
+/* Of a sum of these polynomials. */
+static double height(const double *vector, double x) {
+  double value[TERMS], curve[TERMS], sum = 0.0;
+  polynomials(x, value, curve);
+  for (uint32_t n = 0; n < TERMS; n++) sum += vector[n] * value[n];
+  return sum;
 }
 
 static void add_product(double *matrix, double factor, const double *v) {
@@ -54,47 +66,82 @@ static void add_product(double *matrix, double factor, const double *v) {
   }
 }
 
-static void prepare_beam(Beam *beam) {
-  double x[POINTS], weight[POINTS];
+static bool prepare_beam(TbArena *scratch, Beam *beam) {
+  double mass[TERMS * TERMS] = {0.0}, stiffness[TERMS * TERMS] = {0.0};
+  double x[POINTS], weight[POINTS], value[TERMS], curve[TERMS];
   tb_quadrature(0.0, TAPER, PART / TB_PANEL, x, weight);
   tb_quadrature(TAPER, 1.0, PART / TB_PANEL, x + PART, weight + PART);
   *beam = (Beam){.moment = {0.0}};
   for (uint32_t i = 0; i < POINTS; i++) {
-    double value[TERMS], curve[TERMS];
+    const double area = diameter(x[i]) * diameter(x[i]), part = weight[i] * area;
     polynomials(x[i], value, curve);
-    const double area = diameter(x[i]) * diameter(x[i]), mass = weight[i] * area;
-    add_product(beam->mass, mass, value);
-    add_product(beam->stiffness, mass * area, curve);
-    beam->moment[0] += mass;
-    beam->moment[1] += mass * x[i];
-    beam->moment[2] += mass * x[i] * x[i];
+    add_product(mass, part, value);
+    add_product(stiffness, part * area, curve);
+    beam->moment[0] += part;
+    beam->moment[1] += part * x[i];
+    beam->moment[2] += part * x[i] * x[i];
   }
+  return tb_eigen_symmetric(scratch, TERMS, stiffness, mass, beam->square, beam->vector[0]);
 }
 
-/* Modes of the beam with a point mass at `place`; positive at the butt. */
-static bool solve(TbArena *scratch, const Beam *beam, double point, double place, Modes *modes) {
-  double mass[TERMS * TERMS], stiffness[TERMS * TERMS], value[TERMS], curve[TERMS];
-  memcpy(mass, beam->mass, sizeof mass);
-  memcpy(stiffness, beam->stiffness, sizeof stiffness);
-  polynomials(place, value, curve);
-  add_product(mass, point, value);
-  if (!tb_eigen_symmetric(scratch, TERMS, stiffness, mass, modes->square, modes->vector[0]))
-    return false;
-  for (uint32_t i = 0; i < TERMS; i++) {
-    double butt = 0.0; /* every polynomial is 1 there */
-    for (uint32_t n = 0; n < TERMS; n++) butt += modes->vector[i][n];
-    if (butt >= 0.0) continue;
-    for (uint32_t n = 0; n < TERMS; n++) modes->vector[i][n] = -modes->vector[i][n];
+/* With a mass m at x, a mode of square w^2 has the part c_k = v_k(x)/(w_k^2 - w^2) of each free mode, and
+ *   1 + m Sum_rigid v_k^2 - m w^2 Sum_bending v_k^2/(w_k^2 - w^2) = 0.
+ * The left side falls without bound below each free mode, so one root lies between two of them. */
+static double excess(const Beam *beam, const double *at, double point, double square) {
+  double sum = 1.0 + point * (at[0] * at[0] + at[1] * at[1]);
+  for (uint32_t k = RIGID; k < TERMS; k++) {
+    sum -= point * square * at[k] * at[k] / (beam->square[k] - square);
   }
-  return true;
+  return sum;
+}
+
+static double loaded_square(const Beam *beam, const double *at, double point, uint32_t i) {
+  double low = i ? beam->square[RIGID + i - 1] : 0.0, high = beam->square[RIGID + i];
+  for (int step = 0; step < 60; step++) {
+    const double middle = 0.5 * (low + high);
+    if (excess(beam, at, point, middle) > 0.0) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+/* From the parts of the free modes: a vector of unit mass, positive at the butt. */
+static void combine(const Beam *beam, const double *at, double point, const double *part,
+                    double *vector) {
+  double mass = 0.0, moved = 0.0;
+  for (uint32_t n = 0; n < TERMS; n++) vector[n] = 0.0;
+  for (uint32_t k = 0; k < TERMS; k++) {
+    mass += part[k] * part[k];
+    moved += part[k] * at[k];
+    for (uint32_t n = 0; n < TERMS; n++) vector[n] += part[k] * beam->vector[k][n];
+  }
+  const double sign = height(vector, 1.0) < 0.0 ? -1.0 : 1.0;
+  const double scale = sign / sqrt(mass + point * moved * moved);
+  for (uint32_t n = 0; n < TERMS; n++) vector[n] *= scale;
+}
+
+/* Modes with a point mass at `place`. */
+static void load(const Beam *beam, double point, double place, Modes *modes) {
+  double at[TERMS], part[TERMS];
+  for (uint32_t k = 0; k < TERMS; k++) at[k] = height(beam->vector[k], place);
+  for (uint32_t i = 0; i < TB_BENDS; i++) {
+    const bool free = point == 0.0;
+    const double square = free ? beam->square[RIGID + i] : loaded_square(beam, at, point, i);
+    for (uint32_t k = 0; k < TERMS; k++) {
+      const double own = k < RIGID ? 0.0 : beam->square[k];
+      part[k] = free ? (double)(k == RIGID + i) : at[k] / (own - square);
+    }
+    modes->square[i] = square;
+    combine(beam, at, point, part, modes->vector[i]);
+  }
 }
 
 static void prepare_shape(TbStickBody *body, uint32_t i, const double *vector, double scale) {
   for (uint32_t cell = 0; cell <= TB_STICK_CELLS; cell++) {
-    double value[TERMS], curve[TERMS], sum = 0.0;
-    polynomials((double)cell / TB_STICK_CELLS, value, curve);
-    for (uint32_t n = 0; n < TERMS; n++) sum += vector[n] * value[n];
-    body->shape[i][cell] = scale * sum;
+    body->shape[i][cell] = scale * height(vector, (double)cell / TB_STICK_CELLS);
   }
 }
 
@@ -119,28 +166,32 @@ static void prepare_moments(TbStickBody *body, const Beam *beam, double mass, do
   body->second = length * length * (mass * beam->moment[2] + point * place * place);
 }
 
-bool tb_stick_prepare(TbStick *stick, TbArena *scratch, const TaborStrikerDef *def,
-                      double time_step, bool losses) {
-  Beam beam;
-  Modes modes[TB_GRIPS];
-  prepare_beam(&beam);
-  *stick = (TbStick){0};
-  const double *m = beam.moment;
+static void prepare_stick(TbStick *stick, const Beam *beam, const TaborStrikerDef *def,
+                          double time_step, bool losses) {
+  const double *m = beam->moment;
   const double mass = def->mass * m[2] / (m[0] * m[2] - m[1] * m[1]); /* L mu, thickest [kg] */
   const double point[TB_GRIPS] = {FINGERS, 0.0, AT_TIP}, place[TB_GRIPS] = {m[2] / m[1], 0.0, 0.0};
+  const double unit = 2.0 * PI * def->bending_frequency / sqrt(beam->square[RIGID]);
   for (uint32_t grip = 0; grip < TB_GRIPS; grip++) {
-    prepare_moments(&stick->grip[grip], &beam, mass, point[grip], place[grip]);
-    if (def->bending_frequency > 0.0 &&
-        !solve(scratch, &beam, point[grip] / mass, place[grip], &modes[grip]))
-      return false;
-  }
-  if (def->bending_frequency == 0.0) return true;
-  const double unit = 2.0 * PI * def->bending_frequency / sqrt(modes[TB_GRIP_FREE].square[RIGID]);
-  for (uint32_t grip = 0; grip < TB_GRIPS; grip++) {
+    TbStickBody *body = &stick->grip[grip];
+    Modes modes;
+    *body = (TbStickBody){.mass = 0.0};
+    prepare_moments(body, beam, mass, point[grip], place[grip]);
+    if (def->bending_frequency == 0.0) continue;
+    load(beam, point[grip] / mass, place[grip], &modes);
     for (uint32_t i = 0; i < TB_BENDS; i++) {
-      prepare_mode(&stick->grip[grip], i, unit * sqrt(modes[grip].square[RIGID + i]),
-                   modes[grip].vector[RIGID + i], 1.0 / sqrt(mass), time_step, losses);
+      prepare_mode(body, i, unit * sqrt(modes.square[i]), modes.vector[i], 1.0 / sqrt(mass),
+                   time_step, losses);
     }
+  }
+}
+
+bool tb_sticks_prepare(TbStick *sticks, TbArena *scratch, const TaborDrumDef *def,
+                       double time_step) {
+  Beam beam;
+  if (!prepare_beam(scratch, &beam)) return false;
+  for (uint32_t i = 0; i < def->striker_count; i++) {
+    prepare_stick(&sticks[i], &beam, &def->striker[i], time_step, def->quality.losses != 0);
   }
   return true;
 }

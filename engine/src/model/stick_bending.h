@@ -3,11 +3,12 @@
  *
  * The diameter is d from the butt on and falls over the last fifth, evenly, to d/2 at the tip.
  * With x from the tip, mu = mass per length ~ diameter^2, and bending stiffness B ~ diameter^4, the
- * beam obeys mu w_tt + (B w_xx)_xx = f with free ends [Rayleigh1877]. A hand adds a point mass. The
- * modes are those of the Ritz method: w is a sum of the first 16 Legendre polynomials, so
- *   K_ij = Int B P_i'' P_j'' dx,  M_ij = Int mu P_i P_j dx + m P_i(x_h) P_j(x_h).
- * Constant and slope are among them: the first two modes are exactly the rigid motions, in which C
- * of stick_rigid.h follows from the moments of mass. The next three are bending modes of unit mass,
+ * beam obeys mu w_tt + (B w_xx)_xx = f with free ends [Rayleigh1877]. Its modes are those of the Ritz
+ * method: w is a sum of the first 16 Legendre polynomials, so
+ *   K_ij = Int B P_i'' P_j'' dx,  M_ij = Int mu P_i P_j dx.
+ * A hand adds a point mass, which combines these modes. Constant and slope are among the polynomials:
+ * the first two modes are exactly the rigid motions, whose C (stick_rigid.h) follows from the moments
+ * of mass. The next three are bending modes of unit mass,
  *   x_i'' + 2 s x_i' + w_i^2 x_i = phi_i(x) f,  height = rigid height + Sum phi_i x_i,
  * in the recursion of modes.h. Frequencies are within 0.2 % and phi^2 within 1 % of a finite
  * element calculation (tests/reference/sticks.json).
@@ -60,9 +61,9 @@ typedef struct TbStick {
 
 extern const double tb_stick_length; /* L [m] */
 
-/* Set-up only. Returns false if memory ran out. */
-bool tb_stick_prepare(TbStick *stick, TbArena *scratch, const TaborStrikerDef *def,
-                      double time_step, bool losses);
+/* Prepares a stick for each striker of the definition. Set-up only. Returns false if memory ran out. */
+bool tb_sticks_prepare(TbStick *sticks, TbArena *scratch, const TaborDrumDef *def,
+                       double time_step);
 
 /* All below is audio-safe; arrays are [TB_BENDS]. */
 

@@ -19,7 +19,8 @@ TbPole tb_pole(double omega, double s, double k) {
                   .im = square >= 0.0 ? shrink * tb_sin(damped) : 0.0};
 }
 
-/* cos and sin of w_d k, from a = 2 e^{-sk} cos(w_d k), b = e^{-2sk}. Returns false if it does not swing. */
+/* cos and sin of w_d k, from a = 2 e^{-sk} cos(w_d k), b = e^{-2sk}. Returns false
+ * if it does not swing. */
 static bool turn_of(double a, double b, double *c, double *s) {
   *c = 0.5 * a / sqrt(b);
   const double square = 1.0 - *c * *c;

@@ -84,7 +84,7 @@ static bool prepare_beam(TbArena *scratch, Beam *beam) {
   return tb_eigen_symmetric(scratch, TERMS, stiffness, mass, beam->square, beam->vector[0]);
 }
 
-/* With a mass m at x, a mode of square w^2 has the part c_k = v_k(x)/(w_k^2 - w^2) of each free mode, and
+/* With a mass m at x, a mode of square w^2 has the part v_k(x)/(w_k^2 - w^2) of each free mode, and
  *   1 + m Sum_rigid v_k^2 - m w^2 Sum_bending v_k^2/(w_k^2 - w^2) = 0.
  * The left side falls without bound below each free mode, so one root lies between two of them. */
 static double excess(const Beam *beam, const double *at, double point, double square) {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* The stick: a tapered beam of length L = 0.4 m, and how it bends in a hand.
  *
- * The diameter is d from the butt on and falls over the last fifth, evenly, to d/2 at the tip.
- * With x from the tip, mu = mass per length ~ diameter^2, and bending stiffness B ~ diameter^4, the
- * beam obeys mu w_tt + (B w_xx)_xx = f with free ends [Rayleigh1877]. Its modes are those of the Ritz
+ * The diameter is d from the butt on and falls over the last fifth, evenly, to d/2 at the tip. With
+ * x from the tip, mu = mass per length ~ diameter^2, and bending stiffness B ~ diameter^4, the beam
+ * obeys mu w_tt + (B w_xx)_xx = f with free ends [Rayleigh1877]. Its modes are those of the Ritz
  * method: w is a sum of the first 16 Legendre polynomials, so
  *   K_ij = Int B P_i'' P_j'' dx,  M_ij = Int mu P_i P_j dx.
- * A hand adds a point mass, which combines these modes. Constant and slope are among the polynomials:
- * the first two modes are exactly the rigid motions, whose C (stick_rigid.h) follows from the moments
- * of mass. The next three are bending modes of unit mass,
+ * A hand adds a point mass, which combines these modes. Constant and slope are among the
+ * polynomials: the first two modes are exactly the rigid motions, whose C (stick_rigid.h) follows
+ * from the moments of mass. The next three are bending modes of unit mass,
  *   x_i'' + 2 s x_i' + w_i^2 x_i = phi_i(x) f,  height = rigid height + Sum phi_i x_i,
  * in the recursion of modes.h. Frequencies are within 0.2 % and phi^2 within 1 % of a finite
  * element calculation (tests/reference/sticks.json).
@@ -24,7 +24,8 @@
  * There are three grips:
  * - held: 30 g of fingers at the centre of percussion as seen from the tip, two thirds along, where
  *   drummers hold a stick because no blow is felt there. So fingers change nothing at the tip of a
- *   stiff stick, which weighs M with or without them. They lower the lowest mode by 9 % and the next by 16 %.
+ *   stiff stick, which weighs M with or without them. They lower the lowest mode by 9 % and the
+ *   next by 16 %.
  * - free: no hand, in a rimshot, where the whole stick comes down.
  * - across: the fingers of a cross-stick hold the tip with 0.2 kg.
  * The 30 g and the 0.2 kg are estimates, as is the damping by the hand, 100/s.
@@ -61,7 +62,8 @@ typedef struct TbStick {
 
 extern const double tb_stick_length; /* L [m] */
 
-/* Prepares a stick for each striker of the definition. Set-up only. Returns false if memory ran out. */
+/* Prepares a stick for each striker of the definition. Returns false if memory ran out. Set-up
+ * only. */
 bool tb_sticks_prepare(TbStick *sticks, TbArena *scratch, const TaborDrumDef *def,
                        double time_step);
 

@@ -57,8 +57,8 @@ typedef struct TbSlot {
   uint32_t partner;                         /* 1 + the slot of the stick's other end; 0: none */
   uint32_t rests;                           /* this end is held onto the head */
   uint32_t palm;                            /* a hand that lifts off by itself */
-  double cross;                             /* C_12 of both ends [1/kg] */
   uint32_t bends;                           /* 1 + the TbGrip of a stick; 0: it does not bend */
+  double cross;                             /* C_12 of both ends [1/kg] */
   double along;                             /* from the stick's tip [m] */
   double bend[TB_BENDS];                    /* phi of the stick's bending there [kg^-1/2] */
   double press, anchor;                     /* F0 [N], z0 [m] */

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The stick as a body: a tapered beam (model/stick_bending.h) that touches the head, the hoop, or both.
+/* The stick as a body: a tapered beam (model/stick_bending.h) that touches the head, the hoop,
+ * or both.
  *
- * Its coordinates are height and tilt. The kinetic energy is that of the moments of mass S0, S1, S2 about
- * the tip, so contacts at distances x_j from the tip have heights z_j that move by
+ * Its coordinates are height and tilt. The kinetic energy is that of the moments of mass S0, S1, S2
+ * about the tip, so contacts at distances x_j from the tip have heights z_j that move by
  *   z_j,tt = Sum_i C_ij f_i,  C_ij = (S2 - S1 (x_i + x_j) + S0 x_i x_j)/(S0 S2 - S1^2).
  * So each contact keeps its own row in the contact solve, of mass 1/C_jj, and a pair shares the
  * off-diagonal k^2 C_12 of M (solve.h). Kinetic energy is v^T C^-1 v/2. The stick also bends: the
- * height of contact j is z_j + Sum_n phi_n(x_j) q_n, and k^2 C_ij becomes k^2 C_ij + Sum_n g_n phi_n(x_i)
- * phi_n(x_j) in M. Energy of bending is stored energy of strikers; the hand's damping of bending is
- * damper_loss.
+ * height of contact j is z_j + Sum_n phi_n(x_j) q_n, and k^2 C_ij becomes k^2 C_ij + Sum_n g_n
+ * phi_n(x_i) phi_n(x_j) in M. Energy of bending is stored energy of strikers; the hand's damping of
+ * bending is damper_loss.
  *
- * Limit: 1/C at the tip is the striker's mass M, so a stiff stick that touches the head alone is the
- * plain striker of mass M.
+ * Limit: 1/C at the tip is the striker's mass M, so a stiff stick that touches the head alone is
+ * the plain striker of mass M.
  *
  * - Plain stroke, buzz, stroke on the rim: one contact at the tip; z moves as M z_tt = f.
  * - Rimshot: the tip meets the head at the stroke's place, and the shaft meets the hoop at the
@@ -58,7 +59,7 @@ uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker);
 const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot);
 /* Computes the slot's phi from its place along the stick. */
 void tb_rigid_stick_place(TbView *view, uint32_t slot);
-/* All below but motion and pull need a slot whose stick bends, or return 0. */
+/* Bow, press and flexibility below need a slot whose stick bends. */
 
 /* Moves all sticks' bending by one step, without forces. */
 void tb_rigid_stick_step(TbView *view);

@@ -174,6 +174,7 @@ static void bounces_come_closer_and_closer_with_grip(void **state) {
 static void without_grip_the_stick_rebounds_as_if_it_were_free(void **state) {
   (void)state;
   static float held[9600], free_one[9600];
+  double lost[2]; /* by bending, which a hand damps at any grip */
   for (int buzz = 0; buzz < 2; buzz++) {
     const TaborDrumDef def = held_drum(0.0);
     TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
@@ -185,11 +186,13 @@ static void without_grip_the_stick_rebounds_as_if_it_were_free(void **state) {
     TaborLedger ledger;
     tabor_drum_ledger(drum, &ledger);
     assert_true(ledger.removed > 0.0); /* it has flown off */
-    assert_true(ledger.damper_loss == 0.0);
+    lost[buzz] = ledger.damper_loss;
     tabor_drum_destroy(drum);
     tabor_model_release(model);
   }
   for (int i = 0; i < 9600; i++) assert_true(fabsf(held[i] - free_one[i]) < 1e-6f);
+  print_message("bending loses %.3g J free, %.3g J held\n", lost[0], lost[1]);
+  assert_true(lost[0] > 0.0 && lost[1] >= lost[0]); /* out of a hand it is taken away later */
 }
 
 static void a_buzz_is_a_stroke_that_is_pressed(void **state) {

@@ -119,7 +119,7 @@ static void modes_of_the_hoop_are_heard_in_a_rimshot(void **state) {
     const double frequency = def.hoop.frequency[i];
     print_message("%.0f Hz stands out by %.1f dB on the rim, by %.1f dB in a rimshot\n", frequency,
                   stands_out(rim, frequency), stands_out(rimshot, frequency));
-    assert_true(stands_out(rim, frequency) > 6.0);
+    assert_true(stands_out(rim, frequency) > 3.0);
   }
   assert_true(stands_out(rimshot, def.hoop.frequency[3]) > 3.0);
 }

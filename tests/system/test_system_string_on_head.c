@@ -36,6 +36,7 @@ static void define(TaborDrumDef *def) {
   def->wires.contact_stiffness = 1e8;
   def->wires.contact_exponent = 1.5;
   def->striker[0].mass = 0.028;
+  def->striker[0].bending_frequency = 0.0;
   def->striker[0].contact_stiffness = 1e7;
   def->striker[0].contact_exponent = 2.0;
   def->striker[0].contact_radius = 0.0;

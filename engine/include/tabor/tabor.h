@@ -260,13 +260,17 @@ typedef struct TaborStrikerDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
   uint32_t kind;              /**< a TaborStrikerKind */
   double mass;                /**< effective tip mass [kg], 1e-4 to 1, default 0.012 */
-  double contact_stiffness;   /**< K [N/m^exponent], 1e3 to 1e13, default 3e6 */
-  double contact_exponent;    /**< 1 to 3, default 1.5 */
-  double contact_loss;        /**< lambda [s/m], 0 to 100, default 0.05 */
-  double contact_radius;      /**< radius of the patch [m], 0 to 0.05, default 0.006 */
-  uint32_t bristles;          /**< of a brush, 3 to 1000, default 200 */
-  double spread;              /**< radius of a brush's fan [m], 0.005 to 0.15, default 0.04 */
-  double sweep_speed;         /**< along the head in a sweep [m/s], 0.01 to 5, default 0.8 */
+  /** Lowest frequency at which the free stick rings [Hz], 50 to 20,000, or 0: it does not bend;
+   * default 400. Every stroke bends a stick. Rimshots and cross-sticks bend the shafts of other
+   * strikers, too. */
+  double bending_frequency;
+  double contact_stiffness; /**< K [N/m^exponent], 1e3 to 1e13, default 3e6 */
+  double contact_exponent;  /**< 1 to 3, default 1.5 */
+  double contact_loss;      /**< lambda [s/m], 0 to 100, default 0.05 */
+  double contact_radius;    /**< radius of the patch [m], 0 to 0.05, default 0.006 */
+  uint32_t bristles;        /**< of a brush, 3 to 1000, default 200 */
+  double spread;            /**< radius of a brush's fan [m], 0.005 to 0.15, default 0.04 */
+  double sweep_speed;       /**< along the head in a sweep [m/s], 0.01 to 5, default 0.8 */
 } TaborStrikerDef;
 
 /**

@@ -13,6 +13,7 @@
 #include "step/live_params.h"
 #include "step/reset.h"
 #include "step/step.h"
+#include "step/stick_rigid.h"
 #include "step/strokes.h"
 
 static const uint64_t HOUSEKEEPING = 64; /* samples */
@@ -221,6 +222,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
     if (slot->serial > newest && !shaft) {
       newest = slot->serial;
       probe->striker = slot->rest_height + view.now.z[i];
+      if (slot->bends) probe->striker += tb_rigid_stick_bow(&view, i, &view.now);
     }
   }
 }

@@ -18,6 +18,7 @@
 #include "step/live_params.h"
 #include "step/penetration.h"
 #include "step/step.h"
+#include "step/stick_rigid.h"
 #include "step/striker_pool.h"
 
 static const double FADE = 0.03; /* [s] */
@@ -165,13 +166,21 @@ static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
   tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
 }
 
+static void carry_bending(const TbView *from, TbView *to, uint32_t slot) {
+  double *now = to->now.bow[slot], *last = to->last.bow[slot];
+  TbSlot *s = &to->state->slots[slot];
+  if (s->bends && !s->partner) s->bends = tb_rigid_stick_bends(to, s->definition);
+  if (!s->bends) return;
+  memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
+  memcpy(last, from->last.bow[slot], sizeof from->last.bow[slot]);
+  tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), now, last);
+}
+
 static void carry_rims(const TbView *from, TbView *to) {
   memcpy(to->now.hoop, from->now.hoop, sizeof from->state->hoop[0]);
   memcpy(to->last.hoop, from->last.hoop, sizeof from->state->hoop[0]);
   tb_hoop_carry(&from->model->hoop, &to->model->hoop, to->now.hoop, to->last.hoop);
   to->state->rings = from->state->rings;
-  memcpy(to->now.bow, from->now.bow, sizeof from->state->bow[0]);
-  memcpy(to->last.bow, from->last.bow, sizeof from->state->bow[0]);
 }
 
 /* A striker that the other model has, and a brush if it is one. */
@@ -195,6 +204,7 @@ static void carry_slots(const TbView *from, TbView *to) {
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = from->last.z[i];
     carry_missing(from, to, i);
+    carry_bending(from, to, i);
   }
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {

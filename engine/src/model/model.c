@@ -226,7 +226,6 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   const TaborStatus status = tb_mics_prepare(model);
   if (status != TABOR_OK) return status;
   tb_hoop_prepare(model);
-  tb_stick_bending_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
   return tb_high_band_prepare(&model->high, &model->arena, model, model->top);
 }
 
@@ -247,6 +246,12 @@ static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
     tb_high_band_patch(&model->high, model->def.striker[i].contact_radius, model->high_patches[i]);
   }
   return TABOR_OK;
+}
+
+static TaborStatus prepare_sticks(TaborModel *model, TbArena *scratch) {
+  return tb_sticks_prepare(model->stick, scratch, &model->def, model->time_step)
+           ? TABOR_OK
+           : TABOR_ERROR_MEMORY;
 }
 
 static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
@@ -297,7 +302,12 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, model->hoop.a, sizeof model->hoop.a);
   hash = hash_bytes(hash, model->hoop.b, sizeof model->hoop.b);
   hash = hash_bytes(hash, model->hoop.scale, sizeof model->hoop.scale);
-  hash = hash_bytes(hash, model->stick.free.b, sizeof model->stick.free.b);
+  for (uint32_t i = 0; i < model->def.striker_count; i++) {
+    for (uint32_t grip = 0; grip < TB_GRIPS;
+         grip++) { /* the shapes follow from what precedes them */
+      hash = hash_bytes(hash, &model->stick[i].grip[grip], offsetof(TbStickBody, shape));
+    }
+  }
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
   hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);
@@ -372,9 +382,9 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
 
   typedef TaborStatus Stage(TaborModel *, TbArena *);
   Stage *const stages[] = {
-    prepare_modes,         prepare_compliance, prepare_laws,    prepare_contacts, prepare_stretch,
-    tb_wire_reach_prepare, prepare_center,     prepare_mics,    prepare_patches,  prepare_places,
-    prepare_missing,       allocate_rest,      tb_rest_prepare, tb_high_band_rest};
+    prepare_modes,         prepare_compliance, prepare_laws,  prepare_contacts, prepare_stretch,
+    tb_wire_reach_prepare, prepare_center,     prepare_mics,  prepare_sticks,   prepare_patches,
+    prepare_places,        prepare_missing,    allocate_rest, tb_rest_prepare,  tb_high_band_rest};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     status = stages[i](model, scratch);
   }

@@ -96,7 +96,7 @@ struct TaborModel {
   TbMic mics[TABOR_MAX_MICS];
   TbHighBand high;
   TbHoop hoop;
-  TbStickBending stick;
+  TbStick stick[TABOR_MAX_STRIKERS];
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbBrushShapes places[TABOR_MAX_STRIKERS]; /* of each brush */
   TbRest rest;

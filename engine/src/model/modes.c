@@ -19,6 +19,28 @@ TbPole tb_pole(double omega, double s, double k) {
                   .im = square >= 0.0 ? shrink * tb_sin(damped) : 0.0};
 }
 
+/* cos and sin of w_d k, from a = 2 e^{-sk} cos(w_d k), b = e^{-2sk}. Returns false
+ * if it does not swing. */
+static bool turn_of(double a, double b, double *c, double *s) {
+  *c = 0.5 * a / sqrt(b);
+  const double square = 1.0 - *c * *c;
+  *s = square > 0.0 ? sqrt(square) : 0.0;
+  return square > 0.0;
+}
+
+void tb_pole_carry(double a0, double b0, double a1, double b1, double *now, double *last) {
+  double c0, s0, c1, s1;
+  if (a0 == a1 && b0 == b1) return;
+  if (b0 == 0.0 || b1 == 0.0) {
+    *now = *last = 0.0;
+    return;
+  }
+  if (!turn_of(a0, b0, &c0, &s0) || !turn_of(a1, b1, &c1, &s1)) return;
+  const double scale = sqrt(s0 / s1), im = (*last - *now * c0) / s0;
+  *last = scale * (*now * c1 + im * s1);
+  *now *= scale;
+}
+
 /* cos(m t) and sin(m t) for all orders at once, by Chebyshev's recurrence. */
 void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s) {
   c[0] = 1.0;

@@ -136,25 +136,9 @@ double tb_residual_modes_loss(const TbResidualModes *m, const double *next, cons
   return sum;
 }
 
-/* cos and sin of w_d k, from a = 2 e^{-sk} cos(w_d k), b = e^{-2sk}: these oscillators all swing. */
-static void turn_of(const TbResidualModes *m, uint32_t i, double *c, double *s) {
-  *c = 0.5 * m->a[i] / sqrt(m->b[i]);
-  *s = sqrt(1.0 - *c * *c);
-}
-
 void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double *now,
                              double *last) {
   for (uint32_t i = 0; i < TB_MISSING; i++) {
-    if (from->a[i] == to->a[i] && from->b[i] == to->b[i]) continue;
-    if (from->b[i] == 0.0 || to->b[i] == 0.0) {
-      now[i] = last[i] = 0.0;
-      continue;
-    }
-    double c0, s0, c1, s1;
-    turn_of(from, i, &c0, &s0);
-    turn_of(to, i, &c1, &s1);
-    const double scale = sqrt(s0 / s1), im = (last[i] - now[i] * c0) / s0;
-    last[i] = scale * (now[i] * c1 + im * s1);
-    now[i] *= scale;
+    tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], &now[i], &last[i]);
   }
 }

@@ -116,6 +116,10 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double step = next->z[i] - now->z[i];
     all += view->state->slots[i].mass * step * step;
+    for (uint32_t n = 0; n < TB_BENDS; n++) {
+      const double bent = next->bow[i][n] - now->bow[i][n];
+      all += bent * bent;
+    }
   }
   for (uint32_t i = 0; i < view->model->hoop.count; i++) {
     const double step = next->hoop[i] - now->hoop[i];

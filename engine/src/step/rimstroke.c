@@ -24,6 +24,7 @@ static bool strike_hoop(TbView *view, const TbStroke *stroke) {
   if (slot == TB_SLOTS) return false;
   TbSlot striker = striker_of(view, stroke);
   striker.on_hoop = 1;
+  striker.bends = tb_rigid_stick_bends(view, stroke->striker);
   tb_pool_put(view, slot, &striker, 0.0);
   return true;
 }
@@ -39,10 +40,9 @@ static bool obtain_pair(TbView *view, uint32_t pair[2]) {
 }
 
 /* One end of the stick, 0 its tip. */
-static TbSlot end_of(const TbView *view, TbSlot stick, const TbRigidStick *rod, int end,
-                     uint32_t partner) {
+static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t partner) {
   const TbRigidStickEnd *at = end ? &rod->shaft : &rod->tip;
-  tb_rigid_stick_bend(view, &stick, at->along, stick.bend);
+  stick.along = at->along;
   stick.mass = at->mass;
   stick.radius = at->radius;
   stick.angle = at->angle;
@@ -59,8 +59,9 @@ static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick
   if (!obtain_pair(view, pair)) return false;
   TbSlot stick = striker_of(view, stroke);
   stick.rests = stroke->technique == TABOR_TECHNIQUE_CROSS_STICK;
-  const TbSlot tip = end_of(view, stick, rod, 0, pair[1]);
-  TbSlot shaft = end_of(view, stick, rod, 1, pair[0]);
+  stick.bends = 1u + (stick.rests ? TB_GRIP_ACROSS : TB_GRIP_FREE);
+  const TbSlot tip = end_of(stick, rod, 0, pair[1]);
+  TbSlot shaft = end_of(stick, rod, 1, pair[0]);
   shaft.rests = 0;
   tb_pool_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
   return true;
@@ -94,15 +95,15 @@ static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
 
 bool tb_rimstroke(TbView *view, const TbStroke *stroke) {
   const TaborDrumDef *def = &view->model->def;
-  const double mass = def->striker[stroke->striker].mass;
+  const TbStick *stick = &view->model->stick[stroke->striker];
   if (stroke->technique == TABOR_TECHNIQUE_RIM) return strike_hoop(view, stroke);
   if (stroke->technique == TABOR_TECHNIQUE_RIMSHOT) {
     const TbRigidStick rod =
-      tb_rigid_stick_rimshot(def, mass, stroke->velocity, stroke->radius, stroke->angle);
+      tb_rigid_stick_rimshot(def, stick, stroke->velocity, stroke->radius, stroke->angle);
     return strike_both(view, stroke, &rod);
   }
   const TbRigidStick rod =
-    tb_rigid_stick_across(def, mass, stroke->velocity, stroke->radius, stroke->angle);
+    tb_rigid_stick_across(def, stick, stroke->velocity, stroke->radius, stroke->angle);
   if (!strike_both(view, stroke, &rod)) return false;
   lay_palm(view, stroke->id, &rod.tip);
   return true;

@@ -57,8 +57,10 @@ typedef struct TbSlot {
   uint32_t partner;                         /* 1 + the slot of the stick's other end; 0: none */
   uint32_t rests;                           /* this end is held onto the head */
   uint32_t palm;                            /* a hand that lifts off by itself */
+  uint32_t bends;                           /* 1 + the TbGrip of a stick; 0: it does not bend */
   double cross;                             /* C_12 of both ends [1/kg] */
-  double bend[TB_BENDS];                    /* psi m^(-1/2) of the stick's bending here [kg^-1/2] */
+  double along;                             /* from the stick's tip [m] */
+  double bend[TB_BENDS];                    /* phi of the stick's bending there [kg^-1/2] */
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* 1: a bristle group of a brush */
   double part;                              /* fraction of a striker; 1: all of it */
@@ -117,7 +119,7 @@ typedef struct TbState {
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
   double hoop[3][TB_HOOP_MODES];
-  double bow[3][TB_SLOTS][TB_BENDS];          /* bending of sticks, by the slots of their tips */
+  double bow[3][TB_SLOTS][TB_BENDS];          /* bending of sticks; of a pair, the tip has it */
   double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of slots on the hoop, 0 for others */
   TaborLedger sums;                           /* stored and residual are not kept */
   TaborStatistics statistics;

@@ -94,7 +94,7 @@ static void free_penetration(TbView *view) {
       if (view->state->slots[i].on_hoop) {
         eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
       }
-      if (view->state->slots[i].partner) eta -= tb_rigid_stick_bow(view, i, &view->next);
+      if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
   }
@@ -145,10 +145,8 @@ static void respond(TbView *view, bool unchanged) {
       tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
     }
     view->next.z[i] = tb_pool_free_height(view, i) + view->own[row] * force[row];
-    if (view->state->slots[i].partner) {
-      view->next.z[i] += tb_rigid_stick_pull(view, i);
-      tb_rigid_stick_press(view, i, force[row]);
-    }
+    if (view->state->slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
+    if (view->state->slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
 }
@@ -239,6 +237,7 @@ static void clear_vanished(TbView *view) {
   clear_small(view->model->modes.padded, view->now.q, view->last.q);
   clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
   clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
+  clear_small(TB_SLOTS * TB_BENDS, view->now.bow[0], view->last.bow[0]);
 }
 
 static void clear_high(TbView *view) {

@@ -6,33 +6,30 @@
 static const double NEAREST = 0.03;                  /* tip and hoop are never closer [m] */
 static const double REACH = 0.2, REACH_ACROSS = 0.3; /* ... nor farther apart */
 static const double LAG = 0.8e-3;                    /* [s] */
-static const double FINGERS = 0.2;                   /* of a hand that holds a tip [kg] */
 
 static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
 }
 
-/* C_ij of two places, in distances from the tip, of a rod of mass m with h more at its tip. Of tip and angle,
- * twice the kinetic energy is (m + h) v^2 + m L v w + (m L^2/3) w^2; C_ij is (1, x_i) in its inverse. */
-static double mobility(double m, double h, double a, double b) {
-  const double first = 0.5 * m * tb_stick_bending_length,
-               second = m * tb_stick_bending_length * tb_stick_bending_length / 3.0;
-  return (second - first * (a + b) + (m + h) * a * b) / ((m + h) * second - first * first);
+/* C_ij of two places, in distances from the tip. Of height and angle at the tip, twice the kinetic
+ * energy is mass v^2 + 2 first v w + second w^2; C_ij is (1, x_i) in its inverse. */
+static double mobility(const TbStickBody *body, double a, double b) {
+  return (body->second - body->first * (a + b) + body->mass * a * b) /
+         (body->mass * body->second - body->first * body->first);
 }
 
-/* A rod, of mass M at its tip and h more there, that touches at its tip and at `along` from there. */
-static TbRigidStick touching(double mass, double h, double along) {
-  const double m = 4.0 * mass;
-  return (TbRigidStick){.tip = {.mass = 1.0 / mobility(m, h, 0.0, 0.0)},
-                        .shaft = {.mass = 1.0 / mobility(m, h, along, along), .along = along},
-                        .cross = mobility(m, h, 0.0, along)};
+/* A stick that touches at its tip and at `along` from there. */
+static TbRigidStick touching(const TbStickBody *body, double along) {
+  return (TbRigidStick){.tip = {.mass = 1.0 / mobility(body, 0.0, 0.0)},
+                        .shaft = {.mass = 1.0 / mobility(body, along, along), .along = along},
+                        .cross = mobility(body, 0.0, along)};
 }
 
-TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, double mass, double velocity,
+TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
                                     double radius, double angle) {
   const double distance = clamp(def->shell.radius - radius, NEAREST, REACH);
   const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
-  TbRigidStick rod = touching(mass, 0.0, along);
+  TbRigidStick rod = touching(&stick->grip[TB_GRIP_FREE], along);
   rod.tip.radius = def->shell.radius - distance;
   rod.tip.angle = rod.shaft.angle = angle;
   rod.tip.velocity = rod.shaft.velocity = velocity;
@@ -40,12 +37,12 @@ TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, double mass, double
   return rod;
 }
 
-TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, double mass, double velocity,
+TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
                                    double radius, double angle) {
   const double distance = clamp(def->shell.radius + radius, NEAREST, REACH_ACROSS);
   const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
   const double beyond = distance - def->shell.radius; /* of the centre, seen from the hoop */
-  TbRigidStick rod = touching(mass, FINGERS, along);
+  TbRigidStick rod = touching(&stick->grip[TB_GRIP_ACROSS], along);
   rod.tip.radius = fabs(beyond);
   rod.tip.angle = beyond >= 0.0 ? angle : angle + 180.0;
   rod.shaft.angle = angle + 180.0;
@@ -55,42 +52,44 @@ TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, double mass, double 
 
 /* ---- bending -------------------------------------------------------------------------------- */
 
-/* The tip's slot, which has the state. */
-static uint32_t tip_of(const TbView *view, uint32_t slot) {
+/* The slot that has the state: the tip's, or that of a stick with one contact. */
+static uint32_t state_of(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
-  return s->on_hoop ? s->partner - 1u : slot;
+  return s->on_hoop && s->partner ? s->partner - 1u : slot;
 }
 
-static const TbBends *bends_of(const TbView *view, uint32_t tip) {
-  const TbStickBending *stick = &view->model->stick;
-  return view->state->slots[tip].rests ? &stick->pinned : &stick->free;
+static bool has_state(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].bends && state_of(view, slot) == slot;
 }
 
-static bool is_tip(const TbView *view, uint32_t slot) {
+uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
+  const bool stick = view->model->def.striker[striker].kind == TABOR_STRIKER_STICK;
+  return stick ? 1u + TB_GRIP_HELD : 0u;
+}
+
+const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
-  return s->partner && !s->on_hoop;
+  return &view->model->stick[s->definition].grip[s->bends - 1u];
 }
 
-void tb_rigid_stick_bend(const TbView *view, const TbSlot *slot, double along, double *bend) {
-  const TbStickBending *stick = &view->model->stick;
-  tb_stick_bending_shape(slot->rests ? &stick->pinned : &stick->free, along, bend);
-  const double mass = 4.0 * view->model->def.striker[slot->definition].mass;
-  for (uint32_t i = 0; i < TB_BENDS; i++) bend[i] /= sqrt(mass);
+void tb_rigid_stick_place(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->slots[slot];
+  if (s->bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->along, s->bend);
 }
 
 void tb_rigid_stick_step(TbView *view) {
   for (uint32_t slot = 0; slot < TB_MUFFLERS; slot++) {
-    if (!is_tip(view, slot)) continue;
-    const TbBends *bends = bends_of(view, slot);
+    if (!has_state(view, slot)) continue;
+    const TbStickBody *body = tb_rigid_stick_body(view, slot);
     for (uint32_t i = 0; i < TB_BENDS; i++) {
       view->next.bow[slot][i] =
-        bends->a[i] * view->now.bow[slot][i] - bends->b[i] * view->last.bow[slot][i];
+        body->a[i] * view->now.bow[slot][i] - body->b[i] * view->last.bow[slot][i];
     }
   }
 }
 
 double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
-  const double *bow = phase->bow[tip_of(view, slot)];
+  const double *bow = phase->bow[state_of(view, slot)];
   const double *bend = view->state->slots[slot].bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += bend[i] * bow[i];
@@ -98,42 +97,42 @@ double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phas
 }
 
 void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
-  const uint32_t tip = tip_of(view, slot);
-  const TbBends *bends = bends_of(view, tip);
+  const uint32_t tip = state_of(view, slot);
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
   const double *bend = view->state->slots[slot].bend;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
-    view->next.bow[tip][i] += force * (bends->g[i] * bend[i]);
+    view->next.bow[tip][i] += force * (body->g[i] * bend[i]);
   }
 }
 
 double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbBends *bends = bends_of(view, tip_of(view, slot));
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
   const double *a = view->state->slots[slot].bend, *b = view->state->slots[other].bend;
   double sum = 0.0;
-  for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (bends->g[i] * b[i]);
+  for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (body->g[i] * b[i]);
   return sum;
 }
 
 double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next,
                               const TbPhase *now) {
-  if (!is_tip(view, slot)) return 0.0;
-  const TbBends *bends = bends_of(view, slot);
+  if (!has_state(view, slot)) return 0.0;
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     const double q1 = next->bow[slot][i], q0 = now->bow[slot][i];
     const double velocity = (q1 - q0) * view->model->sample_rate;
-    sum += velocity * velocity + bends->stiffness[i] * q1 * q0;
+    sum += velocity * velocity + body->stiffness[i] * q1 * q0;
   }
   return 0.5 * sum;
 }
 
 double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
-  if (!is_tip(view, slot)) return 0.0;
-  const TbBends *bends = bends_of(view, slot);
+  if (!has_state(view, slot)) return 0.0;
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     const double moved = view->next.bow[slot][i] - view->last.bow[slot][i];
-    sum += bends->loss[i] * moved * moved;
+    sum += body->loss[i] * moved * moved;
   }
   return sum;
 }

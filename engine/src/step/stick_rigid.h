@@ -1,30 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* The stick as a body: a uniform rod of length L = 0.4 m and mass m = 4 M that touches head and
- * hoop.
+/* The stick as a body: a tapered beam (model/stick_bending.h) that touches the head, the hoop,
+ * or both.
  *
- * Its coordinates are height and tilt, m z_tt = Sum f_j, I p_tt = Sum xi_j f_j, I = m L^2/12, with
- * xi_j the distance of contact j from the middle. With two contacts, the heights z_j = z + xi_j p
- * are equivalent coordinates and move by
- *   z_j,tt = Sum_i C_ij f_i,  C_ij = 1/m + xi_i xi_j/I.
- * So each contact keeps its own row in the contact solve, of mass 1/C_jj, and the pair shares the
- * off-diagonal k^2 C_12 of M (solve.h). Kinetic energy is v^T C^-1 v/2. The rod also bends
- * (stick_bending.h): the height of end j is z_j + Sum_n psi_n(x_j) q_n, and C_ij becomes C_ij +
- * Sum_n g_n psi_n(x_i) psi_n(x_j)/(m k^2) in M.
+ * Its coordinates are height and tilt. The kinetic energy is that of the moments of mass S0, S1, S2
+ * about the tip, so contacts at distances x_j from the tip have heights z_j that move by
+ *   z_j,tt = Sum_i C_ij f_i,  C_ij = (S2 - S1 (x_i + x_j) + S0 x_i x_j)/(S0 S2 - S1^2).
+ * So each contact keeps its own row in the contact solve, of mass 1/C_jj, and a pair shares the
+ * off-diagonal k^2 C_12 of M (solve.h). Kinetic energy is v^T C^-1 v/2. The stick also bends: the
+ * height of contact j is z_j + Sum_n phi_n(x_j) q_n, and k^2 C_ij becomes k^2 C_ij + Sum_n g_n
+ * phi_n(x_i) phi_n(x_j) in M. Energy of bending is stored energy of strikers; the hand's damping of
+ * bending is damper_loss.
  *
- * Limit: C at the tip is 4/m = 1/M, so a stiff rod that touches the head alone is the plain striker
- * of mass M.
+ * Limit: 1/C at the tip is the striker's mass M, so a stiff stick that touches the head alone is
+ * the plain striker of mass M.
  *
+ * - Plain stroke, buzz, stroke on the rim: one contact at the tip; z moves as M z_tt = f.
  * - Rimshot: the tip meets the head at the stroke's place, and the shaft meets the hoop at the
  *   stroke's angle, a horizontal distance d = R - r away; along the stick the distance is sqrt(d^2
- *   + height^2). The stick comes down without rotation at the stroke's speed, m v^2/2 = 2 M v^2.
+ *   + height^2). The stick comes down without rotation at the stroke's speed, S0 v^2/2 = 2.5 M v^2.
  *   Its angle makes the shaft reach the hoop 0.8 ms after the tip reaches the head: d (tan(angle) -
  *   height/d) is the gap, 2 mm at 2.5 m/s.
  * - Cross-stick: the stick lies across the drum, its tip at the stroke's place, its shaft over the
  *   hoop opposite, d = R + r away. It turns about its resting tip and meets the hoop with the
- *   stroke's speed: (m L^2/3) (v/d)^2/2. The fingers that hold the tip add 0.2 kg there, which
- *   keeps the tip from being thrown. The palm lies on the head over the tip for 0.3 s, as a damping
- *   hand.
- * - Rim: the stick strikes the hoop alone, with mass M.
+ *   stroke's speed: S2 (v/d)^2/2. The fingers that hold the tip keep it from being thrown. The palm
+ *   lies on the head over the tip for 0.3 s, as a damping hand.
  *
  * On drums wider than the stick's length, the tip is as near to the stroke's place as it can be
  * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer than 0.03 m to the
@@ -48,15 +47,20 @@ typedef struct TbRigidStick {
   double cross; /* C_12 [1/kg] */
 } TbRigidStick;
 
-/* A stick with mass `mass` at its tip, at the requested `radius` and `angle`. */
-TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, double mass, double velocity,
+/* A stick at the requested `radius` and `angle`. */
+TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
                                     double radius, double angle);
-TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, double mass, double velocity,
+TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
                                    double radius, double angle);
 
-/* Computes psi m^(-1/2) at the distance `along` from the tip, for the stick that the slot
- * describes. */
-void tb_rigid_stick_bend(const TbView *view, const TbSlot *slot, double along, double *bend);
+/* TbSlot.bends in a stroke of the tip alone: heads of mallets, fingers and brushes do not bend. */
+uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker);
+/* The body of a slot whose stick bends, in its grip. */
+const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot);
+/* Computes the slot's phi from its place along the stick. */
+void tb_rigid_stick_place(TbView *view, uint32_t slot);
+/* Bow, press and flexibility below need a slot whose stick bends. */
+
 /* Moves all sticks' bending by one step, without forces. */
 void tb_rigid_stick_step(TbView *view);
 /* Bending part of the height of a slot's end [m]. */

@@ -31,7 +31,7 @@ static double shared_compliance(const TbView *view, uint32_t slot, uint32_t othe
                               view->state->hoop_shape[other]);
   }
   if (a->partner == other + 1u) sum += k * k * a->cross;
-  if (a->partner && (slot == other || a->partner == other + 1u)) {
+  if (a->bends && (slot == other || a->partner == other + 1u)) {
     sum += tb_rigid_stick_flexibility(view, slot, other);
   }
   return sum;
@@ -115,7 +115,7 @@ static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *p
          tb_hoop_displacement(view->state->hoop_shape[slot], phase->hoop) +
          tb_residual_modes_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
          (phase->z[slot] - view->state->slots[slot].coat) -
-         (view->state->slots[slot].partner ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+         (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
 }
 
 static void find_place_on_head(TbView *view, uint32_t slot) {
@@ -164,6 +164,7 @@ static void find_penetration(TbView *view, uint32_t slot) {
 }
 
 void tb_pool_rebuild(TbView *view, uint32_t slot) {
+  tb_rigid_stick_place(view, slot);
   find_place(view, slot);
   prepare_law(view, slot);
   find_penetration(view, slot);

@@ -3,6 +3,7 @@
 
 #include "step/brush.h"
 #include "step/rimstroke.h"
+#include "step/stick_rigid.h"
 
 /* ---- strokes -------------------------------------------------------------------------------- */
 
@@ -61,6 +62,7 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
                           .mass = mass_of(view, stroke),
                           .part = 1.0,
                           .definition = stroke->striker,
+                          .bends = tb_rigid_stick_bends(view, stroke->striker),
                           .radius = stroke->radius,
                           .angle = stroke->angle,
                           .velocity = stroke->velocity};

@@ -165,6 +165,15 @@ typedef struct TaborShellDef {
   /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The
    * lighter the wall, the more of the enclosed sound it lets through. */
   double surface_density;
+  /** Mass of the shell with lugs and the lower hoop [kg], 0.05 to 100, or 0: it does not move, nor
+   * does the heads' edge. Default 0. */
+  double mass;
+  /** D = E h^3/(12 (1 - nu^2)) of its wall [N m], 1e-3 to 1e7, default 270 (7 mm of plywood). */
+  double bending_stiffness;
+  double loss; /**< loss factor of its bending, 0 to 1, default 0.03 */
+  /** Frequency at which the drum would bounce on its stand [Hz], 5 to 200, default 20. */
+  double stand_frequency;
+  double stand_damping; /**< of that motion, as a part of critical damping, 0 to 2, default 0.3 */
 } TaborShellDef;
 
 /**
@@ -296,6 +305,13 @@ typedef struct TaborHoopDef {
   double frequency[TABOR_HOOP_MODES]; /**< of its modes [Hz], 0 (none) or 20 to 20,000, default 0 */
   /** Decay rate of each mode's amplitude, without radiation [1/s], 0 to 10,000, default 50. */
   double decay[TABOR_HOOP_MODES];
+  /** EI of its section [N m2], 0.1 to 1e6, or 0: it moves with the shell. Default 0. */
+  double bending_stiffness;
+  double loss; /**< loss factor of its bending, 0 to 1, default 0.01 */
+  /** Frequency at which the hoop moves on rods, lugs and the head's collar against a shell at rest
+   * [Hz], 50 to 20,000, default 1600. */
+  double tie_frequency;
+  double tie_loss; /**< loss factor of rods and collar, 0 to 1, default 0.06 */
 } TaborHoopDef;
 
 /** The default stroke. */
@@ -529,10 +545,11 @@ typedef enum TaborModePart {
   TABOR_PART_BATTER,   /**< the batter head, with over 90 % of the heads' energy */
   TABOR_PART_RESONANT, /**< the resonant head, with over 90 % of the heads' energy */
   TABOR_PART_BOTH,     /**< both heads */
-  TABOR_PART_CAVITY    /**< the air between them, with over half of all kinetic energy */
+  TABOR_PART_CAVITY,   /**< the air between them, with over half of all kinetic energy */
+  TABOR_PART_RIM       /**< hoop and shell, with over half of all kinetic energy */
 } TaborModePart;
 
-/** One mode of the heads with their air. */
+/** One mode of the heads with their air, hoop and shell. */
 typedef struct TaborModeInfo {
   uint32_t m;            /**< nodal diameters of the Bessel function that moves most */
   uint32_t n;            /**< its nodal circles counting the rim, from 1 */

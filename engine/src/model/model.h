@@ -122,6 +122,9 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape);
 
+/* Computes shape[padded], the motion of the batter's hoop at an angle, likewise. Audio-safe. */
+void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, double *shape);
+
 /* The high band's response to a unit force of a striker at this place: drive[high.padded].
  * Audio-safe. */
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,

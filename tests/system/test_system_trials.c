@@ -77,17 +77,11 @@ static void draw_brush(uint64_t seed, TaborStrikerDef *striker) {
   if (physics_random(&seed) % 2) striker->mass = exp(physics_uniform(&seed, log(1e-4), log(0.01)));
 }
 
-/* Any number of modes, some as stiff as the rate allows. */
 static void draw_hoop(uint64_t seed, TaborHoopDef *hoop) {
   hoop->height = physics_uniform(&seed, 0.0, 0.05);
   hoop->mass = exp(physics_uniform(&seed, log(0.05), log(20.0)));
   hoop->contact_stiffness = exp(physics_uniform(&seed, log(1e5), log(1e11)));
   hoop->contact_loss = physics_random(&seed) % 3 ? physics_uniform(&seed, 0.0, 2.0) : 100.0;
-  for (int i = 0; i < TABOR_HOOP_MODES; i++) {
-    const double frequency = exp(physics_uniform(&seed, log(20.0), log(20000.0)));
-    hoop->frequency[i] = physics_random(&seed) % 4 ? frequency : 0.0;
-    hoop->decay[i] = physics_random(&seed) % 4 ? physics_uniform(&seed, 0.0, 300.0) : 10000.0;
-  }
 }
 
 static double draw_key(uint64_t *seed, const char *key) {

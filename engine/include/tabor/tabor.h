@@ -58,7 +58,6 @@ extern "C" {
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
 #define TABOR_MAX_LUGS 16    /**< tension rods of one head */
-#define TABOR_HOOP_MODES 8   /**< modes of the hoop */
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
 #define TABOR_MAX_MICS 8     /**< microphones in one definition */
 #define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
@@ -290,21 +289,17 @@ typedef struct TaborHandDef {
 } TaborHandDef;
 
 /**
- * The hoop around the batter head, with the part of the shell that moves with it. It has a mode
- * for each frequency that is not 0; the first has two nodal diameters. Rimshots, cross-sticks and
- * strokes on the rim strike it. Without frequencies it is rigid, and strokes on it make no sound
- * of their own.
+ * The hoop around the batter head. Rimshots, cross-sticks and strokes on the rim strike it. It bends as
+ * a ring, and rods, lugs and the head's collar tie it to the shell. It is heard by what it does to
+ * shell and heads: on a shell that does not move, strokes on it make no sound of their own.
  */
 typedef struct TaborHoopDef {
   double height; /**< of its edge above the head [m], 0 to 0.05, default 0.012 */
-  double mass;   /**< of the moving parts [kg], 0.05 to 20, default 1.2 */
+  double mass;   /**< [kg], 0.05 to 20, default 1.2 */
   /** K of a stick's contact, f = K eta^1.5 [N/m^1.5], 1e5 to 1e11, default 1e8. A mallet or a
    * finger keeps its own contact. */
   double contact_stiffness;
   double contact_loss; /**< Hunt-Crossley lambda of a stick on it [s/m], 0 to 100, default 0.1 */
-  double frequency[TABOR_HOOP_MODES]; /**< of its modes [Hz], 0 (none) or 20 to 20,000, default 0 */
-  /** Decay rate of each mode's amplitude, without radiation [1/s], 0 to 10,000, default 50. */
-  double decay[TABOR_HOOP_MODES];
   /** EI of its section [N m2], 0.1 to 1e6, or 0: it moves with the shell. Default 0. */
   double bending_stiffness;
   double loss; /**< loss factor of its bending, 0 to 1, default 0.01 */
@@ -312,6 +307,7 @@ typedef struct TaborHoopDef {
    * [Hz], 50 to 20,000, default 1600. */
   double tie_frequency;
   double tie_loss; /**< loss factor of rods and collar, 0 to 1, default 0.06 */
+  double width; /**< seen from above, which its own sound depends on [m], 0 to 0.05, default 0.01 */
 } TaborHoopDef;
 
 /** The default stroke. */

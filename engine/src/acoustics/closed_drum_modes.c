@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "acoustics/cavity_pressure.h"
+#include "acoustics/rim_radiation.h"
 #include "definition/definition.h"
 
 static const double PI = 3.14159265358979323846;
@@ -441,6 +442,7 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
     if (!radiate(e, arena, &spectrum, k, v, mode)) return TABOR_ERROR_MEMORY;
     parts = parts_of(e, v);
     if (!tb_rim_keeps(limit, mode->omega, parts.rim_mass)) continue;
+    tb_rim_radiate(e->drum.rim, e->def, parts.rim, mode);
     finish_mode(e, &parts, v, mode);
     keep_vectors(e, &parts, v, order);
     order->mode_count++;

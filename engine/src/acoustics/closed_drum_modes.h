@@ -6,7 +6,7 @@
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
  *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
  *   rim: rim.h;
- *   outside: the radiation resistance of both heads at the mode's frequency.
+ *   outside: the radiation resistance of both heads and of the rim at the mode's frequency.
  * Low modes radiate from the finite rigid shell (shell_radiation.h) and get the mass of the air
  * outside at their own frequency (a Rayleigh quotient, right to second order). Modes of high order,
  * or above the shell's largest x, radiate as in air.h ("Drum"); from 0.9 of that x on, one passes

@@ -64,6 +64,7 @@ void tb_rim_prepare(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   if (n >= TB_RIM_ORDERS) return;
   rim->hoop = def->hoop.bending_stiffness > 0.0;
   rim->edge = def->shell.mass > 0.0;
+  rim->enclosed = def->two_headed || def->shell.boundary == TABOR_BOUNDARY_CLOSED;
   rim->count = (rim->hoop ? 1u : 0u) + (rim->edge ? 1u : 0u);
   if (rim->hoop) prepare_hoop(rim, def, n);
   if (rim->edge) prepare_edge(rim, def, n);

@@ -45,6 +45,7 @@
 typedef struct TbRim {
   uint32_t count; /* coordinates: a if the hoop moves by itself, then u if the shell moves */
   bool hoop, edge;
+  bool enclosed;                                           /* the shell has air of its own inside */
   double hoop_mass, edge_mass;                             /* [kg] */
   double hoop_stiffness, edge_stiffness, tie, stand, pull; /* K_h, K_s, K_t; T a_n n [N/m] */
   double hoop_loss, edge_loss, tie_loss, resistance;       /* eta; C [kg/s] */

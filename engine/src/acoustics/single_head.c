@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "acoustics/cavity_eigen.h"
+#include "acoustics/rim_radiation.h"
 #include "math/eigen.h"
 
 static const double PI = 3.14159265358979323846;
@@ -136,10 +137,14 @@ static bool finish_mode(const OrderWork *work, TbArena *scratch, const TbAirOrde
   }
   scale(v, air->count + work->rim->count, 1.0 / sqrt(total));
   scale(mode->fields, 2 * TABOR_MAX_MICS, 1.0 / sqrt(total));
-  if (work->lossless) return true;
+  const TbRimMotion rim = tb_rim_motion(work->rim, v + air->count);
   mode->radiation_rate = 0.5 * fmax(0.0, resistance) / total;
-  mode->shell_rate =
-    tb_rim_decay_rate(work->rim, tb_rim_motion(work->rim, v + air->count), mode->omega);
+  tb_rim_radiate(work->rim, def, rim, mode);
+  if (work->lossless) {
+    mode->radiation_rate = 0.0;
+    return true;
+  }
+  mode->shell_rate = tb_rim_decay_rate(work->rim, rim, mode->omega);
   mode->decay_rate = 0.5 * own.loss / total + mode->radiation_rate + mode->shell_rate;
   return true;
 }

@@ -52,17 +52,6 @@
     LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
     LUG(16, id, section, place)
 
-/* One mode of the hoop. */
-#define HOOP_MODE(number)                                                                          \
-  {ROW(TB_PARAM_HOOP_FREQUENCY + (number)-1, "hoop", "frequency_" #number, "Hz",                   \
-       "frequency of the hoop's mode " #number ", 0: it has none", NUMBER(0, 20000, 0)),           \
-   AT(hoop.frequency[(number)-1]), .least = 20, .zero = true},                                     \
-  {                                                                                                \
-    ROW(TB_PARAM_HOOP_DECAY + (number)-1, "hoop", "decay_" #number, "1/s",                         \
-        "decay of its amplitude, without what leaves as sound", NUMBER(0, 10000, 50)),             \
-      AT(hoop.decay[(number)-1])                                                                   \
-  }
-
 const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
   {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
@@ -322,8 +311,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HOOP_HEIGHT, "hoop", "height", "m", "height of the hoop's edge above the head",
        NUMBER(0, 0.05, 0.012)),
    AT(hoop.height)},
-  {ROW(TB_PARAM_HOOP_MASS, "hoop", "mass", "kg",
-       "mass of the hoop with what moves along of the shell", NUMBER(0.05, 20, 1.2), LOGARITHMIC),
+  {ROW(TB_PARAM_HOOP_MASS, "hoop", "mass", "kg", "mass of the batter's hoop", NUMBER(0.05, 20, 1.2),
+       LOGARITHMIC),
    AT(hoop.mass)},
   {ROW(TB_PARAM_HOOP_CONTACT_STIFFNESS, "hoop", "contact_stiffness", "N/m^1.5",
        "stiffness of the contact of a stick with the hoop", NUMBER(1e5, 1e11, 1e8), LOGARITHMIC),
@@ -344,14 +333,9 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HOOP_TIE_LOSS, "hoop", "tie_loss", "", "loss factor of rods, lugs and collar",
        NUMBER(0, 1, 0.06)),
    AT(hoop.tie_loss)},
-  HOOP_MODE(1),
-  HOOP_MODE(2),
-  HOOP_MODE(3),
-  HOOP_MODE(4),
-  HOOP_MODE(5),
-  HOOP_MODE(6),
-  HOOP_MODE(7),
-  HOOP_MODE(8),
+  {ROW(TB_PARAM_HOOP_WIDTH, "hoop", "width", "m",
+       "width of the hoop seen from above, which its sound depends on", NUMBER(0, 0.05, 0.01)),
+   AT(hoop.width)},
 
   {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
        NUMBER(0.01, 30, 2.5), LOGARITHMIC),

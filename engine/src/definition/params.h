@@ -117,8 +117,8 @@ typedef enum TbParamId {
   TB_PARAM_HOOP_LOSS = 905,
   TB_PARAM_HOOP_TIE_FREQUENCY = 906,
   TB_PARAM_HOOP_TIE_LOSS = 907,
-  TB_PARAM_HOOP_FREQUENCY = 910, /**< of the first mode; the other modes follow, to 917 */
-  TB_PARAM_HOOP_DECAY = 920,     /**< likewise */
+  TB_PARAM_HOOP_WIDTH = 908,
+  /* 910 to 917 and 920 to 927 were frequencies and decays of the hoop in 0.1. */
 
   TB_PARAM_STRIKE_VELOCITY = 1000,
   TB_PARAM_STRIKE_RADIUS = 1001,

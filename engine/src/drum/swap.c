@@ -165,11 +165,7 @@ static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
   tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
 }
 
-static void carry_rims(const TbView *from, TbView *to) {
-  memcpy(to->now.hoop, from->now.hoop, sizeof from->state->hoop[0]);
-  memcpy(to->last.hoop, from->last.hoop, sizeof from->state->hoop[0]);
-  tb_hoop_carry(&from->model->hoop, &to->model->hoop, to->now.hoop, to->last.hoop);
-  to->state->rings = from->state->rings;
+static void carry_bows(const TbView *from, TbView *to) {
   memcpy(to->now.bow, from->now.bow, sizeof from->state->bow[0]);
   memcpy(to->last.bow, from->last.bow, sizeof from->state->bow[0]);
 }
@@ -251,7 +247,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   memcpy(state->shift, from->state->shift, sizeof state->shift);
   tb_live_params_apply(to);
   carry_contacts(from, to);
-  carry_rims(from, to);
+  carry_bows(from, to);
   carry_slots(from, to);
   carry_high(from, to);
   carry_sound(swap, from, to);

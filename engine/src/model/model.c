@@ -238,7 +238,6 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   const TaborStatus status = tb_mics_prepare(model);
   if (status != TABOR_OK) return status;
-  tb_hoop_prepare(model);
   tb_stick_bending_prepare(&model->stick, model->time_step, model->def.quality.losses != 0);
   return tb_high_band_prepare(&model->high, &model->arena, model, model->top);
 }
@@ -247,6 +246,9 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
   (void)scratch;
+  model->palm_patch = tb_arena_doubles(&model->arena, model->head.zero_count);
+  if (!model->palm_patch) return TABOR_ERROR_MEMORY;
+  tb_head_patch(&model->head, TB_PALM_RADIUS, model->palm_patch);
   for (uint32_t i = 0; i <= model->def.striker_count; i++) {
     const bool hand = i == model->def.striker_count;
     double *patch = tb_arena_doubles(&model->arena, model->head.zero_count);
@@ -307,9 +309,6 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
   hash = hash_bytes(hash, model->missing, sizeof model->missing);
-  hash = hash_bytes(hash, model->hoop.a, sizeof model->hoop.a);
-  hash = hash_bytes(hash, model->hoop.b, sizeof model->hoop.b);
-  hash = hash_bytes(hash, model->hoop.scale, sizeof model->hoop.scale);
   hash = hash_bytes(hash, model->stick.free.b, sizeof model->stick.free.b);
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   const size_t coupled = (size_t)model->lugs.count * model->lugs.count;

@@ -3,6 +3,7 @@
 #include "acoustics/rim.h"
 
 #include "math/bessel.h"
+#include "model/model.h"
 #include "physics.h"
 
 static const double PI = 3.14159265358979323846;
@@ -244,6 +245,29 @@ static void masses_are_positive(void **state) {
   }
 }
 
+/* Wires ride on the shell: a drum that bounces on its stand moves the whole head, and hardly the head under the
+ * wires against their ends. The hoop goes along. */
+static void wires_ride_on_the_shell(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  const uint32_t count = model->modes.padded;
+  double *radial = calloc(model->head.row_count + 3 * count, sizeof *radial);
+  double *whole = radial + model->head.row_count, *under = whole + count, *hoop = under + count;
+  tb_model_shape(model, TABOR_HEAD_RESONANT, 0.0, 0.0, NULL, radial, whole);
+  tb_modes_shape(&model->modes, &model->head, TABOR_HEAD_RESONANT, 0.0, 0.0, 1.0, NULL, radial,
+                 under);
+  tb_model_hoop_shape(model, 0.0, radial, hoop);
+  uint32_t stand = 0;
+  while (model->modes.row[stand] != 0) stand++;
+  assert_int_equal(model->head.modes[0].part, TABOR_PART_RIM);
+  assert_true(fabs(hoop[stand]) > 0.1);
+  assert_true(fabs(whole[stand] / hoop[stand] - 1.0) < 0.03);
+  assert_true(fabs(under[stand]) < 0.03 * fabs(hoop[stand]));
+  free(radial);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_membrane_on_a_moving_edge_has_its_exact_frequencies),
@@ -253,6 +277,7 @@ int main(void) {
     cmocka_unit_test(a_hoop_tied_firmly_moves_with_the_shell),
     cmocka_unit_test(a_heavy_rim_is_at_rest),
     cmocka_unit_test(masses_are_positive),
+    cmocka_unit_test(wires_ride_on_the_shell),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

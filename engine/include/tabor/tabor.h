@@ -158,7 +158,8 @@ typedef enum TaborTechnique {
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   /** Depth of the air below the batter head, down to the resonant head or to the bottom of a closed
-   * drum [m], 0.01 to 1.5, default 0.14. Without effect on a single open or baffled head. */
+   * drum [m], 0.01 to 1.5, default 0.14; of a single open or baffled head, the height of a shell that
+   * moves. */
   double depth;
   uint32_t boundary; /**< a TaborBoundary, default open; a two-headed drum needs open */
   /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The

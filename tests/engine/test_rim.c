@@ -37,7 +37,7 @@ typedef struct Edge {
 static double balance(const TaborDrumDef *def, uint32_t m, Edge edge, double frequency) {
   const double omega = 2.0 * PI * frequency, radius = def->shell.radius;
   const double x = omega * sqrt(def->batter.surface_density / def->batter.tension) * radius;
-  const double j = tb_bessel_j(m, x), slope = tb_bessel_slope(m, x);
+  const double j = tb_bessel_j(m, x), slope = m / x * j - tb_bessel_j(m + 1, x);
   const double azimuth = m ? PI : 2.0 * PI;
   return (edge.stiffness - omega * omega * edge.mass) * j +
          def->batter.tension * azimuth * x * slope;

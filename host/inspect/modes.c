@@ -15,7 +15,7 @@
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
 
 static const char *part_word(TaborModePart part) {
-  static const char *const words[] = {"batter", "resonant", "both", "cavity"};
+  static const char *const words[] = {"batter", "resonant", "both", "cavity", "rim"};
   return words[part];
 }
 

@@ -46,23 +46,18 @@ static void warn_of_drops(const OfflineDrops *drops) {
   }
 }
 
-static bool has_sounding_hoop(const TaborDrumDef *def) {
-  bool sounds = false;
-  for (uint32_t i = 0; i < TABOR_HOOP_MODES; i++) sounds |= def->hoop.frequency[i] > 0;
-  return sounds;
-}
-
-/* Drums that a song changes to may have other hoops. */
+/* Drums that a song changes to may have other shells. */
 static void warn_of_rims(const RenderRequest *request) {
   unsigned long long rims = 0;
-  if (request->song.presets > 0 || has_sounding_hoop(&request->def)) return;
+  if (request->song.presets > 0 || request->def.shell.mass > 0.0) return;
   for (size_t i = 0; i < request->strokes.count; i++) {
     const TaborEvent *const event = &request->strokes.events[i];
     rims += event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_RIM;
   }
   if (rims == 0) return;
-  warn("%llu strokes on the rim are silent: the hoop of '%s' has no hoop.frequency_1 to _%d", rims,
-       request->def.name, TABOR_HOOP_MODES);
+  warn("%llu strokes on the rim are silent: the shell of '%s' has no mass (shell.mass), so it is "
+       "rigid",
+       rims, request->def.name);
 }
 
 static void warn_of_resets(const TaborStatistics *statistics) {

@@ -263,7 +263,9 @@ static void no_cavity_mode_is_missing_below_the_limit(void **state) {
     TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
     TaborModeInfo mode;
     double limit = 0.0;
-    for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) limit = mode.frequency;
+    for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
+      if (mode.part != TABOR_PART_RIM) limit = mode.frequency;
+    }
     const double last = 0.85 * limit;
     double all = 0.0, upper = 0.0;
     for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {

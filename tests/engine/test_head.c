@@ -149,7 +149,7 @@ static void shapes_have_unit_modal_mass(void **state) {
   TbArena arena;
   tb_arena_prepare(&arena, &system);
   TbHead head;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 2000.0, (TbHeadLimits){4096, 91.0}),
+  assert_int_equal(tb_head_prepare(&head, &arena, &def, 2000.0, (TbHeadLimits){4096, 91.0, 0.0}),
                    TABOR_OK);
   enum { STEPS = 4000, MOST = 12 };
   double mass[MOST][MOST] = {{0.0}}, *radial = tb_arena_doubles(&arena, head.row_count);
@@ -197,7 +197,7 @@ static void shapes_from_a_table_are_the_same(void **state) {
   tb_arena_prepare(&arena, &allocator);
   TbHead head;
   TbBesselTable table;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0, (TbHeadLimits){4096, 91.0}),
+  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0, (TbHeadLimits){4096, 91.0, 0.0}),
                    TABOR_OK);
   assert_true(tb_bessel_table_prepare(&table, &arena, head.order_count, 60.0));
   double *patch = tb_arena_doubles(&arena, head.zero_count);

@@ -61,8 +61,10 @@ static void a_mode_loses_what_its_field_carries(void **state) {
     surround(&def, 0.0);
     TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
     double lowest = INFINITY, highest = 0.0;
-    for (uint32_t row = 0; row < MODES; row++) {
+    for (uint32_t row = 0, found = 0; found < MODES; row++) {
       const TbHeadMode *mode = &model->head.modes[row];
+      if (mode->part == TABOR_PART_RIM) continue; /* heads and rim are taken to radiate apart */
+      found++;
       const double ratio = mode->radiation_rate / rate_of_field(model, mode);
       if (!(fabs(ratio - 1.0) < ONE_MODE)) {
         fail_msg("%s (%u,%u), %.1f Hz: books %.3f of the power in its field", tabor_preset(p)->name,

@@ -108,24 +108,49 @@ static void a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed(void **s
   }
 }
 
-static void modes_of_the_hoop_are_heard_in_a_rimshot(void **state) {
+/* The oval mode of the shell and the mode with three diameters; a bell-like shell, so that they stand out. */
+static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
   (void)state;
-  static float rimshot[SOUND], rim[SOUND];
-  const TaborDrumDef def = snares_off();
+  static float rim[SOUND];
+  TaborDrumDef def = snares_off();
+  def.shell.loss = def.hoop.tie_loss = 0.003;
   TaborLedger ledger;
-  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIMSHOT, 0.05, rimshot, &ledger);
   play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIM, 0.05, rim, &ledger);
-  for (int i = 2; i < 6; i++) {
-    const double frequency = def.hoop.frequency[i];
-    print_message("%.0f Hz stands out by %.1f dB on the rim, by %.1f dB in a rimshot\n", frequency,
-                  stands_out(rim, frequency), stands_out(rimshot, frequency));
-    assert_true(stands_out(rim, frequency) > 3.0);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborModeInfo mode;
+  uint32_t heard = 0;
+  for (uint32_t row = 0; tabor_model_mode(model, row, &mode) && mode.frequency < 600.0; row++) {
+    if (mode.part != TABOR_PART_RIM || mode.m < 2) continue;
+    print_message("%.0f Hz stands out by %.1f dB\n", mode.frequency,
+                  stands_out(rim, mode.frequency));
+    assert_true(stands_out(rim, mode.frequency) > 3.0);
+    heard++;
   }
-  assert_true(stands_out(rimshot, def.hoop.frequency[3]) > 3.0);
+  assert_int_equal(heard, 2);
+  tabor_model_release(model);
 }
 
-/* A rim that does not yield is silent: what is left is the head. */
-static void a_cross_stick_is_the_hoop_above_a_head_nearly_silent(void **state) {
+/* The share of the wires in what is lost, in parts of the stroke's energy. */
+static double rattle(const TaborDrumDef *def) {
+  static float sound[SOUND];
+  TaborLedger ledger;
+  play(def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_CROSS_STICK, 0.1, sound, &ledger);
+  return (ledger.wire_loss + ledger.contact_loss) / ledger.injected;
+}
+
+static void a_cross_stick_rattles_the_snares(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  def.hoop.contact_loss = def.striker[0].contact_loss = 0.0; /* leaves the wires */
+  TaborDrumDef rigid = def;
+  rigid.shell.mass = 0.0;
+  print_message("wires take %.2g of the energy, on a shell at rest %.2g\n", rattle(&def),
+                rattle(&rigid));
+  assert_true(rattle(&def) > 4.0 * rattle(&rigid));
+}
+
+/* A shell that does not move is silent: what is left is the head under the stick's tip. */
+static void a_cross_stick_is_the_shell_above_a_head_nearly_silent(void **state) {
   (void)state;
   static float plain[SOUND], whole[SOUND], head[SOUND];
   TaborDrumDef def = snares_off();
@@ -133,10 +158,9 @@ static void a_cross_stick_is_the_hoop_above_a_head_nearly_silent(void **state) {
   const double radius = 0.6 * def.shell.radius;
   play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_NORMAL, radius, plain, &ledger);
   play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, whole, &ledger);
-  assert_true(ledger.shell_loss > 20.0 * ledger.head_loss);
-  assert_true(ledger.damper_loss > 0.0);
+  assert_true(ledger.shell_loss > 0.0 && ledger.damper_loss > 0.0);
   TaborDrumDef rigid = def;
-  memset(rigid.hoop.frequency, 0, sizeof rigid.hoop.frequency);
+  rigid.shell.mass = 0.0;
   play(&rigid, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, head, &ledger);
   print_message(
     "head %.1f dB below a plain stroke, %.1f dB below the whole sound; centroid %.0f Hz\n",
@@ -217,9 +241,9 @@ static void a_swap_carries_sticks_and_hoop_on(void **state) {
   TaborDrumDef def = snares_off();
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborModel *twin = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
-  def.hoop.frequency[2] *= 1.1;
-  def.hoop.frequency[5] = 0.0;
+  def.hoop.bending_stiffness *= 1.2;
   def.hoop.mass *= 2.0;
+  def.shell.mass *= 1.5;
   TaborModel *heavier = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   event_script_play(at_work, drum, 0, FRAMES, 100, straight);
@@ -306,8 +330,9 @@ static void a_full_pool_drops_whole_sticks(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed),
-    cmocka_unit_test(modes_of_the_hoop_are_heard_in_a_rimshot),
-    cmocka_unit_test(a_cross_stick_is_the_hoop_above_a_head_nearly_silent),
+    cmocka_unit_test(modes_of_the_shell_are_heard_on_the_rim),
+    cmocka_unit_test(a_cross_stick_rattles_the_snares),
+    cmocka_unit_test(a_cross_stick_is_the_shell_above_a_head_nearly_silent),
     cmocka_unit_test(every_stroke_is_accounted_for_at_every_cap),
     cmocka_unit_test(blocks_saves_and_resets_keep_every_bit),
     cmocka_unit_test(a_swap_carries_sticks_and_hoop_on),

@@ -30,7 +30,7 @@ static void lowest_pair(const TaborModel *model, uint32_t m, TaborModeInfo pair[
   for (uint32_t row = 0; found < 2; row++) {
     TaborModeInfo mode;
     assert_true(tabor_model_mode(model, row, &mode));
-    if (mode.m == m && mode.n == 1) pair[found++] = mode;
+    if (mode.m == m && mode.n == 1 && mode.part != TABOR_PART_RIM) pair[found++] = mode;
   }
 }
 

@@ -302,7 +302,13 @@ static void centre_and_edge_differ(void **state) {
   const TaborDrumDef def = drum_of("snare-14x5.5-off");
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborModeInfo lowest, across;
-  assert_true(tabor_model_mode(model, 0, &lowest) && tabor_model_mode(model, 1, &across));
+  uint32_t row = 0; /* the rim's come first: the drum on its stand, and the oval shell */
+  do {
+    assert_true(tabor_model_mode(model, row++, &lowest));
+  } while (lowest.part == TABOR_PART_RIM);
+  do {
+    assert_true(tabor_model_mode(model, row++, &across));
+  } while (across.part == TABOR_PART_RIM);
   tabor_model_release(model);
   double ratio[2];
   for (int edge = 0; edge < 2; edge++) {

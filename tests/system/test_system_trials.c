@@ -52,6 +52,8 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 /* Keys that are drawn apart. */
 static bool is_newer(const TaborParameter *p) {
   return strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
+         (strcmp(p->section, "shell") == 0 &&
+          p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
          strcmp(p->key, "bristles") == 0 || strcmp(p->key, "spread") == 0 ||
          strcmp(p->key, "sweep_speed") == 0;
@@ -75,17 +77,32 @@ static void draw_brush(uint64_t seed, TaborStrikerDef *striker) {
   if (physics_random(&seed) % 2) striker->mass = exp(physics_uniform(&seed, log(1e-4), log(0.01)));
 }
 
-/* Any number of modes, some as stiff as the rate allows. */
 static void draw_hoop(uint64_t seed, TaborHoopDef *hoop) {
   hoop->height = physics_uniform(&seed, 0.0, 0.05);
   hoop->mass = exp(physics_uniform(&seed, log(0.05), log(20.0)));
   hoop->contact_stiffness = exp(physics_uniform(&seed, log(1e5), log(1e11)));
   hoop->contact_loss = physics_random(&seed) % 3 ? physics_uniform(&seed, 0.0, 2.0) : 100.0;
-  for (int i = 0; i < TABOR_HOOP_MODES; i++) {
-    const double frequency = exp(physics_uniform(&seed, log(20.0), log(20000.0)));
-    hoop->frequency[i] = physics_random(&seed) % 4 ? frequency : 0.0;
-    hoop->decay[i] = physics_random(&seed) % 4 ? physics_uniform(&seed, 0.0, 300.0) : 10000.0;
-  }
+}
+
+static double draw_key(uint64_t *seed, const char *key) {
+  return draw_value(seed, tabor_parameter_find(key));
+}
+
+/* Hoops and shells of all kinds; one in three of either is at rest, or moves with the other. */
+static void draw_rim(uint64_t seed, TaborDrumDef *def) {
+  TaborShellDef *shell = &def->shell;
+  TaborHoopDef *hoop = &def->hoop;
+  shell->mass =
+    physics_random(&seed) % 3 ? exp(physics_uniform(&seed, log(0.05), log(100.0))) : 0.0;
+  shell->bending_stiffness = draw_key(&seed, "shell.bending_stiffness");
+  shell->loss = draw_key(&seed, "shell.loss");
+  shell->stand_frequency = draw_key(&seed, "shell.stand_frequency");
+  shell->stand_damping = draw_key(&seed, "shell.stand_damping");
+  hoop->bending_stiffness =
+    physics_random(&seed) % 3 ? exp(physics_uniform(&seed, log(0.1), log(1e6))) : 0.0;
+  hoop->loss = draw_key(&seed, "hoop.loss");
+  hoop->tie_frequency = draw_key(&seed, "hoop.tie_frequency");
+  hoop->tie_loss = draw_key(&seed, "hoop.tie_loss");
 }
 
 static void draw_newer(uint64_t seed, TaborDrumDef *def) {
@@ -95,6 +112,7 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   def->hand.pivot = physics_uniform(&seed, 0.0, 0.3);
   def->hand.grip = physics_uniform(&seed, 0.0, 1.0);
   draw_hoop(seed, &def->hoop);
+  draw_rim(seed + 3, def);
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {

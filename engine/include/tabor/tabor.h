@@ -58,7 +58,6 @@ extern "C" {
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
 #define TABOR_MAX_LUGS 16    /**< tension rods of one head */
-#define TABOR_HOOP_MODES 8   /**< modes of the hoop */
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
 #define TABOR_MAX_MICS 8     /**< microphones in one definition */
 #define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
@@ -159,12 +158,22 @@ typedef enum TaborTechnique {
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   /** Depth of the air below the batter head, down to the resonant head or to the bottom of a closed
-   * drum [m], 0.01 to 1.5, default 0.14. Without effect on a single open or baffled head. */
+   * drum [m], 0.01 to 1.5, default 0.14; of a single open or baffled head, the height of a shell that
+   * moves. */
   double depth;
   uint32_t boundary; /**< a TaborBoundary, default open; a two-headed drum needs open */
   /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The
    * lighter the wall, the more of the enclosed sound it lets through. */
   double surface_density;
+  /** Mass of the shell with lugs and the lower hoop [kg], 0.05 to 100, or 0: it does not move, nor
+   * does the heads' edge. Default 0. */
+  double mass;
+  /** D = E h^3/(12 (1 - nu^2)) of its wall [N m], 1e-3 to 1e7, default 270 (7 mm of plywood). */
+  double bending_stiffness;
+  double loss; /**< loss factor of its bending, 0 to 1, default 0.03 */
+  /** Frequency at which the drum would bounce on its stand [Hz], 5 to 200, default 20. */
+  double stand_frequency;
+  double stand_damping; /**< of that motion, as a part of critical damping, 0 to 2, default 0.3 */
 } TaborShellDef;
 
 /**
@@ -289,21 +298,25 @@ typedef struct TaborHandDef {
 } TaborHandDef;
 
 /**
- * The hoop around the batter head, with the part of the shell that moves with it. It has a mode
- * for each frequency that is not 0; the first has two nodal diameters. Rimshots, cross-sticks and
- * strokes on the rim strike it. Without frequencies it is rigid, and strokes on it make no sound
- * of their own.
+ * The hoop around the batter head. Rimshots, cross-sticks and strokes on the rim strike it. It bends as
+ * a ring, and rods, lugs and the head's collar tie it to the shell. It is heard by what it does to
+ * shell and heads: on a shell that does not move, strokes on it make no sound of their own.
  */
 typedef struct TaborHoopDef {
   double height; /**< of its edge above the head [m], 0 to 0.05, default 0.012 */
-  double mass;   /**< of the moving parts [kg], 0.05 to 20, default 1.2 */
+  double mass;   /**< [kg], 0.05 to 20, default 1.2 */
   /** K of a stick's contact, f = K eta^1.5 [N/m^1.5], 1e5 to 1e11, default 1e8. A mallet or a
    * finger keeps its own contact. */
   double contact_stiffness;
   double contact_loss; /**< Hunt-Crossley lambda of a stick on it [s/m], 0 to 100, default 0.1 */
-  double frequency[TABOR_HOOP_MODES]; /**< of its modes [Hz], 0 (none) or 20 to 20,000, default 0 */
-  /** Decay rate of each mode's amplitude, without radiation [1/s], 0 to 10,000, default 50. */
-  double decay[TABOR_HOOP_MODES];
+  /** EI of its section [N m2], 0.1 to 1e6, or 0: it moves with the shell. Default 0. */
+  double bending_stiffness;
+  double loss; /**< loss factor of its bending, 0 to 1, default 0.01 */
+  /** Frequency at which the hoop moves on rods, lugs and the head's collar against a shell at rest
+   * [Hz], 50 to 20,000, default 1600. */
+  double tie_frequency;
+  double tie_loss; /**< loss factor of rods and collar, 0 to 1, default 0.06 */
+  double width; /**< seen from above, which its own sound depends on [m], 0 to 0.05, default 0.01 */
 } TaborHoopDef;
 
 /** The default stroke. */
@@ -554,10 +567,11 @@ typedef enum TaborModePart {
   TABOR_PART_BATTER,   /**< the batter head, with over 90 % of the heads' energy */
   TABOR_PART_RESONANT, /**< the resonant head, with over 90 % of the heads' energy */
   TABOR_PART_BOTH,     /**< both heads */
-  TABOR_PART_CAVITY    /**< the air between them, with over half of all kinetic energy */
+  TABOR_PART_CAVITY,   /**< the air between them, with over half of all kinetic energy */
+  TABOR_PART_RIM       /**< hoop and shell, with over half of all kinetic energy */
 } TaborModePart;
 
-/** One mode of the heads with their air. */
+/** One mode of the heads with their air, hoop and shell. */
 typedef struct TaborModeInfo {
   uint32_t m;            /**< nodal diameters of the Bessel function that moves most */
   uint32_t n;            /**< its nodal circles counting the rim, from 1 */

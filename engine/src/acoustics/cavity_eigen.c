@@ -14,14 +14,15 @@ double tb_head_stiffness(const TaborHeadDef *head, double wavenumber) {
 
 /* Head h by itself. */
 static void add_head(const TbCavityEigen *drum, const TbAirOrder *air, uint32_t h, uint32_t size,
-                     double *mass, double *stiffness) {
+                     double *mass, double *stiffness, double *own) {
   const uint32_t n = air->count;
   const double radius = drum->cavity.radius, azimuth = air->m ? PI : 2.0 * PI;
   for (uint32_t i = 0; i < n; i++) {
     const double norm = azimuth * radius * radius * 0.5 * air->slopes[i] * air->slopes[i];
     const size_t diagonal = (size_t)(h * n + i) * size + h * n + i;
     mass[diagonal] += norm * drum->heads[h]->surface_density;
-    stiffness[diagonal] += norm * tb_head_stiffness(drum->heads[h], air->zeros[i] / radius);
+    own[h * n + i] = norm * tb_head_stiffness(drum->heads[h], air->zeros[i] / radius);
+    stiffness[diagonal] += own[h * n + i];
   }
 }
 
@@ -45,12 +46,20 @@ TaborStatus tb_cavity_eigen_solve(const TbCavityEigen *drum, TbArena *scratch,
   const uint32_t size = tb_cavity_eigen_size(cavity, drum, air), heads = drum->cavity.heads;
   double *mass = tb_arena_doubles(scratch, (size_t)size * size);
   double *stiffness = tb_arena_doubles(scratch, (size_t)size * size);
+  double *own = tb_arena_doubles(scratch, (size_t)heads * air->count);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
   for (uint32_t a = 0; a < heads; a++) {
-    add_head(drum, air, a, size, mass, stiffness);
+    add_head(drum, air, a, size, mass, stiffness, own);
     for (uint32_t b = 0; b < heads; b++) add_outside(drum, air, a, b, size, mass);
   }
   tb_cavity_assemble(cavity, &drum->cavity, air, size, mass, stiffness);
-  if (tb_eigen_symmetric(scratch, size, stiffness, mass, eigenvalues, vectors)) return TABOR_OK;
-  return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
+  const bool moves = tb_cavity_eigen_rim(drum) > 0;
+  if (moves) tb_rim_assemble(drum->rim, air, heads, size, own, mass, stiffness);
+  if (!tb_eigen_symmetric(scratch, size, stiffness, mass, eigenvalues, vectors)) {
+    return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
+  }
+  for (uint32_t k = 0; moves && k < size; k++) {
+    tb_rim_add_lift(drum->rim, air, heads, size, vectors + (size_t)k * size);
+  }
+  return TABOR_OK;
 }

@@ -4,11 +4,13 @@
  *
  * Unknowns: outward amplitudes of the Bessel functions of the upper head, those of the lower head,
  * then the cavity's coordinates u_c (cavity.h). The air outside adds its low-frequency mass to each
- * head and between them (shell_radiation.h). Vectors have unit modal mass. Set-up only. */
+ * head and between them (shell_radiation.h). A rim that moves has the last coordinates (rim.h); the
+ * heads' amplitudes in the vectors then include its lift. Vectors have unit modal mass. Set-up only. */
 #ifndef TB_CAVITY_EIGEN_H
 #define TB_CAVITY_EIGEN_H
 
 #include "acoustics/cavity.h"
+#include "acoustics/rim.h"
 
 typedef struct TbCavityEigen {
   TbCavity cavity;
@@ -17,11 +19,16 @@ typedef struct TbCavityEigen {
   /* Its mass matrices in units of a_m rho0 R^3, [count][count] row-major: of each head, and between
    * the heads. NULL: no mass. */
   const double *own, *mutual;
+  const TbRim *rim; /* NULL: at rest */
 } TbCavityEigen;
+
+static inline uint32_t tb_cavity_eigen_rim(const TbCavityEigen *drum) {
+  return drum->rim ? drum->rim->count : 0u;
+}
 
 static inline uint32_t tb_cavity_eigen_size(const TbCavityOrder *cavity, const TbCavityEigen *drum,
                                             const TbAirOrder *air) {
-  return drum->cavity.heads * air->count + cavity->mode_count;
+  return drum->cavity.heads * air->count + cavity->mode_count + tb_cavity_eigen_rim(drum);
 }
 
 /* Stiffness T K^2 + D K^4 of a head per area [N/m3], K its wavenumber [1/m]. */

@@ -223,16 +223,3 @@ void tb_cavity_fields(const TbCavityMics *mics, const TbCavityOrder *order, cons
     }
   }
 }
-
-/* J_m(k r) and k R J_m'(k R) at k - i s/c0, to first order in s. */
-void tb_cavity_wall_field(const TbCavity *cavity, uint32_t m, double omega, double r,
-                          double field[2]) {
-  const double k = omega / cavity->sound_speed, x = k * cavity->radius, order = (double)m;
-  const double lag = tb_cavity_decay_rate(cavity, omega) / cavity->sound_speed;
-  const Complex here = {tb_bessel_j(m, k * r), -lag * r * tb_bessel_slope(m, k * r)};
-  const Complex wall = {x * tb_bessel_slope(m, x),
-                        lag * cavity->radius * (x - order * order / x) * tb_bessel_j(m, x)};
-  const Complex ratio = quotient(here, wall);
-  field[0] = -ratio.re;
-  field[1] = -ratio.im;
-}

@@ -55,12 +55,6 @@ void tb_cavity_fields(const TbCavityMics *mics, const TbCavityOrder *order, cons
                       const TbAirOrder *air, const double *heads, const double *u, double omega,
                       double decay_rate, double *fields);
 
-/* I of a wall that moves outward by cos(m theta), m > 0, the same from end to end, at the distance
- * r [m] from the axis:
- *   R I = -J_m(k r)/(k J_m'(k R)) at k - i s_d/c0. */
-void tb_cavity_wall_field(const TbCavity *cavity, uint32_t m, double omega, double r,
-                          double field[2]);
-
 /* Decay rate of a diffuse field at omega [1/s]. */
 double tb_cavity_decay_rate(const TbCavity *cavity, double omega);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "acoustics/cavity_pressure.h"
+#include "acoustics/rim_radiation.h"
 #include "definition/definition.h"
 
 static const double PI = 3.14159265358979323846;
@@ -18,8 +19,8 @@ static const double COORDINATES = 24.0;
 static const double MARGIN = 1.1;
 /* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
 static const double CAVITY_BASIS = 2.0;
-/* A mode of which less than this part of the energy moves a head is not heard or felt. */
-static const double LEAST_HEAD = 1e-4;
+/* A mode of which less than this part of the energy moves a head or the rim is not heard or felt. */
+static const double LEAST_MOVED = 1e-4;
 /* One head's mode: the other has less than this part of the heads' energy. */
 static const double ONE_HEAD = 0.1;
 
@@ -149,10 +150,12 @@ double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint3
 
 /* ---- one mode -------------------------------------------------------------------------------- */
 
-/* What a mode's parts carry: masses of the heads themselves, and their loss, v^T C v. */
+/* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C v, and
+ * the rim's motion. */
 typedef struct Parts {
-  double head_mass[TB_HEADS], cavity_mass;
+  double head_mass[TB_HEADS], cavity_mass, rim_mass;
   double head_loss;
+  TbRimMotion rim;
   uint32_t strongest;       /* Bessel function that moves most, of either head */
   double largest[TB_HEADS]; /* outward amplitude of each head's strongest function, mass-weighted */
 } Parts;
@@ -164,8 +167,11 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
     const double wavenumber = e->air->zeros[i] / radius;
     const double norm = e->azimuth * radius * radius * 0.5 * e->air->slopes[i] * e->air->slopes[i];
     const double mass = norm * head->surface_density * v[i] * v[i];
+    const double bent = v[i] - parts->rim.edge * tb_rim_lift(e->air, h, i);
+    const double lifted = norm * head->surface_density * (v[i] * v[i] - bent * bent);
+    const double film = head->damping_1 * wavenumber * wavenumber;
     parts->head_mass[h] += mass;
-    parts->head_loss += mass * (head->damping_0 + head->damping_1 * wavenumber * wavenumber);
+    parts->head_loss += mass * (head->damping_0 + film) - lifted * film;
     const double size = sqrt(mass);
     if (size <= fabs(parts->largest[h])) continue;
     parts->largest[h] = v[i] < 0.0 ? -size : size;
@@ -173,10 +179,11 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
   }
 }
 
-/* v: outward amplitudes of the heads, then cavity coordinates. */
+/* v: outward amplitudes of the heads, cavity coordinates, then those of the rim. */
 static Parts parts_of(const Enclosed *e, const double *v) {
-  Parts parts = {.strongest = 0};
   const uint32_t heads = e->drum.cavity.heads, n = e->air->count;
+  Parts parts = {.rim = tb_rim_motion(e->drum.rim, v + heads * n + e->cavity.mode_count)};
+  parts.rim_mass = tb_rim_mass(e->drum.rim, parts.rim);
   for (uint32_t h = 0; h < heads; h++) add_head_parts(e, h, v + h * n, &parts);
   for (uint32_t c = 0; c < e->cavity.mode_count; c++) {
     const double u = v[heads * n + c];
@@ -188,6 +195,7 @@ static Parts parts_of(const Enclosed *e, const double *v) {
 static uint32_t part_name(const Parts *parts) {
   const double heads = parts->head_mass[0] + parts->head_mass[1];
   if (parts->cavity_mass > 0.5) return TABOR_PART_CAVITY;
+  if (parts->rim_mass > 0.5) return TABOR_PART_RIM;
   if (parts->head_mass[1] < ONE_HEAD * heads) return TABOR_PART_BATTER;
   if (parts->head_mass[0] < ONE_HEAD * heads) return TABOR_PART_RESONANT;
   return TABOR_PART_BOTH;
@@ -379,11 +387,12 @@ static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *ca
   }
   mode->shell_rate =
     tb_cavity_wall_power(&e->cavity, cavity, e->air, outward, coordinates, mode->omega) /
-    (mode->omega * mode->omega); /* P/(2E), E = omega^2/2 */
+      (mode->omega * mode->omega) + /* P/(2E), E = omega^2/2 */
+    tb_rim_decay_rate(e->drum.rim, parts->rim, mode->omega);
   mode->decay_rate = 0.5 * parts->head_loss + mode->shell_rate + mode->radiation_rate;
 }
 
-/* v: outward amplitudes of the heads, then cavity coordinates. */
+/* v: see parts_of(). */
 static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, TbHeadMode *mode) {
   mode->n = parts->strongest + 1;
   mode->part = part_name(parts);
@@ -398,35 +407,44 @@ static void finish_mode(const Enclosed *e, const Parts *parts, const double *v, 
   }
 }
 
-/* Keeps the upward amplitudes of both heads. */
-static void keep_vectors(const Enclosed *e, const double *v, TbHeadOrder *order) {
+/* Keeps the upward amplitudes of both heads, relative to the lifted edge, and those of the rim. */
+static void keep_vectors(const Enclosed *e, const Parts *parts, const double *v,
+                         TbHeadOrder *order) {
   const uint32_t n = e->air->count;
   for (uint32_t h = 0; h < e->drum.cavity.heads; h++) {
     double *kept = order->vectors[h] + (size_t)order->mode_count * n;
-    for (uint32_t i = 0; i < n; i++) kept[i] = h ? -v[h * n + i] : v[h * n + i];
+    for (uint32_t i = 0; i < n; i++) {
+      const double own = v[h * n + i] - parts->rim.edge * tb_rim_lift(e->air, h, i);
+      kept[i] = h ? -own : own;
+    }
   }
+  if (!order->edge) return;
+  order->edge[order->mode_count] = parts->rim.edge;
+  order->hoop[order->mode_count] = parts->rim.hoop;
 }
 
-/* Keeps what moves a head, up to `limit`. Vectors: outward amplitudes, then cavity coordinates. */
+/* Keeps what moves a head or the rim, up to `limit`. Vectors: see parts_of(). */
 static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *eigenvalues,
-                              double *vectors, double limit, TbHeadOrder *order, TbHeadMode *modes,
-                              uint32_t room) {
+                              const double *vectors, TbModeLimits limit, TbHeadOrder *order,
+                              TbHeadMode *modes, uint32_t room) {
   const uint32_t size = tb_cavity_eigen_size(&e->cavity, &e->drum, e->air);
   const Spectrum spectrum = {eigenvalues, vectors, size};
   double v[2048];
   for (uint32_t k = 0; k < size && order->mode_count < room; k++) {
-    if (!(eigenvalues[k] <= limit * limit)) break;
+    if (!(eigenvalues[k] <= limit.rim * limit.rim)) break;
     memcpy(v, vectors + (size_t)k * size, size * sizeof *v);
     Parts parts = parts_of(e, v);
-    if (parts.head_mass[0] + parts.head_mass[1] < LEAST_HEAD) continue;
+    if (parts.head_mass[0] + parts.head_mass[1] + parts.rim_mass < LEAST_MOVED) continue;
+    if (!tb_rim_keeps(limit, sqrt(eigenvalues[k]), parts.rim_mass)) continue;
     TbHeadMode *mode = &modes[order->mode_count];
     *mode = (TbHeadMode){.m = order->m, .index = k, .omega = sqrt(eigenvalues[k])};
     mode->place = order->mode_count;
     if (!radiate(e, arena, &spectrum, k, v, mode)) return TABOR_ERROR_MEMORY;
-    if (mode->omega > limit) continue;
     parts = parts_of(e, v);
+    if (!tb_rim_keeps(limit, mode->omega, parts.rim_mass)) continue;
+    tb_rim_radiate(e->drum.rim, e->def, parts.rim, mode);
     finish_mode(e, &parts, v, mode);
-    keep_vectors(e, v, order);
+    keep_vectors(e, &parts, v, order);
     order->mode_count++;
   }
   return TABOR_OK;
@@ -452,13 +470,15 @@ static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShellMesh *sh
 }
 
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
-                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room) {
+                                 const TbAirOrder *air, const TbRim *rim, const TbShellMesh *shell,
+                                 TbModeLimits limit, TbHeadOrder *order, TbHeadMode *modes,
+                                 uint32_t room) {
   Enclosed e = {.def = def, .drum = coupled_of(def), .air = air};
+  e.drum.rim = rim;
   e.azimuth = air->m ? PI : 2.0 * PI;
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
-                               highest_coordinate(&e.drum, limit)) ||
+                               highest_coordinate(&e.drum, limit.heads)) ||
       !prepare_outside(&e, scratch, shell) ||
       (def->air.density > 0.0 && !tb_cavity_mics_prepare(&e.inside, scratch, def, &e.cavity))) {
     return TABOR_ERROR_MEMORY;
@@ -471,9 +491,13 @@ TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbAren
     tb_cavity_eigen_solve(&e.drum, scratch, air, &e.cavity, eigenvalues, vectors);
   if (status != TABOR_OK) return status;
   uint32_t below = 0;
-  while (below < size && eigenvalues[below] <= limit * limit) below++;
+  while (below < size && eigenvalues[below] <= limit.rim * limit.rim) below++;
   for (uint32_t h = 0; h < e.drum.cavity.heads; h++) {
     order->vectors[h] = tb_arena_doubles(arena, (size_t)below * air->count);
+  }
+  if (rim->count > 0) {
+    order->edge = tb_arena_doubles(arena, below);
+    order->hoop = tb_arena_doubles(arena, below);
   }
   if (arena->failed) return TABOR_ERROR_MEMORY;
   return keep_modes(&e, arena, eigenvalues, vectors, limit, order, modes, room);

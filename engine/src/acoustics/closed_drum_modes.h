@@ -5,7 +5,8 @@
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
  *   heads: rho (sigma0 + sigma1 K^2) per area, as for a single head;
  *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
- *   outside: the radiation resistance of both heads at the mode's frequency.
+ *   rim: rim.h;
+ *   outside: the radiation resistance of both heads and of the rim at the mode's frequency.
  * Low modes radiate from the finite rigid shell (shell_radiation.h) and get the mass of the air
  * outside at their own frequency (a Rayleigh quotient, right to second order). Modes of high order,
  * or above the shell's largest x, radiate as in air.h ("Drum"); from 0.9 of that x on, one passes
@@ -36,7 +37,8 @@ bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *
 
 /* Like tb_single_head_order(), for a drum with air inside. `shell` is NULL without air. */
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, const TbShellMesh *shell, double limit,
-                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room);
+                                 const TbAirOrder *air, const TbRim *rim, const TbShellMesh *shell,
+                                 TbModeLimits limit, TbHeadOrder *order, TbHeadMode *modes,
+                                 uint32_t room);
 
 #endif

@@ -37,20 +37,24 @@ static double zero_at_frequency(const TaborDrumDef *def, const TaborHeadDef *hea
 }
 
 static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef *def,
-                               const TbBesselTable *table, const TbShellMesh *shell,
+                               const TbBesselTable *table, const TbShellMesh *shell, double rim_top,
                                TbHeadOrder *order) {
   TbArena scratch;
   tb_arena_prepare(&scratch, &arena->allocator);
-  const double limit = 2.0 * PI * head->bandwidth;
+  const TbModeLimits limit = {2.0 * PI * head->bandwidth,
+                              2.0 * PI * fmax(head->bandwidth, rim_top)};
   TbHeadMode *modes = head->modes + head->row_count;
   const uint32_t room = head->most_modes - head->row_count;
   TbAirOrder air;
+  TbRim rim;
+  tb_rim_prepare(&rim, def, order->m);
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_air_order_prepare(&air, &scratch, order->m, order->zeros, order->zero_count)) {
     air.table = table;
-    status = tb_has_cavity(def)
-               ? tb_closed_drum_order(def, arena, &scratch, &air, shell, limit, order, modes, room)
-               : tb_single_head_order(def, arena, &scratch, &air, limit, order, modes, room);
+    status =
+      tb_has_cavity(def)
+        ? tb_closed_drum_order(def, arena, &scratch, &air, &rim, shell, limit, order, modes, room)
+        : tb_single_head_order(def, arena, &scratch, &air, &rim, limit, order, modes, room);
   }
   order->rows = tb_arena_take(arena, order->mode_count + 1u, sizeof *order->rows);
   if (arena->failed) status = TABOR_ERROR_MEMORY;
@@ -93,7 +97,7 @@ static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwid
 
 static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef *def,
                                 const TbBesselTable *table, const TbShellMesh *shell,
-                                double basis_top, uint32_t most) {
+                                double basis_top, double rim_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
     TbHeadOrder *order = &head->orders[m];
@@ -103,7 +107,7 @@ static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef
     if (arena->failed) return TABOR_ERROR_MEMORY;
     order->zero_count = tb_bessel_zeros(m, basis_top, order->zeros, room);
     if (order->zero_count == 0) break;
-    const TaborStatus status = build_order(head, arena, def, table, shell, order);
+    const TaborStatus status = build_order(head, arena, def, table, shell, rim_top, order);
     if (status != TABOR_OK) return status;
     head->zero_count += order->zero_count;
     head->order_count++;
@@ -128,12 +132,18 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
       (!outside || tb_closed_drum_shell(def, &scratch, &shell)) && !arena->failed) {
-    status =
-      build_orders(head, arena, def, &table, outside ? &shell : NULL, basis_top, most_orders);
+    status = build_orders(head, arena, def, &table, outside ? &shell : NULL, basis_top, limits.rim,
+                          most_orders);
   }
   tb_arena_release(&scratch);
   if (status == TABOR_OK) sort_modes(head);
   return status;
+}
+
+double tb_head_lowest(const TbHead *head) {
+  uint32_t row = 0;
+  while (row + 1u < head->row_count && head->modes[row].part == TABOR_PART_RIM) row++;
+  return head->modes[row].omega;
 }
 
 TaborModeInfo tb_head_mode_info(const TbHeadMode *mode) {
@@ -192,6 +202,25 @@ void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *
     const TbHeadOrder *order = &head->orders[m];
     order_values(order, r / head->radius, patch ? patch + order->first_zero : NULL, values);
     order_radial(order, which, values, radial);
+  }
+}
+
+void tb_head_add_lift(const TbHead *head, double r, double *radial) {
+  double power = 1.0; /* (r/R)^m */
+  for (uint32_t m = 0; m < head->order_count; m++, power *= r / head->radius) {
+    const TbHeadOrder *order = &head->orders[m];
+    for (uint32_t k = 0; order->edge && k < order->mode_count; k++) {
+      radial[order->rows[k]] += order->edge[k] * power;
+    }
+  }
+}
+
+void tb_head_hoop(const TbHead *head, double *radial) {
+  for (uint32_t m = 0; m < head->order_count; m++) {
+    const TbHeadOrder *order = &head->orders[m];
+    for (uint32_t k = 0; k < order->mode_count; k++) {
+      radial[order->rows[k]] = order->hoop ? order->hoop[k] : 0.0;
+    }
   }
 }
 

@@ -24,12 +24,14 @@
 #define TB_MAX_ORDERS 256u
 
 /* Modes of one angular order: mode k moves head h upward as
- * Sum_i vectors[h][k][i] J_m(zeros[i] r/R). */
+ *   Sum_i vectors[h][k][i] J_m(zeros[i] r/R) + edge[k] (r/R)^m,
+ * the bearing edge by edge[k] and the batter's hoop by hoop[k] (rim.h). */
 typedef struct TbHeadOrder {
   uint32_t m, zero_count, mode_count;
   uint32_t first_zero; /* index of zeros[0] among all zeros of the head */
   double *zeros, *vectors[TB_HEADS];
-  uint32_t *rows; /* row of each mode in TbHead.modes, sorted by frequency over all orders */
+  double *edge, *hoop; /* NULL: at rest */
+  uint32_t *rows;      /* row of each mode in TbHead.modes, sorted by frequency over all orders */
 } TbHeadOrder;
 
 /* A normal mode. Its sine copy for m > 0 has the same row of the list. */
@@ -41,7 +43,8 @@ typedef struct TbHeadMode {
   int32_t phase;     /* +1: both heads move the same way, -1: against each other, 0: neither */
   double omega;      /* undamped [rad/s] */
   double decay_rate; /* of the amplitude [1/s]; includes the next two */
-  double radiation_rate, shell_rate; /* to the air outside; at the walls of the cavity */
+  double radiation_rate,
+    shell_rate; /* to the air outside; at the walls of the cavity and in the rim */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
 } TbHeadMode;
 
@@ -50,6 +53,7 @@ typedef struct TbHeadMode {
 typedef struct TbHeadLimits {
   uint32_t modes; /* sine copies counted */
   double zero;    /* the largest Bessel zero of a mode, at most TB_TOP_ZERO */
+  double rim; /* modes that move mostly the rim are kept up to here, if above the bandwidth [Hz] */
 } TbHeadLimits;
 
 /* Above this zero and its margin, orders would exceed TB_MAX_ORDERS. */
@@ -70,6 +74,9 @@ typedef struct TbHead {
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                             TbHeadLimits limits);
 
+/* The lowest frequency of a mode that moves more than the rim [rad/s]. */
+double tb_head_lowest(const TbHead *head);
+
 /* The public information about a mode. */
 TaborModeInfo tb_head_mode_info(const TbHeadMode *mode);
 
@@ -77,12 +84,19 @@ TaborModeInfo tb_head_mode_info(const TbHeadMode *mode);
  * patch[zero_count]. a = 0 gives 1. */
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch);
 
-/* Radial shape of every row of modes at distance r [m] on head `which`: radial[row_count]. `patch`
- * may be NULL. Audio-safe. */
+/* Radial shape of every row of modes at distance r [m] on head `which`, relative to the lifted edge
+ * and what it lifts: radial[row_count]. `patch` may be NULL. Audio-safe. */
 void tb_head_radial(const TbHead *head, uint32_t which, double r, const double *patch,
                     double *radial);
 
-/* The same from a table of all orders and zeros, within its 3e-11; `patch` is not NULL. Set-up only. */
+/* Adds the lift: radial[] is then the head's whole motion. A mean over a disc is its value in the
+ * middle. Audio-safe. */
+void tb_head_add_lift(const TbHead *head, double r, double *radial);
+
+/* Motion of the batter's hoop, radial[row_count]. Audio-safe. */
+void tb_head_hoop(const TbHead *head, double *radial);
+
+/* The same as tb_head_radial() from a table of all orders and zeros, within its 3e-11; `patch` is not NULL. Set-up only. */
 void tb_head_radial_tabled(const TbHead *head, const TbBesselTable *table, uint32_t which, double r,
                            const double *patch, double *radial);
 

@@ -47,15 +47,17 @@ TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborH
                           double tension, double *pitch) {
   const TaborDrumDef held = held_drum(def, which, tension);
   const TbShellMesh *const shell = meets_shell(def) ? &air->shell : NULL;
+  const TbRim rim = {.count = 0}; /* at rest: the lowest mode on a stand is the drum that rocks */
+  const TbModeLimits limit = {INFINITY, INFINITY};
   TbHeadOrder order = {.m = air->order.m};
   TbHeadMode mode;
   TbArena scratch;
   tb_arena_prepare(&scratch, &air->arena.allocator);
   const TaborStatus status =
     tb_has_cavity(&held)
-      ? tb_closed_drum_order(&held, &scratch, &scratch, &air->order, shell, INFINITY, &order, &mode,
+      ? tb_closed_drum_order(&held, &scratch, &scratch, &air->order, &rim, shell, limit, &order, &mode,
                              1)
-      : tb_single_head_order(&held, &scratch, &scratch, &air->order, INFINITY, &order, &mode, 1);
+      : tb_single_head_order(&held, &scratch, &scratch, &air->order, &rim, limit, &order, &mode, 1);
   tb_arena_release(&scratch);
   if (status != TABOR_OK) return status;
   if (order.mode_count == 0) return TABOR_ERROR_NUMERICS;

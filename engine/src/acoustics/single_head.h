@@ -4,11 +4,12 @@
 #define TB_SINGLE_HEAD_H
 
 #include "acoustics/head.h"
+#include "acoustics/rim.h"
 
-/* Computes the modes up to `limit` [rad/s], at most `room`, and their vectors into `order`, whose
+/* Computes the modes up to `limit`, at most `room`, and their vectors into `order`, whose
  * zeros are set. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
-                                 const TbAirOrder *air, double limit, TbHeadOrder *order,
-                                 TbHeadMode *modes, uint32_t room);
+                                 const TbAirOrder *air, const TbRim *rim, TbModeLimits limit,
+                                 TbHeadOrder *order, TbHeadMode *modes, uint32_t room);
 
 #endif

@@ -52,17 +52,6 @@
     LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
     LUG(16, id, section, place)
 
-/* One mode of the hoop. */
-#define HOOP_MODE(number)                                                                          \
-  {ROW(TB_PARAM_HOOP_FREQUENCY + (number)-1, "hoop", "frequency_" #number, "Hz",                   \
-       "frequency of the hoop's mode " #number ", 0: it has none", NUMBER(0, 20000, 0)),           \
-   AT(hoop.frequency[(number)-1]), .least = 20, .zero = true},                                     \
-  {                                                                                                \
-    ROW(TB_PARAM_HOOP_DECAY + (number)-1, "hoop", "decay_" #number, "1/s",                         \
-        "decay of its amplitude, without what leaves as sound", NUMBER(0, 10000, 50)),             \
-      AT(hoop.decay[(number)-1])                                                                   \
-  }
-
 const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
   {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
@@ -84,6 +73,21 @@ const TbParam tb_params[] = {
        "mass of the wall between two heads per area; a light one lets more sound through",
        NUMBER(0.1, 1000, 4.2), LOGARITHMIC),
    AT(shell.surface_density)},
+  {ROW(TB_PARAM_SHELL_MASS, "shell", "mass", "kg",
+       "mass of the shell with lugs and the lower hoop, 0: it does not move", NUMBER(0, 100, 0)),
+   AT(shell.mass), .least = 0.05, .zero = true},
+  {ROW(TB_PARAM_SHELL_BENDING_STIFFNESS, "shell", "bending_stiffness", "N m",
+       "bending stiffness of the wall, E h^3/(12 (1 - nu^2))", NUMBER(1e-3, 1e7, 270), LOGARITHMIC),
+   AT(shell.bending_stiffness)},
+  {ROW(TB_PARAM_SHELL_LOSS, "shell", "loss", "", "loss factor of the wall's bending",
+       NUMBER(0, 1, 0.03)),
+   AT(shell.loss)},
+  {ROW(TB_PARAM_SHELL_STAND_FREQUENCY, "shell", "stand_frequency", "Hz",
+       "frequency at which the drum bounces on its stand", NUMBER(5, 200, 20), LOGARITHMIC),
+   AT(shell.stand_frequency)},
+  {ROW(TB_PARAM_SHELL_STAND_DAMPING, "shell", "stand_damping", "",
+       "damping of that motion as a part of critical damping", NUMBER(0, 2, 0.3)),
+   AT(shell.stand_damping)},
 
   {ROW(TB_PARAM_BATTER_TENSION, "batter", "tension", "N/m", "tension of the head",
        NUMBER(100, 20000, 3000), LOGARITHMIC),
@@ -318,8 +322,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HOOP_HEIGHT, "hoop", "height", "m", "height of the hoop's edge above the head",
        NUMBER(0, 0.05, 0.012)),
    AT(hoop.height)},
-  {ROW(TB_PARAM_HOOP_MASS, "hoop", "mass", "kg",
-       "mass of the hoop with what moves along of the shell", NUMBER(0.05, 20, 1.2), LOGARITHMIC),
+  {ROW(TB_PARAM_HOOP_MASS, "hoop", "mass", "kg", "mass of the batter's hoop", NUMBER(0.05, 20, 1.2),
+       LOGARITHMIC),
    AT(hoop.mass)},
   {ROW(TB_PARAM_HOOP_CONTACT_STIFFNESS, "hoop", "contact_stiffness", "N/m^1.5",
        "stiffness of the contact of a stick with the hoop", NUMBER(1e5, 1e11, 1e8), LOGARITHMIC),
@@ -327,14 +331,22 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HOOP_CONTACT_LOSS, "hoop", "contact_loss", "s/m",
        "Hunt-Crossley loss of the contact of a stick with the hoop", NUMBER(0, 100, 0.1)),
    AT(hoop.contact_loss)},
-  HOOP_MODE(1),
-  HOOP_MODE(2),
-  HOOP_MODE(3),
-  HOOP_MODE(4),
-  HOOP_MODE(5),
-  HOOP_MODE(6),
-  HOOP_MODE(7),
-  HOOP_MODE(8),
+  {ROW(TB_PARAM_HOOP_BENDING_STIFFNESS, "hoop", "bending_stiffness", "N m2",
+       "bending stiffness EI of the hoop's section, 0: it moves with the shell", NUMBER(0, 1e6, 0)),
+   AT(hoop.bending_stiffness), .least = 0.1, .zero = true},
+  {ROW(TB_PARAM_HOOP_LOSS, "hoop", "loss", "", "loss factor of the hoop's bending",
+       NUMBER(0, 1, 0.01)),
+   AT(hoop.loss)},
+  {ROW(TB_PARAM_HOOP_TIE_FREQUENCY, "hoop", "tie_frequency", "Hz",
+       "frequency of the hoop on rods, lugs and collar over a shell at rest",
+       NUMBER(50, 20000, 1600), LOGARITHMIC),
+   AT(hoop.tie_frequency)},
+  {ROW(TB_PARAM_HOOP_TIE_LOSS, "hoop", "tie_loss", "", "loss factor of rods, lugs and collar",
+       NUMBER(0, 1, 0.06)),
+   AT(hoop.tie_loss)},
+  {ROW(TB_PARAM_HOOP_WIDTH, "hoop", "width", "m",
+       "width of the hoop seen from above, which its sound depends on", NUMBER(0, 0.05, 0.01)),
+   AT(hoop.width)},
 
   {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
        NUMBER(0.01, 30, 2.5), LOGARITHMIC),

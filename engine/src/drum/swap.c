@@ -176,13 +176,6 @@ static void carry_bending(const TbView *from, TbView *to, uint32_t slot) {
   tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), now, last);
 }
 
-static void carry_rims(const TbView *from, TbView *to) {
-  memcpy(to->now.hoop, from->now.hoop, sizeof from->state->hoop[0]);
-  memcpy(to->last.hoop, from->last.hoop, sizeof from->state->hoop[0]);
-  tb_hoop_carry(&from->model->hoop, &to->model->hoop, to->now.hoop, to->last.hoop);
-  to->state->rings = from->state->rings;
-}
-
 /* A striker that the other model has, and a brush if it is one. */
 static bool is_known(const TaborModel *model, const TbSlot *slot) {
   const TaborStrikerDef *striker = &model->def.striker[slot->definition];
@@ -261,7 +254,6 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   memcpy(state->shift, from->state->shift, sizeof state->shift);
   tb_live_params_apply(to);
   carry_contacts(from, to);
-  carry_rims(from, to);
   carry_slots(from, to);
   carry_high(from, to);
   carry_sound(swap, from, to);

@@ -120,10 +120,6 @@ double tb_bessel_j(uint32_t m, double x) {
   return j[0];
 }
 
-double tb_bessel_slope(uint32_t m, double x) {
-  return m ? 0.5 * (tb_bessel_j(m - 1, x) - tb_bessel_j(m + 1, x)) : -tb_bessel_j(1, x);
-}
-
 /* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
  * or j_1, whichever is larger. */
 static double half_scale(double x, double here, double above) {

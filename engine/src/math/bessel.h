@@ -18,9 +18,6 @@ double tb_bessel_j(uint32_t m, double x);
 /* j[0] = J_m(x) and j[1] = J_{m+1}(x), x > 0. */
 void tb_bessel_pair(uint32_t m, double x, double j[2]);
 
-/* J_m'(x). */
-double tb_bessel_slope(uint32_t m, double x);
-
 /* J_m[i](x[i]) for 8 orders and arguments at once, one per SIMD lane. */
 void tb_bessel_j8(const uint32_t m[8], const double x[8], double j[8]);
 

@@ -47,6 +47,7 @@ static TaborStatus prepare_rings(TaborModel *model, const TbBesselTable *table, 
     const double radius = ring * places->apart;
     tb_head_radial_tabled(&model->head, table, TABOR_HEAD_BATTER, radius, model->patches[striker],
                           places->rows + ring * rows);
+    tb_head_add_lift(&model->head, radius, places->rows + ring * rows);
     if (waves > 0) fill_waves(model, striker, table, radius, places->waves + ring * waves);
   }
   return TABOR_OK;

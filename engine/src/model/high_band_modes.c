@@ -262,8 +262,13 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
   const TbHead *modes = &b->model->head;
   if (m >= modes->order_count) return 0;
   const TbHeadOrder *order = &modes->orders[m];
-  if (b->both_sides) return order->mode_count;
   uint32_t there = 0;
+  if (b->both_sides) {
+    for (uint32_t k = 0; k < order->mode_count; k++) {
+      there += modes->modes[order->rows[k]].part != TABOR_PART_RIM;
+    }
+    return there;
+  }
   double mass;
   const double bandwidth = 2.0 * PI * modes->bandwidth;
   while (there < count && frequency(b, &b->sides[head], zeros[there], &mass) < bandwidth) there++;
@@ -283,8 +288,9 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
   order.zero_count = tb_bessel_zeros(m, b->sides[0].top_zero + 2.0 * PI, order.zeros, MOST_ZEROS);
   if (!tb_air_order_prepare(&air, scratch, m, order.zeros, order.zero_count)) return false;
   air.table = &b->table;
-  if (tb_single_head_order(&b->model->def, scratch, scratch, &air, b->top, &order, modes,
-                           MOST_ZEROS) != TABOR_OK) {
+  const TbRim at_rest = {.count = 0};
+  if (tb_single_head_order(&b->model->def, scratch, scratch, &air, &at_rest,
+                           (TbModeLimits){b->top, b->top}, &order, modes, MOST_ZEROS) != TABOR_OK) {
     return false;
   }
   for (uint32_t n = taken(b, 0, m, order.zeros, order.zero_count); n < order.mode_count; n++) {

@@ -31,11 +31,18 @@ static const double MOST_PAIRS = 48e6;
 static const uint32_t FEW_MODES = 4096, MANY_MODES = 16384;
 static const double FEW_ZERO = 91.0; /* leaves half of FEW_MODES to either head */
 
-static TbHeadLimits limits_of(uint32_t quality, uint32_t points) {
-  if (quality != TABOR_QUALITY_REFERENCE) return (TbHeadLimits){FEW_MODES, FEW_ZERO};
+/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
+static const double TOP_OF_RATE = 0.2;
+
+/* Hoop and shell move up to here at every quality: a stick on the hoop meets their compliance [Hz]. */
+static const double RIM_TOP = 8000.0;
+
+static TbHeadLimits limits_of(uint32_t quality, uint32_t points, double rate) {
+  const double rim = fmin(RIM_TOP, TOP_OF_RATE * rate);
+  if (quality != TABOR_QUALITY_REFERENCE) return (TbHeadLimits){FEW_MODES, FEW_ZERO, rim};
   const double fitting = MOST_PAIRS / fmax(1.0, points);
   const uint32_t modes = (uint32_t)fmin(MANY_MODES, fmax(FEW_MODES, fitting));
-  return (TbHeadLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes)))};
+  return (TbHeadLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes))), rim};
 }
 
 static Level level_of(uint32_t quality) {
@@ -49,9 +56,6 @@ static Level level_of(uint32_t quality) {
   default: return (Level){8000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
   }
 }
-
-/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
-static const double TOP_OF_RATE = 0.2;
 
 /* The one-way band needs no more than that its modes be told apart from their images. */
 static const double TOP_OF_HEARING = 0.42;
@@ -76,7 +80,16 @@ void tb_model_shape(const TaborModel *model, uint32_t which, double radius, doub
                     const double *patch, double *radial, double *shape) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
-  tb_modes_shape(&model->modes, &model->head, which, radius, sine, cosine, patch, radial, shape);
+  tb_head_radial(&model->head, which, radius, patch, radial);
+  tb_head_add_lift(&model->head, radius, radial);
+  tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
+}
+
+void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, double *shape) {
+  double sine, cosine;
+  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_head_hoop(&model->head, radial);
+  tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
 }
 
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
@@ -142,7 +155,8 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   double *radial = tb_arena_doubles(scratch, model->head.row_count);
   model->center = tb_arena_doubles(&model->arena, model->modes.padded);
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  tb_model_shape(model, model->wires.head, 0.0, 0.0, NULL, radial, model->center);
+  tb_modes_shape(&model->modes, &model->head, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
+                 model->center);
   return TABOR_OK;
 }
 
@@ -225,7 +239,6 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   const TaborStatus status = tb_mics_prepare(model);
   if (status != TABOR_OK) return status;
-  tb_hoop_prepare(model);
   return tb_high_band_prepare(&model->high, &model->arena, model, model->top);
 }
 
@@ -233,6 +246,9 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
   (void)scratch;
+  model->palm_patch = tb_arena_doubles(&model->arena, model->head.zero_count);
+  if (!model->palm_patch) return TABOR_ERROR_MEMORY;
+  tb_head_patch(&model->head, TB_PALM_RADIUS, model->palm_patch);
   for (uint32_t i = 0; i <= model->def.striker_count; i++) {
     const bool hand = i == model->def.striker_count;
     double *patch = tb_arena_doubles(&model->arena, model->head.zero_count);
@@ -299,9 +315,6 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
   hash = hash_bytes(hash, model->missing, sizeof model->missing);
-  hash = hash_bytes(hash, model->hoop.a, sizeof model->hoop.a);
-  hash = hash_bytes(hash, model->hoop.b, sizeof model->hoop.b);
-  hash = hash_bytes(hash, model->hoop.scale, sizeof model->hoop.scale);
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
     for (uint32_t grip = 0; grip < TB_GRIPS;
          grip++) { /* the shapes follow from what precedes them */
@@ -365,9 +378,9 @@ static void relax_large(TaborModel *model, const Level *level) {
 
 static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level,
                          TaborError *error) {
-  TaborStatus status =
-    tb_head_prepare(&model->head, &model->arena, &model->def, level->bandwidth,
-                    limits_of(model->quality, model->def.wires.count * level->wire_cells));
+  TaborStatus status = tb_head_prepare(
+    &model->head, &model->arena, &model->def, level->bandwidth,
+    limits_of(model->quality, model->def.wires.count * level->wire_cells, model->sample_rate));
   if (status != TABOR_OK) return status;
   if (model->head.row_count == 0) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,

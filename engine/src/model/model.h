@@ -14,13 +14,14 @@
 #include "model/compliance.h"
 #include "model/contact_rows.h"
 #include "model/high_band.h"
-#include "model/hoop.h"
 #include "model/projection.h"
 #include "model/residual_modes.h"
 #include "model/stick_bending.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
+/* The same of a palm, 8 by 10 cm [m]. */
+#define TB_PALM_RADIUS 0.0505
 /* Contact curvature times compliance: the stiffest contact that one sample resolves. */
 #define TB_SLOPE_LIMIT 10.0
 
@@ -95,7 +96,6 @@ struct TaborModel {
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
   TbHighBand high;
-  TbHoop hoop;
   TbStick stick[TABOR_MAX_STRIKERS];
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbBrushShapes places[TABOR_MAX_STRIKERS]; /* of each brush */
@@ -107,7 +107,8 @@ struct TaborModel {
   TbComplianceF compliancef; /* for contacts in single precision */
   TbStretch stretch;
   TbLugs lugs;
-  double *patches[TABOR_MAX_STRIKERS + 1];         /* of each striker, then of a hand */
+  double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
+  double *palm_patch;
   TbResidualModes missing[TABOR_MAX_STRIKERS + 1]; /* likewise; zero for a hand */
   double *center; /* [padded]: shape at the centre of the wires' head */
   TbLayout layout;
@@ -121,6 +122,9 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
  * absolute]. `patch` as in tb_head_radial(); radial is scratch of head.row_count. Audio-safe. */
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape);
+
+/* Computes shape[padded], the motion of the batter's hoop at an angle, likewise. Audio-safe. */
+void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, double *shape);
 
 /* The high band's response to a unit force of a striker at this place: drive[high.padded].
  * Audio-safe. */

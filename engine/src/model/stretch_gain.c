@@ -6,7 +6,7 @@
 static const double PI = 3.14159265358979323846;
 
 /* Int |grad w|^2 dA of one mode on head `which`, of its cosine as of its sine copy:
- * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2. */
+ * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m u^2 of the edge (rim.h). */
 static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode *mode) {
   const TbHeadOrder *order = &head->orders[mode->m];
   const double *v = order->vectors[which] + (size_t)mode->place * order->zero_count;
@@ -16,7 +16,8 @@ static double slope_square(const TbHead *head, uint32_t which, const TbHeadMode 
     const double slope = order->zeros[i] * tb_bessel_j(mode->m + 1, order->zeros[i]);
     sum += v[i] * v[i] * slope * slope;
   }
-  return 0.5 * azimuth * sum;
+  const double edge = order->edge ? order->edge[mode->place] : 0.0;
+  return 0.5 * azimuth * sum + azimuth * mode->m * edge * edge;
 }
 
 /* Modes up to this many times the lowest frequency count. Twice as many raise a tom's peak at 12 m/s by
@@ -27,7 +28,7 @@ static double top_of(uint32_t quality) { return quality <= TABOR_QUALITY_LIVE ? 
 static void prepare_parts(TaborModel *model) {
   const TbModes *modes = &model->modes;
   TbParts *parts = &model->stretch.parts;
-  const double top = top_of(model->quality) * model->head.modes[0].omega;
+  const double top = top_of(model->quality) * tb_head_lowest(&model->head);
   parts->count = modes->groups + 1u;
   for (uint32_t group = 0; group <= modes->groups; group++) {
     const uint32_t end = group < modes->groups ? modes->group[group + 1] : modes->padded;

@@ -92,8 +92,7 @@ double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *n
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next->q, now->q) +
          tb_lug_forces_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
-         strikers_energy(view, next, now) +
-         tb_hoop_energy(&view->model->hoop, view->model->sample_rate, next->hoop, now->hoop);
+         strikers_energy(view, next, now);
 }
 
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {
@@ -121,10 +120,6 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
       all += bent * bent;
     }
   }
-  for (uint32_t i = 0; i < view->model->hoop.count; i++) {
-    const double step = next->hoop[i] - now->hoop[i];
-    all += step * step;
-  }
   return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
 }
 
@@ -136,11 +131,6 @@ TbLosses tb_losses(const TbView *view) {
   model->kernels->losses(modes->padded, modes->walls ? 3 : 2, origins, view->next.q, view->last.q,
                          by);
   TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
-  if (view->state->rings) {
-    const TbHoopLosses hoop = tb_hoop_losses(&model->hoop, view->next.hoop, view->last.hoop);
-    losses.shell += hoop.shell;
-    losses.radiated += hoop.radiated;
-  }
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
     losses.head += tb_residual_modes_loss(tb_slot_missing(view, i), view->next.missing[i],

@@ -111,12 +111,6 @@ static double hear(TbEar *ear, TbPair sums) {
   return pressure;
 }
 
-static double hear_hoop(const TbView *view, uint32_t mic) {
-  if (!view->state->rings) return 0.0;
-  return tb_hoop_pressure(&view->model->hoop, mic, view->next.hoop, view->now.hoop,
-                          view->last.hoop);
-}
-
 static uint32_t first_of(uint32_t heard) {
   uint32_t mic = 0;
   while (heard != 0 && !(heard >> mic & 1u)) mic++;
@@ -141,7 +135,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
     if (heard >> mic & 1u) {
       const TbPair own =
         mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
-      p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own)) + hear_hoop(view, mic);
+      p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
     }
     pressure[mic] = delayed(view, mic, tb_force_equalizer(state->treble[mic], p)) *
                     live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;

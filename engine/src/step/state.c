@@ -19,7 +19,6 @@ static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) 
                    state->z[index],
                    at(state, layout->high[index]),
                    state->missing[index],
-                   state->hoop[index],
                    state->bow[index]};
 }
 

@@ -100,7 +100,6 @@ typedef struct TbState {
   uint32_t slot_mask;      /* slots in play */
   uint32_t lifted;         /* wires hang clear of the head: see wire_clearance.h */
   double gap;              /* least clearance of lifted wires [m] */
-  uint32_t rings;          /* the hoop moves, or a striker may hit it */
   uint32_t held;           /* wires hold the high band's modes: `high_held` */
   uint32_t hold_steps;     /* samples since `high_held` was renewed */
   TbWireContacts contacts; /* sums over these samples */
@@ -118,20 +117,18 @@ typedef struct TbState {
   TbBrush brushes[TB_BRUSHES];
   double z[3][TB_SLOTS];
   double missing[3][TB_SLOTS][TB_MISSING];
-  double hoop[3][TB_HOOP_MODES];
-  double bow[3][TB_SLOTS][TB_BENDS];          /* bending of sticks; of a pair, the tip has it */
-  double hoop_shape[TB_SLOTS][TB_HOOP_MODES]; /* of slots on the hoop, 0 for others */
-  TaborLedger sums;                           /* stored and residual are not kept */
+  double bow[3][TB_SLOTS][TB_BENDS]; /* bending of sticks; of a pair, the tip has it */
+  TaborLedger sums;                  /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows (a row is one contact),
- * heights of strikers, modes of the high band, the head's missing modes under each striker, modes
- * of the hoop, and bending of sticks. */
+ * heights of strikers, modes of the high band, the head's missing modes under each striker, and
+ * bending of sticks. */
 typedef struct TbPhase {
   double *q, *v, *eta, *z;
   void *high; /* in the high band's precision */
-  double (*missing)[TB_MISSING], *hoop, (*bow)[TB_BENDS];
+  double (*missing)[TB_MISSING], (*bow)[TB_BENDS];
 } TbPhase;
 
 /* The three instants that a step touches: n + 1, n, n - 1. */

@@ -53,9 +53,6 @@ static void free_motion(TbView *view) {
   TB_STAGE(WIRES);
   if (!view->state->lifted) free_wires(view);
   tb_rigid_stick_step(view);
-  if (view->state->rings) {
-    tb_hoop_step(&model->hoop, view->next.hoop, view->now.hoop, view->last.hoop);
-  }
 }
 
 /* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
@@ -91,9 +88,6 @@ static void free_penetration(TbView *view) {
                              view->last.missing[i]);
       eta += tb_residual_modes_displacement(missing, view->next.missing[i]) -
              (tb_pool_free_height(view, i) - view->state->slots[i].coat);
-      if (view->state->slots[i].on_hoop) {
-        eta += tb_hoop_displacement(view->state->hoop_shape[i], view->next.hoop);
-      }
       if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
@@ -140,9 +134,6 @@ static void respond(TbView *view, bool unchanged) {
     if (force[row] != 0.0) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
       tb_residual_modes_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
-    }
-    if (view->state->slots[i].on_hoop) {
-      tb_hoop_press(&model->hoop, view->state->hoop_shape[i], force[row], view->next.hoop);
     }
     view->next.z[i] = tb_pool_free_height(view, i) + view->own[row] * force[row];
     if (view->state->slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
@@ -235,7 +226,6 @@ static void clear_small(uint32_t n, double *now, double *last) {
 static void clear_vanished(TbView *view) {
   tb_high_band_step_of(view)->clear_small(view);
   clear_small(view->model->modes.padded, view->now.q, view->last.q);
-  clear_small(TB_HOOP_MODES, view->now.hoop, view->last.hoop);
   clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
   clear_small(TB_SLOTS * TB_BENDS, view->now.bow[0], view->last.bow[0]);
 }
@@ -259,9 +249,7 @@ static void fall_asleep(TbView *view) {
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
     memset(view->now.missing, 0, sizeof view->state->missing[0]);
-    memset(view->state->hoop, 0, sizeof view->state->hoop);
     memset(view->state->bow, 0, sizeof view->state->bow);
-    view->state->rings = 0;
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
@@ -279,7 +267,6 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
   memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
-  memcpy(view->last.hoop, view->now.hoop, sizeof view->state->hoop[0]);
   memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));

@@ -21,15 +21,11 @@ static bool in_play(const TbView *view, uint32_t slot) {
   return view->state->slots[slot].kind != TB_SLOT_FREE;
 }
 
-/* What two slots in play share besides the head over one step: the hoop, or the stick. */
+/* What two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbSlot *a = &view->state->slots[slot], *b = &view->state->slots[other];
+  const TbSlot *a = &view->state->slots[slot];
   const double k = view->model->time_step;
   double sum = 0.0;
-  if (a->on_hoop && b->on_hoop) {
-    sum += tb_hoop_compliance(&view->model->hoop, view->state->hoop_shape[slot],
-                              view->state->hoop_shape[other]);
-  }
   if (a->partner == other + 1u) sum += k * k * a->cross;
   if (a->bends && (slot == other || a->partner == other + 1u)) {
     sum += tb_rigid_stick_flexibility(view, slot, other);
@@ -37,7 +33,7 @@ static double shared_compliance(const TbView *view, uint32_t slot, uint32_t othe
   return sum;
 }
 
-/* How the head yields at this slot to forces everywhere, over one step: its shape, what a unit force
+/* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit force
  * does to the modes, and the compliance to the grid under the wires and to every other slot. */
 static void couple(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
@@ -112,7 +108,6 @@ static double head_at(const TbView *view, uint32_t slot, const double *q) {
 /* Of a striker: its tip is in the head by this much. */
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return head_at(view, slot, phase->q) +
-         tb_hoop_displacement(view->state->hoop_shape[slot], phase->hoop) +
          tb_residual_modes_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
          (phase->z[slot] - view->state->slots[slot].coat) -
          (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
@@ -122,8 +117,8 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = &view->state->slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
-  const double *patch = model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
-  memset(view->state->hoop_shape[slot], 0, sizeof view->state->hoop_shape[slot]);
+  const double *patch =
+    s->palm ? model->palm_patch : model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
   double *shape = tb_slot_shape(view, slot);
   double *drive = view->high_scratch;
   if (s->bristles) {
@@ -139,15 +134,11 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
 static void find_place_on_hoop(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = &view->state->slots[slot];
-  double sine, cosine;
-  tb_sin_cos_degrees(s->angle - model->def.wires.angle, &sine, &cosine);
-  tb_hoop_shape(&model->hoop, sine, cosine, view->state->hoop_shape[slot]);
-  memset(tb_slot_shape(view, slot), 0, model->modes.padded * sizeof(double));
+  tb_model_hoop_shape(model, s->angle, view->radial, tb_slot_shape(view, slot));
   s->rest_height = model->def.hoop.height;
-  if (model->hoop.count > 0) view->state->rings = 1;
 }
 
-/* What the head's modes, or the hoop's, are at a slot's place. */
+/* What the modes are at a slot's place on head or hoop. */
 static void find_place(TbView *view, uint32_t slot) {
   if (view->state->slots[slot].on_hoop) {
     find_place_on_hoop(view, slot);

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+#include "acoustics/rim_radiation.h"
+
+#include <math.h>
+
+#include "definition/definition.h"
+#include "math/bessel.h"
+#include "math/portable_math.h"
+#include "math/quadrature.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- the wall --------------------------------------------------------------------------------- */
+
+/* Most points around half the wall: at 10 kHz and half a metre from the axis still five a wavelength. */
+enum { AROUND = 256, PANELS = 3, LEVELS = PANELS * TB_PANEL };
+
+/* Points around half the wall. Of the sources' n waves and the k r of the path's length the sum is exact with
+ * as many points; what the distance adds falls by e^-eta from one to the next,
+ * cosh eta = (r^2 + R^2)/(2 r R) at the level of the microphone. */
+static uint32_t points_around(uint32_t n, double wavenumber, double radius, double r) {
+  const double nearer = fmin(r, radius), ratio = fmax(r, radius) / fmax(nearer, 1e-6 * radius);
+  const double waves = n + wavenumber * nearer, eta = tb_log(ratio);
+  return (uint32_t)fmin(AROUND, 16.0 + 0.75 * waves + 8.0 / fmax(eta, 1e-3));
+}
+
+/* Panels of levels: 16 nodes see a quarter of their panel's length, and 20 radians, to 1e-7. */
+static uint32_t panels_along(double wavenumber, double radius, double depth, double r) {
+  const double near = 0.25 * depth / fmax(fabs(r - radius), 1e-3 * depth);
+  return (uint32_t)fmin(PANELS, 1.0 + fmax(near, wavenumber * depth / 20.0));
+}
+
+void tb_wall_field(uint32_t n, double wavenumber, double radius, double depth, double r, double z,
+                   double field[2]) {
+  double levels[LEVELS], weights[LEVELS];
+  const uint32_t around = points_around(n, wavenumber, radius, r);
+  const uint32_t panels = panels_along(wavenumber, radius, depth, r);
+  tb_quadrature(-depth, 0.0, panels, levels, weights);
+  field[0] = field[1] = 0.0;
+  for (uint32_t i = 0; i < around; i++) {
+    const double angle = PI * (i + 0.5) / around;
+    const double across = r * r + radius * radius - 2.0 * r * radius * tb_cos(angle);
+    const double part = tb_cos(n * angle) * 2.0 * PI / around / (4.0 * PI);
+    for (uint32_t l = 0; l < panels * TB_PANEL; l++) {
+      const double up = z - levels[l], distance = sqrt(across + up * up);
+      const double out = -(double)(n * n) * (levels[l] + 0.5 * depth) / radius;
+      const double size = part * weights[l] * out / distance;
+      double sine, cosine;
+      tb_sin_cos(wavenumber * distance, &sine, &cosine);
+      field[0] += size * cosine;
+      field[1] -= size * sine;
+    }
+  }
+}
+
+/* Int_-l^l x sin(kappa x) dx = 2 (sin y - y cos y)/kappa^2, y = kappa l. */
+static double lever(double kappa, double half) {
+  const double y = kappa * half;
+  if (fabs(y) < 1e-2) return 2.0 / 3.0 * y * half * half * (1.0 - 0.1 * y * y);
+  return 2.0 * (tb_sin(y) - y * tb_cos(y)) / (kappa * kappa);
+}
+
+double tb_wall_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
+                          double depth) {
+  enum { NODES = 8 * TB_PANEL };
+  double angles[NODES], weights[NODES], sum = 0.0;
+  const double k = omega / air->sound_speed, n2 = (double)n * n;
+  tb_quadrature(0.0, PI, NODES / TB_PANEL, angles, weights);
+  for (uint32_t i = 0; i < NODES; i++) {
+    double sine, cosine;
+    tb_sin_cos(angles[i], &sine, &cosine);
+    const double part = tb_bessel_j(n, k * radius * sine) * lever(k * cosine, 0.5 * depth);
+    sum += weights[i] * part * part * sine;
+  }
+  return omega * omega * air->density * n2 * n2 * PI * sum / (4.0 * air->sound_speed);
+}
+
+/* ---- the flange ------------------------------------------------------------------------------- */
+
+void tb_flange_field(uint32_t n, double wavenumber, double radius, double width, double r, double z,
+                     double field[2]) {
+  const uint32_t around = points_around(n, wavenumber, radius, r);
+  const double strip = PI * 0.25 * width * width;
+  field[0] = field[1] = 0.0;
+  for (uint32_t i = 0; i < around; i++) {
+    const double angle = PI * (i + 0.5) / around;
+    const double square = r * r + radius * radius - 2.0 * r * radius * tb_cos(angle) + z * z;
+    const double distance = sqrt(square), turn = wavenumber * distance;
+    const double size = strip * tb_cos(n * angle) * z / (square * distance) / (2.0 * around);
+    double sine, cosine;
+    tb_sin_cos(turn, &sine, &cosine);
+    field[0] += size * (cosine + turn * sine);
+    field[1] += size * (turn * cosine - sine);
+  }
+}
+
+double tb_flange_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
+                            double width) {
+  enum { NODES = 8 * TB_PANEL };
+  double angles[NODES], weights[NODES], sum = 0.0;
+  const double k = omega / air->sound_speed;
+  const double size = omega * air->density * PI * 0.25 * width * width * k * radius * 0.5;
+  tb_quadrature(0.0, PI, NODES / TB_PANEL, angles, weights);
+  for (uint32_t i = 0; i < NODES; i++) {
+    double sine, cosine;
+    tb_sin_cos(angles[i], &sine, &cosine);
+    const double part = cosine * tb_bessel_j(n, k * radius * sine);
+    sum += weights[i] * part * part * sine;
+  }
+  return (n ? 1.0 : 2.0) * PI * size * size * sum / (air->density * air->sound_speed);
+}
+
+/* ---- one mode --------------------------------------------------------------------------------- */
+
+/* Hoop or shell with less than this part of the mass is not heard beside the heads. */
+static const double LEAST_HEARD = 1e-4;
+
+static void add_field(TbHeadMode *mode, uint32_t mic, double amplitude, const double field[2]) {
+  mode->fields[2 * mic] += amplitude * field[0];
+  mode->fields[2 * mic + 1] += amplitude * field[1];
+}
+
+static void add_wall(const TaborDrumDef *def, double edge, TbHeadMode *mode) {
+  const double radius = def->shell.radius, depth = def->shell.depth;
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = tb_mics_outside(def, mics);
+  mode->radiation_rate +=
+    0.5 * edge * edge * tb_wall_resistance(mode->m, mode->omega, &def->air, radius, depth);
+  for (uint32_t p = 0; p < count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    double field[2];
+    tb_wall_field(mode->m, mode->omega / def->air.sound_speed, radius, depth, mic->radius,
+                  mic->height, field);
+    add_field(mode, mics[p], edge, field);
+  }
+}
+
+static void add_flange(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
+  const double radius = def->shell.radius, width = def->hoop.width;
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = tb_mics_outside(def, mics);
+  mode->radiation_rate +=
+    0.5 * hoop * hoop * tb_flange_resistance(mode->m, mode->omega, &def->air, radius, width);
+  for (uint32_t p = 0; p < count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    double field[2];
+    tb_flange_field(mode->m, mode->omega / def->air.sound_speed, radius, width, mic->radius,
+                    mic->height - def->hoop.height, field);
+    add_field(mode, mics[p], hoop, field);
+  }
+}
+
+void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
+                    TbHeadMode *mode) {
+  if (def->air.density == 0.0 || !(tb_rim_mass(rim, motion) > LEAST_HEARD)) return;
+  if (mode->m > 0 && rim->enclosed) add_wall(def, motion.edge, mode);
+  if (def->hoop.width > 0.0) add_flange(def, motion.hoop, mode);
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Sound of the rim (rim.h) in free space: of the shell's wall, and of the hoop's flange. The drum's body
+ * is no obstacle to it.
+ *
+ * Wall: while the bearing edge moves upward by u cos(n theta), the wall, radius R, moves outward by
+ *   W = -(n^2 x/R) u cos(n theta), x from -l to l above its middle:
+ * not at all at mid-height, and oppositely at the two ends. It radiates as a layer of sources of
+ * strength W_tt per area:
+ *   p = -omega^2 rho0 R I cos(n theta) u,
+ *     I = -Int_-l^l Int_0^2pi (n^2 x/R) cos(n t) e^{-i k s}/(4 pi s) dt dx, s the distance,
+ * [MorseIngard] chapter 7. The far field takes from the motion the power
+ *   P = omega^4 rho0 n^4 pi |u|^2/(8 c0)
+ *     Int_0^pi [J_n(k R sin t) Int_-l^l x sin(k x cos t) dx]^2 sin t dt.
+ * The wall of an open drum has air on both sides and shifts air from one side to the other; it is
+ * taken as silent.
+ *
+ * Flange: seen from above the hoop is a strip of width 2b that moves upward by a cos(n theta). A strip
+ * drags along air of the mass rho0 pi b^2 per length, so it pushes the air like a ring of dipoles of that
+ * mass times a_tt:
+ *   I = pi b^2 Int_0^2pi cos(n t) (z/s^3) (1 + i k s) e^{-i k s}/(4 pi) dt, z above the ring,
+ *   P = (pi/(2 rho0 c0)) (omega^2 rho0 pi b^2 k R |a|/2)^2 Int_0^pi [cos t J_n(k R sin t)]^2 sin t dt,
+ * twice that for n = 0.
+ *
+ * Limits: for k -> 0, P vanishes with k^(2n+6) for the wall, with k^(2n+6) for the flange; far away the
+ * fields are the square roots of what P integrates. Set-up only. */
+#ifndef TB_RIM_RADIATION_H
+#define TB_RIM_RADIATION_H
+
+#include "acoustics/head.h"
+#include "acoustics/rim.h"
+
+/* The factor I [1] of a wall of `radius` and `depth` = 2l [m], at r, z [m] from the axis and from the
+ * upper edge's plane. Wavenumber in [1/m]. */
+void tb_wall_field(uint32_t n, double wavenumber, double radius, double depth, double r, double z,
+                   double field[2]);
+
+/* r in P = r |omega u|^2/2 [kg/s]. */
+double tb_wall_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
+                          double depth);
+
+/* The same of a flange of `width` 2b, z from its plane. */
+void tb_flange_field(uint32_t n, double wavenumber, double radius, double width, double r, double z,
+                     double field[2]);
+double tb_flange_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
+                            double width);
+
+/* Adds the rim's sound to fields and radiation of a mode of unit mass, as if heads and rim radiated
+ * apart. */
+void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
+                    TbHeadMode *mode);
+
+#endif

@@ -6,7 +6,9 @@ percentile, the median and the 90th percentile over them."""
 import json
 import math
 import pathlib
+from fractions import Fraction
 from statistics import fmean
+from typing import NamedTuple
 
 import sound_features
 
@@ -15,6 +17,7 @@ FEWEST = 5  # instruments that a class needs, or its percentiles mean little
 WIDER_LEVEL = 3.0  # [dB] by which ranges of levels are widened on both sides
 WIDER_SHARE = 0.25  # by which ranges of times and frequencies are
 ASKED = 0.7  # the share of a group's features that lie inside the widened range
+ASKED_STRICTLY = Fraction(95, 100)  # the same in the strict gate
 NORMAL_RANGE = 2.56  # standard deviations from the 10th to the 90th percentile of a normal distribution
 CLASSES = ("snare/top", "tom/top", "floortom/top", "kick/in", "crossstick/top")  # of the nearest-class test
 
@@ -47,15 +50,19 @@ def widened(feature, low, high):
     return low * (1.0 - WIDER_SHARE), high * (1.0 + WIDER_SHARE)
 
 
-def outside(feature, value, spread):
-    """How far [dB or ratio] a value lies outside the widened range of `spread`: < 0 below, > 0 above, 0 inside."""
-    low, high = widened(feature, spread[1], spread[3])
+def beyond(feature, value, low, high):
+    """How far [dB or ratio] a value lies outside a range: 0 inside, NaN where the sound does not have the feature."""
     if math.isnan(value):
         return math.nan
     if low <= value <= high:
         return 0.0
     limit = low if value < low else high
     return value - limit if is_level(feature) else value / limit
+
+
+def outside(feature, value, spread):
+    """How far [dB or ratio] a value lies outside the widened range of `spread`."""
+    return beyond(feature, value, *widened(feature, spread[1], spread[3]))
 
 
 def is_inside(feature, value, spread):
@@ -67,6 +74,39 @@ def count_inside(group, values, recorded):
     names = [name for name in GROUPS[group] if name in recorded]
     inside = sum(is_inside(name, values[name], recorded[name]) for name in names)
     return inside, math.floor(ASKED * len(names)), len(names)
+
+
+def typical_share(instruments):
+    """Share of the instruments themselves whose value of a feature lies from its 10th to its 90th percentile.
+
+    Among n sorted values, counted from 0, the percentiles lie at places (n - 1)/10 and 9 (n - 1)/10, between values
+    as a rule; whole places between them are values inside: three of 5, four of 6, five of 7, eight of 12."""
+    first, last = -(-(instruments - 1) // 10), 9 * (instruments - 1) // 10
+    return Fraction(last - first + 1, instruments)
+
+
+class Strict(NamedTuple):
+    """What the strict gate finds of one group."""
+    plain: int  # features from the 10th to the 90th percentile
+    plain_asked: int
+    wide: int  # features inside the widened range
+    wide_asked: int
+    count: int
+    outside: dict  # of features outside the plain range: by how much [dB or ratio]
+
+    @property
+    def passes(self):
+        return self.plain >= self.plain_asked and self.wide >= self.wide_asked
+
+
+def judge_strictly(group, values, recorded):
+    names = [name for name in GROUPS[group] if name in recorded]
+    share = typical_share(max(entry[0] for entry in recorded.values()))
+    away = {name: beyond(name, values[name], recorded[name][1], recorded[name][3]) for name in names}
+    return Strict(plain=sum(value == 0.0 for value in away.values()), plain_asked=math.floor(share * len(names)),
+                  wide=sum(is_inside(name, values[name], recorded[name]) for name in names),
+                  wide_asked=math.floor(ASKED_STRICTLY * len(names)), count=len(names),
+                  outside={name: value for name, value in away.items() if value != 0.0})
 
 
 def distance(values, recorded):

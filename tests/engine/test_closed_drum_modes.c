@@ -106,11 +106,40 @@ static void a_heavy_wall_keeps_sound_in(void **state) {
   assert_true(taken[0][0] >= 0.0 && taken[0][0] < 0.01);
 }
 
+static double decay_lined(double absorption, uint32_t m, double frequency) {
+  TaborDrumDef def = physics_preset("tom-12");
+  def.shell.surface_density = 1000.0;
+  def.shell.absorption = absorption;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  const double rate = nearest_mode(model, m, frequency).decay_rate;
+  tabor_model_release(model);
+  return rate;
+}
+
+/* A lining of the admittance of a wall that lets sound through takes as much, in proportion to its absorption. */
+static void a_lining_takes_what_its_admittance_says(void **state) {
+  (void)state;
+  const double bare = decay_lined(0.0, 1, 650.0);
+  const double little = decay_lined(0.1, 1, 650.0) - bare, much = decay_lined(0.4, 1, 650.0) - bare;
+  TaborDrumDef def = physics_preset("tom-12");
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  const double frequency = nearest_mode(model, 1, 650.0).frequency;
+  tabor_model_release(model);
+  const double reactance = 2.0 * 3.14159265358979 * frequency * 4.2 / (1.205 * 343.0);
+  const double wall = decay_near(4.2, 1, 650.0) - decay_near(1000.0, 1, 650.0);
+  const double expected = wall * (1.0 + reactance * reactance) * 0.1 / 8.0 /
+                          (1.0 + 400.0 * 400.0 / (frequency * frequency));
+  print_message("a lining of 0.1 takes %.3f 1/s, by its admittance %.3f\n", little, expected);
+  assert_true(fabs(much / little - 4.0) < 1e-6);
+  assert_true(fabs(little / expected - 1.0) < 1e-3);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(two_heads_radiate_as_boundary_elements_say),
     cmocka_unit_test(a_timpano_has_its_published_frequencies),
     cmocka_unit_test(a_heavy_wall_keeps_sound_in),
+    cmocka_unit_test(a_lining_takes_what_its_admittance_says),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -951,6 +951,7 @@ static void test_second_head_keys(void **state) {
   const uint32_t count = list_keys(&def, all, sizeof all);
   assert_null(strstr(all, "resonant."));
   assert_non_null(strstr(all, "shell.stand_damping batter.tension "));
+  assert_non_null(strstr(all, "shell.absorption shell.surface_density "));
   assert_non_null(strstr(
     all, "batter.muffle_strength batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
   must_set(&def, "resonant.damping_0", "17");

@@ -5,6 +5,8 @@ import math
 import pathlib
 import sys
 import unittest
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 
 sys.path.insert(0, sys.argv.pop(1))
 
@@ -17,6 +19,10 @@ from sound_features import features
 
 RATE = 44100
 SEED = 7
+
+loader = SourceFileLoader("compare_recordings", str(pathlib.Path(sys.path[0]) / "compare-recordings"))
+compare_recordings = module_from_spec(spec_from_loader(loader.name, loader))
+loader.exec_module(compare_recordings)
 CLIPS = pathlib.Path(__file__).resolve().parent.parent / "reference" / "recordings"
 
 
@@ -106,6 +112,16 @@ class Features(unittest.TestCase):
             features(np.zeros(1000), RATE)
 
 
+class Dynamics(unittest.TestCase):
+    def test_trends_are_per_10_db(self):
+        levels = [-20.0, -10.0, -5.0]
+        layers = [{"centmag_e50": 1000.0 * 2.0 ** (0.02 * level), "hf_click_vs_body": 0.3 * level, "hfbody_e50": 4.0,
+                   "t40_ms": math.nan, "te_1000": 100.0 * 2.0 ** (-0.01 * level)} for level in levels]
+        found = compare_recordings.trends(levels, layers)
+        self.assertEqual(found, {"centmag_e50": 0.2, "hf_click_vs_body": 3.0, "hfbody_e50": 0.0, "t40_ms": None,
+                                 "te_1000": -0.1})
+
+
 class Judgement(unittest.TestCase):
     def setUp(self):
         self.recorded = drums.classes()
@@ -139,6 +155,32 @@ class Judgement(unittest.TestCase):
             for group in drums.GROUPS:
                 inside, asked, count = drums.count_inside(group, medians, self.recorded[name])
                 self.assertEqual((inside, asked), (count, math.floor(0.7 * count)))
+
+    def test_a_typical_share_is_that_of_the_recorded_instruments(self):
+        for count in range(2, 40):
+            values = np.arange(float(count))
+            low, high = np.percentile(values, [10, 90])
+            share = np.mean((values > low - 1e-9) & (values < high + 1e-9))
+            self.assertAlmostEqual(float(drums.typical_share(count)), share, msg=str(count))
+        self.assertEqual([round(100 * drums.typical_share(count)) for count in (5, 6, 7, 12)], [60, 67, 71, 67])
+
+    def test_the_strict_gate_asks_for_both_ranges(self):
+        recorded = self.recorded["kick/in"]
+        values = {feature: spread[2] for feature, spread in recorded.items()}
+        names = drums.GROUPS["spectrum"]
+        self.assertTrue(drums.judge_strictly("spectrum", values, recorded).passes)
+
+        def moved(count, by):
+            return values | {name: recorded[name][3] + by for name in names[:count]}
+
+        result = drums.judge_strictly("spectrum", moved(17, 1.0), recorded)  # seven instruments: 42 of 60
+        self.assertEqual((result.plain, result.plain_asked, result.wide, result.wide_asked), (43, 42, 60, 57))
+        self.assertTrue(result.passes)
+        self.assertEqual(list(result.outside), list(names[:17]))
+        self.assertAlmostEqual(result.outside[names[0]], 1.0)
+        self.assertFalse(drums.judge_strictly("spectrum", moved(19, 1.0), recorded).passes)
+        self.assertTrue(drums.judge_strictly("spectrum", moved(3, 20.0), recorded).passes)
+        self.assertFalse(drums.judge_strictly("spectrum", moved(4, 20.0), recorded).passes)
 
     def test_one_group_cannot_hide_behind_the_others(self):
         values = {feature: spread[2] for feature, spread in self.recorded["snare/top"].items()}

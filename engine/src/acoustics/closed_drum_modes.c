@@ -52,13 +52,24 @@ static const double WALL_SPEED = 3500.0;
  * room has 6.3e-3.) A pressure that is the same all round, m = 0, stretches the wall, which withstands it like a
  * hoop: below the ring frequency omega_r = WALL_SPEED/R the impedance is (omega_r/omega)^2 - 1 times as large. A
  * kettle, which is curved both ways, is rigid here. */
-static double side_admittance(const TaborDrumDef *def, uint32_t m, double omega) {
+static double wall_admittance(const TaborDrumDef *def, uint32_t m, double omega) {
   if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
   const double ring = WALL_SPEED / (def->shell.radius * omega);
   const double stiffer = m == 0 ? fmax(1.0, ring * ring - 1.0) : 1.0;
   const double ratio =
     stiffer * omega * def->shell.surface_density / (def->air.density * def->air.sound_speed);
   return 1.0 / (1.0 + ratio * ratio);
+}
+
+/* A lining's absorption has fallen to a half here [rad/s]: a porous layer absorbs little while it is thinner than a
+ * quarter of a wavelength, 10 cm at 860 Hz [Kuttruff ch. 2]. */
+static const double LINING_CORNER = 2513.0; /* 400 Hz */
+
+/* Specific admittance of a lining that absorbs the part alpha of sound from all directions, alpha = 8 beta_m. */
+static double lining_admittance(const TaborDrumDef *def, double omega) {
+  if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
+  const double ratio = LINING_CORNER / omega;
+  return 0.125 * def->shell.absorption / (1.0 + ratio * ratio);
 }
 
 TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega) {
@@ -69,7 +80,7 @@ TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega
     .density = def->air.density,
     .sound_speed = def->air.sound_speed,
     .heads = two ? 2 : 1,
-    .admittance = side_admittance(def, m, omega),
+    .admittance = wall_admittance(def, m, omega) + lining_admittance(def, omega),
     .head_density = {def->batter.surface_density, two ? def->resonant.surface_density : 0.0}};
 }
 

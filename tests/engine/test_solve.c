@@ -112,9 +112,7 @@ static void load_problem(Problem *p, const json_t *entry) {
   for (uint32_t i = 0; i < p->n; i++) {
     p->b[i * LANES] = b[i];
     p->y[i * LANES] = y[i];
-    /* The steps were computed from potentials of one penetration instead of two penetrations' sum. */
-    const double of_sums = stiffness[i] * pow(2.0, exponent[i]);
-    tb_contact_law_prepare(&p->laws[i], of_sums, exponent[i], 0.0, 1.0 / 48000.0, INFINITY);
+    tb_contact_law_prepare(&p->laws[i], stiffness[i], exponent[i], 0.0, 1.0 / 48000.0, INFINITY);
     reference_vector(json_array_get(json_object_get(entry, "M"), i), compliance, MOST);
     for (uint32_t j = 0; j < p->n; j++) *compliance_at(p, i, j) = compliance[j];
   }

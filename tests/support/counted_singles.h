@@ -124,7 +124,6 @@ COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED(losses, n,
         (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
         (n, count, w, next, last, sums))
-COUNTED(add, n, (uint32_t n, In x, In y, Out out), (n, x, y, out))
 COUNTED(subtract, n, (uint32_t n, In x, In y, Out out), (n, x, y, out))
 COUNTED(wire_step, (uint64_t)wires *lanes,
         (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
@@ -188,7 +187,6 @@ static const TbKernels counting = {
   .unstretch = COUNT(unstretch),
   .reach = COUNT(reach),
   .losses = COUNT(losses),
-  .add = COUNT(add),
   .subtract = COUNT(subtract),
   .wire_step = COUNT(wire_step),
   .wire_losses = COUNT(wire_losses),

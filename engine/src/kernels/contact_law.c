@@ -5,13 +5,13 @@
 
 #include "math/portable_math.h"
 
-/* y^a for y >= 0. */
-static double raise(const TbContactLaw *law, double y) {
+/* eta^a for eta >= 0. */
+static double raise(const TbContactLaw *law, double eta) {
   switch (law->kind) {
-  case TB_CONTACT_LAW_LINEAR: return y;
-  case TB_CONTACT_LAW_THREE_HALF: return y * sqrt(y);
-  case TB_CONTACT_LAW_SQUARE: return y * y;
-  default: return tb_power(y, law->exponent);
+  case TB_CONTACT_LAW_LINEAR: return eta;
+  case TB_CONTACT_LAW_THREE_HALF: return eta * sqrt(eta);
+  case TB_CONTACT_LAW_SQUARE: return eta * eta;
+  default: return tb_power(eta, law->exponent);
   }
 }
 
@@ -21,7 +21,6 @@ void tb_contact_law_prepare(TbContactLaw *law, double stiffness, double exponent
   if (exponent == 1.0) kind = TB_CONTACT_LAW_LINEAR;
   if (exponent == 1.5) kind = TB_CONTACT_LAW_THREE_HALF;
   if (exponent == 2.0) kind = TB_CONTACT_LAW_SQUARE;
-  stiffness /= tb_power(2.0, exponent);
   *law = (TbContactLaw){.kind = kind,
                         .stiffness = stiffness,
                         .exponent = exponent,
@@ -58,29 +57,29 @@ void tb_contact_law_damper(TbContactLaw *law, double c, double time_step) {
   *law = (TbContactLaw){.kind = TB_CONTACT_LAW_DAMPER, .loss = c / (2.0 * time_step)};
 }
 
-double tb_contact_law_potential(const TbContactLaw *law, double y) {
-  if (law->kind == TB_CONTACT_LAW_DAMPER || y <= 0.0) return 0.0;
-  if (y > law->limit) {
-    const double over = y - law->limit;
+double tb_contact_law_potential(const TbContactLaw *law, double eta) {
+  if (law->kind == TB_CONTACT_LAW_DAMPER || eta <= 0.0) return 0.0;
+  if (eta > law->limit) {
+    const double over = eta - law->limit;
     return law->limit_potential + over * (law->limit_force + 0.5 * law->limit_slope * over);
   }
-  return law->stiffness / (law->exponent + 1.0) * y * raise(law, y);
+  return law->stiffness / (law->exponent + 1.0) * eta * raise(law, eta);
 }
 
-double tb_contact_law_static_force(const TbContactLaw *law, double y) {
-  if (law->kind == TB_CONTACT_LAW_DAMPER || y <= 0.0) return 0.0;
-  if (y > law->limit) return law->limit_force + law->limit_slope * (y - law->limit);
-  return law->stiffness * raise(law, y);
+double tb_contact_law_static_force(const TbContactLaw *law, double eta) {
+  if (law->kind == TB_CONTACT_LAW_DAMPER || eta <= 0.0) return 0.0;
+  if (eta > law->limit) return law->limit_force + law->limit_slope * (eta - law->limit);
+  return law->stiffness * raise(law, eta);
 }
 
-double tb_contact_law_curvature(const TbContactLaw *law, double y) {
-  if (law->kind == TB_CONTACT_LAW_DAMPER || y <= 0.0) return 0.0;
-  if (y > law->limit) return law->limit_slope;
+double tb_contact_law_curvature(const TbContactLaw *law, double eta) {
+  if (law->kind == TB_CONTACT_LAW_DAMPER || eta <= 0.0) return 0.0;
+  if (eta > law->limit) return law->limit_slope;
   if (law->kind == TB_CONTACT_LAW_LINEAR) return law->stiffness;
-  return law->stiffness * law->exponent * tb_power(y, law->exponent - 1.0);
+  return law->stiffness * law->exponent * tb_power(eta, law->exponent - 1.0);
 }
 
-/* Mean of K y^a over (x, y), both in the power's range, for an exponent without closed form: the
+/* Mean of K eta^a over (x, y), both in the power's range, for an exponent without closed form: the
  * exact integral where it does not cancel, else six Gauss points, whose error (h/y)^12 is nil there. */
 static double mean_general(const TbContactLaw *law, double x, double y) {
   static const double NODE[3] = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};

@@ -1,25 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The contact law of one point, [Torin2014] section 3.2, with a loss term that the paper lacks.
  *
- * A contact of penetration eta stores K/(a+1) [eta]_+^(a+1), 1 <= a <= 3. Between two samples it
- * stores this energy at the mean of both penetrations. Written with their sum,
- *   y = eta(n) + eta(n-1),  y + s = eta(n+1) + eta(n),  s = eta(n+1) - eta(n-1),
- * half the potential V(y) = 2 K/(a+1) [y/2]_+^(a+1). The force is its discrete gradient
+ * Potential V(eta) = K/(a+1) [eta]_+^(a+1), 1 <= a <= 3. Beyond the penetration c where K a
+ * c^(a-1) = G, it continues as a parabola of curvature G ("slope limit"). Without this limit,
+ * contacts too stiff for one sample to resolve would need more Newton iterations than the cap
+ * allows. For a = 1, K = min(K, G).
+ *
+ * Over two steps, y = eta(n-1), s = eta(n+1) - y, the force is the discrete gradient
  * [BilbaoTorin2015] with a Hunt-Crossley factor [HuntCrossley1975],
  *   f = (DV/s) max(0, 1 + lambda s/(2k)),  DV = V(y+s) - V(y).
  * This force never pulls, grows with s, and loses (f s - DV)/2 >= 0 per step. DV/s is never formed
  * as a difference quotient: it is the mean of V' over the interval, piece by piece.
  *
- * Of penetrations that oscillate with omega, their mean over two samples has the part cos(omega
- * k/2). A linear contact thus is as stiff as K cos^2(omega k/2). (Without the mean it would be K
- * cos(omega k): nothing at a quarter of the rate, and less than nothing above.)
- *
- * Beyond the y = c where V'' = G, V continues as a parabola of curvature G ("slope limit"). Without
- * this limit, contacts too stiff for one sample to resolve would need more Newton iterations than
- * the cap allows. For a = 1, V'' = min(K/2, G).
- *
- * Limits: s -> 0 gives f = V'(y) = K [y/2]_+^a; lambda = 0 gives f s = DV exactly. A damper (a hand)
- * is the linear contact f = c s/(2k), V = 0. Audio-safe. */
+ * Limits: s -> 0 gives f = V'(y); lambda = 0 gives f s = DV exactly. A damper (a hand) is the
+ * linear contact f = c s/(2k), V = 0. Audio-safe. */
 #ifndef TB_CONTACT_LAW_H
 #define TB_CONTACT_LAW_H
 
@@ -35,7 +29,7 @@ typedef enum TbContactLawKind {
 
 typedef struct TbContactLaw {
   TbContactLawKind kind;
-  double stiffness;                    /* K/2^a [N/m^a], of sums of two penetrations */
+  double stiffness;                    /* K [N/m^a] */
   double exponent;                     /* a */
   double loss;                         /* lambda/(2k) [1/m]; for a damper c/(2k) [N/m] */
   double limit;                        /* c [m], where the parabola begins */
@@ -58,8 +52,7 @@ static inline uint32_t tb_contact_law_power(const TbContactLaw *law) {
   }
 }
 
-/* stiffness K [N/m^a], lambda [s/m], time_step k [s], slope_limit G [N/m] (infinite for none). Set-up
- * or audio. */
+/* lambda [s/m], time_step k [s], slope_limit G [N/m] (infinite for none). Set-up or audio. */
 void tb_contact_law_prepare(TbContactLaw *law, double stiffness, double exponent, double lambda,
                             double time_step, double slope_limit);
 /* A linear damper of c [N s/m]. */
@@ -71,9 +64,9 @@ TbContactLawResult tb_contact_law_force(const TbContactLaw *law, double y, doubl
 double tb_contact_law_work(const TbContactLaw *law, double y, double s);
 /* The energy lost per step by the law itself at s: (f s - DV)/2 [J]. */
 double tb_contact_law_loss(const TbContactLaw *law, double y, double s);
-/* V(y), V'(y), V''(y). */
-double tb_contact_law_potential(const TbContactLaw *law, double y);
-double tb_contact_law_static_force(const TbContactLaw *law, double y);
-double tb_contact_law_curvature(const TbContactLaw *law, double y);
+/* V(eta), V'(eta), V''(eta). */
+double tb_contact_law_potential(const TbContactLaw *law, double eta);
+double tb_contact_law_static_force(const TbContactLaw *law, double eta);
+double tb_contact_law_curvature(const TbContactLaw *law, double eta);
 
 #endif

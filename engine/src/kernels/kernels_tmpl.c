@@ -55,7 +55,6 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .unstretch = unstretch,
   .reach = reach,
   .losses = losses,
-  .add = add_arrays,
   .subtract = subtract_arrays,
   .wire_step = wire_step,
   .wire_losses = wire_losses,

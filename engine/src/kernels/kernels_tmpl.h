@@ -161,8 +161,7 @@ typedef struct TB_TYPE(TbKernels) {
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */
   void (*losses)(uint32_t n, uint32_t count, const double *const w[3], const double *next,
                  const double *last, double sums[3]);
-  /* out = x + y; out = x - y */
-  void (*add)(uint32_t n, const double *x, const double *y, double *out);
+  /* out = x - y */
   void (*subtract)(uint32_t n, const double *x, const double *y, double *out);
 
   /* One step of the wires (wires.h) without forces, with the coefficients of each wire and v at its

@@ -104,10 +104,6 @@ static void losses(uint32_t n, uint32_t count, const double *const w[3], const d
   }
 }
 
-static void add_arrays(uint32_t n, const double *x, const double *y, double *out) {
-  for (uint64_t i = 0; i < n; i += 8) store(out + i, add(load(x + i), load(y + i)));
-}
-
 static void subtract_arrays(uint32_t n, const double *x, const double *y, double *out) {
   for (uint64_t i = 0; i < n; i += 8) store(out + i, subtract(load(x + i), load(y + i)));
 }

@@ -120,9 +120,8 @@ static double total_potential(const TaborModel *model, const Statics *s, const d
   for (uint32_t a = 0; a < s->n; a++) {
     if (model->wires.real[a] == 0.0) continue;
     eta[a] = s->eta0[a] - s->yielded[a];
-    sum +=
-      0.5 * y[a] * s->yielded[a] +
-      0.5 * tb_contact_law_potential(&model->wires.laws[model->wires.row_wire[a]], 2.0 * eta[a]);
+    sum += 0.5 * y[a] * s->yielded[a] +
+           tb_contact_law_potential(&model->wires.laws[model->wires.row_wire[a]], eta[a]);
   }
   return sum;
 }
@@ -134,8 +133,8 @@ static double imbalance(const TaborModel *model, const Statics *s, const double 
   for (uint32_t a = 0; a < s->n; a++) {
     if (model->wires.real[a] == 0.0) continue;
     const TbContactLaw *law = &model->wires.laws[model->wires.row_wire[a]];
-    rho[a] = tb_contact_law_static_force(law, 2.0 * eta[a]) - y[a];
-    root[a] = sqrt(2.0 * tb_contact_law_curvature(law, 2.0 * eta[a]));
+    rho[a] = tb_contact_law_static_force(law, eta[a]) - y[a];
+    root[a] = sqrt(tb_contact_law_curvature(law, eta[a]));
     largest = fmax(largest, fabs(rho[a]));
   }
   return largest;
@@ -313,12 +312,10 @@ static bool settle_in_double(TaborModel *model, TbArena *scratch) {
   TbRest *rest = &model->rest;
   double *zero = tb_arena_doubles(scratch, wires->stride);
   double *ignored = tb_arena_doubles(scratch, wires->stride);
-  double *sum = tb_arena_doubles(scratch, wires->stride);
   double *fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(&model->projection.wire_grid));
   if (scratch->failed) return false;
-  kernels->add(wires->stride, rest->eta, rest->eta, sum);
-  kernels->laws(wires->count, wires->lanes, wires->laws, sum, NULL, zero, rest->force, ignored,
-                ignored);
+  kernels->laws(wires->count, wires->lanes, wires->laws, rest->eta, NULL, zero, rest->force,
+                ignored, ignored);
   kernels->contract(&model->projection.wire_grid, rest->force, fold, rest->grid);
   return true;
 }
@@ -331,10 +328,7 @@ static bool settle_in_float(TaborModel *model, TbArena *scratch) {
   for (int i = 0; i < 6; i++) row[i] = tb_arena_take(scratch, n, sizeof *row[i]);
   if (scratch->failed) return false;
   kernels->narrow(n, model->rest.eta, row[0]);
-  for (uint32_t i = 0; i < n; i++) {
-    row[0][i] *= 2.0f; /* the sum of two instants */
-    row[5][i] = row[0][i] > 0.0f ? sqrtf(row[0][i]) : 0.0f;
-  }
+  for (uint32_t i = 0; i < n; i++) row[5][i] = row[0][i] > 0.0f ? sqrtf(row[0][i]) : 0.0f;
   kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[5], row[1],
                 row[2], row[3], row[4]);
   kernels->widen(n, row[2], model->rest.force);

@@ -50,7 +50,7 @@ static Level level_of(uint32_t quality) {
   case TABOR_QUALITY_DRAFT:
     return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_LIVE:
-    return (Level){3000.0, 18000.0, 16, 16, 64, 3e-2, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
+    return (Level){2500.0, 18000.0, 16, 16, 64, 3e-2, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_REFERENCE:
     return (Level){16000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
   default: return (Level){8000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};

@@ -67,8 +67,8 @@ typedef struct TbLugs {
 /* Offsets of the arrays of a drum's state, in bytes from the first array (state_layout.h). */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
-  size_t head, rest_load, own, b, y, s, force, product; /* by rows */
-  size_t grid, change;                                  /* by points of the grid */
+  size_t head, rest_load, own, b, s, force, product; /* by rows */
+  size_t grid, change;                               /* by points of the grid */
   size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
   size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
     stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,

@@ -14,7 +14,8 @@
  *
  * The coating: penetration eta = w + d + h(s) - z, with s the distance that the wires have slid
  * (head_coating.h). In every sample, before the step, h moves by dh. This shifts eta of both
- * instants by dh. The change of what the contact stores is work of the hand that draws the brush (injected). Friction adds nothing else: its
+ * instants by dh. The change of the contact's potential, (V(eta + dh) - V(eta))/2 summed over the
+ * instants, is work of the hand that draws the brush (injected). Friction adds nothing else: its
  * force along the head moves nothing that this model hears.
  *
  * Position of a group: wires stick to the head, then slip on. A group stays at a place while its

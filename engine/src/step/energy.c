@@ -50,20 +50,19 @@ static double wires_energy(const TbView *view, const TbPhase *next, const TbPhas
   return sum;
 }
 
-/* Twice the energy [J]. moved: the two penetrations' sum, counted from rest. */
-static double contact_energy(const TbView *view, uint32_t row, double moved) {
+static double contact_energy(const TbView *view, uint32_t row, double eta) {
   const TbRest *rest = &view->model->rest;
   const uint32_t w = view->model->wires.row_wire[row];
-  return tb_contact_law_work(&view->model->wires.laws[w], 2.0 * rest->eta[row], moved) -
-         rest->force[row] * (moved - 2.0 * view->state->shift[w]);
+  const double moved = eta - rest->eta[row];
+  return tb_contact_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
+         rest->force[row] * (moved - view->state->shift[w]);
 }
 
 static double contacts_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
-  const double *rest = view->model->rest.eta;
   double sum = 0.0;
   for (uint32_t row = 0; row < view->model->wires.stride; row++) {
     if (view->model->wires.real[row] == 0.0) continue;
-    sum += contact_energy(view, row, (next->eta[row] - rest[row]) + (now->eta[row] - rest[row]));
+    sum += contact_energy(view, row, next->eta[row]) + contact_energy(view, row, now->eta[row]);
   }
   return 0.5 * sum;
 }
@@ -76,8 +75,8 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
     sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
-           tb_contact_law_potential(&view->state->slot_laws[i],
-                                    next->eta[first + i] + now->eta[first + i]) +
+           tb_contact_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
+           tb_contact_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
            2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->sample_rate,
                                           next->missing[i], now->missing[i]);

@@ -28,6 +28,7 @@ static void view_phases(TbView *view) {
   view->now = phase_at(view->state, layout, newest);
   view->last = phase_at(view->state, layout, (newest + 2) % 3);
   view->next = phase_at(view->state, layout, (newest + 1) % 3);
+  view->solve.in.y = view->last.eta;
 }
 
 /* The workspace of the solve in double, which has the drum's own arrays beside. */
@@ -91,9 +92,7 @@ static TbContacts contacts_at(TbState *state, const TaborModel *model) {
                       .own = at(state, l->own),
                       .wire_laws = model->wires.laws,
                       .slot_laws = state->slot_laws,
-                      .b = at(state, l->b),
-                      .y = at(state, l->y),
-                      .y = at(state, l->y)};
+                      .b = at(state, l->b)};
 }
 
 static TbSolve solve_at(TbState *state, const TaborModel *model, float *modal[2]) {
@@ -118,7 +117,6 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .rest_load = at(state, l->rest_load),
                  .own = at(state, l->own),
                  .b = at(state, l->b),
-                 .y = at(state, l->y),
                  .s = at(state, l->s),
                  .change = at(state, l->change),
                  .modal = at(state, l->modal),
@@ -151,4 +149,5 @@ void tb_view_rotate(TbView *view) {
   view->last = view->now;
   view->now = view->next;
   view->next = oldest;
+  view->solve.in.y = view->last.eta;
 }

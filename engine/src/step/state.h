@@ -106,7 +106,7 @@ typedef struct TbState {
   uint32_t airborne; /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
-  double treble[TABOR_MAX_MICS][2]; /* last input and output: see force_equalizer.h */
+  double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
   uint32_t heard;                   /* microphones whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
   TbLiveParam live[TB_LIVE_COUNT];
@@ -136,7 +136,7 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *bend, *head, *rest_load, *own, *b, *y, *s;
+  double *bend, *head, *rest_load, *own, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   void *high_drive;       /* [TB_SLOTS][high padded], in its precision */
   double *high_scratch;

@@ -69,7 +69,6 @@ static void penetrate_wires(TbView *view, double *slots) {
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   const TbKernels *kernels = model->kernels;
-  kernels->add(model->wires.stride + TB_SLOTS, view->now.eta, view->last.eta, view->y);
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
   if (view->state->lifted) {
     tb_stretch_yield(view, slots);

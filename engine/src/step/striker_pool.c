@@ -166,7 +166,8 @@ void tb_pool_rebuild(TbView *view, uint32_t slot) {
 static double contact_energy(const TbView *view, uint32_t slot) {
   const TbContactLaw *law = &view->state->slot_laws[slot];
   const uint32_t row = view->model->wires.stride + slot;
-  return 0.5 * tb_contact_law_potential(law, view->now.eta[row] + view->last.eta[row]);
+  return 0.5 * (tb_contact_law_potential(law, view->now.eta[row]) +
+                tb_contact_law_potential(law, view->last.eta[row]));
 }
 
 void tb_pool_raise(TbView *view, uint32_t slot, double by) {
@@ -208,9 +209,12 @@ static void clear_row(TbView *view, uint32_t slot) {
 static void book_removed(TbView *view, uint32_t slot) {
   TbState *state = view->state;
   const TbSlot *s = &state->slots[slot];
+  const uint32_t row = view->model->wires.stride + slot;
   if (s->kind == TB_SLOT_STRIKER) {
-    state->sums.removed += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
-                           contact_energy(view, slot);
+    state->sums.removed +=
+      0.5 * (tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
+             tb_contact_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
+             tb_contact_law_potential(&state->slot_laws[slot], view->last.eta[row]));
     state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
     state->sums.removed +=
       tb_residual_modes_energy(tb_slot_missing(view, slot), view->model->sample_rate,
@@ -265,7 +269,7 @@ void tb_pool_muffle(TbView *view) {
 
 static bool row_touches(const TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
-  return view->now.eta[row] > 0.0 || view->now.eta[row] + view->last.eta[row] > 0.0;
+  return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
 }
 
 bool tb_pool_touches(const TbView *view, uint32_t slot) {

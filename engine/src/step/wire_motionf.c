@@ -74,7 +74,7 @@ static void penetrate(TbView *view) {
   view->model->kernelsf->expand(&view->model->wire_gridf, work->answer, work->scratch, work->moved);
   view->solve.in.near = view->model->kernelsf->penetrate(
     wires->stride, (float)wires->side, work->moved, view->next.v + TB_WIRE_FRONT,
-    view->last.v + TB_WIRE_FRONT, view->rest_load, view->y, view->b);
+    view->last.v + TB_WIRE_FRONT, view->rest_load, view->last.eta, view->b);
 }
 
 static void renew(TbView *view, const double *motion) {

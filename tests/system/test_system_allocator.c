@@ -66,7 +66,8 @@ static void any_allocation_may_fail(void **state) {
   (void)state;
   TaborDrumDef def;
   assert_int_equal(tabor_drum_def_preset(&def, "tabor", NULL), TABOR_OK);
-  assert_int_equal(tabor_drum_def_set(&def, "batter.pitch", "F4", NULL), TABOR_OK); /* tuned first */
+  assert_int_equal(tabor_drum_def_set(&def, "batter.pitch", "F4", NULL),
+                   TABOR_OK); /* tuned first */
   Supply supply = {.left = PLENTY};
   assert_int_equal(build_everything(&def, &supply), TABOR_OK);
   assert_int_equal(supply.taken, 0);

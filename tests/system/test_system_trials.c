@@ -51,7 +51,8 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 
 /* Keys that are drawn apart. */
 static bool is_newer(const TaborParameter *p) {
-  return strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
+  return strcmp(p->key, "pitch") == 0 || strcmp(p->key, "bending_frequency") == 0 ||
+         strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
@@ -113,6 +114,9 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   def->hand.grip = physics_uniform(&seed, 0.0, 1.0);
   draw_hoop(seed, &def->hoop);
   draw_rim(seed + 3, def);
+  uint64_t more = seed + 4;
+  def->shell.absorption = draw_key(&more, "shell.absorption");
+  def->striker[0].bending_frequency = draw_key(&more, "striker.any.bending_frequency");
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {

@@ -55,8 +55,8 @@ TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborH
   tb_arena_prepare(&scratch, &air->arena.allocator);
   const TaborStatus status =
     tb_has_cavity(&held)
-      ? tb_closed_drum_order(&held, &scratch, &scratch, &air->order, &rim, shell, limit, &order, &mode,
-                             1)
+      ? tb_closed_drum_order(&held, &scratch, &scratch, &air->order, &rim, shell, limit, &order,
+                             &mode, 1)
       : tb_single_head_order(&held, &scratch, &scratch, &air->order, &rim, limit, &order, &mode, 1);
   tb_arena_release(&scratch);
   if (status != TABOR_OK) return status;

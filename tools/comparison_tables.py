@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What compare-synthesizers, compare-qualities and compare-reference measured, as Markdown for the templates."""
 import json
+import math
 
 NOT_MEASURED = "Not measured yet: run `{}`."
 
@@ -67,8 +68,13 @@ def qualities(facts):
 WITHIN = {"studio": (2.0, 2.0), "live": (3.0, 5.0)}  # [dB] in 90 % of the bands, and in all of them
 
 
+NOMINAL = (100, 125, 160, 200, 250, 315, 400, 500, 630, 800)  # centres of third octaves as they are called
+
+
 def hertz(frequency):
-    return f"{frequency:.0f} Hz" if frequency < 999.0 else f"{frequency / 1000.0:.3g} kHz"
+    decade = 10.0 ** math.floor(math.log10(frequency / 95.0))
+    name = decade * min(NOMINAL, key=lambda centre: abs(math.log(centre * decade / frequency)))
+    return f"{name:g} Hz" if name < 1000.0 else f"{name / 1000.0:g} kHz"
 
 
 def extremes(levels):

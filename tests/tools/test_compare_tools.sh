@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/compare-synthesizers and tools/compare-qualities: what they measure of sounds that are known, what they
+# tools/compare-synthesizers, tools/compare-qualities and tools/compare-reference: what they measure of sounds that are known, what they
 # write, and what they say of a program that is not there.
 #
 # test_compare_tools.sh SOURCE-FOLDER
@@ -38,7 +38,16 @@ force = ((time < 0.005) | ((time > 0.02) & (time < 0.03))).astype(float)
 assert abs(tool.contact_duration({"time_s": time, "striker_force_n": force}) - 0.005) < 1e-4
 PYTHON
 
-for tool in compare-synthesizers compare-qualities; do
+check "verdicts of known differences" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" "$python" - <<'PYTHON'
+import comparison_tables as tables
+
+own = {"live": [[0.0, -2.9, 3.1], [4.0, 5.1, -7.0]], "faster": [[0.0, 0.0, 3.2], [0.0, 0.0, 0.0]]}
+assert tables.inside("live", {"differences": own}) == ["3 of 6 within 3 dB", "4 within 5 dB", "7.0 dB"]
+assert [tables.hertz(1000.0 * 2.0 ** (i / 3.0)) for i in (-10, -9, 0, 5, 12)] == [
+    "100 Hz", "125 Hz", "1 kHz", "3.15 kHz", "16 kHz"]
+PYTHON
+
+for tool in compare-synthesizers compare-qualities compare-reference; do
   "$python" "$tools/$tool" --program ./none --docs . >"$out" 2>"$err"
   same "$tool without a program" "1 1 $tool: none: no such program" "$? $(wc -l <"$err") $(cat "$err")"
   "$python" "$tools/$tool" --wrong >"$out" 2>"$err"

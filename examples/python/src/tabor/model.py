@@ -13,7 +13,7 @@ from .definition import Definition
 #: Names of the qualities, from fast to exact. "default": what the definition says.
 QUALITIES = ("default", "draft", "live", "studio", "reference")
 
-_PARTS = ("batter", "resonant", "both", "cavity")
+_PARTS = ("batter", "resonant", "both", "cavity", "rim")
 
 #: A mode: frequency [Hz], decay and radiation rate [1/s]; m nodal diameters, n circles with the rim.
 MODE = np.dtype([("m", "u4"), ("n", "u4"), ("frequency", "f8"), ("decay_rate", "f8"),

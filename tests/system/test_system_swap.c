@@ -18,14 +18,17 @@ static double stored(const TaborDrum *drum) {
   return ledger.stored;
 }
 
-static void exchange(TaborDrum *drum, TaborModel *from, TaborModel *to) {
+enum { TOGGLES = 750, TOGGLE = 64, CROSSING = 12 * TOGGLE }; /* 16 ms, as the engine has it */
+
+/* Returns the swap, which is done once the former model has faded. */
+static TaborSwap *exchange(TaborDrum *drum, TaborModel *from, TaborModel *to) {
   TaborSwap *swap;
   TaborError error;
   assert_int_equal(tabor_swap_create(from, to, &swap, &error), TABOR_OK);
   const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = swap};
-  tabor_drum_process(drum, &event, 1, NULL, 64);
-  assert_true(tabor_swap_done(swap));
-  tabor_swap_destroy(swap);
+  tabor_drum_process(drum, &event, 1, NULL, TOGGLE);
+  assert_false(tabor_swap_done(swap));
+  return swap;
 }
 
 /* Phase and action are kept per mode, so the energy follows the frequencies: it swings by sqrt(1.1) at
@@ -43,8 +46,9 @@ static void a_tension_toggled_by_ten_per_cent_pumps_no_energy(void **state) {
     tabor_drum_process(drum, &strike, 1, NULL, 4800); /* the stick is gone by then */
     const double start = stored(drum);
     double most = start;
-    for (int toggle = 0; toggle < 750; toggle++) {
-      exchange(drum, models[toggle % 2], models[1 - toggle % 2]);
+    TaborSwap *swaps[TOGGLES];
+    for (int toggle = 0; toggle < TOGGLES; toggle++) {
+      swaps[toggle] = exchange(drum, models[toggle % 2], models[1 - toggle % 2]);
       most = fmax(most, stored(drum));
     }
     print_message("%s: energy rises to %.4f of its start at most, ends at %.6f\n",
@@ -54,6 +58,11 @@ static void a_tension_toggled_by_ten_per_cent_pumps_no_energy(void **state) {
     TaborLedger ledger;
     tabor_drum_ledger(drum, &ledger);
     assert_true(fabs(ledger.residual) < 1e-9 * (ledger.injected + fabs(ledger.control)));
+    tabor_drum_process(drum, NULL, 0, NULL, CROSSING);
+    for (int toggle = 0; toggle < TOGGLES; toggle++) {
+      assert_true(tabor_swap_done(swaps[toggle]));
+      tabor_swap_destroy(swaps[toggle]);
+    }
     tabor_drum_destroy(drum);
     for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
   }
@@ -205,12 +214,111 @@ static void the_oldest_of_many_fades_ends(void **state) {
   for (int i = 0; i <= CHANGES; i++) tabor_model_release(models[i]);
 }
 
+/* ---- the same drum on another model ----------------------------------------------------------- */
+
+/* 8 ms of the former model alone, struck as the new one is, then 8 ms from one to the other. */
+static void the_former_model_gives_way_to_the_new_one(void **state) {
+  (void)state;
+  enum { HOLD = 384, CROSS = 384 };
+  const TaborDrumDef def = physics_preset("frame-drum");
+  TaborDrumDef tense = def;
+  tense.batter.tension *= 1.1;
+  TaborModel *models[] = {physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&tense, 48000.0, TABOR_QUALITY_DRAFT)};
+  TaborDrum *drum = physics_drum(models[0]), *former = physics_drum(models[0]),
+            *hidden = physics_drum(models[0]);
+  static float sound[3][2 * FADE], old[3][2 * FADE], heard[3][2 * FADE];
+  TaborSwap *swap, *other;
+  const TaborEvent strike = physics_strike(&def), later = {.type = TABOR_EVENT_STRIKE,
+                                                           .frame = 100,
+                                                           .velocity = strike.velocity,
+                                                           .radius = 0.1};
+  assert_int_equal(tabor_swap_create(models[0], models[1], &swap, NULL), TABOR_OK);
+  assert_int_equal(tabor_swap_create(models[0], models[1], &other, NULL), TABOR_OK);
+  play(drum, &strike, 2000, sound);
+  play(former, &strike, 2000, old);
+  play(hidden, &strike, 2000, heard);
+  const TaborEvent events[] = {{.type = TABOR_EVENT_SWAP, .swap = swap}, later};
+  const TaborEvent hidden_events[] = {{.type = TABOR_EVENT_SWAP, .swap = other}, later};
+  float *outputs[TABOR_MAX_MICS] = {sound[0], sound[1], sound[2]};
+  float *hidden_outputs[TABOR_MAX_MICS] = {heard[0], heard[1], heard[2]};
+  tabor_drum_process(drum, events, 2, outputs, 2 * FADE);
+  tabor_drum_process(hidden, hidden_events, 2, hidden_outputs, 2 * FADE);
+  play(former, &later, 2 * FADE, old);
+  for (uint32_t mic = 0; mic < 3; mic++) {
+    for (uint32_t i = 0; i < HOLD; i++) assert_true(sound[mic][i] == old[mic][i]);
+    for (uint32_t i = HOLD + CROSS; i < 2 * FADE; i++) {
+      assert_true(sound[mic][i] == heard[mic][i]);
+      assert_true(i < HOLD + CROSS + 100 || sound[mic][i] != old[mic][i]);
+    }
+    assert_true(sound[mic][HOLD + CROSS / 2] != old[mic][HOLD + CROSS / 2]);
+  }
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.strikes, 2);
+  assert_true(tabor_swap_done(swap));
+  tabor_drum_destroy(drum);
+  tabor_drum_destroy(former);
+  tabor_drum_destroy(hidden);
+  tabor_swap_destroy(swap);
+  tabor_swap_destroy(other);
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
+/* A drum that could continue is at rest, with the definition's values; the old one rings out beside it. */
+static void a_replaced_drum_begins_anew(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("frame-drum");
+  TaborDrumDef tense = def;
+  tense.batter.tension *= 1.1;
+  TaborModel *models[] = {physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&tense, 48000.0, TABOR_QUALITY_DRAFT)};
+  TaborDrum *drum = physics_drum(models[0]), *alone = physics_drum(models[0]);
+  static float sound[3][2 * FADE], old[3][2 * FADE];
+  TaborSwap *swap;
+  const TaborEvent strike = physics_strike(&def);
+  const TaborEvent louder = {.type = TABOR_EVENT_PARAMETER,
+                             .parameter = tabor_parameter_find("output.full_scale")->id,
+                             .value = 0.5 * def.full_scale};
+  assert_int_equal(tabor_swap_create(models[0], models[1], &swap, NULL), TABOR_OK);
+  tabor_drum_process(drum, &louder, 1, NULL, 0);
+  tabor_drum_process(alone, &louder, 1, NULL, 0);
+  play(drum, &strike, 2000, sound);
+  play(alone, &strike, 2000, old);
+  TaborLedger before, after;
+  tabor_drum_ledger(drum, &before);
+  const TaborEvent replace = {.type = TABOR_EVENT_REPLACE, .swap = swap};
+  play(drum, &replace, 2 * FADE, sound);
+  play(alone, NULL, 2 * FADE, old);
+  for (uint32_t mic = 0; mic < 3; mic++) {
+    for (uint32_t i = 0; i < 2 * FADE; i++) assert_sum(sound[mic][i], faded(old[mic], i, 0), 0);
+  }
+  assert_true(tabor_swap_done(swap) && tabor_drum_is_silent(drum));
+  tabor_drum_ledger(drum, &after);
+  assert_true(after.injected == before.injected && after.stored == 0);
+  assert_true(fabs(after.control - (before.control - before.stored)) < 1e-12 * before.injected);
+  TaborDrum *fresh = physics_drum(models[1]);
+  play(drum, &strike, 2 * FADE, sound);
+  play(fresh, &strike, 2 * FADE, old);
+  assert_memory_equal(sound, old, sizeof sound);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.strikes, 2);
+  tabor_drum_destroy(fresh);
+  tabor_drum_destroy(alone);
+  tabor_drum_destroy(drum);
+  tabor_swap_destroy(swap);
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_tension_toggled_by_ten_per_cent_pumps_no_energy),
     cmocka_unit_test(a_swap_for_another_model_is_dropped_and_done),
     cmocka_unit_test(old_drums_ring_out_by_name),
     cmocka_unit_test(the_oldest_of_many_fades_ends),
+    cmocka_unit_test(the_former_model_gives_way_to_the_new_one),
+    cmocka_unit_test(a_replaced_drum_begins_anew),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -562,7 +562,7 @@ typedef struct TaborModelInfo {
   uint32_t contact_points;  /**< contact points of all wires together */
   uint32_t mic_count;       /**< microphones, the channels of tabor_drum_process() */
   size_t model_bytes;       /**< memory of the model */
-  size_t drum_bytes;        /**< memory of the state of each drum on it */
+  size_t drum_bytes;        /**< memory of each drum on it: its state, and another for silences */
 } TaborModelInfo;
 
 /** The part of the drum that a mode moves most. */
@@ -640,14 +640,23 @@ typedef enum TaborEventType {
   TABOR_EVENT_RELEASE = 4,
   /** Changes a live parameter: parameter, index, value. */
   TABOR_EVENT_PARAMETER = 5,
-  /** Changes the model: swap. */
+  /** Changes the model of the drum, which rings on: swap. */
   TABOR_EVENT_SWAP = 6,
   /** Brings the drum to rest; ledger and statistics start again from 0. */
   TABOR_EVENT_RESET = 7,
   /** Moves sweeping brushes to radius and angle, the shorter way round, in value seconds, 0 to
    * 60: id (0 for all), radius, angle, value. The value 0 is for a stream of moves: the move then
    * takes the time since the last one, limited to 5 to 100 ms. */
-  TABOR_EVENT_MOVE = 8
+  TABOR_EVENT_MOVE = 8,
+  /** Fades out what sounds over 15 ms: strikers, hands and older sounds, too. Events from this frame
+   * on act at once, on a drum at rest. Live values, ledger and counters go on. Does nothing if
+   * nothing sounds. Another silence during the fade cuts the older sound short. */
+  TABOR_EVENT_SILENCE = 9,
+  /** Changes the gain of all outputs: value, a factor from 0 to 1e6, reached over 5 ms; 1 at first and after a
+   * reset. It outlives swaps, replacements and silences. */
+  TABOR_EVENT_GAIN = 10,
+  /** Replaces the drum by another one, at rest and with the live values of its definition: swap. */
+  TABOR_EVENT_REPLACE = 11
 } TaborEventType;
 
 /** Something that happens at a frame of a block. Set unused fields to 0; they are ignored. */
@@ -664,10 +673,10 @@ typedef struct TaborEvent {
   double angle;       /**< [deg] */
   double value;       /**< of a parameter, clamped to its range; strength of a damping hand [N s/m],
                            0 to 100; pressure, 0 to 1; duration of a move [s] */
-  TaborSwap *swap;    /**< for TABOR_EVENT_SWAP */
+  TaborSwap *swap;    /**< for TABOR_EVENT_SWAP and TABOR_EVENT_REPLACE */
 } TaborEvent;
 
-/** Counters since creation or reset, and the strikers and hands in play. */
+/** Counters since creation or reset, which go on through silences, swaps and replacements, and the strikers and hands in play. */
 typedef struct TaborStatistics {
   uint64_t frames;            /**< frames processed, sleeping ones included */
   uint64_t slept_frames;      /**< frames processed asleep */
@@ -699,7 +708,8 @@ typedef struct TaborStatistics {
 typedef struct TaborLedger {
   /** Kinetic energy of launched strikers, and the work of pressing hands and their springs. */
   double injected;
-  double control;      /**< work of parameter changes and swaps, positive or negative */
+  /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
+  double control;
   double stored;       /**< above the rest state, strikers in flight included */
   double head_loss;    /**< in the heads' material */
   double wire_loss;    /**< in the wires' material */
@@ -734,8 +744,7 @@ typedef struct TaborProbe {
  */
 TABOR_API TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **drum, TaborError *error);
 /**
- * Frees a drum. Ignores NULL. A swap that is still fading in the drum must be destroyed after the
- * drum.
+ * Frees a drum. Ignores NULL. A swap that is not done must be destroyed after the drum.
  */
 TABOR_API void tabor_drum_destroy(TaborDrum *drum);
 /**
@@ -746,9 +755,18 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  * @p old_model must be the drum's model when the swap event acts. Otherwise the event is dropped,
  * and the swap is done.
  *
- * If size, boundary and set of wires stay the same, what rings continues on the new model.
- * Otherwise the old drum rings out under a fade of 30 ms, at the microphones of the same names. Up
- * to four drums ring out at once; a further one cuts the oldest short.
+ * The event decides what becomes of a drum that rings:
+ *
+ * - After TABOR_EVENT_SWAP it continues on the new model if size, boundary and set of wires stay the same.
+ *   For 16 ms the old model plays, too: events act on both, and the outputs change over from the old one
+ *   to the new one in the second half of this time. Live values go on if they were moved. A drum of another size,
+ *   boundary or set of wires is replaced.
+ * - After TABOR_EVENT_REPLACE a drum at rest takes its place. The old drum rings out beside it under a fade of
+ *   30 ms. Live values begin anew.
+ *
+ * Ledger and counters go on. Outputs are matched by the microphones' names; two without a namesake in
+ * the other drum, in the same place, are taken for the same. At most four former sounds are heard at once,
+ * those of silences included; a further one cuts the oldest short.
  */
 TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model,
                                         TaborSwap **swap, TaborError *error);
@@ -806,7 +824,8 @@ TABOR_API const TaborModel *tabor_drum_model(const TaborDrum *drum);
 TABOR_API size_t tabor_drum_state_size(const TaborDrum *drum);
 /**
  * Writes the whole state to @p bytes, tabor_drum_state_size() of them. A drum on the same model
- * continues from it with the same bits.
+ * continues from it with the same bits. Sounds that fade out after a silence, a swap or a replacement
+ * are not part of it.
  */
 TABOR_API void tabor_drum_state_save(const TaborDrum *drum, void *bytes);
 /**

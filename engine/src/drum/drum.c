@@ -6,24 +6,21 @@
 #include <math.h>
 #include <string.h>
 
-#include "drum/drum_create.h"
+#include "drum/frame.h"
 #include "kernels/flush_denormals.h"
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live_params.h"
 #include "step/reset.h"
-#include "step/step.h"
 #include "step/stick_rigid.h"
 #include "step/strokes.h"
-
-static const uint64_t HOUSEKEEPING = 64; /* samples */
 
 static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
 }
 
-static double place_radius(const TaborDrum *drum, double radius) {
-  return clamp(radius, 0.0, 0.999 * drum->model->head.radius);
+static double place_radius(const TbView *view, double radius) {
+  return clamp(radius, 0.0, 0.999 * view->model->head.radius);
 }
 
 static bool fields_finite(const TaborEvent *event) {
@@ -33,14 +30,14 @@ static bool fields_finite(const TaborEvent *event) {
 
 /* ---- events --------------------------------------------------------------------------------- */
 
-static bool strike(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  if (event->striker >= drum->model->def.striker_count) return false;
+static bool strike(TbView *view, const TaborEvent *event) {
+  if (event->striker >= view->model->def.striker_count) return false;
   if (event->technique > TABOR_TECHNIQUE_SWEEP) return false;
   const TbStroke stroke = {.id = event->id,
                            .striker = event->striker,
                            .technique = event->technique,
                            .velocity = clamp(event->velocity, 0.01, 30.0),
-                           .radius = place_radius(drum, event->radius),
+                           .radius = place_radius(view, event->radius),
                            .angle = clamp(event->angle, -1e6, 1e6),
                            .pressure = clamp(event->value, 0.0, 1.0)};
   return tb_strike(view, &stroke);
@@ -50,50 +47,83 @@ static bool press(TbView *view, const TaborEvent *event) {
   return tb_press(view, event->id, clamp(event->value, 0.0, 1.0));
 }
 
-static bool damp(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+static bool damp(TbView *view, const TaborEvent *event) {
   return tb_damp(view, event->id, clamp(event->value, 0.0, 100.0),
-                 place_radius(drum, event->radius), clamp(event->angle, -1e6, 1e6));
+                 place_radius(view, event->radius), clamp(event->angle, -1e6, 1e6));
 }
 
-static bool move(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  return tb_brush_move(view, event->id, place_radius(drum, event->radius),
+static bool move(TbView *view, const TaborEvent *event) {
+  return tb_brush_move(view, event->id, place_radius(view, event->radius),
                        clamp(event->angle, -1e6, 1e6), clamp(event->value, 0.0, 60.0));
 }
 
-static void reset(TaborDrum *drum, TbView *view) {
-  tb_swap_finish(drum);
-  tb_state_reset(drum->state, drum->model);
-  *view = tb_view(drum->state, drum->model);
+/* True if the event was carried out. A drum that sleeps wakes up; one that is played is heard. */
+static bool act_on(TbView *view, const TaborEvent *event) {
+  bool acts = false, plays = event->type != TABOR_EVENT_PARAMETER;
+  switch (event->type) {
+  case TABOR_EVENT_STRIKE: acts = strike(view, event); break;
+  case TABOR_EVENT_PRESS: acts = press(view, event); break;
+  case TABOR_EVENT_DAMP: acts = damp(view, event); break;
+  case TABOR_EVENT_MOVE: acts = move(view, event); break;
+  case TABOR_EVENT_RELEASE:
+    tb_release(view, event->id);
+    acts = true;
+    plays = false;
+    break;
+  case TABOR_EVENT_PARAMETER:
+    acts = tb_live_params_set(view, event->parameter, event->index, event->value);
+    break;
+  default: break;
+  }
+  if (acts) view->state->asleep = view->state->quiet_checks = 0;
+  if (acts && plays) view->state->hushed = 0;
+  return acts;
 }
 
-/* True if the event was carried out. */
+/* What a former model plays on until the new one's sound has come must play the same. */
+static bool play_event(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+  for (TbTail *tail = drum->tails; tail && tail->crosses; tail = tail->before) {
+    TbView former = tb_view(tail->state, tail->model);
+    (void)act_on(&former, event);
+  }
+  return act_on(view, event);
+}
+
+static void set_gain(const TaborDrum *drum, TbView *view, double gain) {
+  const bool is_silent = drum->state->asleep && !drum->tails;
+  tb_live_params_gain(view, gain, is_silent);
+  if (!is_silent) drum->state->asleep = drum->state->quiet_checks = 0;
+}
+
+static bool swap(TaborDrum *drum, const TaborEvent *event) {
+  const bool anew = event->type == TABOR_EVENT_REPLACE;
+  if (!event->swap || !tb_swap_act(drum, event->swap, anew)) return false;
+  if (!anew) drum->state->asleep = drum->state->quiet_checks = 0;
+  return true;
+}
+
+static void reset(TaborDrum *drum) {
+  tb_tails_end(&drum->tails);
+  tb_state_reset(drum->state, drum->model);
+}
+
 static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+  bool acts = true;
   if (!fields_finite(event)) return false;
   switch (event->type) {
-  case TABOR_EVENT_STRIKE: return strike(drum, view, event);
-  case TABOR_EVENT_PRESS: return press(view, event);
-  case TABOR_EVENT_DAMP: return damp(drum, view, event);
-  case TABOR_EVENT_MOVE: return move(drum, view, event);
-  case TABOR_EVENT_RELEASE: tb_release(view, event->id); return true;
-  case TABOR_EVENT_PARAMETER:
-    return tb_live_params_set(view, event->parameter, event->index, event->value);
+  case TABOR_EVENT_GAIN: set_gain(drum, view, event->value); return true;
   case TABOR_EVENT_SWAP:
-    if (!event->swap || !tb_swap_act(drum, event->swap)) return false;
-    *view = tb_view(drum->state, drum->model);
-    return true;
-  case TABOR_EVENT_RESET: reset(drum, view); return true;
-  default: return false;
+  case TABOR_EVENT_REPLACE: acts = swap(drum, event); break;
+  case TABOR_EVENT_SILENCE: tb_silence(drum); break;
+  case TABOR_EVENT_RESET: reset(drum); break;
+  default: return play_event(drum, view, event);
   }
+  *view = tb_view(drum->state, drum->model);
+  return acts;
 }
 
 static void act_and_count(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  if (act(drum, view, event)) {
-    if (event->type == TABOR_EVENT_RESET) return; /* stays asleep at rest */
-    drum->state->asleep = 0;
-    drum->state->quiet_checks = 0;
-  } else {
-    drum->state->statistics.dropped_events++;
-  }
+  if (!act(drum, view, event)) drum->state->statistics.dropped_events++;
 }
 
 /* ---- blocks --------------------------------------------------------------------------------- */
@@ -114,17 +144,10 @@ static uint32_t heard_mics(float *const *outputs, uint32_t mics) {
 }
 
 static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pressure) {
-  TbState *state = drum->state;
-  const uint32_t mics = drum->model->def.mic_count;
-  for (uint32_t mic = 0; mic < mics; mic++) pressure[mic] = 0.0;
-  state->statistics.frames++;
-  if (state->asleep) {
-    state->statistics.slept_frames++;
-  } else {
-    tb_step(view, heard, pressure);
-    if (state->clock % HOUSEKEEPING == 0) tb_step_housekeeping(view);
-  }
-  if (drum->fading) tb_swap_fade(drum, heard, pressure);
+  tb_frame(view, heard, pressure);
+  if (drum->tails) tb_tails_play(drum, heard, pressure);
+  const double gain = drum->state->live[TB_LIVE_OUTPUT].now;
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) pressure[mic] *= gain;
 }
 
 /* The events of frames from .. until, in order; late ones at the last frame. */
@@ -156,12 +179,9 @@ void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t coun
   tb_fp_leave(mode);
 }
 
-bool tabor_drum_is_silent(const TaborDrum *drum) { return drum->state->asleep && !drum->fading; }
+bool tabor_drum_is_silent(const TaborDrum *drum) { return drum->state->asleep && !drum->tails; }
 
-void tabor_drum_reset(TaborDrum *drum) {
-  TbView view;
-  reset(drum, &view);
-}
+void tabor_drum_reset(TaborDrum *drum) { reset(drum); }
 
 /* ---- queries -------------------------------------------------------------------------------- */
 
@@ -262,7 +282,7 @@ TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t siz
   memcpy(&sum, (const char *)bytes + expected, sizeof sum);
   if (fingerprint != drum->model->fingerprint) return TABOR_ERROR_STATE;
   if (sum != checksum(bytes, expected)) return TABOR_ERROR_STATE;
-  tb_swap_finish(drum);
+  tb_tails_end(&drum->tails);
   memcpy(drum->state, bytes, expected);
   return TABOR_OK;
 }

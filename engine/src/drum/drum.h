@@ -3,23 +3,19 @@
 #ifndef TB_DRUM_H
 #define TB_DRUM_H
 
-#include <stdatomic.h>
-
-#include "step/state.h"
+#include "drum/tails.h"
 
 struct TaborDrum {
   TaborAllocator allocator;
   TaborModel *model; /* one reference is the drum's */
   TbState *state;    /* tb_state_bytes(model) */
-  TaborSwap *fading; /* newest swap whose old drum still rings out, or NULL */
+  TbTail *spare;     /* for the next silence; of the same model */
+  TbTail *tails;     /* what is still heard of before, the newest first */
 };
-
-/* Marks a microphone that the new drum does not have. */
-enum { TB_NO_MIC = 255 };
 
 /* Mapping from the modes of an old model to those of a new one. */
 typedef struct TbMapping {
-  bool continues; /* false: another instrument; the old drum rings out under a fade */
+  bool continues; /* false: another instrument; the old drum rings out beside it */
   uint32_t *mode; /* [padded of new]: old mode, or TB_NO_MODE */
   double *scale;  /* c of swap.c; 0 copies both instants as they are */
   double *cos_old, *sin_old, *cos_new, *sin_new;
@@ -31,19 +27,15 @@ struct TaborSwap {
   TaborModel *old_model, *new_model; /* as requested */
   TaborModel *held[2];               /* references to give back at the end */
   TbMapping mapping;
-  TbState *state; /* memory for the new drum; after the event, the old drum's memory */
-  uint8_t
-    mics[TABOR_MAX_MICS]; /* new drum's microphone with the name of each old one, or TB_NO_MIC */
-  TaborSwap *before;      /* the next older swap that fades, or NULL */
-  uint32_t fade_left, fade_length; /* [samples] */
-  atomic_bool used, done;
+  TbTail *tail;  /* memory for the new drum; after the event the old drum, and its memory */
+  TbTail *spare; /* the new drum's; after the event the old drum's */
+  uint8_t mics[TABOR_MAX_MICS]; /* old microphone that each new one continues, or TB_NO_MIC */
+  atomic_bool used, acted;      /* the event has come; nothing is left to be done but to ring out */
 };
 
-/* Carries out a swap event. Returns false if it does not apply. Audio-safe. */
-bool tb_swap_act(TaborDrum *drum, TaborSwap *swap);
-/* Adds one sample of the drums that ring out to pressure[]. Audio-safe. */
-void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure);
-/* Cuts the fades short. Audio-safe. */
-void tb_swap_finish(TaborDrum *drum);
+/* Carries out a swap event; `anew` if the drum is replaced. Returns false if it does not apply. Audio-safe. */
+bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew);
+/* Carries out a silence event. Audio-safe. */
+void tb_silence(TaborDrum *drum);
 
 #endif

@@ -19,13 +19,13 @@ TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *er
   const TaborAllocator allocator = model->arena.allocator;
   TaborDrum *drum = allocator.allocate(sizeof *drum, allocator.context);
   if (!drum) return memory_error(error, "drum");
-  *drum = (TaborDrum){.allocator = allocator, .model = model};
+  *drum = (TaborDrum){.allocator = allocator, .model = tabor_model_retain(model)};
   drum->state = allocator.allocate(tb_state_bytes(model), allocator.context);
-  if (!drum->state) {
-    allocator.release(drum, allocator.context);
+  drum->spare = tb_tail_create(model);
+  if (!drum->state || !drum->spare) {
+    tabor_drum_destroy(drum);
     return memory_error(error, "drum");
   }
-  tabor_model_retain(model);
   tb_state_reset(drum->state, model);
   *out = drum;
   return TABOR_OK;
@@ -33,9 +33,10 @@ TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *er
 
 void tabor_drum_destroy(TaborDrum *drum) {
   if (!drum) return;
-  tb_swap_finish(drum);
+  tb_tails_end(&drum->tails);
   const TaborAllocator allocator = drum->allocator;
   allocator.release(drum->state, allocator.context);
+  tb_tail_destroy(&allocator, drum->spare);
   tabor_model_release(drum->model);
   allocator.release(drum, allocator.context);
 }
@@ -76,14 +77,15 @@ TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model, Tabo
   swap->old_model = swap->held[0] = tabor_model_retain(old_model);
   swap->new_model = swap->held[1] = tabor_model_retain(new_model);
   atomic_init(&swap->used, false);
-  atomic_init(&swap->done, false);
+  atomic_init(&swap->acted, false);
   tb_arena_prepare(&swap->arena, &allocator);
-  swap->state = allocator.allocate(tb_state_bytes(new_model), allocator.context);
-  if (!swap->state || !tb_swap_map(swap)) {
+  swap->tail = tb_tail_create(new_model);
+  swap->spare = tb_tail_create(new_model);
+  if (!swap->tail || !swap->spare || !tb_swap_map(swap)) {
     tabor_swap_destroy(swap);
     return memory_error(error, "swap");
   }
-  tb_state_reset(swap->state, new_model);
+  tb_state_reset(swap->tail->state, new_model);
   *out = swap;
   return TABOR_OK;
 }
@@ -91,7 +93,8 @@ TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model, Tabo
 void tabor_swap_destroy(TaborSwap *swap) {
   if (!swap) return;
   const TaborAllocator allocator = swap->allocator;
-  if (swap->state) allocator.release(swap->state, allocator.context);
+  tb_tail_destroy(&allocator, swap->tail);
+  tb_tail_destroy(&allocator, swap->spare);
   tabor_model_release(swap->held[0]);
   tabor_model_release(swap->held[1]);
   tb_arena_release(&swap->arena);

@@ -20,7 +20,7 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .contact_points = model->wires.contact_points,
     .mic_count = model->def.mic_count,
     .model_bytes = model->arena.bytes + sizeof *model,
-    .drum_bytes = tb_state_bytes(model),
+    .drum_bytes = 2 * tb_state_bytes(model), /* with one for a silence */
   };
 }
 

@@ -7,7 +7,11 @@
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
  * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
  * which is right while only tensions, masses, losses or quality changed. For another radius,
- * boundary or side, the old drum rings out under a short fade. Audio-safe but for tb_swap_map(). */
+ * boundary or side, and where the drum is to be replaced, the old drum rings out beside the new one.
+ *
+ * Sound on its way to the microphones and the high band do not continue on another model. So the old model
+ * plays on for 8 ms, in which the new one's sound travels 2.7 m, and then fades for 8 ms against the new one's.
+ * Audio-safe but for tb_swap_map(). */
 #include <math.h>
 #include <string.h>
 
@@ -17,20 +21,27 @@
 #include "step/energy.h"
 #include "step/live_params.h"
 #include "step/penetration.h"
-#include "step/step.h"
 #include "step/stick_rigid.h"
 #include "step/striker_pool.h"
 
-static const double FADE = 0.03; /* [s] */
-enum { MOST_FADES = 4 };         /* at once; a further one ends the oldest */
+static const double RING_OUT = 0.03; /* [s] */
+static const double HOLD = 0.008;    /* [s] */
+static const double FADE = 0.008;    /* [s] */
 
 /* ---- set-up --------------------------------------------------------------------------------- */
 
+static int find_mic(const TaborDrumDef *def, const TaborDrumDef *other, uint32_t mic) {
+  return mic < other->mic_count ? tabor_drum_def_find_mic(def, other->mic[mic].name) : -1;
+}
+
+/* By name. Two without a namesake in the other drum, in the same place, are taken for the same. */
 static void map_mics(TaborSwap *swap) {
   const TaborDrumDef *from = &swap->old_model->def, *to = &swap->new_model->def;
-  for (uint32_t i = 0; i < from->mic_count; i++) {
-    const int mic = tabor_drum_def_find_mic(to, from->mic[i].name);
-    swap->mics[i] = mic < 0 ? TB_NO_MIC : (uint8_t)mic;
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
+    const int namesake = find_mic(from, to, i);
+    const bool in_place = i < from->mic_count && i < to->mic_count && find_mic(to, from, i) < 0;
+    const uint32_t other = in_place ? i : (uint32_t)TB_NO_MIC;
+    swap->mics[i] = (uint8_t)(namesake >= 0 ? (uint32_t)namesake : other);
   }
 }
 
@@ -234,12 +245,12 @@ static void carry_high(const TbView *from, TbView *to) {
 }
 
 static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
-  for (uint32_t i = 0; i < from->model->def.mic_count; i++) {
+  for (uint32_t i = 0; i < to->model->def.mic_count; i++) {
     const uint32_t mic = swap->mics[i];
-    if (mic == TB_NO_MIC || from->model->mics[i].delay != to->model->mics[mic].delay) continue;
-    memcpy(to->delay[mic], from->delay[i], (to->model->mics[mic].delay + 1u) * sizeof(double));
-    to->state->delay_at[mic] = from->state->delay_at[i];
-    memcpy(to->state->treble[mic], from->state->treble[i], sizeof to->state->treble[mic]);
+    if (mic == TB_NO_MIC || from->model->mics[mic].delay != to->model->mics[i].delay) continue;
+    memcpy(to->delay[i], from->delay[mic], (to->model->mics[i].delay + 1u) * sizeof(double));
+    to->state->delay_at[i] = from->state->delay_at[mic];
+    memcpy(to->state->treble[i], from->state->treble[mic], sizeof to->state->treble[i]);
   }
 }
 
@@ -248,6 +259,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   state->clock = from->state->clock;
   state->asleep = from->state->asleep;
   state->quiet_checks = from->state->quiet_checks;
+  state->hushed = from->state->hushed;
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to);
   carry_live(from, to);
@@ -259,96 +271,53 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_sound(swap, from, to);
 }
 
+/* The tail gets the old drum's state, and the swap its spare memory and its reference to the model. */
 static void exchange(TaborDrum *drum, TaborSwap *swap) {
-  TbState *old_state = drum->state;
-  TaborModel *old_model = drum->model;
-  drum->state = swap->state;
+  TbState *const state = swap->tail->state;
+  TbTail *const spare = swap->spare;
+  swap->tail->state = drum->state;
+  swap->tail->model = swap->held[1] = drum->model;
+  swap->spare = drum->spare;
+  drum->state = state;
+  drum->spare = spare;
   drum->model = swap->new_model;
-  swap->state = old_state;
-  swap->held[1] = old_model; /* the drum's reference to the old one against ours to the new */
 }
 
-/* Ends the fades from *link on, the oldest included. Who is done may be freed at once. */
-static void end_fades(TaborSwap **link) {
-  TaborSwap *swap = *link;
-  *link = NULL;
-  while (swap) {
-    TaborSwap *before = swap->before;
-    atomic_store(&swap->done, true);
-    swap = before;
+static void begin_tail(TaborDrum *drum, TaborSwap *swap, bool continues) {
+  const double rate = drum->model->sample_rate;
+  if (swap->tail->state->asleep && !drum->tails) return;
+  if (continues && swap->old_model->fingerprint == swap->new_model->fingerprint) return;
+  memcpy(swap->tail->mics, swap->mics, sizeof swap->mics);
+  tb_tails_redirect(drum, swap->mics);
+  if (continues) {
+    tb_tails_begin(drum, swap->tail, (uint32_t)(HOLD * rate), (uint32_t)(FADE * rate));
+  } else {
+    tb_tails_begin(drum, swap->tail, 0, (uint32_t)(RING_OUT * rate));
   }
 }
 
-static void begin_fade(TaborDrum *drum, TaborSwap *swap) {
-  TaborSwap **link = &drum->fading;
-  for (int i = 1; *link && i < MOST_FADES; i++) link = &(*link)->before;
-  end_fades(link);
-  swap->fade_length = swap->fade_left = (uint32_t)(FADE * drum->model->sample_rate);
-  swap->before = drum->fading;
-  drum->fading = swap;
-}
-
-/* What fades already goes on into the microphones of its names. */
-static void redirect_fades(TaborDrum *drum, const TaborSwap *swap) {
-  for (TaborSwap *fading = drum->fading; fading; fading = fading->before) {
-    for (uint32_t i = 0; i < fading->old_model->def.mic_count; i++) {
-      if (fading->mics[i] != TB_NO_MIC) fading->mics[i] = swap->mics[fading->mics[i]];
-    }
-  }
-}
-
-bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
+bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
+  const bool continues = swap->mapping.continues && !anew;
   if (atomic_exchange(&swap->used, true)) return false;
   if (swap->old_model != drum->model) {
-    atomic_store(&swap->done, true); /* it holds nothing of this drum's: free it */
+    atomic_store(&swap->acted, true); /* it holds nothing of this drum's: free it */
     return false;
   }
-  redirect_fades(drum, swap);
   TbView from = tb_view(drum->state, drum->model);
-  TbView to = tb_view(swap->state, swap->new_model);
+  TbView to = tb_view(swap->tail->state, swap->new_model);
   to.state->sums = from.state->sums;
   to.state->statistics = from.state->statistics;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
-  if (swap->mapping.continues) continue_on(swap, &from, &to);
+  if (continues) continue_on(swap, &from, &to);
+  to.state->live[TB_LIVE_OUTPUT] = from.state->live[TB_LIVE_OUTPUT];
   to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
   exchange(drum, swap);
-  const bool rings = !swap->mapping.continues && !swap->state->asleep;
-  if (rings) {
-    begin_fade(drum, swap);
-  } else {
-    atomic_store(&swap->done, true);
-  }
+  begin_tail(drum, swap, continues);
+  atomic_store(&swap->acted, true);
   return true;
 }
 
-/* Bits of the old drum's microphones that anybody hears. */
-static uint32_t heard_before(const TaborSwap *swap, uint32_t heard) {
-  uint32_t before = 0;
-  for (uint32_t i = 0; i < swap->old_model->def.mic_count; i++) {
-    if (swap->mics[i] != TB_NO_MIC) before |= (heard >> swap->mics[i] & 1u) << i;
-  }
-  return before;
+bool tabor_swap_done(const TaborSwap *swap) {
+  return atomic_load(&swap->acted) && !atomic_load(&swap->tail->sounds) &&
+         !atomic_load(&swap->spare->sounds);
 }
-
-static void fade(TaborSwap *swap, uint32_t heard, double *pressure) {
-  TbView view = tb_view(swap->state, swap->old_model);
-  double ringing[TABOR_MAX_MICS] = {0.0};
-  tb_step(&view, heard_before(swap, heard), ringing);
-  const double gain = (double)swap->fade_left / (double)(swap->fade_length + 1u);
-  for (uint32_t i = 0; i < swap->old_model->def.mic_count; i++) {
-    if (swap->mics[i] != TB_NO_MIC) pressure[swap->mics[i]] += gain * ringing[i];
-  }
-  swap->fade_left--;
-}
-
-/* None ends later than those that began after it. */
-void tb_swap_fade(TaborDrum *drum, uint32_t heard, double *pressure) {
-  TaborSwap **link = &drum->fading;
-  for (TaborSwap *swap = *link; swap; swap = swap->before) fade(swap, heard, pressure);
-  while (*link && (*link)->fade_left > 0) link = &(*link)->before;
-  end_fades(link);
-}
-
-void tb_swap_finish(TaborDrum *drum) { end_fades(&drum->fading); }
-
-bool tabor_swap_done(const TaborSwap *swap) { return atomic_load(&swap->done); }

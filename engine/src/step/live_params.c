@@ -9,6 +9,7 @@
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
+static const double MOST_GAIN = 1e6;            /* 120 dB */
 enum { WIRE_SAMPLES = 8 };                      /* that wires' tension and damping take at once */
 
 static double definition_value(const TaborDrumDef *def, uint32_t index) {
@@ -94,6 +95,12 @@ static int live_index(uint32_t parameter) {
   }
 }
 
+static void move_to(const TbView *view, TbLiveParam *live, double target) {
+  live->target = target;
+  live->left = (uint32_t)(SMOOTHING * view->model->sample_rate) + 1u;
+  live->step = (live->target - live->now) / (double)live->left;
+}
+
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {
   const TbParam *param = tb_param_by_id(parameter);
   const int first = live_index(parameter);
@@ -101,10 +108,33 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
   TbLiveParam *live = &view->state->live[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
-  live->target = clamp(value, param->info.minimum, param->info.maximum);
-  live->left = (uint32_t)(SMOOTHING * view->model->sample_rate) + 1u;
-  live->step = (live->target - live->now) / (double)live->left;
+  move_to(view, live, clamp(value, param->info.minimum, param->info.maximum));
   return true;
+}
+
+void tb_live_params_gain(TbView *view, double value, bool at_once) {
+  TbLiveParam *live = &view->state->live[TB_LIVE_OUTPUT];
+  const double gain = clamp(value, 0.0, MOST_GAIN);
+  if (at_once) {
+    *live = (TbLiveParam){.now = gain, .target = gain};
+  } else {
+    move_to(view, live, gain);
+  }
+}
+
+bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
+  TbLiveParam *own = view->state->live;
+  bool moves = false;
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    const bool of_wires = i < TB_LIVE_MUFFLE;
+    if (!of_wires) own[i] = live[i];
+    if (!of_wires || live[i].target == own[i].now) continue;
+    move_to(view, &own[i], live[i].target);
+    moves = true;
+  }
+  tb_pool_muffle(view);
+  tb_live_params_apply(view);
+  return moves;
 }
 
 /* True if the value moved. */

@@ -20,7 +20,8 @@ typedef enum TbLiveIndex {
   TB_LIVE_FULL_SCALE,
   TB_LIVE_GRIP, /* of hands that press a stick */
   TB_LIVE_GAIN, /* of the first microphone; the others follow in order */
-  TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
+  TB_LIVE_OUTPUT = TB_LIVE_GAIN + TABOR_MAX_MICS, /* gain of all outputs; of no definition */
+  TB_LIVE_COUNT
 } TbLiveIndex;
 
 typedef struct TbLiveParam {
@@ -97,6 +98,7 @@ typedef struct TbState {
   uint64_t clock;  /* samples stepped since reset */
   uint32_t newest; /* which of the three phases holds the newest samples */
   uint32_t asleep, quiet_checks;
+  uint32_t hushed;         /* nobody hears it until it is played or sleeps: see silence.c */
   uint32_t slot_mask;      /* slots in play */
   uint32_t lifted;         /* wires hang clear of the head: see wire_clearance.h */
   double gap;              /* least clearance of lifted wires [m] */

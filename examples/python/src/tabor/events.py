@@ -75,3 +75,13 @@ def parameter(key: str, value: float, frame: int = 0) -> Event:
 def reset(frame: int = 0) -> Event:
     """Back to rest."""
     return Event(frame, lib.TABOR_EVENT_RESET, {})
+
+
+def silence(frame: int = 0) -> Event:
+    """Fades out what sounds, over 15 ms; live parameters stay."""
+    return Event(frame, lib.TABOR_EVENT_SILENCE, {})
+
+
+def gain(value: float, frame: int = 0) -> Event:
+    """Sets the gain of all outputs, a factor, reached over 5 ms."""
+    return Event(frame, lib.TABOR_EVENT_GAIN, {"value": value})

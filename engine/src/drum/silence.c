@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* A silence: the sounding drum becomes a tail, and the drum goes on at rest in the tail's memory. Wires that a live
+ * value has moved are moved from their rest again, which taps on the head. That is not heard: the drum is
+ * hushed until it sleeps or is played. */
+#include <string.h>
+
+#include "drum/drum.h"
+#include "step/energy.h"
+#include "step/live_params.h"
+#include "step/reset.h"
+
+static const double FADE = 0.015; /* [s] */
+
+static void give_room(TaborDrum *drum) {
+  TbTail **link = &drum->tails;
+  while (*link && *link != drum->spare) link = &(*link)->before;
+  tb_tails_end(link);
+}
+
+/* The drum at rest, with the live values, ledger and counters of the one that sounds. */
+static void rest(const TbView *from, TbState *state) {
+  tb_state_reset(state, from->model);
+  TbView to = tb_view(state, from->model);
+  state->sums = from->state->sums;
+  state->sums.control -= tb_energy_stored(from, &from->now, &from->last);
+  state->statistics = from->state->statistics;
+  if (!tb_live_params_keep(&to, from->state->live)) return;
+  state->asleep = 0;
+  state->hushed = 1;
+}
+
+void tb_silence(TaborDrum *drum) {
+  const uint32_t fade = (uint32_t)(FADE * drum->model->sample_rate);
+  if (drum->state->asleep && !drum->tails) return;
+  give_room(drum); /* a second silence within 15 ms cuts the first one's tail short */
+  tb_tails_shorten(drum, fade);
+  TbTail *tail = drum->spare;
+  const TbView from = tb_view(drum->state, drum->model);
+  rest(&from, tail->state);
+  TbState *const still = tail->state;
+  tail->state = drum->state;
+  drum->state = still;
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) tail->mics[i] = (uint8_t)i;
+  tb_tails_begin(drum, tail, 0, fade);
+}

@@ -25,6 +25,12 @@ if(COMMAND tabor_add_embed_test)
   set_tests_properties(test_first_page_in_root PROPERTIES TIMEOUT 7200 LABELS long)
 endif()
 
+if(TEST test_lv2_render AND NOT TABOR_SANITIZE)
+  add_test(NAME test_lv2_render_long COMMAND test_lv2_render "$<TARGET_FILE:tabor-program>"
+                                             "$<TARGET_FILE:tabor-lv2>" songs 200)
+  tabor_test_properties(test_lv2_render_long)
+  set_tests_properties(test_lv2_render_long PROPERTIES TIMEOUT 3600 LABELS long)
+endif()
 if(TABOR_BUILD_LV2 AND TEST test_lv2_jalv)
   tabor_add_script_test(test_lv2_ardour)
   set_tests_properties(test_lv2_ardour PROPERTIES TIMEOUT 2400 LABELS long)

@@ -17,7 +17,7 @@ if(NOT TABOR_BUILD_PROGRAM)
   list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_render")
 endif()
 
-set(TABOR_LV2_LIBRARIES tabor-lv2-archive ${CMAKE_DL_LIBS})
+set(TABOR_LV2_LIBRARIES tabor-lv2-archive tabor-host-core ${CMAKE_DL_LIBS})
 
 set(test_lv2_render_SOURCES support/plugin_host.c support/midi_writer.c support/said.c)
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_LIBRARIES} tabor-host)

@@ -59,7 +59,7 @@ static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map 
   map_uris(&instrument->urids, map);
   instrument->worker.say = say;
   instrument->worker.context = instrument;
-  if (!model_worker_begin(&instrument->worker, rate)) return false;
+  if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     instrument->ranges[i] = knob_range((KnobId)i, &instrument->worker.base);
   }
@@ -146,14 +146,17 @@ static void read_knobs(Instrument *instrument) {
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
 /* All messages of an event that go with notes, or all others. */
-static void take_event(Instrument *instrument, const LV2_Atom_Event *event, bool notes) {
+static void take_event(Instrument *instrument, const LV2_Atom_Event *event, bool notes,
+                       uint32_t ahead) {
   const uint8_t *const bytes = (const uint8_t *)(event + 1);
   MidiStream stream = {0};
   MidiMessage message;
   if (event->body.type != instrument->urids.midi) return;
   for (uint32_t i = 0; i < event->body.size; i++) {
     if (!midi_stream_take(&stream, bytes[i], &message)) continue;
-    if (midi_goes_with_notes(&message) == notes) plugin_player_take(&instrument->player, &message);
+    if (midi_goes_with_notes(&message) == notes) {
+      plugin_player_take(&instrument->player, &message, ahead);
+    }
   }
 }
 
@@ -164,36 +167,11 @@ static uint32_t frame_of(const LV2_Atom_Event *event, uint32_t at, uint32_t fram
   return frame < frames ? (uint32_t)frame : frames - (frames > 0);
 }
 
-/* All events of frame @p at: controllers before notes. */
-static void take_frame(Instrument *instrument, Sequence *sequence, uint32_t at, uint32_t frames) {
-  const Sequence first = *sequence;
-  const LV2_Atom_Event *event;
-  for (int notes = 0; notes <= 1; notes++) {
-    *sequence = first;
-    while ((event = sequence_event(sequence)) && frame_of(event, at, frames) == at) {
-      take_event(instrument, event, notes == 1);
-      sequence_step(sequence);
-    }
-  }
-}
-
-/* ---- runs ----------------------------------------------------------------------------------- */
-
-/* Plays up to @p end, or to where the drum has to wait for another model. */
-static uint32_t play_until(Instrument *instrument, uint32_t at, uint32_t end, bool waits) {
-  uint32_t played = 1;
-  while (at < end && played > 0) {
-    played = plugin_player_play(&instrument->player, &instrument->outputs, at, end - at, waits);
-    at += played;
-  }
-  return at;
-}
-
 /* What a run is about. */
 typedef struct Run {
   Sequence sequence;
-  uint32_t at, frames;
-  bool waits; /* for every model: the host renders, and is in no hurry */
+  uint32_t at, frames; /* played so far, and all */
+  bool waits;          /* for every model: the host renders, and is in no hurry */
 } Run;
 
 static Run begin_run(const Instrument *instrument, uint32_t frames, bool waits) {
@@ -202,17 +180,47 @@ static Run begin_run(const Instrument *instrument, uint32_t frames, bool waits) 
                .waits = waits};
 }
 
-/* False where the run has to wait for another model; then it is to be called again. */
-static bool go_on(Instrument *instrument, Run *run) {
+/* All events of frame @p frame: controllers before notes. */
+static void take_frame(Instrument *instrument, Run *run, uint32_t frame) {
+  const Sequence first = run->sequence;
   const LV2_Atom_Event *event;
-  for (;;) {
-    event = sequence_event(&run->sequence);
-    const uint32_t end = event ? frame_of(event, run->at, run->frames) : run->frames;
-    run->at = play_until(instrument, run->at, end, run->waits);
-    if (run->at < end) return false;
-    if (!event) return true;
-    take_frame(instrument, &run->sequence, run->at, run->frames);
+  plugin_player_begin_frame(&instrument->player);
+  for (int notes = 0; notes <= 1; notes++) {
+    run->sequence = first;
+    while ((event = sequence_event(&run->sequence)) &&
+           frame_of(event, frame, run->frames) == frame) {
+      take_event(instrument, event, notes == 1, frame - run->at);
+      sequence_step(&run->sequence);
+    }
   }
+}
+
+/* ---- runs ----------------------------------------------------------------------------------- */
+
+static void play_until(Instrument *instrument, Run *run, uint32_t end) {
+  while (run->at < end) {
+    run->at +=
+      plugin_player_play(&instrument->player, &instrument->outputs, run->at, end - run->at);
+  }
+}
+
+/* Plays with everything that comes. False where the run has to wait for another model; then it is to be called
+ * again. */
+static bool go_on(Instrument *instrument, Run *run) {
+  PluginPlayer *const player = &instrument->player;
+  const LV2_Atom_Event *event;
+  uint32_t frame = run->at;
+  while ((event = sequence_event(&run->sequence)) != NULL) {
+    frame = frame_of(event, frame, run->frames);
+    if (plugin_player_is_full(player)) play_until(instrument, run, frame);
+    take_frame(instrument, run, frame);
+    if (!plugin_player_has_choice(player)) continue;
+    play_until(instrument, run, frame);
+    plugin_player_choose(player);
+    if (run->waits) return false;
+  }
+  play_until(instrument, run, run->frames);
+  return true;
 }
 
 /* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */

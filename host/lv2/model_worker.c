@@ -10,7 +10,8 @@
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-bool model_worker_begin(ModelWorker *worker, double rate) {
+bool model_worker_begin(ModelWorker *worker, double rate, bool stereo) {
+  worker->stereo = stereo;
   tabor_model_options_default(&worker->options);
   worker->options.sample_rate = rate;
   worker->program = worker->composed_program = MODEL_WORKER_NO_PROGRAM;
@@ -22,24 +23,14 @@ bool model_worker_begin(ModelWorker *worker, double rate) {
   return pthread_mutex_init(&worker->lock, NULL) == 0;
 }
 
-static void destroy_drums(TaborDrum **drums) {
-  for (uint32_t i = 0; i < MODEL_WORKER_TRASH; i++) {
-    tabor_drum_destroy(drums[i]);
-    drums[i] = NULL;
-  }
-}
-
 /* A reply that was not taken. */
 static void destroy_offer(ModelWorker *worker) {
   if (atomic_load(&worker->phase) != PHASE_ANSWERED || !worker->reply.is_news) return;
   tabor_drum_destroy(worker->reply.drum);
-  tabor_drum_destroy(worker->reply.spare);
 }
 
 void model_worker_end(ModelWorker *worker) {
   destroy_offer(worker);
-  destroy_drums(worker->request.trash);
-  free(worker->reply.state);
   for (uint32_t i = 0; i < worker->swap_count; i++) tabor_swap_destroy(worker->swaps[i]);
   free(worker->swaps);
   model_cache_give_back(worker->model);
@@ -153,15 +144,8 @@ static void compose_model(const ModelWorker *worker, Reply *reply) {
   tune(worker, def);
 }
 
-static const char *const mic_names[MODEL_WORKER_MICS] = {"top",  "bottom", "near",  "far",
-                                                         "left", "right",  "inside"};
-
 /* What the audio thread has to know of the model. */
 static void describe(Reply *reply) {
-  for (uint32_t i = 0; i < MODEL_WORKER_MICS; i++) {
-    const int mic = tabor_drum_def_find_mic(&reply->def, mic_names[i]);
-    reply->mics[i] = mic >= 0 ? (uint32_t)mic : MODEL_WORKER_NO_MIC;
-  }
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
     const double *const field = knob_field(&reply->def, (KnobId)i);
     reply->built[i] = field ? *field : NAN;
@@ -204,23 +188,35 @@ static bool begins_anew(const ModelWorker *worker, const Reply *reply) {
   return !worker->model || reply->restoration != worker->built_restoration || was_chosen(worker);
 }
 
-/* Without memory for it, the change may be heard. */
-static void prepare_spare(ModelWorker *worker, Reply *reply) {
-  if (tabor_drum_create(worker->model, &reply->spare, NULL) != TABOR_OK) return;
-  reply->state = malloc(tabor_drum_state_size(reply->spare));
-  if (reply->state) return;
-  tabor_drum_destroy(reply->spare);
-  reply->spare = NULL;
+/* The model's microphone for each of the plugins', by name. */
+static void choose_mics(const ModelWorker *worker, const TaborDrumDef *def, uint8_t *mics) {
+  static const struct {
+    const char *name;
+    bool of_pair;
+  } wanted[MODEL_WORKER_MICS] = {{"top", false},   {"bottom", false}, {"near", false},
+                                 {"far", false},   {"left", true},    {"right", true},
+                                 {"inside", false}};
+  for (uint32_t i = 0; i < MODEL_WORKER_MICS; i++) {
+    const int mic = tabor_drum_def_find_mic(def, wanted[i].name);
+    const bool may_replace = worker->stereo && wanted[i].of_pair;
+    mics[i] = mic >= 0 ? (uint8_t)mic : may_replace ? 0 : (uint8_t)UINT8_MAX; /* it has none */
+  }
 }
 
 /* The drum, or the way from the model before. */
 static TaborStatus prepare(ModelWorker *worker, TaborModel *model, Reply *reply,
                            TaborError *error) {
   if (worker->model == model && !was_chosen(worker)) return TABOR_OK; /* though restored */
-  if (reply->begins_anew) return tabor_drum_create(model, &reply->drum, error);
-  prepare_spare(worker, reply);
+  uint8_t mics[MODEL_WORKER_MICS];
+  choose_mics(worker, &reply->def, mics);
+  if (!worker->model) {
+    const TaborStatus status = tabor_drum_create(model, &reply->drum, error);
+    if (status == TABOR_OK) tabor_drum_route(reply->drum, mics, MODEL_WORKER_MICS);
+    return status;
+  }
   const TaborStatus status = tabor_swap_create(worker->model, model, &reply->swap, error);
   if (status != TABOR_OK) return status;
+  tabor_swap_route(reply->swap, mics, MODEL_WORKER_MICS);
   if (keep(worker, reply->swap) == TABOR_OK) return TABOR_OK;
   tabor_swap_destroy(reply->swap);
   *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
@@ -251,11 +247,8 @@ static void answer(ModelWorker *worker) {
   TaborError error;
   const uint32_t number = reply->number, restoration = reply->restoration;
   discard_done(worker);
-  destroy_drums(worker->request.trash);
-  free(reply->state);
-  reply->drum = reply->spare = NULL;
+  reply->drum = NULL;
   reply->swap = NULL;
-  reply->state = NULL;
   reply->number = worker->request.number;
   TaborDrumDef composed;
   (void)pthread_mutex_lock(&worker->lock);
@@ -270,8 +263,6 @@ static void answer(ModelWorker *worker) {
   describe(reply);
   reply->failed = build(worker, reply, &error) != TABOR_OK;
   if (!reply->failed) return;
-  tabor_drum_destroy(reply->spare);
-  reply->drum = reply->spare = NULL;
   say(worker, "the drum stays as it is", &error);
 }
 

@@ -8,8 +8,8 @@
  *
  *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> ANSWERED --audio--> IDLE
  *
- * A preset, chosen by MIDI or restored, gives a new drum, and the old one fades out beside it. A change of
- * knobs or quality keeps the drum and swaps its model; a copy of the drum may play on during the crossfade.
+ * The first reply has the drum. Later, a preset that is chosen by MIDI or restored replaces the drum, and a change of
+ * knobs or quality keeps it ringing on another model; both are swaps.
  *
  * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
  * has chosen since. Knobs turned since then override values in it.
@@ -23,13 +23,10 @@
 #include "base/realtime.h"
 #include "lv2/knobs.h"
 #include "midi/midi_to_events.h"
-#include "sound/leaving.h"
+#include "sound/player_message.h"
 
 #define MODEL_WORKER_NO_PROGRAM (-1)
-#define MODEL_WORKER_NO_MIC LEAVING_NO_MIC
-#define MODEL_WORKER_MICS                                                                          \
-  7 /**< known to the plugins: top, bottom, near, far, left, right, inside */
-#define MODEL_WORKER_TRASH (LEAVING_MOST + 4) /**< most drums that one request can destroy */
+#define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
 
 /** The wanted drum. NaN means: as in the definition. */
 typedef struct Request {
@@ -43,7 +40,6 @@ typedef struct Request {
   double strainer, grip;    /**< values set by MIDI since then */
   float seen[KNOB_KEYS];    /**< values of the ports; a change is a turn of the knob */
   uint32_t quality;         /**< a TaborQuality */
-  TaborDrum *trash[MODEL_WORKER_TRASH]; /**< drums to be destroyed, or NULL */
 } Request;
 
 /** The worker's answer. */
@@ -51,18 +47,14 @@ typedef struct Reply {
   uint32_t number, restoration; /**< of the request, or the newest restoration */
   int32_t program;
   float seen[KNOB_KEYS];   /**< restored values of the ports; NaN: any value */
-  TaborDrum *drum;         /**< replaces the current drum, if any; or NULL: see swap */
-  TaborSwap *swap;         /**< for the current drum; NULL without drum: no change */
-  TaborDrum *spare;        /**< with a swap: memory for a copy of the old drum; or NULL */
-  void *state;             /**< with a spare: memory for tabor_drum_state_save() */
+  TaborDrum *drum;         /**< the drum, the first time; then NULL */
+  TaborSwap *swap;         /**< for the drum; NULL without drum: no change */
   bool is_news;            /**< false: the request was answered before; ignore the rest */
   bool failed;             /**< nothing was built; ignore the fields below */
-  bool begins_anew;        /**< a new drum: forget the values set by MIDI */
+  bool begins_anew;        /**< the swap replaces the drum */
   TaborDrumDef def;        /**< of the model */
   double built[KNOB_KEYS]; /**< values of the knobs' keys; NaN: the drum has no such part */
-  /** The model's microphone for each of the plugins', by name, or MODEL_WORKER_NO_MIC. */
-  uint32_t mics[MODEL_WORKER_MICS];
-  MidiBinding binding; /**< MIDI binding of the model, without values set by MIDI */
+  MidiBinding binding;     /**< MIDI binding of the model, without values set by MIDI */
 } Reply;
 
 typedef enum Phase { PHASE_IDLE, PHASE_ASKED, PHASE_BUILDING, PHASE_ANSWERED } Phase;
@@ -73,6 +65,7 @@ typedef void ModelWorkerSayFn(void *context, const char *line);
 typedef struct ModelWorker {
   /* set up once */
   TaborModelOptions options;
+  bool stereo;
   MidiMap map; /**< the default map */
   ModelWorkerSayFn *say;
   void *context;
@@ -107,8 +100,9 @@ typedef struct SavedState {
 
 /* SET-UP */
 
-/** Initialises @p worker. False if memory is short. */
-bool model_worker_begin(ModelWorker *worker, double rate);
+/** Initialises @p worker. False if memory is short. @p stereo: both sides of a drum without a stereo pair are heard by
+ * its first microphone. */
+bool model_worker_begin(ModelWorker *worker, double rate, bool stereo);
 /** Frees everything. Call after the drum was destroyed and while no worker works. */
 void model_worker_end(ModelWorker *worker);
 /** Makes @p saved, which is valid, the wanted drum. Any time, in parallel with all other functions. */

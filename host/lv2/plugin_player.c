@@ -37,21 +37,16 @@ static void prepare_knobs(PluginPlayer *player) {
 static void start_over(PluginPlayer *player, const MidiBinding *binding) {
   midi_to_events_begin(&player->midi, &player->map, binding);
   player->humanizer.state = HUMANIZE_SEED;
-  player->silencer = silencer_begin(player->rate);
-  player->expression = fader_at(1, player->rate);
-  player->event_count = player->action_count = 0;
-  player->held_events = player->held_actions = 0;
 }
 
 bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo) {
   MidiBinding binding;
+  drum_player_begin(&player->core, PLUGIN_MICS, 1);
   player->worker = worker;
   player->rate = rate;
   player->stereo = stereo;
   player->map = worker->map;
   player->grip_id = tabor_parameter_find("hand.grip")->id;
-  player->gain = fader_at(1, rate);
-  leaving_begin(&player->leaving, rate);
   player->request = (Request){.number = 1, .quality = TABOR_QUALITY_LIVE};
   plugin_player_forget_turns(&player->request);
   prepare_knobs(player);
@@ -61,29 +56,28 @@ bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate,
 }
 
 void plugin_player_end(PluginPlayer *player) {
-  plugin_player_cut_others(player);
-  for (uint32_t i = 0; i < MODEL_WORKER_TRASH; i++) tabor_drum_destroy(player->trash[i]);
-  tabor_drum_destroy(player->drum);
+  tabor_drum_destroy(player->core.drum);
   free(player->bindings);
 }
 
 /* ---- a new beginning ------------------------------------------------------------------------- */
 
-/* The messages that have come are meant for it already. */
-static void choose_waiting(PluginPlayer *player) {
-  for (uint32_t i = 0; i < player->action_count; i++) {
-    const MidiAction *const action = &player->actions[i].action;
-    if (action->type == MIDI_ACTION_PRESET) plugin_player_choose_preset(player, action->preset);
+/* The worker builds on these. */
+static void keep_models(PluginPlayer *player) {
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < player->count; i++) {
+    if (player->messages[i].message.type == PLAYER_MODEL) {
+      player->messages[kept++] = player->messages[i];
+    }
   }
+  player->count = player->first_count = kept;
 }
 
 void plugin_player_rest(PluginPlayer *player) {
   const MidiBinding binding = player->midi.binding;
-  choose_waiting(player);
-  if (player->drum) tabor_drum_reset(player->drum);
-  plugin_player_cut_others(player);
+  drum_player_rest(&player->core);
+  keep_models(player);
   start_over(player, &binding);
-  player->gain = fader_at(player->gain.target, player->rate);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     if (!knob_is_level((KnobId)i)) continue;
     player->levels[i] = fader_at(player->levels[i].target, player->rate);
@@ -93,5 +87,4 @@ void plugin_player_rest(PluginPlayer *player) {
   memset(player->moved, 0, sizeof player->moved); /* the drum has the values of its model */
   player->grip_moved = false;
   plugin_player_move_live(player);
-  player->silencer.at_rest = true; /* these values are how it begins */
 }

@@ -6,41 +6,47 @@
 #include <string.h>
 
 #include "drums/live_headroom.h"
-#include "strokes/fit_striker.h"
 
-/* ---- events --------------------------------------------------------------------------------- */
+/* ---- messages ------------------------------------------------------------------------------- */
 
-/* Where there is no room, a parameter's last value counts. */
-static void replace_parameter(PluginPlayer *player, const TaborEvent *event) {
-  if (event->type != TABOR_EVENT_PARAMETER) return;
-  for (uint32_t i = player->event_count; i-- > 0;) {
-    TaborEvent *const other = &player->events[i];
-    if (other->type != TABOR_EVENT_PARAMETER || other->parameter != event->parameter) continue;
-    other->value = event->value;
+/* Where there is no room, the last value counts of a parameter and of the gain. */
+static void replace_value(PluginPlayer *player, const PlayerMessage *message) {
+  const bool moves = message->event.type == TABOR_EVENT_PARAMETER;
+  if (message->type == PLAYER_EVENT && !moves) return;
+  for (uint32_t i = player->count; i-- > player->first_count;) {
+    PlayerMessage *const other = &player->messages[i].message;
+    if (other->type != message->type || other->event.type != message->event.type) continue;
+    if (other->event.parameter != message->event.parameter) continue;
+    other->value = message->value;
+    other->event.value = message->event.value;
     return;
   }
 }
 
-static void push_event(PluginPlayer *player, const TaborEvent *event) {
-  if (player->event_count == PLUGIN_EVENTS) {
-    replace_parameter(player, event);
-    return;
+static void push(PluginPlayer *player, const PlayerMessage *message) {
+  if (player->count == PLUGIN_MESSAGES) {
+    replace_value(player, message);
+  } else {
+    player->messages[player->count++] = (PluginMessage){.message = *message, .is_midi = true};
   }
-  player->events[player->event_count] = *event;
-  player->events[player->event_count++].frame = 0;
 }
 
-static void process_at_once(PluginPlayer *player, const TaborEvent *events, uint32_t count) {
-  TaborDrum *const crossing = player->crossing.drum;
-  if (!player->drum || count == 0) return;
-  tabor_drum_process(player->drum, events, count, NULL, 0);
-  if (crossing) tabor_drum_process(crossing, events, count, NULL, 0);
+/* The last message makes room: it is one of MIDI's, since the others are few. */
+void plugin_player_act_now(PluginPlayer *player, const PlayerMessage *message) {
+  PluginMessage *const place = &player->messages[player->first_count];
+  if (player->count == PLUGIN_MESSAGES) player->count--;
+  memmove(place + 1, place, (player->count - player->first_count) * sizeof *place);
+  *place = (PluginMessage){.message = *message};
+  place->message.frame = player->core.position;
+  player->count++;
+  player->first_count++;
 }
 
 void plugin_player_move_parameter(PluginPlayer *player, uint32_t id, double value) {
-  const TaborEvent event = {.type = TABOR_EVENT_PARAMETER, .parameter = id, .value = value};
-  silencer_remember(&player->silencer, &event);
-  process_at_once(player, &event, 1);
+  const PlayerMessage message = {
+    .type = PLAYER_EVENT,
+    .event = {.type = TABOR_EVENT_PARAMETER, .parameter = id, .value = value}};
+  if (player->core.drum) plugin_player_act_now(player, &message);
 }
 
 /* What MIDI moves stays so on the next model, unless that is another drum. */
@@ -56,22 +62,16 @@ static void note_parameter(PluginPlayer *player, const TaborEvent *event) {
   }
 }
 
-void plugin_player_note_events(PluginPlayer *player, uint32_t count) {
-  for (uint32_t i = 0; i < count; i++) {
-    TaborEvent *const event = &player->events[i];
-    fit_striker(event, player->striker_count);
-    note_parameter(player, event);
-    silencer_remember(&player->silencer, event);
-  }
-}
-
-void plugin_player_let_act(PluginPlayer *player, uint32_t count) {
-  plugin_player_note_events(player, count);
-  process_at_once(player, player->events, count);
-  player->event_count -= count;
-  player->held_events -= count;
-  memmove(player->events, player->events + count, player->event_count * sizeof *player->events);
-  for (uint32_t i = 0; i < player->action_count; i++) player->actions[i].after -= count;
+bool plugin_player_next(void *source, uint64_t end, PlayerMessage *message) {
+  PluginPlayer *const player = source;
+  const PluginMessage *const first = player->messages;
+  if (player->count == 0 || first->message.frame >= end) return false;
+  *message = first->message;
+  if (first->is_midi && message->type == PLAYER_EVENT) note_parameter(player, &message->event);
+  player->count--;
+  if (player->first_count > 0) player->first_count--;
+  memmove(player->messages, first + 1, player->count * sizeof *first);
+  return true;
 }
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
@@ -98,6 +98,11 @@ static void turn_level(PluginPlayer *player, KnobId id, double factor, bool at_o
   fade_to(player, level, factor, at_once);
 }
 
+static void set_gain(PluginPlayer *player, double factor) {
+  const PlayerMessage message = {.type = PLAYER_GAIN, .value = factor};
+  plugin_player_act_now(player, &message);
+}
+
 static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_once) {
   switch (id) {
   case KNOB_VELOCITY_CURVE: player->map.response.curve = (MidiCurve)lroundf(value); break;
@@ -107,7 +112,7 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     player->request.quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
     player->request.number++;
     break;
-  case KNOB_GAIN: fade_to(player, &player->gain, knob_factor(id, value), at_once); break;
+  case KNOB_GAIN: set_gain(player, knob_factor(id, value)); break;
   default: turn_level(player, id, knob_factor(id, value), at_once); break;
   }
 }
@@ -162,118 +167,40 @@ void plugin_player_turn(PluginPlayer *player, KnobId id, float value) {
 
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
-static void take_event(PluginPlayer *player, TaborEvent *event) {
-  humanize(&player->humanizer, player->midi.binding.head_radius, event);
-  push_event(player, event);
-}
-
-static void insert_action(PluginPlayer *player, uint32_t place, const MidiAction *action) {
-  PluginAction *const at = &player->actions[place];
-  memmove(at + 1, at, (player->action_count - place) * sizeof *at);
-  *at = (PluginAction){.action = *action, .after = player->held_events};
-  player->action_count++;
-}
-
-static void remove_action(PluginPlayer *player, uint32_t place) {
-  PluginAction *const at = &player->actions[place];
-  player->action_count--;
-  memmove(at, at + 1, (player->action_count - place) * sizeof *at);
-}
-
-/*
- * Of the program changes at one frame the last counts, and acts before all else; one to the drum that is there
- * already does nothing. The messages that follow are meant for the preset.
- */
-static void take_preset(PluginPlayer *player, const MidiAction *action) {
-  const uint32_t first = player->held_actions;
-  const int32_t preset = (int32_t)action->preset;
-  const bool takes_place =
-    first < player->action_count && player->actions[first].action.type == MIDI_ACTION_PRESET;
-  if (preset == player->chosen || (player->action_count == PLUGIN_ACTIONS && !takes_place)) return;
-  if (takes_place) remove_action(player, first);
-  if (preset != player->chosen_before) insert_action(player, first, action);
-  player->chosen = preset;
+/* The messages that follow are meant for the preset. */
+static void take_preset(PluginPlayer *player, uint32_t preset) {
+  if ((int32_t)preset == player->chosen) return;
+  player->chosen = (int32_t)preset;
   player->midi.binding = player->bindings[preset];
 }
 
-/* Where one that waits sets the gain after the last silence, the later value counts. */
-static void take_gain(PluginPlayer *player, const MidiAction *action) {
-  for (uint32_t i = player->action_count; i-- > 0;) {
-    MidiAction *const other = &player->actions[i].action;
-    if (other->type == MIDI_ACTION_SILENCE) break;
-    if (other->type != MIDI_ACTION_GAIN) continue;
-    other->value = action->value;
-    return;
-  }
-  if (player->action_count < PLUGIN_ACTIONS) insert_action(player, player->action_count, action);
-}
+void plugin_player_begin_frame(PluginPlayer *player) { player->chosen_before = player->chosen; }
 
-/* Nothing will have acted on the drum since the silence before. */
-static bool is_silenced(const PluginPlayer *player) {
-  for (uint32_t i = player->action_count; i-- > 0;) {
-    const PluginAction *const other = &player->actions[i];
-    if (other->after != player->held_events) return false;
-    if (other->action.type == MIDI_ACTION_SILENCE) return true;
-  }
-  return silencer_waits(&player->silencer) && player->held_events == 0;
-}
-
-static void take_silence(PluginPlayer *player, const MidiAction *action) {
-  if (is_silenced(player) || player->action_count == PLUGIN_ACTIONS) return;
-  insert_action(player, player->action_count, action);
-}
-
-static void take_action(PluginPlayer *player, const MidiAction *action) {
-  switch (action->type) {
-  case MIDI_ACTION_EVENT: break; /* these wait elsewhere */
-  case MIDI_ACTION_GAIN: take_gain(player, action); break;
-  case MIDI_ACTION_SILENCE: take_silence(player, action); break;
-  case MIDI_ACTION_PRESET: take_preset(player, action); break;
-  }
-}
-
-void plugin_player_take(PluginPlayer *player, const MidiMessage *message) {
+void plugin_player_take(PluginPlayer *player, const MidiMessage *midi, uint32_t ahead) {
   MidiAction action;
-  if (!midi_to_events_take(&player->midi, message, &action)) return;
-  if (action.type == MIDI_ACTION_EVENT) {
-    take_event(player, &action.event);
+  PlayerMessage message;
+  if (!midi_to_events_take(&player->midi, midi, &action)) return;
+  if (player_message_from_midi(&action, player->core.position + ahead, &message)) {
+    humanize(&player->humanizer, player->midi.binding.head_radius, &message.event);
+    push(player, &message);
   } else {
-    take_action(player, &action);
+    take_preset(player, action.preset);
   }
 }
 
-void plugin_player_choose_preset(PluginPlayer *player, uint32_t preset) {
-  player->request.program = (int32_t)preset;
+/* Of the program changes at one frame the last counts; one to the drum that is there already does nothing. */
+bool plugin_player_has_choice(const PluginPlayer *player) {
+  return player->chosen != player->chosen_before;
+}
+
+void plugin_player_choose(PluginPlayer *player) {
+  player->request.program = player->chosen;
   player->request.choice++;
   player->request.number++;
   plugin_player_forget_turns(&player->request);
-  atomic_store(&player->worker->program, (int)preset);
+  atomic_store(&player->worker->program, player->chosen);
 }
 
-static void act(PluginPlayer *player, const MidiAction *action) {
-  switch (action->type) {
-  case MIDI_ACTION_EVENT: break; /* these wait elsewhere */
-  case MIDI_ACTION_GAIN: fader_set(&player->expression, action->value); break;
-  case MIDI_ACTION_SILENCE:
-    if (player->drum) silencer_wish(&player->silencer);
-    break;
-  case MIDI_ACTION_PRESET: plugin_player_choose_preset(player, action->preset); break;
-  }
-}
-
-/* What has waited for the end of a silence acts in its order: strokes are for the drum of their time. */
-static void act_first(PluginPlayer *player) {
-  const PluginAction first = player->actions[0];
-  if (first.action.type != MIDI_ACTION_GAIN) plugin_player_let_act(player, first.after);
-  remove_action(player, 0);
-  if (player->held_actions > 0) player->held_actions--;
-  act(player, &first.action);
-}
-
-void plugin_player_act_due(PluginPlayer *player, bool waits) {
-  bool goes_on = true;
-  while (goes_on && player->action_count > 0 && !silencer_waits(&player->silencer)) {
-    goes_on = !waits || player->actions[0].action.type != MIDI_ACTION_PRESET;
-    act_first(player);
-  }
+bool plugin_player_is_full(const PluginPlayer *player) {
+  return player->count > PLUGIN_MESSAGES / 2;
 }

@@ -5,8 +5,6 @@
 
 #include "lv2/plugin_player_internal.h"
 
-#define CROSS_HOLD 0.008 /* [s] after which a swapped drum is heard at all usual microphones */
-
 static void take_restoration(PluginPlayer *player, const Reply *reply) {
   player->request.restoration = reply->restoration;
   player->request.program = MODEL_WORKER_NO_PROGRAM;
@@ -18,17 +16,7 @@ static void take_restoration(PluginPlayer *player, const Reply *reply) {
   }
 }
 
-/* Both sides of a drum without a stereo pair are heard by its first microphone. */
-static void attend(PluginPlayer *player, const Reply *reply) {
-  for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
-    const bool may_replace = player->stereo && (i == PLUGIN_LEFT || i == PLUGIN_RIGHT);
-    player->mics[i] = reply->mics[i] == MODEL_WORKER_NO_MIC && may_replace ? 0 : reply->mics[i];
-  }
-}
-
 static void read_model(PluginPlayer *player, const Reply *reply) {
-  attend(player, reply);
-  player->striker_count = reply->def.striker_count;
   player->built_grip = reply->def.hand.grip;
   player->strainer = reply->binding.strainer;
   memcpy(player->built, reply->built, sizeof player->built);
@@ -55,60 +43,17 @@ void plugin_player_move_live(PluginPlayer *player) {
   player->grip_moved = grip != player->built_grip;
 }
 
-/* There is room: a request empties it, and until the next two drums at most join those that sound. */
-void plugin_player_throw_away(PluginPlayer *player, TaborDrum *drum) {
-  uint32_t i = 0;
-  if (!drum) return;
-  while (i + 1 < MODEL_WORKER_TRASH && player->trash[i]) i++;
-  player->trash[i] = drum;
-}
-
-void plugin_player_end_crossing(PluginPlayer *player) {
-  plugin_player_throw_away(player, player->crossing.drum);
-  player->crossing.drum = NULL;
-}
-
-void plugin_player_clear_up(PluginPlayer *player) {
-  TaborDrum *drum;
-  while ((drum = leaving_take(&player->leaving)) != NULL) plugin_player_throw_away(player, drum);
-}
-
-void plugin_player_cut_others(PluginPlayer *player) {
-  plugin_player_end_crossing(player);
-  leaving_cut(&player->leaving);
-  plugin_player_clear_up(player);
-}
-
-/* A copy of the drum goes on as it was. */
-static void copy_drum(PluginPlayer *player, const Reply *reply) {
-  tabor_drum_state_save(player->drum, reply->state);
-  const size_t size = tabor_drum_state_size(reply->spare);
-  const bool copied = tabor_drum_state_load(reply->spare, reply->state, size) == TABOR_OK;
-  plugin_player_end_crossing(player);
-  if (copied && !tabor_drum_is_silent(player->drum)) {
-    player->crossing = (Crossing){.drum = reply->spare,
-                                  .hold = (uint32_t)(CROSS_HOLD * player->rate),
-                                  .fade = (uint32_t)(CROSS_FADE * player->rate)};
-  } else {
-    plugin_player_throw_away(player, reply->spare);
-  }
-}
-
-static void swap(PluginPlayer *player, const Reply *reply) {
-  const TaborEvent event = {.type = TABOR_EVENT_SWAP, .swap = reply->swap};
-  if (reply->spare) copy_drum(player, reply);
-  tabor_drum_process(player->drum, &event, 1, NULL, 0);
+static void change_model(PluginPlayer *player, const Reply *reply) {
+  const PlayerMessage message = {
+    .type = PLAYER_MODEL,
+    .strikers = reply->def.striker_count,
+    .event = {.type = reply->begins_anew ? TABOR_EVENT_REPLACE : TABOR_EVENT_SWAP,
+              .swap = reply->swap}};
+  plugin_player_act_now(player, &message);
   player->swap = reply->swap;
 }
 
-static void replace(PluginPlayer *player, TaborDrum *drum) {
-  TaborDrum *const before = player->drum;
-  plugin_player_end_crossing(player);
-  if (before) {
-    plugin_player_throw_away(player,
-                             leaving_add(&player->leaving, before, player->mics, PLUGIN_MICS));
-  }
-  player->drum = drum;
+static void begin_anew(PluginPlayer *player) {
   memset(player->moved, 0, sizeof player->moved);
   player->grip_moved = false;
 }
@@ -124,9 +69,9 @@ static void land(PluginPlayer *player, const Reply *reply) {
   player->answered_restoration = reply->restoration;
   if (reply->restoration != player->request.restoration) take_restoration(player, reply);
   if (reply->failed) return;
-  if (reply->drum) replace(player, reply->drum);
-  if (reply->swap) swap(player, reply);
-  if (reply->begins_anew) silencer_forget(&player->silencer);
+  if (reply->begins_anew) begin_anew(player);
+  if (reply->drum) drum_player_set_drum(&player->core, reply->drum);
+  if (reply->swap) change_model(player, reply);
   read_model(player, reply);
   if (speaks_of(player, reply)) {
     player->midi.binding = reply->binding;
@@ -148,7 +93,7 @@ void plugin_player_receive(PluginPlayer *player) {
 }
 
 static bool is_littered(const PluginPlayer *player) {
-  return player->trash[0] || (player->swap && tabor_swap_done(player->swap));
+  return player->swap && tabor_swap_done(player->swap);
 }
 
 bool plugin_player_ask(PluginPlayer *player) {
@@ -158,14 +103,12 @@ bool plugin_player_ask(PluginPlayer *player) {
   player->asked_restoration = atomic_load(&player->worker->restoration);
   player->swap = NULL; /* the worker may clear it up now */
   memcpy(player->request.seen, player->seen, sizeof player->request.seen);
-  memcpy(player->request.trash, player->trash, sizeof player->request.trash);
-  memset(player->trash, 0, sizeof player->trash);
   model_worker_ask(player->worker, &player->request);
   return true;
 }
 
 bool plugin_player_is_ready(const PluginPlayer *player) {
-  return player->drum && player->answered == player->request.number &&
+  return player->core.drum && player->answered == player->request.number &&
          player->answered_restoration == atomic_load(&player->worker->restoration);
 }
 

@@ -311,7 +311,9 @@ static void run_humanize(Controls *controls, const char *text, double time) {
 
 static void run_silence(Controls *controls, const char *text, double time) {
   (void)text;
-  const PlayerMessage message = {.frame = frame_at(controls, time), .type = PLAYER_SILENCE};
+  const PlayerMessage message = {.frame = frame_at(controls, time),
+                                 .type = PLAYER_EVENT,
+                                 .event = {.type = TABOR_EVENT_SILENCE}};
   (void)player_send(controls->player, SOURCE_KEYS, &message);
   tell(controls, "silence");
 }

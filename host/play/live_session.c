@@ -105,7 +105,6 @@ static Outcome create_player(LiveSession *session) {
     .frames = (uint64_t)llround(request->duration * request->model.sample_rate),
     .dies_away = request->backend->waits,
   };
-  memcpy(setup.mics, request->mics, sizeof setup.mics);
   setup.last_event = (uint32_t)cue_queue_last_frame(&session->queue);
   const Outcome outcome = player_create(&setup, &session->player);
   if (outcome != OUTCOME_OK) return outcome;

@@ -17,12 +17,6 @@ typedef struct Pending {
   struct Pending *next;
 } Pending;
 
-/* A drum that the player has, will have, or lets ring out. */
-typedef struct SentDrum {
-  TaborDrum *drum;
-  struct SentDrum *next;
-} SentDrum;
-
 struct ModelBuilder {
   TaborModelOptions options;
   uint32_t channels;
@@ -45,8 +39,8 @@ struct ModelBuilder {
 
   /* the thread's; if sound waits, under lock */
   pthread_t thread;
-  TaborModel *model; /* the newest, which the newest drum has or will have */
-  SentDrum *drums;   /* the newest first */
+  TaborModel *model; /* the newest, which the drum has or will have */
+  TaborDrum *drum;
   Pending *pending;
 };
 
@@ -59,17 +53,11 @@ static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
   return report_engine_error(&error);
 }
 
-static Outcome create_drum(ModelBuilder *builder, TaborModel *model) {
-  SentDrum *const sent = calloc(1, sizeof *sent);
-  TaborError error;
-  if (!sent) return fail_memory();
-  if (tabor_drum_create(model, &sent->drum, &error) != TABOR_OK) {
-    free(sent);
-    return report_engine_error(&error);
+/* As the user chose them, on this drum. */
+static void choose_mics(const ModelBuilder *builder, const TaborDrumDef *def, uint8_t *mics) {
+  for (uint32_t i = 0; i < builder->channels; i++) {
+    mics[i] = (uint8_t)drum_same_mic(&builder->first, builder->mics[i], def);
   }
-  sent->next = builder->drums;
-  builder->drums = sent;
-  return OUTCOME_OK;
 }
 
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
@@ -86,11 +74,19 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   builder->is_listed = setup->is_listed;
   (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
   memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
+  TaborError error;
+  uint8_t mics[TABOR_MAX_MICS];
   const Outcome outcome = build(&builder->options, &builder->wanted, &builder->model);
-  return outcome == OUTCOME_OK ? create_drum(builder, builder->model) : outcome;
+  if (outcome != OUTCOME_OK) return outcome;
+  if (tabor_drum_create(builder->model, &builder->drum, &error) != TABOR_OK) {
+    return report_engine_error(&error);
+  }
+  choose_mics(builder, &builder->first, mics);
+  tabor_drum_route(builder->drum, mics, builder->channels);
+  return OUTCOME_OK;
 }
 
-TaborDrum *model_builder_drum(const ModelBuilder *builder) { return builder->drums->drum; }
+TaborDrum *model_builder_drum(const ModelBuilder *builder) { return builder->drum; }
 
 /* ---- live keys ------------------------------------------------------------------------------ */
 
@@ -142,43 +138,28 @@ static void resend_live(ModelBuilder *builder, const TaborDrumDef *built) {
   }
 }
 
-/* ---- swaps and drums ------------------------------------------------------------------------ */
+/* ---- swaps ------------------------------------------------------------------------ */
 
 static void free_pending(Pending *pending) {
   tabor_swap_destroy(pending->swap);
   free(pending);
 }
 
-static void free_drum(ModelBuilder *builder, const TaborDrum *drum) {
-  SentDrum **link = &builder->drums;
-  while ((*link)->drum != drum) link = &(*link)->next;
-  SentDrum *const sent = *link;
-  *link = sent->next;
-  tabor_drum_destroy(sent->drum);
-  free(sent);
-}
-
-/* Frees what the audio thread has done with; swaps at the list's end are the oldest. */
+/* Frees what the audio thread has done with. */
 static void reap(ModelBuilder *builder) {
-  const TaborDrum *gone;
-  while ((gone = player_gone(builder->player)) != NULL) free_drum(builder, gone);
   Pending **link = &builder->pending;
-  while (*link && !tabor_swap_done((*link)->swap)) link = &(*link)->next;
   while (*link) {
-    Pending *const done = *link;
-    *link = done->next;
-    free_pending(done);
+    Pending *const pending = *link;
+    if (!tabor_swap_done(pending->swap)) {
+      link = &pending->next;
+      continue;
+    }
+    *link = pending->next;
+    free_pending(pending);
   }
 }
 
-/* As the user chose them, on this drum. */
-static void choose_mics(const ModelBuilder *builder, const TaborDrumDef *def, uint8_t *mics) {
-  for (uint32_t i = 0; i < builder->channels; i++) {
-    mics[i] = (uint8_t)drum_same_mic(&builder->first, builder->mics[i], def);
-  }
-}
-
-static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
+static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, TaborSwap **swap) {
   Pending *const pending = calloc(1, sizeof *pending);
   TaborError error;
   if (!pending) return fail_memory();
@@ -186,35 +167,30 @@ static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, PlayerMess
     free(pending);
     return report_engine_error(&error);
   }
+  uint8_t mics[TABOR_MAX_MICS];
+  choose_mics(builder, tabor_model_definition(model), mics);
+  tabor_swap_route(pending->swap, mics, builder->channels);
   pending->next = builder->pending;
   builder->pending = pending;
-  message->type = PLAYER_SWAP;
-  message->event.swap = pending->swap;
+  *swap = pending->swap;
   return OUTCOME_OK;
 }
 
-static Outcome prepare_drum(ModelBuilder *builder, TaborModel *model, PlayerMessage *message) {
-  const Outcome outcome = create_drum(builder, model);
-  message->type = PLAYER_DRUM;
-  message->drum = builder->drums->drum;
-  return outcome;
-}
-
-/* Sends a drum of @p model, or the swap to it, which becomes the newest; takes @p model over. */
+/* Sends the swap to @p model, which becomes the newest; takes @p model over. */
 static Outcome send_model(ModelBuilder *builder, TaborModel *model, uint64_t frame,
                           bool begins_anew) {
   const TaborDrumDef *const def = tabor_model_definition(model);
-  PlayerMessage message = {
-    .frame = frame, .strikers = def->striker_count, .event = {.type = TABOR_EVENT_SWAP}};
-  choose_mics(builder, def, message.mics);
-  const Outcome outcome =
-    begins_anew ? prepare_drum(builder, model, &message) : prepare_swap(builder, model, &message);
+  PlayerMessage message = {.frame = frame,
+                           .type = PLAYER_MODEL,
+                           .strikers = def->striker_count,
+                           .event = {.type = begins_anew ? TABOR_EVENT_REPLACE : TABOR_EVENT_SWAP}};
+  const Outcome outcome = prepare_swap(builder, model, &message.event.swap);
   TaborModel *const unused = outcome == OUTCOME_OK ? builder->model : model;
   if (outcome == OUTCOME_OK) {
     builder->model = model;
     (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
   }
-  tabor_model_release(unused); /* drums and swaps keep their own references */
+  tabor_model_release(unused); /* drum and swaps keep their own references */
   return outcome;
 }
 
@@ -225,14 +201,10 @@ static void pause_for_change(void) {
   (void)nanosleep(&moment, NULL);
 }
 
-static bool is_under_way(const ModelBuilder *builder) {
-  return builder->pending || builder->drums->next;
-}
-
 /* One change after the other: each waits until what was there before is done with. */
 static void wait_for_change(ModelBuilder *builder) {
   bool stops = false;
-  for (reap(builder); is_under_way(builder) && !stops; reap(builder)) {
+  for (reap(builder); builder->pending && !stops; reap(builder)) {
     (void)pthread_mutex_unlock(&builder->lock);
     pause_for_change();
     (void)pthread_mutex_lock(&builder->lock);
@@ -307,8 +279,7 @@ void model_builder_stop(ModelBuilder *builder) {
 
 void model_builder_destroy(ModelBuilder *builder) {
   if (!builder) return;
-  while (builder->drums)
-    free_drum(builder, builder->drums->drum); /* before swaps that may still fade in them */
+  tabor_drum_destroy(builder->drum); /* before swaps whose former drums it may still play */
   while (builder->pending) {
     Pending *const pending = builder->pending;
     builder->pending = pending->next;

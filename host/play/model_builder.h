@@ -5,8 +5,7 @@
  *
  * A live parameter changes at once. Any other parameter, and another preset, needs a new model, which the
  * builder's thread builds in some tenths of a second. Until then the old model plays on. Then the ringing drum
- * is swapped to the new model; for another preset, a new drum replaces the old one, which fades out beside it
- * (leaving.h). One build runs at a time. After it the latest request is built; requests between are skipped.
+ * is swapped to the new model; another preset replaces the drum, and the old one rings out beside it. One build runs at a time. After it the latest request is built; requests between are skipped.
  * If sound waits (--backend file), the change is built in the caller's thread and acts at its frame.
  *
  * Any thread but the audio thread may call these functions. A function that fails prints why (message.h).
@@ -31,13 +30,13 @@ typedef struct ModelBuilderSetup {
 
 /** Builds the drum. *builder is valid or NULL, whatever the outcome. */
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
-/** Returns the newest drum, at first the one for player_create(). Owned by @p builder. */
+/** Returns the drum for player_create(). Owned by @p builder. */
 TaborDrum *model_builder_drum(const ModelBuilder *builder);
 /** Enables changes and sends them to @p player. */
 Outcome model_builder_start(ModelBuilder *builder, Player *player);
 /** Disables changes. Call before the player is destroyed; NULL is allowed. */
 void model_builder_stop(ModelBuilder *builder);
-/** Frees everything, the drums too. Call after the player was destroyed. NULL is allowed. */
+/** Frees everything, the drum too. Call after the player was destroyed. NULL is allowed. */
 void model_builder_destroy(ModelBuilder *builder);
 
 /**

@@ -28,12 +28,9 @@ static void bind(PlayMidi *midi, double now) {
 }
 
 Cue play_midi_cue(const MidiAction *action, uint64_t frame) {
-  Cue cue = {.message = {.frame = frame, .value = action->value, .event = action->event}};
-  switch (action->type) {
-  case MIDI_ACTION_EVENT: cue.message.type = PLAYER_EVENT; break;
-  case MIDI_ACTION_GAIN: cue.message.type = PLAYER_EXPRESSION; break;
-  case MIDI_ACTION_SILENCE: cue.message.type = PLAYER_SILENCE; break;
-  case MIDI_ACTION_PRESET: cue.preset = tabor_preset(action->preset)->name; break;
+  Cue cue = {0};
+  if (!player_message_from_midi(action, frame, &cue.message)) {
+    cue.preset = tabor_preset(action->preset)->name;
   }
   return cue;
 }

@@ -1,22 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file offline_player.h
- * Plays one drum for a rendering: strokes in, interleaved samples out.
+ * Plays one drum for a rendering: the drum player run as fast as it can, interleaved samples out.
  *
- * Other actions of a MIDI file act at their frame, before strokes of that frame. A gain is reached over
- * 5 ms. A silence works as in silencer.h. A preset change starts a new drum, and the old one fades out
- * beside it.
+ * Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
 #define TABOR_HOST_OFFLINE_PLAYER_H
 
-#include "drums/preset_drums.h"
+#include "drums/preset_models.h"
 #include "files/trace_file.h"
 #include "render/render_request.h"
-#include "sound/fader.h"
-#include "sound/leaving.h"
-#include "sound/silencer.h"
-#include "sound/tally.h"
+#include "sound/drum_player.h"
 
 #define OFFLINE_BLOCK AUDIO_BLOCK
 
@@ -26,22 +21,24 @@ typedef struct OfflineDrops {
   uint64_t others;  /**< presses or moves without a target in play; too many hands */
 } OfflineDrops;
 
+/** A swap that the drum may still need. */
+typedef struct SentSwap {
+  TaborSwap *swap;
+  struct SentSwap *next;
+} SentSwap;
+
 typedef struct OfflinePlayer {
   RenderRequest *request;
   TaborDrum *drum;
-  PresetDrums presets;
-  Leaving leaving;
-  Tally tally;                  /**< counts from before the last silence or drum change */
+  DrumPlayer core; /**< with an output for each of the first drum's microphones */
+  PresetModels presets;
+  TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
+  SentSwap *swaps;
   size_t next_event, next_item; /**< index into the strokes, and into the song */
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest absolute sample */
   double computing;             /**< processor time used by the drum [s] */
-  OfflineDrops drops;
-  Fader expression; /**< factor on top of the request's gain */
-  Silencer silencer;
-  uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the current model */
-  float planar[TABOR_MAX_MICS][OFFLINE_BLOCK];
-  double sound[MOST_CHANNELS][OFFLINE_BLOCK];        /**< sum of all drums, before the gain */
+  Outcome outcome;              /**< of building models of presets */
   double interleaved[MOST_CHANNELS * OFFLINE_BLOCK]; /**< the newest block */
 } OfflinePlayer;
 
@@ -51,6 +48,8 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request);
 Outcome offline_player_play(OfflinePlayer *player, uint32_t frames);
 /** Plays one frame at a time and adds a row to @p trace after each. The samples are the same. */
 Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, TraceFile *trace);
+/** What has been dropped so far. */
+OfflineDrops offline_player_drops(const OfflinePlayer *player);
 void offline_player_free(OfflinePlayer *player);
 
 #endif

@@ -167,11 +167,12 @@ static void note_details(const OfflinePlayer *player, const TaborStatistics *sta
 Outcome render_report(const OfflinePlayer *player, json_t **report) {
   TaborStatistics statistics;
   TaborLedger ledger;
-  tally_statistics(&player->tally, player->drum, &statistics);
-  tally_ledger(&player->tally, player->drum, &ledger);
+  tabor_drum_statistics(player->drum, &statistics);
+  tabor_drum_ledger(player->drum, &ledger);
+  const OfflineDrops drops = offline_player_drops(player);
   warn_of_saturation(player);
   warn_of_silence(player);
-  warn_of_drops(&player->drops);
+  warn_of_drops(&drops);
   warn_of_rims(player->request);
   warn_of_resets(&statistics);
   warn_of_residual(&statistics, &ledger);

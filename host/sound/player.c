@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The audio thread's part of the player. It does not allocate, lock or make system calls (the clock is read
- * in user space). Its work is bounded by the number of frames, by PLAYER_EVENTS events per frame, and by
+ * in user space). Its work is bounded by the number of frames, by DRUM_PLAYER_EVENTS events per frame, and by
  * the capacity of the queues.
  *
- * A block is played in pieces. A piece starts wherever a message acts, and every PLAYER_PIECE frames. So
- * a message acts at its frame for every block size, and the end is checked at the same frames as in a
- * rendering.
+ * A device's block is played in pieces that end at multiples of PLAYER_PIECE, so that the end is checked at the same
+ * frames as in a rendering.
  */
 #include "sound/player.h"
 
@@ -15,7 +14,6 @@
 
 #include "base/stopwatch.h"
 #include "sound/player_state.h"
-#include "strokes/fit_striker.h"
 
 /* ---- meters --------------------------------------------------------------------------------- */
 
@@ -43,9 +41,9 @@ static void set(atomic_ullong *meter, unsigned long long value) {
 
 static void meter_drum(Player *player) {
   PlayerMeters *const meters = &player->meters;
-  const bool sleeps = tabor_drum_is_silent(player->drum) && player->leaving.count == 0;
+  const TaborDrum *const drum = player->core.drum;
   TaborStatistics now;
-  tally_statistics(&player->tally, player->drum, &now);
+  tabor_drum_statistics(drum, &now);
   set(&meters->strokes, now.strikes);
   set(&meters->solves, now.solves);
   set(&meters->iterations, now.newton_iterations);
@@ -54,94 +52,23 @@ static void meter_drum(Player *player) {
   set(&meters->dropped, now.dropped_events);
   atomic_store_explicit(&meters->newton_max, now.newton_max, memory_order_relaxed);
   atomic_store_explicit(&meters->strikers, now.in_play, memory_order_relaxed);
-  atomic_store_explicit(&meters->sleeping, sleeps, memory_order_relaxed);
-  atomic_store_explicit(&meters->gain, player->gain.now, memory_order_relaxed);
+  atomic_store_explicit(&meters->sleeping, tabor_drum_is_silent(drum), memory_order_relaxed);
+  atomic_store_explicit(&meters->gain, player->core.gain, memory_order_relaxed);
 }
 
-static void meter_event(Player *player, const TaborEvent *event) {
+static void meter_event(Player *player, const PlayerMessage *message) {
   PlayerMeters *const meters = &player->meters;
+  const TaborEvent *const event = &message->event;
+  const uint64_t position = player->core.position;
   atomic_store_explicit(&meters->last_velocity, event->velocity, memory_order_relaxed);
   atomic_store_explicit(&meters->last_radius, event->radius, memory_order_relaxed);
   atomic_store_explicit(&meters->last_angle, event->angle, memory_order_relaxed);
   atomic_store_explicit(&meters->last_value, event->value, memory_order_relaxed);
-  set(&meters->last_frame, player->position);
+  set(&meters->last_frame, message->frame > position ? message->frame : position);
   atomic_store_explicit(&meters->last_type, event->type, memory_order_relaxed);
 }
 
 /* ---- messages ------------------------------------------------------------------------------- */
-
-void player_listen(Player *player) {
-  for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) player->outputs[mic] = NULL;
-  for (uint32_t channel = 0; channel < player->channels; channel++) {
-    const uint32_t mic = player->mics[channel];
-    player->outputs[mic] = player->planar[mic];
-  }
-}
-
-static void add_event(Player *player, const TaborEvent *event) {
-  TaborEvent *const added = &player->events[player->event_count++];
-  *added = *event;
-  added->frame = 0;
-  fit_striker(added, player->striker_count);
-  silencer_remember(&player->silencer, added);
-  meter_event(player, added);
-}
-
-/* Whoever has sent it may destroy it. There is always room: he sends few. */
-static void give_back(Player *player, TaborDrum *drum) {
-  if (drum) (void)spsc_queue_push(&player->gone, &drum);
-}
-
-static void give_back_left(Player *player) {
-  TaborDrum *drum;
-  while ((drum = leaving_take(&player->leaving)) != NULL) give_back(player, drum);
-}
-
-static void swap(Player *player, const PlayerMessage *message) {
-  TaborEvent event = message->event;
-  event.frame = 0;
-  tabor_drum_process(player->drum, &event, 1, NULL, 0);
-}
-
-static void replace(Player *player, const PlayerMessage *message) {
-  tally_keep(&player->tally, player->drum);
-  give_back(player, leaving_add(&player->leaving, player->drum, player->mics, player->channels));
-  player->drum = message->drum;
-  silencer_forget(&player->silencer);
-}
-
-/* At once, so that what follows is understood as meant for what has come. */
-static void change_drum(Player *player, const PlayerMessage *message) {
-  tabor_drum_process(player->drum, player->events, player->event_count, NULL, 0);
-  player->event_count = 0;
-  if (message->type == PLAYER_DRUM) {
-    replace(player, message);
-  } else {
-    swap(player, message);
-  }
-  for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = message->mics[i];
-  player->striker_count = message->strikers;
-  player_listen(player);
-  meter_event(player, &message->event);
-}
-
-static bool changes_drum(const PlayerMessage *message) {
-  return message->type == PLAYER_SWAP || message->type == PLAYER_DRUM;
-}
-
-static void carry_out(Player *player, const PlayerMessage *message) {
-  const bool passed = message->frame != PLAYER_NOW && message->frame < player->position;
-  if (passed && !changes_drum(message)) count(&player->meters.late, 1); /* models take time */
-  switch (message->type) {
-  case PLAYER_EVENT: add_event(player, &message->event); break;
-  case PLAYER_SWAP:
-  case PLAYER_DRUM: change_drum(player, message); break;
-  case PLAYER_GAIN: fader_set(&player->gain, message->value); break;
-  case PLAYER_EXPRESSION: fader_set(&player->expression, message->value); break;
-  case PLAYER_SILENCE: silencer_wish(&player->silencer); break;
-  default: break;
-  }
-}
 
 /* The source whose next message acts first; -1 if none has any. */
 static int first_source(const Player *player, uint64_t *frame) {
@@ -155,53 +82,27 @@ static int first_source(const Player *player, uint64_t *frame) {
   return first;
 }
 
-/* Takes what acts at this frame. How many of @p most frames there are until the next message. */
-static uint32_t take_messages(Player *player, uint32_t most) {
+static void meter_message(Player *player, const PlayerMessage *message) {
+  const bool passed = message->frame != PLAYER_NOW && message->frame < player->core.position;
+  if (passed && message->type != PLAYER_MODEL)
+    count(&player->meters.late, 1); /* models take time */
+  if (message->type == PLAYER_EVENT || message->type == PLAYER_MODEL) meter_event(player, message);
+}
+
+/* A DrumSourceFn. */
+static bool take_message(void *source, uint64_t end, PlayerMessage *message) REALTIME;
+static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
+  Player *const player = source;
   uint64_t frame = 0;
-  int source;
-  while (player->event_count < PLAYER_EVENTS && !silencer_waits(&player->silencer)) {
-    source = first_source(player, &frame);
-    if (source < 0) return most;
-    if (frame > player->position) {
-      return frame - player->position < most ? (uint32_t)(frame - player->position) : most;
-    }
-    carry_out(player, spsc_queue_peek(&player->sources[source]));
-    spsc_queue_pop(&player->sources[source]);
-  }
-  return silencer_waits(&player->silencer) ? most : 1; /* what is left acts one frame later */
-}
-
-static void step_silencer(Player *player) {
-  if (silencer_is_due(&player->silencer)) {
-    tally_keep(&player->tally, player->drum);
-    leaving_cut(&player->leaving);
-    give_back_left(player);
-  }
-  silencer_step(&player->silencer, player->drum);
-}
-
-/* What happens at this frame; how many of @p most frames to compute before the next. */
-static uint32_t begin_piece(Player *player, uint32_t most) {
-  const Silencer *const silencer = &player->silencer;
-  player->event_count = 0;
-  step_silencer(player);
-  const uint32_t frames = silencer_waits(silencer) ? most : take_messages(player, most);
-  return silencer_limit(silencer, frames);
+  const int first = first_source(player, &frame);
+  if (first < 0 || frame >= end) return false;
+  *message = *(const PlayerMessage *)spsc_queue_peek(&player->sources[first]);
+  spsc_queue_pop(&player->sources[first]);
+  meter_message(player, message);
+  return true;
 }
 
 /* ---- sound ---------------------------------------------------------------------------------- */
-
-/* What each channel hears of all drums. */
-static void gather(Player *player, uint32_t frames) {
-  const float *samples[TABOR_MAX_MICS];
-  double *sound[TABOR_MAX_MICS];
-  for (uint32_t channel = 0; channel < player->channels; channel++) {
-    samples[channel] = player->planar[player->mics[channel]];
-    sound[channel] = player->mixed[channel];
-  }
-  leaving_join(&player->leaving, samples, sound, player->channels, frames);
-  give_back_left(player);
-}
 
 static double clip(Player *player, double sample) {
   if (fabs(sample) <= 1) return sample;
@@ -209,40 +110,33 @@ static double clip(Player *player, double sample) {
   return sample > 1 ? 1 : -1;
 }
 
-/* Channels at their level. The gain is of all channels: it moves with the frames. */
-static void mix(Player *player, uint32_t frames) {
-  double peak[TABOR_MAX_MICS] = {0};
+static void clip_channel(Player *player, uint32_t channel, uint32_t frames) {
+  double peak = 0;
   for (uint32_t frame = 0; frame < frames; frame++) {
-    const double gain = fader_next(&player->gain) * fader_next(&player->expression) *
-                        silencer_next(&player->silencer);
-    for (uint32_t channel = 0; channel < player->channels; channel++) {
-      const double sample = gain * player->mixed[channel][frame];
-      peak[channel] = fmax(peak[channel], fabs(sample));
-      player->mixed[channel][frame] = clip(player, sample);
-    }
+    const double sample = (double)player->core.sound[channel][frame];
+    peak = fmax(peak, fabs(sample));
+    player->mixed[channel][frame] = clip(player, sample);
   }
-  for (uint32_t channel = 0; channel < player->channels; channel++) {
-    raise_to(&player->meters.peak[channel], peak[channel]);
-    raise_to(&player->meters.loudest, peak[channel]);
-  }
+  raise_to(&player->meters.peak[channel], peak);
+  raise_to(&player->meters.loudest, peak);
 }
 
 /* One channel goes to all of the device's; of several each to its own. */
 static void send_out(const Player *player, float *samples, uint32_t frames) {
   for (uint32_t column = 0; column < player->width; column++) {
-    const uint32_t channel = player->channels == 1 ? 0 : column;
+    const uint32_t channel = player->core.outputs == 1 ? 0 : column;
     for (uint32_t frame = 0; frame < frames; frame++) {
-      const bool heard = channel < player->channels;
+      const bool heard = channel < player->core.outputs;
       samples[frame * player->width + column] = heard ? (float)player->mixed[channel][frame] : 0;
     }
   }
 }
 
 /* A block is full every PLAYER_RECORD frames, where a piece ends, too. */
-static void record(Player *player, uint32_t frames) {
+static void record(Player *player, uint64_t position, uint32_t frames) {
   PlayerRecord *const block = player->record;
-  const uint32_t channels = player->channels;
-  if (block->frames == 0) block->frame = player->position;
+  const uint32_t channels = player->core.outputs;
+  if (block->frames == 0) block->frame = position;
   double *const samples = block->samples + (size_t)block->frames * channels;
   for (uint32_t channel = 0; channel < channels; channel++) {
     for (uint32_t frame = 0; frame < frames; frame++) {
@@ -264,30 +158,30 @@ void player_hand_over(Player *player) {
 /* ---- pieces and blocks ---------------------------------------------------------------------- */
 
 static void look_for_end(Player *player) {
-  bool over = player->position >= player->end;
-  if (player->ends && !over && player->position % PLAYER_PIECE == 0) {
-    over = ring_out_is_over(&player->ring_out, (uint32_t)player->position, player->drum);
+  const DrumPlayer *const core = &player->core;
+  bool over = core->position >= player->end;
+  if (player->ends && !over && core->position % PLAYER_PIECE == 0) {
+    over = ring_out_is_over(&player->ring_out, (uint32_t)core->position, core->drum);
   }
   if (over) atomic_store_explicit(&player->over, true, memory_order_release);
 }
 
 /* Frames to the next multiple of PLAYER_PIECE and to the end, at most @p most. */
 static uint32_t piece_limit(const Player *player, uint32_t most) {
-  const uint32_t whole = PLAYER_PIECE - (uint32_t)(player->position % PLAYER_PIECE);
-  const uint64_t left = player->end - player->position;
+  const uint64_t position = player->core.position, left = player->end - position;
+  const uint32_t whole = PLAYER_PIECE - (uint32_t)(position % PLAYER_PIECE);
   const uint32_t limit = whole < most ? whole : most;
   return left < limit ? (uint32_t)left : limit;
 }
 
 static uint32_t play_piece(Player *player, float *samples, uint32_t most) {
-  const uint32_t frames = begin_piece(player, piece_limit(player, most));
-  tabor_drum_process(player->drum, player->events, player->event_count, player->outputs, frames);
-  gather(player, frames);
-  mix(player, frames);
+  const uint32_t frames = piece_limit(player, most);
+  const uint64_t position = player->core.position;
+  drum_player_play(&player->core, take_message, player, frames);
+  for (uint32_t i = 0; i < player->core.outputs; i++) clip_channel(player, i, frames);
   send_out(player, samples, frames);
-  if (player->records) record(player, frames);
-  player->position += frames;
-  atomic_store_explicit(&player->played, player->position, memory_order_relaxed);
+  if (player->records) record(player, position, frames);
+  atomic_store_explicit(&player->played, player->core.position, memory_order_relaxed);
   look_for_end(player);
   return frames;
 }
@@ -310,7 +204,7 @@ bool player_process(Player *player, float *samples, uint32_t frames, double now,
     const double start = stopwatch_seconds(CLOCK_MONOTONIC);
     introduce_thread(player);
     count(&player->meters.xruns, gap);
-    frame_clock_tick(&player->clock, player->position, frames, now);
+    frame_clock_tick(&player->clock, player->core.position, frames, now);
     while (done < frames && !has_ended(player)) {
       done += play_piece(player, samples + (size_t)done * player->width, frames - done);
     }

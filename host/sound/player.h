@@ -19,8 +19,8 @@
 #include "base/message.h"
 #include "base/realtime.h"
 #include "sound/play_status.h"
+#include "sound/player_message.h"
 
-#define PLAYER_NOW 0 /**< value of a message's frame: as soon as possible, never counted as late */
 #define PLAYER_RECORD 256 /**< frames of a block for the recording */
 
 /** Senders of messages, one thread each. At one frame, the order here is the order of execution. */
@@ -33,25 +33,6 @@ typedef enum PlayerSource {
   SOURCE_COUNT
 } PlayerSource;
 
-typedef enum PlayerMessageType {
-  PLAYER_EVENT,      /**< event: any but a swap, which needs PLAYER_SWAP */
-  PLAYER_SWAP,       /**< event: the drum changes to another model; see mics and strikers */
-  PLAYER_DRUM,       /**< drum: replaces the current drum, which fades out beside it */
-  PLAYER_GAIN,       /**< value: output gain, a factor, reached over 5 ms */
-  PLAYER_EXPRESSION, /**< value: a second such factor, set by MIDI */
-  PLAYER_SILENCE     /**< fades out within 5 ms and resets the drum; strokes wait until then */
-} PlayerMessageType;
-
-typedef struct PlayerMessage {
-  uint64_t frame; /**< since playing started, or PLAYER_NOW */
-  uint32_t type;  /**< a PlayerMessageType */
-  TaborDrum *drum;
-  uint8_t mics[TABOR_MAX_MICS]; /**< microphone of each channel on the new drum or model */
-  uint32_t strikers;            /**< number of strikers of the new drum or model */
-  double value;
-  TaborEvent event; /**< its own frame is ignored */
-} PlayerMessage;
-
 /** A block of the recording: PLAYER_RECORD frames, fewer only at the end. */
 typedef struct PlayerRecord {
   uint64_t frame;
@@ -61,13 +42,12 @@ typedef struct PlayerRecord {
 
 /** Parameters of a player. */
 typedef struct PlayerSetup {
-  TaborDrum *drum;               /**< see player_gone() */
-  double rate;                   /**< sample rate of the model [Hz] */
-  uint32_t channels;             /**< 1 to TABOR_MAX_MICS */
-  uint32_t mics[TABOR_MAX_MICS]; /**< microphone of each channel */
-  uint32_t width;  /**< channels of the device, 0 without one; a single channel feeds them all */
-  uint32_t buffer; /**< frames that the device asks for at once, or 0 if it does not say */
-  double gain;     /**< factor */
+  TaborDrum *drum;   /**< at rest, with an output for each channel; owned by the caller */
+  double rate;       /**< sample rate of the model [Hz] */
+  uint32_t channels; /**< 1 to TABOR_MAX_MICS */
+  uint32_t width;    /**< channels of the device, 0 without one; a single channel feeds them all */
+  uint32_t buffer;   /**< frames that the device asks for at once, or 0 if it does not say */
+  double gain;       /**< factor */
   bool records;
   uint64_t frames; /**< number to play; 0: see dies_away */
   /** With frames 0: true ends as a rendering does (ring_out.h), false never ends. */
@@ -94,12 +74,6 @@ size_t player_waiting(const Player *player, PlayerSource source);
 /** The frame of an event at @p time [s of CLOCK_MONOTONIC], delayed by one block of the device.
  * PLAYER_NOW before the first block. Any thread. */
 uint64_t player_frame_at(const Player *player, double time);
-
-/**
- * Returns a drum that the player no longer uses, or NULL. The sender owns its drums, but must keep each alive
- * until it comes back here or the player is destroyed. One thread at a time.
- */
-TaborDrum *player_gone(Player *player);
 
 /* AUDIO */
 

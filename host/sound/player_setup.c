@@ -13,7 +13,7 @@
 #define PRIORITY 60         /* of SCHED_FIFO: below what the system's own sound has */
 
 static size_t record_size(const Player *player) {
-  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->channels * sizeof(double);
+  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->core.outputs * sizeof(double);
 }
 
 static bool create_recording(Player *player) {
@@ -25,8 +25,7 @@ static bool create_recording(Player *player) {
 }
 
 static bool create_rings(Player *player) {
-  bool created = create_recording(player) && spsc_queue_create(&player->gone, sizeof(TaborDrum *),
-                                                               SOURCE_ROOM + LEAVING_MOST + 1);
+  bool created = create_recording(player);
   for (int i = 0; i < SOURCE_COUNT; i++) {
     created = created && spsc_queue_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
   }
@@ -47,20 +46,13 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   *created = player;
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
-  player->drum = setup->drum;
+  drum_player_begin(&player->core, setup->channels, setup->gain);
+  drum_player_set_drum(&player->core, setup->drum);
   player->rate = setup->rate;
-  player->channels = setup->channels;
   player->width = setup->width;
   player->records = setup->records;
-  memcpy(player->mics, setup->mics, sizeof player->mics);
-  player->gain = fader_at(setup->gain, setup->rate);
-  player->expression = fader_at(1, setup->rate);
-  player->silencer = silencer_begin(setup->rate);
-  leaving_begin(&player->leaving, setup->rate);
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
-  player->striker_count = tabor_model_definition(tabor_drum_model(setup->drum))->striker_count;
-  player_listen(player);
   return create_rings(player) ? OUTCOME_OK : fail_memory();
 }
 
@@ -68,7 +60,6 @@ void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
   spsc_queue_destroy(&player->recording);
-  spsc_queue_destroy(&player->gone);
   free(player->record);
   free(player);
 }
@@ -87,13 +78,6 @@ size_t player_waiting(const Player *player, PlayerSource source) {
 
 uint64_t player_frame_at(const Player *player, double time) {
   return frame_clock_frame(&player->clock, time);
-}
-
-TaborDrum *player_gone(Player *player) {
-  TaborDrum *const *const gone = spsc_queue_peek(&player->gone);
-  TaborDrum *const drum = gone ? *gone : NULL;
-  if (gone) spsc_queue_pop(&player->gone);
-  return drum;
 }
 
 /* ---- the recording -------------------------------------------------------------------------- */
@@ -187,7 +171,7 @@ void player_status(Player *player, PlayStatus *status) {
   PlayerMeters *const meters = &player->meters;
   status->rate = player->rate;
   status->time = (double)player_position(player) / player->rate;
-  status->channels = player->channels;
+  status->channels = player->core.outputs;
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
     status->peak[i] = atomic_exchange_explicit(&meters->peak[i], 0, memory_order_relaxed);
   }

@@ -6,17 +6,13 @@
 #include <pthread.h>
 
 #include "base/spsc_queue.h"
-#include "sound/fader.h"
+#include "sound/drum_player.h"
 #include "sound/frame_clock.h"
-#include "sound/leaving.h"
 #include "sound/player.h"
 #include "sound/ring_out.h"
-#include "sound/silencer.h"
-#include "sound/tally.h"
 
 #define PLAYER_PIECE RING_OUT_BLOCK /* most frames computed at once, between checks of the end */
-#define PLAYER_EVENTS 256 /* most events at one frame; further ones act at the next frame */
-#define LOAD_BINS 256     /* load histogram in steps of 1 %; the last bin holds all higher loads */
+#define LOAD_BINS 256 /* load histogram in steps of 1 %; the last bin holds all higher loads */
 
 /* Meters, written by the audio thread with relaxed order: readers need the numbers, not their order. */
 typedef struct PlayerMeters {
@@ -37,34 +33,22 @@ typedef struct PlayerMeters {
 struct Player {
   /* set up once */
   double rate;
-  uint32_t channels, width;
+  uint32_t width;
   bool records, ends;
   SpscQueue sources[SOURCE_COUNT];
   SpscQueue recording;
-  SpscQueue gone; /* drums that the player no longer uses */
 
   /* audio thread */
-  TaborDrum *drum;
-  Leaving leaving;
-  Tally tally; /* counts from before the last silence or drum change */
-  uint64_t position, end;
+  DrumPlayer core;
+  uint64_t end;
   RingOut ring_out;
-  Fader gain, expression;
-  Silencer silencer;
-  uint32_t mics[TABOR_MAX_MICS];
-  uint32_t striker_count;
-  TaborEvent events[PLAYER_EVENTS];
-  uint32_t event_count;
-  float *outputs[TABOR_MAX_MICS]; /* into planar; NULL for a microphone that no channel uses */
-  float planar[TABOR_MAX_MICS][PLAYER_PIECE];
-  /* sum of all drums in each channel; later with gain applied and clipped */
-  double mixed[TABOR_MAX_MICS][PLAYER_PIECE];
-  PlayerRecord *record; /* the block being filled */
+  double mixed[TABOR_MAX_MICS][PLAYER_PIECE]; /* sound of each channel, clipped */
+  PlayerRecord *record;                       /* the block being filled */
 
   /* shared */
   FrameClock clock;
   PlayerMeters meters;
-  atomic_ullong played; /* = position, for other threads */
+  atomic_ullong played; /* = the core's position, for other threads */
   atomic_bool over, halted, busy, has_thread;
   pthread_t thread; /* the audio thread, if has_thread */
 
@@ -72,8 +56,6 @@ struct Player {
   uint32_t load_seen[LOAD_BINS];
 };
 
-/* Points outputs at planar for every microphone that a channel uses. */
-void player_listen(Player *player) REALTIME;
 /* Sends the completed block to the recording's thread. */
 void player_hand_over(Player *player) REALTIME;
 

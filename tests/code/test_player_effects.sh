@@ -45,7 +45,7 @@ if pkg-config --exists lv2; then
 else
   skip_part "the plugins: needs lv2-dev"
 fi
-names="sound/player sound/leaving base/spsc_queue sound/frame_clock sound/ring_out sound/silencer sound/tally strokes/humanize
+names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out strokes/humanize
   midi/midi_to_events midi/midi_speed midi/midi_stream"
 for name in $names $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"

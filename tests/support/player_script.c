@@ -87,7 +87,9 @@ void stage_end(Stage *stage) {
   take_recorded(stage);
 }
 
-const TaborModel *stage_model(const Stage *stage) { return tabor_drum_model(stage->player->drum); }
+const TaborModel *stage_model(const Stage *stage) {
+  return tabor_drum_model(stage->player->core.drum);
+}
 
 double stage_peak(const Stage *stage, uint64_t from, uint64_t until) {
   double peak = 0;
@@ -100,6 +102,11 @@ PlayerMessage message_strike(uint64_t frame, double velocity, double radius) {
     .frame = frame,
     .type = PLAYER_EVENT,
     .event = {.type = TABOR_EVENT_STRIKE, .velocity = velocity, .radius = radius}};
+}
+
+PlayerMessage message_silence(uint64_t frame) {
+  return (PlayerMessage){
+    .frame = frame, .type = PLAYER_EVENT, .event = {.type = TABOR_EVENT_SILENCE}};
 }
 
 PlayerMessage message_parameter(uint64_t frame, const char *key, double value) {

@@ -41,6 +41,7 @@ const TaborModel *stage_model(const Stage *stage);
 double stage_peak(const Stage *stage, uint64_t from, uint64_t until);
 
 PlayerMessage message_strike(uint64_t frame, double velocity, double radius);
+PlayerMessage message_silence(uint64_t frame);
 PlayerMessage message_parameter(uint64_t frame, const char *key, double value);
 void messages_add(Messages *messages, PlayerMessage message);
 

@@ -652,8 +652,8 @@ typedef enum TaborEventType {
    * on act at once, on a drum at rest. Live values, ledger and counters go on. Does nothing if
    * nothing sounds. Another silence during the fade cuts the older sound short. */
   TABOR_EVENT_SILENCE = 9,
-  /** Changes the gain of all outputs: value, a factor from 0 to 1e6, reached over 5 ms; 1 at first and after a
-   * reset. It outlives swaps, replacements and silences. */
+  /** Changes the gain of all outputs: value, a factor from 0 to 1e6, reached over 5 ms, or at once while the
+   * drum is silent; 1 at first and after a reset. It outlives swaps, replacements and silences. */
   TABOR_EVENT_GAIN = 10,
   /** Replaces the drum by another one, at rest and with the live values of its definition: swap. */
   TABOR_EVENT_REPLACE = 11
@@ -764,12 +764,24 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  * - After TABOR_EVENT_REPLACE a drum at rest takes its place. The old drum rings out beside it under a fade of
  *   30 ms. Live values begin anew.
  *
- * Ledger and counters go on. Outputs are matched by the microphones' names; two without a namesake in
- * the other drum, in the same place, are taken for the same. At most four former sounds are heard at once,
- * those of silences included; a further one cuts the oldest short.
+ * Ledger and counters go on. Outputs then stand for the microphones of the new model, and former sounds go
+ * to those of the same names; two without a namesake in the other drum, in the same place, are taken for the
+ * same. tabor_swap_route() chooses outputs instead. At most four former sounds are heard at once, those
+ * of silences included; a further one cuts the oldest short.
  */
 TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model,
                                         TaborSwap **swap, TaborError *error);
+/**
+ * Chooses the microphone of each output, @p count of them, at most TABOR_MAX_MICS: mics[output] is an index into the
+ * definition's microphones, or larger for an output that is silent. At first output i has microphone i. Call
+ * before the drum is played; tabor_drum_process() then takes @p count outputs.
+ */
+TABOR_API void tabor_drum_route(TaborDrum *drum, const uint8_t *mics, uint32_t count);
+/**
+ * The same for the drum after the swap; former sounds stay at the outputs that they had. Without it the
+ * drum has an output for each of the new model's microphones. Call before the event is sent.
+ */
+TABOR_API void tabor_swap_route(TaborSwap *swap, const uint8_t *mics, uint32_t count);
 /**
  * Frees a swap that was never sent or is done, with the old state and model that it then holds.
  * Ignores NULL.
@@ -795,7 +807,8 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  * @param drum    the drum.
  * @param events  @p count events, sorted by frame; may be NULL when count is 0.
  * @param count   number of events.
- * @param outputs outputs[mic][frame]: one pointer per microphone of the definition, in its order.
+ * @param outputs outputs[mic][frame]: one pointer per microphone of the definition, in its order, unless
+ *                tabor_drum_route() or tabor_swap_route() has chosen others.
  *                Samples overwrite the array; 1.0 stands for full_scale. A NULL channel is not
  *                computed; when it is connected again it starts silent, and sound still on its way
  *                to the microphone is lost. @p outputs itself may be NULL. After a swap to a model

@@ -89,12 +89,6 @@ static bool play_event(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   return act_on(view, event);
 }
 
-static void set_gain(const TaborDrum *drum, TbView *view, double gain) {
-  const bool is_silent = drum->state->asleep && !drum->tails;
-  tb_live_params_gain(view, gain, is_silent);
-  if (!is_silent) drum->state->asleep = drum->state->quiet_checks = 0;
-}
-
 static bool swap(TaborDrum *drum, const TaborEvent *event) {
   const bool anew = event->type == TABOR_EVENT_REPLACE;
   if (!event->swap || !tb_swap_act(drum, event->swap, anew)) return false;
@@ -111,7 +105,9 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   bool acts = true;
   if (!fields_finite(event)) return false;
   switch (event->type) {
-  case TABOR_EVENT_GAIN: set_gain(drum, view, event->value); return true;
+  case TABOR_EVENT_GAIN:
+    tb_live_params_gain(view, event->value, tabor_drum_is_silent(drum));
+    return true;
   case TABOR_EVENT_SWAP:
   case TABOR_EVENT_REPLACE: acts = swap(drum, event); break;
   case TABOR_EVENT_SILENCE: tb_silence(drum); break;
@@ -128,26 +124,40 @@ static void act_and_count(TaborDrum *drum, TbView *view, const TaborEvent *event
 
 /* ---- blocks --------------------------------------------------------------------------------- */
 
-static void store(float *const *outputs, uint32_t mics, uint32_t frame, const double *pressure) {
+static void store(const TaborDrum *drum, float *const *outputs, uint32_t frame,
+                  const double *sound) {
   if (!outputs) return;
-  for (uint32_t mic = 0; mic < mics; mic++) {
-    if (outputs[mic]) outputs[mic][frame] = (float)pressure[mic];
+  for (uint32_t i = 0; i < drum->route.count; i++) {
+    if (outputs[i]) outputs[i][frame] = (float)sound[i];
   }
 }
 
-static uint32_t heard_mics(float *const *outputs, uint32_t mics) {
+static uint32_t heard_outputs(const TaborDrum *drum, float *const *outputs) {
   uint32_t heard = 0;
-  for (uint32_t mic = 0; outputs && mic < mics; mic++) {
-    heard |= (outputs[mic] ? 1u : 0u) << mic;
+  for (uint32_t i = 0; outputs && i < drum->route.count; i++) {
+    heard |= (outputs[i] ? 1u : 0u) << i;
   }
   return heard;
 }
 
-static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pressure) {
-  tb_frame(view, heard, pressure);
-  if (drum->tails) tb_tails_play(drum, heard, pressure);
-  const double gain = drum->state->live[TB_LIVE_OUTPUT].now;
-  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) pressure[mic] *= gain;
+static uint32_t heard_mics(const TbRoute *route, uint32_t heard) {
+  uint32_t mics = 0;
+  for (uint32_t i = 0; i < route->count; i++) {
+    if (route->mics[i] != TB_NO_MIC) mics |= (heard >> i & 1u) << route->mics[i];
+  }
+  return mics;
+}
+
+static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *sound) {
+  double pressure[TABOR_MAX_MICS];
+  const TbRoute *route = &drum->route;
+  tb_frame(view, heard_mics(route, heard), pressure);
+  for (uint32_t i = 0; i < route->count; i++) {
+    sound[i] = route->mics[i] == TB_NO_MIC ? 0.0 : pressure[route->mics[i]];
+  }
+  if (drum->tails) tb_tails_play(drum, heard, sound);
+  const double gain = tb_live_params_gain_step(drum->state);
+  for (uint32_t i = 0; i < route->count; i++) sound[i] *= gain;
 }
 
 /* The events of frames from .. until, in order; late ones at the last frame. */
@@ -168,13 +178,13 @@ void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t coun
                         float *const *outputs, uint32_t frames) {
   const TbFpMode mode = tb_fp_enter();
   TbView view = tb_view(drum->state, drum->model);
-  double pressure[TABOR_MAX_MICS];
+  double sound[TABOR_MAX_MICS];
   uint32_t next = 0;
   if (frames == 0) act_due(drum, &view, events, count, 0, 0, true);
   for (uint32_t frame = 0; frame < frames; frame++) {
     next = act_due(drum, &view, events, count, next, frame, frame + 1 == frames);
-    one_frame(drum, &view, heard_mics(outputs, drum->model->def.mic_count), pressure);
-    store(outputs, drum->model->def.mic_count, frame, pressure);
+    one_frame(drum, &view, heard_outputs(drum, outputs), sound);
+    store(drum, outputs, frame, sound);
   }
   tb_fp_leave(mode);
 }

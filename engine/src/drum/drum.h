@@ -5,12 +5,19 @@
 
 #include "drum/tails.h"
 
+/* The microphone of each output, or TB_NO_MIC. */
+typedef struct TbRoute {
+  uint8_t mics[TABOR_MAX_MICS];
+  uint32_t count; /* outputs */
+} TbRoute;
+
 struct TaborDrum {
   TaborAllocator allocator;
   TaborModel *model; /* one reference is the drum's */
   TbState *state;    /* tb_state_bytes(model) */
   TbTail *spare;     /* for the next silence; of the same model */
   TbTail *tails;     /* what is still heard of before, the newest first */
+  TbRoute route;
 };
 
 /* Mapping from the modes of an old model to those of a new one. */
@@ -30,9 +37,15 @@ struct TaborSwap {
   TbTail *tail;  /* memory for the new drum; after the event the old drum, and its memory */
   TbTail *spare; /* the new drum's; after the event the old drum's */
   uint8_t mics[TABOR_MAX_MICS]; /* old microphone that each new one continues, or TB_NO_MIC */
+  TbRoute route;                /* outputs after the event */
+  bool routed;                  /* the caller has chosen them: former sounds stay at theirs */
   atomic_bool used, acted;      /* the event has come; nothing is left to be done but to ring out */
 };
 
+/* An output for each microphone. */
+TbRoute tb_route_plain(const TaborModel *model);
+/* Outputs as a caller has chosen them. */
+TbRoute tb_route_chosen(const TaborModel *model, const uint8_t *mics, uint32_t count);
 /* Carries out a swap event; `anew` if the drum is replaced. Returns false if it does not apply. Audio-safe. */
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew);
 /* Carries out a silence event. Audio-safe. */

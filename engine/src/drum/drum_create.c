@@ -19,7 +19,8 @@ TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *er
   const TaborAllocator allocator = model->arena.allocator;
   TaborDrum *drum = allocator.allocate(sizeof *drum, allocator.context);
   if (!drum) return memory_error(error, "drum");
-  *drum = (TaborDrum){.allocator = allocator, .model = tabor_model_retain(model)};
+  *drum = (TaborDrum){
+    .allocator = allocator, .model = tabor_model_retain(model), .route = tb_route_plain(model)};
   drum->state = allocator.allocate(tb_state_bytes(model), allocator.context);
   drum->spare = tb_tail_create(model);
   if (!drum->state || !drum->spare) {
@@ -76,6 +77,7 @@ TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model, Tabo
   swap->allocator = allocator;
   swap->old_model = swap->held[0] = tabor_model_retain(old_model);
   swap->new_model = swap->held[1] = tabor_model_retain(new_model);
+  swap->route = tb_route_plain(new_model);
   atomic_init(&swap->used, false);
   atomic_init(&swap->acted, false);
   tb_arena_prepare(&swap->arena, &allocator);

@@ -2,14 +2,17 @@
 /* A silence: the sounding drum becomes a tail, and the drum goes on at rest in the tail's memory. Wires that a live
  * value has moved are moved from their rest again, which taps on the head. That is not heard: the drum is
  * hushed until it sleeps or is played. */
+#include <math.h>
 #include <string.h>
 
 #include "drum/drum.h"
 #include "step/energy.h"
 #include "step/live_params.h"
 #include "step/reset.h"
+#include "step/strokes.h"
 
-static const double FADE = 0.015; /* [s] */
+static const double FADE = 0.015;      /* [s] */
+static const double INAUDIBLE = 1e-12; /* [J]: 110 dB below a stroke */
 
 static void give_room(TaborDrum *drum) {
   TbTail **link = &drum->tails;
@@ -24,22 +27,34 @@ static void rest(const TbView *from, TbState *state) {
   state->sums = from->state->sums;
   state->sums.control -= tb_energy_stored(from, &from->now, &from->last);
   state->statistics = from->state->statistics;
+  state->output = from->state->output;
   if (!tb_live_params_keep(&to, from->state->live)) return;
   state->asleep = 0;
   state->hushed = 1;
 }
 
+/* Nothing has been played since the silence that still fades. */
+static bool is_silenced(const TaborDrum *drum, const TbView *view) {
+  if (!atomic_load(&drum->spare->sounds)) return false;
+  if (drum->state->asleep || drum->state->hushed) return true;
+  return fabs(tb_energy_stored(view, &view->now, &view->last)) < INAUDIBLE;
+}
+
 void tb_silence(TaborDrum *drum) {
   const uint32_t fade = (uint32_t)(FADE * drum->model->sample_rate);
+  TbView from = tb_view(drum->state, drum->model);
   if (drum->state->asleep && !drum->tails) return;
+  if (is_silenced(drum, &from)) {
+    tb_release(&from, 0);
+    return;
+  }
   give_room(drum); /* a second silence within 15 ms cuts the first one's tail short */
   tb_tails_shorten(drum, fade);
   TbTail *tail = drum->spare;
-  const TbView from = tb_view(drum->state, drum->model);
   rest(&from, tail->state);
   TbState *const still = tail->state;
   tail->state = drum->state;
   drum->state = still;
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) tail->mics[i] = (uint8_t)i;
+  memcpy(tail->mics, drum->route.mics, sizeof tail->mics);
   tb_tails_begin(drum, tail, 0, fade);
 }

@@ -283,12 +283,21 @@ static void exchange(TaborDrum *drum, TaborSwap *swap) {
   drum->model = swap->new_model;
 }
 
+/* Former sounds stay at the outputs that they had, or go to those of their names. */
+static void route(TaborDrum *drum, TaborSwap *swap) {
+  if (swap->routed) {
+    memcpy(swap->tail->mics, drum->route.mics, sizeof swap->tail->mics);
+  } else {
+    memcpy(swap->tail->mics, swap->mics, sizeof swap->mics);
+    tb_tails_redirect(drum, swap->mics);
+  }
+  drum->route = swap->route;
+}
+
 static void begin_tail(TaborDrum *drum, TaborSwap *swap, bool continues) {
   const double rate = drum->model->sample_rate;
   if (swap->tail->state->asleep && !drum->tails) return;
   if (continues && swap->old_model->fingerprint == swap->new_model->fingerprint) return;
-  memcpy(swap->tail->mics, swap->mics, sizeof swap->mics);
-  tb_tails_redirect(drum, swap->mics);
   if (continues) {
     tb_tails_begin(drum, swap->tail, (uint32_t)(HOLD * rate), (uint32_t)(FADE * rate));
   } else {
@@ -309,9 +318,10 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   to.state->statistics = from.state->statistics;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
   if (continues) continue_on(swap, &from, &to);
-  to.state->live[TB_LIVE_OUTPUT] = from.state->live[TB_LIVE_OUTPUT];
+  to.state->output = from.state->output;
   to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
   exchange(drum, swap);
+  route(drum, swap);
   begin_tail(drum, swap, continues);
   atomic_store(&swap->acted, true);
   return true;

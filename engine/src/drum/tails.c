@@ -86,12 +86,12 @@ static uint32_t heard_of(const TbTail *tail, uint32_t heard) {
   return own;
 }
 
-static void play(TbTail *tail, double weight, uint32_t heard, double *pressure) {
+static void play(TbTail *tail, double weight, uint32_t heard, double *outputs) {
   TbView view = tb_view(tail->state, tail->model);
   double own[TABOR_MAX_MICS] = {0.0};
   tb_frame(&view, heard_of(tail, heard), own);
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
-    if (heard >> i & 1u && tail->mics[i] != TB_NO_MIC) pressure[i] += weight * own[tail->mics[i]];
+    if (heard >> i & 1u && tail->mics[i] != TB_NO_MIC) outputs[i] += weight * own[tail->mics[i]];
   }
 }
 
@@ -101,20 +101,20 @@ static double rest_beside(const TbTail *tail) {
 }
 
 /* A microphone that the former model lacks has nobody to share its weight with. */
-static void make_room(const TbTail *newest, uint32_t heard, double *pressure) {
+static void make_room(const TbTail *newest, uint32_t heard, double *outputs) {
   const double rest = rest_beside(newest);
   if (rest == 1.0) return;
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
-    if (heard >> i & 1u && newest->mics[i] != TB_NO_MIC) pressure[i] *= rest;
+    if (heard >> i & 1u && newest->mics[i] != TB_NO_MIC) outputs[i] *= rest;
   }
 }
 
-void tb_tails_play(TaborDrum *drum, uint32_t heard, double *pressure) {
+void tb_tails_play(TaborDrum *drum, uint32_t heard, double *outputs) {
   double shared = 1.0; /* by the tail and the crossing ones before it */
-  make_room(drum->tails, heard, pressure);
+  make_room(drum->tails, heard, outputs);
   for (TbTail *tail = drum->tails; tail; tail = tail->before) {
     shared = tail->crosses ? shared * weight_of(tail) : weight_of(tail);
-    play(tail, shared * rest_beside(tail->before), heard, pressure);
+    play(tail, shared * rest_beside(tail->before), heard, outputs);
   }
   for (TbTail **link = &drum->tails; *link;) {
     if (--(*link)->left == 0) {

@@ -18,7 +18,7 @@ enum { TB_NO_MIC = 255 };
 typedef struct TbTail {
   const TaborModel *model; /* of the state; kept alive by the owner, a drum or a swap */
   TbState *state;
-  uint8_t mics[TABOR_MAX_MICS]; /* tail's microphone for each of the drum's, or TB_NO_MIC */
+  uint8_t mics[TABOR_MAX_MICS]; /* of each output, or TB_NO_MIC */
   atomic_bool sounds;           /* it is in the drum's list; until then its owner must keep it */
   bool crosses;
   uint32_t left;         /* samples that it is still heard */
@@ -36,10 +36,10 @@ void tb_tail_destroy(const TaborAllocator *allocator, TbTail *tail);
 void tb_tails_begin(TaborDrum *drum, TbTail *tail, uint32_t hold, uint32_t fade);
 /* Lets all tails end within `samples`. */
 void tb_tails_shorten(TaborDrum *drum, uint32_t samples);
-/* The drum's microphones change: mics[new] is the old one that each continues, or TB_NO_MIC. */
+/* The drum's outputs change: mics[new] is the old one that each continues, or TB_NO_MIC. */
 void tb_tails_redirect(TaborDrum *drum, const uint8_t *mics);
-/* Mixes one sample of all tails into pressure[]. */
-void tb_tails_play(TaborDrum *drum, uint32_t heard, double *pressure);
+/* Mixes one sample of all tails into the outputs whose bit is set in `heard`. */
+void tb_tails_play(TaborDrum *drum, uint32_t heard, double *outputs);
 /* Ends the tail at *link and all older ones. */
 void tb_tails_end(TbTail **link);
 

@@ -75,6 +75,7 @@ void tb_live_params_definition(const TaborModel *model, TbLiveParam *live) {
 
 void tb_live_params_reset(TbView *view) {
   tb_live_params_definition(view->model, view->state->live);
+  view->state->output = (TbLiveParam){.now = 1.0, .target = 1.0};
   tb_pool_muffle(view);
   tb_live_params_apply(view);
 }
@@ -113,13 +114,10 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
 }
 
 void tb_live_params_gain(TbView *view, double value, bool at_once) {
-  TbLiveParam *live = &view->state->live[TB_LIVE_OUTPUT];
+  TbLiveParam *output = &view->state->output;
   const double gain = clamp(value, 0.0, MOST_GAIN);
-  if (at_once) {
-    *live = (TbLiveParam){.now = gain, .target = gain};
-  } else {
-    move_to(view, live, gain);
-  }
+  move_to(view, output, gain);
+  if (at_once) *output = (TbLiveParam){.now = gain, .target = gain};
 }
 
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
@@ -149,6 +147,11 @@ static bool advance(TbLiveParam *live, bool slewed) {
   }
   live->now = next;
   return true;
+}
+
+double tb_live_params_gain_step(TbState *state) {
+  (void)advance(&state->output, false);
+  return state->output.now;
 }
 
 static bool under_way(const TbLiveParam *live, uint32_t first, uint32_t end) {

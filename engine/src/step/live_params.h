@@ -13,8 +13,10 @@ void tb_live_params_reset(TbView *view);
 /* Starts a move of the live parameter `parameter` (a TbParamId). Returns false if it is not live or
  * is absent. */
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value);
-/* Starts a move of the gain of all outputs; at once if nothing sounds. */
+/* Starts a move of the gain of all outputs; `at_once` where nothing sounds. */
 void tb_live_params_gain(TbView *view, double value, bool at_once);
+/* Advances that move by one sample; returns the gain. */
+double tb_live_params_gain_step(TbState *state);
 /* Gives a drum at rest the values `live`. Those of wires, which lie on the head at rest, are moved to. Returns true
  * if one has to be. */
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live);

@@ -20,8 +20,7 @@ typedef enum TbLiveIndex {
   TB_LIVE_FULL_SCALE,
   TB_LIVE_GRIP, /* of hands that press a stick */
   TB_LIVE_GAIN, /* of the first microphone; the others follow in order */
-  TB_LIVE_OUTPUT = TB_LIVE_GAIN + TABOR_MAX_MICS, /* gain of all outputs; of no definition */
-  TB_LIVE_COUNT
+  TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
 } TbLiveIndex;
 
 typedef struct TbLiveParam {
@@ -112,6 +111,7 @@ typedef struct TbState {
   uint32_t heard;                   /* microphones whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
   TbLiveParam live[TB_LIVE_COUNT];
+  TbLiveParam output; /* gain of all outputs, which moves even while the drum sleeps */
   TbWireCoefficients wires[TABOR_MAX_WIRES];
   double shift[TABOR_MAX_WIRES]; /* penetration gained since rest by moving the ends [m] */
   TbSlot slots[TB_SLOTS];

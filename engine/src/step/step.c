@@ -296,10 +296,10 @@ void tb_step_housekeeping(TbView *view) {
   const double motion = tb_energy_motion(view, &view->now, &view->last);
   if (!isfinite(motion)) {
     const TaborStatistics statistics = state->statistics;
-    const TbLiveParam output = state->live[TB_LIVE_OUTPUT];
+    const TbLiveParam output = state->output;
     tb_state_reset(state, view->model);
     state->statistics = statistics;
-    state->live[TB_LIVE_OUTPUT] = output;
+    state->output = output;
     state->statistics.recovered++;
     *view = tb_view(state, view->model);
     return;

@@ -52,7 +52,7 @@ static void send_random(Stage *stage, uint64_t *random) {
   } else if (dice < 0.98) {
     send(stage, (PlayerMessage){.type = PLAYER_GAIN, .value = 4 * random_next(random)});
   } else {
-    send(stage, (PlayerMessage){.type = PLAYER_SILENCE});
+    send(stage, message_silence(PLAYER_NOW));
   }
 }
 

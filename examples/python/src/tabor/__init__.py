@@ -11,7 +11,7 @@ everything that can be computed from it for one sample rate; a Drum, which sound
 from ._library import Error, version
 from .definition import Definition, Parameter, Preset, parameters, presets
 from .drum import TRACE, Drum
-from .events import Event, damp, move, parameter, press, release, reset, strike
+from .events import Event, damp, gain, move, parameter, press, release, reset, silence, strike
 from .model import MODE, QUALITIES, Model
 from .rendering import Stroke, render, trace
 
@@ -19,6 +19,6 @@ __version__ = version()
 
 __all__ = [
     "Definition", "Drum", "Error", "Event", "MODE", "Model", "Parameter", "Preset", "QUALITIES",
-    "Stroke", "TRACE", "damp", "move", "parameter", "parameters", "press", "presets", "release", "render",
-    "reset", "strike", "trace", "version",
+    "Stroke", "TRACE", "damp", "gain", "move", "parameter", "parameters", "press", "presets", "release", "render",
+    "reset", "silence", "strike", "trace", "version",
 ]

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+#include "sound/drum_player.h"
+
+#include <string.h>
+
+#include "strokes/fit_striker.h"
+
+bool player_message_from_midi(const MidiAction *action, uint64_t frame, PlayerMessage *message) {
+  *message = (PlayerMessage){.frame = frame, .value = action->value, .event = action->event};
+  switch (action->type) {
+  case MIDI_ACTION_EVENT: message->type = PLAYER_EVENT; return true;
+  case MIDI_ACTION_GAIN: message->type = PLAYER_EXPRESSION; return true;
+  case MIDI_ACTION_SILENCE:
+    message->type = PLAYER_EVENT;
+    message->event.type = TABOR_EVENT_SILENCE;
+    return true;
+  case MIDI_ACTION_PRESET: break;
+  }
+  return false;
+}
+
+/* ---- messages ------------------------------------------------------------------------------- */
+
+static void add_event(DrumPlayer *player, const TaborEvent *event, uint32_t offset) {
+  TaborEvent *const added = &player->events[player->count++];
+  *added = *event;
+  added->frame = offset;
+  fit_striker(added, player->strikers);
+  player->strokes += added->type == TABOR_EVENT_STRIKE;
+}
+
+static void add_gain(DrumPlayer *player, uint32_t offset) {
+  const TaborEvent event = {.type = TABOR_EVENT_GAIN, .value = player->gain * player->expression};
+  add_event(player, &event, offset);
+}
+
+static void change_model(DrumPlayer *player, const PlayerMessage *message, uint32_t offset) {
+  add_event(player, &message->event, offset);
+  player->strikers = message->strikers;
+}
+
+static void add(DrumPlayer *player, const PlayerMessage *message, uint32_t offset) {
+  switch (message->type) {
+  case PLAYER_EVENT: add_event(player, &message->event, offset); break;
+  case PLAYER_MODEL: change_model(player, message, offset); break;
+  case PLAYER_GAIN:
+    player->gain = message->value;
+    add_gain(player, offset);
+    break;
+  case PLAYER_EXPRESSION:
+    player->expression = message->value;
+    add_gain(player, offset);
+    break;
+  default: break;
+  }
+}
+
+/* Never before an event that has been taken already. */
+static uint32_t offset_of(const DrumPlayer *player, const PlayerMessage *message) {
+  const uint32_t first = player->count > 0 ? player->events[player->count - 1].frame : 0;
+  const uint64_t offset = message->frame > player->position ? message->frame - player->position : 0;
+  return offset > first ? (uint32_t)offset : first;
+}
+
+/* Adds what acts before frame @p end. Returns the number of frames that can be played with it. */
+static uint32_t gather(DrumPlayer *player, DrumSourceFn *take, void *source, uint64_t end) {
+  while (player->has_next || take(source, end, &player->next)) {
+    const PlayerMessage *const next = &player->next;
+    const uint32_t offset = offset_of(player, next);
+    player->has_next = true;
+    if (player->count == DRUM_PLAYER_EVENTS) {
+      return player->events[player->count - 1].frame + 1;
+    }
+    add(player, next, offset);
+    player->has_next = false;
+  }
+  return (uint32_t)(end - player->position);
+}
+
+/* ---- sound ---------------------------------------------------------------------------------- */
+
+static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
+  float *outputs[TABOR_MAX_MICS] = {NULL};
+  for (uint32_t i = 0; i < player->outputs; i++) {
+    float *const sound = player->sound[i] + at;
+    if (player->drum && !player->muted[i]) {
+      outputs[i] = sound;
+    } else {
+      memset(sound, 0, frames * sizeof *sound);
+    }
+  }
+  if (player->drum) {
+    tabor_drum_process(player->drum, player->events, player->count, outputs, frames);
+  }
+  player->count = 0;
+  player->position += frames;
+}
+
+void drum_player_play(DrumPlayer *player, DrumSourceFn *take, void *source, uint32_t frames) {
+  const uint64_t start = player->position, end = start + frames;
+  while (player->position < end) {
+    const uint32_t part = gather(player, take, source, end);
+    compute(player, (uint32_t)(player->position - start), part);
+  }
+}
+
+/* ---- the drum ------------------------------------------------------------------------------- */
+
+void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) {
+  memset(player, 0, sizeof *player);
+  player->outputs = outputs;
+  player->gain = gain;
+  player->expression = 1;
+}
+
+void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) {
+  player->drum = drum;
+  player->strikers = tabor_model_definition(tabor_drum_model(drum))->striker_count;
+  player->count = 0;
+  add_gain(player, 0);
+}
+
+void drum_player_rest(DrumPlayer *player) {
+  player->count = 0;
+  player->has_next = false;
+  player->expression = 1;
+  if (!player->drum) return;
+  tabor_drum_reset(player->drum);
+  add_gain(player, 0);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file drum_player.h
+ * Plays a drum: messages become events with their frames, and blocks are computed. Render, play and plugins
+ * differ in where messages come from and where the sound goes; this is what they share.
+ *
+ * A message acts at its frame for every block size: the same messages give the same sound to the bit. One
+ * whose frame has passed acts at once. Real-time safe.
+ */
+#ifndef TABOR_HOST_DRUM_PLAYER_H
+#define TABOR_HOST_DRUM_PLAYER_H
+
+#include "sound/player_message.h"
+
+#define DRUM_PLAYER_BLOCK 256  /**< most frames of a block */
+#define DRUM_PLAYER_EVENTS 256 /**< most events of a frame; further ones act one frame later */
+
+/** Takes the next message that acts before frame @p end out of @p source. False: there is none. */
+typedef bool DrumSourceFn(void *source, uint64_t end, PlayerMessage *message) REALTIME;
+
+typedef struct DrumPlayer {
+  TaborDrum *drum; /**< NULL: silence, and events are lost */
+  uint64_t position;
+  uint32_t outputs;           /**< that the drum was given by tabor_drum_route() */
+  bool muted[TABOR_MAX_MICS]; /**< nobody hears the output: it need not be computed */
+  uint32_t strikers;          /**< of the current model */
+  double gain, expression;
+  uint64_t strokes;                      /**< number of strokes that the drum was asked for */
+  TaborEvent events[DRUM_PLAYER_EVENTS]; /**< of the block, not yet played */
+  uint32_t count;
+  PlayerMessage next; /**< taken from the source, but not yet played */
+  bool has_next;
+  float sound[TABOR_MAX_MICS][DRUM_PLAYER_BLOCK]; /**< the newest block of each output */
+} DrumPlayer;
+
+/** Starts without a drum. */
+void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTIME;
+/** Gives the player its drum, at rest and with its outputs chosen. */
+void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) REALTIME;
+/** Brings the drum to rest and forgets the expression; messages taken but not yet played are lost. */
+void drum_player_rest(DrumPlayer *player) REALTIME;
+/** Plays @p frames frames, at most DRUM_PLAYER_BLOCK, into sound. */
+void drum_player_play(DrumPlayer *player, DrumSourceFn *take, void *source,
+                      uint32_t frames) REALTIME;
+
+#endif

@@ -23,23 +23,38 @@ static void replace_value(PluginPlayer *player, const PlayerMessage *message) {
   }
 }
 
+/* Gains and silences act before all else at their frame, as they do in a song. */
+static bool acts_early(const PlayerMessage *message) {
+  return message->type != PLAYER_EVENT || message->event.type == TABOR_EVENT_SILENCE;
+}
+
+static void insert(PluginPlayer *player, uint32_t place, const PluginMessage *message) {
+  PluginMessage *const at = &player->messages[place];
+  memmove(at + 1, at, (player->count - place) * sizeof *at);
+  *at = *message;
+  player->count++;
+}
+
 static void push(PluginPlayer *player, const PlayerMessage *message) {
+  uint32_t place = player->count;
   if (player->count == PLUGIN_MESSAGES) {
     replace_value(player, message);
-  } else {
-    player->messages[player->count++] = (PluginMessage){.message = *message, .is_midi = true};
+    return;
   }
+  while (acts_early(message) && place > player->first_count &&
+         player->messages[place - 1].message.frame == message->frame &&
+         !acts_early(&player->messages[place - 1].message)) {
+    place--;
+  }
+  insert(player, place, &(PluginMessage){.message = *message, .is_midi = true});
 }
 
 /* The last message makes room: it is one of MIDI's, since the others are few. */
 void plugin_player_act_now(PluginPlayer *player, const PlayerMessage *message) {
-  PluginMessage *const place = &player->messages[player->first_count];
+  PluginMessage now = {.message = *message};
+  now.message.frame = player->core.position;
   if (player->count == PLUGIN_MESSAGES) player->count--;
-  memmove(place + 1, place, (player->count - player->first_count) * sizeof *place);
-  *place = (PluginMessage){.message = *message};
-  place->message.frame = player->core.position;
-  player->count++;
-  player->first_count++;
+  insert(player, player->first_count++, &now);
 }
 
 void plugin_player_move_parameter(PluginPlayer *player, uint32_t id, double value) {

@@ -9,6 +9,7 @@
 #ifndef TABOR_SRC_PARAMS_H
 #define TABOR_SRC_PARAMS_H
 
+#include "math/arithmetic.h"
 #include "tabor/tabor.h"
 
 /**

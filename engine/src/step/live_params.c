@@ -19,7 +19,6 @@ static double definition_value(const TaborDrumDef *def, uint32_t index) {
   case TB_LIVE_DAMPING_0: return def->wires.damping_0;
   case TB_LIVE_DAMPING_1: return def->wires.damping_1;
   case TB_LIVE_STRAINER: return def->wires.strainer;
-  case TB_LIVE_REST_OFFSET: return def->wires.rest_offset;
   case TB_LIVE_MUFFLE: return def->batter.muffle_strength;
   case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
   case TB_LIVE_FULL_SCALE: return def->full_scale;
@@ -46,8 +45,8 @@ static void apply_wire(TbView *view, uint32_t w) {
   tb_wire_coefficients(wire, model->time_step, clamp(tension, 0.0, wire->tension_limit), damping_0,
                        clamp(damping_1, 0.0, wire->damping_1_limit), &view->state->wires[w]);
 
-  const double ends = (wire->own_rest_offset ? wire->rest_offset : live[TB_LIVE_REST_OFFSET].now) +
-                      (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
+  const double ends =
+    wire->rest_offset + (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
   const double shift = model->rest.offset[w] - ends;
   const double change = shift - view->state->shift[w];
   view->state->shift[w] = shift;
@@ -86,7 +85,6 @@ static const uint32_t PARAMETERS[TB_LIVE_GAIN + 1] = {
   [TB_LIVE_DAMPING_0] = TB_PARAM_WIRES_DAMPING_0,
   [TB_LIVE_DAMPING_1] = TB_PARAM_WIRES_DAMPING_1,
   [TB_LIVE_STRAINER] = TB_PARAM_WIRES_STRAINER,
-  [TB_LIVE_REST_OFFSET] = TB_PARAM_WIRES_REST_OFFSET,
   [TB_LIVE_MUFFLE] = TB_PARAM_BATTER_MUFFLE_STRENGTH,
   [TB_LIVE_MUFFLE_RESONANT] = TB_PARAM_RESONANT_MUFFLE_STRENGTH,
   [TB_LIVE_FULL_SCALE] = TB_PARAM_OUTPUT_FULL_SCALE,

@@ -14,7 +14,6 @@ typedef enum TbLiveIndex {
   TB_LIVE_DAMPING_0,
   TB_LIVE_DAMPING_1,
   TB_LIVE_STRAINER,
-  TB_LIVE_REST_OFFSET,
   TB_LIVE_MUFFLE, /* of the batter head; the resonant head's is next */
   TB_LIVE_MUFFLE_RESONANT,
   TB_LIVE_FULL_SCALE,

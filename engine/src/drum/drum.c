@@ -6,12 +6,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "drum/event_budget.h"
 #include "drum/frame.h"
 #include "kernels/flush_denormals.h"
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live_params.h"
 #include "step/reset.h"
+#include "step/state_check.h"
 #include "step/stick_rigid.h"
 #include "step/strokes.h"
 
@@ -97,13 +99,15 @@ static bool swap(TaborDrum *drum, const TaborEvent *event) {
 }
 
 static void reset(TaborDrum *drum) {
+  const uint32_t debt = drum->state->event_debt;
   tb_tails_end(&drum->tails);
   tb_state_reset(drum->state, drum->model);
+  drum->state->event_debt = debt;
 }
 
 static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   bool acts = true;
-  if (!fields_finite(event)) return false;
+  if (!fields_finite(event) || !tb_event_affordable(drum->state, event)) return false;
   switch (event->type) {
   case TABOR_EVENT_GAIN:
     tb_live_params_gain(view, event->value, tabor_drum_is_silent(drum));
@@ -119,7 +123,11 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
 }
 
 static void act_and_count(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  if (!act(drum, view, event)) drum->state->statistics.dropped_events++;
+  if (act(drum, view, event)) {
+    tb_event_charge(drum->state, event);
+  } else {
+    drum->state->statistics.dropped_events++;
+  }
 }
 
 /* ---- blocks --------------------------------------------------------------------------------- */
@@ -151,6 +159,7 @@ static uint32_t heard_mics(const TbRoute *route, uint32_t heard) {
 static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *sound) {
   double pressure[TABOR_MAX_MICS];
   const TbRoute *route = &drum->route;
+  tb_event_pay_back(drum->state);
   tb_frame(view, heard_mics(route, heard), pressure);
   for (uint32_t i = 0; i < route->count; i++) {
     sound[i] = route->mics[i] == TB_NO_MIC ? 0.0 : pressure[route->mics[i]];
@@ -160,12 +169,31 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *sou
   for (uint32_t i = 0; i < route->count; i++) sound[i] *= gain;
 }
 
-/* The events of frames from .. until, in order; late ones at the last frame. */
+/* The end of the events that act at a frame, from `next` on; late ones act at the last frame. */
+static uint32_t end_of_due(const TaborEvent *events, uint32_t count, uint32_t next, uint32_t frame,
+                           bool last) {
+  while (next < count && (last || events[next].frame <= frame)) next++;
+  return next;
+}
+
+/* The last reset among the events from .. end, which leaves nothing of those before it but their
+ * swaps; `from` if there is none. */
+static uint32_t last_reset(const TaborEvent *events, uint32_t from, uint32_t end) {
+  for (uint32_t i = end; i > from; i--) {
+    if (events[i - 1].type == TABOR_EVENT_RESET && fields_finite(&events[i - 1])) return i - 1;
+  }
+  return from;
+}
+
+/* Carries out the events of a frame in their order. */
 static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events, uint32_t count,
                         uint32_t next, uint32_t frame, bool last) {
-  for (; next < count; next++) {
+  const uint32_t end = end_of_due(events, count, next, frame, last);
+  const uint32_t first = last_reset(events, next, end);
+  for (; next < end; next++) {
     const TaborEvent *event = &events[next];
-    if (event->frame > frame && !last) break;
+    const bool swaps = event->type == TABOR_EVENT_SWAP || event->type == TABOR_EVENT_REPLACE;
+    if (next < first && !swaps) continue;
     TaborStatistics *statistics = &drum->state->statistics;
     statistics->late_events += event->frame > frame;
     statistics->misordered_events += next > 0 && event->frame < events[next - 1].frame;
@@ -292,6 +320,7 @@ TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t siz
   memcpy(&sum, (const char *)bytes + expected, sizeof sum);
   if (fingerprint != drum->model->fingerprint) return TABOR_ERROR_STATE;
   if (sum != checksum(bytes, expected)) return TABOR_ERROR_STATE;
+  if (!tb_state_check(drum->model, bytes)) return TABOR_ERROR_STATE;
   tb_tails_end(&drum->tails);
   memcpy(drum->state, bytes, expected);
   return TABOR_OK;

@@ -28,6 +28,7 @@ static void rest(const TbView *from, TbState *state) {
   state->sums.control -= tb_energy_stored(from, &from->now, &from->last);
   state->statistics = from->state->statistics;
   state->output = from->state->output;
+  state->event_debt = from->state->event_debt;
   if (!tb_live_params_keep(&to, from->state->live)) return;
   state->asleep = 0;
   state->hushed = 1;

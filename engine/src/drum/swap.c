@@ -316,6 +316,7 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   TbView to = tb_view(swap->tail->state, swap->new_model);
   to.state->sums = from.state->sums;
   to.state->statistics = from.state->statistics;
+  to.state->event_debt = from.state->event_debt;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
   if (continues) continue_on(swap, &from, &to);
   to.state->output = from.state->output;

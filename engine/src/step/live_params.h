@@ -20,6 +20,8 @@ double tb_live_params_gain_step(TbState *state);
 /* Gives a drum at rest the values `live`. Those of wires, which lie on the head at rest, are moved to. Returns true
  * if one has to be. */
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live);
+/* True if all live values and the gain are in their ranges. */
+bool tb_live_params_in_range(const TbState *state);
 /* Advances all running moves by one sample. */
 void tb_live_params_step(TbView *view);
 /* Recomputes the quantities that depend on the live values. */

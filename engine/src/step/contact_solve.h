@@ -23,11 +23,12 @@ typedef struct TbContactMethod {
   bool (*solve)(TbSolve *solve, TbSolveOutcome *outcome);
   /* out = M x; `grid` receives x on the grid. */
   void (*product)(TbSolve *solve, const double *x, double *grid, double *out);
-  /* One Newton step. Reads s, law and slope from the workspace; updates force, product, grid and
-   * s. */
-  void (*step)(TbSolve *solve, uint32_t inner_cap, double inner_tolerance);
 } TbContactMethod;
 
 extern const TbContactMethod tb_contact_method, tb_contact_methodf;
+
+/* One Newton step in double. Reads s, law and slope from the workspace; updates force, product, grid
+ * and s. */
+void tb_contact_newton_step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance);
 
 #endif

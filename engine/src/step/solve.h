@@ -44,7 +44,8 @@ typedef struct TbContacts {
   const TbKernelsF *kernelsf;
   const TbWireGridF *wire_gridf;
   const TbComplianceF *compliancef;
-  const float *yield; /* [stride]: the head's compliance at a point, to a force there [m/N] */
+  const float *yield; /* [stride + TB_SLOTS]: the head's compliance at a point, to a force there
+                       * [m/N]; 0 at the slots */
   bool near;          /* some wire point may touch */
   uint32_t stride, slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */

@@ -132,11 +132,12 @@ static void everything_in_contact_keeps_the_bound(void **state) {
   play_at_once(&def, 12.0, 1440, &statistics);
 }
 
-/* The stiffest contacts there are bring the solve to its cap and to its remedies. */
+/* Two steps are too few for the stiffest contacts there are: the solve comes to its remedies. */
 static void remedies_keep_the_bound(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x5.5");
   def.wires.contact_stiffness = 1e13;
+  def.quality.newton_cap = 2;
   TaborStatistics statistics;
   play_at_once(&def, 30.0, 960, &statistics);
   assert_true(statistics.newton_capped > 0);

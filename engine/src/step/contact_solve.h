@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* The contact solve of solve.h in one precision; contact_solve_tmpl.c is compiled for each.
  *
- * Single precision (`draft` and `live`) solves the same equations in the same steps, with twice as
- * many numbers per register, half as many bytes to move, and all wires taking part. States, their
+ * Single precision (`draft` and `live`) solves the same equations with twice as many numbers per
+ * register, half as many bytes to move, and all wires taking part. A Newton step does not begin at
+ * the laws' own forces, whose response would cost a product with M, but at
+ *   f~ + e/(1 + D c),  e = f(s) - f~,  c = the row's own compliance + the head's right below it,
+ * as if rows did not feel each other. Conjugate gradients go on from there until the step, with laws
+ * that are lines of slope D, would leave less than the accepted part of e/(1 + D c): often that is
+ * so at once. A difference between forces and laws counts divided by 1 + D c, that is by what it
+ * would change. States, their
  * response to the forces, and the ledger stay double, so nothing drifts. The work of the forces and
  * the energy that contacts store agree only to rounding: about 1e-7 of the energy that goes through
  * the contacts in a sample, with either sign. The iteration ends where forces would lose up to 3e-6

@@ -20,9 +20,37 @@ json_t *json_text(const char *text) {
   return plain;
 }
 
+static json_t *complete(json_t *whole, bool has_all) {
+  if (has_all) return whole;
+  json_decref(whole);
+  return NULL;
+}
+
+json_t *json_with_item(json_t *list, json_t *value) {
+  return complete(list, json_array_append_new(list, value) == 0);
+}
+
+json_t *json_with_field(json_t *object, const char *key, json_t *value) {
+  return complete(object, json_object_set_new(object, key, value) == 0);
+}
+
+/* Jansson 2.14 leaves out a key where it finds no memory for it, and says nothing. */
+static bool is_whole(const char *text) {
+  json_t *const again = json_loads(text, 0, NULL);
+  json_decref(again);
+  return again != NULL;
+}
+
 /* 15 digits: every decimal number of so many comes out as it went in, 0.1 as 0.1. */
-Outcome json_print(json_t *value) {
+char *json_write(const json_t *value) {
   char *const text = value ? json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(15)) : NULL;
+  if (!text || is_whole(text)) return text;
+  free(text);
+  return NULL;
+}
+
+Outcome json_print(json_t *value) {
+  char *const text = json_write(value);
   json_decref(value);
   if (!text) return fail_memory();
   (void)puts(text);

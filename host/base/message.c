@@ -107,20 +107,18 @@ static char *with_subject(const char *text) {
   return line;
 }
 
+/* Without memory for a long line its beginning is printed, without the subject. */
 static void say(const char *prefix, const char *format, va_list arguments) {
+  char first[LONGEST_LINE];
   va_list again;
   va_copy(again, arguments);
-  const int length = vsnprintf(NULL, 0, format, arguments);
-  char *const text = length < 0 ? NULL : malloc((size_t)length + 1);
-  if (text) (void)vsnprintf(text, (size_t)length + 1, format, again);
-  char *const line = text ? with_subject(text) : NULL;
-  if (line) {
-    print(prefix, line);
-  } else {
-    (void)fprintf(stderr, "%s%s\n", prefix, format); /* better than nothing */
-  }
+  const int length = vsnprintf(first, sizeof first, format, arguments);
+  char *const longer = length >= LONGEST_LINE ? malloc((size_t)length + 1) : NULL;
+  if (longer) (void)vsnprintf(longer, (size_t)length + 1, format, again);
+  char *const text = longer ? longer : first, *const line = with_subject(text);
+  print(prefix, line ? line : text);
   free(line);
-  free(text);
+  free(longer);
   va_end(again);
 }
 

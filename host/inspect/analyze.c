@@ -62,13 +62,9 @@ static json_t *partial_json(const Partial *partial) {
 
 static Outcome print_json(const Analysis *analysis) {
   const AudioClip *const recording = &analysis->recording;
-  json_t *const list = json_array();
+  json_t *list = json_array();
   for (size_t i = 0; i < analysis->partials.count; i++) {
-    json_array_append_new(list, partial_json(&analysis->partials.list[i]));
-  }
-  if (json_array_size(list) != analysis->partials.count) {
-    json_decref(list);
-    return fail_memory();
+    list = json_with_item(list, partial_json(&analysis->partials.list[i]));
   }
   return json_print(json_pack("{s:o, s:I, s:I, s:I, s:o}", "file", json_text(analysis->file),
                               "rate", (json_int_t)recording->rate, "channels",

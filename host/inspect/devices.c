@@ -42,13 +42,13 @@ static json_t *input_json(const MidiPortName *name) {
 }
 
 static Outcome print_json(const Inputs *inputs) {
-  json_t *const list = json_array(), *const midi = json_array();
+  json_t *list = json_array(), *midi = json_array();
   OutputDevice device;
   for (uint32_t i = 0; portaudio_output(i, &device); i++) {
-    json_array_append_new(list, device_json(&device));
+    list = json_with_item(list, device_json(&device));
   }
   for (size_t i = 0; i < inputs->count; i++) {
-    json_array_append_new(midi, input_json(&inputs->names[i]));
+    midi = json_with_item(midi, input_json(&inputs->names[i]));
   }
   return json_print(json_pack("{s:o, s:o}", "devices", list, "midi_inputs", midi));
 }

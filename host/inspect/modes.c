@@ -83,21 +83,19 @@ static json_t *mode_json(const TaborModeInfo *mode) {
 }
 
 static json_t *pitches_json(const Pitches *pitches) {
-  json_t *const object = json_object();
+  json_t *object = json_object();
   for (uint32_t head = 0; head < pitches->heads; head++) {
-    json_object_set_new(object, part_word((TaborModePart)head), json_number(pitches->pitch[head]));
+    object =
+      json_with_field(object, part_word((TaborModePart)head), json_number(pitches->pitch[head]));
   }
   return object;
 }
 
 static Outcome print_json(const TaborModel *model, const Pitches *pitches) {
-  json_t *const list = json_array();
+  json_t *list = json_array();
   TaborModeInfo mode;
-  uint32_t row = 0;
-  for (; tabor_model_mode(model, row, &mode); row++) json_array_append_new(list, mode_json(&mode));
-  if (json_array_size(list) != row) {
-    json_decref(list);
-    return fail_memory();
+  for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
+    list = json_with_item(list, mode_json(&mode));
   }
   return json_print(json_pack("{s:o, s:o}", "modes", list, "pitches", pitches_json(pitches)));
 }

@@ -28,16 +28,12 @@ static Outcome print_table(void) {
 }
 
 static Outcome print_json(void) {
-  json_t *const list = json_array();
+  json_t *list = json_array();
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     const TaborPresetInfo *const preset = tabor_preset(i);
-    json_array_append_new(list,
-                          json_pack("{s:o, s:o, s:o}", "name", json_text(preset->name), "comment",
-                                    json_text(preset->comment), "file", json_text(preset->file)));
-  }
-  if (json_array_size(list) != tabor_preset_count()) {
-    json_decref(list);
-    return fail_memory();
+    list =
+      json_with_item(list, json_pack("{s:o, s:o, s:o}", "name", json_text(preset->name), "comment",
+                                     json_text(preset->comment), "file", json_text(preset->file)));
   }
   return json_print(json_pack("{s:o}", "presets", list));
 }

@@ -130,14 +130,12 @@ static json_t *entry_json(const Entry *entry) {
 }
 
 static Outcome print_json(const TaborDrumDef *def) {
-  json_t *const list = json_array();
+  json_t *list = json_array();
   Entry entry;
   Outcome outcome = OUTCOME_OK;
-  uint32_t count = 0;
-  for (; entry_read(def, count, &entry, &outcome); count++) {
-    json_array_append_new(list, entry_json(&entry));
+  for (uint32_t i = 0; entry_read(def, i, &entry, &outcome); i++) {
+    list = json_with_item(list, entry_json(&entry));
   }
-  if (outcome == OUTCOME_OK && json_array_size(list) != count) outcome = fail_memory();
   if (outcome == OUTCOME_OK) {
     return json_print(json_pack("{s:o, s:o}", "name", json_text(def->name), "parameters", list));
   }

@@ -37,9 +37,9 @@ static size_t count_failed(const RenderBatch *batch) {
 
 static Outcome print_report(const LibraryRequest *request, const RenderBatch *batch) {
   const size_t failed = count_failed(batch);
-  json_t *const sounds = json_array();
+  json_t *sounds = json_array();
   for (size_t i = 0; i < request->plan.count; i++) {
-    (void)json_array_append_new(sounds, sound_json(&request->plan.sounds[i]));
+    sounds = json_with_item(sounds, sound_json(&request->plan.sounds[i]));
   }
   return json_print(json_pack("{s:o, s:o, s:o, s:I, s:I, s:I, s:o}", "preset",
                               json_text(request->preset), "folder", json_text(request->folder),

@@ -23,30 +23,30 @@
 
 /* Every parameter but name, comment and licence: text that reads back to the same bits. */
 static json_t *drum_json(const TaborDrumDef *def) {
-  json_t *const drum = json_object();
+  json_t *drum = json_object();
   char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
   TaborError error;
   for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
     if (strncmp(key, "drum.", strlen("drum.")) == 0) continue;
     if (tabor_drum_def_get(def, key, value, sizeof value, &error) != TABOR_OK) continue;
-    (void)json_object_set_new(drum, key, json_text(value));
+    drum = json_with_field(drum, key, json_text(value));
   }
   return drum;
 }
 
 static json_t *mics_json(const RenderRequest *render) {
-  json_t *const mics = json_array();
+  json_t *mics = json_array();
   for (uint32_t i = 0; i < render->channels; i++) {
-    (void)json_array_append_new(mics, json_text(render->def.mic[render->mics[i]].name));
+    mics = json_with_item(mics, json_text(render->def.mic[render->mics[i]].name));
   }
   return mics;
 }
 
 static json_t *techniques_json(const LibraryShape *shape) {
-  json_t *const techniques = json_array();
+  json_t *techniques = json_array();
   for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
     if (!shape->techniques[i]) continue;
-    (void)json_array_append_new(techniques, json_text(library_techniques[i].name));
+    techniques = json_with_item(techniques, json_text(library_techniques[i].name));
   }
   return techniques;
 }
@@ -137,7 +137,7 @@ static Outcome write_manifest(const LibraryRequest *request, const char *path, j
   Outcome outcome = check_foreign(request);
   if (outcome == OUTCOME_OK) outcome = folder_create(request->folder);
   if (outcome != OUTCOME_OK) return outcome;
-  char *const text = json_dumps(wanted, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+  char *const text = json_write(wanted);
   outcome = text ? text_file_write(path, text, true) : fail_memory();
   free(text);
   return outcome;

@@ -105,10 +105,10 @@ static json_t *failure_json(const RenderJob *job) {
 }
 
 static Outcome print_reports(RenderBatch *batch) {
-  json_t *const list = json_array();
+  json_t *list = json_array();
   for (size_t i = 0; i < batch->count; i++) {
     RenderJob *const job = &batch->jobs[i];
-    (void)json_array_append_new(list, job->report ? job->report : failure_json(job));
+    list = json_with_item(list, job->report ? job->report : failure_json(job));
     job->report = NULL;
   }
   return json_print(json_pack("{s:o}", "renders", list));

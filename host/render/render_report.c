@@ -89,9 +89,9 @@ static json_t *energy_json(const TaborLedger *ledger) {
     {"radiated", ledger->radiated},       {"removed", ledger->removed},
     {"residual", ledger->residual},
   };
-  json_t *const energy = json_object();
+  json_t *energy = json_object();
   for (size_t i = 0; i < sizeof terms / sizeof terms[0]; i++) {
-    json_object_set_new(energy, terms[i].name, json_number(terms[i].value));
+    energy = json_with_field(energy, terms[i].name, json_number(terms[i].value));
   }
   return energy;
 }
@@ -99,9 +99,9 @@ static json_t *energy_json(const TaborLedger *ledger) {
 /* The name of the file; with --split, which may make several, a list of them. */
 static json_t *outputs_json(const RenderRequest *request) {
   if (!request->split) return json_text(request->outputs[0].name);
-  json_t *const list = json_array();
+  json_t *list = json_array();
   for (uint32_t i = 0; i < request->output_count; i++) {
-    json_array_append_new(list, json_text(request->outputs[i].name));
+    list = json_with_item(list, json_text(request->outputs[i].name));
   }
   return list;
 }

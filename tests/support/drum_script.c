@@ -73,7 +73,7 @@ void script_everything(Script *script) {
   script_add(script, script_parameter(645, "output.full_scale", 35.0));
   script_add(script, (TaborEvent){.frame = 1025, .type = TABOR_EVENT_RELEASE, .id = 5});
   script_add(script, script_parameter(1155, "wires.damping_0", 20.0));
-  script_add(script, script_parameter(1155, "wires.rest_offset", 2e-4));
+  script_add(script, script_parameter(1155, "wires.strainer", 0.95));
   script_add(script, script_strike(1667, 12.0, 0.04, 200.0));
   script_add(script, (TaborEvent){.frame = 1901,
                                   .type = TABOR_EVENT_DAMP,

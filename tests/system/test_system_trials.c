@@ -177,9 +177,8 @@ static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
 }
 
 static const char *const LIVE[] = {
-  "wires.strainer",    "wires.tension",          "wires.damping_0",
-  "wires.damping_1",   "wires.rest_offset",      "mic.top.gain",
-  "output.full_scale", "batter.muffle_strength", "resonant.muffle_strength"};
+  "wires.strainer", "wires.tension",     "wires.damping_0",        "wires.damping_1",
+  "mic.top.gain",   "output.full_scale", "batter.muffle_strength", "resonant.muffle_strength"};
 
 static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
   const uint64_t draw = physics_random(seed) % 100;

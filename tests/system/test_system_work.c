@@ -251,8 +251,78 @@ static void automation_costs_little(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- floods ------------------------------------------------------------------------------------- */
+
+enum { FLOOD = 1000, BLOCK = 64 };
+
+/* Work of a block that begins with `count` events, and of the block after it. */
+static uint64_t work_of_blocks(TaborModel *model, const TaborEvent *events, uint32_t count,
+                               TaborStatistics *statistics) {
+  TaborDrum *drum = physics_drum(model);
+  float samples[BLOCK], *outputs[TABOR_MAX_MICS] = {samples};
+  work = 0;
+  tabor_drum_process(drum, events, count, outputs, BLOCK);
+  tabor_drum_statistics(drum, statistics);
+  tabor_drum_destroy(drum);
+  return work;
+}
+
+/* Strokes of one kind all over a block, each at another place. */
+static void flood_with(const TaborDrumDef *def, uint32_t type, uint32_t technique,
+                       TaborEvent *events) {
+  for (uint32_t i = 0; i < FLOOD; i++) {
+    events[i] = physics_strike(def);
+    events[i].type = type;
+    events[i].technique = technique;
+    events[i].frame = i * BLOCK / FLOOD;
+    events[i].id = i + 1;
+    events[i].radius = 0.9 * def->shell.radius * (double)i / FLOOD;
+    events[i].angle = 3.6 * i;
+    events[i].value = 0.5;
+  }
+}
+
+/* A thousand events in a block of 64 samples are at most eight times the work of one stroke; what was not carried
+ * out was counted. */
+static void a_flood_of_events_is_bounded(void **state) {
+  (void)state;
+  static const struct {
+    uint32_t type, technique;
+    const char *what;
+  } floods[] = {{TABOR_EVENT_STRIKE, TABOR_TECHNIQUE_NORMAL, "strokes"},
+                {TABOR_EVENT_STRIKE, TABOR_TECHNIQUE_BUZZ, "buzzes"},
+                {TABOR_EVENT_STRIKE, TABOR_TECHNIQUE_RIMSHOT, "rimshots"},
+                {TABOR_EVENT_STRIKE, TABOR_TECHNIQUE_CROSS_STICK, "cross-sticks"},
+                {TABOR_EVENT_DAMP, 0, "hands"},
+                {TABOR_EVENT_RESET, 0, "resets"}};
+  static const char *const presets[] = {"snare-14x5.5", "bass-drum-22"};
+  static TaborEvent events[FLOOD];
+  for (size_t p = 0; p < sizeof presets / sizeof *presets; p++) {
+    const TaborDrumDef def = physics_preset(presets[p]);
+    TaborModel *model = counting_model(&def);
+    TaborStatistics statistics;
+    const TaborEvent stroke = physics_strike(&def);
+    const uint64_t one = work_of_blocks(model, &stroke, 1, &statistics);
+    for (size_t i = 0; i < sizeof floods / sizeof *floods; i++) {
+      flood_with(&def, floods[i].type, floods[i].technique, events);
+      const uint64_t many = work_of_blocks(model, events, FLOOD, &statistics);
+      const double ratio = (double)many / (double)one;
+      print_message("%s: 1000 %s in a block are %.2f times the work of one stroke; %llu were "
+                    "dropped\n",
+                    def.name, floods[i].what, ratio, (unsigned long long)statistics.dropped_events);
+      assert_true(ratio <= 8.0);
+      if (floods[i].type == TABOR_EVENT_STRIKE) {
+        assert_true(statistics.strikes + statistics.dropped_events == FLOOD);
+        assert_true(statistics.strikes <= TABOR_BURST + BLOCK / TABOR_BURST_FRAMES);
+      }
+    }
+    tabor_model_release(model);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_flood_of_events_is_bounded),
     cmocka_unit_test(every_kernel_is_counted),
     cmocka_unit_test(everything_in_contact_keeps_the_bound),
     cmocka_unit_test(remedies_keep_the_bound),

@@ -61,6 +61,8 @@ extern "C" {
 #define TABOR_MAX_STRIKERS 8 /**< kinds of striker in one definition */
 #define TABOR_MAX_MICS 8     /**< microphones in one definition */
 #define TABOR_MAX_ACTIVE 8   /**< strikers and damping hands in play at once */
+#define TABOR_BURST 16       /**< strokes, presses and damping hands that act at once at most */
+#define TABOR_BURST_FRAMES 8 /**< frames after which one more acts */
 #define TABOR_NAME_SIZE 64   /**< bytes of a name, with its terminator */
 #define TABOR_NAME_LENGTH 40 /**< bytes of a striker's or microphone's name at most */
 #define TABOR_TEXT_SIZE 256  /**< bytes of a comment or a message, with its terminator */
@@ -674,7 +676,10 @@ typedef struct TaborStatistics {
   uint64_t strikes;           /**< strokes begun */
   uint64_t late_events;       /**< offset past the block; carried out at its last frame */
   uint64_t misordered_events; /**< out of order; carried out at the previous event's frame */
-  uint64_t dropped_events;    /**< unknown, not finite, or nothing was free to carry them out */
+  /** Events that were not carried out: unknown, not finite, too many (see tabor_drum_process()), or
+   * nothing was free to carry them out; and strokes that another stroke of the same hand replaced
+   * before they touched. */
+  uint64_t dropped_events;
   uint64_t solves;            /**< samples with a contact to solve */
   uint64_t newton_iterations; /**< sum over the solves */
   uint32_t newton_max;        /**< most in one sample */
@@ -784,6 +789,11 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  *                with fewer microphones, the caller fills the channels that it lacks.
  * @param frames  samples of each channel; may be 0: all events then act at once.
  *
+ * The work is bounded. Of strokes, presses and damping hands, TABOR_BURST act at once, and one more
+ * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. All events
+ * of other types act. Of several resets at one frame the last alone is carried out, and what
+ * precedes it at this frame, except swaps, is skipped without being counted.
+ *
  * The output does not depend on the division into blocks. The latency is 0; sound reaches a
  * microphone after its travel time. The caller's floating-point mode is saved and restored.
  */
@@ -810,8 +820,9 @@ TABOR_API size_t tabor_drum_state_size(const TaborDrum *drum);
  */
 TABOR_API void tabor_drum_state_save(const TaborDrum *drum, void *bytes);
 /**
- * Restores a saved state. If the bytes are damaged or belong to another model, it returns
- * TABOR_ERROR_STATE and changes nothing.
+ * Restores a saved state. If the bytes are damaged, forged or belong to another model, it returns
+ * TABOR_ERROR_STATE and changes nothing. Every index and count and the size of every number is
+ * checked, so bytes from a stranger cannot break the program; what they sound like is up to them.
  */
 TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t size);
 /** @} */

@@ -9,6 +9,7 @@
 #ifndef TABOR_SRC_PARAMS_H
 #define TABOR_SRC_PARAMS_H
 
+#include "math/arithmetic.h"
 #include "tabor/tabor.h"
 
 /**
@@ -79,7 +80,7 @@ typedef enum TbParamId {
   TB_PARAM_WIRES_DAMPING_1 = 513, /**< live */
   TB_PARAM_WIRES_STRAINER = 514,  /**< live */
   TB_PARAM_WIRES_STRAINER_TRAVEL = 515,
-  TB_PARAM_WIRES_REST_OFFSET = 516, /**< live */
+  TB_PARAM_WIRES_REST_OFFSET = 516,
   TB_PARAM_WIRES_CONTACT_STIFFNESS = 517,
   TB_PARAM_WIRES_CONTACT_EXPONENT = 518,
   TB_PARAM_WIRES_CONTACT_LOSS = 519,

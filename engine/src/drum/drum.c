@@ -7,11 +7,13 @@
 #include <string.h>
 
 #include "drum/drum_create.h"
+#include "drum/event_budget.h"
 #include "kernels/flush_denormals.h"
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live_params.h"
 #include "step/reset.h"
+#include "step/state_check.h"
 #include "step/step.h"
 #include "step/stick_rigid.h"
 #include "step/strokes.h"
@@ -61,14 +63,16 @@ static bool move(TaborDrum *drum, TbView *view, const TaborEvent *event) {
 }
 
 static void reset(TaborDrum *drum, TbView *view) {
+  const uint32_t debt = drum->state->event_debt;
   tb_swap_finish(drum);
   tb_state_reset(drum->state, drum->model);
+  drum->state->event_debt = debt;
   *view = tb_view(drum->state, drum->model);
 }
 
 /* True if the event was carried out. */
 static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  if (!fields_finite(event)) return false;
+  if (!fields_finite(event) || !tb_event_affordable(drum->state, event)) return false;
   switch (event->type) {
   case TABOR_EVENT_STRIKE: return strike(drum, view, event);
   case TABOR_EVENT_PRESS: return press(view, event);
@@ -88,6 +92,7 @@ static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
 
 static void act_and_count(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   if (act(drum, view, event)) {
+    tb_event_charge(drum->state, event);
     if (event->type == TABOR_EVENT_RESET) return; /* stays asleep at rest */
     drum->state->asleep = 0;
     drum->state->quiet_checks = 0;
@@ -118,6 +123,7 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pre
   const uint32_t mics = drum->model->def.mic_count;
   for (uint32_t mic = 0; mic < mics; mic++) pressure[mic] = 0.0;
   state->statistics.frames++;
+  tb_event_pay_back(state);
   if (state->asleep) {
     state->statistics.slept_frames++;
   } else {
@@ -127,12 +133,30 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *pre
   if (drum->fading) tb_swap_fade(drum, heard, pressure);
 }
 
-/* The events of frames from .. until, in order; late ones at the last frame. */
+/* The end of the events that act at a frame, from `next` on; late ones act at the last frame. */
+static uint32_t end_of_due(const TaborEvent *events, uint32_t count, uint32_t next, uint32_t frame,
+                           bool last) {
+  while (next < count && (last || events[next].frame <= frame)) next++;
+  return next;
+}
+
+/* The last reset among the events from .. end, which leaves nothing of those before it but their
+ * swaps; `from` if there is none. */
+static uint32_t last_reset(const TaborEvent *events, uint32_t from, uint32_t end) {
+  for (uint32_t i = end; i > from; i--) {
+    if (events[i - 1].type == TABOR_EVENT_RESET && fields_finite(&events[i - 1])) return i - 1;
+  }
+  return from;
+}
+
+/* Carries out the events of a frame in their order. */
 static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events, uint32_t count,
                         uint32_t next, uint32_t frame, bool last) {
-  for (; next < count; next++) {
+  const uint32_t end = end_of_due(events, count, next, frame, last);
+  const uint32_t first = last_reset(events, next, end);
+  for (; next < end; next++) {
     const TaborEvent *event = &events[next];
-    if (event->frame > frame && !last) break;
+    if (next < first && event->type != TABOR_EVENT_SWAP) continue;
     TaborStatistics *statistics = &drum->state->statistics;
     statistics->late_events += event->frame > frame;
     statistics->misordered_events += next > 0 && event->frame < events[next - 1].frame;
@@ -262,6 +286,7 @@ TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t siz
   memcpy(&sum, (const char *)bytes + expected, sizeof sum);
   if (fingerprint != drum->model->fingerprint) return TABOR_ERROR_STATE;
   if (sum != checksum(bytes, expected)) return TABOR_ERROR_STATE;
+  if (!tb_state_check(drum->model, bytes)) return TABOR_ERROR_STATE;
   tb_swap_finish(drum);
   memcpy(drum->state, bytes, expected);
   return TABOR_OK;

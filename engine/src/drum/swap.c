@@ -308,6 +308,7 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap) {
   TbView to = tb_view(swap->state, swap->new_model);
   to.state->sums = from.state->sums;
   to.state->statistics = from.state->statistics;
+  to.state->event_debt = from.state->event_debt;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
   if (swap->mapping.continues) continue_on(swap, &from, &to);
   to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;

@@ -19,6 +19,8 @@
 
 #include <stdint.h>
 
+#include "math/arithmetic.h"
+
 typedef enum TbContactLawKind {
   TB_CONTACT_LAW_GENERAL,
   TB_CONTACT_LAW_LINEAR,     /* a = 1 */

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#if defined(__x86_64__) || defined(_M_X64)
+#if defined(__SSE2__)
 #  include <xmmintrin.h>
 typedef unsigned TbFpMode;
 static inline TbFpMode tb_fp_enter(void) {

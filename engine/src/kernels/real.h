@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#include "math/arithmetic.h"
+
 #ifdef TB_FLOAT
 typedef float Real;
 enum { SINGLE = 1 };

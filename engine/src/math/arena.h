@@ -4,6 +4,7 @@
 #ifndef TB_ARENA_H
 #define TB_ARENA_H
 
+#include "math/arithmetic.h"
 #include "tabor/tabor.h"
 
 #define TB_ALIGNMENT 64u

@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "math/arithmetic.h"
+
 /* Within 1.5 ulp or, near a zero, 1.8e-16 for |x| <= 4e8; NaN beyond. */
 double tb_sin(double x);
 double tb_cos(double x);

@@ -58,8 +58,7 @@ static TaborStatus wire_prepare(TbWire *wire, const TaborDrumDef *def, uint32_t 
                    .contact_loss = lossless ? 0.0 : own.contact_loss,
                    .own_tension = !isnan(set->tension),
                    .own_damping_0 = !isnan(set->damping_0),
-                   .own_damping_1 = !isnan(set->damping_1),
-                   .own_rest_offset = !isnan(set->rest_offset)};
+                   .own_damping_1 = !isnan(set->damping_1)};
   const double spacing = smallest_spacing(wire->tension_limit, wire->mass_per_length,
                                           wire->bending_stiffness, wire->damping_1_limit, k);
   wire->cells = cells_of(wire->length, spacing, most_cells);

@@ -40,7 +40,7 @@ typedef struct TbWire {
   double rest_offset; /* of the ends with the strainer on [m] */
   double contact_stiffness, contact_exponent, contact_loss; /* per length; see contact_law.h */
   double x, y, dx, dy; /* middle, and the step from node to node, +x along the bed [m] */
-  bool own_tension, own_damping_0, own_damping_1, own_rest_offset; /* true: not from [wires] */
+  bool own_tension, own_damping_0, own_damping_1; /* true: not from [wires] */
 } TbWire;
 
 /* A row is one contact; a lane is the row of the same number along each wire. Each wire has `lanes`

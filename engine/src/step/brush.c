@@ -90,11 +90,18 @@ static void lift(TbView *view, TbBrush *brush) {
   brush->press = -LIFTING;
 }
 
+static bool sounded(const TbView *view, uint32_t b) {
+  for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
+    if (view->state->slots[slot_of(b, g)].sounded) return true;
+  }
+  return false;
+}
+
 /* How little a brush would be missed: 3 is not in use, 0 must stay. */
 static uint32_t spare(const TbView *view, uint32_t b, uint32_t id) {
   const TbBrush *brush = &view->state->brushes[b];
   if (!brush->active) return 3;
-  if (brush->lifting) return 2;
+  if (brush->lifting && sounded(view, b)) return 2;
   return id != 0 && brush->id == id;
 }
 
@@ -105,7 +112,10 @@ static uint32_t obtain(TbView *view, uint32_t id) {
     if (spare(view, b, id) > spare(view, best, id)) best = b;
   }
   if (spare(view, best, id) == 0) return TB_BRUSHES;
-  if (spare(view, best, id) < 3) take_away(view, best);
+  if (spare(view, best, id) < 3) {
+    view->state->statistics.dropped_events += !sounded(view, best);
+    take_away(view, best);
+  }
   for (uint32_t b = 0; b < TB_BRUSHES && id != 0; b++) {
     TbBrush *brush = &view->state->brushes[b];
     if (brush->active && brush->id == id) lift(view, brush);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/live_params.h"
 
+#include <math.h>
+
 #include "definition/params.h"
 #include "step/coupling.h"
 #include "step/energy.h"
@@ -17,7 +19,6 @@ static double definition_value(const TaborDrumDef *def, uint32_t index) {
   case TB_LIVE_DAMPING_0: return def->wires.damping_0;
   case TB_LIVE_DAMPING_1: return def->wires.damping_1;
   case TB_LIVE_STRAINER: return def->wires.strainer;
-  case TB_LIVE_REST_OFFSET: return def->wires.rest_offset;
   case TB_LIVE_MUFFLE: return def->batter.muffle_strength;
   case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
   case TB_LIVE_FULL_SCALE: return def->full_scale;
@@ -44,8 +45,8 @@ static void apply_wire(TbView *view, uint32_t w) {
   tb_wire_coefficients(wire, model->time_step, clamp(tension, 0.0, wire->tension_limit), damping_0,
                        clamp(damping_1, 0.0, wire->damping_1_limit), &view->state->wires[w]);
 
-  const double ends = (wire->own_rest_offset ? wire->rest_offset : live[TB_LIVE_REST_OFFSET].now) +
-                      (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
+  const double ends =
+    wire->rest_offset + (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
   const double shift = model->rest.offset[w] - ends;
   const double change = shift - view->state->shift[w];
   view->state->shift[w] = shift;
@@ -78,20 +79,38 @@ void tb_live_params_reset(TbView *view) {
   tb_live_params_apply(view);
 }
 
+/* The parameters, in the order of TbLiveIndex; the gain stands for those of all microphones. */
+static const uint32_t PARAMETERS[TB_LIVE_GAIN + 1] = {
+  [TB_LIVE_TENSION] = TB_PARAM_WIRES_TENSION,
+  [TB_LIVE_DAMPING_0] = TB_PARAM_WIRES_DAMPING_0,
+  [TB_LIVE_DAMPING_1] = TB_PARAM_WIRES_DAMPING_1,
+  [TB_LIVE_STRAINER] = TB_PARAM_WIRES_STRAINER,
+  [TB_LIVE_MUFFLE] = TB_PARAM_BATTER_MUFFLE_STRENGTH,
+  [TB_LIVE_MUFFLE_RESONANT] = TB_PARAM_RESONANT_MUFFLE_STRENGTH,
+  [TB_LIVE_FULL_SCALE] = TB_PARAM_OUTPUT_FULL_SCALE,
+  [TB_LIVE_GRIP] = TB_PARAM_HAND_GRIP,
+  [TB_LIVE_GAIN] = TB_PARAM_MIC_GAIN,
+};
+
 static int live_index(uint32_t parameter) {
-  switch (parameter) {
-  case TB_PARAM_WIRES_TENSION: return TB_LIVE_TENSION;
-  case TB_PARAM_WIRES_DAMPING_0: return TB_LIVE_DAMPING_0;
-  case TB_PARAM_WIRES_DAMPING_1: return TB_LIVE_DAMPING_1;
-  case TB_PARAM_WIRES_STRAINER: return TB_LIVE_STRAINER;
-  case TB_PARAM_WIRES_REST_OFFSET: return TB_LIVE_REST_OFFSET;
-  case TB_PARAM_BATTER_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE;
-  case TB_PARAM_RESONANT_MUFFLE_STRENGTH: return TB_LIVE_MUFFLE_RESONANT;
-  case TB_PARAM_OUTPUT_FULL_SCALE: return TB_LIVE_FULL_SCALE;
-  case TB_PARAM_HAND_GRIP: return TB_LIVE_GRIP;
-  case TB_PARAM_MIC_GAIN: return TB_LIVE_GAIN;
-  default: return -1;
+  for (int i = 0; i <= TB_LIVE_GAIN; i++) {
+    if (PARAMETERS[i] == parameter) return i;
   }
+  return -1;
+}
+
+static bool in_range(const TbLiveParam *live, const TaborParameter *info) {
+  return live->now >= info->minimum && live->now <= info->maximum &&
+         live->target >= info->minimum && live->target <= info->maximum &&
+         fabs(live->step) <= info->maximum - info->minimum;
+}
+
+bool tb_live_params_in_range(const TbLiveParam *live) {
+  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
+    const uint32_t parameter = PARAMETERS[i < TB_LIVE_GAIN ? i : TB_LIVE_GAIN];
+    if (!in_range(&live[i], &tb_param_by_id(parameter)->info)) return false;
+  }
+  return true;
 }
 
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {

@@ -13,6 +13,8 @@ void tb_live_params_reset(TbView *view);
 /* Starts a move of the live parameter `parameter` (a TbParamId). Returns false if it is not live or
  * is absent. */
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value);
+/* True if all of live[TB_LIVE_COUNT] are in the ranges of their parameters. */
+bool tb_live_params_in_range(const TbLiveParam *live);
 /* Advances all running moves by one sample. */
 void tb_live_params_step(TbView *view);
 /* Recomputes the quantities that depend on the live values. */

@@ -6,6 +6,8 @@
 /* Where the arrays begin, whose places the model's layout tells. */
 static const size_t HEADER = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
 
+size_t tb_state_head_bytes(void) { return HEADER; }
+
 size_t tb_state_bytes(const TaborModel *model) { return HEADER + model->layout.total; }
 
 static double *at(TbState *state, size_t offset) {

@@ -14,7 +14,6 @@ typedef enum TbLiveIndex {
   TB_LIVE_DAMPING_0,
   TB_LIVE_DAMPING_1,
   TB_LIVE_STRAINER,
-  TB_LIVE_REST_OFFSET,
   TB_LIVE_MUFFLE, /* of the batter head; the resonant head's is next */
   TB_LIVE_MUFFLE_RESONANT,
   TB_LIVE_FULL_SCALE,
@@ -63,6 +62,7 @@ typedef struct TbSlot {
   double bend[TB_BENDS];                    /* phi of the stick's bending there [kg^-1/2] */
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* 1: a bristle group of a brush */
+  uint32_t sounded;                         /* a striker has touched */
   double part;                              /* fraction of a striker; 1: all of it */
   uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
   double resistance, push;                  /* of its wires, when held [N s/m], [N] */
@@ -103,7 +103,8 @@ typedef struct TbState {
   uint32_t held;           /* wires hold the high band's modes: `high_held` */
   uint32_t hold_steps;     /* samples since `high_held` was renewed */
   TbWireContacts contacts; /* sums over these samples */
-  uint32_t airborne; /* nothing touched in the last step; `modal` and `high_force` assume that */
+  uint32_t airborne;   /* nothing touched in the last step; `modal` and `high_force` assume that */
+  uint32_t event_debt; /* frames until a whole burst may act again: see event_budget.h */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
@@ -152,6 +153,8 @@ typedef struct TbView {
 } TbView;
 
 size_t tb_state_bytes(const TaborModel *model);
+/* Bytes of a state before its arrays. */
+size_t tb_state_head_bytes(void);
 
 TbView tb_view(TbState *state, const TaborModel *model);
 /* Makes `next` the newest instant. Call after `next` was filled. */

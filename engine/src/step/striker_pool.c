@@ -272,6 +272,11 @@ static bool row_touches(const TbView *view, uint32_t slot) {
   return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
 }
 
+bool tb_pool_sounded(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return s->sounded || (s->partner && view->state->slots[s->partner - 1u].sounded);
+}
+
 bool tb_pool_touches(const TbView *view, uint32_t slot) {
   const uint32_t partner = view->state->slots[slot].partner;
   return row_touches(view, slot) || (partner && row_touches(view, partner - 1u));
@@ -282,8 +287,8 @@ uint32_t tb_pool_obtain(TbView *view) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
-    if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving) || tb_pool_touches(view, i))
-      continue;
+    if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving)) continue;
+    if (!tb_pool_sounded(view, i) || tb_pool_touches(view, i)) continue;
     if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
   }
   if (oldest < TB_SLOTS) tb_pool_take_away(view, oldest);
@@ -436,6 +441,7 @@ void tb_pool_retire(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
     if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
+    if (s->kind == TB_SLOT_STRIKER && row_touches(view, i)) s->sounded = 1;
     if (s->leaving) pull_up(view, s);
     if (s->palm ? s->age > palm_time : s->kind == TB_SLOT_STRIKER && is_done(view, i)) {
       tb_pool_take_away(view, i);

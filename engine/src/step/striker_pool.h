@@ -51,8 +51,8 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
                       double above);
 /* Puts a damping hand with this description into a slot. */
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand);
-/* Returns a free slot. If none is free, it frees that of the oldest striker that touches nothing.
- * Returns TB_SLOTS if there is no such striker. */
+/* Returns a free slot. If none is free, it frees that of the oldest striker that has sounded and
+ * touches nothing any more. Returns TB_SLOTS if there is no such striker. */
 uint32_t tb_pool_obtain(TbView *view);
 /* Frees a slot and that of the stick's other end. The striker's remaining energy is booked as
  * removed. */
@@ -61,6 +61,8 @@ void tb_pool_take_away(TbView *view, uint32_t slot);
 void tb_pool_hold(TbView *view, uint32_t slot, double force);
 /* F0 [N] for a pressure of 0 to 1. */
 double tb_pool_press_force(double pressure);
+/* True if the striker has touched the head or the hoop, with either end. */
+bool tb_pool_sounded(const TbView *view, uint32_t slot);
 /* True if the striker touches the head or the hoop, with either end. */
 bool tb_pool_touches(const TbView *view, uint32_t slot);
 /* Raises the head's surface under a striker by `by` [m]; the work is a hand's. */

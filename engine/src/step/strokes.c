@@ -43,11 +43,14 @@ static void let_go(TbView *view, uint32_t i) {
   }
 }
 
-/* A hand that strikes again lets go of the stick that it pressed. */
+/* A hand that strikes again lets go of the stick that it pressed. If this stick has not touched
+ * yet, its stroke is lost. */
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
     const TbSlot *s = &view->state->slots[i];
-    if (is_pressed(s) && s->id == id) let_go(view, i);
+    if (!is_pressed(s) || s->id != id) continue;
+    view->state->statistics.dropped_events += !tb_pool_sounded(view, i);
+    let_go(view, i);
   }
 }
 

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+#include "step/state_check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/state_layout.h"
+#include "step/live_params.h"
+
+/* No number of a drum comes near this, whatever its unit. Its cube times the largest stiffness, and
+ * what microphones make of it, are still finite. */
+static const double MOST = 1e15;
+static const double MOST_PLACE = 1e6; /* [m], [deg]: whole numbers are made of them */
+static const double MOST_WAY = 1e12;  /* path of a brush [m] and its angle [deg], over its life */
+
+static bool within(double value, double most) { return fabs(value) <= most; }
+
+static bool all_within(const double *values, size_t count, double most) {
+  bool within_all = true;
+  for (size_t i = 0; i < count; i++) within_all &= within(values[i], most);
+  return within_all;
+}
+
+/* An array of doubles, or of structs of doubles, as two arguments. */
+#define NUMBERS(array) ((const double *)(const void *)(array)), (sizeof(array)) / (sizeof(double))
+
+/* ---- slots ---------------------------------------------------------------------------------- */
+
+static bool is_brush(const TaborModel *model, uint32_t definition) {
+  return definition < model->def.striker_count &&
+         model->def.striker[definition].kind == TABOR_STRIKER_BRUSH;
+}
+
+static bool slot_numbers(const TbSlot *s) {
+  const double places[] = {s->along, s->radius, s->angle, s->coat};
+  const double others[] = {s->mass,     s->rest_height, s->cross,   s->press,  s->anchor,
+                           s->part,     s->resistance,  s->push,    s->due,    s->velocity,
+                           s->strength, s->bend[0],     s->bend[1], s->bend[2]};
+  return all_within(NUMBERS(places), MOST_PLACE) && all_within(NUMBERS(others), MOST) &&
+         s->along >= 0.0 && s->radius >= 0.0;
+}
+
+static bool slot_flags(const TbSlot *s) {
+  const uint32_t flags[] = {s->held, s->on_hoop, s->rests, s->palm, s->bristles, s->sounded};
+  for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
+    if (flags[i] > 1u) return false;
+  }
+  return true;
+}
+
+static bool no_law(const TbContactLaw *law) { return law->kind == TB_CONTACT_LAW_GENERAL; }
+
+/* Code that passes all slots looks at these even where a slot is free. */
+static bool free_slot(const TbState *state, uint32_t i) {
+  const TbSlot *s = &state->slots[i];
+  return !s->held && !s->partner && !s->bends && !s->palm && !s->leaving && !s->bristles &&
+         s->mass == 0.0 && no_law(&state->slot_laws[i]);
+}
+
+/* Both ends of a stick: its tip on the head, its shaft on the hoop. */
+static bool paired(const TbState *state, uint32_t i) {
+  const TbSlot *s = &state->slots[i];
+  if (!s->partner) return true;
+  const uint32_t other = s->partner - 1u;
+  if (other >= TB_MUFFLERS || other == i) return false;
+  const TbSlot *o = &state->slots[other];
+  return o->kind == TB_SLOT_STRIKER && o->partner == i + 1u && o->on_hoop != s->on_hoop &&
+         o->bends == s->bends && o->definition == s->definition;
+}
+
+static bool striker_slot(const TaborModel *model, const TbState *state, uint32_t i) {
+  const TbSlot *s = &state->slots[i];
+  const bool bristles = i >= TB_BRISTLES;
+  if (i >= TB_MUFFLERS && !bristles) return false;
+  if (s->definition >= model->def.striker_count || s->head != TABOR_HEAD_BATTER) return false;
+  if (!(s->mass > 0.0) || s->palm || s->bends > TB_GRIPS) return false;
+  if (state->slot_laws[i].kind == TB_CONTACT_LAW_DAMPER) return false;
+  if (bristles != (s->bristles == 1u)) return false;
+  if (!bristles) return paired(state, i);
+  const TbBrush *brush = &state->brushes[(i - TB_BRISTLES) / TB_BRISTLE_GROUPS];
+  return !s->partner && !s->bends && !s->on_hoop && s->held && brush->active &&
+         brush->definition == s->definition && is_brush(model, s->definition);
+}
+
+static bool hand_slot(const TaborModel *model, const TbState *state, uint32_t i) {
+  const TbSlot *s = &state->slots[i];
+  const bool muffler = i >= TB_MUFFLERS && i < TB_BRISTLES;
+  if (i >= TB_BRISTLES || s->head >= model->head.heads) return false;
+  if (muffler && s->head != i - TB_MUFFLERS) return false;
+  return !s->held && !s->partner && !s->bends && !s->leaving && !s->bristles && !s->on_hoop &&
+         state->slot_laws[i].kind == TB_CONTACT_LAW_DAMPER;
+}
+
+static bool slot_of_kind(const TaborModel *model, const TbState *state, uint32_t i) {
+  switch (state->slots[i].kind) {
+  case TB_SLOT_FREE: return free_slot(state, i);
+  case TB_SLOT_STRIKER: return striker_slot(model, state, i);
+  case TB_SLOT_HAND: return hand_slot(model, state, i);
+  default: return false;
+  }
+}
+
+/* The limit of a law that has none is infinite. */
+static bool law_numbers(const TbContactLaw *law) {
+  const double numbers[] = {law->stiffness, law->exponent, law->loss};
+  const double limits[] = {law->limit, law->limit_force, law->limit_potential, law->limit_slope};
+  return (unsigned)law->kind <= TB_CONTACT_LAW_DAMPER && all_within(NUMBERS(numbers), MOST) &&
+         all_within(NUMBERS(limits), INFINITY);
+}
+
+static bool slots(const TaborModel *model, const TbState *state) {
+  uint32_t mask = 0;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (!slot_flags(&state->slots[i]) || !slot_numbers(&state->slots[i])) return false;
+    if (!law_numbers(&state->slot_laws[i]) || !slot_of_kind(model, state, i)) return false;
+    mask |= (state->slots[i].kind != TB_SLOT_FREE ? 1u : 0u) << i;
+  }
+  return mask == state->slot_mask;
+}
+
+/* A brush whose bristles are gone, as after a swap, may have any definition: it ends in the next
+ * step. */
+static bool brushes(const TbState *state) {
+  for (uint32_t b = 0; b < TB_BRUSHES; b++) {
+    const TbBrush *brush = &state->brushes[b];
+    const double places[] = {brush->radius, brush->x,     brush->y,      brush->dx,
+                             brush->dy,     brush->along, brush->around, brush->slide};
+    const double others[] = {brush->way, brush->track, brush->angle, brush->press};
+    if (brush->active > 1u || !all_within(NUMBERS(places), MOST_PLACE)) return false;
+    if (!all_within(NUMBERS(others), MOST_WAY)) return false;
+    if (brush->way < 0.0 || brush->track < 0.0) return false;
+  }
+  return true;
+}
+
+/* ---- the rest of the head of a state -------------------------------------------------------- */
+
+static bool flags(const TaborModel *model, const TbState *state) {
+  const bool wires = model->wires.count > 0;
+  return state->newest < 3u && state->asleep <= 1u && state->lifted <= (wires ? 1u : 0u) &&
+         state->held <= (wires ? 1u : 0u) && state->airborne <= 1u &&
+         state->event_debt <= TABOR_BURST * TABOR_BURST_FRAMES &&
+         state->heard >> model->def.mic_count == 0;
+}
+
+static bool microphones(const TaborModel *model, const TbState *state) {
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    if (state->delay_at[mic] > model->mics[mic].delay) return false;
+  }
+  return all_within(NUMBERS(state->treble), MOST) && all_within(NUMBERS(state->ears), MOST);
+}
+
+static bool numbers(const TbState *state) {
+  return all_within(NUMBERS(state->wires), MOST) && all_within(NUMBERS(state->shift), MOST) &&
+         all_within(NUMBERS(state->z), MOST) && all_within(NUMBERS(state->missing), MOST) &&
+         all_within(NUMBERS(state->bow), MOST) &&
+         all_within((const double *)&state->contacts, 3, MOST) &&
+         all_within((const double *)&state->sums, sizeof state->sums / sizeof(double), INFINITY);
+}
+
+static bool head(const TaborModel *model, const TbState *state) {
+  return flags(model, state) && microphones(model, state) && numbers(state) &&
+         tb_live_params_in_range(state->live) && slots(model, state) && brushes(state);
+}
+
+/* ---- arrays --------------------------------------------------------------------------------- */
+
+static bool doubles(const char *bytes, size_t from, size_t end) {
+  bool within_all = true;
+  for (; from < end; from += sizeof(double)) {
+    double number;
+    memcpy(&number, bytes + from, sizeof number);
+    within_all &= within(number, MOST);
+  }
+  return within_all;
+}
+
+static bool floats(const char *bytes, size_t from, size_t end) {
+  bool within_all = true;
+  for (; from < end; from += sizeof(float)) {
+    float number;
+    memcpy(&number, bytes + from, sizeof number);
+    within_all &= within((double)number, MOST);
+  }
+  return within_all;
+}
+
+/* All arrays that outlive a step; `work` and `workf` are filled before they are read. */
+static bool arrays(const TaborModel *model, const char *bytes) {
+  static bool (*const HIGH[])(const char *, size_t,
+                              size_t) = {[TB_IN_DOUBLE] = doubles, [TB_IN_FLOAT] = floats};
+  const TbLayout *l = &model->layout;
+  return doubles(bytes, l->q[0], l->work) &&
+         HIGH[model->high.precision](bytes, l->high[0], l->high_scratch) &&
+         floats(bytes, l->high_force, l->high_held) &&
+         HIGH[model->high.precision](bytes, l->high_held, l->modal) &&
+         doubles(bytes, l->modal, l->total);
+}
+
+bool tb_state_check(const TaborModel *model, const void *bytes) {
+  TbState state; /* some 20 kB; its arrays are checked where they are */
+  memcpy(&state, bytes, sizeof state);
+  return head(model, &state) && arrays(model, (const char *)bytes + tb_state_head_bytes());
+}

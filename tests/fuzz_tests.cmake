@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# Fuzz targets, fuzz/fuzz_NAME.c. With TABOR_FUZZ they are programs of libFuzzer, for tools/fuzz. Otherwise each is a
+# test: it tries its corpus and some mutations of it (fuzz/replay.c), the same in every run.
+
+set(TABOR_FUZZ_SEED 1 CACHE STRING "Seed of the mutations that the fuzz targets try as tests")
+add_custom_target(fuzz-targets)
+
+# tabor_add_fuzz_target(NAME RUNS LIBRARY [CORPUS GLOB...]): fuzz/corpus/NAME is its corpus, too.
+function(tabor_add_fuzz_target name runs library)
+  cmake_parse_arguments(of "" "" "CORPUS" ${ARGN})
+  if(NOT TARGET ${library})
+    return()
+  endif()
+  set(target fuzz_${name})
+  add_executable(${target} fuzz/${target}.c fuzz/fuzz.c)
+  tabor_target_defaults(${target})
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/fuzz")
+  target_link_libraries(${target} PRIVATE ${library} m)
+  add_dependencies(fuzz-targets ${target})
+  if(TABOR_FUZZ)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    return()
+  endif()
+  target_sources(${target} PRIVATE fuzz/replay.c)
+  file(GLOB corpus CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name}/*" ${of_CORPUS})
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/fuzz/${name}") # where the last input stays if it breaks something
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME ${target} COMMAND ${target} ${runs} ${TABOR_FUZZ_SEED} ${corpus} WORKING_DIRECTORY "${folder}")
+  tabor_test_properties(${target})
+endfunction()
+
+tabor_add_fuzz_target(api 1000 Tabor::tabor)
+tabor_add_fuzz_target(state 2000 Tabor::tabor)
+tabor_add_fuzz_target(definition 500 tabor-lv2-archive)
+tabor_add_fuzz_target(preset 500 tabor-host CORPUS "${PROJECT_SOURCE_DIR}/presets/*.ini")
+tabor_add_fuzz_target(events_file 3000 tabor-host)
+tabor_add_fuzz_target(midi_file 3000 tabor-host CORPUS "${PROJECT_SOURCE_DIR}/examples/*.mid")
+tabor_add_fuzz_target(midi_map 1000 tabor-host)
+tabor_add_fuzz_target(keymap 2000 tabor-host)
+tabor_add_fuzz_target(sound_file 300 tabor-host)
+tabor_add_fuzz_target(manifest 1000 tabor-host)

@@ -242,3 +242,11 @@ Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, T
   tabor_model_release(model); /* the drum keeps its own reference */
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
 }
+
+Outcome room_create(const TaborDrumDef *def, double rate, TaborRoom **room) {
+  TaborError error;
+  *room = NULL;
+  if (def->room.kind == TABOR_ROOM_NONE) return OUTCOME_OK;
+  const TaborStatus status = tabor_room_create(def, rate, NULL, room, &error);
+  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
+}

@@ -63,5 +63,7 @@ const char *quality_name(uint32_t quality);
 Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborModel **model);
 /** Builds a model and a drum of it. On an error *drum is NULL. */
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
+/** Creates the room of @p def; NULL if it has none, or on an error. */
+Outcome room_create(const TaborDrumDef *def, double rate, TaborRoom **room);
 
 #endif

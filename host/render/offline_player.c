@@ -7,6 +7,24 @@
 #include "drums/drum_args.h"
 #include "strokes/fit_striker.h"
 
+/* Microphone of a channel on the request's own drum. */
+static uint32_t asked_mic(const OfflinePlayer *player, uint32_t channel) {
+  const uint32_t channels = player->request->channels;
+  return channel < channels ? player->request->mics[channel]
+                            : player->room.feed[channel - channels];
+}
+
+/* The request's channels, then those that only the room hears. */
+static Outcome open_room(OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
+  TaborRoom *room;
+  const Outcome outcome = room_create(&request->def, request->model.sample_rate, &room);
+  room_mix_begin(&player->room, room, request->mics, request->channels);
+  player->channels = request->channels + room_mix_extra(&request->def);
+  for (uint32_t i = 0; i < player->channels; i++) player->mics[i] = asked_mic(player, i);
+  return outcome;
+}
+
 Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   const double rate = request->model.sample_rate;
   player->request = request;
@@ -19,7 +37,8 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   player->presets = (PresetDrums){.options = &request->model};
   player->tally = (Tally){0};
   leaving_begin(&player->leaving, rate);
-  for (uint32_t i = 0; i < request->channels; i++) player->mics[i] = request->mics[i];
+  const Outcome outcome = open_room(player);
+  if (outcome != OUTCOME_OK) return outcome;
   return drum_create(&request->def, &request->model, &player->drum);
 }
 
@@ -70,8 +89,8 @@ static void process(OfflinePlayer *player, const TaborEvent *events, uint32_t co
 static void attend(OfflinePlayer *player) {
   const RenderRequest *const request = player->request;
   const TaborDrumDef *const def = tabor_model_definition(tabor_drum_model(player->drum));
-  for (uint32_t i = 0; i < request->channels; i++) {
-    player->mics[i] = drum_same_mic(&request->def, request->mics[i], def);
+  for (uint32_t i = 0; i < player->channels; i++) {
+    player->mics[i] = drum_same_mic(&request->def, asked_mic(player, i), def);
   }
 }
 
@@ -85,8 +104,7 @@ static Outcome change_drum(OfflinePlayer *player, uint32_t preset) {
   const Outcome outcome = preset_drums_create(&player->presets, preset, &drum);
   if (outcome != OUTCOME_OK) return outcome;
   tally_keep(&player->tally, player->drum);
-  tabor_drum_destroy(
-    leaving_add(&player->leaving, player->drum, player->mics, player->request->channels));
+  tabor_drum_destroy(leaving_add(&player->leaving, player->drum, player->mics, player->channels));
   player->drum = drum;
   silencer_forget(&player->silencer);
   attend(player);
@@ -133,6 +151,7 @@ static void step_silencer(OfflinePlayer *player) {
     tally_keep(&player->tally, player->drum);
     leaving_cut(&player->leaving);
     destroy_left(player);
+    room_mix_cut(&player->room);
   }
   silencer_step(&player->silencer, player->drum);
 }
@@ -154,9 +173,9 @@ static Outcome begin_piece(OfflinePlayer *player, uint32_t *frames) {
 /* This thread's: others may play other drums. */
 static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
-/* What each channel hears of all drums, from frame @p at of the block on. */
+/* What each channel hears of all drums and of the room, from frame @p at of the block on. */
 static void gather(OfflinePlayer *player, uint32_t at, uint32_t frames) {
-  const uint32_t channels = player->request->channels;
+  const uint32_t channels = player->channels;
   const float *samples[MOST_CHANNELS];
   double *sound[MOST_CHANNELS];
   for (uint32_t channel = 0; channel < channels; channel++) {
@@ -165,6 +184,7 @@ static void gather(OfflinePlayer *player, uint32_t at, uint32_t frames) {
   }
   leaving_join(&player->leaving, samples, sound, channels, frames);
   destroy_left(player);
+  room_mix_play(&player->room, sound, frames);
 }
 
 /* Frames from @p at on in the block. */
@@ -185,7 +205,7 @@ static void interleave(OfflinePlayer *player, uint32_t at, uint32_t frames) {
 static void play_piece(OfflinePlayer *player, uint32_t at, uint32_t frames) {
   const RenderRequest *const request = player->request;
   float *outputs[TABOR_MAX_MICS] = {NULL}; /* for microphones that nobody hears */
-  for (uint32_t channel = 0; channel < request->channels; channel++) {
+  for (uint32_t channel = 0; channel < player->channels; channel++) {
     const uint32_t mic = player->mics[channel];
     outputs[mic] = player->planar[mic] + at;
   }
@@ -232,5 +252,7 @@ void offline_player_free(OfflinePlayer *player) {
   destroy_left(player);
   tabor_drum_destroy(player->drum);
   player->drum = NULL;
+  tabor_room_destroy(player->room.room);
+  player->room.room = NULL;
   preset_drums_free(&player->presets);
 }

@@ -5,7 +5,7 @@
  *
  * Other actions of a MIDI file act at their frame, before strokes of that frame. A gain is reached over
  * 5 ms. A silence works as in silencer.h. A preset change starts a new drum, and the old one fades out
- * beside it.
+ * beside it. A room is that of the request's own drum throughout.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
 #define TABOR_HOST_OFFLINE_PLAYER_H
@@ -15,6 +15,7 @@
 #include "render/render_request.h"
 #include "sound/fader.h"
 #include "sound/leaving.h"
+#include "sound/room_mix.h"
 #include "sound/silencer.h"
 #include "sound/tally.h"
 
@@ -39,6 +40,8 @@ typedef struct OfflinePlayer {
   OfflineDrops drops;
   Fader expression; /**< factor on top of the request's gain */
   Silencer silencer;
+  RoomMix room;
+  uint32_t channels;            /**< the request's, then the room's feeds */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel, in the current model */
   float planar[TABOR_MAX_MICS][OFFLINE_BLOCK];
   double sound[MOST_CHANNELS][OFFLINE_BLOCK];        /**< sum of all drums, before the gain */

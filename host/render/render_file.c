@@ -39,15 +39,25 @@ static Outcome play_block(Rendering *rendering, uint32_t frames) {
   return sound_files_write(&rendering->sounds, player->interleaved, frames);
 }
 
+/* Drum and room have died away, or may not go on any longer. */
+static bool is_over(Rendering *rendering) {
+  OfflinePlayer *const player = &rendering->player;
+  RingOut *const ring_out = &rendering->ring_out;
+  const bool room_is_over = room_mix_is_over(&player->room);
+  if (!ring_out_is_over(ring_out, player->position, player->drum)) return false;
+  if (!room_is_over && player->position >= ring_out->most) ring_out->sounding = true;
+  return room_is_over || ring_out->sounding;
+}
+
 static Outcome play(Rendering *rendering) {
   const OfflinePlayer *const player = &rendering->player;
-  RingOut *const ring_out = &rendering->ring_out;
+  const RingOut *const ring_out = &rendering->ring_out;
   Outcome outcome = OUTCOME_OK;
   bool over = false;
   while (outcome == OUTCOME_OK && !over) {
     const uint32_t left = ring_out->most - player->position;
     outcome = play_block(rendering, left < RING_OUT_BLOCK ? left : RING_OUT_BLOCK);
-    over = ring_out_is_over(ring_out, player->position, player->drum);
+    over = is_over(rendering);
     rendering->played(rendering->context, player->position);
   }
   return outcome;

@@ -6,7 +6,7 @@
  *
  *     sound_hashes list                                      the built-in presets
  *     sound_hashes hash PRESET QUALITY [SECONDS [FOLDER]]    a line for each case
- *     sound_hashes summary QUALITY                           one hash of the presets
+ *     sound_hashes summary QUALITY [baseline|avx2|avx512]    one hash of the presets
  *     sound_hashes difference FILE FILE                      largest difference of two sounds [dB re peak]
  *
  * A line is "PRESET QUALITY CASE BLOCKS SOUND LEDGER STATE". SOUND covers the samples of all microphones, LEDGER
@@ -34,6 +34,9 @@ static const uint32_t COSTLY_POINTS = 500;
 static const uint32_t SHORTENING = 20;
 
 enum { MAX_EVENTS = 64, MAX_FRAMES = 480000 };
+
+/* Of models that a case does not build with others. */
+static TaborInstructions instructions = TABOR_INSTRUCTIONS_AUTO;
 
 static _Noreturn void fail(const char *what, const char *which) {
   (void)fprintf(stderr, "sound_hashes: %s%s%s\n", what, *which ? ": " : "", which);
@@ -456,6 +459,14 @@ static TaborQuality quality_of(const char *name) {
   fail("no such quality", name);
 }
 
+static TaborInstructions instructions_of(const char *name) {
+  static const char *const names[] = {"baseline", "avx2", "avx512"};
+  for (uint32_t i = 0; i < 3; i++) {
+    if (strcmp(name, names[i]) == 0) return (TaborInstructions)(TABOR_INSTRUCTIONS_BASELINE + i);
+  }
+  fail("no such instructions", name);
+}
+
 static void define(Subject *s) {
   TaborError error;
   s->quality = quality_of(s->quality_name);
@@ -463,10 +474,10 @@ static void define(Subject *s) {
 }
 
 static void prepare(Subject *s) {
-  s->model = build(&s->def, s->quality, TABOR_INSTRUCTIONS_AUTO);
+  s->model = build(&s->def, s->quality, instructions);
   const TaborDrumDef second = tenser(&s->def), third = smaller(&s->def);
-  s->tenser = build(&second, s->quality, TABOR_INSTRUCTIONS_AUTO);
-  s->smaller = build(&third, s->quality, TABOR_INSTRUCTIONS_AUTO);
+  s->tenser = build(&second, s->quality, instructions);
+  s->smaller = build(&third, s->quality, instructions);
   tabor_model_info(s->model, &s->info);
 }
 
@@ -619,13 +630,14 @@ int main(int argc, char **argv) {
     if (!(s.seconds >= 0.0 && s.seconds * SAMPLE_RATE <= MAX_FRAMES))
       fail("not a duration", argv[4]);
     print_all(&s);
-  } else if (strcmp(verb, "summary") == 0 && argc == 3) {
+  } else if (strcmp(verb, "summary") == 0 && (argc == 3 || argc == 4)) {
+    if (argc == 4) instructions = instructions_of(argv[3]);
     print_summary(argv[2]);
   } else if (strcmp(verb, "difference") == 0 && argc == 4) {
     print_difference(argv[2], argv[3]);
   } else {
-    fail("usage: sound_hashes list | hash PRESET QUALITY [SECONDS [FOLDER]] | summary QUALITY | "
-         "difference FILE FILE",
+    fail("usage: sound_hashes list | hash PRESET QUALITY [SECONDS [FOLDER]] | "
+         "summary QUALITY [INSTRUCTIONS] | difference FILE FILE",
          "");
   }
   return 0;

@@ -6,8 +6,8 @@
 static const double RATE = 44100.0;
 /* Of a stroke of 12 m/s: what a live parameter may do to the pressure at most. */
 static const double LOUDEST = 4.0;
-/* Seconds after which the drum is asleep: wires without sigma0 ring for twenty, all else for two or three. */
-static const double LONGEST = 60.0;
+/* Seconds after which the drum is asleep: all but wires without sigma0 ring for two or three. */
+static const double LONGEST = 20.0;
 
 enum { BLOCK = 64, RAMP = 200 }; /* blocks of the ramp, a third of a second */
 
@@ -29,6 +29,7 @@ static TaborDrumDef small_snare(const char *preset) {
   def.quality.two_way_bandwidth = 1500.0;
   def.quality.bandwidth = 3000.0;
   def.quality.wire_points = 16;
+  def.wires.damping_1 = 0.01; /* without sigma0 wires of the preset ring for 22 s */
   if (def.wires.count > 4) def.wires.count = 4;
   def.mic_count = 1;
   return def;

@@ -867,10 +867,12 @@ typedef struct TaborRoom TaborRoom;
 
 /** Facts of a room. */
 typedef struct TaborRoomInfo {
-  uint32_t kind;                /**< a TaborRoomKind */
-  double length, width, height; /**< [m]; 0 for none, as are all below */
-  double decay;                 /**< 60 dB decay time of low notes [s] */
-  double decay_8k;              /**< the same at 8 kHz [s] */
+  uint32_t kind;    /**< a TaborRoomKind */
+  double length;    /**< [m]; 0 for none, as are all below */
+  double width;     /**< [m] */
+  double height;    /**< [m] */
+  double decay;     /**< 60 dB decay time of low notes [s] */
+  double decay_8k;  /**< the same at 8 kHz [s] */
   double loudness;  /**< energy of the late sound over that of the direct sound 1 m from the drum */
   uint32_t feed[2]; /**< indices of the microphones that it hears the drum by */
   uint32_t tail; /**< frames after which it is silent, at most, if the feeds stop at full scale */

@@ -35,8 +35,9 @@ typedef struct TB_TYPE(TbStart) {
   const double *from_own;
   const TB_REAL *head;                 /* the head's compliance at a row */
   TB_REAL *b, *y, *root, *own, *yield; /* copies, sqrt(y) or 0, and own + head */
+  TB_REAL force;                       /* the largest |f| */
 #endif
-  TB_REAL change, depth, force;
+  TB_REAL change, depth;
 } TB_TYPE(TbStart);
 
 /* The end of a contact solve: f + t (f - f_last), the same for p, and s = b - p, in double,
@@ -54,7 +55,7 @@ typedef struct TB_TYPE(TbResidual) {
   TB_REAL largest, square;
 } TB_TYPE(TbResidual);
 
-/* The terms of a balance (solve.h), the largest |law - f|, and the largest |f|. */
+/* The terms of a balance (solve.h), and the largest |law - f|. */
 typedef struct TB_TYPE(TbBalance) {
   TB_REAL value, derivative, size, miss;
 } TB_TYPE(TbBalance);

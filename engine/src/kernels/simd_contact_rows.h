@@ -14,7 +14,10 @@ typedef TYPE_OF(TbBalance) Balance;
 
 static void start(uint32_t n, Start *whole) {
   const Start copy = *whole, *at = &copy; /* no store changes the copy */
-  Lanes change = zero(), deepest = zero(), strongest = zero();
+  Lanes change = zero(), deepest = zero();
+#ifdef TB_FLOAT
+  Lanes strongest = zero();
+#endif
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);
     const Lanes f = load_double(at->from_f + i);
@@ -26,16 +29,18 @@ static void start(uint32_t n, Start *whole) {
     const Lanes own = load_double(at->from_own + i);
     store(at->own + i, own);
     store(at->yield + i, add(own, load(at->head + i)));
+    strongest = larger(size_of(f), strongest);
 #endif
     store(at->f + i, f);
     store(at->p + i, load_double(at->from_p + i));
     change = larger(size_of(b), change);
     deepest = larger(y, deepest);
-    strongest = larger(size_of(f), strongest);
   }
   whole->change = largest_of(change);
   whole->depth = largest_of(deepest);
+#ifdef TB_FLOAT
   whole->force = largest_of(strongest);
+#endif
 }
 
 static void end(uint32_t n, End *whole) {

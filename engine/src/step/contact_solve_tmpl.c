@@ -16,17 +16,19 @@ typedef TYPE_OF(TbEnd) End;
 typedef TYPE_OF(TbResidual) Residual;
 typedef TYPE_OF(TbBalance) Balance;
 
-/* Forces are balanced where they lose this part of the work that makes up the balance, and as far on either side: in
- * single precision sums are right to a tenth of it, and nothing may be gained. */
+/* Forces are balanced where they lose this part of the work that makes up the balance, and as far
+ * on either side: in single precision sums are right to a tenth of it, and nothing may be
+ * gained. */
 static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-6 : 0.0);
 static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-6 : 1e-13);
 static const uint32_t MOST_BALANCE_STEPS = SINGLE ? 4 : 8;
 static const Real BALANCE_REACH = REAL(SINGLE ? 0.25 : 0.1);
 #ifdef TB_FLOAT
-/* Forces of single precision are right to this part of the largest: near a drum's rest that is all they change. */
+/* Forces of single precision are right to this part of the largest: near a drum's rest that is all
+ * they change. */
 static const float NOISE = 2e-6f;
-/* The part of the accepted difference between forces and laws that a step aims at, the first and the next ones: laws are
- * no lines. */
+/* The part of the accepted difference between forces and laws that a step aims at, the first and
+ * the next ones: laws are no lines. */
 static const float FIRST_AIM = 0.8f, NEXT_AIM = 0.2f;
 #endif
 /* A point goes no farther than this many times its free way and the depth of contacts. */
@@ -257,8 +259,9 @@ static void apply_laws(TbSolve *solve, const Real *s) {
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* Goes on from the `residual` of (I + W M W) x = d, whose square is given, by conjugate gradients until it is `enough`, W =
- * diag(weight); adds M W dx to `product`, and W dx on the grid to `grid`. */
+/* Goes on from the `residual` of (I + W M W) x = d, whose square is given, by conjugate gradients
+ * until it is `enough`, W = diag(weight); adds M W dx to `product`, and W dx on the grid to
+ * `grid`. */
 static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real enough) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
@@ -280,15 +283,17 @@ static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real enough) 
 }
 
 #ifdef TB_FLOAT
-/* Forces move as if each row's own yielding and the head's right below it were all. Returns the largest change. */
+/* Forces move as if each row's own yielding and the head's right below it were all. Returns the
+ * largest change. */
 static float aim(TbSolve *solve) {
   const TbSolveWorkF *work = &solve->workf;
   return solve->in.kernelsf->aim(total_rows(solve), work->law, work->slope, work->yield,
                                  work->force, work->weight, work->solution);
 }
 
-/* Goes on from there until forces and laws, were these lines, would agree to `enough`: with the wires' own yielding the
- * larger part, that often takes a single product. Returns the largest |s|. */
+/* Goes on from there until forces and laws, were these lines, would agree to `enough`: with the
+ * wires' own yielding the larger part, that often takes a single product. Returns the largest
+ * |s|. */
 static float newton_step(TbSolve *solve, float enough) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   const TbSolveWorkF *work = &solve->workf;
@@ -306,8 +311,8 @@ static float newton_step(TbSolve *solve, float enough) {
                          work->force, work->s);
 }
 #else
-/* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`, and in `direction` what the
- * step is to solve for. */
+/* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`, and in
+ * `direction` what the step is to solve for. */
 static TbResidual find_residual(TbSolve *solve) {
   const TbSolveWork *work = &solve->work;
   product_of(solve, work->wires, work->law, work->grid, work->product);
@@ -315,7 +320,8 @@ static TbResidual find_residual(TbSolve *solve) {
                                   work->product, work->weight, work->direction);
 }
 
-/* From the laws at s on, whose residual has been found; force, product, grid and s follow. Returns the largest |s|. */
+/* From the laws at s on, whose residual has been found; force, product, grid and s follow. Returns
+ * the largest |s|. */
 static double newton_step(TbSolve *solve, TbResidual found, uint32_t cap, double tolerance) {
   const TbSolveWork *work = &solve->work;
   const uint32_t rows = total_rows(solve);
@@ -336,13 +342,14 @@ static Balance balance_at(TbSolve *solve, const Real *s, Real t) {
                                     work->product_last);
 }
 
-/* How far forces have to move along their change, f~ + t g, and the energy that is left over then, lost. */
+/* How far forces have to move along their change, f~ + t g, and the energy that is left over then,
+ * lost. */
 typedef struct Move {
   Real t, over;
 } Move;
 
-/* Where the work of the forces is what the laws say, with the sums at s to begin with, and leaves that place's laws;
- * false where there is no such place up to `reach` away. */
+/* Where the work of the forces is what the laws say, with the sums at s to begin with, and leaves
+ * that place's laws; false where there is no such place up to `reach` away. */
 static bool balance(TbSolve *solve, Balance sums, Real reach, Move *move) {
   const Work *work = work_of(solve);
   Real t = REAL(0.0);
@@ -407,8 +414,8 @@ static void evaluate(TbSolve *solve) {
   apply_laws(solve, work->s);
 }
 
-/* Whether forces and laws agree to `enough` at s, and forces balance up to `reach` away; then all is given back. It is
- * no end where wires touch there that took no part. */
+/* Whether forces and laws agree to `enough` at s, and forces balance up to `reach` away; then all
+ * is given back. It is no end where wires touch there that took no part. */
 static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *outcome) {
   const Work *work = work_of(solve);
   Move move;
@@ -428,14 +435,15 @@ static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *out
 
 /* ---- the solve ------------------------------------------------------------------------------ */
 
-/* A step that was solved too coarsely, over contacts too stiff for it, throws points about; the next one would throw
- * them farther, since forces with loss grow with the square of s. */
+/* A step that was solved too coarsely, over contacts too stiff for it, throws points about; the
+ * next one would throw them farther, since forces with loss grow with the square of s. */
 static bool goes_astray(Real way, Start size) {
   return !(way <= FARTHEST * (size.change + size.depth));
 }
 
 #ifdef TB_FLOAT
-/* Newton's iteration from the last sample's forces on, with the laws at s; true if all is given back. */
+/* Newton's iteration from the last sample's forces on, with the laws at s; true if all is given
+ * back. */
 static bool iterate(TbSolve *solve, TbStartF size, TbSolveOutcome *outcome) {
   const TbSolveWorkF *work = &solve->workf;
   const size_t bytes = total_rows(solve) * sizeof(float);

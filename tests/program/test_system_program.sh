@@ -331,7 +331,9 @@ done_quietly modes tabor --quality studio
 other_bytes "of studio there are others" "$out" modes
 strokes=()
 for ((i = 0; i < 10000; i++)); do strokes+=(--strike "time=0.$((i % 10))"); done
-sound many.wav "${strokes[@]}" --duration 1
+run render "${short[@]}" -o many.wav "${strokes[@]}" --duration 1
+same "a thousand strokes at once are no error" 0 "$status"
+same "the rest is reported" 1 "$(grep -c "9920 strokes were dropped" "$err")"
 
 # ---- gain ----
 

@@ -84,10 +84,17 @@ const char *drum_striker_name(const void *def, size_t index) {
   return index < drum->striker_count ? drum->striker[index].name : NULL;
 }
 
-uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to) {
+static uint32_t same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to) {
   const int named = tabor_drum_def_find_mic(to, from->mic[mic].name);
   if (named >= 0) return (uint32_t)named;
   return mic < to->mic_count ? mic : 0;
+}
+
+void drum_keep_mics(const TaborDrumDef *first, const TaborModel *model, TaborSwap *swap) {
+  const TaborDrumDef *const def = tabor_model_definition(model);
+  uint8_t mics[TABOR_MAX_MICS];
+  for (uint32_t i = 0; i < first->mic_count; i++) mics[i] = (uint8_t)same_mic(first, i, def);
+  tabor_swap_route(swap, mics, first->mic_count);
 }
 
 /* Kinds of things with names of their own. */
@@ -240,5 +247,13 @@ Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, T
   if (outcome != OUTCOME_OK) return outcome;
   const TaborStatus status = tabor_drum_create(model, drum, &error);
   tabor_model_release(model); /* the drum keeps its own reference */
+  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
+}
+
+Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room) {
+  uint8_t mics[TABOR_MAX_MICS];
+  TaborError error;
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) mics[i] = (uint8_t)i;
+  const TaborStatus status = room_mix_create(room, def, rate, mics, def->mic_count, &error);
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
 }

@@ -8,6 +8,7 @@
 
 #include "base/options.h"
 #include "drums/default_preset.h"
+#include "sound/room_mix.h"
 
 /** Help text of commands for PRESET. */
 #define PRESET_NOTES                                                                               \
@@ -38,8 +39,9 @@ PresetStem preset_stem(const char *preset);
 /** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
 const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);
-/** Microphone of @p to that corresponds to @p mic of @p from: by name, else by index, else the first. */
-uint32_t drum_same_mic(const TaborDrumDef *from, uint32_t mic, const TaborDrumDef *to);
+/** Lets the outputs after @p swap be the microphones of @p model that correspond to those of @p first, in their order: by
+ * name, else by index, else the first. */
+void drum_keep_mics(const TaborDrumDef *first, const TaborModel *model, TaborSwap *swap);
 /** Reads the preset, applies every --set in order, validates the result, and turns pitches into tensions.
  * --set adds no microphone or striker: a new name adds one in a file, but is taken for a mistake on the command
  * line. */
@@ -63,5 +65,8 @@ const char *quality_name(uint32_t quality);
 Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborModel **model);
 /** Builds a model and a drum of it. On an error *drum is NULL. */
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
+/** Puts the room of @p def behind outputs that are its microphones in their order. Free with room_mix_free(), whatever
+ * the outcome. */
+Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room);
 
 #endif

@@ -50,8 +50,9 @@ static void copy_multi(const PluginPlayer *player, float *const *channels, uint3
 uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
                             uint32_t most) {
   const uint32_t frames = most < DRUM_PLAYER_BLOCK ? most : DRUM_PLAYER_BLOCK;
+  player->core.heard = 0;
   for (uint32_t mic = 0; mic < PLUGIN_MICS; mic++) {
-    player->core.muted[mic] = !hears(player, outputs, (PluginMic)mic);
+    if (hears(player, outputs, (PluginMic)mic)) player->core.heard |= 1u << mic;
   }
   drum_player_play(&player->core, plugin_player_next, player, frames);
   if (player->stereo) {

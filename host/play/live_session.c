@@ -82,13 +82,11 @@ static Outcome read_score(LiveSession *session) {
 
 static Outcome create_drum(LiveSession *session) {
   const PlayRequest *const request = session->request;
-  ModelBuilderSetup setup = {.preset = request->preset,
+  const ModelBuilderSetup setup = {.preset = request->preset,
                              .is_listed = drum_listed_preset(request->arguments) >= 0,
                              .def = &request->def,
                              .options = request->model,
-                             .channels = request->channels,
                              .waits = request->backend->waits};
-  memcpy(setup.mics, request->mics, sizeof setup.mics);
   return model_builder_create(&setup, &session->builder);
 }
 
@@ -96,6 +94,7 @@ static Outcome create_player(LiveSession *session) {
   const PlayRequest *const request = session->request;
   PlayerSetup setup = {
     .drum = model_builder_drum(session->builder),
+    .def = &request->def,
     .rate = request->model.sample_rate,
     .channels = request->channels,
     .width = session->facts.width,
@@ -105,6 +104,7 @@ static Outcome create_player(LiveSession *session) {
     .frames = (uint64_t)llround(request->duration * request->model.sample_rate),
     .dies_away = request->backend->waits,
   };
+  memcpy(setup.mics, request->mics, sizeof setup.mics);
   setup.last_event = (uint32_t)cue_queue_last_frame(&session->queue);
   const Outcome outcome = player_create(&setup, &session->player);
   if (outcome != OUTCOME_OK) return outcome;

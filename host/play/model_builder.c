@@ -19,9 +19,7 @@ typedef struct Pending {
 
 struct ModelBuilder {
   TaborModelOptions options;
-  uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /* as the user chose them, */
-  TaborDrumDef first;            /* of this drum */
+  TaborDrumDef first; /* whose microphones the outputs are */
   bool waits;
   Player *player;
 
@@ -53,13 +51,6 @@ static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
   return report_engine_error(&error);
 }
 
-/* As the user chose them, on this drum. */
-static void choose_mics(const ModelBuilder *builder, const TaborDrumDef *def, uint8_t *mics) {
-  for (uint32_t i = 0; i < builder->channels; i++) {
-    mics[i] = (uint8_t)drum_same_mic(&builder->first, builder->mics[i], def);
-  }
-}
-
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
   ModelBuilder *const builder = calloc(1, sizeof *builder);
   *created = builder;
@@ -67,22 +58,17 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   (void)pthread_mutex_init(&builder->lock, NULL);
   (void)pthread_cond_init(&builder->changed, NULL);
   builder->options = setup->options;
-  builder->channels = setup->channels;
-  memcpy(builder->mics, setup->mics, sizeof builder->mics);
   builder->first = builder->wanted = *setup->def;
   builder->waits = setup->waits;
   builder->is_listed = setup->is_listed;
   (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
   memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
   TaborError error;
-  uint8_t mics[TABOR_MAX_MICS];
   const Outcome outcome = build(&builder->options, &builder->wanted, &builder->model);
   if (outcome != OUTCOME_OK) return outcome;
   if (tabor_drum_create(builder->model, &builder->drum, &error) != TABOR_OK) {
     return report_engine_error(&error);
   }
-  choose_mics(builder, &builder->first, mics);
-  tabor_drum_route(builder->drum, mics, builder->channels);
   return OUTCOME_OK;
 }
 
@@ -167,9 +153,7 @@ static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, TaborSwap 
     free(pending);
     return report_engine_error(&error);
   }
-  uint8_t mics[TABOR_MAX_MICS];
-  choose_mics(builder, tabor_model_definition(model), mics);
-  tabor_swap_route(pending->swap, mics, builder->channels);
+  drum_keep_mics(&builder->first, model, pending->swap);
   pending->next = builder->pending;
   builder->pending = pending;
   *swap = pending->swap;

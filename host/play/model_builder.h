@@ -23,9 +23,7 @@ typedef struct ModelBuilderSetup {
   bool is_listed;     /**< the preset is built in and def is its definition */
   const TaborDrumDef *def;
   TaborModelOptions options;
-  uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /**< microphone of each channel */
-  bool waits;                    /**< sound waits for changes */
+  bool waits; /**< sound waits for changes */
 } ModelBuilderSetup;
 
 /** Builds the drum. *builder is valid or NULL, whatever the outcome. */

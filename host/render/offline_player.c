@@ -12,12 +12,13 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   memset(player, 0, sizeof *player);
   player->request = request;
   player->presets.options = &request->model;
-  const Outcome outcome = drum_create(&request->def, &request->model, &player->drum);
+  Outcome outcome = drum_create(&request->def, &request->model, &player->drum);
   if (outcome != OUTCOME_OK) return outcome;
   player->model = (TaborModel *)tabor_drum_model(player->drum);
   drum_player_begin(&player->core, request->def.mic_count, request->gain);
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) player->core.muted[i] = true;
-  for (uint32_t i = 0; i < request->channels; i++) player->core.muted[request->mics[i]] = false;
+  outcome = room_create(&request->def, request->model.sample_rate, &player->core.room);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (uint32_t i = 0; i < request->channels; i++) player->core.heard |= 1u << request->mics[i];
   drum_player_set_drum(&player->core, player->drum);
   return OUTCOME_OK;
 }
@@ -52,14 +53,6 @@ static Outcome prepare_swap(OfflinePlayer *player, TaborModel *model, TaborSwap 
   return OUTCOME_OK;
 }
 
-/* The same microphones on the new preset. */
-static void choose_mics(const OfflinePlayer *player, const TaborDrumDef *def, TaborSwap *swap) {
-  const TaborDrumDef *const first = &player->request->def;
-  uint8_t mics[TABOR_MAX_MICS];
-  for (uint32_t i = 0; i < first->mic_count; i++) mics[i] = (uint8_t)drum_same_mic(first, i, def);
-  tabor_swap_route(swap, mics, first->mic_count);
-}
-
 static Outcome change_preset(OfflinePlayer *player, uint32_t preset, PlayerMessage *message) {
   TaborModel *model = NULL;
   free_done(player, false);
@@ -69,7 +62,7 @@ static Outcome change_preset(OfflinePlayer *player, uint32_t preset, PlayerMessa
   if (outcome == OUTCOME_OK) outcome = prepare_swap(player, model, &message->event.swap);
   if (outcome != OUTCOME_OK) return outcome;
   message->strikers = tabor_model_definition(model)->striker_count;
-  choose_mics(player, tabor_model_definition(model), message->event.swap);
+  drum_keep_mics(&player->request->def, model, message->event.swap);
   return outcome;
 }
 
@@ -163,6 +156,7 @@ Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, Trace
 }
 
 void offline_player_free(OfflinePlayer *player) {
+  room_mix_free(&player->core.room);
   tabor_drum_destroy(player->drum);
   player->drum = NULL;
   free_done(player, true);

@@ -4,6 +4,7 @@
  * Plays one drum for a rendering: the drum player run as fast as it can, interleaved samples out.
  *
  * Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
+ * A room is that of the request's own drum throughout.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
 #define TABOR_HOST_OFFLINE_PLAYER_H

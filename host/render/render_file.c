@@ -40,14 +40,14 @@ static Outcome play_block(Rendering *rendering, uint32_t frames) {
 }
 
 static Outcome play(Rendering *rendering) {
-  const OfflinePlayer *const player = &rendering->player;
+  OfflinePlayer *const player = &rendering->player;
   RingOut *const ring_out = &rendering->ring_out;
   Outcome outcome = OUTCOME_OK;
   bool over = false;
   while (outcome == OUTCOME_OK && !over) {
     const uint32_t left = ring_out->most - player->position;
     outcome = play_block(rendering, left < RING_OUT_BLOCK ? left : RING_OUT_BLOCK);
-    over = ring_out_is_over(ring_out, player->position, player->drum);
+    over = ring_out_is_over(ring_out, &player->core);
     rendering->played(rendering->context, player->position);
   }
   return outcome;

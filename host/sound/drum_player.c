@@ -79,11 +79,27 @@ static uint32_t gather(DrumPlayer *player, DrumSourceFn *take, void *source, uin
 
 /* ---- sound ---------------------------------------------------------------------------------- */
 
+static bool silences(const TaborEvent *event) { return event->type == TABOR_EVENT_SILENCE; }
+
+/* The room hears the drum behind the gain, so that what sounds in it goes on as it is. */
+static void play_room(DrumPlayer *player, uint32_t at, uint32_t frames) {
+  uint32_t from = 0;
+  for (uint32_t i = 0; i < player->count; i++) {
+    const TaborEvent *const event = &player->events[i];
+    if (!silences(event)) continue;
+    room_mix_play(&player->room, player->sound, player->heard, at + from, event->frame - from);
+    room_mix_silence(&player->room);
+    from = event->frame;
+  }
+  room_mix_play(&player->room, player->sound, player->heard, at + from, frames - from);
+}
+
 static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
+  const uint32_t played = player->heard | player->room.feeds;
   float *outputs[TABOR_MAX_MICS] = {NULL};
   for (uint32_t i = 0; i < player->outputs; i++) {
     float *const sound = player->sound[i] + at;
-    if (player->drum && !player->muted[i]) {
+    if (player->drum && played >> i & 1u) {
       outputs[i] = sound;
     } else {
       memset(sound, 0, frames * sizeof *sound);
@@ -92,6 +108,7 @@ static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
   if (player->drum) {
     tabor_drum_process(player->drum, player->events, player->count, outputs, frames);
   }
+  play_room(player, at, frames);
   player->count = 0;
   player->position += frames;
 }
@@ -121,6 +138,7 @@ void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) {
 }
 
 void drum_player_rest(DrumPlayer *player) {
+  room_mix_rest(&player->room);
   player->count = 0;
   player->has_next = false;
   player->expression = 1;

@@ -11,8 +11,9 @@
 #define TABOR_HOST_DRUM_PLAYER_H
 
 #include "sound/player_message.h"
+#include "sound/room_mix.h"
 
-#define DRUM_PLAYER_BLOCK 256  /**< most frames of a block */
+#define DRUM_PLAYER_BLOCK ROOM_MIX_PIECE /**< most frames of a block */
 #define DRUM_PLAYER_EVENTS 256 /**< most events of a frame; further ones act one frame later */
 
 /** Takes the next message that acts before frame @p end out of @p source. False: there is none. */
@@ -21,23 +22,24 @@ typedef bool DrumSourceFn(void *source, uint64_t end, PlayerMessage *message) RE
 typedef struct DrumPlayer {
   TaborDrum *drum; /**< NULL: silence, and events are lost */
   uint64_t position;
-  uint32_t outputs;           /**< that the drum was given by tabor_drum_route() */
-  bool muted[TABOR_MAX_MICS]; /**< nobody hears the output: it need not be computed */
-  uint32_t strikers;          /**< of the current model */
+  uint32_t outputs;  /**< that the drum was given by tabor_drum_route() */
+  uint32_t heard;    /**< bits of the outputs that anybody hears */
+  uint32_t strikers; /**< of the current model */
+  RoomMix room;      /**< behind the outputs, if the host creates one; freed by it */
   double gain, expression;
   uint64_t strokes;                      /**< number of strokes that the drum was asked for */
   TaborEvent events[DRUM_PLAYER_EVENTS]; /**< of the block, not yet played */
   uint32_t count;
   PlayerMessage next; /**< taken from the source, but not yet played */
   bool has_next;
-  float sound[TABOR_MAX_MICS][DRUM_PLAYER_BLOCK]; /**< the newest block of each output */
+  float sound[TABOR_MAX_MICS][DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
 } DrumPlayer;
 
-/** Starts without a drum. */
+/** Starts without a drum and without a room; nothing is heard. */
 void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTIME;
 /** Gives the player its drum, at rest and with its outputs chosen. */
 void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) REALTIME;
-/** Brings the drum to rest and forgets the expression; messages taken but not yet played are lost. */
+/** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */
 void drum_player_rest(DrumPlayer *player) REALTIME;
 /** Plays @p frames frames, at most DRUM_PLAYER_BLOCK, into sound. */
 void drum_player_play(DrumPlayer *player, DrumSourceFn *take, void *source,

@@ -113,7 +113,7 @@ static double clip(Player *player, double sample) {
 static void clip_channel(Player *player, uint32_t channel, uint32_t frames) {
   double peak = 0;
   for (uint32_t frame = 0; frame < frames; frame++) {
-    const double sample = (double)player->core.sound[channel][frame];
+    const double sample = (double)player->core.sound[player->mics[channel]][frame];
     peak = fmax(peak, fabs(sample));
     player->mixed[channel][frame] = clip(player, sample);
   }
@@ -124,9 +124,9 @@ static void clip_channel(Player *player, uint32_t channel, uint32_t frames) {
 /* One channel goes to all of the device's; of several each to its own. */
 static void send_out(const Player *player, float *samples, uint32_t frames) {
   for (uint32_t column = 0; column < player->width; column++) {
-    const uint32_t channel = player->core.outputs == 1 ? 0 : column;
+    const uint32_t channel = player->channels == 1 ? 0 : column;
     for (uint32_t frame = 0; frame < frames; frame++) {
-      const bool heard = channel < player->core.outputs;
+      const bool heard = channel < player->channels;
       samples[frame * player->width + column] = heard ? (float)player->mixed[channel][frame] : 0;
     }
   }
@@ -135,7 +135,7 @@ static void send_out(const Player *player, float *samples, uint32_t frames) {
 /* A block is full every PLAYER_RECORD frames, where a piece ends, too. */
 static void record(Player *player, uint64_t position, uint32_t frames) {
   PlayerRecord *const block = player->record;
-  const uint32_t channels = player->core.outputs;
+  const uint32_t channels = player->channels;
   if (block->frames == 0) block->frame = position;
   double *const samples = block->samples + (size_t)block->frames * channels;
   for (uint32_t channel = 0; channel < channels; channel++) {
@@ -158,10 +158,10 @@ void player_hand_over(Player *player) {
 /* ---- pieces and blocks ---------------------------------------------------------------------- */
 
 static void look_for_end(Player *player) {
-  const DrumPlayer *const core = &player->core;
+  DrumPlayer *const core = &player->core;
   bool over = core->position >= player->end;
   if (player->ends && !over && core->position % PLAYER_PIECE == 0) {
-    over = ring_out_is_over(&player->ring_out, (uint32_t)core->position, core->drum);
+    over = ring_out_is_over(&player->ring_out, core);
   }
   if (over) atomic_store_explicit(&player->over, true, memory_order_release);
 }
@@ -178,7 +178,7 @@ static uint32_t play_piece(Player *player, float *samples, uint32_t most) {
   const uint32_t frames = piece_limit(player, most);
   const uint64_t position = player->core.position;
   drum_player_play(&player->core, take_message, player, frames);
-  for (uint32_t i = 0; i < player->core.outputs; i++) clip_channel(player, i, frames);
+  for (uint32_t i = 0; i < player->channels; i++) clip_channel(player, i, frames);
   send_out(player, samples, frames);
   if (player->records) record(player, position, frames);
   atomic_store_explicit(&player->played, player->core.position, memory_order_relaxed);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
+#include "drums/drum_args.h"
 #include "sound/player.h"
 #include "sound/player_state.h"
 
@@ -13,7 +14,7 @@
 #define PRIORITY 60         /* of SCHED_FIFO: below what the system's own sound has */
 
 static size_t record_size(const Player *player) {
-  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->core.outputs * sizeof(double);
+  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->channels * sizeof(double);
 }
 
 static bool create_recording(Player *player) {
@@ -46,9 +47,14 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   *created = player;
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
-  drum_player_begin(&player->core, setup->channels, setup->gain);
+  drum_player_begin(&player->core, setup->def->mic_count, setup->gain);
   drum_player_set_drum(&player->core, setup->drum);
   player->rate = setup->rate;
+  player->channels = setup->channels;
+  memcpy(player->mics, setup->mics, sizeof player->mics);
+  for (uint32_t i = 0; i < setup->channels; i++) player->core.heard |= 1u << setup->mics[i];
+  const Outcome outcome = room_create(setup->def, setup->rate, &player->core.room);
+  if (outcome != OUTCOME_OK) return outcome;
   player->width = setup->width;
   player->records = setup->records;
   set_end(player, setup);
@@ -60,6 +66,7 @@ void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
   spsc_queue_destroy(&player->recording);
+  room_mix_free(&player->core.room);
   free(player->record);
   free(player);
 }
@@ -171,7 +178,7 @@ void player_status(Player *player, PlayStatus *status) {
   PlayerMeters *const meters = &player->meters;
   status->rate = player->rate;
   status->time = (double)player_position(player) / player->rate;
-  status->channels = player->core.outputs;
+  status->channels = player->channels;
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
     status->peak[i] = atomic_exchange_explicit(&meters->peak[i], 0, memory_order_relaxed);
   }

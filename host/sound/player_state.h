@@ -33,7 +33,8 @@ typedef struct PlayerMeters {
 struct Player {
   /* set up once */
   double rate;
-  uint32_t width;
+  uint32_t width, channels;
+  uint32_t mics[TABOR_MAX_MICS]; /* output of the drum for each channel */
   bool records, ends;
   SpscQueue sources[SOURCE_COUNT];
   SpscQueue recording;

@@ -1,18 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ring_out.h
- * Decides when a rendering without --duration ends: once the stored energy has fallen 90 dB below its
- * largest value since the last stroke, but at least 0.5 s and at most 20 s after that stroke.
+ * Decides when a rendering without --duration ends: once the drum's energy, and that of the sound in its
+ * room, have fallen 90 dB below their largest values since the last stroke, but at least 0.5 s and at most 20 s after that stroke.
  */
 #ifndef TABOR_HOST_RING_OUT_H
 #define TABOR_HOST_RING_OUT_H
 
-#include <tabor/tabor.h>
-
-#include "base/realtime.h"
+#include "sound/drum_player.h"
 
 /** Frames between two checks of the energy. Fixed, because the length of the sound depends on it. */
-#define RING_OUT_BLOCK 256
+#define RING_OUT_BLOCK DRUM_PLAYER_BLOCK
 #define RING_OUT_MOST_TIME 20.0 /**< longest time after the last stroke [s] */
 
 typedef struct RingOut {
@@ -24,7 +22,7 @@ typedef struct RingOut {
 
 /** A sound of @p frames frames; 0: until the drum has died away. @p rate: sample rate [Hz]. */
 RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate);
-/** Checks @p drum after @p position frames; call at the end of every block. True if the sound is over. */
-bool ring_out_is_over(RingOut *ring_out, uint32_t position, const TaborDrum *drum) REALTIME;
+/** Checks drum and room; call at the end of every block. True if the sound is over. */
+bool ring_out_is_over(RingOut *ring_out, DrumPlayer *player) REALTIME;
 
 #endif

@@ -9,7 +9,7 @@ set -euo pipefail
 source=$1
 shift
 
-engine="math definition acoustics kernels model step drum"
+engine="math definition acoustics kernels model step drum room"
 host="base drums midi strokes files sound lv2 render library ui play inspect"
 
 work=$(mktemp -d)

@@ -25,6 +25,28 @@ static void play(TaborDrum *drum, float *sound) {
   tabor_drum_process(drum, &strike, 1, outputs, FRAMES);
 }
 
+/* A drum without the room, beside it with the room: the same, and something more. */
+static void a_room_adds_to_its_drum(TaborDrum *drum, TaborModel *model) {
+  static float left[FRAMES], right[FRAMES], dry[FRAMES], unheard[FRAMES];
+  TaborDrumDef def = *tabor_model_definition(model);
+  TaborModelInfo info;
+  tabor_model_info(model, &info);
+  def.room.kind = TABOR_ROOM_BOOTH;
+  TaborRoom *room;
+  require(tabor_room_create(&def, info.sample_rate, NULL, &room, NULL) == TABOR_OK, "a room");
+  TaborRoomInfo facts;
+  tabor_room_info(room, &facts);
+  TaborDrum *const copy = copy_of(drum, model);
+  float *outputs[TABOR_MAX_MICS] = {NULL};
+  outputs[facts.feed[0]] = dry;
+  outputs[facts.feed[1]] = unheard;
+  tabor_drum_process(copy, NULL, 0, outputs, FRAMES);
+  play_in_room(drum, room, left, right, FRAMES);
+  require(memcmp(left, dry, sizeof dry) != 0 && !tabor_room_is_silent(room), "a room is heard");
+  tabor_drum_destroy(copy);
+  tabor_room_destroy(room);
+}
+
 static void copies_go_on_alike(TaborDrum *drum, TaborModel *model) {
   static float a[FRAMES], b[FRAMES];
   TaborDrum *const copy = copy_of(drum, model);
@@ -63,6 +85,7 @@ int main(void) {
   play(drum, sound);
   require(fabs(left_over(drum)) < rounding, "the ledger closes");
   copies_go_on_alike(drum, model);
+  a_room_adds_to_its_drum(drum, model);
   tension_is_swapped(drum, model);
   tabor_drum_destroy(drum);
   tabor_model_release(model);

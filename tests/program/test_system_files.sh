@@ -203,17 +203,18 @@ check "appended" cmp -s tail.au plain.au
 
 # ---- signals ----
 
+mics=$(mics_of tabor)
 for name in plain.wav interrupted.wav interrupted.flac interrupted.au; do
   interrupted INT 130 1 "${long[@]}" -o $name
   interrupted TERM 143 1 "${long[@]}" -o $name
 done
 interrupted TERM 143 2 "${long[@]}" -o interrupted.wav --trace interrupted.csv
-interrupted TERM 143 4 "${long[@]}" -o interrupted.wav --split --trace interrupted.csv
-interrupted INT 130 3 "${long[@]}" -o interrupted.wav --split --normalize
+interrupted TERM 143 $((mics + 1)) "${long[@]}" -o interrupted.wav --split --trace interrupted.csv
+interrupted INT 130 "$mics" "${long[@]}" -o interrupted.wav --split --normalize
 interrupted INT 130 1 "${long[@]}" -o /dev/null --trace interrupted.csv
 interrupted HUP 129 1 "${long[@]}" -o plain.wav
 ulimit -c 0
-interrupted QUIT 131 4 "${long[@]}" -o plain.wav --split --trace interrupted.csv
+interrupted QUIT 131 $((mics + 1)) "${long[@]}" -o plain.wav --split --trace interrupted.csv
 "$TABOR" render "${short[@]}" -o pipe.au 2>"$err" & # nobody reads
 child=$!
 check "it is on its way" wait_for catches $child 15

@@ -224,7 +224,7 @@ long=(render tabor frame-drum bodhran-d-string -q --quality draft --duration 360
 interrupted INT 130 2 "${long[@]}" -o two/ --jobs 2
 interrupted TERM 143 3 "${long[@]}" -o two/ --jobs 3
 interrupted TERM 143 1 "${long[@]}" -o two/ --jobs 1
-interrupted INT 130 6 "${long[@]}" -o two/ --split --normalize --jobs 2
+interrupted INT 130 $(($(mics_of tabor) + $(mics_of frame-drum))) "${long[@]}" -o two/ --split --normalize --jobs 2
 { echo time && seq 0 0.1 3600; } >endless.csv
 takes=(--each --events={soft,endless}.csv)
 "$TABOR" render tabor frame-drum -q --quality draft "${takes[@]}" -o takes/ -j2 2>"$err" &

@@ -87,9 +87,9 @@ for command in render show modes bench; do
 done
 refused "--mic 'tpo'.*did you mean 'top'" render --mic tpo
 refused "--mic ''" render --mic ''
-refused "--mic 'nosuch': .*; there are: top, bottom, far$" render tabor --mic nosuch
+refused "--mic 'nosuch': .*; there are: top, bottom, far, left, right$" render tabor --mic nosuch
 refused "no striker 'foo'; there are: striker.stick$" show tabor --set striker.foo.mass=1
-refused "no microphone 'nosuch'; there are: mic.top, mic.bottom, mic.far$" show tabor --set mic.nosuch.gain=1
+refused "no microphone 'nosuch'; there are: mic.top, mic.bottom, mic.far, mic.left, mic.right$" show tabor --set mic.nosuch.gain=1
 for text in nan x '' 1e; do
   refused "batter.tension = '$text' is not a number from 100 to 20000 N/m" show --set "batter.tension=$text"
 done

@@ -11,14 +11,14 @@ peak() { "$INSPECT" peak "$1"; }
 # ---- a file for each microphone ----
 
 done_quietly render "${short[@]}" --split -o take.wav
-same "all microphones" "take-bottom.wav take-far.wav take-top.wav " "$(files)"
-for mic in top bottom far; do
+same "all microphones" "take-bottom.wav take-far.wav take-left.wav take-right.wav take-top.wav " "$(files)"
+for mic in top bottom far left right; do
   done_quietly render "${short[@]}" --mic $mic -o one.wav
   check "the sound of $mic" cmp -s one.wav take-$mic.wav
 done
 rm -f ./*
 done_quietly render "${short[@]}" --split
-same "the default name" "strike-bottom.wav strike-far.wav strike-top.wav " "$(files)"
+same "the default name" "strike-bottom.wav strike-far.wav strike-left.wav strike-right.wav strike-top.wav " "$(files)"
 rm -f ./*
 mkdir a.b
 done_quietly render "${short[@]}" --split --mic far --mic top -o a.b/x.y.FLAC
@@ -27,12 +27,12 @@ rm -rf ./*
 done_quietly render "${short[@]}" --split --mic far -o "$PWD/x.au"
 same "a single one" "x-far.au " "$(files)"
 done_quietly render "${short[@]}" --split --json -o x.wav
-same "names as JSON" "3 x-top.wav x-bottom.wav x-far.wav" \
+same "names as JSON" "5 x-top.wav x-bottom.wav x-far.wav" \
   "$(json output.size) $(json output.0) $(json output.1) $(json output.2)"
-same "channels of all" 3 "$(json channels)"
+same "channels of all" 5 "$(json channels)"
 run render tabor --quality draft --duration 0.2 --split -o x.wav
 check "a line about them" \
-  grep -q '^x-top.wav ... x-far.wav: tabor, 0.20 s, 48000 Hz, 3 channels, peak' "$err"
+  grep -q '^x-top.wav ... x-right.wav: tabor, 0.20 s, 48000 Hz, 5 channels, peak' "$err"
 done_quietly render "${short[@]}" --split --trace x.csv -o x.wav
 same "with a trace" 9601 "$(wc -l <x.csv)"
 
@@ -93,7 +93,7 @@ same "them alone" "late-bottom.wav late-far.wav late-top.wav old second-name.wav
 rmdir late-far.wav
 done_quietly render "${short[@]}" --split -o late.wav
 check "and are replaced in the end" test "$(wc -c <late-top.wav)" -gt 100
-same "with nothing left over" "late-bottom.wav late-far.wav late-top.wav old second-name.wav " "$(files)"
+same "with nothing left over" "late-bottom.wav late-far.wav late-left.wav late-right.wav late-top.wav old second-name.wav " "$(files)"
 
 # A trace in a folder that has gone.
 rm -rf ./*

@@ -59,10 +59,6 @@ COUNTED(start, n, (uint32_t n, TB_TYPE(TbStart) * start), (n, start))
 COUNTED(end, n, (uint32_t n, TB_TYPE(TbEnd) * end), (n, end))
 COUNTED_RESULT(TB_REAL, change, n, (uint32_t n, TB_TYPE(In) b, TB_TYPE(In) p, TB_TYPE(Out) s),
                (n, b, p, s))
-COUNTED_RESULT(TB_TYPE(TbResidual), weigh, n,
-               (uint32_t n, TB_TYPE(In) slope, TB_TYPE(In) s, TB_TYPE(In) b, TB_TYPE(In) p,
-                TB_TYPE(In) p_last, TB_TYPE(Out) weight, TB_TYPE(Out) d),
-               (n, slope, s, b, p, p_last, weight, d))
 COUNTED_RESULT(TB_REAL, turn, n,
                (uint32_t n, TB_TYPE(Out) out, TB_TYPE(In) d, TB_TYPE(In) w, TB_TYPE(In) m),
                (n, out, d, w, m))
@@ -76,9 +72,10 @@ COUNTED_RESULT(TB_REAL, follow, n,
                 TB_TYPE(In) p, TB_TYPE(Out) f, TB_TYPE(Out) s),
                (n, law, weight, x, b, p, f, s))
 COUNTED_RESULT(TB_TYPE(TbBalance), balance, n,
-               (uint32_t n, TB_REAL t, TB_TYPE(In) s, TB_TYPE(In) law, TB_TYPE(In) slope,
-                TB_TYPE(In) f, TB_TYPE(In) f_last, TB_TYPE(In) p, TB_TYPE(In) p_last),
-               (n, t, s, law, slope, f, f_last, p, p_last))
+               (uint32_t n, TB_REAL t, TB_TYPE(In) yield, TB_TYPE(In) s, TB_TYPE(In) law,
+                TB_TYPE(In) slope, TB_TYPE(In) f, TB_TYPE(In) f_last, TB_TYPE(In) p,
+                TB_TYPE(In) p_last),
+               (n, t, yield, s, law, slope, f, f_last, p, p_last))
 
 static void COUNT(expand)(TB_TYPE(Bed) wire_grid, TB_TYPE(In) grid, TB_TYPE(Out) scratch,
                           TB_TYPE(Out) x) {
@@ -105,12 +102,19 @@ COUNTED(add_widened, n, (uint32_t n, InF x, Out out), (n, x, out))
 COUNTED_RESULT(bool, penetrate, n,
                (uint32_t n, float side, InF w, In v, In v_last, In load, In y, Out b),
                (n, side, w, v, v_last, load, y, b))
-COUNTED(relax, n, (uint32_t n, InF law, InF slope, InF own, InF head, InF f_last, OutF f),
-        (n, law, slope, own, head, f_last, f))
+COUNTED_RESULT(float, aim, n,
+               (uint32_t n, InF law, InF slope, InF yield, OutF f, OutF weight, OutF x),
+               (n, law, slope, yield, f, weight, x))
+COUNTED_RESULT(TbResidualF, left_over, n,
+               (uint32_t n, InF slope, InF yield, InF weight, InF x, InF p, InF before, OutF r,
+                OutF d),
+               (n, slope, yield, weight, x, p, before, r, d))
 COUNTED(combine, (uint64_t)n *count,
         (uint32_t n, uint32_t count, InF f, InF const *x, InF base, OutF out),
         (n, count, f, x, base, out))
 #else
+COUNTED_RESULT(TbResidual, weigh, n, (uint32_t n, In slope, In s, In b, In p, Out weight, Out d),
+               (n, slope, s, b, p, weight, d))
 COUNTED(multiply_rounded, 8ull * blocks * n,
         (uint32_t blocks, uint32_t n, Out out, const float *m, In x), (blocks, n, out, m, x))
 COUNTED(gather_rounded, 8ull * g->blocks * g->vectors * g->part, (const TbGather *g), (g))
@@ -165,7 +169,6 @@ static const TbKernels counting = {
   .end = COUNT(end),
   .laws = COUNT(laws),
   .change = COUNT(change),
-  .weigh = COUNT(weigh),
   .turn = COUNT(turn),
   .advance = COUNT(advance),
   .redirect = COUNT(redirect),
@@ -177,9 +180,11 @@ static const TbKernels counting = {
   .widen = COUNT(widen),
   .add_widened = COUNT(add_widened),
   .penetrate = COUNT(penetrate),
-  .relax = COUNT(relax),
+  .aim = COUNT(aim),
+  .left_over = COUNT(left_over),
   .combine = COUNT(combine),
 #else
+  .weigh = COUNT(weigh),
   .multiply_rounded = COUNT(multiply_rounded),
   .gather_rounded = COUNT(gather_rounded),
   .two_step = COUNT(two_step),

@@ -102,6 +102,9 @@ render_strikes() {
 same_bytes() { check "$1" cmp -s "$2" "$3"; }
 other_bytes() { check "$1" eval "! cmp -s '$2' '$3'"; }
 
+# mics_of DRUM: the number of its microphones.
+mics_of() { "$TABOR" show "$1" | grep -c '^\[mic\.'; }
+
 # interrupted SIGNAL STATUS BEGUN ARGUMENT...: sends the signal when the program has BEGUN temporary files. The
 # program must end with this status and not change the folder.
 interrupted() {

@@ -21,11 +21,12 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
   TaborDrumDef def;
   assert_non_null(stage);
   assert_int_equal(tabor_drum_def_preset(&def, preset, NULL), TABOR_OK);
-  ModelBuilderSetup setup = {.preset = preset, .def = &def, .channels = 1, .waits = waits};
+  ModelBuilderSetup setup = {.preset = preset, .def = &def, .waits = waits};
   tabor_model_options_default(&setup.options);
   setup.options.quality = quality;
   assert_int_equal(model_builder_create(&setup, &stage->builder), OUTCOME_OK);
   const PlayerSetup player = {.drum = model_builder_drum(stage->builder),
+                              .def = &def,
                               .rate = RATE,
                               .channels = 1,
                               .width = WIDTH,

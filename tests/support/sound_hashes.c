@@ -36,7 +36,7 @@ static const uint32_t SHORTENING = 20;
 enum { MAX_EVENTS = 64, MAX_FRAMES = 480000 };
 
 /* Of models that a case does not build with others. */
-static TaborInstructions instructions = TABOR_INSTRUCTIONS_AUTO;
+static TaborInstructions usual_instructions = TABOR_INSTRUCTIONS_AUTO;
 
 static _Noreturn void fail(const char *what, const char *which) {
   (void)fprintf(stderr, "sound_hashes: %s%s%s\n", what, *which ? ": " : "", which);
@@ -474,10 +474,10 @@ static void define(Subject *s) {
 }
 
 static void prepare(Subject *s) {
-  s->model = build(&s->def, s->quality, instructions);
+  s->model = build(&s->def, s->quality, usual_instructions);
   const TaborDrumDef second = tenser(&s->def), third = smaller(&s->def);
-  s->tenser = build(&second, s->quality, instructions);
-  s->smaller = build(&third, s->quality, instructions);
+  s->tenser = build(&second, s->quality, usual_instructions);
+  s->smaller = build(&third, s->quality, usual_instructions);
   tabor_model_info(s->model, &s->info);
 }
 
@@ -631,7 +631,7 @@ int main(int argc, char **argv) {
       fail("not a duration", argv[4]);
     print_all(&s);
   } else if (strcmp(verb, "summary") == 0 && (argc == 3 || argc == 4)) {
-    if (argc == 4) instructions = instructions_of(argv[3]);
+    if (argc == 4) usual_instructions = instructions_of(argv[3]);
     print_summary(argv[2]);
   } else if (strcmp(verb, "difference") == 0 && argc == 4) {
     print_difference(argv[2], argv[3]);

@@ -49,10 +49,11 @@ static uint32_t draw_wire_count(uint64_t *seed) {
   return draw == 0 ? 6 : draw < 4 ? 0 : 1 + (uint32_t)(draw % 3);
 }
 
-/* Keys that are drawn apart. */
+/* Keys that are drawn apart; a room takes no part in the drum. */
 static bool is_newer(const TaborParameter *p) {
-  return strcmp(p->key, "pitch") == 0 || strcmp(p->key, "bending_frequency") == 0 ||
-         strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
+  return strcmp(p->section, "room") == 0 || strcmp(p->key, "pitch") == 0 ||
+         strcmp(p->key, "bending_frequency") == 0 || strncmp(p->key, "lug_", 4) == 0 ||
+         strcmp(p->section, "hoop") == 0 ||
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||

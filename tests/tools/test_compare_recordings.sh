@@ -27,16 +27,17 @@ compare() {
 compare --check
 same "the presets pass: $(cat "$out" "$err")" 0 "$status"
 
-# A program whose snare drums have lost their snares.
+# A program whose snare drums have lost their snares and their room.
 cat >spoilt <<END
 #!/bin/sh
 [ "\$2" = snare-14x5.5 ] || exec "$TABOR" "\$@"
-exec "$TABOR" "\$@" --set wires.strainer=0
+exec "$TABOR" "\$@" --set wires.strainer=0 --set room.kind=none
 END
 chmod +x spoilt
 compare --check --program ./spoilt
 same "a snare drum without snares" 1 "$status"
 check "says so" grep -q '^snare-14x5.5, snare/bottom: [0-9]* of 60 features of spectrum inside, 42 asked$' "$out"
+check "its overhead in free air" grep -qE '^snare-14x5.5, snare/oh: [0-9]+ of 23 features of decay in the plain range, 15 asked; [0-9]+ in the widened range, 21 asked' "$out"
 check "and what it is taken for" grep -qE '^snare-14x5.5: nearest to (tom|floortom)/top, not to snare/top$' "$out"
 same "the others pass" 0 "$(grep -vcE '^(snare-14x5.5[,:]|strict: )' "$out")"
 check "says what the strict gate misses" grep -qE '^strict: snare-14x5.5, snare/bottom, live, spectrum: [0-9]+ of 60 in the plain range, 36 asked; [0-9]+ in the widened range, 57 asked; outside the plain range: to_e50_' "$out"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/compare-synthesizers, tools/compare-qualities and tools/compare-reference: what they measure of sounds that are known, what they
-# write, and what they say of a program that is not there.
+# tools/compare-synthesizers, tools/compare-qualities and tools/compare-reference: what they measure
+# of sounds that are known, what they write, and what they say of a program that is not there.
 #
 # test_compare_tools.sh SOURCE-FOLDER
 

@@ -41,7 +41,7 @@ asks_for "python3-numpy python3-matplotlib python3-scipy" plot-trace strike.csv 
 asks_for "python3-numpy python3-matplotlib" bench
 for tool in make-reference.py radiation_reference.py; do asks_for "python3-numpy python3-scipy" $tool; done
 asks_for "$sounds python3-soundfile" compare-recordings
-for tool in compare-qualities make-playing make-validation render-examples rudiments; do asks_for "$sounds" $tool; done
+for tool in compare-qualities make-playing make-validation render-examples room-picture rudiments; do asks_for "$sounds" $tool; done
 
 if python=$(find_python numpy,matplotlib); then
   done_quietly render tabor --quality draft --duration 0.1 -q -o strike.wav --trace strike.csv

@@ -3,12 +3,13 @@
  * @file tabor.h
  * Tabor, a snare drum computed from physics: the one public header of libtabor.
  *
- * There are three kinds of object:
+ * There are four kinds of object:
  *
  * - A *definition* (TaborDrumDef) is a plain struct of physical parameters in SI units.
  * - A *model* (TaborModel) holds everything that is computed once from a definition and a sample
  *   rate. It is immutable; any number of drums share it.
  * - A *drum* (TaborDrum) is the state of one sounding drum. The audio thread computes its samples.
+ * - A *room* (TaborRoom) adds to a drum's microphones what walls send back.
  *
  * Functions are grouped by the thread that may call them:
  *
@@ -362,6 +363,30 @@ typedef struct TaborQualityDef {
   uint32_t losses;          /**< 1, or 0 to switch off every loss and radiation; default 1 */
 } TaborQualityDef;
 
+/** A room with four walls, floor and ceiling. */
+typedef enum TaborRoomKind {
+  TABOR_ROOM_NONE,   /**< free air: adds nothing */
+  TABOR_ROOM_BOOTH,  /**< 2.4 by 2.2 by 2.3 m; sound falls by 60 dB in 0.30 s, at 8 kHz in 0.20 s */
+  TABOR_ROOM_STUDIO, /**< 6 by 5 by 3 m, 0.60 s and 0.45 s */
+  TABOR_ROOM_HALL    /**< 20 by 15 by 9 m, 1.5 s and 0.9 s */
+} TaborRoomKind;
+
+/**
+ * The room around a drum, for tabor_room_create(); the drum itself is computed in free air. "0 = by kind", the
+ * default, takes the kind's own value.
+ */
+typedef struct TaborRoomDef {
+  uint32_t kind; /**< a TaborRoomKind, default none */
+  /** Length [m], 0 = by kind, or 1 to 100; width and height are in proportion as the kind has them. */
+  double size;
+  double decay; /**< 60 dB decay time of low notes [s], 0 = by kind, or 0.05 to 20 */
+  /** 60 dB decay time at 8 kHz as a part of `decay`, 0 = by kind, or 0.25 to 1. The loss that comes on top rises
+   * with the square of the frequency. */
+  double tilt;
+  double
+    level; /**< factor on what the room adds, 0 to 10, default 1: as loud as in a diffuse field */
+} TaborRoomDef;
+
 /** A whole drum. Plain data: copy it by assignment. */
 typedef struct TaborDrumDef {
   uint32_t struct_size;          /**< set by tabor_drum_def_default() */
@@ -384,6 +409,7 @@ typedef struct TaborDrumDef {
   TaborQualityDef quality;                     /**< [quality] */
   double full_scale; /**< sound pressure that gives the sample 1.0 [Pa], 1e-3 to 1e5, default 20 */
   TaborHoopDef hoop; /**< [hoop] */
+  TaborRoomDef room; /**< [room] */
 } TaborDrumDef;
 
 /** Type of a parameter's value. */
@@ -857,6 +883,87 @@ TABOR_API void tabor_drum_state_save(const TaborDrum *drum, void *bytes);
  * checked, so bytes from a stranger cannot break the program; what they sound like is up to them.
  */
 TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t size);
+/** @} */
+
+/* ------------------------------------------------------------------------------------------------
+ * Room
+ * --------------------------------------------------------------------------------------------- */
+
+/**
+ * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of each
+ * microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has the equations). It
+ * hears the drum by two of its microphones, the *feeds*: those called `left` and `right`, or else the one that
+ * is farthest away, for both. The drum does not hear the room.
+ */
+typedef struct TaborRoom TaborRoom;
+
+/** Facts of a room. */
+typedef struct TaborRoomInfo {
+  uint32_t kind;    /**< a TaborRoomKind */
+  double length;    /**< [m]; 0 for none, as are all below */
+  double width;     /**< [m] */
+  double height;    /**< [m] */
+  double decay;     /**< 60 dB decay time of low notes [s] */
+  double decay_8k;  /**< the same at 8 kHz [s] */
+  double loudness;  /**< energy of the late sound over that of the direct sound 1 m from the drum */
+  uint32_t feed[2]; /**< indices of the microphones that it hears the drum by */
+  uint32_t tail; /**< frames after which it is silent, at most, if the feeds stop at full scale */
+  size_t bytes;  /**< memory */
+} TaborRoomInfo;
+
+/** @name Set-up: rooms
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
+
+/**
+ * Creates the room of @p def, at rest, for all its microphones. A room of the kind none adds nothing. Of @p def
+ * it reads room, air, shell and microphones, as they are now: gains that change while the drum plays are not
+ * heard in the room, but through the feeds. @p allocator may be NULL for the C library's. On an error *room is
+ * NULL: those of tabor_drum_def_validate(), TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p sample_rate, or
+ * TABOR_ERROR_MEMORY.
+ */
+TABOR_API TaborStatus tabor_room_create(const TaborDrumDef *def, double sample_rate,
+                                        const TaborAllocator *allocator, TaborRoom **room,
+                                        TaborError *error);
+/** Frees a room. Ignores NULL. */
+TABOR_API void tabor_room_destroy(TaborRoom *room);
+/** Fills in the facts of @p room. */
+TABOR_API void tabor_room_info(const TaborRoom *room, TaborRoomInfo *info);
+/** @} */
+
+/** @name Rooms on the audio thread
+ * AUDIO: real-time safe; one thread at a time for one room. */
+/** @{ */
+
+/**
+ * Adds what the room sends back to @p outputs.
+ *
+ * @param room    the room.
+ * @param dry     dry[mic][frame]: what tabor_drum_process() gave. Only the feeds are read. A NULL channel is
+ *                silence, and so is @p dry if it is NULL.
+ * @param outputs outputs[mic][frame]: the room adds to each channel that is not NULL; @p outputs may be @p dry.
+ * @param frames  samples of each channel.
+ *
+ * The output does not depend on the division into blocks, nor on the instruction set.
+ */
+TABOR_API void tabor_room_process(TaborRoom *room, const float *const *dry, float *const *outputs,
+                                  uint32_t frames);
+/** True if everything has died away: the room adds exactly 0 until a feed sounds again. */
+TABOR_API bool tabor_room_is_silent(const TaborRoom *room);
+/** Energy of what the room holds: mean square of its late sound at a microphone of gain 1, in units of full
+ * scale. 0 if it is silent. */
+TABOR_API double tabor_room_energy(const TaborRoom *room);
+/** Brings the room to rest. */
+TABOR_API void tabor_room_reset(TaborRoom *room);
+/** Number of bytes that tabor_room_state_save() writes. */
+TABOR_API size_t tabor_room_state_size(const TaborRoom *room);
+/** Writes the whole state to @p bytes. The same room, and one like it, continues from it with the same bits. */
+TABOR_API void tabor_room_state_save(const TaborRoom *room, void *bytes);
+/**
+ * Restores a saved state. If the bytes are damaged or belong to another room, it returns TABOR_ERROR_STATE and
+ * changes nothing.
+ */
+TABOR_API TaborStatus tabor_room_state_load(TaborRoom *room, const void *bytes, size_t size);
 /** @} */
 
 #ifdef __cplusplus

@@ -147,7 +147,13 @@ typedef enum TbParamId {
   TB_PARAM_QUALITY_WIRE_POINTS = 1304,
   TB_PARAM_QUALITY_LOSSES = 1305,
 
-  TB_PARAM_OUTPUT_FULL_SCALE = 1400 /**< live */
+  TB_PARAM_OUTPUT_FULL_SCALE = 1400, /**< live */
+
+  TB_PARAM_ROOM_KIND = 1500,
+  TB_PARAM_ROOM_SIZE = 1501,
+  TB_PARAM_ROOM_DECAY = 1502,
+  TB_PARAM_ROOM_TILT = 1503,
+  TB_PARAM_ROOM_LEVEL = 1504
 } TbParamId;
 
 /** Structure of a row's section: one struct; one struct that may be absent; or an array of elements

@@ -9,6 +9,7 @@
 #include "drum/event_budget.h"
 #include "drum/frame.h"
 #include "kernels/flush_denormals.h"
+#include "math/checksum.h"
 #include "step/brush.h"
 #include "step/energy.h"
 #include "step/live_params.h"
@@ -289,25 +290,13 @@ const TaborModel *tabor_drum_model(const TaborDrum *drum) { return drum->model; 
 
 /* ---- saved states --------------------------------------------------------------------------- */
 
-/* FNV-1a over 8-byte words: tells damage, not malice. */
-static uint64_t checksum(const void *bytes, size_t size) {
-  const unsigned char *p = bytes;
-  uint64_t hash = 14695981039346656037u;
-  for (size_t i = 0; i + 8 <= size; i += 8) {
-    uint64_t word;
-    memcpy(&word, p + i, 8);
-    hash = (hash ^ word) * 1099511628211u;
-  }
-  return hash;
-}
-
 size_t tabor_drum_state_size(const TaborDrum *drum) {
   return tb_state_bytes(drum->model) + sizeof(uint64_t);
 }
 
 void tabor_drum_state_save(const TaborDrum *drum, void *bytes) {
   const size_t size = tb_state_bytes(drum->model);
-  const uint64_t sum = checksum(drum->state, size);
+  const uint64_t sum = tb_checksum(drum->state, size);
   memcpy(bytes, drum->state, size);
   memcpy((char *)bytes + size, &sum, sizeof sum);
 }
@@ -319,7 +308,7 @@ TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t siz
   memcpy(&fingerprint, bytes, sizeof fingerprint); /* the first member of TbState */
   memcpy(&sum, (const char *)bytes + expected, sizeof sum);
   if (fingerprint != drum->model->fingerprint) return TABOR_ERROR_STATE;
-  if (sum != checksum(bytes, expected)) return TABOR_ERROR_STATE;
+  if (sum != tb_checksum(bytes, expected)) return TABOR_ERROR_STATE;
   if (!tb_state_check(drum->model, bytes)) return TABOR_ERROR_STATE;
   tb_tails_end(&drum->tails);
   memcpy(drum->state, bytes, expected);

@@ -26,14 +26,16 @@ typedef struct TB_TYPE(TbRing) {
   TB_REAL *next;
 } TB_TYPE(TbRing);
 
-/* The start of a contact solve: copies of p and f, s = b - p, the largest |b|, and the largest y or
- * 0. */
+/* The start of a contact solve: copies of p and f, s = b - p, the largest |b|, the largest y or 0,
+ * and the largest |f|. */
 typedef struct TB_TYPE(TbStart) {
   const double *from_b, *from_p, *from_y, *from_f;
   TB_REAL *p, *f, *s;
 #if TB_REAL_IS_FLOAT
   const double *from_own;
-  TB_REAL *b, *y, *root, *own; /* copies, and sqrt(y) or 0 */
+  const TB_REAL *head;                 /* the head's compliance at a row */
+  TB_REAL *b, *y, *root, *own, *yield; /* copies, sqrt(y) or 0, and own + head */
+  TB_REAL force;                       /* the largest |f| */
 #endif
   TB_REAL change, depth;
 } TB_TYPE(TbStart);
@@ -53,9 +55,9 @@ typedef struct TB_TYPE(TbResidual) {
   TB_REAL largest, square;
 } TB_TYPE(TbResidual);
 
-/* The terms of a balance (solve.h), the largest |law - f|, and the largest |f|. */
+/* The terms of a balance (solve.h), and the largest |law - f|. */
 typedef struct TB_TYPE(TbBalance) {
-  TB_REAL value, derivative, size, miss, most;
+  TB_REAL value, derivative, size, miss;
 } TB_TYPE(TbBalance);
 
 typedef struct TB_TYPE(TbKernels) {
@@ -101,11 +103,6 @@ typedef struct TB_TYPE(TbKernels) {
                TB_REAL *mean);
   /* s = b - p; returns the largest |s| */
   TB_REAL (*change)(uint32_t n, const TB_REAL *b, const TB_REAL *p, TB_REAL *s);
-  /* weight = sqrt(slope), d = -weight r. In double r = (s - b) + p; in single precision
-   * r = p - p_last. */
-  TB_TYPE(TbResidual)
-  (*weigh)(uint32_t n, const TB_REAL *slope, const TB_REAL *s, const TB_REAL *b, const TB_REAL *p,
-           const TB_REAL *p_last, TB_REAL *weight, TB_REAL *d);
   /* Conjugate gradients: out = d + w m, returns Sum d out; p += t d and r -= t m, returns Sum r r;
    * d = r + t d. */
   TB_REAL (*turn)(uint32_t n, TB_REAL *out, const TB_REAL *d, const TB_REAL *w, const TB_REAL *m);
@@ -117,11 +114,12 @@ typedef struct TB_TYPE(TbKernels) {
   (uint32_t n, const TB_REAL *law, const TB_REAL *weight, const TB_REAL *x, const TB_REAL *b,
    const TB_REAL *p, TB_REAL *f, TB_REAL *s);
   /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'); its derivative in t, which
-   * is -Sum m (law - f') + s (slope m + g); Sum |s f'|; the largest |law - f'| and the largest
-   * |f'|. */
+   * is -Sum m (law - f') + s (slope m + g); Sum |s f'|; the largest |law - f'|, in single
+   * precision divided by 1 + slope yield. */
   TB_TYPE(TbBalance)
-  (*balance)(uint32_t n, TB_REAL t, const TB_REAL *s, const TB_REAL *law, const TB_REAL *slope,
-             const TB_REAL *f, const TB_REAL *f_last, const TB_REAL *p, const TB_REAL *p_last);
+  (*balance)(uint32_t n, TB_REAL t, const TB_REAL *yield, const TB_REAL *s, const TB_REAL *law,
+             const TB_REAL *slope, const TB_REAL *f, const TB_REAL *f_last, const TB_REAL *p,
+             const TB_REAL *p_last);
 
 #if TB_REAL_IS_FLOAT
   /* ---- beside the state, which is double ---------------------------------------------------- */
@@ -135,13 +133,21 @@ typedef struct TB_TYPE(TbKernels) {
   /* b = (side w - (v - v_last)) + load. Returns true if y or y + b is above -TB_NEAR anywhere. */
   bool (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
                     const double *load, const double *y, double *b);
-  /* f = f_last + (law - f_last)/(1 + slope (own + head)) */
-  void (*relax)(uint32_t n, const float *law, const float *slope, const float *own,
-                const float *head, const float *f_last, float *f);
+  /* With `firm` = 1 + slope yield: weight = sqrt(slope), f += (law - f)/firm, and x with law + weight x
+   * = f. Returns the largest change of f. */
+  float (*aim)(uint32_t n, const float *law, const float *slope, const float *yield, float *f,
+               float *weight, float *x);
+  /* r = -(x + weight (p - before)), d = r; the largest |weight r|/firm and Sum r r. */
+  TbResidualF (*left_over)(uint32_t n, const float *slope, const float *yield, const float *weight,
+                           const float *x, const float *p, const float *before, float *r, float *d);
   /* out = f[0] x[0] + f[1] x[1] + ... - base, with `count` terms */
   void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x,
                   const float *base, float *out);
 #else
+  /* weight = sqrt(slope), r = (s - b) + p, d = -weight r */
+  TbResidual (*weigh)(uint32_t n, const double *slope, const double *s, const double *b,
+                      const double *p, double *weight, double *d);
+
   /* ---- the state ---------------------------------------------------------------------------- */
 
   /* `multiply` and `gather` with a matrix in single precision, summed in double. */

@@ -15,6 +15,9 @@ typedef TYPE_OF(TbBalance) Balance;
 static void start(uint32_t n, Start *whole) {
   const Start copy = *whole, *at = &copy; /* no store changes the copy */
   Lanes change = zero(), deepest = zero();
+#ifdef TB_FLOAT
+  Lanes strongest = zero();
+#endif
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);
     const Lanes f = load_double(at->from_f + i);
@@ -23,7 +26,10 @@ static void start(uint32_t n, Start *whole) {
     store(at->b + i, b);
     store(at->y + i, y);
     store(at->root + i, root(larger(y, zero())));
-    store(at->own + i, load_double(at->from_own + i));
+    const Lanes own = load_double(at->from_own + i);
+    store(at->own + i, own);
+    store(at->yield + i, add(own, load(at->head + i)));
+    strongest = larger(size_of(f), strongest);
 #endif
     store(at->f + i, f);
     store(at->p + i, load_double(at->from_p + i));
@@ -32,6 +38,9 @@ static void start(uint32_t n, Start *whole) {
   }
   whole->change = largest_of(change);
   whole->depth = largest_of(deepest);
+#ifdef TB_FLOAT
+  whole->force = largest_of(strongest);
+#endif
 }
 
 static void end(uint32_t n, End *whole) {
@@ -73,13 +82,48 @@ static Real follow(uint32_t n, const Real *law, const Real *weight, const Real *
   return largest_of(most);
 }
 
+/* Of a contact and what it rests on: 1 + slope yield. */
+static INLINE Lanes firmness(Lanes slope, Lanes yield) {
+  return add(all(REAL(1.0)), multiply_lanes(slope, yield));
+}
+
+#ifdef TB_FLOAT
+static float aim(uint32_t n, const float *law, const float *slope, const float *yield, float *f,
+                 float *weight, float *x) {
+  Lanes most = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes steep = load(slope + i), soft = load(yield + i), w = root(steep);
+    const Lanes before = load(f + i);
+    const Lanes move = divide(subtract(load(law + i), before), firmness(steep, soft));
+    store(weight + i, w);
+    store(x + i, subtract(zero(), multiply_lanes(multiply_lanes(w, soft), move)));
+    store(f + i, add(before, move));
+    most = larger(size_of(move), most);
+  }
+  return largest_of(most);
+}
+
+static Residual left_over(uint32_t n, const float *slope, const float *yield, const float *weight,
+                          const float *x, const float *p, const float *before, float *r, float *d) {
+  Lanes most = zero(), square = zero();
+  for (uint32_t i = 0; i < n; i += 8) {
+    const Lanes w = load(weight + i), firm = firmness(load(slope + i), load(yield + i));
+    const Lanes moved = subtract(load(p + i), load(before + i));
+    const Lanes left = subtract(zero(), add(load(x + i), multiply_lanes(w, moved)));
+    store(r + i, left);
+    store(d + i, left);
+    most = larger(size_of(divide(multiply_lanes(w, left), firm)), most);
+    square = add(square, multiply_lanes(left, left));
+  }
+  return (Residual){largest_of(most), join(square)};
+}
+#else
 static Residual weigh(uint32_t n, const Real *slope, const Real *s, const Real *b, const Real *p,
-                      const Real *p_last, Real *weight, Real *d) {
+                      Real *weight, Real *d) {
   Lanes most = zero(), square = zero();
   for (uint64_t i = 0; i < n; i += 8) {
-    const Lanes w = root(load(slope + i)), moved = load(p + i);
-    const Lanes r =
-      SINGLE ? subtract(moved, load(p_last + i)) : add(moved, subtract(load(s + i), load(b + i)));
+    const Lanes w = root(load(slope + i));
+    const Lanes r = add(load(p + i), subtract(load(s + i), load(b + i)));
     const Lanes down = subtract(zero(), multiply_lanes(w, r));
     store(weight + i, w);
     store(d + i, down);
@@ -88,11 +132,13 @@ static Residual weigh(uint32_t n, const Real *slope, const Real *s, const Real *
   }
   return (Residual){largest_of(most), join(square)};
 }
+#endif
 
-static Balance balance(uint32_t n, Real t, const Real *s_at, const Real *law, const Real *slope,
-                       const Real *f_at, const Real *f_last, const Real *p, const Real *p_last) {
+static Balance balance(uint32_t n, Real t, const Real *yield, const Real *s_at, const Real *law,
+                       const Real *slope, const Real *f_at, const Real *f_last, const Real *p,
+                       const Real *p_last) {
   Lanes value = zero(), derivative = zero(), size = zero();
-  Lanes miss = zero(), most = zero();
+  Lanes miss = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes s = load(s_at + i), f = load(f_at + i), g = subtract(f, load(f_last + i));
     const Lanes m = subtract(load(p + i), load(p_last + i)), moved = add(f, scale(g, t));
@@ -101,10 +147,11 @@ static Balance balance(uint32_t n, Real t, const Real *s_at, const Real *law, co
     value = add(value, multiply_lanes(s, left));
     derivative = subtract(derivative, add(multiply_lanes(m, left), bend));
     size = add(size, size_of(multiply_lanes(s, moved)));
-    miss = larger(size_of(left), miss);
-    most = larger(size_of(moved), most);
+    miss = larger(SINGLE ? divide(size_of(left), firmness(load(slope + i), load(yield + i)))
+                         : size_of(left),
+                  miss);
   }
-  return (Balance){join(value), join(derivative), join(size), largest_of(miss), largest_of(most)};
+  return (Balance){join(value), join(derivative), join(size), largest_of(miss)};
 }
 
 #endif

@@ -35,15 +35,6 @@ static bool penetrate(uint32_t n, float side, const float *w, const double *v, c
   return any(greater(deepest, all(-TB_NEAR)));
 }
 
-static void relax(uint32_t n, const float *law, const float *slope, const float *own,
-                  const float *head, const float *f_last, float *f) {
-  for (uint32_t i = 0; i < n; i += 8) {
-    const Lanes before = load(f_last + i), yield = add(load(own + i), load(head + i));
-    const Lanes firm = add(all(1.0f), multiply_lanes(load(slope + i), yield));
-    store(f + i, add(before, divide(subtract(load(law + i), before), firm)));
-  }
-}
-
 /* `blocks` blocks of eight side by side; `blocks` is a constant at every call. */
 static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *f,
                                   const float *const *x, const float *base, uint32_t at,

@@ -48,9 +48,9 @@ static TbHeadLimits limits_of(uint32_t quality, uint32_t points, double rate) {
 static Level level_of(uint32_t quality) {
   switch (quality) {
   case TABOR_QUALITY_DRAFT:
-    return (Level){2500.0, 0.0, 2, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
+    return (Level){2500.0, 0.0, 3, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_LIVE:
-    return (Level){2500.0, 18000.0, 16, 16, 64, 3e-2, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
+    return (Level){4000.0, 18000.0, 16, 16, 64, 3e-1, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
   case TABOR_QUALITY_REFERENCE:
     return (Level){16000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
   default: return (Level){8000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
@@ -198,7 +198,7 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
                        .grid = tb_arena_doubles(scratch, wire_grid->size),
                        .answer = tb_arena_doubles(scratch, wire_grid->size),
                        .fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(wire_grid))};
-  model->yield = tb_arena_take(&model->arena, model->wires.stride, sizeof *model->yield);
+  model->yield = tb_arena_take(&model->arena, model->wires.stride + TB_SLOTS, sizeof *model->yield);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
   return TABOR_OK;

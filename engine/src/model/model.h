@@ -102,7 +102,8 @@ struct TaborModel {
   TbRest rest;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
-  float *yield; /* [wires.stride]: the head's compliance at a point, to a force there [m/N] */
+  /* [wires.stride + TB_SLOTS]: the head's compliance at a point, to a force there [m/N] */
+  float *yield;
   TbWireGridF wire_gridf;    /* for contacts in single precision */
   TbComplianceF compliancef; /* for contacts in single precision */
   TbStretch stretch;

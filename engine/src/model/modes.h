@@ -57,8 +57,8 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, const uint32_t *spare, double time_step);
 
 /* Computes shape[padded], the shape of every mode on head `which`, relative to the lifted edge, at
- * radius [m] and angle from the wires' direction (sine, cosine). `patch` as in tb_head_radial(); radial is scratch of
- * head.row_count. Audio-safe. */
+ * radius [m] and angle from the wires' direction (sine, cosine). `patch` as in tb_head_radial();
+ * radial is scratch of head.row_count. Audio-safe. */
 void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape);

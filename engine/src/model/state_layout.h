@@ -7,7 +7,7 @@
 
 /* Number of arrays by rows (a row is one contact) and by grid points that TbSolveWork and
  * TbSolveWorkF have beside the drum's own. */
-enum { TB_WORK_ROWS = 11, TB_WORK_GRIDS = 3, TB_WORKF_ROWS = 19, TB_WORKF_GRIDS = 6 };
+enum { TB_WORK_ROWS = 11, TB_WORK_GRIDS = 3, TB_WORKF_ROWS = 20, TB_WORKF_GRIDS = 6 };
 
 void tb_layout_prepare(TbLayout *layout, const TaborModel *model);
 

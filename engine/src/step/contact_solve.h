@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* The contact solve of solve.h in one precision; contact_solve_tmpl.c is compiled for each.
  *
- * Single precision (`draft` and `live`) solves the same equations in the same steps, with twice as
- * many numbers per register, half as many bytes to move, and all wires taking part. States, their
- * response to the forces, and the ledger stay double, so nothing drifts. The work of the forces and
- * the energy that contacts store agree only to rounding: about 1e-7 of the energy that goes through
- * the contacts in a sample, with either sign. The iteration ends where forces would lose up to 3e-6
- * of that energy; this loss is booked as lost in contacts.
+ * Single precision (`draft` and `live`) solves the same equations with twice as many numbers per
+ * register, half as many bytes to move, and all wires taking part. A Newton step does not begin at
+ * the laws' own forces, whose response would cost a product with M, but at
+ *   f~ + e/(1 + D c),  e = f(s) - f~,  c = the row's own compliance + the head's right below it,
+ * as if rows did not feel each other. Conjugate gradients go on from there until the step, with
+ * laws that are lines of slope D, would leave less than the accepted part of e/(1 + D c): often
+ * that is so at once. A difference between forces and laws counts divided by 1 + D c, that is by
+ * what it would change. States, their response to the forces, and the ledger stay double, so
+ * nothing drifts. The work of the forces and the energy that contacts store agree only to rounding:
+ * about 1e-7 of the energy that goes through the contacts in a sample, with either sign. The
+ * iteration ends where forces would lose up to 3e-6 of that energy; this loss is booked as lost in
+ * contacts.
  *
  * In double, an iteration that does not converge is balanced once more, up to half of the forces'
  * change away. Audio-safe. */
@@ -23,11 +29,12 @@ typedef struct TbContactMethod {
   bool (*solve)(TbSolve *solve, TbSolveOutcome *outcome);
   /* out = M x; `grid` receives x on the grid. */
   void (*product)(TbSolve *solve, const double *x, double *grid, double *out);
-  /* One Newton step. Reads s, law and slope from the workspace; updates force, product, grid and
-   * s. */
-  void (*step)(TbSolve *solve, uint32_t inner_cap, double inner_tolerance);
 } TbContactMethod;
 
 extern const TbContactMethod tb_contact_method, tb_contact_methodf;
+
+/* One Newton step in double. Reads s, law and slope from the workspace; updates force, product,
+ * grid and s. */
+void tb_contact_newton_step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance);
 
 #endif

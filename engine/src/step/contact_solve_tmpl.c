@@ -16,14 +16,21 @@ typedef TYPE_OF(TbEnd) End;
 typedef TYPE_OF(TbResidual) Residual;
 typedef TYPE_OF(TbBalance) Balance;
 
-/* Forces are balanced where they lose this part of the work that makes up the balance, and as far on either side: in
- * single precision sums are right to a tenth of it, and nothing may be gained. */
+/* Forces are balanced where they lose this part of the work that makes up the balance, and as far
+ * on either side: in single precision sums are right to a tenth of it, and nothing may be
+ * gained. */
 static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-6 : 0.0);
 static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-6 : 1e-13);
 static const uint32_t MOST_BALANCE_STEPS = SINGLE ? 4 : 8;
-static const Real BALANCE_REACH = REAL(0.1);
-/* Forces of single precision are right to this part of the largest: near a drum's rest that is all they change. */
-static const Real NOISE = REAL(SINGLE ? 2e-6 : 0.0);
+static const Real BALANCE_REACH = REAL(SINGLE ? 0.25 : 0.1);
+#ifdef TB_FLOAT
+/* Forces of single precision are right to this part of the largest: near a drum's rest that is all
+ * they change. */
+static const float NOISE = 2e-6f;
+/* The part of the accepted difference between forces and laws that a step aims at, the first and
+ * the next ones: laws are no lines. */
+static const float FIRST_AIM = 0.8f, NEXT_AIM = 0.2f;
+#endif
 /* A point goes no farther than this many times its free way and the depth of contacts. */
 static const Real FARTHEST = REAL(100.0);
 
@@ -43,12 +50,7 @@ static const float *b_of(const TbSolve *solve) { return solve->workf.b; }
 static const float *y_of(const TbSolve *solve) { return solve->workf.y; }
 static const float *own_of(const TbSolve *solve) { return solve->workf.own; }
 static const float *root_of(const TbSolve *solve) { return solve->workf.root; }
-
-/* Of the largest number to be found: none is known here. */
-static bool is_noise(const TbSolve *solve, float residual, TbStartF size) {
-  (void)solve, (void)residual, (void)size;
-  return false;
-}
+static const float *yield_of(const TbSolve *solve) { return solve->workf.yield; }
 
 static bool wires_touch(const TbSolve *solve, const float *s) {
   (void)solve, (void)s;
@@ -56,6 +58,15 @@ static bool wires_touch(const TbSolve *solve, const float *s) {
 }
 
 static bool near(const TbSolve *solve) { return solve->in.near; }
+
+/* What the head adds to the slots' own compliance. */
+static void yield_at_slots(TbSolve *solve) {
+  for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
+    if (!tb_slot_in_play(&solve->in, slot)) continue;
+    const double head = solve->in.slot_coupling[slot * (TB_SLOTS + 1u)];
+    solve->workf.yield[solve->in.stride + slot] += (float)head;
+  }
+}
 
 /* Everything in single precision; s = b - M f of the last sample's forces. */
 static TbStartF take_in(TbSolve *solve) {
@@ -71,8 +82,11 @@ static TbStartF take_in(TbSolve *solve) {
                     .b = work->b,
                     .y = work->y,
                     .root = work->root,
-                    .own = work->own};
+                    .own = work->own,
+                    .head = solve->in.yield,
+                    .yield = work->yield};
   solve->in.kernelsf->start(total_rows(solve), &start);
+  yield_at_slots(solve);
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
     solve->in.kernelsf->narrow(solve->in.wire_gridf->size, solve->in.stretch_grid[h],
                                work->stretch[h]);
@@ -137,11 +151,14 @@ static const double *root_of(const TbSolve *solve) {
   (void)solve;
   return NULL;
 }
+static const double *yield_of(const TbSolve *solve) {
+  (void)solve;
+  return NULL;
+}
 
 /* Newton has converged when the residual is rounding noise of what it is a difference of. */
-static bool is_noise(const TbSolve *solve, double residual, TbStart size) {
+static bool is_noise(double residual, TbStart size) {
   static const double RELATIVE_TOLERANCE = 1e-14, PENETRATION_TOLERANCE = 4e-15;
-  (void)solve;
   return residual <= RELATIVE_TOLERANCE * size.change + PENETRATION_TOLERANCE * size.depth;
 }
 
@@ -242,30 +259,13 @@ static void apply_laws(TbSolve *solve, const Real *s) {
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`, and in `direction` what the
- * step is to solve for. */
-static Residual find_residual(TbSolve *solve) {
-  const Work *work = work_of(solve);
-  const uint32_t rows = total_rows(solve);
-  const Real *before = work->product;
-#ifdef TB_FLOAT
-  memcpy(work->before, work->product, rows * sizeof *work->before);
-  before = work->before;
-#endif
-  product_of(solve, work->wires, work->law, work->grid, work->product);
-  return kernels_of(solve)->weigh(rows, work->slope, work->s, b_of(solve), work->product, before,
-                                  work->weight, work->direction);
-}
-
-/* Solves (I + W M W) p = d, given in `direction` with its square, by conjugate gradients from p = 0, W = diag(weight),
- * into `solution`; adds M W p to `product`, and W p on the grid to `grid`. */
-static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real tolerance) {
+/* Goes on from the `residual` of (I + W M W) x = d, whose square is given, by conjugate gradients
+ * until it is `enough`, W = diag(weight); adds M W dx to `product`, and W dx on the grid to
+ * `grid`. */
+static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real enough) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
   const uint32_t rows = total_rows(solve), size = solve->in.wire_grid->size;
-  const Real enough = square * tolerance * tolerance;
-  memset(work->solution, 0, rows * sizeof(Real));
-  memcpy(work->residual, work->direction, rows * sizeof(Real));
   Real again = REAL(0.0); /* how much of the last direction the next one keeps */
   for (uint32_t i = 0; i < cap && square > enough; i++) {
     if (i > 0) kernels->redirect(rows, again, work->direction, work->residual);
@@ -282,29 +282,74 @@ static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real toleranc
   }
 }
 
-/* From the laws at s on, whose residual has been found; force, product, grid and s follow. Returns the largest |s|. */
-static Real newton_step(TbSolve *solve, Residual found, uint32_t cap, double tolerance) {
-  const Work *work = work_of(solve);
-  solve_inner(solve, found.square, cap, (Real)tolerance);
-  return kernels_of(solve)->follow(total_rows(solve), work->law, work->weight, work->solution,
-                                   b_of(solve), work->product, work->force, work->s);
+#ifdef TB_FLOAT
+/* Forces move as if each row's own yielding and the head's right below it were all. Returns the
+ * largest change. */
+static float aim(TbSolve *solve) {
+  const TbSolveWorkF *work = &solve->workf;
+  return solve->in.kernelsf->aim(total_rows(solve), work->law, work->slope, work->yield,
+                                 work->force, work->weight, work->solution);
 }
+
+/* Goes on from there until forces and laws, were these lines, would agree to `enough`: with the
+ * wires' own yielding the larger part, that often takes a single product. Returns the largest
+ * |s|. */
+static float newton_step(TbSolve *solve, float enough) {
+  const TbKernelsF *kernels = solve->in.kernelsf;
+  const TbSolveWorkF *work = &solve->workf;
+  const uint32_t rows = total_rows(solve);
+  memcpy(work->before, work->product, rows * sizeof(float));
+  product_of(solve, true, work->force, work->grid, work->product);
+  const TbResidualF left =
+    kernels->left_over(rows, work->slope, work->yield, work->weight, work->solution, work->product,
+                       work->before, work->residual, work->direction);
+  if (left.largest > enough) {
+    const float part = enough / left.largest;
+    solve_inner(solve, left.square, solve->in.inner_cap, left.square * part * part);
+  }
+  return kernels->follow(rows, work->law, work->weight, work->solution, work->b, work->product,
+                         work->force, work->s);
+}
+#else
+/* r = s + M f - b with the laws' forces, whose response is left in `product` and `grid`, and in
+ * `direction` what the step is to solve for. */
+static TbResidual find_residual(TbSolve *solve) {
+  const TbSolveWork *work = &solve->work;
+  product_of(solve, work->wires, work->law, work->grid, work->product);
+  return solve->in.kernels->weigh(total_rows(solve), work->slope, work->s, solve->in.b,
+                                  work->product, work->weight, work->direction);
+}
+
+/* From the laws at s on, whose residual has been found; force, product, grid and s follow. Returns
+ * the largest |s|. */
+static double newton_step(TbSolve *solve, TbResidual found, uint32_t cap, double tolerance) {
+  const TbSolveWork *work = &solve->work;
+  const uint32_t rows = total_rows(solve);
+  memset(work->solution, 0, rows * sizeof(double));
+  memcpy(work->residual, work->direction, rows * sizeof(double));
+  solve_inner(solve, found.square, cap, found.square * tolerance * tolerance);
+  return solve->in.kernels->follow(rows, work->law, work->weight, work->solution, solve->in.b,
+                                   work->product, work->force, work->s);
+}
+#endif
 
 /* ---- the balance ---------------------------------------------------------------------------- */
 
 static Balance balance_at(TbSolve *solve, const Real *s, Real t) {
   const Work *work = work_of(solve);
-  return kernels_of(solve)->balance(total_rows(solve), t, s, work->law, work->slope, work->force,
-                                    work->force_last, work->product, work->product_last);
+  return kernels_of(solve)->balance(total_rows(solve), t, yield_of(solve), s, work->law,
+                                    work->slope, work->force, work->force_last, work->product,
+                                    work->product_last);
 }
 
-/* How far forces have to move along their change, f~ + t g, and the energy that is left over then, lost. */
+/* How far forces have to move along their change, f~ + t g, and the energy that is left over then,
+ * lost. */
 typedef struct Move {
   Real t, over;
 } Move;
 
-/* Where the work of the forces is what the laws say, with the sums at s to begin with, and leaves that place's laws;
- * false where there is no such place up to `reach` away. */
+/* Where the work of the forces is what the laws say, with the sums at s to begin with, and leaves
+ * that place's laws; false where there is no such place up to `reach` away. */
 static bool balance(TbSolve *solve, Balance sums, Real reach, Move *move) {
   const Work *work = work_of(solve);
   Real t = REAL(0.0);
@@ -363,29 +408,20 @@ static void give_back(TbSolve *solve, Move move, TbSolveOutcome *outcome) {
   outcome->damper_loss = 0.5 * damper;
 }
 
-/* Forces that no law changes stay as they are. */
-static void stay(TbSolve *solve, TbSolveOutcome *outcome) {
-  const Work *work = work_of(solve);
-  const size_t bytes = total_rows(solve) * sizeof(Real);
-  if (SINGLE) memcpy(work->force, work->force_last, bytes);
-  if (SINGLE) memcpy(work->product, work->product_last, bytes);
-  give_back(solve, (Move){REAL(0.0), REAL(0.0)}, outcome);
-}
-
 static void evaluate(TbSolve *solve) {
   Work *work = work_of(solve);
   work->wires = work->wires || wires_touch(solve, work->s);
   apply_laws(solve, work->s);
 }
 
-/* Whether forces and laws agree to `enough` at s, and forces balance up to `reach` away; then all is given back. It is
- * no end where wires touch there that took no part. */
+/* Whether forces and laws agree to `enough` at s, and forces balance up to `reach` away; then all
+ * is given back. It is no end where wires touch there that took no part. */
 static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *outcome) {
   const Work *work = work_of(solve);
   Move move;
   evaluate(solve);
   const Balance sums = balance_at(solve, work->s, REAL(0.0));
-  if (!(sums.miss <= enough + NOISE * sums.most)) return false;
+  if (!(sums.miss <= enough)) return false;
   if (balance(solve, sums, reach, &move)) {
     give_back(solve, move, outcome);
     kernels_of(solve)->extrapolate(solve->in.wire_grid->size, move.t, work->grid, work->grid_last,
@@ -399,94 +435,93 @@ static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *out
 
 /* ---- the solve ------------------------------------------------------------------------------ */
 
-#ifdef TB_FLOAT
-static void relax_slots(TbSolve *solve) {
-  const TbSolveWorkF *work = &solve->workf;
-  const uint32_t at = solve->in.stride;
-  _Alignas(64) float heads[TB_SLOTS];
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const double head = solve->in.slot_coupling[i * (TB_SLOTS + 1u)];
-    heads[i] = tb_slot_in_play(&solve->in, i) ? (float)head : 0.0f;
-  }
-  solve->in.kernelsf->relax(TB_SLOTS, work->law + at, work->slope + at, work->own + at, heads,
-                            work->force_last + at, work->force + at);
+/* A step that was solved too coarsely, over contacts too stiff for it, throws points about; the
+ * next one would throw them farther, since forces with loss grow with the square of s. */
+static bool goes_astray(Real way, Start size) {
+  return !(way <= FARTHEST * (size.change + size.depth));
 }
 
-/* A first step: each row as if its own yielding and the head's right below it were all: with the wires' own the larger
- * part, that is nearly always enough, for one product instead of two. Returns the largest |s|. */
-static float first_step(TbSolve *solve) {
-  const TbKernelsF *kernels = solve->in.kernelsf;
+#ifdef TB_FLOAT
+/* Newton's iteration from the last sample's forces on, with the laws at s; true if all is given
+ * back. */
+static bool iterate(TbSolve *solve, TbStartF size, TbSolveOutcome *outcome) {
   const TbSolveWorkF *work = &solve->workf;
-  kernels->relax(solve->in.stride, work->law, work->slope, work->own, solve->in.yield,
-                 work->force_last, work->force);
-  if (solve->in.slot_mask) relax_slots(solve);
-  product_of(solve, true, work->force, work->grid, work->product);
-  return kernels->change(total_rows(solve), work->b, work->product, work->s);
+  const size_t bytes = total_rows(solve) * sizeof(float);
+  memcpy(work->force, work->force_last, bytes);
+  memcpy(work->product, work->product_last, bytes);
+  const float first = aim(solve);
+  if (first == 0.0f) {
+    give_back(solve, (Move){0.0f, 0.0f}, outcome);
+    return true;
+  }
+  take_grid(solve);
+  const float wanted = (float)solve->in.tolerance * first, noise = NOISE * size.force;
+  for (uint32_t i = 0; i < solve->in.cap; i++) {
+    outcome->iterations = i + 1;
+    if (i > 0) aim(solve);
+    const float way = newton_step(solve, (i > 0 ? NEXT_AIM : FIRST_AIM) * wanted + noise);
+    if (goes_astray(way, size)) return false;
+    if (settles(solve, wanted + noise, BALANCE_REACH, outcome)) return true;
+  }
+  return false;
 }
 #else
-static double first_step(TbSolve *solve) {
-  (void)solve;
-  return 0.0;
-}
-#endif
-
 static void take_law_forces(TbSolve *solve) {
-  const Work *work = work_of(solve);
-  memcpy(work->force, work->law, total_rows(solve) * sizeof(Real));
-  kernels_of(solve)->change(total_rows(solve), b_of(solve), work->product, work->s);
+  const TbSolveWork *work = &solve->work;
+  memcpy(work->force, work->law, total_rows(solve) * sizeof(double));
+  solve->in.kernels->change(total_rows(solve), solve->in.b, work->product, work->s);
 }
 
-/* Newton's iteration; true if it came to its end and all is given back. A step that was solved too coarsely, over
- * contacts too stiff for it, throws points about (`astray`); the next one would throw them farther, since forces with
- * loss grow with the square of s. */
-static bool iterate(TbSolve *solve, Start size, Real enough, bool *astray,
-                    TbSolveOutcome *outcome) {
-  const Work *work = work_of(solve);
+/* Newton's iteration; true if it came to its end and all is given back. */
+static bool newton(TbSolve *solve, TbStart size, double enough, bool *astray,
+                   TbSolveOutcome *outcome) {
+  const TbSolveWork *work = &solve->work;
   const uint32_t cap = solve->in.cap;
-  Real way = first_step(solve);
+  double way = 0.0;
   for (uint32_t i = 0;; i++) {
     outcome->iterations = i;
-    *astray = !(way <= FARTHEST * (size.change + size.depth));
+    *astray = goes_astray(way, size);
     if (*astray) return false;
-    if ((SINGLE || i > 0) && settles(solve, enough, BALANCE_REACH, outcome)) return true;
+    if (i > 0 && settles(solve, enough, BALANCE_REACH, outcome)) return true;
     if (i == cap && solve->in.tolerance > 0.0) return false;
-    const Residual found = find_residual(solve);
-    if (is_noise(solve, found.largest, size)) {
+    const TbResidual found = find_residual(solve);
+    if (is_noise(found.largest, size)) {
       take_law_forces(solve);
-      give_back(solve, (Move){REAL(0.0), REAL(0.0)}, outcome);
+      give_back(solve, (Move){0.0, 0.0}, outcome);
       return true;
     }
     if (i == cap) {
       product_of(solve, work->wires, work->force, work->grid, work->product);
-      kernels_of(solve)->change(total_rows(solve), b_of(solve), work->product, work->s);
+      solve->in.kernels->change(total_rows(solve), solve->in.b, work->product, work->s);
       return false;
     }
     way = newton_step(solve, found, solve->in.inner_cap, solve->in.inner_tolerance);
   }
 }
 
-/* Where Newton came to no end. */
-static bool recover(TbSolve *solve, bool astray, TbSolveOutcome *outcome) {
-  if (SINGLE) return false;
-  outcome->capped = true;
-  outcome->corrected = !astray && settles(solve, REAL(INFINITY), REAL(0.5), outcome);
-  return outcome->corrected;
-}
-
-static bool solve_contacts(TbSolve *solve, TbSolveOutcome *outcome) {
-  const Work *work = work_of(solve);
-  const Start size = take_in(solve);
-  outcome->iterations = 0;
-  apply_laws(solve, work->s);
-  const Real first = kernels_of(solve)->difference(total_rows(solve), work->law, work->force_last);
-  if (first == REAL(0.0)) {
-    stay(solve, outcome);
+/* Newton's iteration with the laws at s, and a balance where it came to no end. */
+static bool iterate(TbSolve *solve, TbStart size, TbSolveOutcome *outcome) {
+  const TbSolveWork *work = &solve->work;
+  const double first =
+    solve->in.kernels->difference(total_rows(solve), work->law, work->force_last);
+  if (first == 0.0) {
+    give_back(solve, (Move){0.0, 0.0}, outcome);
     return true;
   }
   take_grid(solve);
   bool astray = false;
-  return iterate(solve, size, (Real)solve->in.tolerance * first, &astray, outcome) ||
-         recover(solve, astray, outcome);
+  if (newton(solve, size, solve->in.tolerance * first, &astray, outcome)) return true;
+  outcome->capped = true;
+  outcome->corrected = !astray && settles(solve, INFINITY, 0.5, outcome);
+  return outcome->corrected;
+}
+#endif
+
+static bool solve_contacts(TbSolve *solve, TbSolveOutcome *outcome) {
+  const Start size = take_in(solve);
+  outcome->iterations = 0;
+  apply_laws(solve, work_of(solve)->s);
+  return iterate(solve, size, outcome);
 }
 
 /* ---- for others ----------------------------------------------------------------------------- */
@@ -506,10 +541,10 @@ static void product(TbSolve *solve, const double *x, double *grid, double *out) 
 static void product(TbSolve *solve, const double *x, double *grid, double *out) {
   product_of(solve, true, x, grid, out);
 }
-#endif
 
-static void step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance) {
+void tb_contact_newton_step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance) {
   newton_step(solve, find_residual(solve), inner_cap, inner_tolerance);
 }
+#endif
 
-const TbContactMethod NAME_OF(tb_contact_method) = {near, solve_contacts, product, step};
+const TbContactMethod NAME_OF(tb_contact_method) = {near, solve_contacts, product};

@@ -84,7 +84,7 @@ static void majorant_step(TbSolve *solve, bool safe, TbSolveOutcome *outcome) {
   solve->work.wires = true;
   prepare_majorants(solve, safe);
   memset(solve->s, 0, bytes);
-  tb_contact_method.step(solve, MAJORANT_CAP, MAJORANT_TOLERANCE);
+  tb_contact_newton_step(solve, MAJORANT_CAP, MAJORANT_TOLERANCE);
   for (uint32_t row = 0; row < total_rows(solve); row++) {
     const TbContactLaw *law = law_of(solve, row);
     if (!law) continue;

@@ -12,9 +12,9 @@
  *
  * With `tolerance` 0 the iteration continues until r is rounding noise, and the forces are the
  * laws' own. Otherwise it ends when f(s) - f~ has fallen to the fraction `tolerance` of its first
- * value. f~ is then moved along its change since the last sample, f~ + t g, until the contacts take
- * exactly the work that their laws give at s: Sum s (f(s) - f~) = 0 ("balance"). So energy is exact
- * however early the iteration ends.
+ * value (contact_solve.h says how it is measured). f~ is then moved along its change since the last
+ * sample, f~ + t g, until the contacts take exactly the work that their laws give at s: Sum s (f(s)
+ * - f~) = 0 ("balance"). So energy is exact however early the iteration ends.
  *
  * A cap may never create energy. If Newton has not converged,
  * 1. the forces are balanced in the same way;
@@ -44,7 +44,8 @@ typedef struct TbContacts {
   const TbKernelsF *kernelsf;
   const TbWireGridF *wire_gridf;
   const TbComplianceF *compliancef;
-  const float *yield; /* [stride]: the head's compliance at a point, to a force there [m/N] */
+  const float *yield; /* [stride + TB_SLOTS]: the head's compliance at a point, to a force there
+                       * [m/N]; 0 at the slots */
   bool near;          /* some wire point may touch */
   uint32_t stride, slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */

@@ -64,7 +64,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
     &work.s,         &work.force,  &work.product, &work.force_last, &work.product_last,
     &work.law,       &work.slope,  &work.mean,    &work.weight,     &work.residual,
     &work.direction, &work.turned, &work.moved,   &work.solution,   &work.b,
-    &work.y,         &work.root,   &work.own,     &work.before};
+    &work.y,         &work.root,   &work.own,     &work.yield,      &work.before};
   float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
                                          &work.answer, &work.stretch[0], &work.stretch[1]};
   for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;

@@ -22,8 +22,8 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
   return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
 }
 
-/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back. Nobody finds it by
- * its id any more. */
+/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back.
+ * Nobody finds it by its id any more. */
 static void lift(TbSlot *s) {
   s->leaving = 1;
   s->id = 0;

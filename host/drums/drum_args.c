@@ -70,8 +70,16 @@ int preset_place(const char *preset) {
   return -1;
 }
 
+/* The room stays when the drum changes. */
+static bool changes_drum(const char *setting) { return strncmp(setting, "room.", 5) != 0; }
+
 int drum_listed_preset(const Arguments *arguments) {
-  return arguments_has(arguments, "set") ? -1 : preset_place(preset_argument(arguments));
+  const char *setting;
+  size_t position = 0;
+  while ((setting = arguments_next(arguments, "set", &position)) != NULL) {
+    if (changes_drum(setting)) return -1;
+  }
+  return preset_place(preset_argument(arguments));
 }
 
 const char *drum_mic_name(const void *def, size_t index) {
@@ -248,6 +256,23 @@ Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, T
   const TaborStatus status = tabor_drum_create(model, drum, &error);
   tabor_model_release(model); /* the drum keeps its own reference */
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
+}
+
+Outcome drum_take_pair(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
+                       double *gain) {
+  if (arguments_has(arguments, "mic")) {
+    return refuse("--stereo and --mic: both would choose the microphones");
+  }
+  const int left = tabor_drum_def_find_mic(def, "left");
+  const int right = tabor_drum_def_find_mic(def, "right");
+  if (left < 0 || right < 0) {
+    return refuse("--stereo: the drum lacks a microphone left or right");
+  }
+  mics[0] = (uint32_t)left;
+  mics[1] = (uint32_t)right;
+  if (def->room.kind == TABOR_ROOM_NONE) def->room.kind = TABOR_ROOM_STUDIO;
+  *gain *= pow(10, STEREO_GAIN_DB / 20);
+  return OUTCOME_OK;
 }
 
 Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room) {

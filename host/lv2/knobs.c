@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sound/room_mix.h"
+
 #define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */
 #define HIGHEST_PITCH 900  /* [Hz], of the presets' heads */
@@ -158,7 +160,7 @@ const Knob knobs[KNOB_COUNT] = {
                  .comment = "Of all outputs; MIDI volume and expression are beside it."},
   [KNOB_LEVEL_PAIR] = {.symbol = "level_pair",
                        .name = "Stereo pair",
-                       LEVEL(0),
+                       LEVEL(STEREO_GAIN_DB),
                        .comment = "Level of the microphones left and right, in front of the drum. "
                                   "Drums without them are heard by their first one."},
   [KNOB_LEVEL_TOP] = {.symbol = "level_top",
@@ -193,15 +195,43 @@ const Knob knobs[KNOB_COUNT] = {
                          LEVEL(LOWEST_LEVEL),
                          .comment = "Level of the microphone inside the shell of snares and bass "
                                     "drums."},
+  [KNOB_ROOM] = {.symbol = "room",
+                 .name = "Room",
+                 .group = "mics",
+                 .kind = KNOB_SETTING,
+                 RANGE(TABOR_ROOM_NONE, TABOR_ROOM_HALL),
+                 .fallback = TABOR_ROOM_STUDIO,
+                 .unit = "",
+                 .choices = "None|Booth|Studio|Hall",
+                 .off = TABOR_ROOM_NONE,
+                 .comment = "The room around the drum, which all its microphones hear. Size, "
+                            "decay and level are those of the drum's definition."},
 };
 
 const KnobId knob_ports[KNOB_COUNT] = {
-  KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
-  KNOB_STRAINER,       KNOB_WIRE_TENSION,     KNOB_STICK_HARDNESS,  KNOB_STRIKE_RADIUS,
-  KNOB_STRIKE_ANGLE,   KNOB_VELOCITY_CURVE,   KNOB_HUMANIZE,        KNOB_QUALITY,
-  KNOB_GAIN,           KNOB_LEVEL_PAIR,       KNOB_LEVEL_TOP,       KNOB_LEVEL_BOTTOM,
-  KNOB_LEVEL_NEAR,     KNOB_LEVEL_FAR,        KNOB_VELOCITY_RANGE,  KNOB_LEVEL_INSIDE,
-  KNOB_BATTER_PITCH,   KNOB_RESONANT_PITCH,
+  KNOB_BATTER_TENSION,
+  KNOB_RESONANT_TENSION,
+  KNOB_BATTER_MUFFLING,
+  KNOB_RESONANT_MUFFLING,
+  KNOB_STRAINER,
+  KNOB_WIRE_TENSION,
+  KNOB_STICK_HARDNESS,
+  KNOB_STRIKE_RADIUS,
+  KNOB_STRIKE_ANGLE,
+  KNOB_VELOCITY_CURVE,
+  KNOB_HUMANIZE,
+  KNOB_QUALITY,
+  KNOB_GAIN,
+  KNOB_LEVEL_PAIR,
+  KNOB_LEVEL_TOP,
+  KNOB_LEVEL_BOTTOM,
+  KNOB_LEVEL_NEAR,
+  KNOB_LEVEL_FAR,
+  KNOB_VELOCITY_RANGE,
+  KNOB_LEVEL_INSIDE,
+  KNOB_BATTER_PITCH,
+  KNOB_RESONANT_PITCH,
+  KNOB_ROOM,
 };
 
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {

@@ -40,6 +40,7 @@ typedef enum KnobId {
   KNOB_LEVEL_FAR,
   KNOB_LEVEL_INSIDE,
   KNOB_VELOCITY_RANGE,
+  KNOB_ROOM, /**< stereo plugin only */
   KNOB_COUNT
 } KnobId;
 
@@ -83,10 +84,15 @@ static inline bool knob_is_level(KnobId id) REALTIME {
   return id >= KNOB_LEVEL_PAIR && id <= KNOB_LEVEL_INSIDE;
 }
 
+/** True for a knob that the multi-output plugin lacks. */
+static inline bool knob_is_of_stereo(KnobId id) REALTIME {
+  return knob_is_level(id) || id == KNOB_ROOM;
+}
+
 /** Knob number @p place of the stereo or the multi-output plugin; KNOB_COUNT past the last. */
 static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    if (!stereo && knob_is_level(knob_ports[i])) continue;
+    if (!stereo && knob_is_of_stereo(knob_ports[i])) continue;
     if (place-- == 0) return knob_ports[i];
   }
   return KNOB_COUNT;

@@ -22,9 +22,10 @@ static Entry *first;
 
 /* ---- equal sounds --------------------------------------------------------------------------- */
 
-/* What a model is not computed from: its names, the usual stroke. */
+/* What a model is not computed from: its names, the usual stroke, the room. */
 static bool is_heard(const char *key) {
-  return strncmp(key, "drum.", 5) != 0 && strncmp(key, "strike.", 7) != 0;
+  return strncmp(key, "drum.", 5) != 0 && strncmp(key, "strike.", 7) != 0 &&
+         strncmp(key, "room.", 5) != 0;
 }
 
 static bool same_value(const TaborDrumDef *a, const TaborDrumDef *b, const char *key) {

@@ -23,6 +23,20 @@ bool model_worker_begin(ModelWorker *worker, double rate, bool stereo) {
   return pthread_mutex_init(&worker->lock, NULL) == 0;
 }
 
+/* The ones that no player needs, or all. */
+static void free_rooms(ModelWorker *worker, bool all) {
+  for (WorkerRoom **link = &worker->rooms; *link;) {
+    WorkerRoom *const room = *link;
+    if (!all && !atomic_load(&room->mix.is_left)) {
+      link = &room->next;
+      continue;
+    }
+    *link = room->next;
+    room_mix_free(&room->mix);
+    free(room);
+  }
+}
+
 /* A reply that was not taken. */
 static void destroy_offer(ModelWorker *worker) {
   if (atomic_load(&worker->phase) != PHASE_ANSWERED || !worker->reply.is_news) return;
@@ -31,6 +45,7 @@ static void destroy_offer(ModelWorker *worker) {
 
 void model_worker_end(ModelWorker *worker) {
   destroy_offer(worker);
+  free_rooms(worker, true);
   for (uint32_t i = 0; i < worker->swap_count; i++) tabor_swap_destroy(worker->swaps[i]);
   free(worker->swaps);
   model_cache_give_back(worker->model);
@@ -188,6 +203,11 @@ static bool begins_anew(const ModelWorker *worker, const Reply *reply) {
   return !worker->model || reply->restoration != worker->built_restoration || was_chosen(worker);
 }
 
+static TaborStatus out_of_memory(TaborError *error) {
+  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
+  return TABOR_ERROR_MEMORY;
+}
+
 /* The model's microphone for each of the plugins', by name. */
 static void choose_mics(const ModelWorker *worker, const TaborDrumDef *def, uint8_t *mics) {
   static const struct {
@@ -219,8 +239,40 @@ static TaborStatus prepare(ModelWorker *worker, TaborModel *model, Reply *reply,
   tabor_swap_route(reply->swap, mics, MODEL_WORKER_MICS);
   if (keep(worker, reply->swap) == TABOR_OK) return TABOR_OK;
   tabor_swap_destroy(reply->swap);
-  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
-  return TABOR_ERROR_MEMORY;
+  return out_of_memory(error);
+}
+
+/* ---- the room ------------------------------------------------------------------------------- */
+
+/* Padding that differs costs a fade from one room to another one like it. */
+static bool same_room(const TaborDrumDef *a, const TaborDrumDef *b) {
+  return memcmp(&a->room, &b->room, sizeof a->room) == 0 &&
+         memcmp(&a->air, &b->air, sizeof a->air) == 0 &&
+         memcmp(&a->shell, &b->shell, sizeof a->shell) == 0 && a->mic_count == b->mic_count &&
+         memcmp(a->mic, b->mic, a->mic_count * sizeof a->mic[0]) == 0;
+}
+
+/* A preset chosen by MIDI comes into the room that is there, as in a rendering. */
+static TaborStatus build_room(ModelWorker *worker, Reply *reply, bool chosen, TaborError *error) {
+  uint8_t mics[MODEL_WORKER_MICS];
+  TaborDrumDef def = reply->def;
+  if (worker->stereo) def.room.kind = worker->request.room;
+  if (worker->rooms && (chosen || same_room(&worker->rooms->def, &def))) return TABOR_OK;
+  WorkerRoom *const room = calloc(1, sizeof *room);
+  if (!room) return out_of_memory(error);
+  choose_mics(worker, &def, mics);
+  room->def = def;
+  const TaborStatus status =
+    room_mix_create(&room->mix, &def, worker->options.sample_rate, mics, MODEL_WORKER_MICS, error);
+  if (status != TABOR_OK) {
+    room_mix_free(&room->mix);
+    free(room);
+    return status;
+  }
+  room->next = worker->rooms;
+  worker->rooms = room;
+  reply->room = &room->mix;
+  return TABOR_OK;
 }
 
 static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
@@ -247,8 +299,10 @@ static void answer(ModelWorker *worker) {
   TaborError error;
   const uint32_t number = reply->number, restoration = reply->restoration;
   discard_done(worker);
+  free_rooms(worker, false);
   reply->drum = NULL;
   reply->swap = NULL;
+  reply->room = NULL;
   reply->number = worker->request.number;
   TaborDrumDef composed;
   (void)pthread_mutex_lock(&worker->lock);
@@ -261,9 +315,12 @@ static void answer(ModelWorker *worker) {
   midi_binding_make(&worker->map, &reply->def, &reply->binding);
   compose_model(worker, reply);
   describe(reply);
+  const bool chosen = was_chosen(worker);
   reply->failed = build(worker, reply, &error) != TABOR_OK;
-  if (!reply->failed) return;
-  say(worker, "the drum stays as it is", &error);
+  if (reply->failed) say(worker, "the drum stays as it is", &error);
+  if (!reply->failed && build_room(worker, reply, chosen, &error) != TABOR_OK) {
+    say(worker, "the room stays as it is", &error);
+  }
 }
 
 void model_worker_work(ModelWorker *worker) {

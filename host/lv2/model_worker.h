@@ -9,7 +9,8 @@
  *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> ANSWERED --audio--> IDLE
  *
  * The first reply has the drum. Later, a preset that is chosen by MIDI or restored replaces the drum, and a change of
- * knobs or quality keeps it ringing on another model; both are swaps.
+ * knobs or quality keeps it ringing on another model; both are swaps. The room comes with the drum, and anew when
+ * something changes that it depends on: the knob, or the drum's microphones, shell and air.
  *
  * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
  * has chosen since. Knobs turned since then override values in it.
@@ -24,6 +25,7 @@
 #include "lv2/knobs.h"
 #include "midi/midi_to_events.h"
 #include "sound/player_message.h"
+#include "sound/room_mix.h"
 
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
@@ -40,6 +42,7 @@ typedef struct Request {
   double strainer, grip;    /**< values set by MIDI since then */
   float seen[KNOB_KEYS];    /**< values of the ports; a change is a turn of the knob */
   uint32_t quality;         /**< a TaborQuality */
+  uint32_t room;            /**< a TaborRoomKind; stereo plugin */
 } Request;
 
 /** The worker's answer. */
@@ -49,6 +52,7 @@ typedef struct Reply {
   float seen[KNOB_KEYS];   /**< restored values of the ports; NaN: any value */
   TaborDrum *drum;         /**< the drum, the first time; then NULL */
   TaborSwap *swap;         /**< for the drum; NULL without drum: no change */
+  RoomMix *room;           /**< another room, NULL for the one before */
   bool is_news;            /**< false: the request was answered before; ignore the rest */
   bool failed;             /**< nothing was built; ignore the fields below */
   bool begins_anew;        /**< the swap replaces the drum */
@@ -61,6 +65,12 @@ typedef enum Phase { PHASE_IDLE, PHASE_ASKED, PHASE_BUILDING, PHASE_ANSWERED } P
 
 /** Writes an error line to the host's log. Any thread but the audio thread. */
 typedef void ModelWorkerSayFn(void *context, const char *line);
+
+typedef struct WorkerRoom {
+  RoomMix mix;
+  TaborDrumDef def; /**< that it is of */
+  struct WorkerRoom *next;
+} WorkerRoom;
 
 typedef struct ModelWorker {
   /* set up once */
@@ -90,6 +100,7 @@ typedef struct ModelWorker {
   uint32_t built_restoration, built_choice; /**< of that model */
   TaborSwap **swaps;                        /**< swaps that the drum may still need */
   uint32_t swap_count, swap_room;
+  WorkerRoom *rooms; /**< those that a player may still need; the newest first */
 } ModelWorker;
 
 /** The saved state of an instance. */

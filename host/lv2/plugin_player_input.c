@@ -127,6 +127,10 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     player->request.quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
     player->request.number++;
     break;
+  case KNOB_ROOM:
+    player->request.room = (uint32_t)lroundf(value);
+    player->request.number++;
+    break;
   case KNOB_GAIN: set_gain(player, knob_factor(id, value)); break;
   default: turn_level(player, id, knob_factor(id, value), at_once); break;
   }

@@ -72,6 +72,7 @@ static void land(PluginPlayer *player, const Reply *reply) {
   if (reply->begins_anew) begin_anew(player);
   if (reply->drum) drum_player_set_drum(&player->core, reply->drum);
   if (reply->swap) change_model(player, reply);
+  if (reply->room) drum_player_set_room(&player->core, reply->room);
   read_model(player, reply);
   if (speaks_of(player, reply)) {
     player->midi.binding = reply->binding;

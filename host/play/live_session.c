@@ -83,10 +83,10 @@ static Outcome read_score(LiveSession *session) {
 static Outcome create_drum(LiveSession *session) {
   const PlayRequest *const request = session->request;
   const ModelBuilderSetup setup = {.preset = request->preset,
-                             .is_listed = drum_listed_preset(request->arguments) >= 0,
-                             .def = &request->def,
-                             .options = request->model,
-                             .waits = request->backend->waits};
+                                   .is_listed = drum_listed_preset(request->arguments) >= 0,
+                                   .def = &request->def,
+                                   .options = request->model,
+                                   .waits = request->backend->waits};
   return model_builder_create(&setup, &session->builder);
 }
 

@@ -291,6 +291,11 @@ static void request(ModelBuilder *builder, uint64_t frame) {
 
 Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
                           const char *value) {
+  if (strncmp(key, "room.", 5) == 0) {
+    return refuse(
+      "%s '%.80s': the room stays while the drum is played; start with --set %.80s=%.80s", what,
+      key, key, value);
+  }
   (void)pthread_mutex_lock(&builder->lock);
   TaborDrumDef def = builder->wanted;
   const Outcome outcome = builder->stops ? OUTCOME_FAILED : drum_set(&def, what, key, value);

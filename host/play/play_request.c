@@ -38,6 +38,7 @@ const Option play_options[] = {
   {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/keyboard.md"},
   {"mic", 0, "NAME",
    "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
+  OPTION_STEREO,
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
   {"no-ui", 0, NULL, "no screen: print lines instead"},
   {0},
@@ -100,6 +101,10 @@ static Outcome read_mics(const Arguments *arguments, PlayRequest *request) {
   const char *name;
   size_t position = 0;
   if (request->def.mic_count == 0) return refuse("the drum has no microphone");
+  if (arguments_has(arguments, "stereo")) {
+    request->channels = request->device.channels = 2;
+    return drum_take_pair(arguments, &request->def, request->mics, &request->gain);
+  }
   while ((name = arguments_next(arguments, "mic", &position)) != NULL) {
     const int mic = tabor_drum_def_find_mic(&request->def, name);
     char hint[512];

@@ -16,8 +16,9 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   if (outcome != OUTCOME_OK) return outcome;
   player->model = (TaborModel *)tabor_drum_model(player->drum);
   drum_player_begin(&player->core, request->def.mic_count, request->gain);
-  outcome = room_create(&request->def, request->model.sample_rate, &player->core.room);
+  outcome = room_create(&request->def, request->model.sample_rate, &player->room);
   if (outcome != OUTCOME_OK) return outcome;
+  drum_player_set_room(&player->core, &player->room);
   for (uint32_t i = 0; i < request->channels; i++) player->core.heard |= 1u << request->mics[i];
   drum_player_set_drum(&player->core, player->drum);
   return OUTCOME_OK;
@@ -156,7 +157,7 @@ Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, Trace
 }
 
 void offline_player_free(OfflinePlayer *player) {
-  room_mix_free(&player->core.room);
+  room_mix_free(&player->room);
   tabor_drum_destroy(player->drum);
   player->drum = NULL;
   free_done(player, true);

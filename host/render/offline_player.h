@@ -32,6 +32,7 @@ typedef struct OfflinePlayer {
   RenderRequest *request;
   TaborDrum *drum;
   DrumPlayer core; /**< with an output for each of the first drum's microphones */
+  RoomMix room;
   PresetModels presets;
   TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
   SentSwap *swaps;

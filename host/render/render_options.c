@@ -34,7 +34,7 @@ const Option render_options[] = {
   {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
   OPTION_JOBS,
   OPTION_MIC,
-  {"stereo", 0, NULL, "the microphones left and right, in the preset's room or a studio"},
+  OPTION_STEREO,
   {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
   OPTION_GAIN,
   {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
@@ -100,25 +100,12 @@ static Outcome take_default_mics(RenderRequest *request) {
   return OUTCOME_OK;
 }
 
-/* A pair a metre away is quieter than a close microphone: a snare drum's by 18 dB. */
-#define STEREO_GAIN_DB 12.0
-
-/* The pair in the preset's room, or in a studio, louder unless the peak decides. */
 static Outcome take_pair(const Arguments *arguments, RenderRequest *request) {
-  if (arguments_has(arguments, "mic")) {
-    return refuse("--stereo and --mic: both would choose the microphones");
-  }
-  const int left = tabor_drum_def_find_mic(&request->def, "left");
-  const int right = tabor_drum_def_find_mic(&request->def, "right");
-  if (left < 0 || right < 0) {
-    return refuse("--stereo: the drum lacks a microphone left or right");
-  }
-  request->mics[request->channels++] = (uint32_t)left;
-  request->mics[request->channels++] = (uint32_t)right;
-  TaborRoomDef *const room = &request->def.room;
-  if (room->kind == TABOR_ROOM_NONE) room->kind = TABOR_ROOM_STUDIO;
-  if (!request->normalize) request->gain *= pow(10, STEREO_GAIN_DB / 20);
-  return OUTCOME_OK;
+  request->channels = 2;
+  const double gain = request->gain;
+  const Outcome outcome = drum_take_pair(arguments, &request->def, request->mics, &request->gain);
+  if (request->normalize) request->gain = gain; /* the peak decides */
+  return outcome;
 }
 
 static Outcome read_mics(const Arguments *arguments, RenderRequest *request) {

@@ -79,23 +79,34 @@ static uint32_t gather(DrumPlayer *player, DrumSourceFn *take, void *source, uin
 
 /* ---- sound ---------------------------------------------------------------------------------- */
 
-static bool silences(const TaborEvent *event) { return event->type == TABOR_EVENT_SILENCE; }
+static void leave_former(DrumPlayer *player) {
+  if (player->former) atomic_store(&player->former->is_left, true);
+  player->former = NULL;
+}
 
-/* The room hears the drum behind the gain, so that what sounds in it goes on as it is. */
-static void play_room(DrumPlayer *player, uint32_t at, uint32_t frames) {
+static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
+  if (player->former) {
+    room_mix_play(player->former, player->sound, player->heard, at, frames);
+    if (!room_mix_is_fading(player->former)) leave_former(player);
+  }
+  if (player->room) room_mix_play(player->room, player->sound, player->heard, at, frames);
+}
+
+/* Rooms hear the drum behind the gain: what sounds in them goes on as it is when that changes. */
+static void add_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
   uint32_t from = 0;
-  for (uint32_t i = 0; i < player->count; i++) {
+  for (uint32_t i = 0; i < player->count && player->room; i++) {
     const TaborEvent *const event = &player->events[i];
-    if (!silences(event)) continue;
-    room_mix_play(&player->room, player->sound, player->heard, at + from, event->frame - from);
-    room_mix_silence(&player->room);
+    if (event->type != TABOR_EVENT_SILENCE) continue;
+    play_rooms(player, at + from, event->frame - from);
+    room_mix_silence(player->room);
     from = event->frame;
   }
-  room_mix_play(&player->room, player->sound, player->heard, at + from, frames - from);
+  play_rooms(player, at + from, frames - from);
 }
 
 static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
-  const uint32_t played = player->heard | player->room.feeds;
+  const uint32_t played = player->heard | (player->room ? player->room->feeds : 0);
   float *outputs[TABOR_MAX_MICS] = {NULL};
   for (uint32_t i = 0; i < player->outputs; i++) {
     float *const sound = player->sound[i] + at;
@@ -108,7 +119,7 @@ static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
   if (player->drum) {
     tabor_drum_process(player->drum, player->events, player->count, outputs, frames);
   }
-  play_room(player, at, frames);
+  add_rooms(player, at, frames);
   player->count = 0;
   player->position += frames;
 }
@@ -137,8 +148,19 @@ void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) {
   add_gain(player, 0);
 }
 
+/* The former room hears nothing any more. */
+void drum_player_set_room(DrumPlayer *player, RoomMix *room) {
+  leave_former(player);
+  player->former = player->room;
+  player->room = room;
+  if (!player->former) return;
+  room_mix_silence(player->former);
+  player->former->feeds = 0;
+}
+
 void drum_player_rest(DrumPlayer *player) {
-  room_mix_rest(&player->room);
+  leave_former(player);
+  if (player->room) room_mix_rest(player->room);
   player->count = 0;
   player->has_next = false;
   player->expression = 1;

@@ -25,20 +25,24 @@ typedef struct DrumPlayer {
   uint32_t outputs;  /**< that the drum was given by tabor_drum_route() */
   uint32_t heard;    /**< bits of the outputs that anybody hears */
   uint32_t strikers; /**< of the current model */
-  RoomMix room;      /**< behind the outputs, if the host creates one; freed by it */
+  RoomMix *room;     /**< behind the outputs, or NULL; the host's, as the next */
+  RoomMix *former;   /**< the room before, while it fades; else NULL */
   double gain, expression;
   uint64_t strokes;                      /**< number of strokes that the drum was asked for */
   TaborEvent events[DRUM_PLAYER_EVENTS]; /**< of the block, not yet played */
   uint32_t count;
   PlayerMessage next; /**< taken from the source, but not yet played */
   bool has_next;
-  float sound[TABOR_MAX_MICS][DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
+  float sound[TABOR_MAX_MICS]
+             [DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
 } DrumPlayer;
 
 /** Starts without a drum and without a room; nothing is heard. */
 void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTIME;
 /** Gives the player its drum, at rest and with its outputs chosen. */
 void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) REALTIME;
+/** Puts @p room behind the outputs; the one before fades out, and is left then. */
+void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;
 /** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */
 void drum_player_rest(DrumPlayer *player) REALTIME;
 /** Plays @p frames frames, at most DRUM_PLAYER_BLOCK, into sound. */

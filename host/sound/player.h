@@ -42,14 +42,14 @@ typedef struct PlayerRecord {
 
 /** Parameters of a player. */
 typedef struct PlayerSetup {
-  TaborDrum *drum; /**< at rest, with its microphones as outputs; owned by the caller */
+  TaborDrum *drum;         /**< at rest, with its microphones as outputs; owned by the caller */
   const TaborDrumDef *def; /**< of the drum, and of the room */
   double rate;             /**< sample rate of the model [Hz] */
   uint32_t channels;       /**< 1 to TABOR_MAX_MICS */
   uint32_t mics[TABOR_MAX_MICS]; /**< microphone of each channel */
-  uint32_t width;    /**< channels of the device, 0 without one; a single channel feeds them all */
-  uint32_t buffer;   /**< frames that the device asks for at once, or 0 if it does not say */
-  double gain;       /**< factor */
+  uint32_t width;  /**< channels of the device, 0 without one; a single channel feeds them all */
+  uint32_t buffer; /**< frames that the device asks for at once, or 0 if it does not say */
+  double gain;     /**< factor */
   bool records;
   uint64_t frames; /**< number to play; 0: see dies_away */
   /** With frames 0: true ends as a rendering does (ring_out.h), false never ends. */

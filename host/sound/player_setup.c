@@ -53,8 +53,9 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   player->channels = setup->channels;
   memcpy(player->mics, setup->mics, sizeof player->mics);
   for (uint32_t i = 0; i < setup->channels; i++) player->core.heard |= 1u << setup->mics[i];
-  const Outcome outcome = room_create(setup->def, setup->rate, &player->core.room);
+  const Outcome outcome = room_create(setup->def, setup->rate, &player->room);
   if (outcome != OUTCOME_OK) return outcome;
+  drum_player_set_room(&player->core, &player->room);
   player->width = setup->width;
   player->records = setup->records;
   set_end(player, setup);
@@ -66,7 +67,7 @@ void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
   spsc_queue_destroy(&player->recording);
-  room_mix_free(&player->core.room);
+  room_mix_free(&player->room);
   free(player->record);
   free(player);
 }

@@ -41,6 +41,7 @@ struct Player {
 
   /* audio thread */
   DrumPlayer core;
+  RoomMix room;
   uint64_t end;
   RingOut ring_out;
   double mixed[TABOR_MAX_MICS][PLAYER_PIECE]; /* sound of each channel, clipped */

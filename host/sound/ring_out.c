@@ -18,15 +18,14 @@ RingOut ring_out_begin(uint32_t frames, uint32_t last_event, double rate) {
 
 bool ring_out_is_over(RingOut *ring_out, DrumPlayer *player) {
   const uint64_t position = player->position;
-  const bool room_is_over = room_mix_is_over(&player->room);
+  const bool room_is_over = !player->room || room_mix_is_over(player->room);
   if (position <= ring_out->last_event) return false;
   TaborLedger ledger;
   tabor_drum_ledger(player->drum, &ledger);
   if (ledger.stored > ring_out->loudest) ring_out->loudest = ledger.stored;
   if (position < ring_out->least) return false;
-  const bool silent =
-    room_is_over &&
-    (tabor_drum_is_silent(player->drum) || ledger.stored <= ENERGY_FALL * ring_out->loudest);
+  const bool silent = room_is_over && (tabor_drum_is_silent(player->drum) ||
+                                       ledger.stored <= ENERGY_FALL * ring_out->loudest);
   ring_out->sounding = !silent && position >= ring_out->most;
   return silent || position >= ring_out->most;
 }

@@ -98,6 +98,8 @@ void room_mix_silence(RoomMix *mix) {
   tabor_room_reset(mix->room);
 }
 
+bool room_mix_is_fading(const RoomMix *mix) { return mix->left > 0; }
+
 void room_mix_rest(RoomMix *mix) {
   mix->left = 0;
   if (mix->room) tabor_room_reset(mix->room);

@@ -9,17 +9,23 @@
 #ifndef TABOR_HOST_ROOM_MIX_H
 #define TABOR_HOST_ROOM_MIX_H
 
+#include <stdatomic.h>
+
 #include <tabor/tabor.h>
 
 #include "base/realtime.h"
+
+/** A pair a metre away is quieter than a close microphone: a snare drum's by 18 dB. */
+#define STEREO_GAIN_DB 12.0
 
 #define ROOM_MIX_FADE 0.015  /**< [s], as that of a drum's silence */
 #define ROOM_MIX_PIECE 256   /**< most frames at once */
 #define ROOM_MIX_NO_MIC 0xff /**< an output without a microphone of the room */
 
 typedef struct RoomMix {
-  TaborRoom *room;   /**< NULL without one */
-  TaborRoom *fading; /**< another one like it, which the last silence silenced */
+  TaborRoom *room;     /**< NULL without one */
+  TaborRoom *fading;   /**< another one like it, which the last silence silenced */
+  atomic_bool is_left; /**< its drum player plays it no more */
   uint32_t outputs;
   uint8_t mics[TABOR_MAX_MICS]; /**< of each output, in the room's definition, or ROOM_MIX_NO_MIC */
   uint32_t feeds;               /**< bits of the outputs that the room hears */
@@ -42,6 +48,8 @@ void room_mix_play(RoomMix *mix, float (*sound)[ROOM_MIX_PIECE], uint32_t heard,
                    uint32_t frames) REALTIME;
 /** Lets the room fade, as a silence does. */
 void room_mix_silence(RoomMix *mix) REALTIME;
+/** True while something fades. */
+bool room_mix_is_fading(const RoomMix *mix) REALTIME;
 /** Brings the room to rest. */
 void room_mix_rest(RoomMix *mix) REALTIME;
 /** True once the room has fallen 90 dB below the loudest that it was when this was called, or without a room. */

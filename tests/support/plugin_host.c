@@ -151,6 +151,8 @@ PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     host->knobs[i] = knob_range((KnobId)i, &usual).fallback;
   }
+  host->knobs[KNOB_ROOM] = TABOR_ROOM_NONE;
+  host->knobs[KNOB_LEVEL_PAIR] = 0;
   host->urids = (LV2_URID_Map){NULL, host_map_feature};
   host->scheduler = (LV2_Worker_Schedule){host, schedule};
   host->log = (LV2_Log_Log){host, say_all, say};

@@ -81,7 +81,8 @@ LV2_URID host_map_feature(LV2_URID_Map_Handle handle, const char *uri);
 /** Loads the plugin @p uri from the file @p binary. */
 const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 
-/** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults. */
+/** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults, but in free air and with
+ * the stereo pair at 0 dB, as `tabor render --mic left --mic right` hears a preset. */
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);
 void host_close(PluginHost *host);
 /** Adds an event for the next run; call in order of @p frame. */

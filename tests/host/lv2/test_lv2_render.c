@@ -440,15 +440,22 @@ static void test_program_changes(void **state) {
   same_as_render(URI_DRUM, "--quality draft", at_draft, blocks, 3);
 }
 
+static void in_a_room(PluginHost *host) {
+  at_draft(host);
+  host->knobs[KNOB_ROOM] = TABOR_ROOM_STUDIO;
+}
+
+/* In a room, which hears the same. */
 static void same_everywhere(void) {
+  static const char options[] = "--quality draft --set room.kind=studio";
   static const uint32_t blocks[] = {0, 100};
   Take expected, take;
   open_take(&expected, 2);
   open_take(&take, 2);
-  take_from(rendered, "--quality draft", pair, &expected);
-  same_in_plugin(URI_DRUM, &expected, at_draft, blocks, 2);
+  take_from(rendered, options, pair, &expected);
+  same_in_plugin(URI_DRUM, &expected, in_a_room, blocks, 2);
   if (!brief) {
-    take_from(performed, "--quality draft", pair, &take);
+    take_from(performed, options, pair, &take);
     compare(&expected, &take, 0);
   }
   close_take(&expected);

@@ -257,28 +257,3 @@ Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, T
   tabor_model_release(model); /* the drum keeps its own reference */
   return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
 }
-
-Outcome drum_take_pair(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
-                       double *gain) {
-  if (arguments_has(arguments, "mic")) {
-    return refuse("--stereo and --mic: both would choose the microphones");
-  }
-  const int left = tabor_drum_def_find_mic(def, "left");
-  const int right = tabor_drum_def_find_mic(def, "right");
-  if (left < 0 || right < 0) {
-    return refuse("--stereo: the drum lacks a microphone left or right");
-  }
-  mics[0] = (uint32_t)left;
-  mics[1] = (uint32_t)right;
-  if (def->room.kind == TABOR_ROOM_NONE) def->room.kind = TABOR_ROOM_STUDIO;
-  *gain *= pow(10, STEREO_GAIN_DB / 20);
-  return OUTCOME_OK;
-}
-
-Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room) {
-  uint8_t mics[TABOR_MAX_MICS];
-  TaborError error;
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) mics[i] = (uint8_t)i;
-  const TaborStatus status = room_mix_create(room, def, rate, mics, def->mic_count, &error);
-  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
-}

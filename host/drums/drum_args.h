@@ -8,7 +8,6 @@
 
 #include "base/options.h"
 #include "drums/default_preset.h"
-#include "sound/room_mix.h"
 
 /** Help text of commands for PRESET. */
 #define PRESET_NOTES                                                                               \
@@ -65,14 +64,5 @@ const char *quality_name(uint32_t quality);
 Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborModel **model);
 /** Builds a model and a drum of it. On an error *drum is NULL. */
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
-/** A row of the option tables for drum_take_pair(). */
-#define OPTION_STEREO                                                                              \
-  { "stereo", 0, NULL, "the microphones left and right, in the preset's room or a studio" }
-/** For --stereo: chooses the pair of @p def, in its room or in a studio, and raises @p gain by STEREO_GAIN_DB. */
-Outcome drum_take_pair(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
-                       double *gain);
-/** Puts the room of @p def behind outputs that are its microphones in their order. Free with room_mix_free(), whatever
- * the outcome. */
-Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "sound/room_mix.h"
+#include "drums/stereo_pair.h"
 
 #define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */

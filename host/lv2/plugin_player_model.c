@@ -70,7 +70,9 @@ static void land(PluginPlayer *player, const Reply *reply) {
   if (reply->restoration != player->request.restoration) take_restoration(player, reply);
   if (reply->failed) return;
   if (reply->begins_anew) begin_anew(player);
-  if (reply->drum) drum_player_set_drum(&player->core, reply->drum);
+  if (reply->drum) {
+    drum_player_set_drum(&player->core, reply->drum, reply->def.striker_count);
+  }
   if (reply->swap) change_model(player, reply);
   if (reply->room) drum_player_set_room(&player->core, reply->room);
   read_model(player, reply);

@@ -6,6 +6,7 @@
 
 #include "base/suggest.h"
 #include "drums/drum_args.h"
+#include "drums/stereo_pair.h"
 #include "midi/midi_input.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"
@@ -103,7 +104,7 @@ static Outcome read_mics(const Arguments *arguments, PlayRequest *request) {
   if (request->def.mic_count == 0) return refuse("the drum has no microphone");
   if (arguments_has(arguments, "stereo")) {
     request->channels = request->device.channels = 2;
-    return drum_take_pair(arguments, &request->def, request->mics, &request->gain);
+    return stereo_pair_take(arguments, &request->def, request->mics, &request->gain);
   }
   while ((name = arguments_next(arguments, "mic", &position)) != NULL) {
     const int mic = tabor_drum_def_find_mic(&request->def, name);

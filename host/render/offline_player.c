@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.h"
 #include "drums/drum_args.h"
+#include "sound/room_create.h"
 
 Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   memset(player, 0, sizeof *player);
@@ -20,7 +21,7 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   if (outcome != OUTCOME_OK) return outcome;
   drum_player_set_room(&player->core, &player->room);
   for (uint32_t i = 0; i < request->channels; i++) player->core.heard |= 1u << request->mics[i];
-  drum_player_set_drum(&player->core, player->drum);
+  drum_player_set_drum(&player->core, player->drum, request->def.striker_count);
   return OUTCOME_OK;
 }
 

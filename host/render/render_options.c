@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "base/suggest.h"
 #include "drums/drum_args.h"
+#include "drums/stereo_pair.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
 #include "strokes/humanize_options.h"
@@ -103,7 +104,7 @@ static Outcome take_default_mics(RenderRequest *request) {
 static Outcome take_pair(const Arguments *arguments, RenderRequest *request) {
   request->channels = 2;
   const double gain = request->gain;
-  const Outcome outcome = drum_take_pair(arguments, &request->def, request->mics, &request->gain);
+  const Outcome outcome = stereo_pair_take(arguments, &request->def, request->mics, &request->gain);
   if (request->normalize) request->gain = gain; /* the peak decides */
   return outcome;
 }

@@ -141,9 +141,9 @@ void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) {
   player->expression = 1;
 }
 
-void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) {
+void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers) {
   player->drum = drum;
-  player->strikers = tabor_model_definition(tabor_drum_model(drum))->striker_count;
+  player->strikers = strikers;
   player->count = 0;
   add_gain(player, 0);
 }

@@ -39,8 +39,8 @@ typedef struct DrumPlayer {
 
 /** Starts without a drum and without a room; nothing is heard. */
 void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTIME;
-/** Gives the player its drum, at rest and with its outputs chosen. */
-void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum) REALTIME;
+/** Gives the player its drum, at rest, with its outputs chosen and with so many strikers. */
+void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers) REALTIME;
 /** Puts @p room behind the outputs; the one before fades out, and is left then. */
 void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;
 /** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "drums/drum_args.h"
 #include "sound/player.h"
 #include "sound/player_state.h"
+#include "sound/room_create.h"
 
 #define SOURCE_ROOM 4096    /* messages */
 #define RECORD_SECONDS 10.0 /* that the disk may keep a recording waiting */
@@ -48,7 +48,7 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
   drum_player_begin(&player->core, setup->def->mic_count, setup->gain);
-  drum_player_set_drum(&player->core, setup->drum);
+  drum_player_set_drum(&player->core, setup->drum, setup->def->striker_count);
   player->rate = setup->rate;
   player->channels = setup->channels;
   memcpy(player->mics, setup->mics, sizeof player->mics);

@@ -15,9 +15,6 @@
 
 #include "base/realtime.h"
 
-/** A pair a metre away is quieter than a close microphone: a snare drum's by 18 dB. */
-#define STEREO_GAIN_DB 12.0
-
 #define ROOM_MIX_FADE 0.015  /**< [s], as that of a drum's silence */
 #define ROOM_MIX_PIECE 256   /**< most frames at once */
 #define ROOM_MIX_NO_MIC 0xff /**< an output without a microphone of the room */

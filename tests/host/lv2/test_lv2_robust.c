@@ -195,6 +195,8 @@ static void test_knobs_that_are_no_numbers_from_the_start(void **state) {
     PluginHost *const usual = host_open(plugin, HOST_WITHOUT_WORKER);
     PluginHost *const both[] = {host, usual};
     for (uint32_t knob = 0; knob < KNOB_COUNT; knob++) host->knobs[knob] = NAN;
+    usual->knobs[KNOB_ROOM] = TABOR_ROOM_STUDIO;
+    usual->knobs[KNOB_LEVEL_PAIR] = 12;
     for (int k = 0; k < 2; k++) {
       both[k]->freewheel = 1;
       host_note(both[k], 0, 38, 100);

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+#include "drums/stereo_pair.h"
+
+#include <math.h>
+
+Outcome stereo_pair_take(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
+                         double *gain) {
+  if (arguments_has(arguments, "mic")) {
+    return refuse("--stereo and --mic: both would choose the microphones");
+  }
+  const int left = tabor_drum_def_find_mic(def, "left");
+  const int right = tabor_drum_def_find_mic(def, "right");
+  if (left < 0 || right < 0) {
+    return refuse("--stereo: the drum lacks a microphone left or right");
+  }
+  mics[0] = (uint32_t)left;
+  mics[1] = (uint32_t)right;
+  if (def->room.kind == TABOR_ROOM_NONE) def->room.kind = TABOR_ROOM_STUDIO;
+  *gain *= pow(10, STEREO_GAIN_DB / 20);
+  return OUTCOME_OK;
+}

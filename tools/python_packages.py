@@ -22,5 +22,5 @@ def require(tool, *packages):
     """Ends the tool, and names what is missing, unless all of these are installed."""
     missing = [package for package in packages if importlib.util.find_spec(package) is None]
     if missing:
-        sys.exit(f"{tool}: this Python has no {' and no '.join(missing)}; on Debian and Ubuntu: "
-                 f"apt install {' '.join(DEBIAN[package] for package in missing)}")
+        sys.exit(f"{tool}: {sys.executable} has no {' and no '.join(missing)}; on Debian and Ubuntu: apt install "
+                 f"{' '.join(DEBIAN[package] for package in missing)}, and start it with /usr/bin/python3")

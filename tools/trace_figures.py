@@ -59,8 +59,10 @@ def read_sound(path):
 
 
 def gap(trace):
-    """Of wire and head at the midpoint [m]; penetration counts as 0."""
-    return np.maximum(0.0, trace["wire_m"] - trace["head_m"])
+    """Of wire and head at the midpoint [m], on whichever side of the head the wire lies; penetration, which is much
+    smaller than a bounce, counts as 0."""
+    above = trace["wire_m"] - trace["head_m"]
+    return np.maximum(0.0, above if np.nansum(above) >= 0.0 else -above)
 
 
 def draw_motion(axes, trace, title=""):

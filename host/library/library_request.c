@@ -92,7 +92,8 @@ static Outcome add_technique(const TaborDrumDef *def, const char *word, size_t l
     shape->techniques[i] = true;
     return OUTCOME_OK;
   }
-  return refuse("--techniques '%.*s': libraries have no keys for it", (int)length, word);
+  return refuse("--techniques '%.*s': libraries have no keys for it; allowed: normal, buzz",
+                (int)length, word);
 }
 
 static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *def,

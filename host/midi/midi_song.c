@@ -132,7 +132,8 @@ static Outcome check_times(const char *name, const MidiFile *file) {
                 MIDI_SONG_LONGEST);
 }
 
-static Outcome check_counts(const char *name, const MidiSong *song) {
+static Outcome check_counts(const char *name, const MidiMap *map, const MidiSong *song) {
+  const unsigned long long ignored = song->counts.ignored_notes;
   if (song->counts.strokes > MIDI_SONG_MOST_STROKES) {
     return refuse("%s: too many strokes; allowed: up to %d", input_name(name),
                   MIDI_SONG_MOST_STROKES);
@@ -142,8 +143,12 @@ static Outcome check_counts(const char *name, const MidiSong *song) {
                   MIDI_SONG_MOST_PRESETS);
   }
   if (song->counts.strokes > 0) return OUTCOME_OK;
-  return refuse("%s: no note in it is a stroke: %llu are not in the map", input_name(name),
-                (unsigned long long)song->counts.ignored_notes);
+  if (map->channel == MIDI_OMNI) {
+    return refuse("%s: no note in it is a stroke: %llu are not in the map", input_name(name),
+                  ignored);
+  }
+  return refuse("%s: no note on channel %d is a stroke: %llu are not in the map", input_name(name),
+                map->channel + 1, ignored);
 }
 
 Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
@@ -155,7 +160,7 @@ Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const Tab
   Outcome outcome = midi_file_read(name, &song->file);
   if (outcome == OUTCOME_OK) outcome = check_times(name, &song->file);
   if (outcome == OUTCOME_OK) outcome = midi_song_compose(song, map, def, rate);
-  return outcome == OUTCOME_OK ? check_counts(name, song) : outcome;
+  return outcome == OUTCOME_OK ? check_counts(name, map, song) : outcome;
 }
 
 Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count) {

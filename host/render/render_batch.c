@@ -125,6 +125,9 @@ static Outcome add_preset(const Arguments *arguments, const char *preset, size_t
 static Outcome make_jobs(const Arguments *arguments, RenderBatch *batch) {
   const size_t presets = arguments->operand_count > 0 ? arguments->operand_count : 1;
   const size_t takes = arguments_has(arguments, "each") ? count_options(arguments, "events") : 0;
+  if (arguments_has(arguments, "each") && takes == 0) {
+    return refuse("--each: it makes a sound for each --events file; none is given");
+  }
   const size_t most = presets * (takes > 0 ? takes : 1);
   batch->jobs = calloc(most, sizeof *batch->jobs);
   if (!batch->jobs) return fail_memory();

@@ -243,6 +243,8 @@ other_bytes "a live parameter" both.wav damped.wav
 map "[map]" "defaults = no" "" "[note.61]"
 refused "song.mid: no note in it is a stroke: 1 are not in the map" \
   render --midi-file song.mid --midi-map map.ini
+refused "song.mid: no note on channel 5 is a stroke: 0 are not in the map" \
+  render --midi-file song.mid --midi-channel 5
 
 map "[note.60]" "stroke = buzz"
 song song.mid 0 "00 993c60 30 893c00"

@@ -39,6 +39,9 @@ static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
   const char *const path = arguments_value(arguments, "output");
   const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each");
   if (!several && !(path && folder_ends_with_slash(path))) return OUTCOME_OK;
+  if (arguments_has(arguments, "replay")) {
+    return refuse("--replay: gives one sound, whose file -o names; other drums need no log");
+  }
   if (!path) return refuse("several sounds need a folder: -o FOLDER/");
   if (!*path) return refuse("-o needs the name of a folder");
   if (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0) {

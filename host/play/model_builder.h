@@ -31,7 +31,7 @@ typedef struct ModelBuilderSetup {
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
 /** Returns the drum for player_create(). Owned by @p builder. */
 TaborDrum *model_builder_drum(const ModelBuilder *builder);
-/** Adds every new model to @p log, which may be NULL. Call before model_builder_start(). */
+/** Adds every new model to @p log, which may be NULL. Call before the first change. */
 void model_builder_log(ModelBuilder *builder, LogWriter *log);
 /** Enables changes and sends them to @p player. */
 Outcome model_builder_start(ModelBuilder *builder, Player *player);

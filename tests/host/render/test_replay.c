@@ -23,7 +23,7 @@
 #include "render/offline_player.h"
 #include "render/render_options.h"
 
-enum { LARGEST_BLOCK = 2048, CROWD = 400 };
+enum { LARGEST_BLOCK = 2048, CROWD = 400, CROWD_EVERY = 60 };
 
 static const double ENOUGH = 10; /* [s] in which everything is played that can be */
 
@@ -124,11 +124,12 @@ static void change_random(Stage *stage, uint64_t *random) {
 static void play_at_random(Stage *stage, uint64_t until) {
   const struct timespec moment = {.tv_nsec = 1000000};
   uint64_t random = 12;
+  uint32_t blocks = 0;
   PlayStatus status;
   while (stage->position < until) {
     const uint32_t frames = 1 + below(&random, LARGEST_BLOCK);
     if (random_next(&random) < 0.3) send_random(stage, frames, &random);
-    if (random_next(&random) < 0.005) send_crowd(stage, &random);
+    if (++blocks % CROWD_EVERY == 0) send_crowd(stage, &random);
     model_builder_status(stage->builder, &status);
     if (!status.building && random_next(&random) < 0.03) change_random(stage, &random);
     if (status.building) (void)nanosleep(&moment, NULL); /* it is built while the drum plays */

@@ -10,7 +10,7 @@
 #include "drums/drum_args.h"
 
 #define KEY_SIZE (2 * TABOR_NAME_SIZE)
-#define ENTRY_SIZE (KEY_SIZE + TABOR_TEXT_SIZE)
+#define ENTRY_SIZE (KEY_SIZE + TABOR_TEXT_SIZE + sizeof " = ")
 #define MOST_GAIN 1e6                 /* 120 dB */
 #define MOST_EXACT 9007199254740992.0 /* 2^53: more frames than anybody plays */
 

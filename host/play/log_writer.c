@@ -126,7 +126,8 @@ Outcome log_writer_finish(LogWriter *writer) {
   const uint64_t played = player_position(writer->player);
   const uint64_t frames = played > writer->end ? played : writer->end;
   const uint64_t lost = player_log_lost(writer->player);
-  const Outcome outcome = deliver(writer, log_line_end(frames, lost));
+  const Outcome outcome =
+    frames > 0 ? deliver(writer, log_line_end(frames, lost)) : writer->outcome;
   log_writer_free(writer);
   return outcome;
 }

@@ -31,7 +31,7 @@ void log_writer_add_model(LogWriter *writer, uint32_t number, const TaborModel *
 /** Waits until the log has room for what may wait. NULL is allowed. */
 void log_writer_wait(const LogWriter *writer);
 /**
- * Writes the rest, gives the file its name and frees the writer. Call once the player is halted and no more models
+ * Writes the rest, gives the file its name, unless nothing was played, and frees the writer. Call once the player is halted and no more models
  * are added. NULL is allowed.
  */
 Outcome log_writer_finish(LogWriter *writer);

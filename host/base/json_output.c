@@ -57,10 +57,11 @@ char *json_write_line(const json_t *value) {
   char *const text = write_text(value, JSON_COMPACT | JSON_REAL_PRECISION(17));
   const size_t length = text ? strlen(text) : 0;
   char *const line = text ? realloc(text, length + sizeof "\n") : NULL;
-  if (line)
+  if (line) {
     memcpy(line + length, "\n", sizeof "\n");
-  else
+  } else {
     free(text);
+  }
   return line;
 }
 

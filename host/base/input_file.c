@@ -2,11 +2,13 @@
 #include "base/input_file.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define FIRST_CAPACITY 65536
+#define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
 
 /* One byte more than allowed shows that there are too many. */
 static Outcome read_stream(const char *name, FILE *stream, size_t limit, char **bytes,
@@ -38,4 +40,12 @@ Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *le
   const Outcome outcome = read_stream(name, stream, limit, bytes, length);
   (void)fclose(stream);
   return outcome;
+}
+
+void input_place(char place[INPUT_PLACE_SIZE], const char *name, unsigned line) {
+  const char *const shown = input_name(name);
+  const size_t length = strlen(shown);
+  const bool cut = length > LONGEST_PLACE;
+  (void)snprintf(place, INPUT_PLACE_SIZE, "%s%s:%u:", cut ? "..." : "",
+                 cut ? shown + length - LONGEST_PLACE : shown, line);
 }

@@ -17,4 +17,9 @@
  */
 Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *length);
 
+#define INPUT_PLACE_SIZE 256
+
+/** Writes where a message is about, "drums.csv:3:"; of a long path its end. */
+void input_place(char place[INPUT_PLACE_SIZE], const char *name, unsigned line);
+
 #endif

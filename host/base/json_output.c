@@ -41,12 +41,28 @@ static bool is_whole(const char *text) {
   return again != NULL;
 }
 
-/* 15 digits: every decimal number of so many comes out as it went in, 0.1 as 0.1. */
-char *json_write(const json_t *value) {
-  char *const text = value ? json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(15)) : NULL;
+static char *write_text(const json_t *value, size_t flags) {
+  char *const text = value ? json_dumps(value, flags) : NULL;
   if (!text || is_whole(text)) return text;
   free(text);
   return NULL;
+}
+
+/* 15 digits: every decimal number of so many comes out as it went in, 0.1 as 0.1. */
+char *json_write(const json_t *value) {
+  return write_text(value, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+}
+
+char *json_write_line(const json_t *value) {
+  char *const text = write_text(value, JSON_COMPACT | JSON_REAL_PRECISION(17));
+  const size_t length = text ? strlen(text) : 0;
+  char *const line = text ? realloc(text, length + sizeof "\n") : NULL;
+  if (line) {
+    memcpy(line + length, "\n", sizeof "\n");
+  } else {
+    free(text);
+  }
+  return line;
 }
 
 Outcome json_print(json_t *value) {

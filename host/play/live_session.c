@@ -101,14 +101,30 @@ static Outcome create_player(LiveSession *session) {
     .buffer = session->facts.buffer,
     .gain = request->gain,
     .records = request->records,
+    .logs = request->logs,
     .frames = (uint64_t)llround(request->duration * request->model.sample_rate),
     .dies_away = request->backend->waits,
   };
   memcpy(setup.mics, request->mics, sizeof setup.mics);
   setup.last_event = (uint32_t)cue_queue_last_frame(&session->queue);
-  const Outcome outcome = player_create(&setup, &session->player);
-  if (outcome != OUTCOME_OK) return outcome;
-  return model_builder_start(session->builder, session->player);
+  return player_create(&setup, &session->player);
+}
+
+static Outcome start_log(LiveSession *session) {
+  PlayRequest *const request = session->request;
+  if (!request->logs) return OUTCOME_OK;
+  LogWriterSetup setup = {
+    .player = session->player,
+    .start = {.rate = request->model.sample_rate,
+              .gain = request->gain,
+              .channels = request->channels},
+    .model = tabor_drum_model(model_builder_drum(session->builder)),
+    .preset = request->preset,
+  };
+  memcpy(setup.start.mics, request->mics, sizeof setup.start.mics);
+  const Outcome outcome = log_writer_start(&setup, &request->log, &session->log);
+  model_builder_log(session->builder, session->log);
+  return outcome;
 }
 
 static Outcome start_recorder(LiveSession *session) {
@@ -125,6 +141,8 @@ Outcome live_session_open(LiveSession *session, PlayRequest *request) {
   if (outcome == OUTCOME_OK) outcome = read_score(session);
   if (outcome == OUTCOME_OK) outcome = create_drum(session);
   if (outcome == OUTCOME_OK) outcome = create_player(session);
+  if (outcome == OUTCOME_OK) outcome = start_log(session);
+  if (outcome == OUTCOME_OK) outcome = model_builder_start(session->builder, session->player);
   if (outcome == OUTCOME_OK) outcome = start_recorder(session);
   if (outcome == OUTCOME_OK && !request->backend->waits) {
     outcome = play_midi_open(request, session->player, session->builder, &session->midi);
@@ -145,6 +163,7 @@ static bool prepare(void *context, uint32_t frames) {
   const uint64_t position = player_position(session->player);
   cue_queue_feed(&session->queue, session->player, session->builder, position + frames);
   if (session->writer) take_writer_wait(session->writer, frames);
+  log_writer_wait(session->log);
   return true;
 }
 
@@ -250,8 +269,7 @@ void live_session_status(LiveSession *session, PlayStatus *status) {
 
 /* ---- closing -------------------------------------------------------------------------------- */
 
-Outcome live_session_finish(LiveSession *session) {
-  if (session->player) (void)player_halt(session->player, HALT_TIME);
+static Outcome finish_recording(LiveSession *session) {
   TakeWriter *const writer = session->writer;
   uint64_t kept = 0;
   session->writer = NULL;
@@ -259,6 +277,19 @@ Outcome live_session_finish(LiveSession *session) {
   if (outcome == OUTCOME_OK) return outcome;
   session->unwritten = player_position(session->player) - kept;
   return outcome;
+}
+
+static Outcome finish_log(LiveSession *session) {
+  LogWriter *const log = session->log;
+  session->log = NULL;
+  if (log) model_builder_stop(session->builder); /* it adds models */
+  return log_writer_finish(log);
+}
+
+Outcome live_session_finish(LiveSession *session) {
+  if (session->player) (void)player_halt(session->player, HALT_TIME);
+  const Outcome recording = finish_recording(session), log = finish_log(session);
+  return recording != OUTCOME_OK ? recording : log;
 }
 
 /* A device being closed, in a thread of its own. */

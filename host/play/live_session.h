@@ -20,6 +20,7 @@ typedef struct LiveSession {
   ModelBuilder *builder;
   Player *player;
   TakeWriter *writer;
+  LogWriter *log; /**< NULL without --log */
   CueQueue queue;
   PlayMidi *midi;     /**< live MIDI, or NULL */
   bool is_urgent;     /**< the audio thread has real-time priority */
@@ -41,7 +42,7 @@ Outcome live_session_open(LiveSession *session, PlayRequest *request);
  * signal the outcome is 128 + the signal's number.
  */
 Outcome live_session_run(LiveSession *session, const LiveSessionTurn *turn);
-/** Stops the sound and completes the recording. */
+/** Stops the sound and completes the recording and the log. */
 Outcome live_session_finish(LiveSession *session);
 /**
  * Closes the device and frees everything. If the device is lost or does not close, it stays open and the

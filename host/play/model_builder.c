@@ -22,6 +22,7 @@ struct ModelBuilder {
   TaborDrumDef first; /* whose microphones the outputs are */
   bool waits;
   Player *player;
+  LogWriter *log; /* or NULL */
 
   /* under lock */
   pthread_mutex_t lock;
@@ -38,6 +39,7 @@ struct ModelBuilder {
   /* the thread's; if sound waits, under lock */
   pthread_t thread;
   TaborModel *model; /* the newest, which the drum has or will have */
+  uint32_t models;   /* its number in the log */
   TaborDrum *drum;
   Pending *pending;
 };
@@ -161,17 +163,20 @@ static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, TaborSwap 
 }
 
 /* Sends the swap to @p model, which becomes the newest; takes @p model over. */
-static Outcome send_model(ModelBuilder *builder, TaborModel *model, uint64_t frame,
-                          bool begins_anew) {
+static Outcome send_model(ModelBuilder *builder, TaborModel *model, const char *preset,
+                          uint64_t frame, bool begins_anew) {
   const TaborDrumDef *const def = tabor_model_definition(model);
   PlayerMessage message = {.frame = frame,
                            .type = PLAYER_MODEL,
                            .strikers = def->striker_count,
+                           .model = builder->models + 1,
                            .event = {.type = begins_anew ? TABOR_EVENT_REPLACE : TABOR_EVENT_SWAP}};
   const Outcome outcome = prepare_swap(builder, model, &message.event.swap);
   TaborModel *const unused = outcome == OUTCOME_OK ? builder->model : model;
   if (outcome == OUTCOME_OK) {
     builder->model = model;
+    builder->models++;
+    log_writer_add_model(builder->log, message.model, model, preset);
     (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
   }
   tabor_model_release(unused); /* drum and swaps keep their own references */
@@ -216,7 +221,7 @@ static void answer(ModelBuilder *builder) {
   Outcome outcome = build(&options, &def, &model);
   if (!builder->waits) (void)pthread_mutex_lock(&builder->lock);
   const bool begins_anew = presets != builder->built_presets;
-  if (outcome == OUTCOME_OK) outcome = send_model(builder, model, frame, begins_anew);
+  if (outcome == OUTCOME_OK) outcome = send_model(builder, model, preset, frame, begins_anew);
   builder->answered = request;
   if (outcome != OUTCOME_OK) {
     forget_request(builder, request);
@@ -243,6 +248,8 @@ static void *build_requests(void *context) {
   (void)pthread_mutex_unlock(&builder->lock);
   return NULL;
 }
+
+void model_builder_log(ModelBuilder *builder, LogWriter *log) { builder->log = log; }
 
 Outcome model_builder_start(ModelBuilder *builder, Player *player) {
   builder->player = player;

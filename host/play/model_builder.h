@@ -13,6 +13,7 @@
 #ifndef TABOR_HOST_MODEL_BUILDER_H
 #define TABOR_HOST_MODEL_BUILDER_H
 
+#include "play/log_writer.h"
 #include "sound/player.h"
 
 typedef struct ModelBuilder ModelBuilder;
@@ -30,9 +31,11 @@ typedef struct ModelBuilderSetup {
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
 /** Returns the drum for player_create(). Owned by @p builder. */
 TaborDrum *model_builder_drum(const ModelBuilder *builder);
+/** Adds every new model to @p log, which may be NULL. Call before the first change. */
+void model_builder_log(ModelBuilder *builder, LogWriter *log);
 /** Enables changes and sends them to @p player. */
 Outcome model_builder_start(ModelBuilder *builder, Player *player);
-/** Disables changes. Call before the player is destroyed; NULL is allowed. */
+/** Disables changes. Call before the player is destroyed and the log is finished; NULL is allowed. */
 void model_builder_stop(ModelBuilder *builder);
 /** Frees everything, the drum too. Call after the player was destroyed. NULL is allowed. */
 void model_builder_destroy(ModelBuilder *builder);

@@ -48,6 +48,8 @@ static const char notes[] =
   "--midi-file plays a MIDI file. Live MIDI comes from every hardware input, or from those that\n"
   "--midi-in names, also if they are plugged in later, and from any program that connects to the\n"
   "input 'tabor-midi'. docs/midi.md has the map.\n"
+  "--log writes the drum, and all that is played on it with its time, for 'tabor render "
+  "--replay'.\n"
   "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
   "away: with --humanize 0 it gives the same sound as 'tabor render'.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";

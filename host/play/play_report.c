@@ -43,6 +43,19 @@ static json_t *recording_json(const LiveSession *session, const PlayStatus *stat
                    (json_int_t)(status->lost_frames + session->unwritten));
 }
 
+static void warn_of_lost_messages(const LiveSession *session) {
+  const uint64_t lost = player_log_lost(session->player);
+  if (lost == 0) return;
+  warn("the log lacks %llu messages: too many came at once", (Count)lost);
+}
+
+static json_t *log_json(const LiveSession *session) {
+  const PlayRequest *const request = session->request;
+  if (!request->logs) return json_null();
+  return json_pack("{s:o, s:I}", "file", json_text(request->log.name), "lost_messages",
+                   (json_int_t)player_log_lost(session->player));
+}
+
 static json_t *report_json(const LiveSession *session, const PlayStatus *status) {
   double median, worst;
   player_load(session->player, &median, &worst);
@@ -57,15 +70,15 @@ static json_t *report_json(const LiveSession *session, const PlayStatus *status)
               json_text(status->device), "rate", json_number(status->rate), "buffer",
               (json_int_t)status->buffer, "latency", json_number(status->latency), "real_time",
               session->is_urgent);
-  return json_pack("{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o}",
-                   "preset", json_text(status->preset), "device", device, "frames",
-                   (json_int_t)player_position(session->player), "channels",
-                   (json_int_t)status->channels, "strokes", (json_int_t)status->strokes, "late",
-                   (json_int_t)status->late, "dropped", (json_int_t)status->dropped,
-                   "ignored_notes", (json_int_t)ignored, "peak", json_number(status->loudest),
-                   "clipped", (json_int_t)status->clipped, "xruns", (json_int_t)status->xruns,
-                   "recovered", (json_int_t)status->recovered, "load", load, "newton", newton,
-                   "recording", recording_json(session, status));
+  return json_pack(
+    "{s:o, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o}", "preset",
+    json_text(status->preset), "device", device, "frames",
+    (json_int_t)player_position(session->player), "channels", (json_int_t)status->channels,
+    "strokes", (json_int_t)status->strokes, "late", (json_int_t)status->late, "dropped",
+    (json_int_t)status->dropped, "ignored_notes", (json_int_t)ignored, "peak",
+    json_number(status->loudest), "clipped", (json_int_t)status->clipped, "xruns",
+    (json_int_t)status->xruns, "recovered", (json_int_t)status->recovered, "load", load, "newton",
+    newton, "recording", recording_json(session, status), "log", log_json(session));
 }
 
 /* How the device was served; of no meaning where sound waits. */
@@ -99,6 +112,7 @@ Outcome play_report(LiveSession *session) {
   live_session_status(session, &status);
   player_load(session->player, &median, &worst);
   warn_of_losses(&status, worst);
+  warn_of_lost_messages(session);
   if (session->request->json) return json_print(report_json(session, &status));
   if (!session->request->quiet) note_summary(session, &status);
   return OUTCOME_OK;

@@ -24,7 +24,8 @@ const Option play_options[] = {
   {"duration", 0, "SECONDS", "stop after so long, 0.01 to 86400 (default: when told to)"},
   {"record", 0, "FILE", "also write everything to a sound file, .wav or .au"},
   {"format", 0, "FORMAT", "of it: pcm16, pcm24 or float (default " DEFAULT_ENCODING ")"},
-  {"no-overwrite", 'n', NULL, "fail if that file exists"},
+  {"log", 0, "FILE", "also write what was played, for 'tabor render --replay FILE'"},
+  {"no-overwrite", 'n', NULL, "fail if one of these files exists"},
   OPTION_QUALITY,
   OPTION_SET,
   OPTION_EVENTS,
@@ -163,38 +164,61 @@ static Outcome read_record(const Arguments *arguments, PlayRequest *request) {
   return outcome == OUTCOME_OK ? check_container(name, request) : outcome;
 }
 
-/* The recording may replace nothing that is read. */
-static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
+static Outcome read_log(const Arguments *arguments, PlayRequest *request) {
+  const char *const name = arguments_value(arguments, "log");
+  if (!name) return OUTCOME_OK;
+  if (!*name || strcmp(name, "-") == 0) {
+    return refuse("--log '%s': allowed: the name of a file, as take.log", name);
+  }
+  request->logs = true;
+  const Outcome outcome =
+    output_plan(&request->log, name, arguments_has(arguments, "no-overwrite"));
+  if (outcome != OUTCOME_OK || !request->records || !output_same(&request->log, &request->record)) {
+    return outcome;
+  }
+  return refuse("--record and --log: both name the file '%s'", name);
+}
+
+/* @p output, which is @p kind, may replace nothing that is read. */
+static Outcome protect_from(const OutputFile *output, const char *kind, const Arguments *arguments,
+                            const char *preset) {
   static const struct {
     const char *option, *what;
   } files[] = {{"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}};
   const char *name;
   size_t position = 0;
-  if (!request->records) return OUTCOME_OK;
-  if (preset_is_file(request->preset) && output_overwrites(&request->record, request->preset)) {
-    return refuse("the recording would overwrite the preset '%s'", request->preset);
+  if (preset_is_file(preset) && output_overwrites(output, preset)) {
+    return refuse("the %s would overwrite the preset '%s'", kind, preset);
   }
   for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
     name = arguments_value(arguments, files[i].option);
-    if (name && output_overwrites(&request->record, name)) {
-      return refuse("the recording would overwrite the %s '%s'", files[i].what, name);
+    if (name && output_overwrites(output, name)) {
+      return refuse("the %s would overwrite the %s '%s'", kind, files[i].what, name);
     }
   }
   while ((name = arguments_next(arguments, "events", &position)) != NULL) {
-    if (output_overwrites(&request->record, name)) {
-      return refuse("the recording would overwrite the events '%s'", name);
+    if (output_overwrites(output, name)) {
+      return refuse("the %s would overwrite the events '%s'", kind, name);
     }
   }
   return OUTCOME_OK;
 }
 
+static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
+  const char *const preset = request->preset;
+  Outcome outcome = OUTCOME_OK;
+  if (request->records) outcome = protect_from(&request->record, "recording", arguments, preset);
+  if (outcome != OUTCOME_OK || !request->logs) return outcome;
+  return protect_from(&request->log, "log", arguments, preset);
+}
+
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   static Outcome (*const steps[])(const Arguments *, PlayRequest *) = {
-    read_flags, read_numbers, read_keys,    read_drum,   read_model,
-    read_midi,  read_mics,    read_backend, read_record, protect_inputs,
+    read_flags, read_numbers, read_keys,   read_drum, read_model,     read_midi,
+    read_mics,  read_backend, read_record, read_log,  protect_inputs,
   };
   memset(request, 0, sizeof *request);
-  request->record = OUTPUT_FILE_NONE;
+  request->record = request->log = OUTPUT_FILE_NONE;
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
     outcome = steps[i](arguments, request);
@@ -204,5 +228,6 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
 
 void play_request_free(PlayRequest *request) {
   output_discard(&request->record);
+  output_discard(&request->log);
   midi_song_free(&request->song);
 }

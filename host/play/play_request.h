@@ -31,6 +31,8 @@ typedef struct PlayRequest {
   bool records;
   OutputFile record; /**< planned, if records */
   AudioFormat audio; /**< format of the recording; its rate is the device's */
+  bool logs;
+  OutputFile log; /**< planned, if logs */
   bool json, quiet, no_ui;
 } PlayRequest;
 

@@ -55,16 +55,35 @@ static Outcome prepare_swap(OfflinePlayer *player, TaborModel *model, TaborSwap 
   return OUTCOME_OK;
 }
 
-static Outcome change_preset(OfflinePlayer *player, uint32_t preset, PlayerMessage *message) {
-  TaborModel *model = NULL;
+/* Completes the message that changes the drum to @p model. */
+static Outcome change_model(OfflinePlayer *player, TaborModel *model, PlayerMessage *message) {
   free_done(player, false);
-  message->type = PLAYER_MODEL;
-  message->event.type = TABOR_EVENT_REPLACE;
-  Outcome outcome = preset_models_find(&player->presets, preset, &model);
-  if (outcome == OUTCOME_OK) outcome = prepare_swap(player, model, &message->event.swap);
+  const Outcome outcome = prepare_swap(player, model, &message->event.swap);
   if (outcome != OUTCOME_OK) return outcome;
   message->strikers = tabor_model_definition(model)->striker_count;
   drum_keep_mics(&player->request->def, model, message->event.swap);
+  return outcome;
+}
+
+static Outcome change_preset(OfflinePlayer *player, uint32_t preset, PlayerMessage *message) {
+  TaborModel *model = NULL;
+  message->type = PLAYER_MODEL;
+  message->event.type = TABOR_EVENT_REPLACE;
+  const Outcome outcome = preset_models_find(&player->presets, preset, &model);
+  return outcome == OUTCOME_OK ? change_model(player, model, message) : outcome;
+}
+
+/* Drum and swaps keep their own references to models. */
+static Outcome change_logged(OfflinePlayer *player, PlayerMessage *message) {
+  const LogDrum *const drum = player->request->replay.models[message->model - 1];
+  TaborModelOptions options = player->request->model;
+  TaborModel *model = NULL;
+  options.quality = drum->quality;
+  Outcome outcome = model_create(&drum->def, &options, &model);
+  if (outcome == OUTCOME_OK) outcome = change_model(player, model, message);
+  TaborModel *const unused = outcome == OUTCOME_OK ? player->built : model;
+  if (outcome == OUTCOME_OK) player->built = model;
+  tabor_model_release(unused);
   return outcome;
 }
 
@@ -87,12 +106,23 @@ static bool take_item(OfflinePlayer *player, const MidiSongItem *item, PlayerMes
   return player->outcome == OUTCOME_OK;
 }
 
+static bool take_logged(OfflinePlayer *player, uint64_t end, PlayerMessage *message) {
+  const Replay *const replay = &player->request->replay;
+  const size_t next = player->next_message;
+  if (next == replay->count || replay->messages[next].frame >= end) return false;
+  *message = replay->messages[next];
+  player->next_message++;
+  if (message->type == PLAYER_MODEL) player->outcome = change_logged(player, message);
+  return player->outcome == OUTCOME_OK;
+}
+
 /* A DrumSourceFn. */
 static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
   OfflinePlayer *const player = source;
   const MidiSongItem *const item = next_item(player);
   const TaborEvent *const event = next_event(player);
   if (player->outcome != OUTCOME_OK) return false;
+  if (player->request->replays) return take_logged(player, end, message);
   if (item && item->frame < end && (!event || item->frame <= event->frame)) {
     return take_item(player, item, message);
   }
@@ -162,5 +192,6 @@ void offline_player_free(OfflinePlayer *player) {
   tabor_drum_destroy(player->drum);
   player->drum = NULL;
   free_done(player, true);
+  tabor_model_release(player->built);
   preset_models_free(&player->presets);
 }

@@ -3,7 +3,7 @@
  * @file offline_player.h
  * Plays one drum for a rendering: the drum player run as fast as it can, interleaved samples out.
  *
- * Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
+ * Plays strokes and a MIDI file, or a log. Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
  * A room is that of the request's own drum throughout.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
@@ -35,8 +35,10 @@ typedef struct OfflinePlayer {
   RoomMix room;
   PresetModels presets;
   TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
+  TaborModel *built; /**< the same, if it is of a log's; owned */
   SentSwap *swaps;
   size_t next_event, next_item; /**< index into the strokes, and into the song */
+  size_t next_message;          /**< index into the log */
   uint32_t position;            /**< frames played */
   double peak;                  /**< largest absolute sample */
   double computing;             /**< processor time used by the drum [s] */

@@ -39,6 +39,9 @@ static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
   const char *const path = arguments_value(arguments, "output");
   const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each");
   if (!several && !(path && folder_ends_with_slash(path))) return OUTCOME_OK;
+  if (arguments_has(arguments, "replay")) {
+    return refuse("--replay: gives one sound, whose file -o names; other drums need no log");
+  }
   if (!path) return refuse("several sounds need a folder: -o FOLDER/");
   if (!*path) return refuse("-o needs the name of a folder");
   if (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0) {
@@ -125,9 +128,6 @@ static Outcome add_preset(const Arguments *arguments, const char *preset, size_t
 static Outcome make_jobs(const Arguments *arguments, RenderBatch *batch) {
   const size_t presets = arguments->operand_count > 0 ? arguments->operand_count : 1;
   const size_t takes = arguments_has(arguments, "each") ? count_options(arguments, "events") : 0;
-  if (arguments_has(arguments, "each") && takes == 0) {
-    return refuse("--each: it makes a sound for each --events file; none is given");
-  }
   const size_t most = presets * (takes > 0 ? takes : 1);
   batch->jobs = calloc(most, sizeof *batch->jobs);
   if (!batch->jobs) return fail_memory();

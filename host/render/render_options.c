@@ -24,6 +24,7 @@ const Option render_options[] = {
   OPTION_DURATION,
   OPTION_STRIKE,
   OPTION_EVENTS,
+  {"replay", 0, "FILE", "play what 'tabor play --log FILE' has written, to the bit; see below"},
   OPTION_MIDI_FILE,
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,
@@ -43,6 +44,9 @@ const Option render_options[] = {
   {"verbose", 'v', NULL, "print more about what was done"},
   {0},
 };
+
+/* A step of reading the command line. */
+typedef Outcome ReadFn(const Arguments *arguments, RenderRequest *request);
 
 static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--gain", -120, 120, false};
@@ -92,10 +96,16 @@ static Outcome add_mic(RenderRequest *request, const char *name) {
   return OUTCOME_OK;
 }
 
-/* The first, or with --split all of them. */
+/* Of a log those that were played; else the first; with --split all of them. */
 static Outcome take_default_mics(RenderRequest *request) {
+  const LogStart *const start = &request->replay.start;
   const uint32_t count = request->def.mic_count;
   if (count == 0) return refuse("the drum has no microphone");
+  if (request->replays && !request->split) {
+    request->channels = start->channels;
+    memcpy(request->mics, start->mics, start->channels * sizeof *start->mics);
+    return OUTCOME_OK;
+  }
   request->channels = request->split ? count : 1;
   for (uint32_t mic = 0; mic < request->channels; mic++) request->mics[mic] = mic;
   return OUTCOME_OK;
@@ -128,11 +138,15 @@ static Outcome read_encoding(const Arguments *arguments, RenderRequest *request)
   return audio_encoding(name ? name : DEFAULT_ENCODING, &request->audio.encoding);
 }
 
-static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
-  request->preset = preset_argument(arguments);
+static Outcome read_flags(const Arguments *arguments, RenderRequest *request) {
   request->json = arguments_has(arguments, "json");
   request->quiet = arguments_has(arguments, "quiet");
   request->verbose = arguments_has(arguments, "verbose") && !request->quiet;
+  return OUTCOME_OK;
+}
+
+static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
+  request->preset = preset_argument(arguments);
   return drum_load(arguments, &request->def);
 }
 
@@ -197,16 +211,68 @@ static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *reques
   return OUTCOME_OK;
 }
 
+/* ---- a log ---- */
+
+/* What a log has of its own. */
+static Outcome check_replay(const Arguments *arguments) {
+  static const char *const excluded[] = {
+    "strike",         "events",         "midi-file", "midi-map", "midi-channel",
+    "velocity-curve", "velocity-range", "humanize",  "seed",     "set",
+    "rate",           "quality",        "gain",      "stereo",
+  };
+  for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
+    if (!arguments_has(arguments, excluded[i])) continue;
+    return refuse("--replay and --%s: the log has what is played, and how", excluded[i]);
+  }
+  if (!arguments->operand) return OUTCOME_OK;
+  return refuse("--replay and '%.80s': the log has the drum", arguments->operand);
+}
+
+static void note_replay(const char *name, const RenderRequest *request) {
+  const Replay *const replay = &request->replay;
+  if (replay->lost > 0) {
+    warn("'%s' lacks %llu messages; the sound is not the one that was played", name,
+         (unsigned long long)replay->lost);
+  }
+  if (request->quiet || strcmp(replay->start.program, tabor_version()) == 0) return;
+  note("'%s' was written by version %s; this is %s, and may sound different", name,
+       replay->start.program, tabor_version());
+}
+
+static Outcome read_replay(const Arguments *arguments, RenderRequest *request) {
+  const char *const name = arguments_value(arguments, "replay");
+  Replay *const replay = &request->replay;
+  Outcome outcome = check_replay(arguments);
+  if (outcome == OUTCOME_OK) outcome = replay_read(name, replay);
+  if (outcome != OUTCOME_OK) return outcome;
+  request->replays = true;
+  request->preset = replay->drum->preset;
+  request->def = replay->drum->def;
+  tabor_model_options_default(&request->model);
+  request->model.sample_rate = replay->start.rate;
+  request->model.quality = replay->drum->quality;
+  request->audio.rate = (uint32_t)lround(replay->start.rate);
+  request->gain = replay->start.gain;
+  request->frames = replay->frames;
+  note_replay(name, request);
+  return OUTCOME_OK;
+}
+
+/* ---- all of it ---- */
+
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
-  static Outcome (*const steps[])(const Arguments *, RenderRequest *) = {
-    read_encoding, read_gain,       read_drum,     read_model, read_strokes,
-    read_song,     scatter_strokes, read_duration, read_mics,  render_outputs_plan,
+  static ReadFn *const strokes[] = {
+    read_encoding, read_flags,      read_gain,     read_drum, read_model,          read_strokes,
+    read_song,     scatter_strokes, read_duration, read_mics, render_outputs_plan, NULL,
   };
+  static ReadFn *const replay[] = {
+    read_encoding, read_flags, read_gain,           read_replay,
+    read_duration, read_mics,  render_outputs_plan, NULL,
+  };
+  ReadFn *const *step = arguments_has(arguments, "replay") ? replay : strokes;
   render_request_clear(request);
   Outcome outcome = OUTCOME_OK;
-  for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
-    outcome = steps[i](arguments, request);
-  }
+  for (; outcome == OUTCOME_OK && *step; step++) outcome = (*step)(arguments, request);
   return outcome;
 }

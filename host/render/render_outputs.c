@@ -123,8 +123,10 @@ Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *
   }
   const char *const song = arguments_value(arguments, "midi-file");
   const char *const map = arguments_value(arguments, "midi-map");
+  const char *const log = arguments_value(arguments, "replay");
   if (outcome == OUTCOME_OK && song) outcome = protect(request, song, "MIDI file");
   if (outcome == OUTCOME_OK && map) outcome = protect(request, map, "MIDI map");
+  if (outcome == OUTCOME_OK && log) outcome = protect(request, log, "log");
   return outcome;
 }
 

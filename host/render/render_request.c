@@ -23,6 +23,7 @@ void render_request_free(RenderRequest *request) {
   free_outputs(request);
   strokes_free(&request->strokes);
   midi_song_free(&request->song);
+  replay_free(&request->replay);
 }
 
 /* The later of a frame and the song's last. */

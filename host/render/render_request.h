@@ -8,6 +8,7 @@
 
 #include "files/audio_file.h"
 #include "midi/midi_song.h"
+#include "render/replay.h"
 #include "strokes/strokes.h"
 
 #define MOST_CHANNELS 64
@@ -18,6 +19,8 @@ typedef struct RenderRequest {
   TaborModelOptions model;
   Strokes strokes;              /**< strokes and all other events */
   MidiSong song;                /**< other actions of a MIDI file */
+  bool replays;                 /**< plays a log instead of strokes and song */
+  Replay replay;                /**< the log */
   AudioFormat audio;            /**< format of each file */
   uint32_t channels;            /**< number of channels, over all files */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel: index among the definition's microphones */

@@ -62,16 +62,23 @@ static uint32_t offset_of(const DrumPlayer *player, const PlayerMessage *message
   return offset > first ? (uint32_t)offset : first;
 }
 
+/* Where the events of a block do not fit, it ends before the frame of the last ones, which may be joined by others;
+   one frame has DRUM_PLAYER_EVENTS of them at most. So it does not depend on the blocks which events act when. */
+static uint32_t frames_of_full_block(const DrumPlayer *player, uint32_t next) {
+  const uint32_t last = player->events[player->count - 1].frame;
+  if (next > last) return next;
+  return player->events[0].frame < last ? last : last + 1;
+}
+
 /* Adds what acts before frame @p end. Returns the number of frames that can be played with it. */
 static uint32_t gather(DrumPlayer *player, DrumSourceFn *take, void *source, uint64_t end) {
   while (player->has_next || take(source, end, &player->next)) {
     const PlayerMessage *const next = &player->next;
     const uint32_t offset = offset_of(player, next);
     player->has_next = true;
-    if (player->count == DRUM_PLAYER_EVENTS) {
-      return player->events[player->count - 1].frame + 1;
-    }
+    if (player->count == DRUM_PLAYER_EVENTS) return frames_of_full_block(player, offset);
     add(player, next, offset);
+    if (player->witness) player->witness(player->context, next, player->position + offset);
     player->has_next = false;
   }
   return (uint32_t)(end - player->position);
@@ -93,9 +100,9 @@ static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
 }
 
 /* Rooms hear the drum behind the gain: what sounds in them goes on as it is when that changes. */
-static void add_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
+static void add_rooms(DrumPlayer *player, uint32_t count, uint32_t at, uint32_t frames) {
   uint32_t from = 0;
-  for (uint32_t i = 0; i < player->count && player->room; i++) {
+  for (uint32_t i = 0; i < count && player->room; i++) {
     const TaborEvent *const event = &player->events[i];
     if (event->type != TABOR_EVENT_SILENCE) continue;
     play_rooms(player, at + from, event->frame - from);
@@ -105,8 +112,23 @@ static void add_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
   play_rooms(player, at + from, frames - from);
 }
 
+/* Number of events that act within @p frames frames. */
+static uint32_t events_within(const DrumPlayer *player, uint32_t frames) {
+  uint32_t count = player->count;
+  while (count > 0 && player->events[count - 1].frame >= frames) count--;
+  return count;
+}
+
+/* Keeps the events that act later. */
+static void drop_events(DrumPlayer *player, uint32_t count, uint32_t frames) {
+  player->count -= count;
+  memmove(player->events, player->events + count, player->count * sizeof *player->events);
+  for (uint32_t i = 0; i < player->count; i++) player->events[i].frame -= frames;
+}
+
 static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
   const uint32_t played = player->heard | (player->room ? player->room->feeds : 0);
+  const uint32_t count = events_within(player, frames);
   float *outputs[TABOR_MAX_MICS] = {NULL};
   for (uint32_t i = 0; i < player->outputs; i++) {
     float *const sound = player->sound[i] + at;
@@ -117,10 +139,10 @@ static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
     }
   }
   if (player->drum) {
-    tabor_drum_process(player->drum, player->events, player->count, outputs, frames);
+    tabor_drum_process(player->drum, player->events, count, outputs, frames);
   }
-  add_rooms(player, at, frames);
-  player->count = 0;
+  add_rooms(player, count, at, frames);
+  drop_events(player, count, frames);
   player->position += frames;
 }
 

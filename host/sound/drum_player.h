@@ -18,6 +18,8 @@
 
 /** Takes the next message that acts before frame @p end out of @p source. False: there is none. */
 typedef bool DrumSourceFn(void *source, uint64_t end, PlayerMessage *message) REALTIME;
+/** Is told of each message and the frame at which it acts, in this order. */
+typedef void DrumWitnessFn(void *context, const PlayerMessage *message, uint64_t frame) REALTIME;
 
 typedef struct DrumPlayer {
   TaborDrum *drum; /**< NULL: silence, and events are lost */
@@ -33,6 +35,8 @@ typedef struct DrumPlayer {
   uint32_t count;
   PlayerMessage next; /**< taken from the source, but not yet played */
   bool has_next;
+  DrumWitnessFn *witness; /**< may be NULL */
+  void *context;          /**< of the witness */
   float sound[TABOR_MAX_MICS]
              [DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
 } DrumPlayer;

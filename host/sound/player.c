@@ -102,6 +102,15 @@ static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
   return true;
 }
 
+/* A DrumWitnessFn. */
+static void log_message(void *context, const PlayerMessage *message, uint64_t frame) REALTIME;
+static void log_message(void *context, const PlayerMessage *message, uint64_t frame) {
+  Player *const player = context;
+  PlayerMessage acted = *message;
+  acted.frame = frame;
+  (void)spsc_queue_push(&player->log, &acted); /* counts what it drops */
+}
+
 /* ---- sound ---------------------------------------------------------------------------------- */
 
 static double clip(Player *player, double sample) {
@@ -191,9 +200,12 @@ static bool has_ended(const Player *player) {
          atomic_load_explicit(&player->halted, memory_order_acquire);
 }
 
+/* What the audio thread does once. */
 static void introduce_thread(Player *player) {
   if (atomic_load_explicit(&player->has_thread, memory_order_relaxed)) return;
   player->thread = pthread_self();
+  player->core.witness = player->logs ? log_message : NULL;
+  player->core.context = player;
   atomic_store_explicit(&player->has_thread, true, memory_order_release);
 }
 

@@ -51,6 +51,7 @@ typedef struct PlayerSetup {
   uint32_t buffer; /**< frames that the device asks for at once, or 0 if it does not say */
   double gain;     /**< factor */
   bool records;
+  bool logs;       /**< messages are kept for a log */
   uint64_t frames; /**< number to play; 0: see dies_away */
   /** With frames 0: true ends as a rendering does (ring_out.h), false never ends. */
   bool dies_away;
@@ -94,6 +95,20 @@ const PlayerRecord *player_record(const Player *player);
 void player_record_next(Player *player);
 /** True if the recording's queue has room for @p frames more frames. Any thread. */
 bool player_record_has_room(const Player *player, uint32_t frames);
+
+/* THE LOG'S THREAD */
+
+/**
+ * Returns the next message that acted, with the frame at which it did, valid until player_log_next(); NULL if there
+ * is none yet. A full queue loses messages and counts them.
+ */
+const PlayerMessage *player_log(const Player *player);
+/** Releases that message. */
+void player_log_next(Player *player);
+/** True if the log's queue has room for as many messages as may wait. Any thread. */
+bool player_log_has_room(const Player *player);
+/** Number of messages that the log has lost. Any thread. */
+uint64_t player_log_lost(const Player *player);
 
 /* THE USER'S THREAD */
 

@@ -25,6 +25,7 @@ typedef struct PlayerMessage {
   uint64_t frame;    /**< since playing started, or PLAYER_NOW */
   uint32_t type;     /**< a PlayerMessageType */
   uint32_t strikers; /**< number of strikers of the new model */
+  uint32_t model;    /**< number of the new model in a log (log_line.h) */
   double value;
   TaborEvent event; /**< its own frame is ignored */
 } PlayerMessage;

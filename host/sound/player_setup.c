@@ -9,9 +9,10 @@
 #include "sound/player_state.h"
 #include "sound/room_create.h"
 
-#define SOURCE_ROOM 4096    /* messages */
-#define RECORD_SECONDS 10.0 /* that the disk may keep a recording waiting */
-#define PRIORITY 60         /* of SCHED_FIFO: below what the system's own sound has */
+#define SOURCE_ROOM 4096                          /* messages */
+#define LOG_ROOM (2 * SOURCE_COUNT * SOURCE_ROOM) /* messages: twice as many as may wait */
+#define RECORD_SECONDS 10.0                       /* that the disk may keep a recording waiting */
+#define PRIORITY 60 /* of SCHED_FIFO: below what the system's own sound has */
 
 static size_t record_size(const Player *player) {
   return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->channels * sizeof(double);
@@ -25,8 +26,12 @@ static bool create_recording(Player *player) {
          spsc_queue_create(&player->recording, record_size(player), (size_t)blocks);
 }
 
+static bool create_log(Player *player) {
+  return !player->logs || spsc_queue_create(&player->log, sizeof(PlayerMessage), LOG_ROOM);
+}
+
 static bool create_rings(Player *player) {
-  bool created = create_recording(player);
+  bool created = create_recording(player) && create_log(player);
   for (int i = 0; i < SOURCE_COUNT; i++) {
     created = created && spsc_queue_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
   }
@@ -58,6 +63,7 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   drum_player_set_room(&player->core, &player->room);
   player->width = setup->width;
   player->records = setup->records;
+  player->logs = setup->logs;
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
   return create_rings(player) ? OUTCOME_OK : fail_memory();
@@ -67,6 +73,7 @@ void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
   spsc_queue_destroy(&player->recording);
+  spsc_queue_destroy(&player->log);
   room_mix_free(&player->room);
   free(player->record);
   free(player);
@@ -100,6 +107,22 @@ bool player_record_has_room(const Player *player, uint32_t frames) {
   const size_t blocks = frames / PLAYER_RECORD + 2;
   return !player->records ||
          player->recording.capacity - spsc_queue_count(&player->recording) >= blocks;
+}
+
+/* ---- the log -------------------------------------------------------------------------------- */
+
+const PlayerMessage *player_log(const Player *player) {
+  return player->logs ? spsc_queue_peek(&player->log) : NULL;
+}
+
+void player_log_next(Player *player) { spsc_queue_pop(&player->log); }
+
+bool player_log_has_room(const Player *player) {
+  return !player->logs || spsc_queue_count(&player->log) <= LOG_ROOM / 2;
+}
+
+uint64_t player_log_lost(const Player *player) {
+  return player->logs ? spsc_queue_dropped(&player->log) : 0;
 }
 
 /* ---- the user ------------------------------------------------------------------------------- */

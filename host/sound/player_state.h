@@ -35,9 +35,10 @@ struct Player {
   double rate;
   uint32_t width, channels;
   uint32_t mics[TABOR_MAX_MICS]; /* output of the drum for each channel */
-  bool records, ends;
+  bool records, logs, ends;
   SpscQueue sources[SOURCE_COUNT];
   SpscQueue recording;
+  SpscQueue log; /* of PlayerMessage */
 
   /* audio thread */
   DrumPlayer core;

@@ -7,7 +7,6 @@
 
 #include "base/input_file.h"
 
-#define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF"
 
 /* A file while it is being read. */
@@ -16,7 +15,7 @@ typedef struct Reader {
   char *text;       /* all of it, terminated */
   size_t length;
   unsigned line;
-  char where[256]; /* "drums.csv:3:" */
+  char where[INPUT_PLACE_SIZE]; /* "drums.csv:3:" */
   const StrokeField *columns[STROKE_FIELDS];
   size_t column_count; /* 0 until the header was read */
   const TaborDrumDef *def;
@@ -117,12 +116,7 @@ static bool is_empty(const char *line) {
 }
 
 static Outcome read_line(Reader *reader, char *line) {
-  /* of a long path its end */
-  const char *const name = input_name(reader->name);
-  const size_t length = strlen(name);
-  const bool cut = length > LONGEST_PLACE;
-  (void)snprintf(reader->where, sizeof reader->where, "%s%s:%u:", cut ? "..." : "",
-                 cut ? name + length - LONGEST_PLACE : name, reader->line);
+  input_place(reader->where, reader->name, reader->line);
   if (is_empty(line)) return OUTCOME_OK;
   return reader->column_count > 0 ? read_row(reader, line) : read_header(reader, line);
 }

@@ -16,6 +16,7 @@ failures=0 excused=0
 "$TABOR" show tom-12 >drum.ini
 small=(./drum.ini --quality draft --set quality.two_way_bandwidth=300 --set quality.bandwidth=600)
 "$TABOR" render "${small[@]}" -q --duration 1 -o sound.wav
+"$TABOR" play "${small[@]}" -q --backend file --duration 0.05 --record take.wav --log take.log
 
 # with_failure NUMBER COMMAND...: runs it in an empty folder, with what it prints in out and err.
 with_failure() {
@@ -74,6 +75,7 @@ try_command show ./drum.ini --json
 try_command presets --json
 try_command analyze sound.wav --json
 try_command render "${small[@]}" -q --json --duration 0.05 -o made/sound.wav
+try_command render -q --replay take.log -o made/sound.wav
 try_command library "${small[@]}" -q --json --velocities 1 --takes 1 --positions 1 --duration 0.05 -o made/samples
 if [ "$excused" -gt 0 ]; then echo "$excused allocations of FFTW failed, which ends the process by itself"; fi
 exit $((failures > 0))

@@ -31,7 +31,8 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
                               .channels = 1,
                               .width = WIDTH,
                               .gain = 1,
-                              .records = true};
+                              .records = true,
+                              .logs = true};
   assert_int_equal(player_create(&player, &stage->player), OUTCOME_OK);
   assert_int_equal(model_builder_start(stage->builder, stage->player), OUTCOME_OK);
   stage->channels = 1;

@@ -48,6 +48,16 @@ static Stage *perform(uint32_t size) {
   return stage;
 }
 
+/* The sounds of both stages up to frame @p until. */
+static void assert_same_sound(const Stage *stage, const Stage *expected, uint32_t until,
+                              uint32_t size) {
+  for (uint32_t frame = 0; frame < until; frame++) {
+    if (memcmp(&stage->samples[frame], &expected->samples[frame], sizeof(double)) == 0) continue;
+    fail_msg("blocks of %u: frame %u is %.17g, not %.17g", (unsigned)size, (unsigned)frame,
+             stage->samples[frame], expected->samples[frame]);
+  }
+}
+
 static void sound_does_not_depend_on_blocks(void **state) {
   (void)state;
   static const uint32_t sizes[] = {1, 16, 37, 64, 128, 256, 1000, 4096, 0};
@@ -56,12 +66,41 @@ static void sound_does_not_depend_on_blocks(void **state) {
   assert_true(stage_peak(expected, 20000, FRAMES) > 0.001);
   for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
     Stage *const stage = perform(sizes[i]);
-    for (uint32_t frame = 0; frame < FRAMES; frame++) {
-      if (memcmp(&stage->samples[frame], &expected->samples[frame], sizeof(double)) != 0) {
-        fail_msg("blocks of %u: frame %u is %.17g, not %.17g", (unsigned)sizes[i], (unsigned)frame,
-                 stage->samples[frame], expected->samples[frame]);
-      }
-    }
+    assert_same_sound(stage, expected, FRAMES, sizes[i]);
+    stage_close(stage);
+  }
+  stage_close(expected);
+}
+
+/* Three times as many events as a block takes, most of them at odd frames close together, and 300 at one frame, of
+   which the last 44 and the stroke act a frame later. */
+static Stage *perform_crowd(uint32_t size) {
+  enum { CROWD = 800, EACH = 37, AT_ONCE = 300, UNTIL = 4096 };
+  static Messages messages;
+  messages = (Messages){0};
+  messages_add(&messages, message_strike(3, 2, 0.03));
+  for (uint32_t i = 0; i < CROWD; i++) {
+    messages_add(&messages, message_parameter(1001 + i / EACH, "mic.top.gain", 0.5 + 0.001 * i));
+    if (i % 100 == 99) messages_add(&messages, message_strike(1001 + i / EACH, 3, 0.04));
+  }
+  for (uint32_t i = 0; i < AT_ONCE; i++) {
+    messages_add(&messages, message_parameter(2002, "mic.top.gain", 0.001 * i));
+  }
+  messages_add(&messages, message_strike(2002, 3, 0.04));
+  Stage *const stage = stage_open(PRESET, TABOR_QUALITY_DRAFT, true, UNTIL);
+  stage_play(stage, &messages, UNTIL, size);
+  stage_end(stage);
+  return stage;
+}
+
+static void crowds_do_not_depend_on_blocks(void **state) {
+  (void)state;
+  static const uint32_t sizes[] = {16, 37, 64, 1000, 4096};
+  Stage *const expected = perform_crowd(1);
+  assert_true(stage_peak(expected, 2100, 4000) > 0.001);
+  for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+    Stage *const stage = perform_crowd(sizes[i]);
+    assert_same_sound(stage, expected, 4096, sizes[i]);
     stage_close(stage);
   }
   stage_close(expected);
@@ -535,6 +574,7 @@ int main(int argc, char **argv) {
   is_brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sound_does_not_depend_on_blocks),
+    cmocka_unit_test(crowds_do_not_depend_on_blocks),
     cmocka_unit_test(sound_is_the_drums),
     cmocka_unit_test(the_first_block_tells_the_device),
     cmocka_unit_test(what_comes_too_late_acts_at_once),

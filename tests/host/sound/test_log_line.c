@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines of a log: what is written is read back to the bit. */
+#include "sound/log_line.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static LogLine read_back(char *text) {
+  LogLine line;
+  assert_non_null(text);
+  const size_t length = strlen(text);
+  assert_true(length > 1 && strchr(text, '\n') == text + length - 1);
+  assert_int_equal(log_line_read("test:1:", text, length, &line), OUTCOME_OK);
+  free(text);
+  return line;
+}
+
+static void assert_same_number(double a, double b) { assert_memory_equal(&a, &b, sizeof a); }
+
+static void assert_same_message(const PlayerMessage *message) {
+  const LogLine line = read_back(log_line_message(message));
+  const TaborEvent *const event = &message->event, *const read = &line.message.event;
+  assert_int_equal(line.type, LOG_MESSAGE);
+  assert_true(line.message.frame == message->frame);
+  assert_int_equal(line.message.type, message->type);
+  assert_int_equal(line.message.model, message->model);
+  assert_same_number(line.message.value, message->value);
+  assert_int_equal(read->type, event->type);
+  assert_int_equal(read->id, event->id);
+  assert_int_equal(read->striker, event->striker);
+  assert_int_equal(read->parameter, event->parameter);
+  assert_int_equal(read->index, event->index);
+  assert_int_equal(read->technique, event->technique);
+  assert_same_number(read->velocity, event->velocity);
+  assert_same_number(read->radius, event->radius);
+  assert_same_number(read->angle, event->angle);
+  assert_same_number(read->value, event->value);
+}
+
+/* Numbers that text is most likely to change. */
+static const double hard[] = {0.0,
+                              -0.0,
+                              0.1,
+                              1.0 / 3.0,
+                              -1.0,
+                              1e22,
+                              9007199254740993.0,
+                              4.9e-324,
+                              2.2250738585072014e-308,
+                              1.7976931348623157e308,
+                              0.30000000000000004,
+                              1e-5};
+#define HARD (sizeof hard / sizeof hard[0])
+
+static void events_are_read_back_to_the_bit(void **state) {
+  (void)state;
+  static const uint32_t types[] = {TABOR_EVENT_STRIKE,  TABOR_EVENT_PRESS, TABOR_EVENT_DAMP,
+                                   TABOR_EVENT_RELEASE, TABOR_EVENT_RESET, TABOR_EVENT_MOVE,
+                                   TABOR_EVENT_SILENCE};
+  for (size_t type = 0; type < sizeof types / sizeof types[0]; type++) {
+    for (size_t i = 0; i < HARD; i++) {
+      const PlayerMessage message = {.frame = i * 1234567890123u,
+                                     .type = PLAYER_EVENT,
+                                     .event = {.type = types[type],
+                                               .id = UINT32_MAX - (uint32_t)i,
+                                               .striker = (uint32_t)i,
+                                               .index = (uint32_t)i / 2,
+                                               .technique = (uint32_t)i % 6,
+                                               .velocity = hard[i],
+                                               .radius = hard[(i + 1) % HARD],
+                                               .angle = hard[(i + 2) % HARD],
+                                               .value = hard[(i + 3) % HARD]}};
+      assert_same_message(&message);
+    }
+  }
+}
+
+static void every_live_parameter_has_a_name(void **state) {
+  (void)state;
+  const TaborParameter *parameter;
+  unsigned count = 0;
+  for (uint32_t i = 0; (parameter = tabor_parameter(i)); i++) {
+    if (!parameter->live) continue;
+    const PlayerMessage message = {
+      .frame = 1,
+      .type = PLAYER_EVENT,
+      .event = {.type = TABOR_EVENT_PARAMETER, .parameter = parameter->id, .value = 0.1}};
+    assert_same_message(&message);
+    count++;
+  }
+  assert_true(count >= 5);
+}
+
+static void gains_and_changes_are_read_back(void **state) {
+  (void)state;
+  for (size_t i = 0; i < HARD; i++) {
+    assert_same_message(&(PlayerMessage){.type = PLAYER_GAIN, .value = hard[i]});
+    assert_same_message(&(PlayerMessage){.type = PLAYER_EXPRESSION, .value = hard[i]});
+  }
+  assert_same_message(
+    &(PlayerMessage){.type = PLAYER_MODEL, .model = 7, .event = {.type = TABOR_EVENT_SWAP}});
+  assert_same_message(
+    &(PlayerMessage){.type = PLAYER_MODEL, .model = 8, .event = {.type = TABOR_EVENT_REPLACE}});
+}
+
+static void the_end_is_read_back(void **state) {
+  (void)state;
+  const LogLine line = read_back(log_line_end(9007199254740992u, 12));
+  assert_int_equal(line.type, LOG_END);
+  assert_true(line.frames == 9007199254740992u);
+  assert_int_equal(line.lost, 12);
+}
+
+static void check_drum(const TaborModel *model, const LogDrum *drum) {
+  const TaborDrumDef *const def = tabor_model_definition(model);
+  TaborModelInfo info;
+  tabor_model_info(model, &info);
+  assert_non_null(drum);
+  assert_string_equal(drum->preset, "a \"name\"\\, with \xC3\xA4");
+  assert_int_equal(drum->quality, info.quality);
+  assert_memory_equal(&drum->def, def, sizeof *def);
+}
+
+/* Beyond what presets use: numbers with many digits, wires and lugs of their own. */
+static void vary(TaborDrumDef *def, uint32_t seed) {
+  char value[32];
+  const double third = 1.0 / (3.0 + seed);
+  (void)snprintf(value, sizeof value, "%.17g", 0.1 + third / 10);
+  assert_int_equal(tabor_drum_def_set(def, "strike.radius", value, NULL), TABOR_OK);
+  (void)snprintf(value, sizeof value, "%.17g", 3000 * (1 + third));
+  assert_int_equal(tabor_drum_def_set(def, "batter.tension", value, NULL), TABOR_OK);
+  if (def->wires.count < 2) return;
+  (void)snprintf(value, sizeof value, "%.17g", 10 * (1 + third));
+  assert_int_equal(tabor_drum_def_set(def, "wire.2.tension", value, NULL), TABOR_OK);
+}
+
+static void every_preset_is_read_back(void **state) {
+  (void)state;
+  TaborModelOptions options;
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_DRAFT;
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    TaborDrumDef def;
+    TaborModel *model;
+    assert_int_equal(tabor_drum_def_preset(&def, tabor_preset(i)->name, NULL), TABOR_OK);
+    vary(&def, i);
+    assert_int_equal(tabor_model_create(&def, &options, &model, NULL), TABOR_OK);
+    const char name[] = "a \"name\"\\, with \xC3\xA4";
+    const LogStart start = {.program = "1.2.3", .rate = 44100.1, .gain = 0.1, .channels = 1};
+    LogLine line = read_back(log_line_start(&start, model, name));
+    assert_int_equal(line.type, LOG_START);
+    assert_same_number(line.start.rate, start.rate);
+    assert_same_number(line.start.gain, start.gain);
+    assert_string_equal(line.start.program, start.program);
+    assert_int_equal(line.start.channels, 1);
+    assert_int_equal(line.start.mics[0], 0);
+    check_drum(model, line.drum);
+    free(line.drum);
+    line = read_back(log_line_model(3, model, name));
+    assert_int_equal(line.type, LOG_MODEL);
+    assert_int_equal(line.model, 3);
+    check_drum(model, line.drum);
+    free(line.drum);
+    tabor_model_release(model);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(events_are_read_back_to_the_bit),
+    cmocka_unit_test(every_live_parameter_has_a_name),
+    cmocka_unit_test(gains_and_changes_are_read_back),
+    cmocka_unit_test(the_end_is_read_back),
+    cmocka_unit_test(every_preset_is_read_back),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -32,7 +32,7 @@ asks_for() {
   local packages=$1 tool=$2
   shift 2
   bare "$source/tools/$tool" "$@"
-  same "$tool $* without packages" "1 1 apt install $packages" \
+  same "$tool $* without packages" "1 1 apt install $packages, and start it with /usr/bin/python3" \
     "$status $(wc -l <"$err") $(grep -o 'apt install .*' "$err")"
 }
 sounds="python3-numpy python3-scipy python3-matplotlib"

@@ -814,7 +814,8 @@ TABOR_API void tabor_drum_route(TaborDrum *drum, const uint8_t *mics, uint32_t c
  */
 TABOR_API void tabor_swap_route(TaborSwap *swap, const uint8_t *mics, uint32_t count);
 /**
- * Frees a swap that was never sent or is done, with the old state and model that it then holds.
+ * Frees a swap that was never sent or is done, or whose drum was destroyed, with the old state and model that it
+ * then holds.
  * Ignores NULL.
  */
 TABOR_API void tabor_swap_destroy(TaborSwap *swap);

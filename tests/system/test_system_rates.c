@@ -18,13 +18,17 @@ static double band_middle(int band) { return 1000.0 * pow(10.0, 0.1 * (band - 10
 typedef struct Stroke {
   uint32_t count;
   double *sound, *force; /* at the first microphone, on the head */
+  double step_rate;
 } Stroke;
 
 static Stroke play(const TaborDrumDef *def, double rate, double seconds) {
   TaborModel *model = physics_model(def, rate, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   const uint32_t count = (uint32_t)(seconds * rate);
-  Stroke stroke = {count, malloc(count * sizeof(double)), malloc(count * sizeof(double))};
+  TaborModelInfo info;
+  tabor_model_info(model, &info);
+  Stroke stroke = {count, malloc(count * sizeof(double)), malloc(count * sizeof(double)),
+                   info.step_rate};
   TaborEvent strike = physics_strike(def);
   float sample = 0.0f;
   float *outputs[TABOR_MAX_MICS] = {&sample};
@@ -89,7 +93,7 @@ static void band_levels(const Stroke *stroke, double rate, Levels *levels) {
     for (double f = ceil(low / step) * step; f < high; f += step) {
       const double power = power_at(stroke->sound, stroke->count, f, rate);
       sound += power;
-      plain += power / treble_gain(f, rate);
+      plain += power / treble_gain(f, stroke->step_rate);
       force += power_at(stroke->force, stroke->count, f, rate);
     }
     levels->sound[band] = 10.0 * log10(sound);

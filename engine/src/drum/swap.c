@@ -3,12 +3,13 @@
  *
  * To keep the displacements unchanged would make a parametric pump: toggling the tension by 10 %
  * every 64 samples multiplies the energy without bound. To keep phase and action per mode does not.
- * With t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt((sin t0/k0)/(sin t1/k1)),
+ * With t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
  * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
  * which is right while only tensions, masses, losses or quality changed. For another radius,
  * boundary or side, and where the drum is to be replaced, the old drum rings out beside the new one.
- * What moves without an oscillation known to the mapping keeps its velocity where the steps differ.
+ * Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy (c sin t1/k1)^2 then follows w1/w0 exactly;
+ * what is no mode keeps place and velocity.
  *
  * Sound on its way to the microphones and the high band do not continue on another model. So the old model
  * plays on for 8 ms, in which the new one's sound travels 2.7 m, and then fades for 8 ms against the new one's.
@@ -74,7 +75,9 @@ static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const T
   if (t0 == t1 || t0 <= 0.0 || t1 <= 0.0) return; /* scale 0: copy */
   tb_sin_cos(t0, &map->sin_old[i], &map->cos_old[i]);
   tb_sin_cos(t1, &map->sin_new[i], &map->cos_new[i]);
-  map->scale[i] = sqrt(map->ratio * map->sin_old[i] / map->sin_new[i]);
+  const double sines = map->sin_old[i] / map->sin_new[i];
+  map->scale[i] =
+    map->ratio == 1.0 ? sqrt(sines) : map->ratio * sines * sqrt(t1 / (t0 * map->ratio));
 }
 
 bool tb_swap_map(TaborSwap *swap) {

@@ -74,13 +74,23 @@ static const double TOP_OF_HEARING = 0.42;
 /* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
  * than half the head's shortest wavelength. */
 static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
+/* Studio gives fewer wires than twenty more points each, as many together. */
+static const uint32_t CELLS_OF_ALL = 960;
+
+static uint32_t cells_of_many(uint32_t quality, uint32_t wires, uint32_t most) {
+  if (quality != TABOR_QUALITY_STUDIO) return CELLS_OF_MANY[quality];
+  const uint32_t each = CELLS_OF_ALL / wires / 2u * 2u; /* even */
+  return each < CELLS_OF_MANY[quality] ? CELLS_OF_MANY[quality] : (each > most ? most : each);
+}
 
 static Level resolve_level(const TaborDrumDef *def, const TaborModel *model) {
   const uint32_t quality = model->quality;
   Level level = level_of(quality);
   if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
   if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
-  if (def->wires.count > MANY_WIRES) level.wire_cells = CELLS_OF_MANY[quality];
+  if (def->wires.count > MANY_WIRES) {
+    level.wire_cells = cells_of_many(quality, def->wires.count, level.wire_cells);
+  }
   if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
   if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * model->step_rate);

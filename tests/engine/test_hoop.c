@@ -26,7 +26,7 @@ static void an_impulse_finds_the_same_mass_everywhere(void **state) {
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   double *shape = calloc(3 * model->modes.padded + model->head.row_count, sizeof *shape);
   double *here = shape, *there = here + model->modes.padded, *radial = there + model->modes.padded;
-  const double k2 = 1.0 / (RATE * RATE);
+  const double k2 = model->time_step * model->time_step;
   for (double angle = 0.0; angle < 360.0; angle += 41.0) {
     tb_model_hoop_shape(model, angle, radial, here);
     tb_model_hoop_shape(model, angle + 20.0, radial, there);

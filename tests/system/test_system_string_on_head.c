@@ -60,6 +60,7 @@ static void first_ten_milliseconds_agree(void **state) {
   TaborModelOptions options;
   tabor_model_options_default(&options);
   options.quality = TABOR_QUALITY_REFERENCE;
+  options.sample_rate = 24000.0; /* and steps at 48 kHz, as the solution beside */
   TaborError error = {0};
   TaborModel *model;
   TaborDrum *drum;
@@ -68,6 +69,7 @@ static void first_ten_milliseconds_agree(void **state) {
   TaborModelInfo info;
   tabor_model_info(model, &info);
   assert_int_equal(info.contact_points, 47);
+  assert_true(info.step_rate == 48000.0);
 
   json_t *root = reference_load("string_on_head.json");
   json_t *run = json_object_get(json_object_get(root, "runs"), "48000");
@@ -80,7 +82,7 @@ static void first_ten_milliseconds_agree(void **state) {
   }
   const TaborEvent strike = {.type = TABOR_EVENT_STRIKE, .velocity = 2.0, .radius = 0.13};
   for (size_t row = 0; row < rows; row++) {
-    tabor_drum_process(drum, &strike, row == 0 ? 1 : 0, NULL, 4);
+    tabor_drum_process(drum, &strike, row == 0 ? 1 : 0, NULL, 2);
     TaborProbe probe;
     tabor_drum_probe(drum, &probe);
     const double ours[5] = {probe.head, probe.wire, probe.striker, probe.striker_force,

@@ -119,6 +119,11 @@ typedef enum TaborSide { TABOR_SIDE_ABOVE, TABOR_SIDE_BELOW } TaborSide;
  * Accuracy against cost. `studio` and `reference` compute in double precision throughout. `draft`
  * and `live` compute contacts, their effect on heads and wires, and the high band in single
  * precision; the states of heads and wires stay double.
+ *
+ * Below 88.2 kHz `studio` and `reference` step twice per sample, and a low-pass makes one sample of
+ * the two: flat to 0.4535 of the sample rate, 104 dB down where sound would fold onto that. Its
+ * delay of 1.84 samples counts as travel to the microphones; one closer to a head than 14 mm at
+ * 48 kHz, or inside the drum, is so much later. Events act at samples.
  */
 typedef enum TaborQuality {
   TABOR_QUALITY_DEFAULT, /**< in model options: the level of the definition */
@@ -358,7 +363,7 @@ typedef struct TaborQualityDef {
   uint32_t level;           /**< a TaborQuality other than the default, default studio */
   double two_way_bandwidth; /**< modes up to here feel the contacts [Hz], 0 = by level, to 40,000 */
   double bandwidth;         /**< modes up to here are heard [Hz], 0 = by level, to 40,000 */
-  uint32_t newton_cap;      /**< iterations per sample at most, 0 = by level, to 16 */
+  uint32_t newton_cap;      /**< iterations per step at most, 0 = by level, to 16 */
   uint32_t wire_points;     /**< cells of a wire at most, 0 = by level, or 8 to 400 */
   uint32_t losses;          /**< 1, or 0 to switch off every loss and radiation; default 1 */
 } TaborQualityDef;
@@ -578,14 +583,19 @@ typedef struct TaborModelOptions {
 
 /** Facts of a model. */
 typedef struct TaborModelInfo {
-  double sample_rate;       /**< [Hz] */
-  uint32_t quality;         /**< a TaborQuality, never the default */
-  uint32_t mode_count;      /**< modes; cosine and sine copies count as two */
-  uint32_t mode_rows;       /**< rows of tabor_model_mode(); the two copies count as one */
-  double two_way_bandwidth; /**< [Hz]; less than requested if more than 4096 modes were needed */
+  double sample_rate; /**< [Hz] */
+  /** Steps per second: twice the sample rate at `studio` and `reference` below 88.2 kHz, otherwise
+   * the sample rate. */
+  double step_rate;
+  uint32_t quality;    /**< a TaborQuality, never the default */
+  uint32_t mode_count; /**< modes; cosine and sine copies count as two */
+  uint32_t mode_rows;  /**< rows of tabor_model_mode(); the two copies count as one */
+  /** [Hz]; less than requested if more modes were needed than 4096, at `studio` 8192, at
+   * `reference` 16,384. */
+  double two_way_bandwidth;
   double bandwidth;         /**< [Hz], with the one-way high band */
   uint32_t high_mode_count; /**< modes of the high band */
-  uint32_t newton_cap;      /**< iterations per sample at most */
+  uint32_t newton_cap;      /**< iterations per step at most */
   uint32_t wire_count;      /**< wires */
   uint32_t contact_points;  /**< contact points of all wires together */
   uint32_t mic_count;       /**< microphones, the channels of tabor_drum_process() */
@@ -715,16 +725,16 @@ typedef struct TaborStatistics {
    * nothing was free to carry them out; and strokes that another stroke of the same hand replaced
    * before they touched. */
   uint64_t dropped_events;
-  uint64_t solves;            /**< samples with a contact to solve */
+  uint64_t solves;            /**< steps with a contact to solve */
   uint64_t newton_iterations; /**< sum over the solves */
-  uint32_t newton_max;        /**< most in one sample */
+  uint32_t newton_max;        /**< most in one step */
   uint64_t newton_capped;     /**< solves that reached the cap before convergence */
   uint64_t work_corrected;    /**< capped solves whose forces were scaled to create no energy */
   uint64_t fallbacks;         /**< capped solves that were replaced by majorant steps */
   uint64_t guarded;           /**< steps shortened by the energy guard */
   uint64_t recovered;         /**< resets after a state that was not finite */
   uint64_t contact_sum;       /**< touching points, summed over the solves */
-  uint32_t contact_max;       /**< most touching points in one sample */
+  uint32_t contact_max;       /**< most touching points in one step */
   uint32_t in_play;           /**< strikers and damping hands in play now */
 } TaborStatistics;
 

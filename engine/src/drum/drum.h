@@ -23,8 +23,9 @@ struct TaborDrum {
 /* Mapping from the modes of an old model to those of a new one. */
 typedef struct TbMapping {
   bool continues; /* false: another instrument; the old drum rings out beside it */
-  uint32_t *mode; /* [padded of new]: old mode, or TB_NO_MODE */
-  double *scale;  /* c of swap.c; 0 copies both instants as they are */
+  double step_from, step_to, ratio; /* k0, k1 [s], k1/k0 */
+  uint32_t *mode;                   /* [padded of new]: old mode, or TB_NO_MODE */
+  double *scale;                    /* c of swap.c; 0 keeps place and velocity */
   double *cos_old, *sin_old, *cos_new, *sin_new;
 } TbMapping;
 

@@ -3,7 +3,21 @@
 
 #include "step/step.h"
 
-static const uint64_t HOUSEKEEPING = 64; /* samples */
+static const uint64_t HOUSEKEEPING = 64; /* steps */
+
+/* One step, or two and what microphones hear of both. */
+static void step_frame(TbView *view, uint32_t heard, double *pressure) {
+  double first[TABOR_MAX_MICS];
+  if (view->model->steps == 1) {
+    tb_step(view, heard, pressure);
+    return;
+  }
+  tb_step(view, heard, first);
+  tb_step(view, heard, pressure);
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    pressure[mic] = tb_halve_rate(view->state->halved[mic], first[mic], pressure[mic]);
+  }
+}
 
 void tb_frame(TbView *view, uint32_t heard, double *pressure) {
   TbState *state = view->state;
@@ -14,9 +28,9 @@ void tb_frame(TbView *view, uint32_t heard, double *pressure) {
     state->hushed = 0;
     return;
   }
-  tb_step(view, heard, pressure);
+  step_frame(view, heard, pressure);
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;
   }
-  if (state->clock % HOUSEKEEPING == 0) tb_step_housekeeping(view);
+  if (state->clock % HOUSEKEEPING < view->model->steps) tb_step_housekeeping(view);
 }

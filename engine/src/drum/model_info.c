@@ -9,6 +9,7 @@ static uint32_t row_count(const TaborModel *model) {
 void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
   *info = (TaborModelInfo){
     .sample_rate = model->sample_rate,
+    .step_rate = model->step_rate,
     .quality = model->quality,
     .mode_count = model->modes.count,
     .mode_rows = row_count(model),

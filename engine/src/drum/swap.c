@@ -8,6 +8,8 @@
  * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
  * which is right while only tensions, masses, losses or quality changed. For another radius,
  * boundary or side, and where the drum is to be replaced, the old drum rings out beside the new one.
+ * Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy (c sin t1/k1)^2 then follows w1/w0 exactly;
+ * what is no mode keeps place and velocity.
  *
  * Sound on its way to the microphones and the high band do not continue on another model. So the old model
  * plays on for 8 ms, in which the new one's sound travels 2.7 m, and then fades for 8 ms against the new one's.
@@ -68,19 +70,23 @@ static double turn_per_sample(const TbHeadMode *mode, double k) {
   return square > 0.0 ? sqrt(square) * k : -1.0;
 }
 
-static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const TbHeadMode *to,
-                     double k) {
-  const double t0 = turn_per_sample(from, k), t1 = turn_per_sample(to, k);
+static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const TbHeadMode *to) {
+  const double t0 = turn_per_sample(from, map->step_from), t1 = turn_per_sample(to, map->step_to);
   if (t0 == t1 || t0 <= 0.0 || t1 <= 0.0) return; /* scale 0: copy */
   tb_sin_cos(t0, &map->sin_old[i], &map->cos_old[i]);
   tb_sin_cos(t1, &map->sin_new[i], &map->cos_new[i]);
-  map->scale[i] = sqrt(map->sin_old[i] / map->sin_new[i]);
+  const double sines = map->sin_old[i] / map->sin_new[i];
+  map->scale[i] =
+    map->ratio == 1.0 ? sqrt(sines) : map->ratio * sines * sqrt(t1 / (t0 * map->ratio));
 }
 
 bool tb_swap_map(TaborSwap *swap) {
   TbMapping *map = &swap->mapping;
   const TaborModel *from = swap->old_model, *to = swap->new_model;
   map->continues = continues(from, to);
+  map->step_from = from->time_step;
+  map->step_to = to->time_step;
+  map->ratio = to->time_step / from->time_step;
   map_mics(swap);
   if (!map->continues) return true;
   const uint32_t n = to->modes.padded;
@@ -97,7 +103,7 @@ bool tb_swap_map(TaborSwap *swap) {
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
     if (map->mode[i] == TB_NO_MODE) continue;
-    map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode, to->time_step);
+    map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode);
   }
   return true;
 }
@@ -112,7 +118,7 @@ static void carry_modes(const TbMapping *map, const TbView *from, TbView *to) {
     const double c = map->scale[i];
     if (c == 0.0) {
       to->now.q[i] = q;
-      to->last.q[i] = last;
+      to->last.q[i] = tb_step_ago(q, last, map->ratio);
       continue;
     }
     const double im = (last - q * map->cos_old[i]) / map->sin_old[i];
@@ -133,23 +139,38 @@ static void carry_nodes(const TbWire *from, const TbWire *to, const double *sour
   }
 }
 
-static void carry_wires(const TbView *from, TbView *to) {
+static void carry_wires(const TbView *from, TbView *to, double ratio) {
   for (uint32_t w = 0; w < to->model->wires.count; w++) {
     const TbWire *a = &from->model->wires.wires[w], *b = &to->model->wires.wires[w];
     carry_nodes(a, b, from->now.v + a->first_node, to->now.v + b->first_node);
     carry_nodes(a, b, from->last.v + a->first_node, to->last.v + b->first_node);
   }
+  for (uint32_t i = 0; i < to->model->wires.node_count; i++) {
+    to->last.v[i] = tb_step_ago(to->now.v[i], to->last.v[i], ratio);
+  }
+}
+
+/* As many steps as take the same time, at least one if there were any. */
+static uint32_t steps_left(uint32_t left, double ratio) {
+  const uint32_t steps = (uint32_t)(left / ratio);
+  return left > 0 && steps == 0 ? 1 : steps;
+}
+
+static TbLiveParam at_steps(TbLiveParam live, double ratio) {
+  live.left = steps_left(live.left, ratio);
+  live.step *= ratio;
+  return live;
 }
 
 /* A live value that the player moved, or that both definitions share, goes on as it is. */
-static void carry_live(const TbView *from, TbView *to) {
+static void carry_live(const TbView *from, TbView *to, double ratio) {
   TbLiveParam fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
   memcpy(fresh, to->state->live, sizeof fresh);
   tb_live_params_definition(from->model, old_fresh);
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const TbLiveParam *live = &from->state->live[i];
     const bool untouched = live->left == 0 && live->now == old_fresh[i].now;
-    to->state->live[i] = untouched ? fresh[i] : *live;
+    to->state->live[i] = untouched ? fresh[i] : at_steps(*live, ratio);
   }
 }
 
@@ -170,21 +191,21 @@ static void carry_contacts(const TbView *from, TbView *to) {
   tb_penetrations_from_displacements(to, &to->last);
 }
 
-static void carry_missing(const TbView *from, TbView *to, uint32_t slot) {
+static void carry_missing(const TbView *from, TbView *to, uint32_t slot, double ratio) {
   double *now = to->now.missing[slot], *last = to->last.missing[slot];
   memcpy(now, from->now.missing[slot], sizeof from->now.missing[slot]);
   memcpy(last, from->last.missing[slot], sizeof from->last.missing[slot]);
-  tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), now, last);
+  tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), ratio, now, last);
 }
 
-static void carry_bending(const TbView *from, TbView *to, uint32_t slot) {
+static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {
   double *now = to->now.bow[slot], *last = to->last.bow[slot];
   TbSlot *s = &to->state->slots[slot];
   if (s->bends && !s->partner) s->bends = tb_rigid_stick_bends(to, s->definition);
   if (!s->bends) return;
   memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
   memcpy(last, from->last.bow[slot], sizeof from->last.bow[slot]);
-  tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), now, last);
+  tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), ratio, now, last);
 }
 
 /* A striker that the other model has, and a brush if it is one. */
@@ -194,21 +215,40 @@ static bool is_known(const TaborModel *model, const TbSlot *slot) {
   return !slot->bristles || striker->kind == TABOR_STRIKER_BRUSH;
 }
 
-static void carry_slots(const TbView *from, TbView *to) {
+/* Its paths are per step, and its times in steps. */
+static TbBrush brush_at_steps(TbBrush brush, uint64_t clock, double ratio) {
+  if (ratio == 1.0) return brush;
+  double *const paths[] = {&brush.along, &brush.around, &brush.dx, &brush.dy, &brush.slide};
+  for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) *paths[i] *= ratio;
+  brush.left = steps_left(brush.left, ratio);
+  brush.lifting = steps_left(brush.lifting, ratio);
+  brush.moved = clock - (uint64_t)((double)(clock - brush.moved) / ratio);
+  return brush;
+}
+
+static TbSlot slot_at_steps(TbSlot slot, double ratio) {
+  slot.leaving = steps_left(slot.leaving, ratio);
+  slot.age = (uint64_t)((double)slot.age / ratio);
+  return slot;
+}
+
+static void carry_slots(const TbView *from, TbView *to, double ratio) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
   to->state->serial = from->state->serial;
-  memcpy(to->state->brushes, from->state->brushes, sizeof to->state->brushes);
+  for (uint32_t b = 0; b < TB_BRUSHES; b++) {
+    to->state->brushes[b] = brush_at_steps(from->state->brushes[b], from->state->clock, ratio);
+  }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &from->state->slots[i];
     const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
     if (slot->kind == TB_SLOT_FREE || muffles || !is_known(to->model, slot)) continue;
-    to->state->slots[i] = *slot;
+    to->state->slots[i] = slot_at_steps(*slot, ratio);
     to->state->slot_mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
-    to->last.z[i] = from->last.z[i];
-    carry_missing(from, to, i);
-    carry_bending(from, to, i);
+    to->last.z[i] = tb_step_ago(from->now.z[i], from->last.z[i], ratio);
+    carry_missing(from, to, i, ratio);
+    carry_bending(from, to, i, ratio);
   }
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
@@ -247,26 +287,29 @@ static void carry_high(const TbView *from, TbView *to) {
 static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
   for (uint32_t i = 0; i < to->model->def.mic_count; i++) {
     const uint32_t mic = swap->mics[i];
-    if (mic == TB_NO_MIC || from->model->mics[mic].delay != to->model->mics[i].delay) continue;
+    if (mic == TB_NO_MIC || from->model->steps != to->model->steps) continue;
+    if (from->model->mics[mic].delay != to->model->mics[i].delay) continue;
     memcpy(to->delay[i], from->delay[mic], (to->model->mics[i].delay + 1u) * sizeof(double));
     to->state->delay_at[i] = from->state->delay_at[mic];
     memcpy(to->state->treble[i], from->state->treble[mic], sizeof to->state->treble[i]);
+    memcpy(to->state->halved[i], from->state->halved[mic], sizeof to->state->halved[i]);
   }
 }
 
 static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   TbState *state = to->state;
+  const double ratio = swap->mapping.ratio;
   state->clock = from->state->clock;
   state->asleep = from->state->asleep;
   state->quiet_checks = from->state->quiet_checks;
   state->hushed = from->state->hushed;
   carry_modes(&swap->mapping, from, to);
-  carry_wires(from, to);
-  carry_live(from, to);
+  carry_wires(from, to, ratio);
+  carry_live(from, to, ratio);
   memcpy(state->shift, from->state->shift, sizeof state->shift);
   tb_live_params_apply(to);
   carry_contacts(from, to);
-  carry_slots(from, to);
+  carry_slots(from, to, ratio);
   carry_high(from, to);
   carry_sound(swap, from, to);
 }

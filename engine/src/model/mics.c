@@ -9,13 +9,13 @@
 
 /* ---- microphones ---------------------------------------------------------------------------- */
 
-/* Travel time to the nearest point of a head, in whole samples. */
-static uint32_t travel_delay(const TaborModel *model, const TaborMicDef *mic) {
+/* Travel time to the nearest point of a head, in whole steps. */
+static uint32_t travel_steps(const TaborModel *model, const TaborMicDef *mic) {
   const double aside = fmax(0.0, mic->radius - model->head.radius);
   double height = fabs(mic->height);
   if (model->def.two_headed) height = fmin(height, fabs(mic->height + model->def.shell.depth));
   const double distance = sqrt(height * height + aside * aside);
-  return (uint32_t)(distance / model->def.air.sound_speed * model->sample_rate);
+  return (uint32_t)(distance / model->def.air.sound_speed * model->step_rate);
 }
 
 /* Real u, v with u (l - 2 + 1/l) + v (l - 1/l) = gain for the pole l: the weights that turn a mode's
@@ -44,7 +44,7 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   const double turn = omega * model->time_step;
   const double size = -omega * omega * model->def.air.density * model->head.radius *
                       tb_angular(m, sine_copy, sine, cosine) * tb_sin(turn) / turn;
-  const double phase = turn * (double)model->mics[index].delay;
+  const double phase = turn * (double)model->mics[index].travel;
   double u, v;
   tb_sin_cos(phase, &sine, &cosine);
   realise(pole, size * (field[0] * cosine - field[1] * sine),
@@ -66,7 +66,8 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
 TaborStatus tb_mics_prepare(TaborModel *model) {
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     TbMic *mic = &model->mics[index];
-    mic->delay = travel_delay(model, &model->def.mic[index]);
+    mic->travel = travel_steps(model, &model->def.mic[index]);
+    mic->delay = mic->travel - (uint32_t)fmin(mic->travel, model->steps > 1 ? TB_HALVE_STEPS : 0);
     mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;

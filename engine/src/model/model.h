@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* All data computed once from a definition and a sample rate; immutable afterwards.
+/* All data computed once from a definition and a sample rate; immutable afterwards. A model steps once per
+ * frame of its output, or twice; "sample" means a step.
  *
  * All state counts from the static equilibrium (rest) under strainer, gravity and contact. A drum
  * at rest is therefore exactly zero, and stays so. */
@@ -26,10 +27,10 @@
 #define TB_SLOPE_LIMIT 10.0
 
 /* The signal of a microphone is A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n,
- * B(n) = Sum behind q^n, `delay` samples later: see mics.h. */
+ * B(n) = Sum behind q^n, `delay` steps later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
-  uint32_t delay;
+  uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */
 } TbMic;
 
 typedef struct TbRest {
@@ -81,10 +82,13 @@ struct TaborModel {
   TbArena arena;
   TaborDrumDef def;
   uint32_t quality;
-  double sample_rate, time_step; /* [Hz], k [s] */
-  double top;                    /* of the high band [Hz] */
-  TbPrecision precision;         /* of the high band */
-  TbPrecision contacts;          /* of contacts, if the kernels have their laws */
+  uint32_t steps;        /* per frame of the output */
+  double sample_rate;    /* of the output [Hz] */
+  double step_rate;      /* 1/k [Hz] */
+  double time_step;      /* k [s] */
+  double top;            /* of the high band [Hz] */
+  TbPrecision precision; /* of the high band */
+  TbPrecision contacts;  /* of contacts, if the kernels have their laws */
   uint32_t newton_cap, inner_cap;
   double tolerance, inner_tolerance; /* of the contact solve: see solve.h */
   double grid_tolerance;             /* see projection.h */

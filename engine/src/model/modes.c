@@ -28,15 +28,19 @@ static bool turn_of(double a, double b, double *c, double *s) {
   return square > 0.0;
 }
 
-void tb_pole_carry(double a0, double b0, double a1, double b1, double *now, double *last) {
+void tb_pole_carry(double a0, double b0, double a1, double b1, double ratio, double *now,
+                   double *last) {
   double c0, s0, c1, s1;
   if (a0 == a1 && b0 == b1) return;
   if (b0 == 0.0 || b1 == 0.0) {
     *now = *last = 0.0;
     return;
   }
-  if (!turn_of(a0, b0, &c0, &s0) || !turn_of(a1, b1, &c1, &s1)) return;
-  const double scale = sqrt(s0 / s1), im = (*last - *now * c0) / s0;
+  if (!turn_of(a0, b0, &c0, &s0) || !turn_of(a1, b1, &c1, &s1)) {
+    *last = tb_step_ago(*now, *last, ratio);
+    return;
+  }
+  const double scale = sqrt(ratio * s0 / s1), im = (*last - *now * c0) / s0;
   *last = scale * (*now * c1 + im * s1);
   *now *= scale;
 }

@@ -40,10 +40,15 @@ typedef struct TbPole {
 } TbPole;
 TbPole tb_pole(double omega, double decay_rate, double time_step);
 
-/* Converts the two instants of a motion from the recursion a0, b0 to a1, b1, keeping phase and
- * action (drum/swap.c). If either b is 0, there is no such mode, and the motion ends. If either
- * mode does not swing, the motion is copied. Audio-safe. */
-void tb_pole_carry(double a0, double b0, double a1, double b1, double *now, double *last);
+/* Converts the two instants of a motion from the recursion a0, b0 to a1, b1, whose steps are `ratio` times as
+ * long, keeping phase and action (drum/swap.c). If either b is 0, there is no such mode, and the motion ends.
+ * If either mode does not swing, place and velocity are kept. Audio-safe. */
+void tb_pole_carry(double a0, double b0, double a1, double b1, double ratio, double *now,
+                   double *last);
+/* Where something was one step ago, if steps are `ratio` times as long as between `now` and `last`. */
+static inline double tb_step_ago(double now, double last, double ratio) {
+  return ratio == 1.0 ? last : now - ratio * (now - last);
+}
 
 /* cos(m t) or sin(m t) from sin t, cos t. Audio-safe; exact zeros stay exact. */
 double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);

@@ -136,9 +136,9 @@ double tb_residual_modes_loss(const TbResidualModes *m, const double *next, cons
   return sum;
 }
 
-void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double *now,
-                             double *last) {
+void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double ratio,
+                             double *now, double *last) {
   for (uint32_t i = 0; i < TB_MISSING; i++) {
-    tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], &now[i], &last[i]);
+    tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], ratio, &now[i], &last[i]);
   }
 }

@@ -71,7 +71,7 @@ double tb_residual_modes_loss(const TbResidualModes *mobility, const double *nex
                               const double *last);
 /* Converts the two instants of a motion from the coefficients of `from` to those of `to`, keeping
  * phase and action (swap.c). */
-void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double *now,
-                             double *last);
+void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double ratio,
+                             double *now, double *last);
 
 #endif

@@ -209,8 +209,9 @@ void tb_stick_shape(const TbStickBody *body, double along, double *phi) {
   }
 }
 
-void tb_stick_carry(const TbStickBody *from, const TbStickBody *to, double *now, double *last) {
+void tb_stick_carry(const TbStickBody *from, const TbStickBody *to, double ratio, double *now,
+                    double *last) {
   for (uint32_t i = 0; i < TB_BENDS; i++) {
-    tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], &now[i], &last[i]);
+    tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], ratio, &now[i], &last[i]);
   }
 }

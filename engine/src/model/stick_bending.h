@@ -73,6 +73,7 @@ bool tb_sticks_prepare(TbStick *sticks, TbArena *scratch, const TaborDrumDef *de
 void tb_stick_shape(const TbStickBody *body, double along, double *phi);
 /* Converts the two instants of a motion from the coefficients of `from` to those of `to`, keeping
  * phase and action (swap.c). */
-void tb_stick_carry(const TbStickBody *from, const TbStickBody *to, double *now, double *last);
+void tb_stick_carry(const TbStickBody *from, const TbStickBody *to, double ratio, double *now,
+                    double *last);
 
 #endif

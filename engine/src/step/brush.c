@@ -69,7 +69,7 @@ static double coat_height(const TbView *view, const TbBrush *brush, uint32_t gro
 
 /* Metres that a group sticks where it is. */
 static double stride(const TbView *view, const TbBrush *brush, uint32_t group, double way) {
-  const double fast = way * view->model->sample_rate * STRIDE_TIME;
+  const double fast = way * view->model->step_rate * STRIDE_TIME;
   const double mean = fast > STRIDE ? fast : STRIDE;
   const uint64_t number = view->state->clock;
   return mean * (1.0 + 0.5 * tb_head_coating_draw(~seed_of(brush, group), number));
@@ -86,7 +86,7 @@ static void take_away(TbView *view, uint32_t b) {
 
 static void lift(TbView *view, TbBrush *brush) {
   if (brush->lifting) return;
-  brush->lifting = (uint32_t)(LIFTING_TIME * view->model->sample_rate) + 1u;
+  brush->lifting = (uint32_t)(LIFTING_TIME * view->model->step_rate) + 1u;
   brush->press = -LIFTING;
 }
 
@@ -226,7 +226,7 @@ static double shorter_way(double from, double to) {
 
 static void aim(const TbView *view, TbBrush *brush, double radius, double angle, double seconds) {
   if (seconds <= 0.0) seconds = usual_time(view, brush);
-  brush->left = (uint32_t)(seconds * view->model->sample_rate) + 1u;
+  brush->left = (uint32_t)(seconds * view->model->step_rate) + 1u;
   brush->along = (radius - brush->radius) / (double)brush->left;
   brush->around = shorter_way(brush->angle, angle) / (double)brush->left;
   brush->moved = view->state->clock;

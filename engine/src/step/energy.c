@@ -18,7 +18,7 @@ static double oscillators(uint32_t n, double rate, const double *stiffness, cons
 
 static double modes_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   const TbModes *modes = &view->model->modes;
-  return oscillators(modes->padded, view->model->sample_rate, modes->stiffness, next->q, now->q);
+  return oscillators(modes->padded, view->model->step_rate, modes->stiffness, next->q, now->q);
 }
 
 double tb_energy_high(const TbView *view) { return tb_high_band_step_of(view)->energy(view); }
@@ -78,7 +78,7 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
            tb_contact_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
            tb_contact_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
-           2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->sample_rate,
+           2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->step_rate,
                                           next->missing[i], now->missing[i]);
   }
   return 0.5 * sum;
@@ -119,7 +119,7 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
       all += bent * bent;
     }
   }
-  return 0.5 * (head + all) * view->model->sample_rate * view->model->sample_rate;
+  return 0.5 * (head + all) * view->model->step_rate * view->model->step_rate;
 }
 
 TbLosses tb_losses(const TbView *view) {

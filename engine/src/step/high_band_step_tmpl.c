@@ -68,7 +68,7 @@ static void keep_drive(const TbView *view, uint32_t slot, const double *drive) {
 
 static double energy(const TbView *view) {
   const TbHighBand *high = &view->model->high;
-  const double rate = view->model->sample_rate;
+  const double rate = view->model->step_rate;
   const Real *next = view->now.high, *now = view->last.high;
   double sum = 0.0;
   for (uint32_t i = 0; i < high->padded; i++) {

@@ -119,9 +119,9 @@ bool tb_live_params_in_range(const TbState *state) {
   return true;
 }
 
-static void move_to(const TbView *view, TbLiveParam *live, double target) {
+static void move_to(TbLiveParam *live, double target, double rate) {
   live->target = target;
-  live->left = (uint32_t)(SMOOTHING * view->model->sample_rate) + 1u;
+  live->left = (uint32_t)(SMOOTHING * rate) + 1u;
   live->step = (live->target - live->now) / (double)live->left;
 }
 
@@ -132,14 +132,14 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
   TbLiveParam *live = &view->state->live[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
-  move_to(view, live, clamp(value, param->info.minimum, param->info.maximum));
+  move_to(live, clamp(value, param->info.minimum, param->info.maximum), view->model->step_rate);
   return true;
 }
 
 void tb_live_params_gain(TbView *view, double value, bool at_once) {
   TbLiveParam *output = &view->state->output;
   const double gain = clamp(value, 0.0, MOST_GAIN);
-  move_to(view, output, gain);
+  move_to(output, gain, view->model->sample_rate);
   if (at_once) *output = (TbLiveParam){.now = gain, .target = gain};
 }
 
@@ -150,7 +150,7 @@ bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
     const bool of_wires = i < TB_LIVE_MUFFLE;
     if (!of_wires) own[i] = live[i];
     if (!of_wires || live[i].target == own[i].now) continue;
-    move_to(view, &own[i], live[i].target);
+    move_to(&own[i], live[i].target, view->model->step_rate);
     moves = true;
   }
   tb_pool_muffle(view);

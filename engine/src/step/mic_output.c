@@ -54,7 +54,7 @@ static void renew_hold(TbView *view) {
   if (!state->held) return;
   const double mean = sums.force / HOLD_STEPS; /* and speeds are s/(2k) */
   const TbWireTouch touch = {mean, mean * sums.force / sums.square,
-                             0.5 * view->model->sample_rate * sqrt(sums.motion / sums.force)};
+                             0.5 * view->model->step_rate * sqrt(sums.motion / sums.force)};
   double resistance[TB_HOLD_BANDS];
   tb_wire_hold_resistance(&view->model->high.wire_hold, touch, resistance);
   tb_high_band_step_of(view)->hold(view, resistance);

@@ -6,6 +6,7 @@
 #define TB_STATE_H
 
 #include "model/model.h"
+#include "step/halve_rate.h"
 #include "step/solve.h"
 
 /* Values that may move while the drum rings. */
@@ -109,7 +110,8 @@ typedef struct TbState {
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
-  uint32_t heard;                   /* microphones whose `ears` are those of this instant */
+  double halved[TABOR_MAX_MICS][TB_HALVE_MEMORY]; /* see halve_rate.h */
+  uint32_t heard; /* microphones whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
   TbLiveParam live[TB_LIVE_COUNT];
   TbLiveParam output; /* gain of all outputs, which moves even while the drum sleeps */

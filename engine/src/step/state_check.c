@@ -147,7 +147,8 @@ static bool microphones(const TaborModel *model, const TbState *state) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     if (state->delay_at[mic] > model->mics[mic].delay) return false;
   }
-  return all_within(NUMBERS(state->treble), MOST) && all_within(NUMBERS(state->ears), MOST);
+  return all_within(NUMBERS(state->treble), MOST) && all_within(NUMBERS(state->halved), MOST) &&
+         all_within(NUMBERS(state->ears), MOST);
 }
 
 static bool numbers(const TbState *state) {

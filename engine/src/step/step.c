@@ -271,6 +271,7 @@ static void fall_asleep(TbView *view) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
   memset(view->state->treble, 0, sizeof view->state->treble);
+  memset(view->state->halved, 0, sizeof view->state->halved);
   clear_high(view);
   view->state->heard = 0;
   view->state->asleep = 1;

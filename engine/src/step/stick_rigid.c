@@ -120,7 +120,7 @@ double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     const double q1 = next->bow[slot][i], q0 = now->bow[slot][i];
-    const double velocity = (q1 - q0) * view->model->sample_rate;
+    const double velocity = (q1 - q0) * view->model->step_rate;
     sum += velocity * velocity + body->stiffness[i] * q1 * q0;
   }
   return 0.5 * sum;
@@ -142,10 +142,10 @@ double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
 double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
                              const double *now) {
   const TbSlot *s = &view->state->slots[slot];
-  const double velocity = (next[slot] - now[slot]) * view->model->sample_rate;
+  const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
   if (!s->partner) return s->mass * velocity * velocity;
   const uint32_t other = s->partner - 1u;
-  const double of_other = (next[other] - now[other]) * view->model->sample_rate;
+  const double of_other = (next[other] - now[other]) * view->model->step_rate;
   const double mass = s->mass, its = view->state->slots[other].mass;
   const double determinant = 1.0 / (mass * its) - s->cross * s->cross;
   return velocity * (velocity / its - s->cross * of_other) / determinant;

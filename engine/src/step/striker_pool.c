@@ -217,7 +217,7 @@ static void book_removed(TbView *view, uint32_t slot) {
              tb_contact_law_potential(&state->slot_laws[slot], view->last.eta[row]));
     state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
     state->sums.removed +=
-      tb_residual_modes_energy(tb_slot_missing(view, slot), view->model->sample_rate,
+      tb_residual_modes_energy(tb_slot_missing(view, slot), view->model->step_rate,
                                view->now.missing[slot], view->last.missing[slot]);
   }
 }
@@ -297,7 +297,7 @@ uint32_t tb_pool_obtain(TbView *view) {
 
 /* One sample of lifting a stick: the pressing force goes, the pulling one comes. */
 static void pull_up(const TbView *view, TbSlot *s) {
-  const double whole = LIFT_TIME * view->model->sample_rate, left = whole - s->leaving;
+  const double whole = LIFT_TIME * view->model->step_rate, left = whole - s->leaving;
   if (left <= 0.0) return;
   s->leaving++;
   s->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
@@ -405,7 +405,7 @@ TbHandWork tb_pool_hand_work(const TbView *view) {
     const Hand hand = hand_of(view, s);
     const double moved = view->next.z[i] - view->last.z[i];
     work.done -= 0.5 * moved * (hand.force + hand.stiffness * (view->now.z[i] - s->anchor));
-    work.lost += 0.25 * hand.damping * view->model->sample_rate * moved * moved;
+    work.lost += 0.25 * hand.damping * view->model->step_rate * moved * moved;
   }
   return work;
 }
@@ -427,7 +427,7 @@ static bool is_done(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   if (s->partner && end_is_done(view, slot) && end_is_done(view, s->partner - 1u)) return true;
   if (tb_pool_touches(view, slot)) return false;
-  if (s->age > (uint64_t)(LINGER * view->model->sample_rate)) {
+  if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
     const double gap = -view->now.eta[view->model->wires.stride + slot];
     return !s->held || s->leaving || gap > OUT_OF_HAND;
   }
@@ -437,7 +437,7 @@ static bool is_done(const TbView *view, uint32_t slot) {
 void tb_pool_retire(TbView *view) {
   TbState *state = view->state;
   if (state->slot_mask == 0) return;
-  const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->sample_rate);
+  const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->step_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->slots[i];
     if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The energy ledger over 0.4 s of every preset without its losses, and 0.25 s with them.
+/* The energy ledger over 0.2 s of every preset without its losses, 19,200 steps at studio, and 0.13 s with them.
  *
  * usage: test_system_energy [brief | long]: a twentieth of a second of every fifth preset; or a second and half a
  * second of each. */
@@ -7,9 +7,9 @@
 
 static const double RATE = 48000.0;
 
-static uint32_t blocks = 300, lossy_blocks = 188, preset_step = 1;
+static uint32_t blocks = 150, lossy_blocks = 94, preset_step = 1;
 
-/* Lossless drums conserve: rounding only, over up to 48,000 steps. */
+/* Lossless drums conserve: rounding only, over up to 96,000 steps. */
 static const double DRIFT = 1e-11;
 /* With losses every joule is accounted for. */
 static const double RESIDUAL = 1e-9;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted [BS1770], by
- * libebur128, at live. Peaks are also looked at at studio, where they come within 0.1 s of a stroke, too. All in the
+ * libebur128, at live. Peaks are also looked at at studio, where they come within 0.05 s of a stroke, too. All in the
  * preset's first microphone.
  *
  * usage: test_system_levels [brief]: drums with less than two wires alone, at live alone, for slow builds. */
@@ -11,7 +11,7 @@
 static const double RATE = 48000.0;
 static const double FIRM = 4.5, HARDEST = 12.0; /* [m/s] */
 enum { FRAMES = 72000, BLOCK = 480 };           /* 1.5 s; loudness is looked at every 10 ms */
-enum { PEAK_FRAMES = 4800 };                    /* 0.1 s */
+enum { PEAK_FRAMES = 2400 };                    /* 0.05 s */
 
 typedef struct Level {
   double peak;       /* [dBFS] */

@@ -28,9 +28,9 @@ static TaborDrumDef small_snare(const char *preset) {
   TaborDrumDef def = physics_preset(preset);
   def.quality.two_way_bandwidth = 1500.0;
   def.quality.bandwidth = 3000.0;
-  def.quality.wire_points = 16;
+  def.quality.wire_points = 12;
   def.wires.damping_1 = 0.01; /* without sigma0 wires of the preset ring for 22 s */
-  if (def.wires.count > 4) def.wires.count = 4;
+  if (def.wires.count > 2) def.wires.count = 2;
   def.mic_count = 1;
   return def;
 }

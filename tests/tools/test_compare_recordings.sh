@@ -42,21 +42,21 @@ check "and what it is taken for" grep -qE '^snare-14x5.5: nearest to (tom|floort
 check "the verdict" grep -q '^compare-recordings: the gate fails; ' "$out"
 same "the others pass" 0 "$(grep -vcE '^(snare-14x5.5[,:]|strict: |compare-recordings: )' "$out")"
 check "says what the strict gate misses" grep -qE '^strict: snare-14x5.5, snare/bottom, live, spectrum: [0-9]+ of 60 in the plain range, 36 asked; [0-9]+ in the widened range, 57 asked; outside the plain range: to_e50_' "$out"
-compare --check --strict --program ./spoilt
+compare --check --strict --quality draft --program ./spoilt
 same "the strict gate without snares" 1 "$status"
 
 mkdir docs
-compare --docs docs --before ./spoilt
+compare --docs docs --quality draft --before ./spoilt
 same "writes its page" 0 "$status"
 for part in recordings.md recordings/figures.json recordings/snare-14x5.5-bottom.png; do
   check "$part" test -s "docs/$part"
 done
-check "the strict gate in a table" grep -qE '^\| `tom-12` \| tom/top \| live \| \**[0-9]+/42, [0-9]+/57' docs/recordings.md
+check "the strict gate in a table" grep -qE '^\| `tom-12` \| tom/top \| draft \| \**[0-9]+/42, [0-9]+/57' docs/recordings.md
 check "dynamics of recordings and presets" test 2 = "$(grep -cE '^\| (10x6-ash|tom-12) \| (snare|tom)/top \| [67] \| [0-9]+ \| [-+]' docs/recordings.md)"
 check "before and now in one table" grep -qE '^\| `snare-14x5.5` \| snare/top \| 12 \| [0-9]+/60, \*\*[0-9]+/60\*\* ' docs/recordings.md
 same "no place of the template is left open" 0 "$(grep -c '[$]' docs/recordings.md)"
 rm docs/recordings.md
-compare --docs docs
+compare --docs docs --quality draft
 check "keeps what was before" grep -q 'snare/top | tom/top | \*\*snare/top\*\*\|snare/top | floortom/top | \*\*snare/top\*\*' docs/recordings.md
 
 compare --program ./none --check

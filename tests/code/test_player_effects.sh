@@ -40,8 +40,8 @@ effects() {
 }
 plugins=
 if pkg-config --exists lv2; then
-  plugins="lv2/instrument lv2/knobs lv2/model_worker lv2/sequence
-    lv2/plugin_player lv2/plugin_player_input lv2/plugin_player_model lv2/plugin_player_sound"
+  plugins="lv2/instrument lv2/sequence plugin/knobs plugin/model_worker plugin/plugin_run
+    plugin/plugin_player plugin/plugin_player_input plugin/plugin_player_model plugin/plugin_player_sound"
 else
   skip_part "the plugins: needs lv2-dev"
 fi

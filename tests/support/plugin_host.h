@@ -16,9 +16,9 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "lv2/knobs.h"
 #include "lv2/ports.h"
 #include "midi/midi_stream.h"
+#include "plugin/knobs.h"
 
 #define HOST_BLOCK 8192 /**< most frames of a run */
 #define HOST_OUTPUTS 7

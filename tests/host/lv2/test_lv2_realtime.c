@@ -25,8 +25,8 @@
 #endif
 
 #include "counted_calls.h"
-#include "lv2/model_cache.h"
 #include "lv2/uris.h"
+#include "plugin/model_cache.h"
 
 static double seconds = 30;
 

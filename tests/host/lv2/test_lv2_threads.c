@@ -17,8 +17,8 @@
 
 #include <cmocka.h>
 
-#include "lv2/model_cache.h"
 #include "lv2/uris.h"
+#include "plugin/model_cache.h"
 
 #define FRAMES 512
 

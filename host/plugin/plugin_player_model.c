@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 static void take_restoration(PluginPlayer *player, const Reply *reply) {
   player->request.restoration = reply->restoration;

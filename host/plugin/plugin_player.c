@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 #include <math.h>
 #include <stdlib.h>

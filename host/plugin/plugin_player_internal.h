@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Functions shared by the files of a player. Calls go one way: plugin_player.c and plugin_player_sound.c call
    plugin_player_model.c, and all three call plugin_player_input.c. */
-#ifndef TABOR_LV2_PLUGIN_PLAYER_INTERNAL_H
-#define TABOR_LV2_PLUGIN_PLAYER_INTERNAL_H
+#ifndef TABOR_PLUGIN_PLAYER_INTERNAL_H
+#define TABOR_PLUGIN_PLAYER_INTERNAL_H
 
-#include "lv2/plugin_player.h"
+#include "plugin/plugin_player.h"
 
 /* Sets all knobs to the values of the definition. */
 void plugin_player_forget_turns(Request *request) REALTIME;

@@ -8,8 +8,8 @@
  * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
  * new knobs go to the end of knob_ports.
  */
-#ifndef TABOR_LV2_KNOBS_H
-#define TABOR_LV2_KNOBS_H
+#ifndef TABOR_PLUGIN_KNOBS_H
+#define TABOR_PLUGIN_KNOBS_H
 
 #include <tabor/tabor.h>
 

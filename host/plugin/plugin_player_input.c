@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Applies knobs and MIDI messages to a player. */
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,11 +7,11 @@
  * sound to the bit, for every run length. Nothing here allocates, locks or makes a system call. The number of frames and messages
  * bounds the work.
  */
-#ifndef TABOR_LV2_PLUGIN_PLAYER_H
-#define TABOR_LV2_PLUGIN_PLAYER_H
+#ifndef TABOR_PLUGIN_PLAYER_H
+#define TABOR_PLUGIN_PLAYER_H
 
-#include "lv2/model_worker.h"
 #include "midi/midi_to_events.h"
+#include "plugin/model_worker.h"
 #include "sound/drum_player.h"
 #include "sound/fader.h"
 #include "strokes/humanize.h"

@@ -41,9 +41,6 @@ static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map 
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
-  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    instrument->ranges[i] = knob_range((KnobId)i, &instrument->worker.base);
-  }
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
   return instrument->schedule || worker_thread_start(&instrument->thread, &instrument->worker);
 }
@@ -107,7 +104,7 @@ static float knob_value(const Instrument *instrument, uint32_t id) {
   const float *const port = instrument->knob_ports[id];
   const float last = instrument->player.seen[id];
   if (port && isfinite(*port)) return *port;
-  return port && !isnan(last) ? last : instrument->ranges[id].fallback;
+  return port && !isnan(last) ? last : instrument->player.ranges[id].fallback;
 }
 
 static void turn_knobs(void *shell) REALTIME;
@@ -115,7 +112,7 @@ static void turn_knobs(void *shell) {
   Instrument *const instrument = shell;
   KnobId id;
   for (uint32_t i = 0; (id = knob_at(instrument->player.stereo, i)) < KNOB_COUNT; i++) {
-    const KnobRange *const range = &instrument->ranges[id];
+    const KnobRange *const range = &instrument->player.ranges[id];
     const float value = knob_value(instrument, id);
     plugin_player_turn(&instrument->player, id,
                        fminf(fmaxf(value, range->minimum), range->maximum));

@@ -31,7 +31,6 @@ typedef struct Instrument {
   WorkerThread thread;                 /**< without a schedule */
   bool asks;                           /**< a request waits for a worker */
 
-  KnobRange ranges[KNOB_COUNT];
   const LV2_Atom_Sequence *events;
   PluginOutputs outputs;
   const float *freewheel;

@@ -98,6 +98,11 @@ static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
   return KNOB_COUNT;
 }
 
+/** True for a knob that hosts may modulate: it is live, and a gain or a level. */
+static inline bool knob_is_modulated(KnobId id) REALTIME {
+  return knob_is_level(id) || id == KNOB_GAIN || (id < KNOB_KEYS && knobs[id].kind == KNOB_LIVE);
+}
+
 /** Number of knobs of a plugin. */
 static inline uint32_t knob_number(bool stereo) REALTIME {
   uint32_t number = 0;

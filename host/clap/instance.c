@@ -33,21 +33,28 @@ static bool init(const clap_plugin_t *plugin) {
   return true;
 }
 
-static void destroy(const clap_plugin_t *plugin) { free(instance_of(plugin)); }
-
-/* ---- activation ----------------------------------------------------------------------------- */
+/* ---- drum and models ------------------------------------------------------------------------ */
 
 void instance_restore(Instance *instance, const SavedState *saved) {
   instance->saved = *saved;
   instance->is_saved = true;
   atomic_store(&instance->room_decay, (float)saved->def.room.decay);
-  if (instance->is_active) model_worker_restore(&instance->worker, saved);
+  if (instance->is_open) model_worker_restore(&instance->worker, saved);
 }
 
-static void close(Instance *instance) {
+static void free_all(Instance *instance) {
   worker_thread_stop(&instance->thread);
   plugin_player_end(&instance->player);
   model_worker_end(&instance->worker);
+}
+
+static void close(Instance *instance) {
+  SavedState saved;
+  if (!instance->is_open) return;
+  instance_save(instance, &saved);
+  instance->is_open = false;
+  free_all(instance);
+  instance_restore(instance, &saved);
 }
 
 static bool open(Instance *instance, double rate) {
@@ -57,12 +64,17 @@ static bool open(Instance *instance, double rate) {
   instance->worker.context = instance;
   if (!model_worker_begin(&instance->worker, rate, instance->stereo)) return false;
   if (instance->is_saved) model_worker_restore(&instance->worker, &instance->saved);
-  if (plugin_player_begin(&instance->player, &instance->worker, rate, instance->stereo) &&
-      worker_thread_start(&instance->thread, &instance->worker)) {
-    return true;
-  }
+  instance->is_open =
+    plugin_player_begin(&instance->player, &instance->worker, rate, instance->stereo) &&
+    worker_thread_start(&instance->thread, &instance->worker);
+  if (!instance->is_open) free_all(instance);
+  return instance->is_open;
+}
+
+static void destroy(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
   close(instance);
-  return false;
+  free(instance);
 }
 
 /* ---- blocks --------------------------------------------------------------------------------- */
@@ -152,6 +164,19 @@ static clap_process_status status_of(const Instance *instance) {
            : CLAP_PROCESS_CONTINUE;
 }
 
+/* The host turns knobs all the same. */
+static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) REALTIME;
+static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) {
+  for (uint32_t i = 0; i < instance->event_count; i++) {
+    (void)parameters_take(instance, event_at(instance, i));
+  }
+  for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
+    if (!outputs->channels[i]) continue;
+    memset(outputs->channels[i], 0, instance->frames * sizeof(float));
+  }
+  return CLAP_PROCESS_SLEEP;
+}
+
 static clap_process_status process(const clap_plugin_t *plugin, const clap_process_t *block) {
   Instance *const instance = instance_of(plugin);
   PluginOutputs outputs;
@@ -161,6 +186,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   instance->event = 0;
   instance->event_count = block->in_events ? block->in_events->size(block->in_events) : 0;
   instance->frames = block->frames_count;
+  if (!instance->is_open) return play_silence(instance, &outputs);
   PluginRun run = {.player = &instance->player,
                    .outputs = &outputs,
                    .events = &run_events,
@@ -175,35 +201,38 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   return status_of(instance);
 }
 
+static void silence_rate(Instance *instance, double rate) {
+  char line[96];
+  (void)snprintf(line, sizeof line, "silent at a sample rate of %g Hz; from %d to %d Hz it sounds",
+                 rate, LEAST_RATE, MOST_RATE);
+  instance_say(instance, line);
+}
+
 /* The drum is there before the first block. */
+static bool begin_rate(Instance *instance, double rate) {
+  const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
+  close(instance);
+  instance->rate = rate;
+  if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+    silence_rate(instance, rate);
+    return true;
+  }
+  if (!open(instance, rate)) return false;
+  plugin_run_wait(&run);
+  return true;
+}
+
 static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, uint32_t most) {
   Instance *const instance = instance_of(plugin);
   (void)least;
   (void)most;
-  if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
-    char line[80];
-    (void)snprintf(line, sizeof line, "a sample rate of %g Hz; allowed: %d to %d", rate, LEAST_RATE,
-                   MOST_RATE);
-    instance_say(instance, line);
-    return false;
-  }
-  if (!open(instance, rate)) return false;
-  const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
-  plugin_run_wait(&run);
-  plugin_player_rest(&instance->player);
-  instance->rate = rate;
-  instance->is_active = true;
+  const bool is_there = instance->is_open && rate == instance->rate;
+  if (!is_there && !begin_rate(instance, rate)) return false;
+  if (instance->is_open) plugin_player_rest(&instance->player);
   return true;
 }
 
-static void deactivate(const clap_plugin_t *plugin) {
-  Instance *const instance = instance_of(plugin);
-  SavedState saved;
-  instance_save(instance, &saved);
-  instance->is_active = false;
-  close(instance);
-  instance_restore(instance, &saved);
-}
+static void deactivate(const clap_plugin_t *plugin) { (void)plugin; }
 
 static bool start_processing(const clap_plugin_t *plugin) {
   (void)plugin;

@@ -4,8 +4,9 @@
  * An instance of a CLAP plugin. instance.c creates, runs and destroys it; the other files of this folder have its
  * extensions.
  *
- * Drum, models and threads are there while it is active. Its knobs and, on the main thread, the drum that was saved
- * last are there from beginning to end.
+ * Drum, models and thread are there from the first activation on, until it is activated at another sample rate or
+ * destroyed. Its knobs and, on the main thread, the drum that was saved last are there from beginning to end. At a sample
+ * rate that the engine has no models for it is silent, and the host's log has the reason.
  */
 #ifndef TABOR_CLAP_INSTANCE_H
 #define TABOR_CLAP_INSTANCE_H
@@ -31,12 +32,12 @@ typedef struct Instance {
   atomic_bool is_offline;                /**< the host renders, and is in no hurry */
 
   /* main thread */
-  SavedState saved; /**< the drum, while the instance is not active */
+  SavedState saved; /**< the drum, while the instance is not open */
   bool is_saved;    /**< it is not the default one */
-  bool is_active;
+  bool is_open;     /**< changes only while no block is played */
   double rate;
 
-  /* while it is active */
+  /* while it is open */
   ModelWorker worker;
   WorkerThread thread;
   PluginPlayer player;

@@ -20,7 +20,7 @@
 /* A knob whose value is unknown there has not been turned since. */
 void instance_save(Instance *instance, SavedState *saved) {
   *saved = instance->saved;
-  if (instance->is_active) model_worker_save(&instance->worker, saved);
+  if (instance->is_open) model_worker_save(&instance->worker, saved);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
     if (isnan(saved->seen[i])) saved->seen[i] = atomic_load(&instance->values[i]);
   }

@@ -39,7 +39,9 @@ void instance_restore(Instance *instance, const SavedState *saved) {
   instance->saved = *saved;
   instance->is_saved = true;
   atomic_store(&instance->room_decay, (float)saved->def.room.decay);
-  if (instance->is_open) model_worker_restore(&instance->worker, saved);
+  if (!instance->is_open) return;
+  model_worker_restore(&instance->worker, saved);
+  instance->host->request_process(instance->host); /* a block has to ask for the model */
 }
 
 static void free_all(Instance *instance) {
@@ -208,27 +210,26 @@ static void silence_rate(Instance *instance, double rate) {
   instance_say(instance, line);
 }
 
-/* The drum is there before the first block. */
 static bool begin_rate(Instance *instance, double rate) {
-  const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
   close(instance);
   instance->rate = rate;
   if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
     silence_rate(instance, rate);
     return true;
   }
-  if (!open(instance, rate)) return false;
-  plugin_run_wait(&run);
-  return true;
+  return open(instance, rate);
 }
 
+/* The drum that is wanted by then is there before the first block. */
 static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, uint32_t most) {
   Instance *const instance = instance_of(plugin);
+  const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
   (void)least;
   (void)most;
   const bool is_there = instance->is_open && rate == instance->rate;
+  if (is_there) plugin_player_rest(&instance->player);
   if (!is_there && !begin_rate(instance, rate)) return false;
-  if (instance->is_open) plugin_player_rest(&instance->player);
+  if (instance->is_open) plugin_run_wait(&run);
   return true;
 }
 
@@ -241,7 +242,10 @@ static bool start_processing(const clap_plugin_t *plugin) {
 
 static void stop_processing(const clap_plugin_t *plugin) { (void)plugin; }
 
-static void reset(const clap_plugin_t *plugin) { plugin_player_rest(&instance_of(plugin)->player); }
+static void reset(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  if (instance->is_open) plugin_player_rest(&instance->player);
+}
 
 static void on_main_thread(const clap_plugin_t *plugin) { (void)plugin; }
 

@@ -195,14 +195,17 @@ static bool get_value(const clap_plugin_t *plugin, clap_id param, double *value)
   return true;
 }
 
-/* The knobs turn in the next block. */
+/* The knobs turn in the next block, which the host might leave out for a plugin that sleeps. */
 static void flush(const clap_plugin_t *plugin, const clap_input_events_t *in,
                   const clap_output_events_t *out) {
+  Instance *const instance = instance_of(plugin);
+  bool any = false;
   (void)out;
   for (uint32_t i = 0; i < in->size(in); i++) {
     const clap_event_header_t *const event = in->get(in, i);
-    if (event) (void)parameters_take(instance_of(plugin), event);
+    if (event && parameters_take(instance, event)) any = true;
   }
+  if (any && instance->is_open) instance->host->request_process(instance->host);
 }
 
 const clap_plugin_params_t instance_params = {.count = count,

@@ -20,13 +20,47 @@ static void say(const clap_host_t *host, clap_log_severity severity, const char 
   (void)snprintf(own->said, sizeof own->said, "%s", line);
 }
 
-static const void *extension(const clap_host_t *host, const char *id) {
-  static const clap_host_log_t log = {.log = say};
+static void rescan(const clap_host_t *host, clap_param_rescan_flags flags) {
+  ((ClapHost *)host->host_data)->rescans += flags == CLAP_PARAM_RESCAN_VALUES;
+}
+
+static void clear(const clap_host_t *host, clap_id id, clap_param_clear_flags flags) {
   (void)host;
-  return strcmp(id, CLAP_EXT_LOG) == 0 ? &log : NULL;
+  (void)id;
+  (void)flags;
 }
 
 static void request(const clap_host_t *host) { (void)host; }
+
+static void request_block(const clap_host_t *host) { ((ClapHost *)host->host_data)->requests++; }
+
+static void refuse(const clap_host_t *host, uint32_t kind, const char *location, const char *key,
+                   int32_t number, const char *why) {
+  ClapHost *const own = host->host_data;
+  (void)kind;
+  (void)location;
+  (void)key;
+  (void)number;
+  (void)snprintf(own->refused, sizeof own->refused, "%s", why);
+}
+
+static void note_preset(const clap_host_t *host, uint32_t kind, const char *location,
+                        const char *key) {
+  ClapHost *const own = host->host_data;
+  (void)location;
+  assert_int_equal(kind, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN);
+  (void)snprintf(own->loaded, sizeof own->loaded, "%s", key);
+}
+
+static const void *extension(const clap_host_t *host, const char *id) {
+  static const clap_host_log_t log = {.log = say};
+  static const clap_host_params_t params = {rescan, clear, request};
+  static const clap_host_preset_load_t presets = {refuse, note_preset};
+  (void)host;
+  if (strcmp(id, CLAP_EXT_LOG) == 0) return &log;
+  if (strcmp(id, CLAP_EXT_PARAMS) == 0) return &params;
+  return strcmp(id, CLAP_EXT_PRESET_LOAD) == 0 ? &presets : NULL;
+}
 
 const clap_plugin_entry_t *clap_host_entry(const char *binary) {
   void *const library = dlopen(binary, RTLD_NOW | RTLD_LOCAL);
@@ -52,7 +86,7 @@ ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
                              .version = "1",
                              .get_extension = extension,
                              .request_restart = request,
-                             .request_process = request,
+                             .request_process = request_block,
                              .request_callback = request};
   host->stereo = strcmp(id, ID_DRUM) == 0;
   host->plugin = factory->create_plugin(factory, &host->host, id);
@@ -67,11 +101,14 @@ void clap_host_activate(ClapHost *host) {
   host->is_active = true;
 }
 
+void clap_host_deactivate(ClapHost *host) {
+  host->plugin->stop_processing(host->plugin);
+  host->plugin->deactivate(host->plugin);
+  host->is_active = false;
+}
+
 void clap_host_close(ClapHost *host) {
-  if (host->is_active) {
-    host->plugin->stop_processing(host->plugin);
-    host->plugin->deactivate(host->plugin);
-  }
+  if (host->is_active) clap_host_deactivate(host);
   host->plugin->destroy(host->plugin);
   free(host);
 }

@@ -32,7 +32,10 @@ typedef struct ClapHost {
   uint32_t event_count, ended;   /**< ended: number of note ends that the plugin has sent */
   float sound[TAKE_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
   char said[512];                         /**< newest line of the log, or "" */
-  clap_process_status status;             /**< of the newest block */
+  char loaded[64],
+    refused[512]; /**< key of the newest preset, and newest complaint about one; or "" */
+  uint32_t rescans, requests; /**< of the values of all parameters; for blocks */
+  clap_process_status status; /**< of the newest block */
 } ClapHost;
 
 typedef struct ClapState {
@@ -47,6 +50,7 @@ ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
 void clap_host_close(ClapHost *host);
 /** Activates at 48 kHz. */
 void clap_host_activate(ClapHost *host);
+void clap_host_deactivate(ClapHost *host);
 void clap_host_render(ClapHost *host, bool offline); /**< the render mode */
 const void *clap_host_extension(const ClapHost *host, const char *id);
 

@@ -87,10 +87,15 @@ static uint32_t frame_of(const clap_event_header_t *event, uint32_t at, uint32_t
   return event->time < frames ? event->time : frames - (frames > 0);
 }
 
+/* Functions of the host that CLAP wants fit for the audio thread. */
+typedef const clap_event_header_t *GetEventFn(const clap_input_events_t *, uint32_t) REALTIME;
+typedef bool PushEventFn(const clap_output_events_t *, const clap_event_header_t *) REALTIME;
+
 static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) REALTIME;
 static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) {
   if (number >= instance->event_count) return NULL;
-  return instance->events->get(instance->events, number);
+  GetEventFn *const get = (GetEventFn *)instance->events->get;
+  return get(instance->events, number);
 }
 
 static bool find_event(void *shell, uint32_t frames, uint32_t *frame) REALTIME;
@@ -123,7 +128,8 @@ static void end_note(const Instance *instance, const clap_event_header_t *event)
   end.header.size = sizeof end;
   end.header.type = CLAP_EVENT_NOTE_END;
   end.header.flags = 0;
-  (void)instance->answers->try_push(instance->answers, &end.header);
+  PushEventFn *const push = (PushEventFn *)instance->answers->try_push;
+  (void)push(instance->answers, &end.header);
 }
 
 static void take_event(Instance *instance, const clap_event_header_t *event, bool notes,

@@ -213,10 +213,10 @@ double clap_host_value(const ClapHost *host, KnobId knob) {
 void clap_host_run(ClapHost *host, uint32_t frames) {
   const clap_input_events_t in = {host, count_events, get_event};
   const clap_output_events_t out = {host, push_event};
-  float *channels[TAKE_CHANNELS];
-  clap_audio_buffer_t outputs[TAKE_CHANNELS - 1] = {{.data32 = channels, .channel_count = 2}};
-  const uint32_t ports = host->stereo ? 1 : TAKE_CHANNELS - 1;
-  for (uint32_t i = 0; i < TAKE_CHANNELS; i++) channels[i] = host->sound[i];
+  float *channels[CLAP_CHANNELS];
+  clap_audio_buffer_t outputs[CLAP_CHANNELS - 1] = {{.data32 = channels, .channel_count = 2}};
+  const uint32_t ports = host->stereo ? 1 : CLAP_CHANNELS - 1;
+  for (uint32_t i = 0; i < CLAP_CHANNELS; i++) channels[i] = host->sound[i];
   for (uint32_t i = 1; i < ports; i++) {
     outputs[i] = (clap_audio_buffer_t){.data32 = &channels[i + 1], .channel_count = 1};
   }
@@ -230,24 +230,6 @@ void clap_host_run(ClapHost *host, uint32_t frames) {
   host->status = host->plugin->process(host->plugin, &block);
   assert_int_not_equal(host->status, CLAP_PROCESS_ERROR);
   host->event_count = 0;
-}
-
-void clap_host_play(ClapHost *host, const HostMessage *messages, size_t count, uint32_t block,
-                    Take *take) {
-  static uint64_t random = 7;
-  size_t next = 0;
-  for (uint32_t at = 0; at < take->frames;) {
-    uint32_t run = block > 0 ? block : (uint32_t)(midi_random(&random) % (CLAP_BLOCK + 1));
-    if (run > take->frames - at) run = take->frames - at;
-    for (; next < count && messages[next].frame < at + run; next++) {
-      clap_host_midi(host, (uint32_t)messages[next].frame - at, &messages[next].message);
-    }
-    clap_host_run(host, run);
-    for (uint32_t i = 0; i < take->channels; i++) {
-      memcpy(take->sound[i] + at, host->sound[i], run * sizeof(float));
-    }
-    at += run;
-  }
 }
 
 /* ---- states --------------------------------------------------------------------------------- */

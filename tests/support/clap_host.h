@@ -9,10 +9,11 @@
 #include <clap/clap.h>
 
 #include "clap/instance.h"
-#include "plugin_songs.h"
+#include "midi/midi_stream.h"
 
 #define CLAP_BLOCK 8192 /**< most frames of a block */
 #define CLAP_EVENTS 1024
+#define CLAP_CHANNELS 7   /**< most channels of all outputs */
 #define CLAP_STATE 131072 /**< most bytes of a state */
 
 typedef union ClapEvent {
@@ -30,7 +31,7 @@ typedef struct ClapHost {
   bool stereo, is_active;
   ClapEvent events[CLAP_EVENTS]; /**< of the next block, in order of time */
   uint32_t event_count, ended;   /**< ended: number of note ends that the plugin has sent */
-  float sound[TAKE_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
+  float sound[CLAP_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
   char said[512];                         /**< newest line of the log, or "" */
   char loaded[64],
     refused[512]; /**< key of the newest preset, and newest complaint about one; or "" */
@@ -69,9 +70,6 @@ void clap_host_flush(ClapHost *host);
 double clap_host_value(const ClapHost *host, KnobId knob);
 /** Plays a block with the added events. */
 void clap_host_run(ClapHost *host, uint32_t frames);
-/** Plays @p count messages, which count from now, in blocks of @p block frames; 0: of random sizes. */
-void clap_host_play(ClapHost *host, const HostMessage *messages, size_t count, uint32_t block,
-                    Take *take);
 
 void clap_host_save(ClapHost *host, ClapState *state);
 bool clap_host_load(ClapHost *host, ClapState *state);

@@ -16,7 +16,7 @@
 #include "sound/fader.h"
 #include "strokes/humanize.h"
 
-#define PLUGIN_MESSAGES 512 /**< most messages that wait; docs/lv2.md: what happens to more */
+#define PLUGIN_MESSAGES 512 /**< most messages that wait; docs/plugins.md: what happens to more */
 
 #define PLUGIN_WAIT 0.04 /**< [s] longer than any delay of sound to a microphone */
 

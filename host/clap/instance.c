@@ -226,7 +226,7 @@ static bool begin_rate(Instance *instance, double rate) {
   return open(instance, rate);
 }
 
-/* The drum that is wanted by then is there before the first block. */
+/* The first drum, or one that was loaded, is there before the first block. */
 static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, uint32_t most) {
   Instance *const instance = instance_of(plugin);
   const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
@@ -235,7 +235,7 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
   const bool is_there = instance->is_open && rate == instance->rate;
   if (is_there) plugin_player_rest(&instance->player);
   if (!is_there && !begin_rate(instance, rate)) return false;
-  if (instance->is_open) plugin_run_wait(&run);
+  if (instance->is_open && !plugin_player_is_restored(&instance->player)) plugin_run_wait(&run);
   return true;
 }
 

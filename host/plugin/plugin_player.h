@@ -114,6 +114,8 @@ void plugin_player_receive(PluginPlayer *player) REALTIME;
 bool plugin_player_ask(PluginPlayer *player) REALTIME;
 /** True if there is a drum and it is the wanted one. */
 bool plugin_player_is_ready(const PluginPlayer *player) REALTIME;
+/** True if there is a drum, and it is the one that was restored last or has come after it. */
+bool plugin_player_is_restored(const PluginPlayer *player) REALTIME;
 /** True if drum and room have died away and no message waits. */
 bool plugin_player_is_silent(const PluginPlayer *player) REALTIME;
 /** True if the model worker has answered every request and has nothing else to do. */

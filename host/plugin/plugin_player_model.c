@@ -103,9 +103,13 @@ bool plugin_player_ask(PluginPlayer *player) {
   return true;
 }
 
-bool plugin_player_is_ready(const PluginPlayer *player) {
-  return player->core.drum && player->answered == player->request.number &&
+bool plugin_player_is_restored(const PluginPlayer *player) {
+  return player->core.drum &&
          player->answered_restoration == atomic_load(&player->worker->restoration);
+}
+
+bool plugin_player_is_ready(const PluginPlayer *player) {
+  return plugin_player_is_restored(player) && player->answered == player->request.number;
 }
 
 static bool is_room_silent(const RoomMix *mix) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Debian packages by `cpack -G DEB` in the build folder: the library, what building against it takes,
-# the program, and the LV2 plugins. For packages that belong into a system's folders configure with
+# the program, and the plugins of each format. For packages that belong into a system's folders configure with
 #
 #   -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_SHARED_LIBS=ON
 
@@ -17,6 +17,9 @@ if(TABOR_BUILD_PROGRAM)
 endif()
 if(TABOR_BUILD_LV2)
   list(APPEND CPACK_COMPONENTS_ALL lv2)
+endif()
+if(TABOR_BUILD_CLAP)
+  list(APPEND CPACK_COMPONENTS_ALL clap)
 endif()
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/debian-documents.cmake")
 set(TABOR_DEBIAN_LIBRARY "libtabor${TABOR_SOVERSION}")
@@ -51,6 +54,9 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThis is the program
 
 set(CPACK_DEBIAN_LV2_PACKAGE_NAME tabor-lv2)
 set(CPACK_DEBIAN_LV2_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThese are the instruments for LV2 plugin hosts.")
+
+set(CPACK_DEBIAN_CLAP_PACKAGE_NAME tabor-clap)
+set(CPACK_DEBIAN_CLAP_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThese are the instruments for CLAP plugin hosts.")
 
 if(BUILD_SHARED_LIBS)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${TABOR_DEBIAN_SAME_VERSION}")

@@ -31,7 +31,7 @@ endfunction()
 
 tabor_add_fuzz_target(api 1000 Tabor::tabor)
 tabor_add_fuzz_target(state 2000 Tabor::tabor)
-tabor_add_fuzz_target(definition 500 tabor-lv2-archive)
+tabor_add_fuzz_target(definition 500 tabor-plugin-archive)
 tabor_add_fuzz_target(preset 500 tabor-host CORPUS "${PROJECT_SOURCE_DIR}/presets/*.ini")
 tabor_add_fuzz_target(events_file 3000 tabor-host)
 tabor_add_fuzz_target(log 3000 tabor-host)

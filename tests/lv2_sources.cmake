@@ -19,7 +19,8 @@ endif()
 
 set(TABOR_LV2_LIBRARIES tabor-lv2-archive tabor-host-core ${CMAKE_DL_LIBS})
 
-set(test_lv2_render_SOURCES support/plugin_host.c support/midi_writer.c support/said.c)
+set(test_lv2_render_SOURCES support/plugin_host.c support/plugin_songs.c support/midi_writer.c
+                            support/said.c)
 set(test_lv2_render_LIBRARIES ${TABOR_LV2_LIBRARIES} tabor-host)
 set(test_lv2_render_NEEDS tabor-program tabor-lv2)
 if(TABOR_BUILD_PROGRAM)

@@ -15,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lv2/definition_text.h"
 #include "lv2/ports.h"
 #include "lv2/uris.h"
+#include "plugin/definition_text.h"
 
 static FILE *file; /* that is being written */
 static TaborDrumDef usual;

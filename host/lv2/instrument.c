@@ -8,15 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "lv2/sequence.h"
 #include "lv2/uris.h"
 
 #define LEAST_RATE 22050 /* [Hz] */
 #define MOST_RATE 192000 /* [Hz] */
-#define GLANCE 5000000   /* [ns] after which a thread of its own looks for work */
-#define PAUSE 1000000    /* [ns] for another thread that is at work already */
 
 /* ---- beginning ------------------------------------------------------------------------------ */
 
@@ -35,21 +31,6 @@ static void map_uris(Urids *urids, LV2_URID_Map *map) {
   }
 }
 
-static void sleep_for(long nanoseconds) {
-  const struct timespec moment = {.tv_nsec = nanoseconds};
-  (void)nanosleep(&moment, NULL);
-}
-
-/* Where the host has no worker. A thread that waited to be woken would have to be woken by a system call. */
-static void *look_for_work(void *handle) {
-  Instrument *const instrument = handle;
-  while (!atomic_load(&instrument->stops)) {
-    model_worker_work(&instrument->worker);
-    sleep_for(GLANCE);
-  }
-  return NULL;
-}
-
 static void say(void *context, const char *line) {
   Instrument *const instrument = context;
   (void)lv2_log_error(&instrument->logger, "Tabor: %s\n", line);
@@ -60,20 +41,13 @@ static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map 
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
-  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    instrument->ranges[i] = knob_range((KnobId)i, &instrument->worker.base);
-  }
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
-  if (instrument->schedule) return true;
-  instrument->has_thread =
-    pthread_create(&instrument->thread, NULL, look_for_work, instrument) == 0;
-  return instrument->has_thread;
+  return instrument->schedule || worker_thread_start(&instrument->thread, &instrument->worker);
 }
 
 static void cleanup(LV2_Handle handle) {
   Instrument *const instrument = handle;
-  atomic_store(&instrument->stops, true);
-  if (instrument->has_thread) (void)pthread_join(instrument->thread, NULL);
+  worker_thread_stop(&instrument->thread);
   plugin_player_end(&instrument->player);
   model_worker_end(&instrument->worker);
   free(instrument);
@@ -130,13 +104,15 @@ static float knob_value(const Instrument *instrument, uint32_t id) {
   const float *const port = instrument->knob_ports[id];
   const float last = instrument->player.seen[id];
   if (port && isfinite(*port)) return *port;
-  return port && !isnan(last) ? last : instrument->ranges[id].fallback;
+  return port && !isnan(last) ? last : instrument->player.ranges[id].fallback;
 }
 
-static void read_knobs(Instrument *instrument) {
+static void turn_knobs(void *shell) REALTIME;
+static void turn_knobs(void *shell) {
+  Instrument *const instrument = shell;
   KnobId id;
   for (uint32_t i = 0; (id = knob_at(instrument->player.stereo, i)) < KNOB_COUNT; i++) {
-    const KnobRange *const range = &instrument->ranges[id];
+    const KnobRange *const range = &instrument->player.ranges[id];
     const float value = knob_value(instrument, id);
     plugin_player_turn(&instrument->player, id,
                        fminf(fmaxf(value, range->minimum), range->maximum));
@@ -167,92 +143,41 @@ static uint32_t frame_of(const LV2_Atom_Event *event, uint32_t at, uint32_t fram
   return frame < frames ? (uint32_t)frame : frames - (frames > 0);
 }
 
-/* What a run is about. */
-typedef struct Run {
-  Sequence sequence;
-  uint32_t at, frames; /* played so far, and all */
-  bool waits;          /* for every model: the host renders, and is in no hurry */
-} Run;
-
-static Run begin_run(const Instrument *instrument, uint32_t frames, bool waits) {
-  return (Run){.sequence = sequence_begin(instrument->events, instrument->urids.sequence),
-               .frames = frames,
-               .waits = waits};
+static bool find_event(void *shell, uint32_t frames, uint32_t *frame) REALTIME;
+static bool find_event(void *shell, uint32_t frames, uint32_t *frame) {
+  Instrument *const instrument = shell;
+  const LV2_Atom_Event *const event = sequence_event(&instrument->sequence);
+  instrument->frames = frames;
+  if (event) *frame = frame_of(event, *frame, frames);
+  return event != NULL;
 }
 
-/* All events of frame @p frame: controllers before notes. */
-static void take_frame(Instrument *instrument, Run *run, uint32_t frame) {
-  const Sequence first = run->sequence;
+/* Knobs are ports here, which change between runs alone. */
+static bool note_knobs(void *shell, uint32_t frame) REALTIME;
+static bool note_knobs(void *shell, uint32_t frame) {
+  (void)shell;
+  (void)frame;
+  return false;
+}
+
+/* Controllers before notes. */
+static void take_frame(void *shell, uint32_t frame, uint32_t ahead) REALTIME;
+static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
+  Instrument *const instrument = shell;
+  Sequence *const sequence = &instrument->sequence;
+  const Sequence first = *sequence;
   const LV2_Atom_Event *event;
-  plugin_player_begin_frame(&instrument->player);
   for (int notes = 0; notes <= 1; notes++) {
-    run->sequence = first;
-    while ((event = sequence_event(&run->sequence)) &&
-           frame_of(event, frame, run->frames) == frame) {
-      take_event(instrument, event, notes == 1, frame - run->at);
-      sequence_step(&run->sequence);
+    *sequence = first;
+    while ((event = sequence_event(sequence)) &&
+           frame_of(event, frame, instrument->frames) == frame) {
+      take_event(instrument, event, notes == 1, ahead);
+      sequence_step(sequence);
     }
   }
 }
 
 /* ---- runs ----------------------------------------------------------------------------------- */
-
-static void play_until(Instrument *instrument, Run *run, uint32_t end) {
-  while (run->at < end) {
-    run->at +=
-      plugin_player_play(&instrument->player, &instrument->outputs, run->at, end - run->at);
-  }
-}
-
-/* Plays with everything that comes. False where the run has to wait for another model; then it is to be called
- * again. */
-static bool go_on(Instrument *instrument, Run *run) {
-  PluginPlayer *const player = &instrument->player;
-  const LV2_Atom_Event *event;
-  uint32_t frame = run->at;
-  while ((event = sequence_event(&run->sequence)) != NULL) {
-    frame = frame_of(event, frame, run->frames);
-    if (plugin_player_is_full(player)) play_until(instrument, run, frame);
-    take_frame(instrument, run, frame);
-    if (!plugin_player_has_choice(player)) continue;
-    play_until(instrument, run, frame);
-    plugin_player_choose(player);
-    if (run->waits) return false;
-  }
-  play_until(instrument, run, run->frames);
-  return true;
-}
-
-/* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */
-static bool keep_up(Instrument *instrument) {
-  plugin_player_receive(&instrument->player);
-  read_knobs(instrument);
-  return plugin_player_ask(&instrument->player);
-}
-
-static bool run_live(Instrument *instrument, uint32_t frames) REALTIME;
-static bool run_live(Instrument *instrument, uint32_t frames) {
-  Run run = begin_run(instrument, frames, false);
-  const bool asks = keep_up(instrument);
-  (void)go_on(instrument, &run);
-  return asks;
-}
-
-static void wait_for_model(Instrument *instrument) {
-  for (;;) {
-    (void)keep_up(instrument);
-    if (plugin_player_is_settled(&instrument->player)) return;
-    model_worker_work(&instrument->worker);
-    if (!model_worker_reply(&instrument->worker)) sleep_for(PAUSE); /* another thread is at it */
-  }
-}
-
-static void run_waiting(Instrument *instrument, uint32_t frames) {
-  Run run = begin_run(instrument, frames, true);
-  do {
-    wait_for_model(instrument);
-  } while (!go_on(instrument, &run));
-}
 
 static void call_worker(Instrument *instrument) {
   const LV2_Worker_Schedule *const schedule = instrument->schedule;
@@ -263,10 +188,19 @@ static void call_worker(Instrument *instrument) {
 }
 
 static void run(LV2_Handle handle, uint32_t frames) {
+  static const PluginEvents events = {
+    .turn = turn_knobs, .find = find_event, .note_knobs = note_knobs, .take = take_frame};
   Instrument *const instrument = handle;
-  if (instrument->freewheel && *instrument->freewheel > 0) {
-    run_waiting(instrument, frames);
-  } else if (run_live(instrument, frames)) {
+  PluginRun run = {.player = &instrument->player,
+                   .outputs = &instrument->outputs,
+                   .events = &events,
+                   .shell = instrument,
+                   .frames = frames,
+                   .waits = instrument->freewheel && *instrument->freewheel > 0};
+  instrument->sequence = sequence_begin(instrument->events, instrument->urids.sequence);
+  if (run.waits) {
+    plugin_run_waiting(&run);
+  } else if (plugin_run_live(&run)) {
     instrument->asks = true;
   }
   call_worker(instrument);

@@ -12,8 +12,10 @@
 #include <lv2/urid/urid.h>
 #include <lv2/worker/worker.h>
 
-#include "lv2/plugin_player.h"
 #include "lv2/ports.h"
+#include "lv2/sequence.h"
+#include "plugin/plugin_run.h"
+#include "plugin/worker_thread.h"
 
 /** The numbers that the host has mapped the URIs to. */
 typedef struct Urids {
@@ -25,18 +27,17 @@ typedef struct Urids {
 typedef struct Instrument {
   Urids urids;
   LV2_Log_Logger logger;               /**< silent if the host has no log */
-  const LV2_Worker_Schedule *schedule; /**< of the host; NULL: has_thread */
-  pthread_t thread;                    /**< the instance's own worker thread, if has_thread */
-  bool has_thread;
-  atomic_bool stops;
-  bool asks; /**< a request waits for a worker */
+  const LV2_Worker_Schedule *schedule; /**< of the host, or NULL */
+  WorkerThread thread;                 /**< without a schedule */
+  bool asks;                           /**< a request waits for a worker */
 
-  KnobRange ranges[KNOB_COUNT];
   const LV2_Atom_Sequence *events;
   PluginOutputs outputs;
   const float *freewheel;
   float *ready;
   const float *knob_ports[KNOB_COUNT];
+  Sequence sequence; /**< events that the run has not yet taken */
+  uint32_t frames;   /**< of the run */
 
   ModelWorker worker;
   PluginPlayer player;

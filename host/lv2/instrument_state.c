@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lv2/definition_text.h"
 #include "lv2/instrument.h"
 #include "lv2/uris.h"
+#include "plugin/definition_text.h"
 
 #define PLAIN (LV2_STATE_IS_POD | LV2_STATE_IS_PORTABLE)
 

@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 #include "base/realtime.h"
-#include "lv2/knobs.h"
+#include "plugin/knobs.h"
 
 typedef enum PortKind {
   PORT_EVENTS,

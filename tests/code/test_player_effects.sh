@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Checks the audio threads of the program and the plugins with clang's tools for real-time code: -Wfunction-effects
-# for the calls in the source, RealtimeSanitizer for the calls while test_player_realtime and test_lv2_realtime play.
+# for the calls in the source, RealtimeSanitizer for the calls while test_player_realtime, test_lv2_realtime and
+# test_clap_realtime play.
 #
-# test_player_effects.sh SOURCE CMAKE
+# test_player_effects.sh SOURCE CMAKE [CLAP-HEADERS]
 set -eu
-source=$1 cmake=$2
+source=$1 cmake=$2 clap=${3:-}
 # shellcheck source=tests/support/find_clang.sh
 . "$source/tests/support/find_clang.sh"
 # shellcheck source=tests/support/skips.sh
@@ -35,15 +36,23 @@ header=$source/engine/include/tabor/tabor.h
 
 # effects FILE: what the compiler says of it.
 effects() {
-  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" -include "$work/safe.h" \
-    -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
+  "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" ${clap:+-isystem "$clap"} \
+    -include "$work/safe.h" -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
-plugins=
+tests=test_player_realtime
+plugins="plugin/knobs plugin/model_worker plugin/plugin_run plugin/plugin_player plugin/plugin_player_input
+  plugin/plugin_player_model plugin/plugin_player_sound"
 if pkg-config --exists lv2; then
-  plugins="lv2/instrument lv2/knobs lv2/model_worker lv2/sequence
-    lv2/plugin_player lv2/plugin_player_input lv2/plugin_player_model lv2/plugin_player_sound"
+  plugins+=" lv2/instrument lv2/sequence"
+  tests+=" test_lv2_realtime"
 else
-  skip_part "the plugins: needs lv2-dev"
+  skip_part "the LV2 plugins: needs lv2-dev"
+fi
+if [ -n "$clap" ]; then
+  plugins+=" clap/instance clap/note_events clap/parameters clap/ports"
+  tests+=" test_clap_realtime"
+else
+  skip_part "the CLAP plugins: there are no CLAP headers (tools/setup --plugins brings them)"
 fi
 names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out strokes/humanize
   midi/midi_to_events midi/midi_speed midi/midi_stream"
@@ -61,12 +70,10 @@ grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
 # ---- what happens ----
 
 # sanitized FLAGS: builds and plays a few seconds.
-tests=test_player_realtime
-if [ -n "$plugins" ]; then tests+=" test_lv2_realtime"; fi
 sanitized() {
   local test
   "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
+    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF ${clap:+-DTABOR_CLAP_INCLUDE_DIR="$clap"} >"$work/log" 2>&1 &&
     "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
     tail -20 "$work/log"
     fail "building with -fsanitize=realtime"

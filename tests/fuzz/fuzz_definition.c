@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Definitions as the plugins save them (lv2/definition_text.h): refused with a reason, or valid, and written as they
+/* Definitions as the plugins save them (plugin/definition_text.h): refused with a reason, or valid, and written as they
  * were read. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "fuzz.h"
-#include "lv2/definition_text.h"
+#include "plugin/definition_text.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   TaborDrumDef def, again;

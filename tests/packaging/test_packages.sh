@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# cpack makes three Debian packages, and one of the LV2 plugins where these are built. Each has its own files and says what it needs; together, unpacked
-# into an empty folder, they are a program that renders and a library that can be built against.
+# cpack makes three Debian packages, and one of the plugins of each format that is built. Each has its own files and
+# says what it needs; together, unpacked into an empty folder, they are a program that renders and a library that can be
+# built against.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
 needs dpkg dpkg-deb
@@ -15,7 +16,12 @@ files_of() { dpkg-deb --fsys-tarfile packages/"$1"_*.deb | tar -t | grep -v '/$'
 version=$("$TABOR" --version | cut -d ' ' -f 2)
 soname=$(readelf -d "$SHARED_BUILD/engine/libtabor.so" | sed -nE 's/.*\(SONAME\).*libtabor\.so\.(.*)\]/\1/p')
 names=("libtabor$soname" libtabor-dev tabor)
-if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); else skip_part "the plugins' package: needs lv2-dev"; fi
+if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); else skip_part "the LV2 plugins' package: needs lv2-dev"; fi
+if [ -d "$SHARED_BUILD/clap" ]; then
+  names+=(tabor-clap)
+else
+  skip_part "the CLAP plugins' package: there are no CLAP headers (tools/setup --plugins brings them)"
+fi
 [ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not these packages: $(ls packages)"
 
 # has PACKAGE PATTERN...: files that match; the pattern stands for a whole path.
@@ -34,12 +40,16 @@ has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}
 has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
   /usr/share/tabor/presets/snare-14x5.5.ini /usr/share/doc/tabor/README.md
 
-if [ -d "$SHARED_BUILD/lv2" ]; then
-  bundle=/usr/lib/lv2/tabor.lv2
-  has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl
-  field tabor-lv2 Depends | grep -q libtabor && complain "the plugins need the library: $(field tabor-lv2 Depends)"
-  field tabor-lv2 Depends | grep -q 'libc6' || complain "the plugins need nothing: $(field tabor-lv2 Depends)"
-fi
+bundle=/usr/lib/lv2/tabor.lv2
+for package in "${names[@]}"; do
+  case $package in
+    tabor-lv2) has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl ;;
+    tabor-clap) has tabor-clap /usr/lib/clap/tabor.clap ;;
+    *) continue ;;
+  esac
+  field "$package" Depends | grep -q libtabor && complain "$package needs the library: $(field "$package" Depends)"
+  field "$package" Depends | grep -q 'libc6' || complain "$package needs nothing: $(field "$package" Depends)"
+done
 
 # depends PACKAGE PATTERN...: on each of these.
 depends() {

@@ -16,9 +16,9 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "lv2/knobs.h"
 #include "lv2/ports.h"
-#include "midi/midi_stream.h"
+#include "plugin/knobs.h"
+#include "plugin_songs.h"
 
 #define HOST_BLOCK 8192 /**< most frames of a run */
 #define HOST_OUTPUTS 7
@@ -45,12 +45,6 @@ typedef struct HostState {
   HostProperty properties[HOST_PROPERTIES];
   uint32_t count;
 } HostState;
-
-/** A MIDI message at its frame. */
-typedef struct HostMessage {
-  uint64_t frame;
-  MidiMessage message;
-} HostMessage;
 
 typedef struct PluginHost {
   const LV2_Descriptor *descriptor;

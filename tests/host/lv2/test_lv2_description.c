@@ -21,8 +21,8 @@
 #  include <lilv/lilv.h>
 #  include <lv2/presets/presets.h>
 
-#  include "lv2/definition_text.h"
 #  include "lv2/uris.h"
+#  include "plugin/definition_text.h"
 
 static const char *bundle;
 static LilvWorld *world;

@@ -16,8 +16,8 @@
 
 #include <cmocka.h>
 
-#include "lv2/model_cache.h"
 #include "lv2/uris.h"
+#include "plugin/model_cache.h"
 
 static const LV2_Descriptor *plugin(const char *uri) {
   const LV2_Descriptor *const descriptor = lv2_descriptor(strcmp(uri, URI_DRUM) == 0 ? 0 : 1);

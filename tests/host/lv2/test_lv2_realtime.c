@@ -8,7 +8,6 @@
  */
 #include "plugin_host.h"
 
-#include <fenv.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,13 +19,10 @@
 
 #include <cmocka.h>
 
-#if defined(__x86_64__)
-#  include <xmmintrin.h>
-#endif
-
 #include "counted_calls.h"
-#include "lv2/model_cache.h"
+#include "float_mode.h"
 #include "lv2/uris.h"
+#include "plugin/model_cache.h"
 
 static double seconds = 30;
 
@@ -38,39 +34,15 @@ static const LV2_Descriptor *plugin(const char *uri) {
   }
 }
 
-/* ---- the mode of the processor -------------------------------------------------------------- */
-
-/* A host's own: it rounds up, and flushes denormals. */
-static void set_mode(void) {
-  (void)fesetround(FE_UPWARD);
-#if defined(__x86_64__)
-  _mm_setcsr(_mm_getcsr() | 0x8040u);
-#endif
-}
-
-static void check_mode(void) {
-  assert_int_equal(fegetround(), FE_UPWARD);
-#if defined(__x86_64__)
-  assert_int_equal(_mm_getcsr() & 0x8040u, 0x8040u);
-#endif
-}
-
-static void reset_mode(void) {
-  (void)fesetround(FE_TONEAREST);
-#if defined(__x86_64__)
-  _mm_setcsr(_mm_getcsr() & ~0x8040u);
-#endif
-}
-
 /* ---- playing -------------------------------------------------------------------------------- */
 
 static void counted_run(PluginHost *host, uint32_t frames) {
-  set_mode();
+  float_mode_set();
   count_calls_begin();
   host->descriptor->run(host->handle, frames);
   const long calls = count_calls_end();
-  check_mode();
-  reset_mode();
+  float_mode_check();
+  float_mode_reset();
   if (calls > 0) fail_msg("%ld calls at frame %llu", calls, (unsigned long long)host->position);
   for (uint32_t i = 0; i < host->outputs; i++) {
     for (uint32_t at = 0; at < frames; at++) assert_true(isfinite(host->sound[i][at]));

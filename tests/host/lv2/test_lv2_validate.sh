@@ -31,14 +31,14 @@ same "and say nothing about them" "" "$(grep -i tabor "$err")"
 # Every control is in the documentation.
 for symbol in $(sed -n 's/^\t\tlv2:symbol "\([a-z_]*\)" ;$/\1/p' "$BUNDLE/tabor.ttl" | sort -u); do
   case $symbol in events | freewheel | out_*) continue ;; esac
-  check "docs/lv2.md has $symbol" grep -q "\`$symbol\`" "$SOURCE/docs/lv2.md"
+  check "docs/plugins.md has $symbol" grep -q "\`$symbol\`" "$SOURCE/docs/plugins.md"
 done
 
 # ---- installing ----
 
 # What the README and the documentation say, where no plugin has been installed yet.
 mkdir build && ln -s "${BUNDLE%/lv2/*}" build/release
-for page in README.md docs/lv2.md; do
+for page in README.md docs/plugins.md; do
   command=$(grep -oE '(mkdir[^`]*)?cp -r build/release/lv2/tabor\.lv2 [^`]*/' "$SOURCE/$page")
   home=$work/home-${page##*/}
   mkdir "$home"
@@ -49,7 +49,7 @@ done
 # In a prefix of one's own it is found with the path that is said there.
 local=$work/home/.local/lib/lv2
 mkdir -p "$local" && cp -r "$BUNDLE" "$local"
-path=$(grep -o 'export LV2_PATH=.*' "$SOURCE/docs/lv2.md")
+path=$(grep -o 'export LV2_PATH=.*' "$SOURCE/docs/plugins.md")
 check "found with '$path'" grep -qF "$local/tabor.lv2" \
   <(HOME=$work/home bash -c "$path; lv2info urn:tabor:drum" 2>&1)
 

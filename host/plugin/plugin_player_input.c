@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Applies knobs and MIDI messages to a player. */
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -118,6 +118,26 @@ static void set_gain(PluginPlayer *player, double factor) {
   plugin_player_act_now(player, &message);
 }
 
+/* The wires' grid is made for values not far above those of its model. */
+static double modulated(const PluginPlayer *player, KnobId id, double value) {
+  const KnobRange *const range = &player->ranges[id];
+  double most = (double)range->maximum;
+  if (player->offsets[id] == 0) return value;
+  if (id == KNOB_WIRE_TENSION) most = fmin(most, fmax(value, LIVE_HEADROOM * player->built[id]));
+  return fmin(fmax(value + (double)player->offsets[id], (double)range->minimum), most);
+}
+
+static double factor_of(const PluginPlayer *player, KnobId id) {
+  return knob_factor(id, (float)modulated(player, id, (double)player->seen[id]));
+}
+
+double plugin_player_live_value(const PluginPlayer *player, KnobId id) {
+  const double by_midi = id == KNOB_STRAINER ? player->request.strainer : NAN;
+  double value = id == KNOB_STRAINER ? player->strainer : player->built[id];
+  if (!isnan(player->request.values[id])) value = player->request.values[id];
+  return modulated(player, id, isnan(by_midi) ? value : by_midi);
+}
+
 static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_once) {
   switch (id) {
   case KNOB_VELOCITY_CURVE: player->map.response.curve = (MidiCurve)lroundf(value); break;
@@ -131,12 +151,11 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     player->request.room = (uint32_t)lroundf(value);
     player->request.number++;
     break;
-  case KNOB_GAIN: set_gain(player, knob_factor(id, value)); break;
-  default: turn_level(player, id, knob_factor(id, value), at_once); break;
+  case KNOB_GAIN: set_gain(player, factor_of(player, id)); break;
+  default: turn_level(player, id, factor_of(player, id), at_once); break;
   }
 }
 
-/* The wires' grid is made for values not far above those of its model. */
 static bool outgrows(const PluginPlayer *player, KnobId id, double value) {
   return id == KNOB_WIRE_TENSION && value > LIVE_HEADROOM * player->built[id];
 }
@@ -146,7 +165,7 @@ static void turn_live(PluginPlayer *player, KnobId id, double value) {
   if (outgrows(player, id, value)) player->request.number++;
   if (isnan(player->built[id])) return; /* the drum has no such part, or there is none yet */
   player->moved[id] = true;
-  plugin_player_move_parameter(player, player->ids[id], value);
+  plugin_player_move_parameter(player, player->ids[id], modulated(player, id, value));
 }
 
 /* Where strokes fall, until controllers say. */
@@ -181,6 +200,19 @@ void plugin_player_turn(PluginPlayer *player, KnobId id, float value) {
     turn_key(player, id, knob_decimal(value));
   } else {
     turn_setting(player, id, value, isnan(before));
+  }
+}
+
+void plugin_player_modulate(PluginPlayer *player, KnobId id, float offset) {
+  if (!knob_is_modulated(id) || offset == player->offsets[id]) return;
+  player->offsets[id] = offset;
+  if (id == KNOB_GAIN) {
+    set_gain(player, factor_of(player, id));
+  } else if (knob_is_level(id)) {
+    turn_level(player, id, factor_of(player, id), false);
+  } else if (!isnan(player->built[id])) {
+    player->moved[id] = true;
+    plugin_player_move_parameter(player, player->ids[id], plugin_player_live_value(player, id));
   }
 }
 

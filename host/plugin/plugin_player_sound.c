@@ -2,7 +2,7 @@
 /* Mixes a player's sound: the microphones of its drum at their levels. */
 #include <string.h>
 
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 /* The knob of each microphone's level. */
 static const KnobId mic_levels[PLUGIN_MICS] = {KNOB_LEVEL_TOP,   KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR,

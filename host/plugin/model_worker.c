@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/model_worker.h"
+#include "plugin/model_worker.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lv2/model_cache.h"
+#include "plugin/model_cache.h"
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 

@@ -8,8 +8,8 @@
  * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
  * new knobs go to the end of knob_ports.
  */
-#ifndef TABOR_LV2_KNOBS_H
-#define TABOR_LV2_KNOBS_H
+#ifndef TABOR_PLUGIN_KNOBS_H
+#define TABOR_PLUGIN_KNOBS_H
 
 #include <tabor/tabor.h>
 
@@ -96,6 +96,11 @@ static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
     if (place-- == 0) return knob_ports[i];
   }
   return KNOB_COUNT;
+}
+
+/** True for a knob that hosts may modulate: it is live, and a gain or a level. */
+static inline bool knob_is_modulated(KnobId id) REALTIME {
+  return knob_is_level(id) || id == KNOB_GAIN || (id < KNOB_KEYS && knobs[id].kind == KNOB_LIVE);
 }
 
 /** Number of knobs of a plugin. */

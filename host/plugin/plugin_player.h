@@ -7,16 +7,16 @@
  * sound to the bit, for every run length. Nothing here allocates, locks or makes a system call. The number of frames and messages
  * bounds the work.
  */
-#ifndef TABOR_LV2_PLUGIN_PLAYER_H
-#define TABOR_LV2_PLUGIN_PLAYER_H
+#ifndef TABOR_PLUGIN_PLAYER_H
+#define TABOR_PLUGIN_PLAYER_H
 
-#include "lv2/model_worker.h"
 #include "midi/midi_to_events.h"
+#include "plugin/model_worker.h"
 #include "sound/drum_player.h"
 #include "sound/fader.h"
 #include "strokes/humanize.h"
 
-#define PLUGIN_MESSAGES 512 /**< most messages that wait; docs/lv2.md: what happens to more */
+#define PLUGIN_MESSAGES 512 /**< most messages that wait; docs/plugins.md: what happens to more */
 
 #define PLUGIN_WAIT 0.04 /**< [s] longer than any delay of sound to a microphone */
 
@@ -45,6 +45,7 @@ typedef struct PluginPlayer {
   bool stereo;           /**< two outputs, mixed; or one per microphone */
   MidiBinding *bindings; /**< one per built-in preset */
   MidiMap map;
+  KnobRange ranges[KNOB_COUNT];
   uint32_t ids[KNOB_KEYS]; /**< parameter of each live knob */
   uint32_t grip_id;
 
@@ -58,10 +59,11 @@ typedef struct PluginPlayer {
   Request request;
   uint32_t asked, asked_restoration;       /**< of the newest request that was made */
   uint32_t answered, answered_restoration; /**< of the newest reply that was taken */
-  int32_t chosen;          /**< program that messages are for; none after a turn of a knob */
-  int32_t chosen_before;   /**< the same, before the current frame */
-  float seen[KNOB_COUNT];  /**< values of the ports; NaN: not yet known */
-  double built[KNOB_KEYS]; /**< values of the model; NaN: the drum has no such part */
+  int32_t chosen;            /**< program that messages are for; none after a turn of a knob */
+  int32_t chosen_before;     /**< the same, before the current frame */
+  float seen[KNOB_COUNT];    /**< values of the ports; NaN: not yet known */
+  float offsets[KNOB_COUNT]; /**< by which the host modulates knobs */
+  double built[KNOB_KEYS];   /**< values of the model; NaN: the drum has no such part */
   double built_grip;
   double strainer;       /**< of the drum's definition, before moves by MIDI */
   bool moved[KNOB_KEYS]; /**< the drum's live value differs from its model's */
@@ -91,6 +93,11 @@ void plugin_player_end(PluginPlayer *player);
 void plugin_player_rest(PluginPlayer *player) REALTIME;
 /** Sets knob @p id to @p value, the value of its port. */
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
+/**
+ * Adds @p offset to what knob @p id does, without moving the knob. No effect on knobs that
+ * knob_is_modulated() denies.
+ */
+void plugin_player_modulate(PluginPlayer *player, KnobId id, float offset) REALTIME;
 /** Prepares for the messages of another frame. */
 void plugin_player_begin_frame(PluginPlayer *player) REALTIME;
 /** Takes a complete MIDI message for a frame that is @p ahead frames from now. */
@@ -107,6 +114,10 @@ void plugin_player_receive(PluginPlayer *player) REALTIME;
 bool plugin_player_ask(PluginPlayer *player) REALTIME;
 /** True if there is a drum and it is the wanted one. */
 bool plugin_player_is_ready(const PluginPlayer *player) REALTIME;
+/** True if there is a drum, and it is the one that was restored last or has come after it. */
+bool plugin_player_is_restored(const PluginPlayer *player) REALTIME;
+/** True if drum and room have died away and no message waits. */
+bool plugin_player_is_silent(const PluginPlayer *player) REALTIME;
 /** True if the model worker has answered every request and has nothing else to do. */
 bool plugin_player_is_settled(const PluginPlayer *player) REALTIME;
 /** Plays up to @p most frames into @p outputs, starting at frame @p at. Returns the number of frames. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/definition_text.h"
+#include "plugin/definition_text.h"
 
 #include <math.h>
 #include <stdio.h>

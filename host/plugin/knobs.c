@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/knobs.h"
+#include "plugin/knobs.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/model_cache.h"
+#include "plugin/model_cache.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 static void take_restoration(PluginPlayer *player, const Reply *reply) {
   player->request.restoration = reply->restoration;
@@ -22,18 +22,11 @@ static void read_model(PluginPlayer *player, const Reply *reply) {
   memcpy(player->built, reply->built, sizeof player->built);
 }
 
-/* The value that a live knob is to have: as MIDI says, else the knob, else the drum. */
-static double live_value(const PluginPlayer *player, KnobId id) {
-  if (id == KNOB_STRAINER && !isnan(player->request.strainer)) return player->request.strainer;
-  if (!isnan(player->request.values[id])) return player->request.values[id];
-  return id == KNOB_STRAINER ? player->strainer : player->built[id];
-}
-
 /* The engine carries what was moved over to the new model; there it is put right. */
 void plugin_player_move_live(PluginPlayer *player) {
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
     if (knobs[i].kind != KNOB_LIVE || isnan(player->built[i])) continue;
-    const double value = live_value(player, (KnobId)i);
+    const double value = plugin_player_live_value(player, (KnobId)i);
     const bool differs = value != player->built[i];
     if (differs || player->moved[i]) plugin_player_move_parameter(player, player->ids[i], value);
     player->moved[i] = differs;
@@ -110,9 +103,23 @@ bool plugin_player_ask(PluginPlayer *player) {
   return true;
 }
 
-bool plugin_player_is_ready(const PluginPlayer *player) {
-  return player->core.drum && player->answered == player->request.number &&
+bool plugin_player_is_restored(const PluginPlayer *player) {
+  return player->core.drum &&
          player->answered_restoration == atomic_load(&player->worker->restoration);
+}
+
+bool plugin_player_is_ready(const PluginPlayer *player) {
+  return plugin_player_is_restored(player) && player->answered == player->request.number;
+}
+
+static bool is_room_silent(const RoomMix *mix) {
+  return !mix || !mix->room || (tabor_room_is_silent(mix->room) && !room_mix_is_fading(mix));
+}
+
+bool plugin_player_is_silent(const PluginPlayer *player) {
+  const DrumPlayer *const core = &player->core;
+  if (player->count > 0 || core->count > 0 || core->has_next || core->former) return false;
+  return is_room_silent(core->room) && (!core->drum || tabor_drum_is_silent(core->drum));
 }
 
 bool plugin_player_is_settled(const PluginPlayer *player) {

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Two instances of the plugins in two threads, with workers and a thread that saves and restores, under
+# Two instances of the plugins of each format in two threads, while another thread saves and restores them, under
 # ThreadSanitizer.
 #
-# test_lv2_races.sh SOURCE CMAKE
+# test_plugin_races.sh SOURCE CMAKE CLAP-HEADERS TEST...
 set -eu
-source=$1 cmake=$2
+source=$1 cmake=$2 clap=$3
+shift 3
 # shellcheck source=tests/support/find_clang.sh
 . "$source/tests/support/find_clang.sh"
 # shellcheck source=tests/support/skips.sh
@@ -15,8 +16,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-  -DCMAKE_C_FLAGS="-O1 -g -fsanitize=thread" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF >"$work/log" 2>&1 &&
-  "$cmake" --build "$work/build" --target test_lv2_threads >>"$work/log" 2>&1 || {
+  -DCMAKE_C_FLAGS="-O1 -g -fsanitize=thread" -DTABOR_BUILD_PROGRAM=OFF -DTABOR_INSTALL=OFF \
+  -DTABOR_CLAP_INCLUDE_DIR="$clap" >"$work/log" 2>&1 &&
+  "$cmake" --build "$work/build" --target "$@" >>"$work/log" 2>&1 || {
   tail -20 "$work/log"
   echo "FAILED: building with -fsanitize=thread"
   exit 1
@@ -41,9 +43,11 @@ if "$work/race" >"$work/log" 2>&1; then
   exit 1
 fi
 
-TSAN_OPTIONS=halt_on_error=1 "$work/build/tests/test_lv2_threads" 150 >"$work/log" 2>&1 || {
-  tail -60 "$work/log"
-  echo "FAILED: ThreadSanitizer"
-  exit 1
-}
-grep -q 'PASSED.* 3 test' "$work/log"
+for test in "$@"; do
+  TSAN_OPTIONS=halt_on_error=1 "$work/build/tests/$test" 100 >"$work/log" 2>&1 || {
+    tail -60 "$work/log"
+    echo "FAILED: ThreadSanitizer, $test"
+    exit 1
+  }
+  grep -q 'PASSED.* 3 test' "$work/log"
+done

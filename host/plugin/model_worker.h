@@ -15,15 +15,15 @@
  * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
  * has chosen since. Knobs turned since then override values in it.
  */
-#ifndef TABOR_LV2_MODEL_WORKER_H
-#define TABOR_LV2_MODEL_WORKER_H
+#ifndef TABOR_PLUGIN_MODEL_WORKER_H
+#define TABOR_PLUGIN_MODEL_WORKER_H
 
 #include <pthread.h>
 #include <stdatomic.h>
 
 #include "base/realtime.h"
-#include "lv2/knobs.h"
 #include "midi/midi_to_events.h"
+#include "plugin/knobs.h"
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
 

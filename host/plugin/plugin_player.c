@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "lv2/plugin_player_internal.h"
+#include "plugin/plugin_player_internal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,10 +25,11 @@ static bool bind_presets(PluginPlayer *player) {
 static void prepare_knobs(PluginPlayer *player) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const KnobId id = (KnobId)i;
+    player->ranges[i] = knob_range(id, &player->worker->base);
     player->seen[i] = NAN;
     player->levels[i] = fader_at(0, player->rate);
     if (i >= KNOB_KEYS) continue;
-    player->seen[i] = knob_range(id, &player->worker->base).fallback;
+    player->seen[i] = player->ranges[i].fallback;
     player->built[i] = NAN;
     if (knobs[i].kind == KNOB_LIVE) player->ids[i] = tabor_parameter_find(knobs[i].key)->id;
   }

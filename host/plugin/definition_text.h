@@ -8,8 +8,8 @@
  *
  * SET-UP: all functions.
  */
-#ifndef TABOR_LV2_DEFINITION_TEXT_H
-#define TABOR_LV2_DEFINITION_TEXT_H
+#ifndef TABOR_PLUGIN_DEFINITION_TEXT_H
+#define TABOR_PLUGIN_DEFINITION_TEXT_H
 
 #include <tabor/tabor.h>
 

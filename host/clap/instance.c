@@ -1,0 +1,313 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap/instance.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clap/instance_state.h"
+#include "clap/note_events.h"
+#include "clap/parameters.h"
+#include "clap/ports.h"
+#include "clap/presets.h"
+
+#define LEAST_RATE 22050 /* [Hz] */
+#define MOST_RATE 192000 /* [Hz] */
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+void instance_say(Instance *instance, const char *line) {
+  char text[2 * TABOR_TEXT_SIZE + 16];
+  (void)snprintf(text, sizeof text, "Tabor: %s", line);
+  if (instance->log) instance->log->log(instance->host, CLAP_LOG_ERROR, text);
+}
+
+static void say(void *context, const char *line) { instance_say(context, line); }
+
+static bool init(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  const clap_host_t *const host = instance->host;
+  instance->log = host->get_extension(host, CLAP_EXT_LOG);
+  instance->params = host->get_extension(host, CLAP_EXT_PARAMS);
+  return true;
+}
+
+/* ---- drum and models ------------------------------------------------------------------------ */
+
+void instance_restore(Instance *instance, const SavedState *saved) {
+  instance->saved = *saved;
+  instance->is_saved = true;
+  atomic_store(&instance->room_decay, (float)saved->def.room.decay);
+  if (!instance->is_open) return;
+  model_worker_restore(&instance->worker, saved);
+  instance->host->request_process(instance->host); /* a block has to ask for the model */
+}
+
+static void free_all(Instance *instance) {
+  worker_thread_stop(&instance->thread);
+  plugin_player_end(&instance->player);
+  model_worker_end(&instance->worker);
+}
+
+static void close(Instance *instance) {
+  SavedState saved;
+  if (!instance->is_open) return;
+  instance_save(instance, &saved);
+  instance->is_open = false;
+  free_all(instance);
+  instance_restore(instance, &saved);
+}
+
+static bool open(Instance *instance, double rate) {
+  memset(&instance->worker, 0, sizeof instance->worker);
+  memset(&instance->player, 0, sizeof instance->player);
+  instance->worker.say = say;
+  instance->worker.context = instance;
+  if (!model_worker_begin(&instance->worker, rate, instance->stereo)) return false;
+  if (instance->is_saved) model_worker_restore(&instance->worker, &instance->saved);
+  instance->is_open =
+    plugin_player_begin(&instance->player, &instance->worker, rate, instance->stereo) &&
+    worker_thread_start(&instance->thread, &instance->worker);
+  if (!instance->is_open) free_all(instance);
+  return instance->is_open;
+}
+
+static void destroy(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  close(instance);
+  free(instance);
+}
+
+/* ---- blocks --------------------------------------------------------------------------------- */
+
+/* The events are in order of time. One past the end is at the last frame. */
+static uint32_t frame_of(const clap_event_header_t *event, uint32_t at, uint32_t frames) {
+  if (event->time <= at) return at;
+  return event->time < frames ? event->time : frames - (frames > 0);
+}
+
+/* Functions of the host that CLAP wants fit for the audio thread. */
+typedef const clap_event_header_t *GetEventFn(const clap_input_events_t *, uint32_t) REALTIME;
+typedef bool PushEventFn(const clap_output_events_t *, const clap_event_header_t *) REALTIME;
+
+static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) REALTIME;
+static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) {
+  if (number >= instance->event_count) return NULL;
+  GetEventFn *const get = (GetEventFn *)instance->events->get;
+  return get(instance->events, number);
+}
+
+static bool find_event(void *shell, uint32_t frames, uint32_t *frame) REALTIME;
+static bool find_event(void *shell, uint32_t frames, uint32_t *frame) {
+  const Instance *const instance = shell;
+  const clap_event_header_t *const event = event_at(instance, instance->event);
+  if (event) *frame = frame_of(event, *frame, frames);
+  return event != NULL;
+}
+
+static bool note_knobs(void *shell, uint32_t frame) REALTIME;
+static bool note_knobs(void *shell, uint32_t frame) {
+  Instance *const instance = shell;
+  const clap_event_header_t *event;
+  bool any = false;
+  for (uint32_t i = instance->event; (event = event_at(instance, i)); i++) {
+    if (frame_of(event, frame, instance->frames) != frame) break;
+    if (parameters_take(instance, event)) any = true;
+  }
+  return any;
+}
+
+/* The host need not keep a voice for a note that was let go. */
+static void end_note(const Instance *instance, const clap_event_header_t *event) REALTIME;
+static void end_note(const Instance *instance, const clap_event_header_t *event) {
+  const bool ends = event->space_id == CLAP_CORE_EVENT_SPACE_ID &&
+                    (event->type == CLAP_EVENT_NOTE_OFF || event->type == CLAP_EVENT_NOTE_CHOKE);
+  if (!ends || !instance->answers) return;
+  clap_event_note_t end = *(const clap_event_note_t *)event;
+  end.header.size = sizeof end;
+  end.header.type = CLAP_EVENT_NOTE_END;
+  end.header.flags = 0;
+  PushEventFn *const push = (PushEventFn *)instance->answers->try_push;
+  (void)push(instance->answers, &end.header);
+}
+
+static void take_event(Instance *instance, const clap_event_header_t *event, bool notes,
+                       uint32_t ahead) REALTIME;
+static void take_event(Instance *instance, const clap_event_header_t *event, bool notes,
+                       uint32_t ahead) {
+  MidiMessage messages[NOTE_EVENT_MESSAGES];
+  const uint32_t count = note_event_messages(event, messages);
+  for (uint32_t i = 0; i < count; i++) {
+    if (midi_goes_with_notes(&messages[i]) != notes) continue;
+    plugin_player_take(&instance->player, &messages[i], ahead);
+  }
+  if (notes) end_note(instance, event);
+}
+
+/* Controllers before notes. */
+static void take_frame(void *shell, uint32_t frame, uint32_t ahead) REALTIME;
+static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
+  Instance *const instance = shell;
+  const uint32_t first = instance->event;
+  const clap_event_header_t *event;
+  for (int notes = 0; notes <= 1; notes++) {
+    instance->event = first;
+    while ((event = event_at(instance, instance->event)) &&
+           frame_of(event, frame, instance->frames) == frame) {
+      take_event(instance, event, notes == 1, ahead);
+      instance->event++;
+    }
+  }
+}
+
+static const PluginEvents run_events = {
+  .turn = parameters_turn, .find = find_event, .note_knobs = note_knobs, .take = take_frame};
+
+static clap_process_status status_of(const Instance *instance) REALTIME;
+static clap_process_status status_of(const Instance *instance) {
+  const PluginPlayer *const player = &instance->player;
+  return plugin_player_is_settled(player) && plugin_player_is_silent(player)
+           ? CLAP_PROCESS_SLEEP
+           : CLAP_PROCESS_CONTINUE;
+}
+
+/* The host turns knobs all the same. */
+static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) REALTIME;
+static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) {
+  for (uint32_t i = 0; i < instance->event_count; i++) {
+    (void)parameters_take(instance, event_at(instance, i));
+  }
+  for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
+    if (!outputs->channels[i]) continue;
+    memset(outputs->channels[i], 0, instance->frames * sizeof(float));
+  }
+  return CLAP_PROCESS_SLEEP;
+}
+
+static clap_process_status process(const clap_plugin_t *plugin, const clap_process_t *block) {
+  Instance *const instance = instance_of(plugin);
+  PluginOutputs outputs;
+  ports_connect(instance, block, &outputs);
+  instance->events = block->in_events;
+  instance->answers = block->out_events;
+  instance->event = 0;
+  instance->event_count = block->in_events ? block->in_events->size(block->in_events) : 0;
+  instance->frames = block->frames_count;
+  if (!instance->is_open) return play_silence(instance, &outputs);
+  PluginRun run = {.player = &instance->player,
+                   .outputs = &outputs,
+                   .events = &run_events,
+                   .shell = instance,
+                   .frames = block->frames_count,
+                   .waits = atomic_load(&instance->is_offline)};
+  if (run.waits) {
+    plugin_run_waiting(&run);
+  } else {
+    (void)plugin_run_live(&run);
+  }
+  return status_of(instance);
+}
+
+static void silence_rate(Instance *instance, double rate) {
+  char line[96];
+  (void)snprintf(line, sizeof line, "silent at a sample rate of %g Hz; from %d to %d Hz it sounds",
+                 rate, LEAST_RATE, MOST_RATE);
+  instance_say(instance, line);
+}
+
+static bool begin_rate(Instance *instance, double rate) {
+  close(instance);
+  instance->rate = rate;
+  if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+    silence_rate(instance, rate);
+    return true;
+  }
+  return open(instance, rate);
+}
+
+/* The first drum, or one that was loaded, is there before the first block. */
+static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, uint32_t most) {
+  Instance *const instance = instance_of(plugin);
+  const PluginRun run = {.player = &instance->player, .events = &run_events, .shell = instance};
+  (void)least;
+  (void)most;
+  const bool is_there = instance->is_open && rate == instance->rate;
+  if (is_there) plugin_player_rest(&instance->player);
+  if (!is_there && !begin_rate(instance, rate)) return false;
+  if (instance->is_open && !plugin_player_is_restored(&instance->player)) plugin_run_wait(&run);
+  return true;
+}
+
+static void deactivate(const clap_plugin_t *plugin) { (void)plugin; }
+
+static bool start_processing(const clap_plugin_t *plugin) {
+  (void)plugin;
+  return true;
+}
+
+static void stop_processing(const clap_plugin_t *plugin) { (void)plugin; }
+
+static void reset(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  if (instance->is_open) plugin_player_rest(&instance->player);
+}
+
+static void on_main_thread(const clap_plugin_t *plugin) { (void)plugin; }
+
+/* ---- extensions ----------------------------------------------------------------------------- */
+
+static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
+  (void)plugin;
+  const struct {
+    const char *id;
+    const void *extension;
+  } all[] = {{CLAP_EXT_PARAMS, &instance_params},
+             {CLAP_EXT_STATE, &instance_state},
+             {CLAP_EXT_AUDIO_PORTS, &instance_audio_ports},
+             {CLAP_EXT_NOTE_PORTS, &instance_note_ports},
+             {CLAP_EXT_LATENCY, &instance_latency},
+             {CLAP_EXT_TAIL, &instance_tail},
+             {CLAP_EXT_RENDER, &instance_render},
+             {CLAP_EXT_PRESET_LOAD, &instance_preset_load},
+             {CLAP_EXT_PRESET_LOAD_COMPAT, &instance_preset_load},
+             {CLAP_EXT_REMOTE_CONTROLS, &instance_remote_controls},
+             {CLAP_EXT_REMOTE_CONTROLS_COMPAT, &instance_remote_controls}};
+  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+    if (strcmp(id, all[i].id) == 0) return all[i].extension;
+  }
+  return NULL;
+}
+
+static bool begin(Instance *instance) {
+  if (tabor_drum_def_preset(&instance->saved.def, DEFAULT_PRESET, NULL) != TABOR_OK) return false;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    instance->ranges[i] = knob_range((KnobId)i, &instance->saved.def);
+    instance->values[i] = instance->ranges[i].fallback;
+    if (i < KNOB_KEYS) instance->saved.seen[i] = instance->ranges[i].fallback;
+  }
+  return true;
+}
+
+const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
+                                     const clap_host_t *host, bool stereo) {
+  Instance *const instance = calloc(1, sizeof *instance);
+  if (!instance) return NULL;
+  instance->host = host;
+  instance->stereo = stereo;
+  instance->plugin = (clap_plugin_t){.desc = descriptor,
+                                     .plugin_data = instance,
+                                     .init = init,
+                                     .destroy = destroy,
+                                     .activate = activate,
+                                     .deactivate = deactivate,
+                                     .start_processing = start_processing,
+                                     .stop_processing = stop_processing,
+                                     .reset = reset,
+                                     .process = process,
+                                     .get_extension = get_extension,
+                                     .on_main_thread = on_main_thread};
+  if (begin(instance)) return &instance->plugin;
+  free(instance);
+  return NULL;
+}

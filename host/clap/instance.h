@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file instance.h
+ * An instance of a CLAP plugin. instance.c creates, runs and destroys it; the other files of this folder have its
+ * extensions.
+ *
+ * Drum, models and thread are there from the first activation on, until it is activated at another sample rate or
+ * destroyed. Its knobs and, on the main thread, the drum that was saved last are there from beginning to end. At a sample
+ * rate that the engine has no models for it is silent, and the host's log has the reason.
+ */
+#ifndef TABOR_CLAP_INSTANCE_H
+#define TABOR_CLAP_INSTANCE_H
+
+#include <clap/clap.h>
+
+#include "plugin/plugin_run.h"
+#include "plugin/worker_thread.h"
+
+#define ID_DRUM "tabor.drum"             /**< the plugin with a stereo output */
+#define ID_DRUM_MULTI "tabor.drum-multi" /**< the plugin with an output per microphone */
+
+typedef struct Instance {
+  clap_plugin_t plugin;
+  const clap_host_t *host;
+  const clap_host_log_t *log;       /**< or NULL */
+  const clap_host_params_t *params; /**< or NULL */
+  bool stereo;
+  KnobRange ranges[KNOB_COUNT];
+  _Atomic float values[KNOB_COUNT];      /**< of the knobs, in their own units */
+  _Atomic float modulations[KNOB_COUNT]; /**< in the units of parameters */
+  _Atomic float room_decay;              /**< of the drum's definition [s], 0: by kind */
+  atomic_bool is_offline;                /**< the host renders, and is in no hurry */
+
+  /* main thread */
+  SavedState saved; /**< the drum, while the instance is not open */
+  bool is_saved;    /**< it is not the default one */
+  bool is_open;     /**< changes only while no block is played */
+  double rate;
+
+  /* while it is open */
+  ModelWorker worker;
+  WorkerThread thread;
+  PluginPlayer player;
+
+  /* audio thread: the block */
+  const clap_input_events_t *events;
+  const clap_output_events_t *answers;
+  uint32_t event, event_count; /**< the next one, and all */
+  uint32_t frames;
+} Instance;
+
+static inline Instance *instance_of(const clap_plugin_t *plugin) { return plugin->plugin_data; }
+
+/** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short. */
+const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
+                                     const clap_host_t *host, bool stereo);
+/** MAIN. Makes @p saved the drum; the values of the knobs are the caller's business. */
+void instance_restore(Instance *instance, const SavedState *saved);
+/** Writes an error line to the host's log. Any thread but the audio thread. */
+void instance_say(Instance *instance, const char *line);
+
+#endif

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap/instance_state.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clap/parameters.h"
+#include "plugin/definition_text.h"
+
+#define FIRST_LINE "tabor-state 1\n"
+#define DEFINITION "definition\n"
+#define HEAD_LIMIT 16384u /* bytes in front of the definition */
+#define STATE_LIMIT (HEAD_LIMIT + DEFINITION_TEXT_LIMIT)
+
+/* ---- saving --------------------------------------------------------------------------------- */
+
+/* A knob whose value is unknown there has not been turned since. */
+void instance_save(Instance *instance, SavedState *saved) {
+  *saved = instance->saved;
+  if (instance->is_open) model_worker_save(&instance->worker, saved);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    if (isnan(saved->seen[i])) saved->seen[i] = atomic_load(&instance->values[i]);
+  }
+}
+
+static uint32_t bits_of(float value) {
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+static size_t write_head(const Instance *instance, const SavedState *saved, char *text) {
+  size_t length = (size_t)snprintf(text, HEAD_LIMIT, FIRST_LINE);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    const float value = atomic_load(&instance->values[i]);
+    const float seen = i < KNOB_KEYS ? saved->seen[i] : value;
+    length +=
+      (size_t)snprintf(text + length, HEAD_LIMIT - length, "%s %08" PRIx32 " %08" PRIx32 "\n",
+                       knobs[i].symbol, bits_of(value), bits_of(seen));
+  }
+  return length + (size_t)snprintf(text + length, HEAD_LIMIT - length, DEFINITION);
+}
+
+/* Hosts may take less at once than they are given. */
+static bool write_all(const clap_ostream_t *stream, const char *text, size_t size) {
+  while (size > 0) {
+    const int64_t written = stream->write(stream, text, size);
+    if (written <= 0 || (uint64_t)written > size) return false;
+    text += written;
+    size -= (size_t)written;
+  }
+  return true;
+}
+
+static bool save(const clap_plugin_t *plugin, const clap_ostream_t *stream) {
+  Instance *const instance = instance_of(plugin);
+  char head[HEAD_LIMIT];
+  SavedState saved;
+  instance_save(instance, &saved);
+  char *const text = definition_write(&saved.def);
+  if (!text) return false;
+  const size_t length = write_head(instance, &saved, head);
+  const bool is_written = write_all(stream, head, length) && write_all(stream, text, strlen(text));
+  free(text);
+  return is_written;
+}
+
+/* ---- restoring ------------------------------------------------------------------------------ */
+
+static bool refuse(Instance *instance, const char *why) {
+  char line[TABOR_TEXT_SIZE + 64];
+  (void)snprintf(line, sizeof line, "the state is not restored: %s", why);
+  instance_say(instance, line);
+  return false;
+}
+
+/* Everything that the stream has, terminated; NULL if it is too long or cannot be read. The caller frees it. */
+static char *read_all(const clap_istream_t *stream) {
+  char *const text = calloc(1, STATE_LIMIT + 1);
+  size_t size = 0;
+  while (text && size <= STATE_LIMIT) {
+    const size_t left = STATE_LIMIT + 1 - size;
+    const int64_t count = stream->read(stream, text + size, left);
+    if (count < 0 || (uint64_t)count > left) break;
+    if (count == 0) return text;
+    size += (size_t)count;
+  }
+  free(text);
+  return NULL;
+}
+
+/* What a state says of the knobs. */
+typedef struct KnobValues {
+  float values[KNOB_COUNT], seen[KNOB_COUNT];
+} KnobValues;
+
+static bool read_float(const char *digits, float *value) {
+  char *end;
+  const uint32_t bits = (uint32_t)strtoul(digits, &end, 16);
+  memcpy(value, &bits, sizeof bits);
+  return end == digits + 8 && isfinite(*value);
+}
+
+/* The line of one knob, which is cut. */
+static bool read_knob(char *line, KnobValues *read) {
+  char *const value = strchr(line, ' ');
+  float one, other;
+  if (!value || strlen(value) != 18 || value[9] != ' ') return false;
+  *value = '\0';
+  if (!read_float(value + 1, &one) || !read_float(value + 10, &other)) return false;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (strcmp(knobs[i].symbol, line) != 0) continue;
+    read->values[i] = one;
+    read->seen[i] = other;
+  }
+  return true;
+}
+
+/* Returns the definition, behind the knobs; NULL if a line is wrong. */
+static char *read_knobs(char *text, KnobValues *read) {
+  while (strncmp(text, DEFINITION, strlen(DEFINITION)) != 0) {
+    char *const end = strchr(text, '\n');
+    if (!end) return NULL;
+    *end = '\0';
+    if (!read_knob(text, read)) return NULL;
+    text = end + 1;
+  }
+  return text + strlen(DEFINITION);
+}
+
+static bool read_state(Instance *instance, char *text) {
+  KnobValues read;
+  SavedState saved;
+  TaborError error;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++)
+    read.values[i] = read.seen[i] = instance->ranges[i].fallback;
+  if (strncmp(text, FIRST_LINE, strlen(FIRST_LINE)) != 0)
+    return refuse(instance, "it is not one of this version of Tabor");
+  char *const definition = read_knobs(text + strlen(FIRST_LINE), &read);
+  if (!definition) return refuse(instance, "a control in it is no number");
+  if (!definition_read(definition, strlen(definition), &saved.def, &error))
+    return refuse(instance, error.message);
+  memcpy(saved.seen, read.seen, sizeof saved.seen);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++)
+    parameters_set(instance, (KnobId)i, (double)read.values[i]);
+  instance_restore(instance, &saved);
+  return true;
+}
+
+static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
+  Instance *const instance = instance_of(plugin);
+  char *const text = read_all(stream);
+  if (!text) return refuse(instance, "it cannot be read");
+  const bool is_read = read_state(instance, text);
+  free(text);
+  if (is_read && instance->params)
+    instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
+  return is_read;
+}
+
+const clap_plugin_state_t instance_state = {.save = save, .load = load};

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file note_events.h
+ * CLAP's notes as MIDI messages, so that both dialects have the same meaning.
+ *
+ * | event | message |
+ * |---|---|
+ * | note on | note on; what 7 bits do not hold of the velocity comes before it, as controller 88 |
+ * | note off | note off |
+ * | choke | all sound off, controller 120: everything falls silent |
+ * | pressure of a note | pressure of its key, or of the channel if the event names no key |
+ * | brightness of a note | controller 16: 0 is the centre of the head, 1 the rim |
+ *
+ * AUDIO: all functions.
+ */
+#ifndef TABOR_CLAP_NOTE_EVENTS_H
+#define TABOR_CLAP_NOTE_EVENTS_H
+
+#include <clap/clap.h>
+
+#include "midi/midi_stream.h"
+
+#define NOTE_EVENT_MESSAGES 2 /**< most messages of an event */
+
+/** Writes the messages of @p event and returns their number, 0 for other events and bad ones. */
+uint32_t note_event_messages(const clap_event_header_t *event,
+                             MidiMessage messages[NOTE_EVENT_MESSAGES]) REALTIME;
+
+#endif

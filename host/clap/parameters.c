@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap/parameters.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- ids ------------------------------------------------------------------------------------ */
+
+static KnobId knob_of(const Instance *instance, clap_id id) REALTIME;
+static KnobId knob_of(const Instance *instance, clap_id id) {
+  if (id >= KNOB_COUNT) return KNOB_COUNT;
+  return !instance->stereo && knob_is_of_stereo(knob_ports[id]) ? KNOB_COUNT : knob_ports[id];
+}
+
+static clap_id id_of(KnobId knob) {
+  clap_id id = 0;
+  while (knob_ports[id] != knob) id++;
+  return id;
+}
+
+/* ---- scales --------------------------------------------------------------------------------- */
+
+/* The position of a value on a logarithmic scale. */
+static double to_parameter(const Instance *instance, KnobId id, double value) {
+  const KnobRange *const range = &instance->ranges[id];
+  if (!range->logarithmic) return value;
+  const double least = (double)range->minimum, most = (double)range->maximum;
+  return fmin(fmax(log(value / least) / log(most / least), 0), 1);
+}
+
+static double to_knob(const Instance *instance, KnobId id, double parameter) REALTIME;
+static double to_knob(const Instance *instance, KnobId id, double parameter) {
+  const KnobRange *const range = &instance->ranges[id];
+  if (!range->logarithmic) return parameter;
+  const double least = (double)range->minimum, most = (double)range->maximum;
+  return least * pow(most / least, fmin(fmax(parameter, 0), 1));
+}
+
+void parameters_set(Instance *instance, KnobId id, double value) {
+  const KnobRange *const range = &instance->ranges[id];
+  if (!isfinite(value)) return;
+  if (knobs[id].choices) value = trunc(value);
+  const float kept = (float)knob_decimal((float)value);
+  atomic_store(&instance->values[id], fminf(fmaxf(kept, range->minimum), range->maximum));
+}
+
+/* ---- events --------------------------------------------------------------------------------- */
+
+bool parameters_take(Instance *instance, const clap_event_header_t *event) {
+  if (event->space_id != CLAP_CORE_EVENT_SPACE_ID) return false;
+  if (event->type == CLAP_EVENT_PARAM_VALUE) {
+    const clap_event_param_value_t *const set = (const clap_event_param_value_t *)event;
+    const KnobId id = knob_of(instance, set->param_id);
+    if (id == KNOB_COUNT) return false;
+    parameters_set(instance, id, to_knob(instance, id, set->value));
+    return true;
+  }
+  if (event->type == CLAP_EVENT_PARAM_MOD) {
+    const clap_event_param_mod_t *const moved = (const clap_event_param_mod_t *)event;
+    const KnobId id = knob_of(instance, moved->param_id);
+    if (id == KNOB_COUNT || !knob_is_modulated(id) || !isfinite(moved->amount)) return false;
+    atomic_store(&instance->modulations[id], (float)moved->amount);
+    return true;
+  }
+  return false;
+}
+
+/* How far the modulation is from the value, in the knob's own unit. */
+static float offset_of(const Instance *instance, KnobId id, float value) REALTIME;
+static float offset_of(const Instance *instance, KnobId id, float value) {
+  const double amount = (double)atomic_load(&instance->modulations[id]);
+  if (amount == 0) return 0;
+  const double from = to_parameter(instance, id, (double)value);
+  return (float)(to_knob(instance, id, from + amount) - (double)value);
+}
+
+void parameters_turn(void *shell) {
+  Instance *const instance = shell;
+  KnobId id;
+  for (uint32_t i = 0; (id = knob_at(instance->stereo, i)) < KNOB_COUNT; i++) {
+    const float value = atomic_load(&instance->values[id]);
+    plugin_player_turn(&instance->player, id, value);
+    plugin_player_modulate(&instance->player, id, offset_of(instance, id, value));
+  }
+}
+
+/* ---- texts ---------------------------------------------------------------------------------- */
+
+/* Stiffness and parts of a whole are shown as per cent of the way. */
+static bool is_per_cent(KnobId id) {
+  return id == KNOB_STRAINER || id == KNOB_HUMANIZE || id == KNOB_STICK_HARDNESS;
+}
+
+static int choice_text(const char *choices, int number, char *text, uint32_t size) {
+  for (; number > 0 && *choices; number--) {
+    choices += strcspn(choices, "|");
+    choices += *choices == '|';
+  }
+  return snprintf(text, size, "%.*s", (int)strcspn(choices, "|"), choices);
+}
+
+static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double value, char *text,
+                          uint32_t size) {
+  const Instance *const instance = instance_of(plugin);
+  const KnobId id = knob_of(instance, param);
+  if (id == KNOB_COUNT || size == 0) return false;
+  const Knob *const knob = &knobs[id];
+  const double plain = knob_decimal((float)to_knob(instance, id, value));
+  if (knob->choices) return choice_text(knob->choices, (int)plain, text, size) > 0;
+  if (plain == knob->off) return snprintf(text, size, "Off") > 0;
+  if (is_per_cent(id)) return snprintf(text, size, "%.2f %%", 100 * value) > 0;
+  const char *const unit = instance->ranges[id].unit;
+  return snprintf(text, size, "%.6g%s%s", plain, *unit ? " " : "", unit) > 0;
+}
+
+static bool find_choice(const char *choices, const char *text, double *value) {
+  char word[CLAP_NAME_SIZE];
+  for (int number = 0; choice_text(choices, number, word, sizeof word) > 0; number++) {
+    *value = number;
+    if (strcmp(word, text) == 0) return true;
+  }
+  return false;
+}
+
+static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char *text,
+                          double *value) {
+  const Instance *const instance = instance_of(plugin);
+  const KnobId id = knob_of(instance, param);
+  char *end = NULL;
+  if (id == KNOB_COUNT) return false;
+  if (knobs[id].choices) return find_choice(knobs[id].choices, text, value);
+  double plain = strtod(text, &end);
+  if (end == text && strcmp(text, "Off") == 0 && !isnan(knobs[id].off)) {
+    plain = knobs[id].off;
+  } else if (end == text || !isfinite(plain)) {
+    return false;
+  }
+  const KnobRange *const range = &instance->ranges[id];
+  if (is_per_cent(id)) {
+    *value = fmin(fmax(plain / 100, 0), 1);
+    return true;
+  }
+  plain = fmin(fmax(plain, knob_decimal(range->minimum)), knob_decimal(range->maximum));
+  *value = to_parameter(instance, id, plain);
+  return true;
+}
+
+/* ---- description ---------------------------------------------------------------------------- */
+
+static uint32_t count(const clap_plugin_t *plugin) {
+  return knob_number(instance_of(plugin)->stereo);
+}
+
+static const char *module_of(const Knob *knob) {
+  static const char *const modules[][2] = {{"heads", "Heads"},
+                                           {"snares", "Snares"},
+                                           {"stick", "Stick"},
+                                           {"output", "Output"},
+                                           {"mics", "Microphones"}};
+  for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
+    if (strcmp(knob->group, modules[i][0]) == 0) return modules[i][1];
+  }
+  return "";
+}
+
+static double of_range(const Instance *instance, KnobId id, float value) {
+  return to_parameter(instance, id, knob_decimal(value));
+}
+
+static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_info_t *info) {
+  const Instance *const instance = instance_of(plugin);
+  const KnobId id = knob_at(instance->stereo, index);
+  if (id == KNOB_COUNT) return false;
+  const KnobRange *const range = &instance->ranges[id];
+  memset(info, 0, sizeof *info);
+  info->id = id_of(id);
+  info->flags = CLAP_PARAM_IS_AUTOMATABLE;
+  if (knobs[id].choices) info->flags |= CLAP_PARAM_IS_STEPPED | CLAP_PARAM_IS_ENUM;
+  if (knob_is_modulated(id)) info->flags |= CLAP_PARAM_IS_MODULATABLE;
+  (void)snprintf(info->name, sizeof info->name, "%s", knobs[id].name);
+  (void)snprintf(info->module, sizeof info->module, "%s", module_of(&knobs[id]));
+  info->min_value = of_range(instance, id, range->minimum);
+  info->max_value = of_range(instance, id, range->maximum);
+  info->default_value = of_range(instance, id, range->fallback);
+  return true;
+}
+
+static bool get_value(const clap_plugin_t *plugin, clap_id param, double *value) {
+  const Instance *const instance = instance_of(plugin);
+  const KnobId id = knob_of(instance, param);
+  if (id == KNOB_COUNT) return false;
+  *value = of_range(instance, id, atomic_load(&instance->values[id]));
+  return true;
+}
+
+/* The knobs turn in the next block, which the host might leave out for a plugin that sleeps. */
+static void flush(const clap_plugin_t *plugin, const clap_input_events_t *in,
+                  const clap_output_events_t *out) {
+  Instance *const instance = instance_of(plugin);
+  bool any = false;
+  (void)out;
+  for (uint32_t i = 0; i < in->size(in); i++) {
+    const clap_event_header_t *const event = in->get(in, i);
+    if (event && parameters_take(instance, event)) any = true;
+  }
+  if (any && instance->is_open) instance->host->request_process(instance->host);
+}
+
+const clap_plugin_params_t instance_params = {.count = count,
+                                              .get_info = get_info,
+                                              .get_value = get_value,
+                                              .value_to_text = value_to_text,
+                                              .text_to_value = text_to_value,
+                                              .flush = flush};
+
+/* ---- pages of remote controls --------------------------------------------------------------- */
+
+#define NO_KNOB KNOB_COUNT
+
+/* The first page has what players turn most. */
+static const struct {
+  const char *section, *name;
+  KnobId knobs[CLAP_REMOTE_CONTROLS_COUNT];
+} pages[] = {
+  {"Drum",
+   "Tuning",
+   {KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
+    KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN}},
+  {"Drum",
+   "Stick",
+   {KNOB_STICK_HARDNESS, KNOB_STRIKE_RADIUS, KNOB_STRIKE_ANGLE, KNOB_VELOCITY_CURVE,
+    KNOB_VELOCITY_RANGE, KNOB_HUMANIZE, NO_KNOB, NO_KNOB}},
+  {"Drum",
+   "Tensions",
+   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_STRAINER, KNOB_QUALITY,
+    NO_KNOB, NO_KNOB, NO_KNOB}},
+  {"Microphones",
+   "Levels",
+   {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR,
+    KNOB_LEVEL_INSIDE, KNOB_ROOM, KNOB_GAIN}},
+};
+
+/* The last page is for the stereo plugin. */
+static uint32_t page_count(const clap_plugin_t *plugin) {
+  return sizeof pages / sizeof pages[0] - !instance_of(plugin)->stereo;
+}
+
+static bool get_page(const clap_plugin_t *plugin, uint32_t index,
+                     clap_remote_controls_page_t *page) {
+  const bool stereo = instance_of(plugin)->stereo;
+  if (index >= page_count(plugin)) return false;
+  memset(page, 0, sizeof *page);
+  page->page_id = index;
+  (void)snprintf(page->section_name, sizeof page->section_name, "%s", pages[index].section);
+  (void)snprintf(page->page_name, sizeof page->page_name, "%s", pages[index].name);
+  for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
+    const KnobId id = pages[index].knobs[i];
+    const bool is_there = id != NO_KNOB && (stereo || !knob_is_of_stereo(id));
+    page->param_ids[i] = is_there ? id_of(id) : CLAP_INVALID_ID;
+  }
+  return true;
+}
+
+const clap_plugin_remote_controls_t instance_remote_controls = {.count = page_count,
+                                                                .get = get_page};

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# What the tests of the CLAP plugins, test_clap_*.c, are made of.
+
+if(NOT TABOR_BUILD_CLAP)
+  set(TABOR_CLAP_TESTS ${TABOR_TEST_SOURCES})
+  list(FILTER TABOR_CLAP_TESTS INCLUDE REGEX "/test_clap_")
+  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_")
+  if(TABOR_CLAP_MISSING)
+    foreach(source IN LISTS TABOR_CLAP_TESTS)
+      get_filename_component(name "${source}" NAME_WE)
+      tabor_add_skipped_test(${name} "there are no CLAP headers: tools/setup --plugins brings them")
+    endforeach()
+  endif()
+  return()
+endif()
+if(NOT TABOR_BUILD_PROGRAM)
+  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_render")
+endif()
+
+set(TABOR_CLAP_LIBRARIES tabor-clap-archive tabor-host-core ${CMAKE_DL_LIBS})
+
+set(test_clap_render_SOURCES support/clap_host.c support/plugin_songs.c support/midi_writer.c
+                             support/said.c)
+set(test_clap_render_LIBRARIES ${TABOR_CLAP_LIBRARIES} tabor-host)
+set(test_clap_render_NEEDS tabor-program tabor-clap)
+if(TABOR_BUILD_PROGRAM)
+  set(test_clap_render_ARGUMENTS "$<TARGET_FILE:tabor-program>" "$<TARGET_FILE:tabor-clap>")
+endif()
+
+foreach(name IN ITEMS test_clap_parameters test_clap_presets test_clap_state)
+  set(${name}_SOURCES support/clap_host.c)
+  set(${name}_LIBRARIES ${TABOR_CLAP_LIBRARIES})
+  set(${name}_NEEDS tabor-clap)
+  set(${name}_ARGUMENTS "$<TARGET_FILE:tabor-clap>")
+endforeach()
+
+# Tests that look inside have the plugins in themselves.
+foreach(name IN ITEMS test_clap_realtime test_clap_threads)
+  set(${name}_SOURCES support/clap_host.c)
+  set(${name}_LIBRARIES ${TABOR_CLAP_LIBRARIES})
+endforeach()
+list(APPEND test_clap_realtime_SOURCES support/counted_calls.c support/midi_writer.c)
+set(test_clap_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+
+# Under sanitizers, and counting coverage, everything takes ten times as long.
+if(TABOR_SANITIZE OR TABOR_COVERAGE)
+  list(APPEND test_clap_render_ARGUMENTS brief)
+  set(test_clap_realtime_ARGUMENTS 2)
+  set(test_clap_threads_ARGUMENTS 60)
+endif()

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The built-in drums as a host's browser finds and loads them, and the pages of remote controls.
+ *
+ * test_clap_presets PLUGINS
+ */
+#include "clap_host.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define MOST 64 /* presets */
+#define FRAMES 4000
+
+static const clap_plugin_entry_t *entry;
+
+/* ---- discovery ------------------------------------------------------------------------------ */
+
+/* What a browser has heard of. */
+static struct {
+  uint32_t locations, presets, plugins, limit;
+  char names[MOST][CLAP_NAME_SIZE], keys[MOST][CLAP_NAME_SIZE];
+} heard;
+
+static bool hear_location(const clap_preset_discovery_indexer_t *indexer,
+                          const clap_preset_discovery_location_t *location) {
+  (void)indexer;
+  assert_int_equal(location->kind, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN);
+  assert_null(location->location);
+  heard.locations++;
+  return true;
+}
+
+static bool hear_filetype(const clap_preset_discovery_indexer_t *indexer,
+                          const clap_preset_discovery_filetype_t *filetype) {
+  (void)indexer;
+  (void)filetype;
+  fail_msg("presets are no files");
+  return false;
+}
+
+static bool hear_preset(const clap_preset_discovery_metadata_receiver_t *receiver, const char *name,
+                        const char *key) {
+  (void)receiver;
+  if (heard.presets == heard.limit) return false;
+  (void)snprintf(heard.names[heard.presets], CLAP_NAME_SIZE, "%s", name);
+  (void)snprintf(heard.keys[heard.presets++], CLAP_NAME_SIZE, "%s", key);
+  return true;
+}
+
+static void hear_plugin(const clap_preset_discovery_metadata_receiver_t *receiver,
+                        const clap_universal_plugin_id_t *plugin) {
+  (void)receiver;
+  assert_string_equal(plugin->abi, "clap");
+  heard.plugins += strcmp(plugin->id, ID_DRUM) == 0 || strcmp(plugin->id, ID_DRUM_MULTI) == 0;
+}
+
+static void hear_text(const clap_preset_discovery_metadata_receiver_t *receiver, const char *text) {
+  (void)receiver;
+  assert_true(strlen(text) > 0);
+}
+
+static void hear_flags(const clap_preset_discovery_metadata_receiver_t *receiver, uint32_t flags) {
+  (void)receiver;
+  assert_int_equal(flags, CLAP_PRESET_DISCOVERY_IS_FACTORY_CONTENT);
+}
+
+/* Listens until `limit` presets have come. */
+static void listen(uint32_t limit) {
+  const clap_preset_discovery_indexer_t indexer = {.clap_version = CLAP_VERSION_INIT,
+                                                   .name = "test",
+                                                   .declare_filetype = hear_filetype,
+                                                   .declare_location = hear_location};
+  const clap_preset_discovery_metadata_receiver_t receiver = {.begin_preset = hear_preset,
+                                                              .add_plugin_id = hear_plugin,
+                                                              .set_flags = hear_flags,
+                                                              .set_description = hear_text,
+                                                              .add_feature = hear_text};
+  const clap_preset_discovery_factory_t *const factory =
+    entry->get_factory(CLAP_PRESET_DISCOVERY_FACTORY_ID);
+  assert_non_null(factory);
+  assert_int_equal(factory->count(factory), 1);
+  memset(&heard, 0, sizeof heard);
+  heard.limit = limit;
+  assert_null(factory->create(factory, &indexer, "nobody"));
+  const clap_preset_discovery_provider_t *const provider =
+    factory->create(factory, &indexer, factory->get_descriptor(factory, 0)->id);
+  assert_non_null(provider);
+  assert_true(provider->init(provider));
+  assert_true(
+    provider->get_metadata(provider, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, &receiver));
+  provider->destroy(provider);
+}
+
+static void test_a_browser_finds_every_drum(void **state) {
+  (void)state;
+  listen(MOST);
+  assert_int_equal(heard.locations, 1);
+  assert_int_equal(heard.presets, tabor_preset_count());
+  assert_int_equal(heard.plugins, 2 * heard.presets);
+  for (uint32_t i = 0; i < heard.presets; i++) {
+    assert_string_equal(heard.keys[i], tabor_preset(i)->name);
+    assert_true(isupper((unsigned char)heard.names[i][0]));
+    assert_null(strchr(heard.names[i], '-'));
+  }
+  listen(2); /* then the browser has enough */
+  assert_int_equal(heard.presets, 2);
+}
+
+/* ---- loading -------------------------------------------------------------------------------- */
+
+static bool load(ClapHost *host, uint32_t kind, const char *location, const char *key) {
+  const clap_plugin_preset_load_t *const loader = clap_host_extension(host, CLAP_EXT_PRESET_LOAD);
+  host->loaded[0] = host->refused[0] = '\0';
+  return loader->from_location(host->plugin, kind, location, key);
+}
+
+/* In free air. */
+static ClapHost *open_drum(void) {
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_ROOM, TABOR_ROOM_NONE);
+  clap_host_flush(host);
+  clap_host_render(host, true);
+  return host;
+}
+
+/* Of the left side, after `program` was chosen by MIDI, if it is one. */
+static void record(ClapHost *host, int program, float *sound) {
+  clap_host_activate(host);
+  if (program >= 0) clap_host_midi(host, 0, &(MidiMessage){0xC9, {(uint8_t)program, 0}});
+  clap_host_run(host, FRAMES); /* what a preset replaces fades */
+  clap_host_midi(host, 0, &(MidiMessage){0x99, {38, 100}});
+  clap_host_run(host, FRAMES);
+  memcpy(sound, host->sound[0], FRAMES * sizeof *sound);
+}
+
+/* Every preset is loaded; its parameters stand where the drum does. */
+static void test_parameters_show_the_drum(void **state) {
+  (void)state;
+  ClapHost *const host = open_drum();
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    const char *const name = tabor_preset(i)->name;
+    TaborDrumDef def;
+    assert_int_equal(tabor_drum_def_preset(&def, name, NULL), TABOR_OK);
+    if (!load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, name)) fail_msg("%s", name);
+    assert_string_equal(host->loaded, name);
+    assert_int_equal(host->rescans, i + 1);
+    const double muffling = clap_host_value(host, KNOB_BATTER_MUFFLING);
+    const double *const field = knob_field(&def, KNOB_BATTER_MUFFLING);
+    if (field && fabs(muffling - *field) > 1e-6 * fabs(*field)) fail_msg("%s: %g", name, muffling);
+  }
+  clap_host_close(host);
+}
+
+static void test_a_loaded_drum_sounds_as_one_chosen_by_midi(void **state) {
+  (void)state;
+  static float one[FRAMES], other[FRAMES];
+  ClapHost *const host = open_drum(), *const chosen = open_drum();
+  assert_true(load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, tabor_preset(1)->name));
+  record(host, -1, one);
+  record(chosen, 1, other);
+  assert_memory_equal(one, other, sizeof one);
+  double peak = 0;
+  for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)one[i]));
+  assert_true(peak > 1e-3);
+  clap_host_close(host);
+  clap_host_close(chosen);
+}
+
+static void test_what_is_no_preset_changes_nothing(void **state) {
+  (void)state;
+  static ClapState before, after;
+  ClapHost *const host = open_drum();
+  clap_host_save(host, &before);
+  assert_false(load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, "no-such-drum"));
+  assert_non_null(strstr(host->refused, "no-such-drum"));
+  assert_false(load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, NULL));
+  assert_non_null(strstr(host->refused, "built-in drums"));
+  assert_false(load(host, CLAP_PRESET_DISCOVERY_LOCATION_FILE, "/none", tabor_preset(1)->name));
+  assert_non_null(strstr(host->refused, "built-in drums"));
+  assert_string_equal(host->loaded, "");
+  assert_int_equal(host->rescans, 0);
+  clap_host_save(host, &after);
+  assert_int_equal(before.size, after.size);
+  assert_memory_equal(before.bytes, after.bytes, before.size);
+  clap_host_close(host);
+}
+
+/* ---- pages of remote controls --------------------------------------------------------------- */
+
+static bool has_parameter(const ClapHost *host, clap_id id) {
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  clap_param_info_t info;
+  for (uint32_t i = 0; i < params->count(host->plugin); i++) {
+    assert_true(params->get_info(host->plugin, i, &info));
+    if (info.id == id) return true;
+  }
+  return false;
+}
+
+static void check_pages(const char *plugin, uint32_t expected) {
+  ClapHost *const host = clap_host_open(entry, plugin);
+  const clap_plugin_remote_controls_t *const pages =
+    clap_host_extension(host, CLAP_EXT_REMOTE_CONTROLS);
+  clap_remote_controls_page_t page;
+  assert_int_equal(pages->count(host->plugin), expected);
+  for (uint32_t i = 0; i < expected; i++) {
+    assert_true(pages->get(host->plugin, i, &page));
+    assert_true(strlen(page.page_name) > 0);
+    for (uint32_t k = 0; k < CLAP_REMOTE_CONTROLS_COUNT; k++) {
+      if (page.param_ids[k] == CLAP_INVALID_ID) continue;
+      assert_true(has_parameter(host, page.param_ids[k]));
+    }
+    if (i == 0) assert_int_equal(page.param_ids[0], clap_host_id(KNOB_BATTER_PITCH));
+  }
+  assert_false(pages->get(host->plugin, expected, &page));
+  clap_host_close(host);
+}
+
+static void test_pages_have_parameters_of_the_plugin(void **state) {
+  (void)state;
+  check_pages(ID_DRUM, 4);
+  check_pages(ID_DRUM_MULTI, 3);
+}
+
+int main(int argc, char **argv) {
+  if (argc < 2) return 1;
+  entry = clap_host_entry(argv[1]);
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_browser_finds_every_drum),
+    cmocka_unit_test(test_parameters_show_the_drum),
+    cmocka_unit_test(test_a_loaded_drum_sounds_as_one_chosen_by_midi),
+    cmocka_unit_test(test_what_is_no_preset_changes_nothing),
+    cmocka_unit_test(test_pages_have_parameters_of_the_plugin),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

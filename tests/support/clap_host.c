@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap_host.h"
+
+#include <dlfcn.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* ---- what the plugin asks of its host ------------------------------------------------------- */
+
+static void say(const clap_host_t *host, clap_log_severity severity, const char *line) {
+  ClapHost *const own = host->host_data;
+  (void)severity;
+  (void)snprintf(own->said, sizeof own->said, "%s", line);
+}
+
+static void rescan(const clap_host_t *host, clap_param_rescan_flags flags) {
+  ((ClapHost *)host->host_data)->rescans += flags == CLAP_PARAM_RESCAN_VALUES;
+}
+
+static void clear(const clap_host_t *host, clap_id id, clap_param_clear_flags flags) {
+  (void)host;
+  (void)id;
+  (void)flags;
+}
+
+static void request(const clap_host_t *host) { (void)host; }
+
+static void request_block(const clap_host_t *host) { ((ClapHost *)host->host_data)->requests++; }
+
+static void refuse(const clap_host_t *host, uint32_t kind, const char *location, const char *key,
+                   int32_t number, const char *why) {
+  ClapHost *const own = host->host_data;
+  (void)kind;
+  (void)location;
+  (void)key;
+  (void)number;
+  (void)snprintf(own->refused, sizeof own->refused, "%s", why);
+}
+
+static void note_preset(const clap_host_t *host, uint32_t kind, const char *location,
+                        const char *key) {
+  ClapHost *const own = host->host_data;
+  (void)location;
+  assert_int_equal(kind, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN);
+  (void)snprintf(own->loaded, sizeof own->loaded, "%s", key);
+}
+
+static const void *extension(const clap_host_t *host, const char *id) {
+  static const clap_host_log_t log = {.log = say};
+  static const clap_host_params_t params = {rescan, clear, request};
+  static const clap_host_preset_load_t presets = {refuse, note_preset};
+  (void)host;
+  if (strcmp(id, CLAP_EXT_LOG) == 0) return &log;
+  if (strcmp(id, CLAP_EXT_PARAMS) == 0) return &params;
+  return strcmp(id, CLAP_EXT_PRESET_LOAD) == 0 ? &presets : NULL;
+}
+
+const clap_plugin_entry_t *clap_host_entry(const char *binary) {
+  void *const library = dlopen(binary, RTLD_NOW | RTLD_LOCAL);
+  if (!library) fail_msg("%s", dlerror());
+  const clap_plugin_entry_t *const entry = dlsym(library, "clap_entry");
+  assert_non_null(entry);
+  assert_true(entry->init(binary));
+  return entry;
+}
+
+/* ---- an instance ---------------------------------------------------------------------------- */
+
+ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
+  const clap_plugin_factory_t *const factory = entry->get_factory(CLAP_PLUGIN_FACTORY_ID);
+  ClapHost *const host = calloc(1, sizeof *host);
+  assert_non_null(factory);
+  assert_non_null(host);
+  host->host = (clap_host_t){.clap_version = CLAP_VERSION_INIT,
+                             .host_data = host,
+                             .name = "test",
+                             .vendor = "",
+                             .url = "",
+                             .version = "1",
+                             .get_extension = extension,
+                             .request_restart = request,
+                             .request_process = request_block,
+                             .request_callback = request};
+  host->stereo = strcmp(id, ID_DRUM) == 0;
+  host->plugin = factory->create_plugin(factory, &host->host, id);
+  assert_non_null(host->plugin);
+  assert_true(host->plugin->init(host->plugin));
+  return host;
+}
+
+void clap_host_activate(ClapHost *host) {
+  assert_true(host->plugin->activate(host->plugin, 48000, 1, CLAP_BLOCK));
+  assert_true(host->plugin->start_processing(host->plugin));
+  host->is_active = true;
+}
+
+void clap_host_deactivate(ClapHost *host) {
+  host->plugin->stop_processing(host->plugin);
+  host->plugin->deactivate(host->plugin);
+  host->is_active = false;
+}
+
+void clap_host_close(ClapHost *host) {
+  if (host->is_active) clap_host_deactivate(host);
+  host->plugin->destroy(host->plugin);
+  free(host);
+}
+
+const void *clap_host_extension(const ClapHost *host, const char *id) {
+  const void *const found = host->plugin->get_extension(host->plugin, id);
+  assert_non_null(found);
+  return found;
+}
+
+void clap_host_render(ClapHost *host, bool offline) {
+  const clap_plugin_render_t *const render = clap_host_extension(host, CLAP_EXT_RENDER);
+  assert_true(render->set(host->plugin, offline ? CLAP_RENDER_OFFLINE : CLAP_RENDER_REALTIME));
+}
+
+/* ---- events --------------------------------------------------------------------------------- */
+
+clap_id clap_host_id(KnobId knob) {
+  clap_id id = 0;
+  while (knob_ports[id] != knob) id++;
+  return id;
+}
+
+static ClapEvent *add(ClapHost *host, uint32_t time, uint16_t type, size_t size) {
+  assert_true(host->event_count < CLAP_EVENTS);
+  ClapEvent *const event = &host->events[host->event_count++];
+  memset(event, 0, sizeof *event);
+  event->header = (clap_event_header_t){.size = (uint32_t)size, .time = time, .type = type};
+  return event;
+}
+
+void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value) {
+  ClapEvent *const event = add(host, time, CLAP_EVENT_PARAM_VALUE, sizeof event->value);
+  event->value.param_id = clap_host_id(knob);
+  event->value.note_id = event->value.port_index = event->value.channel = event->value.key = -1;
+  event->value.value = value;
+}
+
+void clap_host_modulate(ClapHost *host, uint32_t time, KnobId knob, double amount) {
+  ClapEvent *const event = add(host, time, CLAP_EVENT_PARAM_MOD, sizeof event->modulation);
+  event->modulation.param_id = clap_host_id(knob);
+  event->modulation.note_id = event->modulation.port_index = -1;
+  event->modulation.channel = event->modulation.key = -1;
+  event->modulation.amount = amount;
+}
+
+void clap_host_midi(ClapHost *host, uint32_t time, const MidiMessage *message) {
+  ClapEvent *const event = add(host, time, CLAP_EVENT_MIDI, sizeof event->midi);
+  const uint8_t bytes[] = {message->status, message->data[0], message->data[1]};
+  memcpy(event->midi.data, bytes, sizeof bytes);
+}
+
+void clap_host_note(ClapHost *host, uint32_t time, uint16_t type, int16_t key, double velocity) {
+  ClapEvent *const event = add(host, time, type, sizeof event->note);
+  event->note.note_id = -1;
+  event->note.channel = 9;
+  event->note.key = key;
+  event->note.velocity = velocity;
+}
+
+void clap_host_express(ClapHost *host, uint32_t time, clap_note_expression what, int16_t key,
+                       double value) {
+  ClapEvent *const event = add(host, time, CLAP_EVENT_NOTE_EXPRESSION, sizeof event->expression);
+  event->expression.expression_id = what;
+  event->expression.note_id = -1;
+  event->expression.channel = 9;
+  event->expression.key = key;
+  event->expression.value = value;
+}
+
+static uint32_t count_events(const clap_input_events_t *list) {
+  return ((const ClapHost *)list->ctx)->event_count;
+}
+
+static const clap_event_header_t *get_event(const clap_input_events_t *list, uint32_t index) {
+  return &((const ClapHost *)list->ctx)->events[index].header;
+}
+
+static bool push_event(const clap_output_events_t *list, const clap_event_header_t *event) {
+  ClapHost *const host = list->ctx;
+  host->ended += event->type == CLAP_EVENT_NOTE_END;
+  return true;
+}
+
+void clap_host_flush(ClapHost *host) {
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  const clap_input_events_t in = {host, count_events, get_event};
+  const clap_output_events_t out = {host, push_event};
+  params->flush(host->plugin, &in, &out);
+  host->event_count = 0;
+}
+
+double clap_host_value(const ClapHost *host, KnobId knob) {
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  double value = NAN;
+  assert_true(params->get_value(host->plugin, clap_host_id(knob), &value));
+  return value;
+}
+
+/* ---- blocks --------------------------------------------------------------------------------- */
+
+void clap_host_run(ClapHost *host, uint32_t frames) {
+  const clap_input_events_t in = {host, count_events, get_event};
+  const clap_output_events_t out = {host, push_event};
+  float *channels[CLAP_CHANNELS];
+  clap_audio_buffer_t outputs[CLAP_CHANNELS - 1] = {{.data32 = channels, .channel_count = 2}};
+  const uint32_t ports = host->stereo ? 1 : CLAP_CHANNELS - 1;
+  for (uint32_t i = 0; i < CLAP_CHANNELS; i++) channels[i] = host->sound[i];
+  for (uint32_t i = 1; i < ports; i++) {
+    outputs[i] = (clap_audio_buffer_t){.data32 = &channels[i + 1], .channel_count = 1};
+  }
+  const clap_process_t block = {.steady_time = -1,
+                                .frames_count = frames,
+                                .audio_outputs = outputs,
+                                .audio_outputs_count = ports,
+                                .in_events = &in,
+                                .out_events = &out};
+  assert_true(frames <= CLAP_BLOCK);
+  host->status = host->plugin->process(host->plugin, &block);
+  assert_int_not_equal(host->status, CLAP_PROCESS_ERROR);
+  host->event_count = 0;
+}
+
+/* ---- states --------------------------------------------------------------------------------- */
+
+/* A few bytes at once, as hosts may. */
+static uint64_t part_of(uint64_t size) { return size < 61 ? size : 61; }
+
+static int64_t write_state(const clap_ostream_t *stream, const void *bytes, uint64_t size) {
+  ClapState *const state = stream->ctx;
+  const uint64_t part = part_of(size);
+  assert_true(state->size + part <= CLAP_STATE);
+  memcpy(state->bytes + state->size, bytes, part);
+  state->size += part;
+  return (int64_t)part;
+}
+
+static int64_t read_state(const clap_istream_t *stream, void *bytes, uint64_t size) {
+  ClapState *const state = stream->ctx;
+  const uint64_t left = state->size - state->at;
+  const uint64_t part = part_of(size < left ? size : left);
+  memcpy(bytes, state->bytes + state->at, part);
+  state->at += part;
+  return (int64_t)part;
+}
+
+void clap_host_save(ClapHost *host, ClapState *state) {
+  const clap_plugin_state_t *const states = clap_host_extension(host, CLAP_EXT_STATE);
+  const clap_ostream_t stream = {state, write_state};
+  state->size = state->at = 0;
+  assert_true(states->save(host->plugin, &stream));
+}
+
+bool clap_host_load(ClapHost *host, ClapState *state) {
+  const clap_plugin_state_t *const states = clap_host_extension(host, CLAP_EXT_STATE);
+  const clap_istream_t stream = {state, read_state};
+  state->at = 0;
+  return states->load(host->plugin, &stream);
+}

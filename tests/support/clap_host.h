@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file clap_host.h
+ * A minimal host for the CLAP plugins: parameters, notes, blocks, states in memory. Any failure fails the test.
+ */
+#ifndef TABOR_TESTS_CLAP_HOST_H
+#define TABOR_TESTS_CLAP_HOST_H
+
+#include <clap/clap.h>
+
+#include "clap/instance.h"
+#include "midi/midi_stream.h"
+
+#define CLAP_BLOCK 8192 /**< most frames of a block */
+#define CLAP_EVENTS 1024
+#define CLAP_CHANNELS 7   /**< most channels of all outputs */
+#define CLAP_STATE 131072 /**< most bytes of a state */
+
+typedef union ClapEvent {
+  clap_event_header_t header;
+  clap_event_note_t note;
+  clap_event_note_expression_t expression;
+  clap_event_param_value_t value;
+  clap_event_param_mod_t modulation;
+  clap_event_midi_t midi;
+} ClapEvent;
+
+typedef struct ClapHost {
+  clap_host_t host;
+  const clap_plugin_t *plugin;
+  bool stereo, is_active;
+  ClapEvent events[CLAP_EVENTS]; /**< of the next block, in order of time */
+  uint32_t event_count, ended;   /**< ended: number of note ends that the plugin has sent */
+  float sound[CLAP_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
+  char said[512];                         /**< newest line of the log, or "" */
+  char loaded[64],
+    refused[512]; /**< key of the newest preset, and newest complaint about one; or "" */
+  uint32_t rescans, requests; /**< of the values of all parameters; for blocks */
+  clap_process_status status; /**< of the newest block */
+} ClapHost;
+
+typedef struct ClapState {
+  char bytes[CLAP_STATE];
+  size_t size, at;
+} ClapState;
+
+/** The entry of the file @p binary. */
+const clap_plugin_entry_t *clap_host_entry(const char *binary);
+/** Creates the plugin @p id at its defaults; not active. */
+ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
+void clap_host_close(ClapHost *host);
+/** Activates at 48 kHz. */
+void clap_host_activate(ClapHost *host);
+void clap_host_deactivate(ClapHost *host);
+void clap_host_render(ClapHost *host, bool offline); /**< the render mode */
+const void *clap_host_extension(const ClapHost *host, const char *id);
+
+/** Id of the parameter of a knob. */
+clap_id clap_host_id(KnobId knob);
+/** Adds an event for the next block; call in order of time. */
+void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value);
+void clap_host_modulate(ClapHost *host, uint32_t time, KnobId knob, double amount);
+void clap_host_midi(ClapHost *host, uint32_t time, const MidiMessage *message);
+void clap_host_note(ClapHost *host, uint32_t time, uint16_t type, int16_t key, double velocity);
+void clap_host_express(ClapHost *host, uint32_t time, clap_note_expression what, int16_t key,
+                       double value);
+/** Lets an inactive plugin take the added events. */
+void clap_host_flush(ClapHost *host);
+/** Value of a parameter. */
+double clap_host_value(const ClapHost *host, KnobId knob);
+/** Plays a block with the added events. */
+void clap_host_run(ClapHost *host, uint32_t frames);
+
+void clap_host_save(ClapHost *host, ClapState *state);
+bool clap_host_load(ClapHost *host, ClapState *state);
+
+#endif

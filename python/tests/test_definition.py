@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
+import copy
 import json
 import math
 import os
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -13,10 +15,15 @@ PRESETS = Path(__file__).resolve().parents[2] / "presets"
 
 
 def test_values_have_their_types():
-    drum = tabor.Definition("snare-14x5.5", {"batter.tension": 4000, "wires.count": np.int64(12)})
+    drum = tabor.Definition("snare-14x5.5", {"batter.tension": np.float32(4000), "wires.count": np.int64(12)})
     assert drum["batter.tension"] == 4000.0
     assert (drum["wires.count"], drum["wires.head"]) == (12, "resonant")
     assert math.isnan(drum["wire.1.tension"])
+    assert drum.copy({"wires.count": 8.0})["wires.count"] == 8
+    with pytest.raises(tabor.Error, match="wires.count = '8.5' is not a whole number"):
+        drum["wires.count"] = 8.5
+    with pytest.raises(TypeError, match="a key is a string, not 3"):
+        drum[3] = 1
 
 
 def test_a_definition_is_a_mapping():
@@ -32,6 +39,16 @@ def test_equal_definitions_are_equal():
     assert drum == tabor.Definition(None, dict(drum)) == drum.copy()
     assert drum != drum.copy({"batter.tension": 4321})
     assert drum["batter.tension"] != 4321
+
+
+@pytest.mark.parametrize("name", ["frame-drum", "snare-14x5.5"])
+@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy, lambda drum: pickle.loads(pickle.dumps(drum))])
+def test_definitions_can_be_copied_and_pickled(name, duplicate):
+    drum = tabor.Definition(name, {"mic.side.height": 0.3})
+    other = duplicate(drum)
+    assert other == drum and other.mics == drum.mics and other.strikers == drum.strikers
+    other["batter.tension"] = 4321
+    assert other != drum
 
 
 def test_a_pitch_becomes_a_tension():

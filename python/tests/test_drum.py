@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+import copy
 import dataclasses
 import gc
 import math
@@ -176,6 +177,8 @@ def test_a_swapped_drum_rings_on_and_another_replaces_it():
     drum.process(10, [tabor.swap(0, tabor.Model("tom-12", quality="studio"))])
     with pytest.raises(tabor.Error):
         drum.process(10, [tabor.swap(0, tabor.Model("tom-12", sample_rate=44100, quality="draft"))])
+    with pytest.raises(TypeError, match="swap: a Model is needed, not 'tom-12'"):
+        tabor.swap(0, "tom-12")
     del drum  # while the swap may still be under way
     gc.collect()
 
@@ -192,10 +195,11 @@ def test_a_saved_drum_goes_on(snare):
     drum.process(500, [tabor.strike()])
     state = drum.save()
     other.load(state)
-    copy = drum.copy()
+    twin, other_twin = drum.copy(), copy.copy(drum)
     after = drum.process(500)
     np.testing.assert_array_equal(after, other.process(500))
-    np.testing.assert_array_equal(after, copy.process(500))
+    np.testing.assert_array_equal(after, twin.process(500))
+    np.testing.assert_array_equal(after, other_twin.process(500))
     for damaged in (state[:-1], b"", state[:100] + bytes(8) + state[108:]):
         with pytest.raises(tabor.Error) as refused:
             other.load(damaged)

@@ -44,3 +44,5 @@ def test_a_model_has_tensions_for_pitches_and_keeps_them():
 def test_wrong_models_are_refused(wrong):
     with pytest.raises(tabor.Error):
         wrong()
+    with pytest.raises(TypeError, match="the name of a preset is needed, not None"):
+        tabor.Model(None)

@@ -56,6 +56,8 @@ def text(characters: Any) -> str:
 
 def encoded(string: str, what: str) -> bytes:
     """A Python string for C, which must not have a NUL in it."""
+    if not isinstance(string, str):
+        raise TypeError(f"a {what} is a string, not {string!r}")
     if "\0" in string:
         raise Error(f"a {what} has a NUL character in it: {string!r}", "value")
     return string.encode("utf-8")
@@ -133,8 +135,8 @@ def choice_of(choices: Sequence[str], name: str, what: str) -> int:
     return list(choices).index(name)
 
 
-def fields(struct: str, read: Callable[..., None], thing: Any) -> Dict[str, Any]:
-    """What a function of the library writes into a struct, by the names of its members."""
+def fields(struct: str, names: Sequence[str], read: Callable[..., None], thing: Any) -> Dict[str, Any]:
+    """The members of these names in a struct, which a function of the library fills."""
     filled = ffi.new(struct + " *")
     read(thing, filled)
-    return {name: getattr(filled, name) for name, _ in ffi.typeof(struct).fields}
+    return {name: getattr(filled, name) for name in names}

@@ -197,6 +197,9 @@ class Definition(Mapping[str, Value]):
         """All of it, as text, which equal definitions have in common."""
         return tuple((key, self._written(key)) for key in self)
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _restored, (self._fingerprint(),)  # for pickle and copy
+
     def __repr__(self) -> str:
         return f"<tabor.Definition {self['drum.name']!r}, {len(self)} parameters>"
 
@@ -292,8 +295,15 @@ class Definition(Mapping[str, Value]):
         return bool(self._c.room.kind != lib.TABOR_ROOM_NONE)
 
 
+def _restored(fingerprint: Tuple[Tuple[str, str], ...]) -> Definition:
+    made = Definition()
+    lib.tabor_drum_def_clear(made._c)
+    made.update(dict(fingerprint))
+    return made
+
+
 def _written(value: Union[float, int]) -> str:
-    return str(int(value)) if isinstance(value, Integral) else repr(float(value))
+    return str(int(value)) if isinstance(value, Integral) else repr(float(value)).removesuffix(".0")
 
 
 def _read(key: str, written: str) -> Value:

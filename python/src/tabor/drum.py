@@ -271,7 +271,7 @@ class Drum:
             Energies [J].
         """
         with self._lock:
-            return Ledger(**fields("TaborLedger", lib.tabor_drum_ledger, self._c))
+            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._c))
 
     def statistics(self) -> Statistics:
         """What was counted since creation or reset.
@@ -282,7 +282,7 @@ class Drum:
             Counters.
         """
         with self._lock:
-            return Statistics(**fields("TaborStatistics", lib.tabor_drum_statistics, self._c))
+            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, self._c))
 
     def probe(self) -> Probe:
         """Where things are now.
@@ -293,7 +293,7 @@ class Drum:
             Heights [m] and forces [N].
         """
         with self._lock:
-            return Probe(**fields("TaborProbe", lib.tabor_drum_probe, self._c))
+            return Probe(**fields("TaborProbe", Probe._fields, lib.tabor_drum_probe, self._c))
 
     def save(self) -> bytes:
         """Saves the state of the drum, strikers in flight included.
@@ -340,6 +340,8 @@ class Drum:
         lib.tabor_drum_route(other._c, other._route, len(other._mics))
         other.load(self.save())
         return other
+
+    __copy__ = copy
 
 
 def _complete_stroke(values: Dict[str, Any], event: Event, definition: Definition) -> None:

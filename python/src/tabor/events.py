@@ -35,6 +35,12 @@ def _event(time: float, kind: str, **values: Any) -> Event:
     return Event(float(time), kind, values)
 
 
+def _with_model(time: float, kind: str, model: Model) -> Event:
+    if not isinstance(model, Model):
+        raise TypeError(f"{kind}: a Model is needed, not {model!r}")
+    return _event(time, kind, model=model)
+
+
 def strike(time: float = 0.0, velocity: Optional[float] = None, *, radius: Optional[float] = None,
            angle: Optional[float] = None, striker: Optional[str] = None, technique: Optional[str] = None,
            pressure: float = 0.5, id: int = 0) -> Event:
@@ -197,7 +203,7 @@ def swap(time: float, model: Model) -> Event:
     -------
     Event
     """
-    return _event(time, "swap", model=model)
+    return _with_model(time, "swap", model)
 
 
 def replace(time: float, model: Model) -> Event:
@@ -214,7 +220,7 @@ def replace(time: float, model: Model) -> Event:
     -------
     Event
     """
-    return _event(time, "replace", model=model)
+    return _with_model(time, "replace", model)
 
 
 def silence(time: float) -> Event:

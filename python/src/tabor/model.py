@@ -68,6 +68,8 @@ class Model:
                  quality: Optional[str] = None) -> None:
         if isinstance(definition, str):
             definition = Definition(definition)
+        if not isinstance(definition, Definition):
+            raise TypeError(f"a Definition or the name of a preset is needed, not {definition!r}")
         options = ffi.new("TaborModelOptions *")
         lib.tabor_model_options_default(options)
         if sample_rate is not None:
@@ -100,7 +102,7 @@ class Model:
     @property
     def info(self) -> ModelInfo:
         """Facts: how many modes, up to which frequency, how much memory."""
-        facts: Dict[str, Any] = fields("TaborModelInfo", lib.tabor_model_info, self._c)
+        facts: Dict[str, Any] = fields("TaborModelInfo", ModelInfo._fields, lib.tabor_model_info, self._c)
         facts["quality"] = _LEVELS[facts["quality"]]
         return ModelInfo(**facts)
 

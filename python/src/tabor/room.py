@@ -85,7 +85,7 @@ class Room:
     @property
     def info(self) -> RoomInfo:
         """Facts: its size and how long it sounds."""
-        facts: Dict[str, Any] = fields("TaborRoomInfo", lib.tabor_room_info, self._c)
+        facts: Dict[str, Any] = fields("TaborRoomInfo", RoomInfo._fields, lib.tabor_room_info, self._c)
         facts.update(kind=_KINDS[facts["kind"]], feed=(facts["feed"][0], facts["feed"][1]))
         return RoomInfo(**facts)
 

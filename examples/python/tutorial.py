@@ -84,7 +84,8 @@ def what_can_happen(axes: Axes) -> None:
     print(f"what can happen: {drum.statistics().strikes} strokes, {drum.statistics().dropped_events} events dropped; "
           f"it is now a {drum.model.definition['drum.name']}")
     axes.plot(np.arange(sound.shape[1]) / RATE, sound[0], linewidth=0.5)
-    for time, name in ((0, "buzz"), (0.5, "snares off"), (0.8, "a hand"), (1.1, "silence"), (1.2, "a tom"), (1.5, "gain")):
+    marks = ((0, "buzz"), (0.5, "snares off"), (0.8, "a hand"), (1.1, "silence"), (1.2, "a tom"), (1.5, "gain"))
+    for time, name in marks:
         axes.axvline(time, color="grey", linewidth=0.5)
         axes.annotate(name, (time, 0.95), xycoords=("data", "axes fraction"), rotation=90, va="top", fontsize=8)
     axes.set(title="Events", xlabel="time [s]", ylabel="sound pressure [full scale]")
@@ -119,8 +120,7 @@ def a_kit(axes: Axes) -> None:
     tensions = np.linspace(1500, 4500, 5)
     drums = [tabor.Definition("tom-12", {"batter.tension": float(tension)}) for tension in tensions]
     takes = [[tabor.strike(0, velocity)] for velocity in (1.0, 3.0, 9.0)]
-    print("a kit: ", end="")
-    kit = tabor.render_kit(drums, takes, duration=0.5, progress=lambda done, total: print(end="." if done < total else ".\n"))
+    kit = tabor.render_kit(drums, takes, duration=0.5, progress=lambda done, total: print(f"a kit: {done} of {total}"))
     spectra: Any = np.abs(np.fft.rfft(kit[:, :, 0], axis=-1))
     frequencies = np.fft.rfftfreq(kit.shape[-1], 1 / RATE)
     below = frequencies < 500

@@ -174,7 +174,7 @@ def test_a_swapped_drum_rings_on_and_another_replaces_it():
     assert (sound[:, 480 + 1440 + 1:4800] == 0).all()  # faded, and the other one is at rest
     assert np.abs(sound[drum.mics.index("top"), 4800:]).max() > 0.01
     assert drum.model is tom and drum.mics == ("top", "far")
-    drum.process(10, [tabor.swap(0, tabor.Model("tom-12", quality="studio"))])
+    drum.process(10, [tabor.swap(0, tabor.Model("tom-12"))])
     with pytest.raises(tabor.Error):
         drum.process(10, [tabor.swap(0, tabor.Model("tom-12", sample_rate=44100, quality="draft"))])
     with pytest.raises(TypeError, match="swap: a Model is needed, not 'tom-12'"):

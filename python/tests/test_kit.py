@@ -49,7 +49,9 @@ def test_a_drum_is_computed_once(monkeypatch):
 
 def test_progress_counts_in_the_calling_thread():
     seen = []
-    tabor.render_kit(DRUMS + DRUMS[:1], TAKES, progress=lambda *counts: seen.append((counts, threading.get_ident())), **DRAFT)
+    def note(*counts):
+        seen.append((counts, threading.get_ident()))
+    tabor.render_kit(DRUMS + DRUMS[:1], TAKES, progress=note, **DRAFT)
     counts = [pair for pair, _ in seen]
     assert counts == sorted(set(counts)) and counts[-1] == (8, 8)
     assert {thread for _, thread in seen} == {threading.get_ident()}

@@ -126,7 +126,8 @@ def trace(drum: Playable, events: Optional[Sequence[Event]] = None, duration: fl
         A row after each sample.
     """
     model = model_of(drum, sample_rate, quality)
-    return Drum(model, model.mics[:1]).trace(frames_of(duration, model.sample_rate), [strike()] if events is None else events)
+    frames = frames_of(duration, model.sample_rate)
+    return Drum(model, model.mics[:1]).trace(frames, [strike()] if events is None else events)
 
 
 def frames_of(duration: float, rate: float) -> int:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# From a source archive comes a wheel that auditwheel accepts as manylinux. It installs into an empty virtual environment
+# From a source archive comes a wheel, the same bytes each time, that auditwheel accepts as manylinux. It installs into an empty virtual environment
 # without a compiler and without a network, and passes its tests there. mypy takes its types from there.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
@@ -10,11 +10,14 @@
 has_python_tools || skip "$no_python_tools"
 bin=$python_tools/environment/bin
 unset PYTHONPATH TABOR_LIBRARY
-export CC PIP_CONFIG_FILE=/dev/null CMAKE_BUILD_PARALLEL_LEVEL=2 PYTHONDONTWRITEBYTECODE=1
+export CC PIP_CONFIG_FILE=/dev/null CMAKE_BUILD_PARALLEL_LEVEL=2 PYTHONDONTWRITEBYTECODE=1 SOURCE_DATE_EPOCH=1000000000
 
 make_archive='import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])'
 (cd "$SOURCE" && quietly "$bin/python" -c "$make_archive" "$scratch")
-quietly "$bin/pip" wheel --no-index --no-build-isolation --no-deps -w built tabor-*.tar.gz
+for folder in built again; do # pip unpacks the archive into another folder each time
+  quietly "$bin/pip" wheel --no-index --no-build-isolation --no-deps -w $folder tabor-*.tar.gz
+done
+cmp built/*.whl again/*.whl || complain "two builds of the wheel differ"
 [[ $(ls built) == tabor-*-py3-none-linux_*.whl ]] || complain "the wheel is called $(ls built)"
 PATH=$bin:$PATH quietly "$bin/auditwheel" repair -w repaired built/*.whl
 [[ $(ls repaired) == tabor-*-py3-none-manylinux*.whl ]] || complain "the repaired wheel is called $(ls repaired)"

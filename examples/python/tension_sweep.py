@@ -17,6 +17,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
+from numpy.typing import NDArray
 
 import tabor
 
@@ -24,16 +25,17 @@ MODES = 6
 HIGHEST = 2000  # Hz
 
 
-def models(preset: str, tensions: "np.ndarray") -> List[tabor.Model]:
+def models(preset: str, tensions: NDArray[np.float64]) -> List[tabor.Model]:
     """The drum at each tension [N/m]."""
-    return [tabor.Model(tabor.Definition(preset, {"batter.tension": tension}), quality="draft")
+    return [tabor.Model(tabor.Definition(preset, {"batter.tension": float(tension)}), quality="draft")
             for tension in tensions]
 
 
-def spectrum(sound: "np.ndarray") -> "np.ndarray":
+def spectrum(sound: NDArray[np.float32]) -> NDArray[np.float64]:
     """Level in dB over frequency, the strongest partial at 0."""
     power = np.abs(np.fft.rfft(sound * np.hanning(len(sound) * 2)[len(sound):]))
-    return 20 * np.log10(power / power.max() + 1e-6)
+    level: NDArray[np.float64] = 20 * np.log10(power / power.max() + 1e-6)
+    return level
 
 
 def main() -> None:

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Drums computed from physics, into NumPy arrays.
+
+    import tabor
+    sound = tabor.render("snare-14x5.5", [tabor.strike(0, velocity=3.0)], duration=1.0)
+
+From slow to fast, there is a `Definition`, physical parameters of a drum; a `Model`, everything that can be computed
+from it for one sample rate; a `Drum`, which sounds; and a `Room` around it. `render` does it all at once, and
+`render_kit` for many drums in parallel. `strike`, `change` and others make the events that happen to a drum.
+
+Units are SI, angles in degrees. Sound is an array of float32, shape (microphones, frames).
+"""
+
+from ._library import Error, UnknownNameError, version
+from .definition import Definition, Parameter, Preset, Value, parameters, presets
+from .drum import TRACE, Drum, Ledger, Probe, Statistics
+from .events import (TECHNIQUES, Event, change, damp, gain, move, press, release, replace, reset, silence, strike,
+                     swap)
+from .kit import render_kit
+from .model import MODE, QUALITIES, Model, ModelInfo, Playable
+from .rendering import render, trace
+from .room import Room, RoomInfo
+
+__version__ = version()
+
+__all__ = [
+    "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelInfo", "Parameter", "Playable", "Preset",
+    "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
+    "change", "damp", "gain", "move", "parameters", "presets", "press", "release", "render", "render_kit", "replace",
+    "reset", "silence", "strike", "swap", "trace", "version",
+]

@@ -1,0 +1,364 @@
+# SPDX-License-Identifier: MIT
+"""A drum that sounds."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._library import Error, check, choice_of, ffi, fields, index_of, lib, text
+from .definition import Definition
+from .events import TECHNIQUES, TYPES, Event, Placed, place
+from .model import Model, model_of
+
+#: What moves, a row a sample, after it: `time` [s]; `head`, `wire`, `striker`, heights [m] over the undeflected head;
+#: `striker_force`, `wire_force` [N]; stored `energy` [J]. NaN where there is no such part.
+TRACE = np.dtype([(name, "f8") for name in
+                  ("time", "head", "wire", "striker", "striker_force", "wire_force", "energy")])
+
+_NO_MIC = 255  # an output without microphone
+_PLAIN_FIELDS = ("id", "parameter", "velocity", "radius", "angle", "value")
+
+
+class Ledger(NamedTuple):
+    """Where the energy went [J]: injected + control = stored + the losses + radiated + removed + residual."""
+
+    injected: float  #: kinetic energy of launched strikers, and work of pressing hands
+    control: float  #: work of changed parameters, silences and swaps
+    stored: float  #: above the rest state
+    head_loss: float  #: in the heads' material
+    wire_loss: float  #: in the wires' material
+    contact_loss: float  #: in contacts of wires and strikers
+    damper_loss: float  #: in damping and pressing hands
+    shell_loss: float  #: in hoop, shell and enclosed air
+    radiated: float  #: as sound
+    removed: float  #: of strikers that were taken away
+    high_band: float  #: stored in the one-way high band; not part of the balance
+    residual: float  #: what the numerics lost (positive) or created (negative)
+
+
+class Statistics(NamedTuple):
+    """Counters since creation or reset."""
+
+    frames: int  #: frames played, sleeping ones included
+    slept_frames: int  #: frames played asleep
+    strikes: int  #: strokes begun
+    late_events: int  #: past the end of a block
+    misordered_events: int  #: out of order
+    dropped_events: int  #: not carried out: too many at once, or nothing was free for them
+    solves: int  #: samples with a contact to solve
+    newton_iterations: int  #: sum over the solves
+    newton_max: int  #: most in one sample
+    newton_capped: int  #: solves that reached the cap
+    work_corrected: int  #: of these, those whose forces were scaled to create no energy
+    fallbacks: int  #: of these, those that were replaced by safe steps
+    guarded: int  #: steps shortened by the energy guard
+    recovered: int  #: resets after a state that was not finite
+    contact_sum: int  #: touching points, summed over the solves
+    contact_max: int  #: most touching points in one sample
+    in_play: int  #: strikers and damping hands in play now
+
+
+class Probe(NamedTuple):
+    """Positions and forces now; NaN where there is no such part."""
+
+    head: float  #: height of the centre of the head with the wires [m]
+    wire: float  #: height of the first wire's midpoint [m]
+    striker: float  #: height of the newest striker in play [m]
+    striker_force: float  #: between all strikers and head or hoop [N]
+    wire_force: float  #: between all wires and the head [N]
+
+
+def routed(mics: Sequence[str], wanted: Sequence[str]) -> bytes:
+    """The microphone of each output, as the library wants it; none where the drum has none of this name."""
+    return bytes(mics.index(name) if name in mics else _NO_MIC for name in wanted)
+
+
+def chosen(mics: Sequence[str], wanted: Optional[Sequence[str]]) -> Tuple[str, ...]:
+    """The microphones that were asked for, all unless any were; ValueError if one is not there, or twice."""
+    if wanted is None:
+        return tuple(mics)
+    if isinstance(wanted, str):
+        raise TypeError(f"mics is a list of names, as [{wanted!r}]")
+    for name in wanted:
+        index_of(mics, name, "microphone")
+    if len(set(wanted)) != len(wanted):
+        raise ValueError(f"a microphone is named twice: {', '.join(wanted)}")
+    return tuple(wanted)
+
+
+def pointers(rows: NDArray[np.float32]) -> Any:
+    """Pointers to the rows of an array, for the library."""
+    array = ffi.new("float *[]", int(lib.TABOR_MAX_MICS))
+    for row, samples in enumerate(rows):
+        array[row] = ffi.cast("float *", samples.ctypes.data)
+    return array
+
+
+def check_rows(rows: NDArray[np.float32], shape: Tuple[int, int]) -> None:
+    """Raises ValueError unless the library can write such rows."""
+    fits = rows.dtype == np.float32 and rows.shape == shape and rows.flags.writeable
+    if not fits or (shape[1] > 1 and rows.strides[1] != 4):
+        raise ValueError(f"out: a writable float32 array of shape {shape} with contiguous rows is needed, "
+                         f"not {rows.dtype} of shape {rows.shape}")
+
+
+class Drum:
+    """One sounding drum, at rest to begin with.
+
+    Parameters
+    ----------
+    model : Model, Definition or str
+        What it sounds like; a definition or a preset's name is computed at 48 kHz and ``"live"``.
+    mics : sequence of str, optional
+        Names of the microphones that are the rows of its sound; all of the model's unless given.
+
+    Notes
+    -----
+    The sound does not depend on its division into blocks. Threads take turns at one drum; several drums play at the
+    same time.
+
+    Examples
+    --------
+    >>> drum = tabor.Drum("frame-drum", mics=["left", "right"])
+    >>> block = drum.process(64, [tabor.strike(velocity=4)])
+    >>> block.shape
+    (2, 64)
+    """
+
+    def __init__(self, model: Union[Model, Definition, str], mics: Optional[Sequence[str]] = None) -> None:
+        self._model = model_of(model)
+        self._mics = chosen(self._model.mics, mics)
+        drum = ffi.new("TaborDrum **")
+        check(lib.tabor_drum_create, self._model._c, drum)
+        self._swaps: List[Any] = []  # under way
+        self._c = ffi.gc(drum[0], _destroyer(self._swaps))
+        self._lock = threading.Lock()
+        self._route = routed(self._model.mics, self._mics)
+        lib.tabor_drum_route(self._c, self._route, len(self._mics))
+
+    @property
+    def model(self) -> Model:
+        """The model: the first one, or the last that it was swapped to."""
+        return self._model
+
+    @property
+    def mics(self) -> Tuple[str, ...]:
+        """Names of the microphones that are the rows of its sound."""
+        return self._mics
+
+    def process(self, frames: int, events: Sequence[Event] = (),
+                out: Optional[NDArray[np.float32]] = None) -> NDArray[np.float32]:
+        """Plays on.
+
+        Parameters
+        ----------
+        frames : int
+            How many samples.
+        events : sequence of Event
+            What happens meanwhile; an event at t seconds acts at frame t x rate. Of those at one frame the first
+            acts first.
+        out : ndarray of float32, shape (len(mics), frames), optional
+            Where to write; each row contiguous.
+
+        Returns
+        -------
+        ndarray of float32, shape (len(mics), frames)
+            Sound pressure; 1.0 is ``output.full_scale`` pascals. `out`, if it was given.
+
+        Raises
+        ------
+        ValueError
+            An event is later than these frames, or needs what the drum has not.
+        """
+        if out is None:
+            out = np.empty((len(self._mics), frames), np.float32)
+        check_rows(out, (len(self._mics), frames))
+        self._play(place(events, self._model.sample_rate, frames), out)
+        return out
+
+    def _play(self, placed: Sequence[Placed], out: NDArray[np.float32]) -> None:
+        """As `process`, into an array that fits, with events that have their frames."""
+        with self._lock:
+            events = self._translated(placed)
+            lib.tabor_drum_process(self._c, events, len(events), pointers(out), out.shape[1])
+            self._finish_swaps()
+
+    def trace(self, frames: int, events: Sequence[Event] = ()) -> NDArray[np.void]:
+        """Plays on and returns what moves, instead of the sound.
+
+        Parameters
+        ----------
+        frames : int
+            How many samples.
+        events : sequence of Event
+            What happens meanwhile, as for `process`.
+
+        Returns
+        -------
+        ndarray of TRACE, shape (frames,)
+            A row after each sample.
+        """
+        placed = place(events, self._model.sample_rate, frames)
+        rows = np.zeros(frames, TRACE)
+        probe, ledger = ffi.new("TaborProbe *"), ffi.new("TaborLedger *")
+        start = self.statistics().frames + 1
+        with self._lock:
+            translated = self._translated(placed)
+            at = 0
+            for frame in range(frames):
+                first = at
+                while at < len(placed) and placed[at][0] == frame:
+                    translated[at].frame = 0
+                    at += 1
+                lib.tabor_drum_process(self._c, translated + first, at - first, ffi.NULL, 1)
+                lib.tabor_drum_probe(self._c, probe)
+                lib.tabor_drum_ledger(self._c, ledger)
+                rows[frame] = ((start + frame) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
+                               probe.striker_force, probe.wire_force, ledger.stored)
+            self._finish_swaps()
+        return rows
+
+    def _translated(self, placed: Sequence[Placed]) -> Any:
+        """The events for the library. The drum's model is then that after the last swap among them."""
+        model, swaps, made = self._model, [], []
+        for frame, event in placed:
+            values = {name: event.fields[name] for name in _PLAIN_FIELDS if event.fields.get(name) is not None}
+            values.update(frame=frame, type=TYPES[event.kind])
+            if event.kind == "strike":
+                _complete_stroke(values, event, model.definition)
+            elif event.fields.get("mic"):
+                values["index"] = index_of(model.mics, event.fields["mic"], "microphone")
+            elif "model" in event.fields:
+                swaps.append(self._prepared(model, event.fields["model"]))
+                values["swap"] = swaps[-1]
+                model = event.fields["model"]
+            made.append(values)
+        self._swaps += swaps
+        self._model = model
+        return ffi.new("TaborEvent[]", made)
+
+    def _prepared(self, old: Model, new: Model) -> Any:
+        swap = ffi.new("TaborSwap **")
+        check(lib.tabor_swap_create, old._c, new._c, swap)
+        lib.tabor_swap_route(swap[0], routed(new.mics, self._mics), len(self._mics))
+        return ffi.gc(swap[0], lib.tabor_swap_destroy)
+
+    def _finish_swaps(self) -> None:
+        if lib.tabor_drum_model(self._c) != self._model._c:
+            raise RuntimeError("a swap was dropped")
+        self._swaps[:] = [swap for swap in self._swaps if not lib.tabor_swap_done(swap)]
+
+    @property
+    def is_silent(self) -> bool:
+        """True once everything has died away; the sound is then exactly 0 until the next event."""
+        return bool(lib.tabor_drum_is_silent(self._c))
+
+    def reset(self) -> None:
+        """Brings the drum to rest; changed parameters, ledger and counters start again."""
+        with self._lock:
+            lib.tabor_drum_reset(self._c)
+
+    def ledger(self) -> Ledger:
+        """Where the energy went since creation or reset.
+
+        Returns
+        -------
+        Ledger
+            Energies [J].
+        """
+        with self._lock:
+            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._c))
+
+    def statistics(self) -> Statistics:
+        """What was counted since creation or reset.
+
+        Returns
+        -------
+        Statistics
+            Counters.
+        """
+        with self._lock:
+            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, self._c))
+
+    def probe(self) -> Probe:
+        """Where things are now.
+
+        Returns
+        -------
+        Probe
+            Heights [m] and forces [N].
+        """
+        with self._lock:
+            return Probe(**fields("TaborProbe", Probe._fields, lib.tabor_drum_probe, self._c))
+
+    def save(self) -> bytes:
+        """Saves the state of the drum, strikers in flight included.
+
+        Returns
+        -------
+        bytes
+            For `load` of a drum on the same model, with the same library.
+        """
+        with self._lock:
+            size = lib.tabor_drum_state_size(self._c)
+            state = ffi.new("char[]", size)
+            lib.tabor_drum_state_save(self._c, state)
+            return bytes(ffi.buffer(state, size))
+
+    def load(self, state: bytes) -> None:
+        """Goes on from a saved state, with the same bits.
+
+        Parameters
+        ----------
+        state : bytes
+            What `save` gave.
+
+        Raises
+        ------
+        Error
+            The bytes are damaged, or of another model; the drum then stays as it is.
+        """
+        with self._lock:
+            if lib.tabor_drum_state_load(self._c, state, len(state)) != lib.TABOR_OK:
+                raise Error("the saved state is damaged, or of another model than this drum's", "state")
+
+    def copy(self) -> Drum:
+        """Another drum in the same state.
+
+        Returns
+        -------
+        Drum
+            It goes on as this one does.
+        """
+        other = Drum(self._model, None)
+        other._mics = self._mics
+        other._route = routed(self._model.mics, self._mics)
+        lib.tabor_drum_route(other._c, other._route, len(other._mics))
+        other.load(self.save())
+        return other
+
+    __copy__ = copy
+
+
+def _complete_stroke(values: Dict[str, Any], event: Event, definition: Definition) -> None:
+    """What the stroke does not say is as the definition's [strike] says."""
+    usual = definition._c.strike
+    for name in ("velocity", "radius", "angle"):
+        values.setdefault(name, getattr(usual, name))
+    striker = event.fields.get("striker") or text(usual.striker) or definition.strikers[0]
+    values["striker"] = index_of(definition.strikers, striker, "striker")
+    technique = event.fields.get("technique")
+    values["technique"] = (usual.technique if technique is None
+                           else choice_of(TECHNIQUES, technique, "technique"))
+
+
+def _destroyer(swaps: List[Any]) -> Callable[[Any], None]:
+    """Destroys a drum, and the swaps that it may still be using after it."""
+    def destroy(drum: Any) -> None:
+        lib.tabor_drum_destroy(drum)
+        swaps.clear()
+    return destroy

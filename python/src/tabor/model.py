@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""What is computed once for a drum and a sample rate."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._library import check, choice_of, ffi, fields, lib
+from .definition import Definition
+
+#: Qualities, from fast to exact. ``"definition"`` in their place means what ``quality.level`` of the definition says.
+QUALITIES: Tuple[str, ...] = ("draft", "live", "studio", "reference")
+
+_LEVELS = ("definition",) + QUALITIES  # as TaborQuality counts them
+_PARTS = ("batter", "resonant", "both", "cavity", "rim")
+
+#: A mode: `m` nodal diameters, `n` nodal circles with the rim; `frequency` [Hz]; `decay_rate` of the amplitude and the
+#: part of it that is radiation, `radiation_rate` [1/s]; `multiplicity`, 2 with a sine copy; the `part` that moves most;
+#: `phase` of two heads, 1 together, -1 in opposition.
+MODE = np.dtype([("m", "u4"), ("n", "u4"), ("frequency", "f8"), ("decay_rate", "f8"),
+                 ("radiation_rate", "f8"), ("multiplicity", "u4"), ("part", "U8"), ("phase", "i4")])
+
+
+class ModelInfo(NamedTuple):
+    """Facts of a model."""
+
+    sample_rate: float  #: [Hz]
+    quality: str  #: one of `QUALITIES`
+    mode_count: int  #: modes; cosine and sine copies count as two
+    mode_rows: int  #: rows of `Model.modes`; the two copies count as one
+    two_way_bandwidth: float  #: modes up to here feel the contacts [Hz]
+    bandwidth: float  #: modes up to here are heard [Hz]
+    high_mode_count: int  #: modes that are heard and feel nothing
+    newton_cap: int  #: iterations of the contact solve in a sample, at most
+    wire_count: int  #: wires
+    contact_points: int  #: contact points of all wires together
+    mic_count: int  #: microphones
+    model_bytes: int  #: memory of the model
+    drum_bytes: int  #: memory of each drum on it
+
+
+class Model:
+    """A definition, computed for one sample rate. It never changes; any number of drums share it.
+
+    Parameters
+    ----------
+    definition : Definition or str
+        The drum, or the name of a preset.
+    sample_rate : float, optional
+        [Hz], 22,050 to 192,000; 48,000 unless given.
+    quality : {"live", "draft", "studio", "reference", "definition"}, optional
+        Accuracy against cost; ``"definition"``: as ``quality.level`` of the definition says. ``"live"`` unless given.
+
+    Raises
+    ------
+    Error
+        The definition, the rate or the quality is not allowed.
+
+    Notes
+    -----
+    A built-in preset takes a quarter of a second at ``"live"``. Other threads go on meanwhile.
+    """
+
+    def __init__(self, definition: Union[Definition, str], sample_rate: Optional[float] = None,
+                 quality: Optional[str] = None) -> None:
+        if isinstance(definition, str):
+            definition = Definition(definition)
+        if not isinstance(definition, Definition):
+            raise TypeError(f"a Definition or the name of a preset is needed, not {definition!r}")
+        options = ffi.new("TaborModelOptions *")
+        lib.tabor_model_options_default(options)
+        if sample_rate is not None:
+            options.sample_rate = sample_rate
+        options.quality = choice_of(_LEVELS, "live" if quality is None else quality, "quality")
+        model = ffi.new("TaborModel **")
+        check(lib.tabor_model_create, definition._c, options, model)
+        self._c = ffi.gc(model[0], lib.tabor_model_release)
+        self._definition = Definition._of(lib.tabor_model_definition(self._c)[0])
+        self._rate = float(options.sample_rate)
+
+    def __repr__(self) -> str:
+        return f"<tabor.Model {self._definition['drum.name']!r}, {self._rate:g} Hz, {self.info.quality}>"
+
+    @property
+    def definition(self) -> Definition:
+        """A copy of what the model was computed from, with tensions in the place of pitches."""
+        return self._definition.copy()
+
+    @property
+    def sample_rate(self) -> float:
+        """The sample rate [Hz]."""
+        return self._rate
+
+    @property
+    def mics(self) -> Tuple[str, ...]:
+        """Names of the microphones; the first is the usual one."""
+        return self._definition.mics
+
+    @property
+    def info(self) -> ModelInfo:
+        """Facts: how many modes, up to which frequency, how much memory."""
+        facts: Dict[str, Any] = fields("TaborModelInfo", ModelInfo._fields, lib.tabor_model_info, self._c)
+        facts["quality"] = _LEVELS[facts["quality"]]
+        return ModelInfo(**facts)
+
+    @property
+    def modes(self) -> NDArray[np.void]:
+        """The modes in order of frequency: an array of `MODE`, shape ``(info.mode_rows,)``."""
+        row = ffi.new("TaborModeInfo *")
+        modes = np.zeros(self.info.mode_rows, MODE)
+        for i in range(len(modes)):
+            lib.tabor_model_mode(self._c, i, row)
+            modes[i] = (row.m, row.n, row.frequency, row.decay_rate, row.radiation_rate, row.multiplicity,
+                        _PARTS[row.part], row.phase)
+        return modes
+
+
+#: What can be played: a preset's name, a definition, or a model.
+Playable = Union[Model, Definition, str]
+
+
+def model_of(playable: Playable, sample_rate: Optional[float] = None, quality: Optional[str] = None) -> Model:
+    """The model itself, or one that is computed."""
+    if not isinstance(playable, Model):
+        return Model(playable, sample_rate, quality)
+    if sample_rate not in (None, playable.sample_rate):
+        raise ValueError(f"the model is for {playable.sample_rate:g} Hz, not for {sample_rate:g} Hz")
+    if quality not in (None, playable.info.quality):
+        raise ValueError(f"the model has quality {playable.info.quality!r}, not {quality!r}")
+    return playable

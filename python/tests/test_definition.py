@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+import copy
+import json
+import math
+import os
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tabor
+
+PRESETS = Path(__file__).resolve().parents[2] / "presets"
+
+
+def test_values_have_their_types():
+    drum = tabor.Definition("snare-14x5.5", {"batter.tension": np.float32(4000), "wires.count": np.int64(12)})
+    assert drum["batter.tension"] == 4000.0
+    assert (drum["wires.count"], drum["wires.head"]) == (12, "resonant")
+    assert math.isnan(drum["wire.1.tension"])
+    assert drum.copy({"wires.count": 8.0})["wires.count"] == 8
+    with pytest.raises(tabor.Error, match="wires.count = '8.5' is not a whole number"):
+        drum["wires.count"] = 8.5
+    with pytest.raises(TypeError, match="a key is a string, not 3"):
+        drum[3] = 1
+
+
+def test_a_definition_is_a_mapping():
+    drum = tabor.Definition("tom-12")
+    assert dict(drum)["drum.name"] == "tom-12"
+    assert len(drum) == len(list(drum))
+    assert "batter.tension" in drum and "batter.tensoin" not in drum
+    assert drum.get("batter.tensoin") is None
+
+
+def test_equal_definitions_are_equal():
+    drum = tabor.Definition("snare-14x5.5")
+    assert drum == tabor.Definition(None, dict(drum)) == drum.copy()
+    assert drum != drum.copy({"batter.tension": 4321})
+    assert drum["batter.tension"] != 4321
+
+
+@pytest.mark.parametrize("name", ["frame-drum", "snare-14x5.5"])
+@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy, lambda drum: pickle.loads(pickle.dumps(drum))])
+def test_definitions_can_be_copied_and_pickled(name, duplicate):
+    drum = tabor.Definition(name, {"mic.side.height": 0.3})
+    other = duplicate(drum)
+    assert other == drum and other.mics == drum.mics and other.strikers == drum.strikers
+    other["batter.tension"] = 4321
+    assert other != drum
+
+
+def test_a_pitch_becomes_a_tension():
+    drum = tabor.Definition("snare-14x5.5", {"batter.pitch": "A3"})
+    assert drum["batter.pitch"] == 220.0
+    drum.tune()
+    assert drum["batter.pitch"] == 0.0
+    assert drum.pitch() == pytest.approx(220, rel=1e-4)
+    with pytest.raises(tabor.UnknownNameError):
+        tabor.Definition("frame-drum").pitch("resonant")
+    with pytest.raises(tabor.Error, match="unknown head 'upper'"):
+        drum.pitch("upper")
+
+
+def test_a_new_microphone_comes_with_its_first_key():
+    drum = tabor.Definition("frame-drum", {"mic.side.height": 0.3})
+    assert drum.mics[-1] == "side"
+    assert "side" not in tabor.Definition("frame-drum").mics
+
+
+def test_a_refused_change_changes_nothing():
+    drum = tabor.Definition("tabor")
+    before = drum.copy()
+    with pytest.raises(tabor.Error) as refused:
+        drum.update({"batter.damping_0": 1, "batter.tension": 1e9})
+    error = refused.value
+    assert (error.key, error.value, error.minimum, error.maximum) == ("batter.tension", "1e9", 100, 20000)
+    assert error.status == "range"
+    assert drum == before
+
+
+@pytest.mark.parametrize("wrong, status, key", [
+    (lambda: tabor.Definition("nonesuch"), "name", ""),
+    (lambda: tabor.Definition("tabor")["batter.tensoin"], "key", "batter.tensoin"),
+    (lambda: tabor.Definition("tabor", {"mic.none such.gain": 1}), "key", "mic.none such.gain"),
+    (lambda: tabor.Definition("tabor", {"batter.tension": "tight"}), "value", "batter.tension"),
+    (lambda: tabor.Definition("tabor", {"batter.tension": math.nan}), "value", "batter.tension"),
+    (lambda: tabor.Definition("tabor", {"drum.name": "a\0b"}), "value", ""),
+    (lambda: tabor.Definition("tabor", {"strike.striker": "mace"}).validate(), "name", "strike.striker"),
+])
+def test_errors_name_the_key(wrong, status, key):
+    with pytest.raises(tabor.Error) as refused:
+        wrong()
+    assert (refused.value.status, refused.value.key) == (status, key)
+    assert isinstance(refused.value, KeyError) == (status in ("name", "key"))
+    assert "\n" not in str(refused.value)
+
+
+def test_presets_are_listed(program):
+    expected = json.loads(program("presets", "--json"))["presets"]
+    assert [preset.name for preset in tabor.presets()] == [row["name"] for row in expected]
+
+
+def test_the_table_of_parameters():
+    row = next(row for row in tabor.parameters() if (row.section, row.key) == ("batter", "tension"))
+    assert (row.unit, row.minimum, row.maximum, row.live) == ("N/m", 100, 20000, False)
+    row = next(row for row in tabor.parameters() if (row.section, row.key) == ("room", "kind"))
+    assert row.choices == ("none", "booth", "studio", "hall")
+
+
+@pytest.mark.parametrize("name", [preset.name for preset in tabor.presets()])
+def test_preset_files_are_read_and_written(name):
+    drum = tabor.Definition.from_ini((PRESETS / f"{name}.ini").read_text(encoding="utf-8"))
+    assert drum == tabor.Definition(name)
+    assert tabor.Definition.from_ini(drum.to_ini()) == drum
+
+
+def test_the_program_reads_what_is_written(program, tmp_path):
+    drum = tabor.Definition("snare-14x5.5", {"batter.tension": 4321.0, "wire.3.tension": 4.5})
+    (tmp_path / "mine.ini").write_text(drum.to_ini(), encoding="utf-8")
+    shown = program("show", os.fspath(tmp_path / "mine.ini")).decode()
+    assert tabor.Definition.from_ini(shown) == drum
+
+
+@pytest.mark.parametrize("ini, said", [
+    ("[batter]\ntension", "line 2"), ("tension = 3", "line 1"), ("[better]\n", "better"),
+    ("[batter]\ntension = 1e9\n", "batter.tension")])
+def test_a_wrong_preset_file_is_refused(ini, said):
+    with pytest.raises(tabor.Error, match=said):
+        tabor.Definition.from_ini(ini)

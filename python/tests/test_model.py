@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+import json
+
+import numpy as np
+import pytest
+
+import tabor
+
+
+def test_modes_are_the_programs(program):
+    expected = json.loads(program("modes", "tom-12", "--quality", "draft", "--json"))["modes"]
+    modes = tabor.Model("tom-12", quality="draft").modes
+    assert modes.dtype == tabor.MODE
+    assert len(modes) == len(expected)
+    for name in ("frequency", "decay_rate"):
+        np.testing.assert_allclose(modes[name], [row[name] for row in expected], rtol=1e-9)
+    assert list(modes["part"]) == [row["head"] for row in expected]
+
+
+def test_live_unless_asked():
+    assert tabor.Model("frame-drum").info.quality == "live"
+    assert tabor.Model("frame-drum", quality="definition").info.quality == "studio"
+    assert tabor.Model(tabor.Definition("frame-drum", {"quality.level": "draft"}),
+                       quality="definition").info.quality == "draft"
+
+
+def test_facts():
+    info = tabor.Model("tabor", sample_rate=44100, quality="draft").info
+    assert (info.sample_rate, info.quality, info.wire_count) == (44100, "draft", 1)
+    assert info.mode_count > info.mode_rows > 50
+    assert info.model_bytes > info.drum_bytes > 1000
+
+
+def test_a_model_has_tensions_for_pitches_and_keeps_them():
+    model = tabor.Model(tabor.Definition("frame-drum", {"batter.pitch": 200}), quality="draft")
+    assert model.definition["batter.pitch"] == 0.0
+    model.definition["batter.tension"] = 5000  # of a copy
+    assert model.definition["batter.tension"] != 5000
+
+
+@pytest.mark.parametrize("wrong", [
+    lambda: tabor.Model("tabor", sample_rate=1), lambda: tabor.Model("tabor", quality="best"),
+    lambda: tabor.Model(tabor.Definition("tabor", {"strike.radius": 0.5})), lambda: tabor.Model("nonesuch")])
+def test_wrong_models_are_refused(wrong):
+    with pytest.raises(tabor.Error):
+        wrong()
+    with pytest.raises(TypeError, match="the name of a preset is needed, not None"):
+        tabor.Model(None)

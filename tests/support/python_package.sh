@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# Sourced by the tests of the Python package, after embed_checks.sh.
+# shellcheck source=tests/support/find_python.sh
+. "$(dirname "${BASH_SOURCE[0]}")/find_python.sh"
+
+# What tools/setup --python installs.
+python_tools=$SOURCE/build/python
+
+has_python_tools() { cmp -s "$SOURCE/python/requirements.txt" "$python_tools/installed.txt"; }
+no_python_tools="the packages of python/requirements.txt are not in build/python: run tools/setup --python"
+
+# import_package PYTHON: puts the package, as a wheel has it, where this Python finds it.
+import_package() {
+  cp -r "$SOURCE/python/src" package
+  quietly "$1" "$SOURCE/python/build_header.py" "$SOURCE/engine/include/tabor/tabor.h" package/tabor/_header.py
+  cp -L "$SHARED_BUILD/engine/libtabor.so" package/tabor/
+  export PYTHONPATH=$PWD/package PYTHONDONTWRITEBYTECODE=1
+}

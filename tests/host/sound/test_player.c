@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A drum being played: messages act at their frames whatever the device's blocks are. */
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 #include "player_script.h"
 
 #include <math.h>

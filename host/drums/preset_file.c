@@ -88,7 +88,8 @@ PRINTF_LIKE static bool refuse_line(Reader *reader, unsigned line, const char *f
 static bool read_all(Reader *reader, int file) {
   const size_t room = PRESET_FILE_LIMIT + 1;
   while (reader->length < room) {
-    const ssize_t count = read(file, reader->text + reader->length, room - reader->length);
+    const ssize_t count =
+      read(file, reader->text + reader->length, (unsigned)(room - reader->length));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return refuse_line(reader, 0, "%s", strerror(errno));
     if (count == 0) break;

@@ -6,9 +6,13 @@
 #include <pthread.h> /* on Windows the clocks are those of its threads' library */
 #include <time.h>
 
-/* Time [s]; CLOCK_THREAD_CPUTIME_ID: the calling thread's processor time. Any thread. */
+/* Time [s]; CLOCK_THREAD_CPUTIME_ID: the calling thread's processor time. Any thread. Windows counts processor time
+ * in steps of 15.6 ms, longer than a block of sound: there this is the time that has passed. */
 static inline double stopwatch_seconds(clockid_t clock) {
   struct timespec now = {0};
+#ifdef _WIN32
+  if (clock == CLOCK_THREAD_CPUTIME_ID) clock = CLOCK_MONOTONIC;
+#endif
   (void)clock_gettime(clock, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }

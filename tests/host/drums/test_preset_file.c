@@ -399,7 +399,11 @@ static void test_message_room(void **state) {
   deep[998] = '\x1b';
   assert_int_equal(preset_file_read(deep, take, &log, message, sizeof message),
                    PRESET_FILE_UNREADABLE);
+#ifdef _WIN32
+  assert_non_null(strstr(message, "No such file"));
+#else
   assert_non_null(strstr(message, "name too long"));
+#endif
   for (const char *c = message; *c; c++) assert_true((unsigned char)*c >= 0x20);
 }
 

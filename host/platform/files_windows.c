@@ -61,9 +61,14 @@ bool file_status(const char *path, FileStatus *status) {
 
 bool file_status_of(int descriptor, FileStatus *status) {
   const HANDLE handle = (HANDLE)_get_osfhandle(descriptor);
-  if (handle != INVALID_HANDLE_VALUE) return status_of_handle(handle, status);
-  errno = EBADF;
-  return false;
+  if (handle == INVALID_HANDLE_VALUE) {
+    errno = EBADF;
+    return false;
+  }
+  if (status_of_handle(handle, status)) return true;
+  if (GetFileType(handle) != FILE_TYPE_DISK) return false;
+  status->kind = FILE_KIND_REGULAR; /* wine tells no more of a file that it inherited */
+  return true;
 }
 
 bool file_is_same(const FileStatus *a, const FileStatus *b) {

@@ -3,15 +3,14 @@
  * @file main.c
  * `tabor COMMAND [OPTION]...`: finds the command, reads its command line, and runs it.
  */
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/command.h"
 #include "base/interrupt.h"
 #include "base/json_output.h"
 #include "base/suggest.h"
+#include "platform/process.h"
 
 static const Command *const commands[] = {
   &render_command, &library_command, &play_command,    &presets_command, &show_command,
@@ -131,16 +130,6 @@ static Outcome run(int argc, char *const *argv) {
   return outcome;
 }
 
-/* If a standard stream is closed, the next file opened would become it and receive its messages.
-   Its place is taken in the wrong direction, so that using it stays an error. */
-static void reserve_standard_streams(void) {
-  for (int descriptor = 0; descriptor <= 2; descriptor++) {
-    if (fcntl(descriptor, F_GETFD) == -1) {
-      (void)!open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
-    }
-  }
-}
-
 /* Data that did not reach the standard output are a failure, too; errno is the last write's. */
 static Outcome finish_standard_output(Outcome outcome) {
   const bool complete = fflush(stdout) == 0 && !ferror(stdout);
@@ -149,7 +138,7 @@ static Outcome finish_standard_output(Outcome outcome) {
 }
 
 int main(int argc, char **argv) {
-  reserve_standard_streams();
+  process_begin(&argc, &argv);
   interrupt_install();
   return (int)finish_standard_output(run(argc, argv));
 }

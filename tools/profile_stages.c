@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/stopwatch.h"
 #include "drum/drum.h"
 #include "inspect/workload.h"
 #include "kernels/profile.h"
+#include "platform/clock.h"
 
 _Static_assert(TB_STAGE_COUNT == 11, "stage_names has a name for each stage");
 static const char *const stage_names[TB_STAGE_COUNT] = {

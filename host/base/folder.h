@@ -6,12 +6,9 @@
 #ifndef TABOR_HOST_FOLDER_H
 #define TABOR_HOST_FOLDER_H
 
-#include <stdbool.h>
-
 #include "base/message.h"
 
-bool folder_ends_with_slash(const char *path);
-/** Returns "FOLDER/" for a path with or without the slash. The caller frees it; NULL if memory is short. */
+/** Returns "FOLDER/" for a path with or without its last separator. The caller frees it; NULL if memory is short. */
 char *folder_name(const char *path);
 /** Joins "FOLDER/" and "file" to "FOLDER/file". The caller frees it; NULL if memory is short. */
 char *folder_path(const char *folder, const char *file);

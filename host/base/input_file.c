@@ -7,8 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/files.h"
+
 #define FIRST_CAPACITY 65536
 #define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
+
+static Outcome fail_reading(const char *name) {
+  if (errno == EISDIR) return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
+  return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+}
 
 /* One byte more than allowed shows that there are too many. */
 static Outcome read_stream(const char *name, FILE *stream, size_t limit, char **bytes,
@@ -22,10 +29,7 @@ static Outcome read_stream(const char *name, FILE *stream, size_t limit, char **
     *bytes = grown;
     *length += fread(grown + *length, 1, capacity - *length, stream);
   }
-  if (ferror(stream)) {
-    if (errno == EISDIR) return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
-    return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
-  }
+  if (ferror(stream)) return fail_reading(name);
   (*bytes)[*length] = '\0';
   if (*length <= limit) return OUTCOME_OK;
   return refuse("%s: the file is larger than %zu bytes", input_name(name), limit);
@@ -35,8 +39,8 @@ Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *le
   *bytes = NULL;
   *length = 0;
   if (strcmp(name, "-") == 0) return read_stream(name, stdin, limit, bytes, length);
-  FILE *const stream = fopen(name, "rb");
-  if (!stream) return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
+  FILE *const stream = file_stream_to_read(name);
+  if (!stream) return fail_reading(name);
   const Outcome outcome = read_stream(name, stream, limit, bytes, length);
   (void)fclose(stream);
   return outcome;

@@ -5,14 +5,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <tabor/tabor.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "platform/clock.h"
+#include "platform/files.h"
 
 /* a sound for each microphone, and the trace, of every rendering */
 #define GUARDS (INTERRUPT_MOST_THREADS * (TABOR_MAX_MICS + 1))
-
-static const int fatal_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
-#define FATAL_SIGNALS (sizeof fatal_signals / sizeof fatal_signals[0])
 
 /* Globals: a handler has no other way to know. Changed under hold only. */
 static const char *volatile guarded[GUARDS];
@@ -32,10 +31,10 @@ static void take_hold(void) {
 }
 
 /* True if the program ends by itself. Several may come at once: timeout(1) sends one to the process and one
-   to its group. After SIGXCPU there is no time left. */
+   to its group. */
 static bool is_noted(int number) {
   int none = 0;
-  if (!atomic_load(&catches) || number == SIGXCPU) return false;
+  if (!atomic_load(&catches) || signals_leave_no_time(number)) return false;
   (void)atomic_compare_exchange_strong(&caught, &none, number);
   return true;
 }
@@ -47,32 +46,12 @@ static void end(int number) {
   take_hold();
   if (at_end) at_end();
   for (size_t i = 0; i < GUARDS; i++) {
-    if (guarded[i]) (void)unlink(guarded[i]);
+    if (guarded[i]) (void)file_remove(guarded[i]);
   }
   _exit(128 + number);
 }
 
-static void fatal_set(sigset_t *set) {
-  sigemptyset(set);
-  for (size_t i = 0; i < FATAL_SIGNALS; i++) sigaddset(set, fatal_signals[i]);
-}
-
-void interrupt_install(void) {
-  struct sigaction action = {.sa_handler = end};
-  fatal_set(&action.sa_mask);
-  for (size_t i = 0; i < FATAL_SIGNALS; i++) {
-    struct sigaction before;
-    /* nohup ignores SIGHUP; shells ignore SIGINT in background jobs, but not for this purpose */
-    const int number = fatal_signals[i];
-    if (number == SIGHUP && sigaction(number, NULL, &before) == 0 && before.sa_handler == SIG_IGN) {
-      continue;
-    }
-    (void)sigaction(number, &action, NULL);
-  }
-  const struct sigaction ignore = {.sa_handler = SIG_IGN};
-  (void)sigaction(SIGPIPE, &ignore, NULL);
-  (void)sigaction(SIGXFSZ, &ignore, NULL);
-}
+void interrupt_install(void) { signals_install(end); }
 
 void interrupt_catch(void) { atomic_store(&catches, true); }
 
@@ -80,16 +59,14 @@ int interrupt_caught(void) { return atomic_load(&caught); }
 
 void interrupt_at_end(void (*call)(void)) { at_end = call; }
 
-void interrupt_hold(sigset_t *before) {
-  sigset_t set;
-  fatal_set(&set);
-  (void)pthread_sigmask(SIG_BLOCK, &set, before);
+void interrupt_hold(SignalMask *before) {
+  signals_block(before);
   if (depth++ == 0) take_hold();
 }
 
-void interrupt_resume(const sigset_t *before) {
+void interrupt_resume(const SignalMask *before) {
   if (--depth == 0) atomic_flag_clear(&held);
-  (void)pthread_sigmask(SIG_SETMASK, before, NULL);
+  signals_unblock(before);
 }
 
 void interrupt_guard(const char *path) {

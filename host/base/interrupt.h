@@ -6,7 +6,7 @@
 #ifndef TABOR_HOST_INTERRUPT_H
 #define TABOR_HOST_INTERRUPT_H
 
-#include <signal.h>
+#include "platform/signals.h"
 
 /**
  * Installs the handlers. SIGINT, SIGQUIT, SIGTERM and similar signals remove the guarded files and end the
@@ -32,8 +32,8 @@ void interrupt_at_end(void (*call)(void));
  * Blocks signals until interrupt_resume(), so that creating or renaming a file and recording it are one step.
  * One thread holds at a time and others wait, so keep it short. Holds may be nested.
  */
-void interrupt_hold(sigset_t *before);
-void interrupt_resume(const sigset_t *before);
+void interrupt_hold(SignalMask *before);
+void interrupt_resume(const SignalMask *before);
 
 /** Guards the file @p path (not copied) until interrupt_unguard(). Call both while signals are held. */
 void interrupt_guard(const char *path);

@@ -14,7 +14,13 @@
 #include <tabor/tabor.h>
 
 #ifdef __GNUC__
-#  define PRINTF_LIKE __attribute__((format(printf, 1, 2)))
+/* With C11's formats: gcc takes those of Windows for "printf" there. */
+#  if defined(__MINGW32__) && !defined(__clang__)
+#    define PRINTF_FORMAT gnu_printf
+#  else
+#    define PRINTF_FORMAT printf
+#  endif
+#  define PRINTF_LIKE __attribute__((format(PRINTF_FORMAT, 1, 2)))
 #else
 #  define PRINTF_LIKE
 #endif

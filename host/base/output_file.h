@@ -16,9 +16,9 @@
 #define TABOR_HOST_OUTPUT_FILE_H
 
 #include <stddef.h>
-#include <sys/stat.h>
 
 #include "base/message.h"
+#include "platform/files.h"
 
 typedef enum OutputKind {
   OUTPUT_REPLACED, /**< a regular file: written under a temporary name, then renamed */
@@ -31,7 +31,7 @@ typedef struct OutputFile {
   bool keep_existing; /**< refuse to overwrite */
   OutputKind kind;
   bool exists; /**< at the time of planning; if true, status is valid */
-  struct stat status;
+  FileStatus status;
   char *target;    /**< name with links resolved; NULL for standard output */
   char *temporary; /**< temporary name, or NULL */
   char *set_aside; /**< temporary name of the older file during delivery, or NULL */

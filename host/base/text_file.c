@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/files.h"
+
 Outcome text_file_write(const char *path, const char *text, bool keep_existing) {
   OutputFile file;
   OutputFile *const files[] = {&file};
@@ -17,7 +19,7 @@ Outcome text_file_write(const char *path, const char *text, bool keep_existing) 
 }
 
 bool text_file_holds(const char *path, const char *text) {
-  FILE *const file = fopen(path, "r");
+  FILE *const file = file_stream_to_read(path);
   bool same = file != NULL;
   while (same && *text) same = getc(file) == (unsigned char)*text++;
   same = same && getc(file) == EOF;

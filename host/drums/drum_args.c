@@ -7,6 +7,7 @@
 
 #include "base/suggest.h"
 #include "drums/preset_file.h"
+#include "platform/paths.h"
 
 const char *preset_argument(const Arguments *arguments) {
   return arguments->operand ? arguments->operand : DEFAULT_PRESET;
@@ -14,16 +15,11 @@ const char *preset_argument(const Arguments *arguments) {
 
 bool preset_is_file(const char *preset) {
   const size_t length = strlen(preset);
-  return strchr(preset, '/') || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
-}
-
-const char *preset_base_name(const char *path) {
-  const char *const slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
+  return path_has_folder(preset) || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
 }
 
 PresetStem preset_stem(const char *preset) {
-  const char *const base = preset_base_name(preset);
+  const char *const base = path_base(preset);
   const size_t length = strlen(base);
   const bool is_ini = length > 4 && strcmp(base + length - 4, ".ini") == 0;
   return (PresetStem){base, (int)(is_ini ? length - 4 : length)};

@@ -24,10 +24,8 @@
 
 /** Returns PRESET of the command line, or the default. */
 const char *preset_argument(const Arguments *arguments);
-/** True if @p preset is a file: it has a '/' or ends in ".ini". */
+/** True if @p preset is a file: it has a folder part or ends in ".ini". */
 bool preset_is_file(const char *preset);
-/** Returns the name of a file without its folder. */
-const char *preset_base_name(const char *path);
 /** Start of the file names for a preset. */
 typedef struct PresetStem {
   const char *text;

@@ -3,7 +3,6 @@
 #include "drums/preset_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <ini.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -11,8 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "platform/files.h"
 
 /* What inih 55 keeps of a section or key, without its terminator. */
 #define WORD_LIMIT 49
@@ -88,7 +88,8 @@ PRINTF_LIKE static bool refuse_line(Reader *reader, unsigned line, const char *f
 static bool read_all(Reader *reader, int file) {
   const size_t room = PRESET_FILE_LIMIT + 1;
   while (reader->length < room) {
-    const ssize_t count = read(file, reader->text + reader->length, room - reader->length);
+    const ssize_t count =
+      read(file, reader->text + reader->length, (unsigned)(room - reader->length));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return refuse_line(reader, 0, "%s", strerror(errno));
     if (count == 0) break;
@@ -99,16 +100,16 @@ static bool read_all(Reader *reader, int file) {
 }
 
 static bool read_regular(Reader *reader, int file) {
-  struct stat status;
-  if (fstat(file, &status) != 0) return refuse_line(reader, 0, "%s", strerror(errno));
-  if (S_ISDIR(status.st_mode)) return refuse_line(reader, 0, "%s", strerror(EISDIR));
-  if (!S_ISREG(status.st_mode)) return refuse_line(reader, 0, "not a regular file");
+  FileStatus status;
+  if (!file_status_of(file, &status)) return refuse_line(reader, 0, "%s", strerror(errno));
+  if (status.kind == FILE_KIND_FOLDER) return refuse_line(reader, 0, "%s", strerror(EISDIR));
+  if (status.kind != FILE_KIND_REGULAR) return refuse_line(reader, 0, "not a regular file");
   return read_all(reader, file);
 }
 
 static bool read_file(Reader *reader) {
   /* Without waiting for a FIFO's writer; nothing else is read from it, as it is no regular file. */
-  const int file = open(reader->path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  const int file = file_open_to_read(reader->path);
   if (file < 0) return refuse_line(reader, 0, "%s", strerror(errno));
   const bool read = read_regular(reader, file);
   (void)close(file);

@@ -6,8 +6,10 @@
 #include <sndfile.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "platform/files.h"
+#include "platform/sound_stream.h"
 
 #define CHUNK 16384 /* samples read at once */
 
@@ -24,16 +26,16 @@ typedef struct Reader {
 static Outcome open_stream(Reader *reader, const char *name) {
   SF_INFO info = {0};
   const bool standard = strcmp(name, "-") == 0;
-  struct stat status;
-  if ((standard ? fstat(STDIN_FILENO, &status) : stat(name, &status)) != 0) {
+  FileStatus status;
+  if (!(standard ? file_status_of(STDIN_FILENO, &status) : file_status(name, &status))) {
     return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
   }
-  if (S_ISDIR(status.st_mode)) {
+  if (status.kind == FILE_KIND_FOLDER) {
     return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
   }
   errno = 0;
-  reader->stream =
-    standard ? sf_open_fd(STDIN_FILENO, SFM_READ, &info, SF_FALSE) : sf_open(name, SFM_READ, &info);
+  reader->stream = standard ? sf_open_fd(STDIN_FILENO, SFM_READ, &info, SF_FALSE)
+                            : sound_stream_to_read(name, &info);
   if (!reader->stream) {
     const bool system = sf_error(NULL) == SF_ERR_SYSTEM && errno != 0;
     return fail("cannot read " INPUT ": %s", INPUT_OF(reader->name),

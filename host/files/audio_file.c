@@ -8,6 +8,8 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "platform/paths.h"
+
 #define FLAC_CHANNELS 8u
 
 /* ---- formats ---- */
@@ -17,8 +19,7 @@ bool audio_container(const char *name, AudioContainer *container) {
     const char *extension;
     AudioContainer container;
   } known[] = {{".wav", AUDIO_WAV}, {".flac", AUDIO_FLAC}, {".au", AUDIO_AU}};
-  const char *const slash = strrchr(name, '/');
-  const char *const base = slash ? slash + 1 : name;
+  const char *const base = path_base(name);
   const char *const extension = strrchr(base, '.');
   if (extension == base) return false; /* ".wav" is a hidden file without an extension */
   for (size_t i = 0; extension && i < sizeof known / sizeof known[0]; i++) {

@@ -4,6 +4,8 @@
 #include <errno.h>
 #include <string.h>
 
+#include "platform/files.h"
+
 #define CHUNK 1024 /* samples converted at once */
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
@@ -13,7 +15,7 @@ static Outcome failure(const char *what) {
 }
 
 Outcome sample_spool_open(SampleSpool *spool) {
-  spool->stream = tmpfile();
+  spool->stream = file_stream_unnamed();
   return spool->stream ? OUTCOME_OK : failure("create");
 }
 

@@ -2,8 +2,9 @@
 #include "files/sndfile_io.h"
 
 #include <errno.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "platform/files.h"
 
 static sf_count_t record(SndfileIo *io, sf_count_t result) {
   if (result < 0 && io->error == 0) io->error = errno;
@@ -12,9 +13,9 @@ static sf_count_t record(SndfileIo *io, sf_count_t result) {
 
 static sf_count_t file_length(void *context) {
   SndfileIo *const io = context;
-  struct stat status;
-  if (fstat(io->descriptor, &status) != 0) return record(io, -1);
-  return status.st_size;
+  FileStatus status;
+  if (!file_status_of(io->descriptor, &status)) return record(io, -1);
+  return (sf_count_t)status.size;
 }
 
 static sf_count_t seek(sf_count_t offset, int whence, void *context) {
@@ -22,7 +23,7 @@ static sf_count_t seek(sf_count_t offset, int whence, void *context) {
   return record(io, lseek(io->descriptor, offset, whence));
 }
 
-static sf_count_t tell(void *context) { return seek(0, SEEK_CUR, context); }
+static sf_count_t tell_place(void *context) { return seek(0, SEEK_CUR, context); }
 
 static sf_count_t read_some(void *bytes, sf_count_t size, void *context) {
   SndfileIo *const io = context;
@@ -44,7 +45,10 @@ static sf_count_t write_all(const void *bytes, sf_count_t size, void *context) {
 
 SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, SF_INFO *info) {
   *io = (SndfileIo){.descriptor = descriptor};
-  SF_VIRTUAL_IO calls = {
-    .get_filelen = file_length, .seek = seek, .read = read_some, .write = write_all, .tell = tell};
+  SF_VIRTUAL_IO calls = {.get_filelen = file_length,
+                         .seek = seek,
+                         .read = read_some,
+                         .write = write_all,
+                         .tell = tell_place};
   return sf_open_virtual(&calls, SFM_WRITE, info, io);
 }

@@ -54,9 +54,9 @@ Outcome trace_file_row(TraceFile *trace, double time, const TaborDrum *drum) {
 Outcome trace_file_finish(TraceFile *trace) {
   const Outcome outcome = flush_text(trace);
   if (outcome != OUTCOME_OK || trace->output->kind == OUTPUT_STREAMED) return outcome;
-  struct stat status;
-  if (fstat(trace->output->descriptor, &status) != 0) return output_failure(trace->output);
-  if ((uint64_t)status.st_size == trace->written) return OUTCOME_OK;
+  FileStatus status;
+  if (!file_status_of(trace->output->descriptor, &status)) return output_failure(trace->output);
+  if (status.size == trace->written) return OUTCOME_OK;
   return fail("cannot write '%s': it is not complete", trace->output->name);
 }
 

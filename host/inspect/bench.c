@@ -10,10 +10,10 @@
 
 #include "base/command.h"
 #include "base/json_output.h"
-#include "base/stopwatch.h"
 #include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "inspect/workload.h"
+#include "platform/clock.h"
 
 #define DURATION 4.0 /* [s] */
 #define STROKES 32

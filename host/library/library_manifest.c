@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "library/library_manifest.h"
 
-#include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "base/folder.h"
 #include "base/json_output.h"
 #include "base/text_file.h"
 #include "drums/drum_args.h"
+#include "platform/files.h"
 
 #define VALUE_FLAGS (JSON_ENCODE_ANY | JSON_REAL_PRECISION(15))
 #define TEMPORARY_PREFIX ".tabor-"
@@ -101,7 +98,10 @@ static Outcome compare_drums(const char *folder, json_t *found, json_t *wanted) 
 
 static Outcome compare_manifest(const char *folder, const char *path, json_t *wanted) {
   json_error_t error;
-  json_t *const found = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+  FILE *const stream = file_stream_to_read(path);
+  if (!stream) return refuse("'%s' is no library's: %s", path, strerror(errno));
+  json_t *const found = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+  (void)fclose(stream);
   if (!found) return refuse("'%s' is no library's: %s", path, error.text);
   Outcome outcome = json_is_string(json_object_get(found, "tabor"))
                       ? compare(folder, found, wanted)
@@ -118,7 +118,7 @@ static Outcome compare_manifest(const char *folder, const char *path, json_t *wa
 
 /* Files that somebody else has put there are neither finished sounds nor ours to replace. */
 static Outcome check_absent(const LibraryRequest *request, const char *path) {
-  if (access(path, F_OK) != 0) return OUTCOME_OK;
+  if (!file_exists(path)) return OUTCOME_OK;
   return refuse("'%s' exists, but '%s' holds no library", path, request->folder);
 }
 
@@ -143,34 +143,25 @@ static Outcome write_manifest(const LibraryRequest *request, const char *path, j
   return outcome;
 }
 
-/* Ends with the process, however that ends. Systems without such locks do without. */
 static Outcome lock(const char *folder, const char *path, int *hold) {
-  *hold = open(path, O_RDONLY | O_CLOEXEC);
+  *hold = file_open_to_read(path);
   if (*hold < 0) return fail("cannot read '%s': %s", path, strerror(errno));
-  if (flock(*hold, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return OUTCOME_OK;
+  if (file_lock(*hold)) return OUTCOME_OK;
   return fail("another run is at work in '%s'", folder);
 }
 
-/* Of runs that were killed; before there was a manifest, none of the folder's files were a library's. */
-static void remove_leftovers(const char *folder) {
-  DIR *const directory = opendir(folder);
-  const struct dirent *entry;
-  while (directory && (entry = readdir(directory))) {
-    const char *const name = entry->d_name;
-    if (strncmp(name, TEMPORARY_PREFIX, strlen(TEMPORARY_PREFIX)) == 0 &&
-        strlen(name) == TEMPORARY_LENGTH) {
-      (void)unlinkat(dirfd(directory), name, 0);
-    }
-  }
-  if (directory) (void)closedir(directory);
+static bool is_temporary(const char *name) {
+  return strncmp(name, TEMPORARY_PREFIX, strlen(TEMPORARY_PREFIX)) == 0 &&
+         strlen(name) == TEMPORARY_LENGTH;
 }
 
 static Outcome claim(const LibraryRequest *request, const char *path, json_t *wanted, int *hold) {
-  const bool is_there = access(path, F_OK) == 0;
+  const bool is_there = file_exists(path);
   Outcome outcome = is_there ? compare_manifest(request->folder, path, wanted)
                              : write_manifest(request, path, wanted);
   if (outcome == OUTCOME_OK) outcome = lock(request->folder, path, hold);
-  if (outcome == OUTCOME_OK && is_there) remove_leftovers(request->folder);
+  /* of runs that were killed; before there was a manifest, none of the folder's files were a library's */
+  if (outcome == OUTCOME_OK && is_there) folder_remove_files(request->folder, is_temporary);
   return outcome;
 }
 

@@ -3,15 +3,15 @@
 
 #include <errno.h>
 #include <pthread.h>
-#include <semaphore.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/spsc_queue.h"
-#include "base/stopwatch.h"
 #include "midi/midi_clock.h"
 #include "midi/midi_port.h"
+#include "platform/clock.h"
+#include "platform/wake.h"
 
 #define MOST_INPUTS 32     /* open at once, with our own */
 #define QUEUE_MESSAGES 512 /* of each */
@@ -45,7 +45,7 @@ struct MidiInput {
   Slot slots[MOST_INPUTS];
   MidiPorts ports; /* the watching thread's */
   pthread_t watcher, passer;
-  sem_t waiting;          /* messages in the queues */
+  Wake waiting;           /* messages in the queues */
   pthread_mutex_t mutex;  /* of ends, with */
   pthread_cond_t changed; /* for the watching thread to wake */
   bool ends, watcher_done;
@@ -65,7 +65,7 @@ static void take_bytes(double later, const unsigned char *bytes, size_t size, vo
                        midi_clock_take(&slot->clock, later, stopwatch_seconds(CLOCK_MONOTONIC))};
   for (size_t i = 0; i < size; i++) {
     if (!midi_stream_take(&slot->stream, bytes[i], &arrival.message)) continue;
-    if (spsc_queue_push(&slot->queue, &arrival)) (void)sem_post(&slot->input->waiting);
+    if (spsc_queue_push(&slot->queue, &arrival)) wake_post(&slot->input->waiting);
   }
 }
 
@@ -113,7 +113,7 @@ static void *pass(void *context) {
     if ((slot = first_slot(input)) != NULL) {
       pass_one(input, slot);
     } else {
-      (void)sem_wait(&input->waiting);
+      wake_wait(&input->waiting);
     }
   }
   return NULL;
@@ -238,7 +238,7 @@ static void *watch(void *context) {
 
 static void free_input(MidiInput *input) {
   for (size_t i = 0; i < MOST_INPUTS; i++) spsc_queue_destroy(&input->slots[i].queue);
-  (void)sem_destroy(&input->waiting);
+  wake_destroy(&input->waiting);
   (void)pthread_cond_destroy(&input->changed);
   (void)pthread_mutex_destroy(&input->mutex);
   free(input->wanted);
@@ -248,7 +248,7 @@ static void free_input(MidiInput *input) {
 static MidiInput *allocate(const char *wanted) {
   MidiInput *const input = calloc(1, sizeof *input);
   if (!input) return NULL;
-  bool complete = sem_init(&input->waiting, 0, 0) == 0;
+  bool complete = wake_create(&input->waiting);
   (void)pthread_mutex_init(&input->mutex, NULL);
   (void)pthread_cond_init(&input->changed, NULL);
   if (wanted) complete = (input->wanted = strdup(wanted)) != NULL && complete;
@@ -264,7 +264,7 @@ static MidiInput *allocate(const char *wanted) {
 
 static void stop_passing(MidiInput *input) {
   atomic_store(&input->passing_ends, true);
-  (void)sem_post(&input->waiting);
+  wake_post(&input->waiting);
   (void)pthread_join(input->passer, NULL);
 }
 

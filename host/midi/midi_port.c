@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "midi/midi_port.h"
 
-#include <dlfcn.h>
 #include <rtmidi_c.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/mute_stderr.h"
+#include "platform/process.h"
 
 #define CLIENT "tabor-midi"
 #define LISTER CLIENT "-list" /* JACK has no two clients of one name */
@@ -23,13 +22,10 @@ static void say_nothing_of_alsa(const char *file, int line, const char *function
   (void)file, (void)line, (void)function, (void)error, (void)format;
 }
 
-/* A function of a library that RtMidi brings or not. */
-static void *library_function(const char *name) { return dlsym(RTLD_DEFAULT, name); }
-
 static void silence(const char *setter, void *handler) {
   typedef void SetFn(void *);
   SetFn *set = NULL;
-  void *const found = library_function(setter);
+  void *const found = process_loaded_function(setter);
   memcpy(&set, &found, sizeof set); /* ISO C has no cast from an object to a function */
   if (set) set(handler);
 }
@@ -53,8 +49,8 @@ static bool jack_answers(void) {
   typedef int CloseFn(void *client);
   OpenFn *open_client = NULL;
   CloseFn *close_client = NULL;
-  void *const open_found = library_function("jack_client_open");
-  void *const close_found = library_function("jack_client_close");
+  void *const open_found = process_loaded_function("jack_client_open");
+  void *const close_found = process_loaded_function("jack_client_close");
   if (!open_found || !close_found) return false;
   memcpy(&open_client, &open_found, sizeof open_client);
   memcpy(&close_client, &close_found, sizeof close_client);

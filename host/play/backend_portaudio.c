@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "base/mute_stderr.h"
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 #include "play/backend.h"
 #include "play/portaudio_devices.h"
 

@@ -6,14 +6,12 @@
  * machine without sound. "file" requests blocks as fast as possible, for the recording alone; its time is
  * the time of the sound.
  */
-#include <errno.h>
-#include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 #include "play/backend.h"
 
 #define DEFAULT_RATE 48000.0
@@ -69,12 +67,6 @@ static void close_stream(BackendStream *stream) {
 
 /* ---- null ----------------------------------------------------------------------------------- */
 
-static void sleep_until(double time) {
-  const struct timespec moment = {.tv_sec = (time_t)time,
-                                  .tv_nsec = (long)(1e9 * (time - floor(time)))};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &moment, NULL) == EINTR) continue;
-}
-
 /* A block that comes later than it would have to be heard is a gap; the clock goes on from there. */
 static void ask_by_the_clock(BackendStream *stream) {
   const BackendClient *const client = &stream->client;
@@ -87,7 +79,7 @@ static void ask_by_the_clock(BackendStream *stream) {
     if (gap) due = now;
     more = client->process(client->context, stream->samples, stream->buffer, due, gap);
     due += period;
-    sleep_until(due);
+    clock_sleep_until(due);
   }
 }
 

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 #include "play/console.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/stopwatch.h"
+#include "base/interrupt.h"
 #include "drums/drum_args.h"
+#include "platform/clock.h"
+#include "platform/terminal.h"
 #include "play/controls.h"
 #include "ui/keys.h"
 #include "ui/line_editor.h"
 #include "ui/notices.h"
 #include "ui/play_log.h"
 #include "ui/screen.h"
-#include "ui/terminal.h"
 
 #define WAIT 15           /* for keys [ms] */
 #define FRAME 0.05        /* between pictures [s] */
@@ -55,7 +57,7 @@ static void show_message(Console *console, const char *text, bool is_trouble) {
 }
 
 /* What the last action had to say. */
-static void tell(Console *console) {
+static void tell_line(Console *console) {
   const Controls *const controls = &console->controls;
   if (!*controls->text) return;
   if (console->has_screen) {
@@ -114,7 +116,7 @@ static void type(Console *console, Key key, double time) {
   show_typing(console);
   if (outcome != LINE_DONE) return;
   controls_run(&console->controls, console->line.text, time);
-  tell(console);
+  tell_line(console);
 }
 
 static void escape(Console *console, double time) {
@@ -125,7 +127,7 @@ static void escape(Console *console, double time) {
   if (controls->quits) return;
   (void)snprintf(controls->text, sizeof controls->text, "Escape again quits");
   controls->is_trouble = false;
-  tell(console);
+  tell_line(console);
 }
 
 static void list_keys(const Console *console) {
@@ -138,7 +140,7 @@ static void act(Console *console, Key key, double time) {
   Controls *const controls = &console->controls;
   const Action action = keymap_find(&console->session->request->keymap, key);
   controls_act(controls, &action, time);
-  tell(console);
+  tell_line(console);
   if (controls->opens_command) begin_command(console);
   if (controls->opens_command) show_typing(console);
   controls->opens_command = false;
@@ -248,6 +250,12 @@ static void show(Console *console) {
   }
 }
 
+static Outcome enter_terminal(bool screen) {
+  interrupt_at_end(terminal_restore);
+  if (terminal_enter(screen)) return OUTCOME_OK;
+  return fail("cannot change the terminal's settings: %s", strerror(errno));
+}
+
 /* ---- the whole ---- */
 
 /* Without keys there is no screen: nothing on it could be changed. */
@@ -265,7 +273,7 @@ static Outcome choose(Console *console) {
          isatty(STDIN_FILENO) ? " of this job" : "",
          request->no_ui ? "" : ", and there is no screen");
   }
-  return console->has_keys ? terminal_enter(console->has_screen) : OUTCOME_OK;
+  return console->has_keys ? enter_terminal(console->has_screen) : OUTCOME_OK;
 }
 
 Outcome console_open(LiveSession *session, Console **created) {

@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include "base/interrupt.h"
-#include "base/stopwatch.h"
 #include "drums/drum_args.h"
+#include "platform/clock.h"
 #include "strokes/stroke_options.h"
 
 #define LOOK_AHEAD 1.0 /* [s] by which cues are known to the player */

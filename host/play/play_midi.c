@@ -4,7 +4,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 
 #define BINDING_AGE 0.05 /* [s] after which the drum may be another one */
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "play/portaudio_devices.h"
 
-#include <pa_jack.h>
-#include <signal.h>
+#ifdef __linux__
+#  include <pa_jack.h>
+#endif
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -25,21 +26,22 @@ static void end_with_server(int number) {
 }
 
 void portaudio_enter(PortaudioCare *care) {
-  const struct sigaction action = {.sa_handler = end_with_server};
   care->muted = mute_stderr_begin();
   voice = care->muted >= 0 ? care->muted : STDERR_FILENO;
-  (void)sigaction(SIGABRT, &action, &care->before);
+  signals_take_abort(end_with_server, &care->before);
 }
 
 void portaudio_leave(const PortaudioCare *care) {
-  (void)sigaction(SIGABRT, &care->before, NULL);
+  signals_restore_abort(&care->before);
   mute_stderr_end(care->muted);
 }
 
 Outcome portaudio_start(void) {
   PortaudioCare care;
   portaudio_enter(&care);
+#ifdef __linux__
   (void)PaJack_SetClientName(CLIENT);
+#endif
   const PaError error = Pa_Initialize();
   portaudio_leave(&care);
   return error == paNoError ? OUTCOME_OK : fail("cannot use sound: %s", Pa_GetErrorText(error));

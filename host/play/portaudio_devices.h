@@ -7,9 +7,9 @@
 #define TABOR_HOST_PORTAUDIO_DEVICES_H
 
 #include <portaudio.h>
-#include <signal.h>
 
 #include "base/message.h"
+#include "platform/signals.h"
 
 typedef struct OutputDevice {
   PaDeviceIndex index;
@@ -36,7 +36,7 @@ Outcome portaudio_find(const char *name, OutputDevice *device);
 /** State to restore after portaudio_enter(). */
 typedef struct PortaudioCare {
   int muted;
-  struct sigaction before;
+  SignalHandler before;
 } PortaudioCare;
 
 /**

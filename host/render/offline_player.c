@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/stopwatch.h"
 #include "drums/drum_args.h"
+#include "platform/clock.h"
 #include "sound/room_create.h"
 
 Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {

@@ -5,11 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/folder.h"
 #include "drums/drum_args.h"
+#include "platform/files.h"
+#include "platform/paths.h"
+#include "platform/process.h"
 #include "render/render_options.h"
 #include "render/render_outputs.h"
 
@@ -19,10 +20,10 @@
 
 /* Must be there, or be meant to be created. */
 static Outcome check_folder(const char *path) {
-  struct stat status;
-  const bool found = stat(path, &status) == 0;
-  if (found && S_ISDIR(status.st_mode)) return OUTCOME_OK;
-  if (!folder_ends_with_slash(path)) {
+  FileStatus status;
+  const bool found = file_status(path, &status);
+  if (found && status.kind == FILE_KIND_FOLDER) return OUTCOME_OK;
+  if (!path_ends_with_separator(path)) {
     return refuse("-o '%s': several sounds need a folder; '%s/' creates one", path, path);
   }
   return errno == ENOENT ? OUTCOME_OK : fail("cannot write to '%s': %s", path, strerror(errno));
@@ -38,7 +39,7 @@ static Outcome take_folder(const char *path, RenderBatch *batch) {
 static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
   const char *const path = arguments_value(arguments, "output");
   const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each");
-  if (!several && !(path && folder_ends_with_slash(path))) return OUTCOME_OK;
+  if (!several && !(path && path_ends_with_separator(path))) return OUTCOME_OK;
   if (arguments_has(arguments, "replay")) {
     return refuse("--replay: gives one sound, whose file -o names; other drums need no log");
   }
@@ -54,7 +55,7 @@ static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
 
 /* "soft" of "takes/soft.csv"; of no file nothing. */
 static PresetStem events_stem(const char *events) {
-  const char *const base = events ? preset_base_name(events) : "";
+  const char *const base = events ? path_base(events) : "";
   const char *const dot = strrchr(base, '.');
   return (PresetStem){base, (int)(dot && dot > base ? (size_t)(dot - base) : strlen(base))};
 }
@@ -220,8 +221,8 @@ static Outcome check_outputs(const RenderBatch *batch) {
 
 Outcome render_threads_read(const Arguments *arguments, uint32_t *count) {
   static const NumberField field = {"--jobs", 1, MOST_JOBS, true};
-  const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-  double threads = processors < 1 ? 1 : processors > MOST_JOBS ? MOST_JOBS : (double)processors;
+  const unsigned processors = process_processors();
+  double threads = processors > MOST_JOBS ? MOST_JOBS : processors;
   const Outcome outcome = arguments_number(arguments, &field, &threads);
   *count = (uint32_t)threads;
   return outcome;

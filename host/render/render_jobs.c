@@ -5,8 +5,8 @@
 
 #include "base/folder.h"
 #include "base/json_output.h"
-#include "base/stopwatch.h"
 #include "drums/drum_args.h"
+#include "platform/clock.h"
 #include "render/render_file.h"
 #include "render/render_progress.h"
 

@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 #include "sound/player_state.h"
 
 /* ---- meters --------------------------------------------------------------------------------- */

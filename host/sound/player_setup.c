@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/stopwatch.h"
+#include "platform/clock.h"
+#include "platform/process.h"
 #include "sound/player.h"
 #include "sound/player_state.h"
 #include "sound/room_create.h"
@@ -47,8 +48,7 @@ static void set_end(Player *player, const PlayerSetup *setup) {
 }
 
 Outcome player_create(const PlayerSetup *setup, Player **created) {
-  Player *const player = aligned_alloc(SPSC_QUEUE_LINE, (sizeof *player + SPSC_QUEUE_LINE - 1) /
-                                                          SPSC_QUEUE_LINE * SPSC_QUEUE_LINE);
+  Player *const player = process_allocate_aligned(SPSC_QUEUE_LINE, sizeof *player);
   *created = player;
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
@@ -76,7 +76,7 @@ void player_destroy(Player *player) {
   spsc_queue_destroy(&player->log);
   room_mix_free(&player->room);
   free(player->record);
-  free(player);
+  process_free_aligned(player);
 }
 
 uint64_t player_most_frames(const Player *player) { return player->end; }

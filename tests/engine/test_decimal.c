@@ -97,9 +97,14 @@ static void random_ones(void **state) {
 /* All digits of a number half-way between two doubles; then one digit more, far behind. */
 static void halves(void **state) {
   (void)state;
+#ifdef _WIN32
+  enum { FIRST = 200 }; /* mingw's strtod() makes 2^-1022 of some smaller numbers */
+#else
+  enum { FIRST = 0 };
+#endif
   uint64_t seed = 2;
   char text[1400];
-  for (int i = 0; i < 3000; i++) {
+  for (int i = FIRST; i < 3000; i++) {
     const int exponent = i < 200 ? -1074 : (int)(draw(&seed) % 2000) - 1074;
     const uint64_t mantissa = i < 200 ? draw(&seed) >> (i % 53) : draw(&seed) | (uint64_t)1 << 52;
     const long double half = ldexpl((long double)(2 * mantissa + 1), exponent - 1);

@@ -88,6 +88,10 @@ static long double sine_error(double x) {
 
 static void sines_agree_with_libm(void **state) {
   (void)state;
+#ifdef _WIN32
+  print_message("SKIPPED: sinl() of mingw-w64 is wrong by thousands of ulp near multiples of pi\n");
+  skip();
+#endif
   long double worst = 0.0L;
   for (double x = 1e-20; x < 4e8; x *= 1.00007) worst = fmaxl(worst, sine_error(x));
   for (double x = -400.0; x < 400.0; x += 0.00173) worst = fmaxl(worst, sine_error(x));

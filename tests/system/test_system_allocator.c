@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "tabor/tabor.h"
+#include "windows_names.h"
 
 enum { ALIGNMENT = 64, PLENTY = 1000000, EDGE = 40, SAMPLES = 100 };
 
@@ -23,13 +24,13 @@ static void *supply_allocate(size_t size, void *context) {
   if (supply->left == 0) return NULL;
   supply->left--;
   supply->taken++;
-  return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+  return aligned_memory(ALIGNMENT, size);
 }
 
 static void supply_release(void *memory, void *context) {
   Supply *supply = context;
   if (memory) supply->taken--;
-  free(memory);
+  free_aligned_memory(memory);
 }
 
 /* Makes everything that allocates and takes it down again; the first error, or TABOR_OK. */

@@ -16,6 +16,7 @@
 #include <cmocka.h>
 
 #include "drum_script.h"
+#include "windows_names.h"
 
 enum { ALIGNMENT = 64, HANDLE = 256 /* bytes that point to the state, at most */ };
 
@@ -115,13 +116,13 @@ static void *supply_allocate(size_t size, void *context) {
   supply->taken++;
   supply->out++;
   supply->bytes += size;
-  return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+  return aligned_memory(ALIGNMENT, size);
 }
 
 static void supply_release(void *memory, void *context) {
   Supply *supply = context;
   if (memory) supply->out--;
-  free(memory);
+  free_aligned_memory(memory);
 }
 
 static TaborModel *model_from(Supply *supply) {

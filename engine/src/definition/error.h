@@ -10,7 +10,12 @@
 #include "tabor/tabor.h"
 
 #if defined(__GNUC__)
-#  define TB_PRINTF(text, first) __attribute__((format(printf, text, first)))
+/* With C11's formats: gcc takes those of Windows for "printf" there. */
+#  if defined(__MINGW32__) && !defined(__clang__)
+#    define TB_PRINTF(text, first) __attribute__((format(gnu_printf, text, first)))
+#  else
+#    define TB_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#  endif
 #else
 #  define TB_PRINTF(text, first)
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A drum being played: messages act at their frames whatever the device's blocks are. */
-#include "base/stopwatch.h"
+#include "platform/clock.h"
 #include "player_script.h"
 
 #include <math.h>
@@ -516,7 +516,7 @@ static void presets_step_round(void **state) {
 
 enum { LOAD_BLOCK = 256, LOAD_SECONDS = 20, LOAD_BLOCKS = LOAD_SECONDS * 48000 / LOAD_BLOCK };
 
-static bool is_brief; /* under sanitizers: a tenth of it, whose time says nothing */
+static bool is_brief; /* under sanitizers and wine: a tenth of it, whose time says nothing */
 
 /* Random strokes, 9 a second, and live changes. */
 static void write_random(Messages *messages, uint64_t random) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* On a pseudo-terminal: its settings after every way of leaving are those before. */
-#include "ui/terminal.h"
+#include "platform/terminal.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -112,7 +112,8 @@ static void say(const char *text) { (void)!write(STDOUT_FILENO, text, strlen(tex
 
 static void enter(void) {
   interrupt_install();
-  if (terminal_enter(true) != OUTCOME_OK) exit(98);
+  interrupt_at_end(terminal_restore);
+  if (!terminal_enter(true)) exit(98);
   say("entered");
 }
 

@@ -14,8 +14,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/message.h"
-
 /** Abilities of the standard streams. */
 typedef struct TerminalAbilities {
   bool keys;   /**< standard input is a terminal, with this process in the foreground */
@@ -32,10 +30,11 @@ TerminalAbilities terminal_abilities(void);
 
 /**
  * Switches to single keys and, with @p screen, to an empty screen with a hidden cursor. Requires
- * TerminalAbilities.keys. Installs handlers for SIGTSTP, SIGCONT, SIGWINCH and the signals of crashes.
- * interrupt.h handles signals that end the program and restores the terminal, too.
+ * TerminalAbilities.keys. False, with errno, if the settings cannot be changed. Installs handlers for SIGTSTP,
+ * SIGCONT, SIGWINCH and the signals of crashes; for signals that end the program, give terminal_restore() to
+ * interrupt_at_end().
  */
-Outcome terminal_enter(bool screen);
+bool terminal_enter(bool screen);
 /** Undoes terminal_enter(). May be called at any time, also twice. */
 void terminal_leave(void);
 /** Restores the settings and the screen of the terminal at once. Async-signal-safe. */

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "ui/terminal.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <poll.h>
@@ -13,7 +11,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "base/interrupt.h"
+#include "platform/terminal.h"
 
 #define CHUNK 512         /* bytes that a terminal with room takes without waiting */
 #define LOST_PATIENCE 100 /* of a terminal that takes nothing [ms] */
@@ -182,7 +180,6 @@ static void handle_signals(void) {
       (void)sigaction(SIGTSTP, &handled[i].before, NULL); /* a shell without job control */
     }
   }
-  interrupt_at_end(terminal_restore);
 }
 
 static void unhandle_signals(void) {
@@ -193,20 +190,19 @@ static void unhandle_signals(void) {
 
 /* ---- use ---- */
 
-Outcome terminal_enter(bool screen) {
+bool terminal_enter(bool screen) {
   static bool is_registered;
-  if (is_entered) return OUTCOME_OK;
-  if (tcgetattr(STDIN_FILENO, &settings_before) != 0) {
-    return fail("cannot read the terminal's settings: %s", strerror(errno));
-  }
+  if (is_entered) return true;
+  if (tcgetattr(STDIN_FILENO, &settings_before) != 0) return false;
   wants_screen = screen;
   if (!is_registered) is_registered = atexit(terminal_leave) == 0;
   handle_signals();
   is_entered = true;
-  if (take()) return OUTCOME_OK;
+  if (take()) return true;
   const int error = errno;
   terminal_leave();
-  return fail("cannot change the terminal's settings: %s", strerror(error));
+  errno = error;
+  return false;
 }
 
 void terminal_leave(void) {

@@ -49,16 +49,16 @@ class Statistics(NamedTuple):
     late_events: int  #: past the end of a block
     misordered_events: int  #: out of order
     dropped_events: int  #: not carried out: too many at once, or nothing was free for them
-    solves: int  #: samples with a contact to solve
+    solves: int  #: steps with a contact to solve
     newton_iterations: int  #: sum over the solves
-    newton_max: int  #: most in one sample
+    newton_max: int  #: most in one step
     newton_capped: int  #: solves that reached the cap
     work_corrected: int  #: of these, those whose forces were scaled to create no energy
     fallbacks: int  #: of these, those that were replaced by safe steps
     guarded: int  #: steps shortened by the energy guard
     recovered: int  #: resets after a state that was not finite
     contact_sum: int  #: touching points, summed over the solves
-    contact_max: int  #: most touching points in one sample
+    contact_max: int  #: most touching points in one step
     in_play: int  #: strikers and damping hands in play now
 
 

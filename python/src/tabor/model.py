@@ -28,13 +28,14 @@ class ModelInfo(NamedTuple):
     """Facts of a model."""
 
     sample_rate: float  #: [Hz]
+    step_rate: float  #: steps per second, twice the sample rate at ``"studio"`` and ``"reference"`` below 88.2 kHz
     quality: str  #: one of `QUALITIES`
     mode_count: int  #: modes; cosine and sine copies count as two
     mode_rows: int  #: rows of `Model.modes`; the two copies count as one
     two_way_bandwidth: float  #: modes up to here feel the contacts [Hz]
     bandwidth: float  #: modes up to here are heard [Hz]
     high_mode_count: int  #: modes that are heard and feel nothing
-    newton_cap: int  #: iterations of the contact solve in a sample, at most
+    newton_cap: int  #: iterations of the contact solve in a step, at most
     wire_count: int  #: wires
     contact_points: int  #: contact points of all wires together
     mic_count: int  #: microphones

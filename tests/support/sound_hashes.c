@@ -16,7 +16,7 @@
  * hashes the facts and modes of the model instead of a sound.
  *
  * FOLDER receives the samples of each case as native floats, in the file PRESET-QUALITY-CASE. SECONDS is 0.05
- * by default or if 0; then snare drums play a quarter of it at studio, a twentieth at reference.
+ * by default or if 0; then studio and reference play a quarter of it, snare drums at reference a twentieth.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -28,10 +28,10 @@
 
 static const double SAMPLE_RATE = 48000.0; /* [Hz] */
 static const double SECONDS = 0.05;        /* of every case */
-/* A model with so many contact points takes tens of times real time at studio, hundreds of times at reference, where
- * it plays only these parts of a case. */
+/* What plays only a part of a case: studio and reference take up to a hundred times real time, and at reference a
+ * model with so many contact points takes hundreds of times. */
+static const uint32_t FINE_PART = 4, COSTLY_PART = 20;
 static const uint32_t COSTLY_POINTS = 500;
-static const uint32_t STUDIO_PART = 4, REFERENCE_PART = 20;
 
 enum { MAX_EVENTS = 64, MAX_FRAMES = 480000 };
 
@@ -496,8 +496,8 @@ static bool is_very_costly(const Subject *s) {
 static uint32_t frames_of(const Subject *s) {
   if (s->seconds > 0.0) return (uint32_t)(s->seconds * SAMPLE_RATE);
   const uint32_t frames = (uint32_t)(SECONDS * SAMPLE_RATE);
-  if (is_very_costly(s)) return frames / REFERENCE_PART;
-  return is_costly(s) && s->quality == TABOR_QUALITY_STUDIO ? frames / STUDIO_PART : frames;
+  if (is_very_costly(s)) return frames / COSTLY_PART;
+  return s->quality >= TABOR_QUALITY_STUDIO ? frames / FINE_PART : frames;
 }
 
 static Hashes play_case(const Subject *s, const Case *c, TaborModel *model, uint32_t block,

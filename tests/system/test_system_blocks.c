@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Output depends neither on how frames are divided into blocks nor on the caller's processor state. */
+/* Output depends neither on how frames are divided into blocks nor on the caller's processor state.
+ *
+ * usage: test_system_blocks [brief]: at live alone. */
 #define _GNU_SOURCE /* feenableexcept */
 #include <fenv.h>
 #include <setjmp.h>
@@ -17,9 +19,11 @@
 static const char *const presets[] = {"tabor", "frame-drum", "bodhran-d-string"};
 enum { PRESETS = sizeof presets / sizeof *presets };
 
-/* The first at its own quality, the others at one that is quicker to compute. */
+/* Of the first drum. The others play at one that is quicker to compute. */
+static TaborQuality first_quality = TABOR_QUALITY_DEFAULT;
+
 static TaborModel *preset_model(int preset) {
-  const TaborQuality quality = preset == 0 ? TABOR_QUALITY_DEFAULT : TABOR_QUALITY_LIVE;
+  const TaborQuality quality = preset == 0 ? first_quality : TABOR_QUALITY_LIVE;
   return script_model(presets[preset], quality, TABOR_INSTRUCTIONS_AUTO);
 }
 
@@ -85,7 +89,7 @@ static void what_nobody_hears_sounds_the_same_later(void **state) {
   enum { UNHEARD = 2400, UNDER_WAY = 600 };
   Script script;
   script_everything(&script);
-  TaborModel *model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *model = script_model("tabor", first_quality, TABOR_INSTRUCTIONS_AUTO);
   Take heard = play_fresh(model, &script, blocks_of_64, NULL);
   TaborDrum *drum = script_drum(model);
   Take later = take_create(model, SCRIPT_FRAMES);
@@ -109,7 +113,7 @@ static void the_callers_floating_point_mode_does_not_matter(void **state) {
   (void)state;
   Script script;
   script_everything(&script);
-  TaborModel *model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *model = script_model("tabor", first_quality, TABOR_INSTRUCTIONS_AUTO);
   Take plain = play_fresh(model, &script, blocks_of_64, NULL);
   TaborDrum *drum = script_drum(model);
   Take odd = take_create(model, SCRIPT_FRAMES);
@@ -162,7 +166,8 @@ static void a_drum_that_nobody_touches_is_silent(void **state) {
   }
 }
 
-int main(void) {
+int main(int count, char **words) {
+  if (count > 1 && strcmp(words[1], "brief") == 0) first_quality = TABOR_QUALITY_LIVE;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(every_block_size_gives_the_same_bits),
     cmocka_unit_test(what_nobody_hears_sounds_the_same_later),

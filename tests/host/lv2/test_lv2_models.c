@@ -331,10 +331,8 @@ static void test_what_midi_has_moved_outlives_a_retuning(void **state) {
   host_close(other);
 }
 
-enum { OFF = 6, LOOSE }; /* programs: snares thrown off, and loose ones */
-
 static void throw_snares_on(PluginHost *host) {
-  host_event(host, 4, 2, (const uint8_t[]){0xC9, OFF});
+  host_event(host, 4, 2, (const uint8_t[]){0xC9, SNARE_OFF});
   host_event(host, 5, 3, (const uint8_t[]){0xB9, 20, 127});
   host_run(host, 64);
 }
@@ -347,7 +345,7 @@ static void throw_snares_on_in_haste(PluginHost *host) {
   host_event(host, 1, 2, (const uint8_t[]){0xC9, LOOSE});
   host_note(host, 2, 38, 110); /* which the next silence is for */
   host_event(host, 3, 3, (const uint8_t[]){0xB9, 120, 0});
-  host_event(host, 4, 2, (const uint8_t[]){0xC9, OFF});
+  host_event(host, 4, 2, (const uint8_t[]){0xC9, SNARE_OFF});
   host_event(host, 5, 3, (const uint8_t[]){0xB9, 20, 127});
   for (int run = 0; run < 40; run++) host_run(host, 64);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap/instance.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/instance_drum.h"
 #include "clap/instance_state.h"
 #include "clap/note_events.h"
 #include "clap/parameters.h"
@@ -16,12 +16,6 @@
 #define MOST_RATE 192000 /* [Hz] */
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
-
-void instance_say(Instance *instance, const char *line) {
-  char text[2 * TABOR_TEXT_SIZE + 16];
-  (void)snprintf(text, sizeof text, "Tabor: %s", line);
-  if (instance->log) instance->log->log(instance->host, CLAP_LOG_ERROR, text);
-}
 
 static void say(void *context, const char *line) { instance_say(context, line); }
 
@@ -34,15 +28,6 @@ static bool init(const clap_plugin_t *plugin) {
 }
 
 /* ---- drum and models ------------------------------------------------------------------------ */
-
-void instance_restore(Instance *instance, const SavedState *saved) {
-  instance->saved = *saved;
-  instance->is_saved = true;
-  atomic_store(&instance->room_decay, (float)saved->def.room.decay);
-  if (!instance->is_open) return;
-  model_worker_restore(&instance->worker, saved);
-  instance->host->request_process(instance->host); /* a block has to ask for the model */
-}
 
 static void free_all(Instance *instance) {
   worker_thread_stop(&instance->thread);

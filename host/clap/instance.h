@@ -54,9 +54,5 @@ static inline Instance *instance_of(const clap_plugin_t *plugin) { return plugin
 /** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short. */
 const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
                                      const clap_host_t *host, bool stereo);
-/** MAIN. Makes @p saved the drum; the values of the knobs are the caller's business. */
-void instance_restore(Instance *instance, const SavedState *saved);
-/** Writes an error line to the host's log. Any thread but the audio thread. */
-void instance_say(Instance *instance, const char *line);
 
 #endif

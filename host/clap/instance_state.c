@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/instance_drum.h"
 #include "clap/parameters.h"
 #include "plugin/definition_text.h"
 
@@ -16,15 +17,6 @@
 #define STATE_LIMIT (HEAD_LIMIT + DEFINITION_TEXT_LIMIT)
 
 /* ---- saving --------------------------------------------------------------------------------- */
-
-/* A knob whose value is unknown there has not been turned since. */
-void instance_save(Instance *instance, SavedState *saved) {
-  *saved = instance->saved;
-  if (instance->is_open) model_worker_save(&instance->worker, saved);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    if (isnan(saved->seen[i])) saved->seen[i] = atomic_load(&instance->values[i]);
-  }
-}
 
 static uint32_t bits_of(float value) {
   uint32_t bits;

@@ -12,7 +12,7 @@
  *
  * A knob has its symbol, its value and the value for which the definition is made: if they differ, the knob has been
  * turned since. Both are the bits of a single-precision number in hexadecimal digits, which no locale changes. Knobs of
- * later versions are skipped. MAIN: all functions.
+ * later versions are skipped.
  */
 #ifndef TABOR_CLAP_INSTANCE_STATE_H
 #define TABOR_CLAP_INSTANCE_STATE_H
@@ -20,8 +20,5 @@
 #include "clap/instance.h"
 
 extern const clap_plugin_state_t instance_state;
-
-/** The drum as it is to be saved. */
-void instance_save(Instance *instance, SavedState *saved);
 
 #endif

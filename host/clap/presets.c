@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/instance_drum.h"
 #include "clap/parameters.h"
 
 /* ---- loading -------------------------------------------------------------------------------- */

@@ -18,7 +18,8 @@ trap 'end_jack; chmod -R u+w "$private"; rm -rf "$private"' EXIT
 start_jack
 
 mkfifo "$private/commands"
-jalv -n tabor-jalv -t -c quality_level=0 urn:tabor:drum <"$private/commands" >"$private/said" 2>"$private/log" &
+# In free air: a room would ring on after either drum.
+jalv -n tabor-jalv -t -c quality_level=0 -c room=0 urn:tabor:drum <"$private/commands" >"$private/said" 2>"$private/log" &
 host=$!
 exec 7>"$private/commands"
 # say COMMAND: fails, rather than ending this script, if jalv is gone.

@@ -2,15 +2,7 @@
 # What the tests of the CLAP plugins, test_clap_*.c, are made of.
 
 if(NOT TABOR_BUILD_CLAP)
-  set(TABOR_CLAP_TESTS ${TABOR_TEST_SOURCES})
-  list(FILTER TABOR_CLAP_TESTS INCLUDE REGEX "/test_clap_")
-  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_")
-  if(TABOR_CLAP_MISSING)
-    foreach(source IN LISTS TABOR_CLAP_TESTS)
-      get_filename_component(name "${source}" NAME_WE)
-      tabor_add_skipped_test(${name} "there are no CLAP headers: tools/setup --plugins brings them")
-    endforeach()
-  endif()
+  tabor_leave_out_plugin_tests(clap "${TABOR_CLAP_MISSING}" "there are no CLAP headers: tools/setup --plugins brings them")
   return()
 endif()
 if(NOT TABOR_BUILD_PROGRAM)

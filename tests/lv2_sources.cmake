@@ -2,15 +2,7 @@
 # What the tests of the LV2 plugins, test_lv2_*.c, are made of.
 
 if(NOT TABOR_BUILD_LV2)
-  set(TABOR_LV2_TESTS ${TABOR_TEST_SOURCES})
-  list(FILTER TABOR_LV2_TESTS INCLUDE REGEX "/test_lv2_")
-  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_")
-  if(TABOR_LV2_MISSING)
-    foreach(source IN LISTS TABOR_LV2_TESTS)
-      get_filename_component(name "${source}" NAME_WE)
-      tabor_add_skipped_test(${name} "needs lv2-dev")
-    endforeach()
-  endif()
+  tabor_leave_out_plugin_tests(lv2 "${TABOR_LV2_MISSING}" "needs lv2-dev")
   return()
 endif()
 if(NOT TABOR_BUILD_PROGRAM)

@@ -13,17 +13,18 @@
 #include <stddef.h>
 #include <tabor/tabor.h>
 
+/* PRINTF_AT(FORMAT, FIRST): the numbers of these parameters, counted from 1. */
 #ifdef __GNUC__
 /* With C11's formats: gcc takes those of Windows for "printf" there. */
 #  if defined(__MINGW32__) && !defined(__clang__)
-#    define PRINTF_FORMAT gnu_printf
+#    define PRINTF_AT(text, first) __attribute__((format(gnu_printf, text, first)))
 #  else
-#    define PRINTF_FORMAT printf
+#    define PRINTF_AT(text, first) __attribute__((format(printf, text, first)))
 #  endif
-#  define PRINTF_LIKE __attribute__((format(PRINTF_FORMAT, 1, 2)))
 #else
-#  define PRINTF_LIKE
+#  define PRINTF_AT(text, first)
 #endif
+#define PRINTF_LIKE PRINTF_AT(1, 2)
 
 /** How a request ended; the values are the program's exit status. */
 typedef enum Outcome {

@@ -3,9 +3,11 @@
 
 #include <math.h>
 
+#include "midi/midi_map.h"
+
 #define LOWER_BITS 128 /* steps of controller 88 within one of the velocity */
 
-enum { RADIUS_CONTROLLER = 16, VELOCITY_PREFIX = 88, ALL_SOUND_OFF = 120 };
+enum { RADIUS_CONTROLLER = 16, ALL_SOUND_OFF = 120 };
 
 static uint8_t channel_of(int16_t channel) { return channel < 0 ? 0 : (uint8_t)channel & 0x0Fu; }
 
@@ -25,7 +27,7 @@ static uint32_t note_on(const clap_event_note_t *note, MidiMessage *messages) {
   const uint8_t lower = (uint8_t)(fine % LOWER_BITS);
   MidiMessage *next = messages;
   if (lower > 0) {
-    *next++ = (MidiMessage){MIDI_CONTROL | channel, {VELOCITY_PREFIX, lower}};
+    *next++ = (MidiMessage){MIDI_CONTROL | channel, {MIDI_HIGH_RESOLUTION_PREFIX, lower}};
   }
   *next++ =
     (MidiMessage){MIDI_NOTE_ON | channel, {(uint8_t)note->key, (uint8_t)(fine / LOWER_BITS)}};

@@ -154,13 +154,8 @@ static uint32_t count(const clap_plugin_t *plugin) {
 }
 
 static const char *module_of(const Knob *knob) {
-  static const char *const modules[][2] = {{"heads", "Heads"},
-                                           {"snares", "Snares"},
-                                           {"stick", "Stick"},
-                                           {"output", "Output"},
-                                           {"mics", "Microphones"}};
-  for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
-    if (strcmp(knob->group, modules[i][0]) == 0) return modules[i][1];
+  for (uint32_t i = 0; i < KNOB_GROUPS; i++) {
+    if (strcmp(knob->group, knob_groups[i].symbol) == 0) return knob_groups[i].name;
   }
   return "";
 }

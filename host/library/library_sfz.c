@@ -7,12 +7,6 @@
 
 #include "base/text_file.h"
 
-#ifdef __GNUC__
-#  define PRINTF_TEXT __attribute__((format(PRINTF_FORMAT, 2, 3)))
-#else
-#  define PRINTF_TEXT
-#endif
-
 /* Text that grows. */
 typedef struct Text {
   char *bytes; /* NULL: memory was short, or nothing was added */
@@ -30,7 +24,7 @@ static bool make_room(Text *text, size_t length) {
   return true;
 }
 
-PRINTF_TEXT static void add(Text *text, const char *format, ...) {
+PRINTF_AT(2, 3) static void add(Text *text, const char *format, ...) {
   va_list arguments, again;
   va_start(arguments, format);
   va_copy(again, arguments);

@@ -208,14 +208,10 @@ static void put_port(bool stereo, uint32_t number, Port port) {
 /* ---- plugins -------------------------------------------------------------------------------- */
 
 static void put_groups(void) {
-  static const char *const groups[][2] = {{"heads", "Heads"},
-                                          {"snares", "Snares"},
-                                          {"stick", "Stick"},
-                                          {"output", "Output"},
-                                          {"mics", "Microphones"}};
-  for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+  for (uint32_t i = 0; i < KNOB_GROUPS; i++) {
+    const KnobGroup *const group = &knob_groups[i];
     put("<%s%s>\n\ta pg:InputGroup ;\n\tlv2:symbol \"%s\" ;\n\tlv2:name \"%s\" .\n\n", URI_GROUP,
-        groups[i][0], groups[i][0], groups[i][1]);
+        group->symbol, group->symbol, group->name);
   }
   put("<%spair>\n\ta pg:OutputGroup , pg:StereoGroup ;\n\tlv2:symbol \"pair\" ;\n"
       "\tlv2:name \"Stereo pair\" .\n\n",

@@ -208,6 +208,12 @@ const Knob knobs[KNOB_COUNT] = {
                             "decay and level are those of the drum's definition."},
 };
 
+const KnobGroup knob_groups[KNOB_GROUPS] = {{"heads", "Heads"},
+                                            {"snares", "Snares"},
+                                            {"stick", "Stick"},
+                                            {"output", "Output"},
+                                            {"mics", "Microphones"}};
+
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
   KNOB_RESONANT_TENSION,

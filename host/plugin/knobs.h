@@ -75,7 +75,15 @@ typedef struct KnobRange {
   const char *unit; /**< "" for a pure number */
 } KnobRange;
 
+/** A group of knobs, in the order in which hosts show them. */
+typedef struct KnobGroup {
+  const char *symbol, *name; /**< displayed name */
+} KnobGroup;
+
+enum { KNOB_GROUPS = 5 };
+
 extern const Knob knobs[KNOB_COUNT];
+extern const KnobGroup knob_groups[KNOB_GROUPS];
 /** All knobs, in the order of the ports. */
 extern const KnobId knob_ports[KNOB_COUNT];
 

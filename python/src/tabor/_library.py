@@ -119,6 +119,13 @@ def check(function: Callable[..., int], *arguments: Any) -> None:
                                                       error.minimum, error.maximum)
 
 
+def saved_state(thing: Any, size: Callable[..., int], save: Callable[..., None]) -> bytes:
+    """The bytes that a function of the library writes of a drum's or a room's state."""
+    state = ffi.new("char[]", size(thing))
+    save(thing, state)
+    return bytes(ffi.buffer(state))
+
+
 def index_of(names: Sequence[str], name: str, what: str) -> int:
     """The place of a name in a list of strikers or microphones."""
     try:

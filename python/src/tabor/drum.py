@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tu
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import Error, check, choice_of, ffi, fields, index_of, lib, text
+from ._library import Error, check, choice_of, ffi, fields, index_of, lib, saved_state, text
 from .definition import Definition
 from .events import TECHNIQUES, TYPES, Event, Placed, place
 from .model import Model, model_of
@@ -304,10 +304,7 @@ class Drum:
             For `load` of a drum on the same model, with the same library.
         """
         with self._lock:
-            size = lib.tabor_drum_state_size(self._c)
-            state = ffi.new("char[]", size)
-            lib.tabor_drum_state_save(self._c, state)
-            return bytes(ffi.buffer(state, size))
+            return saved_state(self._c, lib.tabor_drum_state_size, lib.tabor_drum_state_save)
 
     def load(self, state: bytes) -> None:
         """Goes on from a saved state, with the same bits.

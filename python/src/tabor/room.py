@@ -9,7 +9,7 @@ from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._library import Error, check, ffi, fields, lib
+from ._library import Error, check, ffi, fields, lib, saved_state
 from .definition import Definition
 from .drum import chosen, pointers
 
@@ -140,10 +140,7 @@ class Room:
             For `load` of a room like this one.
         """
         with self._lock:
-            size = lib.tabor_room_state_size(self._c)
-            state = ffi.new("char[]", size)
-            lib.tabor_room_state_save(self._c, state)
-            return bytes(ffi.buffer(state, size))
+            return saved_state(self._c, lib.tabor_room_state_size, lib.tabor_room_state_save)
 
     def load(self, state: bytes) -> None:
         """Goes on from a saved state, with the same bits.

@@ -24,6 +24,11 @@ tabor_test_properties(test_system_trials_exact)
 set_tests_properties(test_system_trials_exact PROPERTIES TIMEOUT 3600 LABELS long)
 set_tests_properties(test_system_trials_long PROPERTIES TIMEOUT 7200 LABELS long)
 
+if(TARGET event_costs)
+  tabor_add_script_test(test_system_event_costs_long SCRIPT test_system_event_costs "$<TARGET_FILE:event_costs>" studio)
+  set_tests_properties(test_system_event_costs_long PROPERTIES LABELS long)
+endif()
+
 if(TEST test_leaks)
   tabor_add_script_test(test_leaks_long SCRIPT test_leaks "$<TARGET_FILE:test_system_instances>" 1000)
   set_tests_properties(test_leaks_long PROPERTIES TIMEOUT 1800 LABELS long)

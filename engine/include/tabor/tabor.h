@@ -858,8 +858,10 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  * @param frames  samples of each channel; may be 0: all events then act at once.
  *
  * The work is bounded. Of strokes, presses and damping hands, TABOR_BURST act at once, and one more
- * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. All events
- * of other types act. Of several resets at one frame the last alone is carried out, and what
+ * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. Silences, resets, swaps and
+ * replacements always act, and count among these: a silence, a reset or a swap like seven strokes, a replacement
+ * like one. A swap beyond this number acts like TABOR_EVENT_REPLACE. Live changes, gains and moves count a little;
+ * of some two thousand at once, further ones are dropped and counted. Releases always act. Of several resets at one frame the last alone is carried out, and what
  * precedes it at this frame, except swaps, is skipped without being counted.
  *
  * The output does not depend on the division into blocks. The latency is 0; sound reaches a

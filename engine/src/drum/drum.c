@@ -6,12 +6,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "drum/event_budget.h"
 #include "drum/frame.h"
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
 #include "step/brush.h"
 #include "step/energy.h"
+#include "step/event_budget.h"
 #include "step/live_params.h"
 #include "step/reset.h"
 #include "step/state_check.h"
@@ -83,52 +83,83 @@ static bool act_on(TbView *view, const TaborEvent *event) {
   return acts;
 }
 
+/* Drums that play what the drum plays: itself, and former models until the new one's sound has come. */
+static uint32_t players(const TaborDrum *drum) {
+  uint32_t count = 1;
+  for (const TbTail *tail = drum->tails; tail && tail->crosses; tail = tail->before) count++;
+  return count;
+}
+
 /* What a former model plays on until the new one's sound has come must play the same. */
 static bool play_event(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+  const uint32_t price = players(drum) * tb_event_price(event);
+  if (drum->at_rest && event->type == TABOR_EVENT_RELEASE) return true; /* nothing is there */
+  if (!tb_event_affordable(drum->state, price)) return false;
   for (TbTail *tail = drum->tails; tail && tail->crosses; tail = tail->before) {
     TbView former = tb_view(tail->state, tail->model);
     (void)act_on(&former, event);
   }
-  return act_on(view, event);
+  if (!act_on(view, event)) return false;
+  drum->at_rest = false;
+  tb_event_charge(drum->state, price);
+  return true;
 }
 
-static bool swap(TaborDrum *drum, const TaborEvent *event) {
-  const bool anew = event->type == TABOR_EVENT_REPLACE;
-  if (!event->swap || !tb_swap_act(drum, event->swap, anew)) return false;
-  if (!anew) drum->state->asleep = drum->state->quiet_checks = 0;
+static bool set_gain(TaborDrum *drum, TbView *view, const TaborEvent *event) {
+  const uint32_t price = tb_event_price(event);
+  if (!tb_event_affordable(drum->state, price)) return false;
+  tb_live_params_gain(view, event->value, tabor_drum_is_silent(drum));
+  tb_event_charge(drum->state, price);
   return true;
+}
+
+/* A drum that cannot afford to ring on is replaced. */
+static bool swap(TaborDrum *drum, const TaborEvent *event) {
+  const uint32_t price = tb_event_price(event);
+  const bool anew = event->type == TABOR_EVENT_REPLACE || !tb_event_affordable(drum->state, price);
+  if (!event->swap || !tb_swap_act(drum, event->swap, anew)) return false;
+  if (!drum->at_rest) drum->state->asleep = drum->state->quiet_checks = 0;
+  tb_event_charge(drum->state, drum->at_rest ? TB_DEBT_STROKE : price);
+  return true;
+}
+
+static void silence(TaborDrum *drum, const TaborEvent *event) {
+  if (tb_silence(drum)) tb_event_charge(drum->state, tb_event_price(event));
+}
+
+/* A drum at rest has only its counters and its gain to set back. */
+static void forget(TbState *state) {
+  state->sums = (TaborLedger){0};
+  state->statistics = (TaborStatistics){0};
+  state->output = (TbLiveParam){.now = 1.0, .target = 1.0};
 }
 
 static void reset(TaborDrum *drum) {
   const uint32_t debt = drum->state->event_debt;
   tb_tails_end(&drum->tails);
+  if (drum->at_rest) {
+    forget(drum->state);
+    return;
+  }
   tb_state_reset(drum->state, drum->model);
+  drum->at_rest = true;
   drum->state->event_debt = debt;
+  tb_event_charge(drum->state, TB_DEBT_REST);
 }
 
 static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   bool acts = true;
-  if (!fields_finite(event) || !tb_event_affordable(drum->state, event)) return false;
+  if (!fields_finite(event)) return false;
   switch (event->type) {
-  case TABOR_EVENT_GAIN:
-    tb_live_params_gain(view, event->value, tabor_drum_is_silent(drum));
-    return true;
+  case TABOR_EVENT_GAIN: return set_gain(drum, view, event);
   case TABOR_EVENT_SWAP:
   case TABOR_EVENT_REPLACE: acts = swap(drum, event); break;
-  case TABOR_EVENT_SILENCE: tb_silence(drum); break;
+  case TABOR_EVENT_SILENCE: silence(drum, event); break;
   case TABOR_EVENT_RESET: reset(drum); break;
   default: return play_event(drum, view, event);
   }
   *view = tb_view(drum->state, drum->model);
   return acts;
-}
-
-static void act_and_count(TaborDrum *drum, TbView *view, const TaborEvent *event) {
-  if (act(drum, view, event)) {
-    tb_event_charge(drum->state, event);
-  } else {
-    drum->state->statistics.dropped_events++;
-  }
 }
 
 /* ---- blocks --------------------------------------------------------------------------------- */
@@ -198,7 +229,7 @@ static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events,
     TaborStatistics *statistics = &drum->state->statistics;
     statistics->late_events += event->frame > frame;
     statistics->misordered_events += next > 0 && event->frame < events[next - 1].frame;
-    act_and_count(drum, view, event);
+    if (!act(drum, view, event)) drum->state->statistics.dropped_events++;
   }
   return next;
 }
@@ -312,5 +343,6 @@ TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, size_t siz
   if (!tb_state_check(drum->model, bytes)) return TABOR_ERROR_STATE;
   tb_tails_end(&drum->tails);
   memcpy(drum->state, bytes, expected);
+  drum->at_rest = false;
   return TABOR_OK;
 }

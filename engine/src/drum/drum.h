@@ -18,6 +18,7 @@ struct TaborDrum {
   TbTail *spare;     /* for the next silence; of the same model */
   TbTail *tails;     /* what is still heard of before, the newest first */
   TbRoute route;
+  bool at_rest; /* the state is that after a reset, but for counters, gain and debt */
 };
 
 /* Mapping from the modes of an old model to those of a new one. */
@@ -49,7 +50,7 @@ TbRoute tb_route_plain(const TaborModel *model);
 TbRoute tb_route_chosen(const TaborModel *model, const uint8_t *mics, uint32_t count);
 /* Carries out a swap event; `anew` if the drum is replaced. Returns false if it does not apply. Audio-safe. */
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew);
-/* Carries out a silence event. Audio-safe. */
-void tb_silence(TaborDrum *drum);
+/* Carries out a silence event. Returns false if the drum was at rest or silenced already. Audio-safe. */
+bool tb_silence(TaborDrum *drum);
 
 #endif

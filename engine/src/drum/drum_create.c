@@ -19,8 +19,10 @@ TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *er
   const TaborAllocator allocator = model->arena.allocator;
   TaborDrum *drum = allocator.allocate(sizeof *drum, allocator.context);
   if (!drum) return memory_error(error, "drum");
-  *drum = (TaborDrum){
-    .allocator = allocator, .model = tabor_model_retain(model), .route = tb_route_plain(model)};
+  *drum = (TaborDrum){.allocator = allocator,
+                      .model = tabor_model_retain(model),
+                      .route = tb_route_plain(model),
+                      .at_rest = true};
   drum->state = allocator.allocate(tb_state_bytes(model), allocator.context);
   drum->spare = tb_tail_create(model);
   if (!drum->state || !drum->spare) {

@@ -41,16 +41,17 @@ static bool is_silenced(const TaborDrum *drum, const TbView *view) {
   return fabs(tb_energy_stored(view, &view->now, &view->last)) < INAUDIBLE;
 }
 
-void tb_silence(TaborDrum *drum) {
+bool tb_silence(TaborDrum *drum) {
   const uint32_t fade = (uint32_t)(FADE * drum->model->sample_rate);
   TbView from = tb_view(drum->state, drum->model);
-  if (drum->state->asleep && !drum->tails) return;
+  if (drum->state->asleep && !drum->tails) return false;
   if (is_silenced(drum, &from)) {
     tb_release(&from, 0);
-    return;
+    return false;
   }
-  give_room(drum); /* a second silence within 15 ms cuts the first one's tail short */
   tb_tails_shorten(drum, fade);
+  if (drum->at_rest) return false;
+  give_room(drum); /* a second silence within 15 ms cuts the first one's tail short */
   TbTail *tail = drum->spare;
   rest(&from, tail->state);
   TbState *const still = tail->state;
@@ -58,4 +59,5 @@ void tb_silence(TaborDrum *drum) {
   drum->state = still;
   memcpy(tail->mics, drum->route.mics, sizeof tail->mics);
   tb_tails_begin(drum, tail, 0, fade);
+  return true;
 }

@@ -367,6 +367,7 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   exchange(drum, swap);
   route(drum, swap);
   begin_tail(drum, swap, continues);
+  drum->at_rest = !continues;
   atomic_store(&swap->acted, true);
   return true;
 }

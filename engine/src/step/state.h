@@ -106,7 +106,7 @@ typedef struct TbState {
   uint32_t hold_steps;     /* samples since `high_held` was renewed */
   TbWireContacts contacts; /* sums over these samples */
   uint32_t airborne;   /* nothing touched in the last step; `modal` and `high_force` assume that */
-  uint32_t event_debt; /* frames until a whole burst may act again: see event_budget.h */
+  uint32_t event_debt; /* see event_budget.h */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */

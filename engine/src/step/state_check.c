@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "model/state_layout.h"
+#include "step/event_budget.h"
 #include "step/live_params.h"
 
 /* No number of a drum comes near this, whatever its unit. Its cube times the largest stiffness, and
@@ -139,7 +140,7 @@ static bool flags(const TaborModel *model, const TbState *state) {
   const bool wires = model->wires.count > 0;
   return state->newest < 3u && state->asleep <= 1u && state->lifted <= (wires ? 1u : 0u) &&
          state->held <= (wires ? 1u : 0u) && state->airborne <= 1u && state->hushed <= 1u &&
-         state->event_debt <= TABOR_BURST * TABOR_BURST_FRAMES &&
+         state->event_debt <= TB_DEBT_MOST &&
          state->heard >> model->def.mic_count == 0;
 }
 

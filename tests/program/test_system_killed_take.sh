@@ -114,6 +114,28 @@ same "status after SIGINT" 130 $?
 same "files" "take.log take.part-2.wav take.part.log take.part.wav take.wav" "$(echo take*)"
 same "what was left stays" "$before" "$(cksum take.part*)"
 
+# ---- names ----
+
+# named LOG PART: the log is called PART until it is complete.
+named() {
+  "$TABOR" play tabor -q --backend null --quality draft --log "$1" </dev/null >"$out" 2>"$err" &
+  player=$!
+  check "'$1' is called '$2' while the drum plays" wait_for grep -qs played "$2"
+  kill -INT $player
+  wait $player
+  check "'$1' has its name in the end" test -s "$1" -a ! -e "$2"
+}
+mkdir dotted.folder
+named take take.part
+named dotted.folder/take dotted.folder/take.part
+named .hidden .hidden.part
+named take.1.log take.1.part.log
+ln -s dotted.folder/take link.log
+named link.log dotted.folder/take.part
+longest=$(printf 'a%.0s' {1..251}).log
+done_quietly play tabor -q --backend null --quality draft --duration 0.1 --log "$longest"
+check "a name without room for more" test -s "$longest"
+
 # ---- a normal end leaves nothing else ----
 
 rm -f take*

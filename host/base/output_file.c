@@ -138,6 +138,7 @@ static Outcome open_beside(OutputFile *file) {
   interrupt_hold(&before);
   file->descriptor = file->findable ? create_findable(file) : create_hidden(file);
   const int error = errno;
+  const bool is_named = file->temporary != NULL;
   if (file->descriptor >= 0) {
     interrupt_guard(file->temporary);
     file_take_permissions(file->descriptor, file->exists ? &file->status : NULL);
@@ -147,7 +148,8 @@ static Outcome open_beside(OutputFile *file) {
   }
   interrupt_resume(&before);
   errno = error;
-  return file->descriptor >= 0 ? OUTCOME_OK : output_failure(file);
+  if (file->descriptor >= 0) return OUTCOME_OK;
+  return is_named ? output_failure(file) : fail_memory();
 }
 
 static int open_place(const OutputFile *file) {

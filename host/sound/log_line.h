@@ -14,9 +14,10 @@
  *     {"frames":48000,"lost":0}
  *
  * The first line has the drum of the start, the last the number of frames that were played. While the drum plays, the
- * last line is a mark, {"played":24000,"lost":0}: everything that acted before this frame is in the lines above. Messages are in the order
- * in which they acted, each with the frame at which it did. A field that is left out is 0; radius and angle are in m
- * and degrees. A model's line comes before the swap or the replacement that it is for.
+ * last line is a mark, {"played":24000,"lost":0}: everything that acted before this frame is in the lines above. The
+ * next lines are written over it, so a whole log has none. Messages are in the order in which they acted, each with the
+ * frame at which it did. A field that is left out is 0; radius and angle are in m and degrees. A model's line comes
+ * before the swap or the replacement that it is for.
  */
 #ifndef TABOR_HOST_LOG_LINE_H
 #define TABOR_HOST_LOG_LINE_H

@@ -10,6 +10,8 @@
 #include "base/interrupt.h"
 #include "platform/paths.h"
 
+#define MOST_PARTS 999 /* numbers of temporary names that a person finds */
+
 Outcome output_failure(const OutputFile *file) {
   if (strcmp(file->name, "-") == 0) return standard_output_failure();
   return fail("cannot write '%s': %s", file->name, strerror(errno));
@@ -100,13 +102,43 @@ bool output_overwrites(const OutputFile *file, const char *path) {
 
 /* ---- opening ---- */
 
-static Outcome open_beside(OutputFile *file) {
+static int create_hidden(OutputFile *file) {
   file->temporary = join(file->target, path_folder_length(file->target), ".tabor-XXXXXX");
-  if (!file->temporary) return fail_memory();
+  return file->temporary ? file_create_unique(file->temporary) : -1;
+}
+
+/* "FOLDER/take.part.wav" of "FOLDER/take.wav"; "take.part-2.wav" with the number 2. NULL if memory is short. */
+static char *part_name(const char *target, unsigned number) {
+  const char *const base = path_base(target), *const dot = strrchr(base, '.');
+  const size_t stem = dot && dot > base ? (size_t)(dot - target) : strlen(target);
+  const size_t size = strlen(target) + sizeof ".part-4294967295";
+  char *const name = malloc(size), count[16] = "";
+  if (number > 1) (void)snprintf(count, sizeof count, "-%u", number);
+  if (name) (void)snprintf(name, size, "%.*s.part%s%s", (int)stem, target, count, target + stem);
+  return name;
+}
+
+/* What a program that was killed has left keeps its name. */
+static int create_findable(OutputFile *file) {
+  int descriptor = -1;
+  errno = EEXIST;
+  for (unsigned number = 1; number <= MOST_PARTS && descriptor < 0 && errno == EEXIST; number++) {
+    free(file->temporary);
+    file->temporary = part_name(file->target, number);
+    if (!file->temporary) return -1;
+    descriptor = file_create_new(file->temporary);
+  }
+  if (descriptor >= 0 || errno != ENAMETOOLONG) return descriptor;
+  free(file->temporary);
+  return create_hidden(file);
+}
+
+static Outcome open_beside(OutputFile *file) {
   SignalMask before;
   interrupt_hold(&before);
-  file->descriptor = file_create_unique(file->temporary);
+  file->descriptor = file->findable ? create_findable(file) : create_hidden(file);
   const int error = errno;
+  const bool is_named = file->temporary != NULL;
   if (file->descriptor >= 0) {
     interrupt_guard(file->temporary);
     file_take_permissions(file->descriptor, file->exists ? &file->status : NULL);
@@ -116,7 +148,8 @@ static Outcome open_beside(OutputFile *file) {
   }
   interrupt_resume(&before);
   errno = error;
-  return file->descriptor >= 0 ? OUTCOME_OK : output_failure(file);
+  if (file->descriptor >= 0) return OUTCOME_OK;
+  return is_named ? output_failure(file) : fail_memory();
 }
 
 static int open_place(const OutputFile *file) {
@@ -163,6 +196,18 @@ static bool write_all(int descriptor, const char *bytes, size_t size) {
 
 Outcome output_write(OutputFile *file, const void *bytes, size_t size) {
   return write_all(file->descriptor, bytes, size) ? OUTCOME_OK : output_failure(file);
+}
+
+Outcome output_step_back(OutputFile *file, size_t size) {
+  const bool done = lseek(file->descriptor, -(off_t)size, SEEK_CUR) >= 0;
+  return done ? OUTCOME_OK : output_failure(file);
+}
+
+void output_keep(OutputFile *file) {
+  SignalMask before;
+  interrupt_hold(&before);
+  if (file->temporary) interrupt_unguard(file->temporary);
+  interrupt_resume(&before);
 }
 
 /* ---- completing and delivering ---- */

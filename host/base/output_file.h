@@ -9,6 +9,9 @@
  * its header, the bytes are first gathered in an unnamed temporary file. A symbolic link stays; the
  * file that it points to is written.
  *
+ * The temporary name is hidden and drawn at random, or one that a person finds if the program is killed:
+ * "take.part.wav" of "take.wav", "take.part-2.wav" if that name is taken, and so on.
+ *
  * Order of calls: plan (changes nothing), open, write, complete, deliver; discard at any time, any number
  * of times. With several files, complete all of them before delivering the first.
  */
@@ -34,6 +37,7 @@ typedef struct OutputFile {
   FileStatus status;
   char *target;    /**< name with links resolved; NULL for standard output */
   char *temporary; /**< temporary name, or NULL */
+  bool findable;   /**< a person finds the temporary name; set after planning */
   char *set_aside; /**< temporary name of the older file during delivery, or NULL */
   bool delivered;  /**< the file has its name */
   int descriptor;  /**< descriptor to write to, or -1 */
@@ -56,6 +60,10 @@ bool output_overwrites(const OutputFile *file, const char *path);
 Outcome output_open(OutputFile *file, bool seeks);
 /** Writes all bytes to descriptor. */
 Outcome output_write(OutputFile *file, const void *bytes, size_t size);
+/** Goes back so many bytes, which are then written over. Not for OUTPUT_STREAMED. */
+Outcome output_step_back(OutputFile *file, size_t size);
+/** From now on the temporary file stays if a signal ends the program: it is worth finding. */
+void output_keep(OutputFile *file);
 /** Fails: this file could not be written, with the reason of errno. */
 Outcome output_failure(const OutputFile *file);
 /** Ends the writing: copies gathered bytes to their destination, and closes. */

@@ -151,6 +151,13 @@ Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames
   return OUTCOME_OK;
 }
 
+/* libsndfile keeps no samples to itself: all of them are in the file. */
+Outcome audio_file_refresh(AudioFile *file) {
+  errno = 0;
+  (void)sf_command(file->stream, SFC_UPDATE_HEADER_NOW, NULL, 0);
+  return file->io.error == 0 ? OUTCOME_OK : sound_failure(file, file->stream);
+}
+
 /* ---- completing ---- */
 
 /* What cannot be seen in a single write, as a file that has grown too large for its header. */

@@ -52,6 +52,9 @@ double audio_least(AudioEncoding encoding);
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
 /** Appends @p frames frames, interleaved; integer encodings round and saturate. */
 Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
+/** Writes the header for the frames so far, so that the file can be read up to here if the program is killed. Only if
+ * the file can be read back, and not for FLAC. */
+Outcome audio_file_refresh(AudioFile *file);
 /** Completes the file; if it can be read back, reopens it and checks that it is complete. */
 Outcome audio_file_finish(AudioFile *file);
 /**

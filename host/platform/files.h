@@ -44,6 +44,8 @@ int file_open_to_read(const char *path);
 int file_open_to_write(const char *path);
 /** Creates a new file; replaces the XXXXXX that end @p path by letters. Returns its descriptor, or -1. */
 int file_create_unique(char *path);
+/** Creates a new file; fails if the name is taken. Returns its descriptor, or -1. */
+int file_create_new(const char *path);
 /** Gives a new file the permissions of @p older, or with NULL those that a new file has. Not for two threads at once. */
 void file_take_permissions(int descriptor, const FileStatus *older);
 /** A temporary file without a name, which goes when it is closed; NULL if there is none. */

@@ -73,6 +73,10 @@ int file_open_to_write(const char *path) { return open(path, O_WRONLY | O_NOCTTY
 
 int file_create_unique(char *path) { return mkstemp(path); }
 
+int file_create_new(const char *path) {
+  return open(path, O_RDWR | O_CREAT | O_EXCL | O_NOCTTY, 0600);
+}
+
 /* The mask can only be read by changing it, and is that of all threads. */
 void file_take_permissions(int descriptor, const FileStatus *older) {
   if (older) {

@@ -129,18 +129,23 @@ static void write_letters(char *end, uint64_t number) {
   for (int i = 0; i < 6; i++, number /= 36) end[i] = letters[number % 36];
 }
 
+static HANDLE create_new(const char *path) {
+  return open_handle(path, GENERIC_READ | GENERIC_WRITE, CREATE_NEW, FILE_ATTRIBUTE_NORMAL);
+}
+
 int file_create_unique(char *path) {
   char *const end = path + strlen(path) - strlen("XXXXXX");
   for (uint64_t attempt = 0; attempt < 1000; attempt++) {
     LARGE_INTEGER ticks;
     (void)QueryPerformanceCounter(&ticks);
     write_letters(end, (uint64_t)ticks.QuadPart * 7919 + GetCurrentProcessId() + 104729 * attempt);
-    const DWORD access = GENERIC_READ | GENERIC_WRITE;
-    const HANDLE handle = open_handle(path, access, CREATE_NEW, FILE_ATTRIBUTE_NORMAL);
+    const HANDLE handle = create_new(path);
     if (handle != INVALID_HANDLE_VALUE || errno != EEXIST) return to_descriptor(handle, _O_RDWR);
   }
   return -1;
 }
+
+int file_create_new(const char *path) { return to_descriptor(create_new(path), _O_RDWR); }
 
 /* Files inherit the permissions of their folder. */
 void file_take_permissions(int descriptor, const FileStatus *older) {

@@ -50,6 +50,8 @@ static const char notes[] =
   "input 'tabor-midi'. docs/midi.md has the map.\n"
   "--log writes the drum, and all that is played on it with its time, for 'tabor render "
   "--replay'.\n"
+  "While the drum plays, take.wav and take.log are called take.part.wav and take.part.log. If the\n"
+  "program is killed they stay, and can be opened and replayed up to their last moments.\n"
   "--backend file computes as fast as it can into --record FILE, and ends when the drum has died\n"
   "away: with --humanize 0 it gives the same sound as 'tabor render'.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";

@@ -6,12 +6,15 @@
 #include <stdlib.h>
 #include <time.h>
 
+#define REFRESH_TIME 0.5 /* [s] of sound from one header to the next */
+
 struct TakeWriter {
   Player *player;
   OutputFile *output;
   AudioFile file;
   double *silence; /* a block of it, for what the disk was too slow for */
   uint64_t frames; /* written or failed to be */
+  uint64_t next;   /* number of frames at which the header is renewed */
   pthread_t thread;
   Outcome outcome; /* of writing */
   atomic_bool stops;
@@ -34,11 +37,20 @@ static Outcome write_silence_until(TakeWriter *writer, uint64_t frame) {
   return outcome;
 }
 
+/* The first block is in the header at once. */
+static Outcome refresh(TakeWriter *writer) {
+  if (writer->output->kind != OUTPUT_REPLACED || writer->frames < writer->next) return OUTCOME_OK;
+  if (writer->next == 0) output_keep(writer->output);
+  writer->next = writer->frames + (uint64_t)(REFRESH_TIME * writer->file.format.rate);
+  return audio_file_refresh(&writer->file);
+}
+
 static Outcome write_frames(TakeWriter *writer, const PlayerRecord *block) {
-  const Outcome outcome = write_silence_until(writer, block->frame);
+  Outcome outcome = write_silence_until(writer, block->frame);
   if (outcome != OUTCOME_OK) return outcome;
   writer->frames += block->frames;
-  return audio_file_write(&writer->file, block->samples, block->frames);
+  outcome = audio_file_write(&writer->file, block->samples, block->frames);
+  return outcome == OUTCOME_OK ? refresh(writer) : outcome;
 }
 
 /* What goes wrong is said once; then blocks are only taken away. */
@@ -78,6 +90,7 @@ static void take_writer_free(TakeWriter *writer) {
 }
 
 static Outcome open_file(TakeWriter *writer, const AudioFormat *format) {
+  writer->output->findable = true;
   const Outcome outcome = output_open(writer->output, format->container != AUDIO_AU);
   if (outcome != OUTCOME_OK) return outcome;
   return audio_file_open(&writer->file, format, writer->output);

@@ -3,6 +3,9 @@
  * @file take_writer.h
  * Records everything that is played into a sound file, on a separate thread.
  *
+ * While it plays, the file has a name that a person finds (output_file.h), and its header is renewed every half second
+ * of sound: a program that is killed leaves a sound file that lacks its last moments only.
+ *
  * If the disk fails, one message reports it and playing continues; the file keeps the sound up to then.
  */
 #ifndef TABOR_HOST_TAKE_WRITER_H

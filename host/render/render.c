@@ -63,6 +63,7 @@ static const char notes[] =
   "--replay plays a log of 'tabor play --log' again, which has drum, strokes, rate, quality and "
   "gain of\n"
   "the performance. --mic and --split give other microphones of it, --duration another length.\n"
+  "The log of a performance that was killed, take.part.log, is played as far as it goes.\n"
   "\n"
   "With -o FOLDER/ every PRESET becomes FOLDER/PRESET.wav; with --each, every PRESET plays every\n"
   "--events file by itself, which becomes FOLDER/PRESET-EVENTS.wav. The folder is created if its\n"

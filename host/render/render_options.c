@@ -234,6 +234,10 @@ static void note_replay(const char *name, const RenderRequest *request) {
     warn("'%s' lacks %llu messages; the sound is not the one that was played", name,
          (unsigned long long)replay->lost);
   }
+  if (replay->is_cut) {
+    warn(INPUT " ends after %.1f s without its end; the sound stops there", INPUT_OF(name),
+         replay->frames / replay->start.rate);
+  }
   if (request->quiet || strcmp(replay->start.program, tabor_version()) == 0) return;
   note("'%s' was written by version %s; this is %s, and may sound different", name,
        replay->start.program, tabor_version());

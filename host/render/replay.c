@@ -79,18 +79,43 @@ static Outcome take_message(Reader *reader, const PlayerMessage *message) {
   return append_message(replay, message);
 }
 
+/* Frame of the last message so far. */
+static uint64_t last_frame(const Replay *replay) {
+  return replay->count > 0 ? replay->messages[replay->count - 1].frame : 0;
+}
+
+static Outcome take_length(const Reader *reader, uint64_t frames) {
+  if (frames > UINT32_MAX) return refuse("%s more than 2^32 frames", reader->where);
+  reader->replay->frames = (uint32_t)frames;
+  return OUTCOME_OK;
+}
+
 static Outcome take_end(Reader *reader, const LogLine *line) {
-  Replay *const replay = reader->replay;
-  const uint64_t last = replay->count > 0 ? replay->messages[replay->count - 1].frame : 0;
-  if (line->frames <= last) {
+  if (line->frames <= last_frame(reader->replay)) {
     return refuse("%s frames %llu: not after the last message", reader->where,
                   (unsigned long long)line->frames);
   }
-  if (line->frames > UINT32_MAX) return refuse("%s more than 2^32 frames", reader->where);
   reader->is_over = true;
-  replay->frames = (uint32_t)line->frames;
-  replay->lost = line->lost;
-  return OUTCOME_OK;
+  reader->replay->lost = line->lost;
+  return take_length(reader, line->frames);
+}
+
+/* Whatever comes after the last message's frame is not known, unless there is a mark. Other messages may have acted at
+   that frame, too: so the sound ends before it. */
+static Outcome take_missing_end(const Reader *reader, uint64_t complete) {
+  Replay *const replay = reader->replay;
+  const uint64_t last = last_frame(replay), frames = complete > last ? complete : last;
+  if (!replay->drum) return refuse("%s the log breaks off before its drum", reader->where);
+  if (frames == 0) return refuse("%s the log breaks off before any sound", reader->where);
+  while (replay->count > 0 && last_frame(replay) >= frames) replay->count--;
+  replay->is_cut = true;
+  return take_length(reader, frames);
+}
+
+static Outcome take_mark(Reader *reader, const LogLine *line) {
+  reader->is_over = true;
+  reader->replay->lost = line->lost;
+  return take_missing_end(reader, line->frames);
 }
 
 static Outcome take_line(Reader *reader, LogLine *line) {
@@ -102,6 +127,7 @@ static Outcome take_line(Reader *reader, LogLine *line) {
   case LOG_START: return take_start(reader, line);
   case LOG_MODEL: return take_model(reader, line);
   case LOG_MESSAGE: return take_message(reader, &line->message);
+  case LOG_MARK: return take_mark(reader, line);
   case LOG_END: break;
   }
   return take_end(reader, line);
@@ -115,6 +141,11 @@ static Outcome read_line(Reader *reader, const char *text, size_t length) {
   return outcome;
 }
 
+/* The last line before an end: its writer was killed within it. */
+static bool is_cut(const Reader *reader, const char *text, size_t length) {
+  return !reader->is_over && log_line_is_cut(text, length);
+}
+
 static Outcome read_lines(const char *name, const char *text, size_t length, Replay *replay) {
   Reader reader = {.replay = replay};
   const char *const end = text + length;
@@ -123,13 +154,14 @@ static Outcome read_lines(const char *name, const char *text, size_t length, Rep
   while (text < end) {
     const char *const feed = memchr(text, '\n', (size_t)(end - text));
     const char *const stop = feed ? feed : end;
-    const Outcome outcome = read_line(&reader, text, (size_t)(stop - text));
+    const size_t size = (size_t)(stop - text);
+    if (stop + 1 >= end && is_cut(&reader, text, size)) break;
+    const Outcome outcome = read_line(&reader, text, size);
     if (outcome != OUTCOME_OK) return outcome;
     text = feed ? feed + 1 : end;
     input_place(reader.where, name, ++number);
   }
-  if (reader.is_over) return OUTCOME_OK;
-  return refuse("%s the log breaks off: its end is missing", reader.where);
+  return reader.is_over ? OUTCOME_OK : take_missing_end(&reader, 0);
 }
 
 Outcome replay_read(const char *name, Replay *replay) {

@@ -16,12 +16,16 @@ typedef struct Replay {
   size_t count, capacity;
   LogDrum **models; /**< that messages change to; number 1 comes first */
   size_t model_count, model_capacity;
-  uint32_t frames; /**< played */
+  uint32_t frames; /**< played, as far as the log knows */
   uint64_t lost;   /**< messages that the log lacks */
+  bool is_cut;     /**< the log has no end: its writer was killed, and more may have been played */
 } Replay;
 
-/** Reads the file @p name, "-" for standard input. Refuses anything but a whole log. Free with replay_free(), whatever
- * the outcome. */
+/**
+ * Reads the file @p name, "-" for standard input. A log without an end is taken up to the frame to which it is
+ * complete: that of its mark or of its last message. If its last line is no JSON, that line is ignored. Anything else
+ * that is not a log is refused. Free with replay_free(), whatever the outcome.
+ */
 Outcome replay_read(const char *name, Replay *replay);
 void replay_free(Replay *replay);
 

@@ -141,10 +141,14 @@ char *log_line_message(const PlayerMessage *message) {
   return write_line(object);
 }
 
-char *log_line_end(uint64_t frames, uint64_t lost) {
-  json_t *object = json_with_field(json_object(), "frames", integer_json(frames));
+static char *write_frames(const char *key, uint64_t frames, uint64_t lost) {
+  json_t *const object = json_with_field(json_object(), key, integer_json(frames));
   return write_line(json_with_field(object, "lost", integer_json(lost)));
 }
+
+char *log_line_mark(uint64_t frames, uint64_t lost) { return write_frames("played", frames, lost); }
+
+char *log_line_end(uint64_t frames, uint64_t lost) { return write_frames("frames", frames, lost); }
 
 /* ---- reading -------------------------------------------------------------------------------- */
 
@@ -354,9 +358,9 @@ static void take_message(Fields *fields, LogLine *line) {
   }
 }
 
-static void take_end(Fields *fields, LogLine *line) {
-  line->type = LOG_END;
-  line->frames = take_integer(fields, "frames", MOST_EXACT);
+static void take_frames(Fields *fields, const char *key, LogLineType type, LogLine *line) {
+  line->type = type;
+  line->frames = take_integer(fields, key, MOST_EXACT);
   line->lost = take_integer(fields, "lost", MOST_EXACT);
 }
 
@@ -368,7 +372,9 @@ static Outcome read_fields(Fields *fields, LogLine *line) {
   } else if (has(fields, "frame")) {
     take_message(fields, line);
   } else if (has(fields, "frames")) {
-    take_end(fields, line);
+    take_frames(fields, "frames", LOG_END, line);
+  } else if (has(fields, "played")) {
+    take_frames(fields, "played", LOG_MARK, line);
   } else {
     return refuse("%s not a line of a log", fields->where);
   }
@@ -377,12 +383,20 @@ static Outcome read_fields(Fields *fields, LogLine *line) {
   return refuse("%s unknown field '%.80s'", fields->where, unknown);
 }
 
+static bool is_json(const char *text, size_t length) {
+  json_t *const value = json_loadb(text, length, JSON_REJECT_DUPLICATES, NULL);
+  const bool is_good = value != NULL;
+  json_decref(value);
+  return is_good;
+}
+
 /* Where memory is short, jansson 2.14 may take a good text for a bad one: then it can be read at another try. */
 static Outcome refuse_text(const char *where, const char *text, size_t length) {
-  json_t *const object = json_loadb(text, length, JSON_REJECT_DUPLICATES, NULL);
-  const bool is_good = object != NULL;
-  json_decref(object);
-  return is_good ? fail_memory() : refuse("%s not a line of a log", where);
+  return is_json(text, length) ? fail_memory() : refuse("%s not a line of a log", where);
+}
+
+bool log_line_is_cut(const char *text, size_t length) {
+  return !is_json(text, length) && !is_json(text, length);
 }
 
 Outcome log_line_read(const char *where, const char *text, size_t length, LogLine *line) {

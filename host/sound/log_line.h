@@ -13,9 +13,11 @@
  *     {"frame":9600,"swap":1}
  *     {"frames":48000,"lost":0}
  *
- * The first line has the drum of the start, the last the number of frames that were played. Messages are in the order
- * in which they acted, each with the frame at which it did. A field that is left out is 0; radius and angle are in m
- * and degrees. A model's line comes before the swap or the replacement that it is for.
+ * The first line has the drum of the start, the last the number of frames that were played. While the drum plays, the
+ * last line is a mark, {"played":24000,"lost":0}: everything that acted before this frame is in the lines above. The
+ * next lines are written over it, so a whole log has none. Messages are in the order in which they acted, each with the
+ * frame at which it did. A field that is left out is 0; radius and angle are in m and degrees. A model's line comes
+ * before the swap or the replacement that it is for.
  */
 #ifndef TABOR_HOST_LOG_LINE_H
 #define TABOR_HOST_LOG_LINE_H
@@ -25,7 +27,7 @@
 
 #define LOG_VERSION 1
 
-typedef enum LogLineType { LOG_START, LOG_MODEL, LOG_MESSAGE, LOG_END } LogLineType;
+typedef enum LogLineType { LOG_START, LOG_MODEL, LOG_MESSAGE, LOG_MARK, LOG_END } LogLineType;
 
 /** A drum and what its model was built with. */
 typedef struct LogDrum {
@@ -50,14 +52,18 @@ typedef struct LogLine {
   LogDrum *drum;         /**< of LOG_START and LOG_MODEL; the caller frees it */
   uint32_t model;        /**< its number, of LOG_MODEL; those of a log are 1, 2, ... */
   PlayerMessage message; /**< of LOG_MESSAGE; a swap itself and its strikers are not in the text */
-  uint64_t frames, lost; /**< of LOG_END: frames played, messages lost */
+  uint64_t frames, lost; /**< of LOG_MARK and LOG_END: frames played, messages lost */
 } LogLine;
 
 /** Each returns a line with its line feed, which the caller frees; NULL if memory is short. */
 char *log_line_start(const LogStart *start, const TaborModel *model, const char *preset);
 char *log_line_model(uint32_t number, const TaborModel *model, const char *preset);
 char *log_line_message(const PlayerMessage *message);
+char *log_line_mark(uint64_t frames, uint64_t lost);
 char *log_line_end(uint64_t frames, uint64_t lost);
+
+/** True if the text is no whole JSON value, as the last line of a log whose writer was killed. */
+bool log_line_is_cut(const char *text, size_t length);
 
 /**
  * Reads a line of @p length bytes. Refuses what no log has, in a message that begins with @p where, such as

@@ -190,7 +190,7 @@ static uint32_t play_piece(Player *player, float *samples, uint32_t most) {
   for (uint32_t i = 0; i < player->channels; i++) clip_channel(player, i, frames);
   send_out(player, samples, frames);
   if (player->records) record(player, position, frames);
-  atomic_store_explicit(&player->played, player->core.position, memory_order_relaxed);
+  atomic_store_explicit(&player->played, player->core.position, memory_order_release);
   look_for_end(player);
   return frames;
 }

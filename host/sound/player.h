@@ -121,7 +121,8 @@ void player_load(const Player *player, double *median, double *worst);
 uint32_t player_buffer(const Player *player);
 /** True once everything has been played. */
 bool player_is_over(const Player *player);
-/** Frames played so far. The number stops growing if the device fails. */
+/** Frames played so far; messages that acted before are in the log's queue or were taken from it. The number stops
+ * growing if the device fails. Any thread. */
 uint64_t player_position(const Player *player);
 /**
  * Stops the work of the audio thread and hands over the rest of the recording. False if the audio

@@ -226,7 +226,7 @@ bool player_is_over(const Player *player) {
 }
 
 uint64_t player_position(const Player *player) {
-  return atomic_load_explicit(&player->played, memory_order_relaxed);
+  return atomic_load_explicit(&player->played, memory_order_acquire);
 }
 
 bool player_halt(Player *player, double seconds) {

@@ -114,7 +114,7 @@ for signal in INT TERM HUP; do
   same "status after SIG$signal" $((128 + $(kill -l $signal))) "$status"
   check "the recording is whole after SIG$signal" "$INSPECT" peak "$signal.wav" >"$out"
   holds "something was recorded: $(cat "$out")" "$(cat "$out") > 0.001"
-  same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+  same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
 done
 
 # ---- disks ----

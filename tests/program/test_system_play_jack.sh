@@ -111,7 +111,7 @@ for signal in $signals; do
   same "it is said once" 1 "$(grep -c "^tabor: 'JACK: system' is gone" "$err")"
   check "the recording is whole" "$INSPECT" peak "died-$signal.wav" >"$private/peak"
   holds "something was recorded" "$(cat "$private/peak") > 0.001"
-  same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+  same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
   start_jack
 done
 
@@ -128,7 +128,7 @@ for signal in $signals; do
     same "status after SIG$signal at $delay s" 1 "$?"
     same "one line says why" 1 "$(grep "^tabor: " "$err" | grep -cv "^tabor: warning: ")"
     same "libraries say nothing" "" "$(grep -iE 'expression|MidiInJack|assert' "$err")"
-    same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+    same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
     start_jack
   done
 done

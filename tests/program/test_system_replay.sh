@@ -135,7 +135,7 @@ for signal in INT TERM; do
   same "status after SIG$signal" $((128 + $(kill -l $signal))) "$status"
   cp "$signal.log" take.log
   replayed "after SIG$signal" take.au
-  same "nothing is left beside" "" "$(find . -name '.tabor-*')"
+  same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
 done
 
 if [ -w /dev/full ]; then
@@ -184,7 +184,6 @@ damaged() {
   refused "$2" render -o x.wav --replay damaged.log
 }
 last=$(wc -l <take.log)
-damaged "no end" "damaged.log:$last: the log breaks off: its end is missing" '$d'
 damaged "no start" "damaged.log:1: not the start of a log" 1d
 damaged "two starts" "damaged.log:2: the log starts twice" 1p
 damaged "a line more" "damaged.log:$((last + 1)): text follows the end of the log" '$p'
@@ -206,6 +205,33 @@ damaged "an unknown key" "damaged.log:1: .*shell.colour" '1s/shell.radius/shell.
 damaged "an unknown quality" "damaged.log:1: 'quality': unknown: 'best'" '1s/"draft"/"best"/'
 damaged "another microphone" "damaged.log:1: 'mics': allowed: names of the drum's microphones" '1s/\["top"\]/["nope"]/'
 damaged "a rate of nothing" "damaged.log:1: 'rate': allowed: 22050 to 192000" '1s/"rate":48000.0/"rate":1/'
+
+damaged "nothing" "damaged.log:1: the log breaks off before its drum" 'd'
+damaged "nothing but a drum" "damaged.log:[0-9]*: the log breaks off before any sound" '2,$d'
+damaged "a line behind a mark" "damaged.log:3: text follows the end" '2s/.*/{"played":960,"lost":0}/'
+damaged "half of the first line" "damaged.log:1: the log breaks off before its drum" '1s/"rate".*//;2,$d'
+
+# A log without an end is played up to where it is complete: its mark, or else its last message.
+done_quietly render -q --replay take.log -o whole.wav
+# broken WHAT FRAMES SED-SCRIPT
+broken() {
+  sed "$3" take.log >broken.log
+  run render -q --replay broken.log -o again-take.wav
+  same "$1: status and message" \
+    "0 tabor: warning: 'broken.log' ends after $(printf %.1f "$(awk "BEGIN { print $2 / 48000 }")") s without its end; the sound stops there" \
+    "$status $(cat "$err")"
+  same "$1: frames" "$2" "$("$INSPECT" sound again-take.wav | cut -d' ' -f5)"
+  check "$1: sound" cmp <(head -c $(($2 * 3)) <(tail -c +45 whole.wav)) <(head -c $(($2 * 3)) <(tail -c +45 again-take.wav))
+}
+last_event=$(grep '"event"' take.log | tail -n 1 | sed -E 's/.*"frame":([0-9]*).*/\1/')
+broken "no end" "$last_event" '$d'
+broken "half of the end" "$last_event" '$s/"lost.*//'
+broken "a mark" $((last_event + 100)) "\$s/.*/{\"played\":$((last_event + 100)),\"lost\":0}/"
+broken "a mark before the last message" "$last_event" '$s/.*/{"played":100,"lost":0}/'
+broken "half of a message" 960 '4s/"event".*//;5,$d'
+sed '$d' take.log | head -c -1 >broken.log
+run render -q --replay broken.log -o again-take.wav
+same "a whole message without its line feed" "$last_event" "$("$INSPECT" sound again-take.wav | cut -d' ' -f5)"
 
 # A log of another version is played, with a word about it.
 sed '1s/"program":"[^"]*"/"program":"0.0.1"/' take.log >older.log

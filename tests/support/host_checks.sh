@@ -181,7 +181,7 @@ in_time() {
 }
 
 # recorded_size: prints the size of the running recording in this folder [bytes].
-recorded_size() { stat -c %s .tabor-* 2>/dev/null; }
+recorded_size() { stat -c %s ./*.part.[aw]* 2>/dev/null; }
 # recorded SECONDS BYTES: true if the recording has SECONDS of sound, with BYTES per frame at 48 kHz.
 recorded() {
   local size

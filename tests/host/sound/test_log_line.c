@@ -110,12 +110,36 @@ static void gains_and_changes_are_read_back(void **state) {
     &(PlayerMessage){.type = PLAYER_MODEL, .model = 8, .event = {.type = TABOR_EVENT_REPLACE}});
 }
 
-static void the_end_is_read_back(void **state) {
+static void check_frames(const LogLine *line, LogLineType type) {
+  assert_int_equal(line->type, type);
+  assert_true(line->frames == 9007199254740992u);
+  assert_int_equal(line->lost, 12);
+}
+
+static void mark_and_end_are_read_back(void **state) {
   (void)state;
-  const LogLine line = read_back(log_line_end(9007199254740992u, 12));
-  assert_int_equal(line.type, LOG_END);
-  assert_true(line.frames == 9007199254740992u);
-  assert_int_equal(line.lost, 12);
+  const LogLine mark = read_back(log_line_mark(9007199254740992u, 12));
+  const LogLine end = read_back(log_line_end(9007199254740992u, 12));
+  check_frames(&mark, LOG_MARK);
+  check_frames(&end, LOG_END);
+}
+
+/* The end is written over the mark, and must cover it. */
+static void the_end_is_as_long_as_the_mark(void **state) {
+  (void)state;
+  char *const mark = log_line_mark(48000, 3), *const end = log_line_end(48000, 3);
+  assert_int_equal(strlen(mark), strlen(end));
+  free(mark);
+  free(end);
+}
+
+static void a_cut_line_is_seen(void **state) {
+  (void)state;
+  char *const line = log_line_end(48000, 3);
+  const size_t whole = strlen(line) - 1; /* without its line feed */
+  for (size_t size = 0; size < whole; size++) assert_true(log_line_is_cut(line, size));
+  assert_false(log_line_is_cut(line, whole));
+  free(line);
 }
 
 static void check_drum(const TaborModel *model, const LogDrum *drum) {
@@ -177,7 +201,9 @@ int main(void) {
     cmocka_unit_test(events_are_read_back_to_the_bit),
     cmocka_unit_test(every_live_parameter_has_a_name),
     cmocka_unit_test(gains_and_changes_are_read_back),
-    cmocka_unit_test(the_end_is_read_back),
+    cmocka_unit_test(mark_and_end_are_read_back),
+    cmocka_unit_test(the_end_is_as_long_as_the_mark),
+    cmocka_unit_test(a_cut_line_is_seen),
     cmocka_unit_test(every_preset_is_read_back),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

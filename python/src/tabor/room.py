@@ -72,6 +72,11 @@ class Room:
             raise ValueError(f"the room hears the drum by its microphone {missing[0]!r}, which is not among "
                              f"{', '.join(self._mics)}")
 
+    def __repr__(self) -> str:
+        info = self.info
+        size = f", {info.length:g} x {info.width:g} x {info.height:g} m, {info.decay:.2g} s" if info.length else ""
+        return f"<tabor.Room {info.kind}{size}, mics {', '.join(self._mics)}>"
+
     @property
     def mics(self) -> Tuple[str, ...]:
         """Names of the microphones that are the rows of the sound."""
@@ -119,12 +124,14 @@ class Room:
     @property
     def is_silent(self) -> bool:
         """True once everything has died away."""
-        return bool(lib.tabor_room_is_silent(self._c))
+        with self._lock:
+            return bool(lib.tabor_room_is_silent(self._c))
 
     @property
     def energy(self) -> float:
         """Mean square of the late sound at a microphone of gain 1, in units of full scale."""
-        return float(lib.tabor_room_energy(self._c))
+        with self._lock:
+            return float(lib.tabor_room_energy(self._c))
 
     def reset(self) -> None:
         """Brings the room to rest."""

@@ -55,5 +55,5 @@ def test_a_sound_ends_between_half_a_second_and_20_s_after_the_last_event(monkey
     assert tabor.rendering._MOST_TIME == 20
     monkeypatch.setattr(tabor.rendering, "_MOST_TIME", 0.6)
     assert tabor.render(snare, [tabor.strike(0, 9)]).shape[1] == 28800
-    with pytest.raises(ValueError, match="strike: 3600 s is outside of 3600 s"):
-        tabor.render(snare, [tabor.strike(3600)])
+    with pytest.raises(ValueError, match="strike: 3601 s is outside of 3600 s"):
+        tabor.render(snare, [tabor.strike(3601)])

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from ._library import Error
 from .definition import Definition
-from .events import Event, strike
+from .events import strike
 from .model import Model, Playable, model_of
-from .rendering import Setting, frames_of, heard_mics
+from .rendering import Happening, Setting, frames_of, heard_mics
 
 _Job = Callable[[], None]
 
@@ -131,7 +131,7 @@ class _Sounds:
         self._out = None if frames is None else np.zeros(self._shape + (frames,), np.float32)
         self._apart: Dict[Tuple[int, int], NDArray[np.float32]] = {}
 
-    def play(self, setting: Setting, events: Sequence[Event], places: Sequence[int], take: int,
+    def play(self, setting: Setting, events: Happening, places: Sequence[int], take: int,
              stopped: Callable[[], bool]) -> None:
         """Plays a take, whose sound is that of several equal drums. Threads play different takes or drums."""
         if self._out is None:
@@ -153,7 +153,7 @@ class _Sounds:
         return out
 
 
-def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Event]]] = None,
+def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Happening]] = None,
                duration: Optional[float] = None, *, mics: Optional[Sequence[str]] = None,
                sample_rate: Optional[float] = None, quality: Optional[str] = None, workers: Optional[int] = None,
                progress: Optional[Callable[[int, int], object]] = None) -> NDArray[np.float32]:
@@ -163,7 +163,7 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
     ----------
     drums : sequence of Model, Definition or str
         The drums; those that are equal are computed once.
-    takes : sequence of sequences of Event, optional
+    takes : sequence of sequences of Event, or of names of MIDI files, optional
         What happens in each take, which begins on a drum at rest; one take of one stroke unless given.
     duration : float, optional
         Of each take [s]. Unless given, each rings out, as by `render`; zeros follow those that are shorter than the
@@ -197,6 +197,8 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
     """
     if isinstance(drums, (str, Definition, Model)):
         raise TypeError("drums is a sequence, as [drum]")
+    if isinstance(takes, (str, os.PathLike)):
+        raise TypeError(f"takes is a sequence, as [{takes!r}]")
     takes = [[strike()]] if takes is None else takes
     workers = _processors() if workers is None else workers
     if workers < 1:

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from typing import Callable, Iterator, List, Optional, Sequence, Tuple
+import os
+from typing import Callable, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +13,12 @@ from numpy.typing import NDArray
 from ._numbers import number
 from .drum import Drum, chosen
 from .events import Event, Placed, place, strike
+from .midi import Path, midi_events
 from .model import Model, Playable, model_of
 from .room import Room, RoomFade
+
+#: What happens to a drum: events, or the name of a MIDI file.
+Happening = Union[Sequence[Event], Path]
 
 _BLOCK = 4800  # frames between two looks at whether to stop
 
@@ -44,20 +49,23 @@ class Setting:
     def _feeds(self) -> Tuple[str, ...]:
         return tuple(dict.fromkeys(Room(self._definition, self.model.sample_rate).feeds))
 
-    def play(self, events: Sequence[Event], out: NDArray[np.float32],
+    def _place(self, events: Happening, frames: int) -> List[Placed]:
+        listed = midi_events(events, self.model) if isinstance(events, (str, os.PathLike)) else events
+        return place(listed, self.model.sample_rate, frames)
+
+    def play(self, events: Happening, out: NDArray[np.float32],
              stopped: Callable[[], bool] = lambda: False) -> None:
         """Plays events on a fresh drum, into an array of shape (heard, frames)."""
         frames = out.shape[1]
-        playing = _Playing(self, place(events, self.model.sample_rate, frames))
+        playing = _Playing(self, self._place(events, frames))
         for start in range(0, frames, _BLOCK):
             if stopped():
                 return
             out[:, start:start + _BLOCK] = playing.play(min(_BLOCK, frames - start))[:self.heard]
 
-    def ring_out(self, events: Sequence[Event], stopped: Callable[[], bool] = lambda: False) -> NDArray[np.float32]:
+    def ring_out(self, events: Happening, stopped: Callable[[], bool] = lambda: False) -> NDArray[np.float32]:
         """Plays events on a fresh drum until it has died away; an array of shape (heard, frames)."""
-        placed = place(events, self.model.sample_rate, math.ceil(_LATEST_EVENT * self.model.sample_rate))
-        playing = _Playing(self, placed)
+        playing = _Playing(self, self._place(events, math.ceil(_LATEST_EVENT * self.model.sample_rate) + 1))
         return np.concatenate([block[:self.heard] for block in playing.ring_out(stopped)], axis=1)
 
 
@@ -115,7 +123,7 @@ class _Playing:
             self._drum.is_silent or stored <= _ENERGY_FALL * self._loudest)
 
 
-def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: Optional[float] = None, *,
+def render(drum: Playable, events: Optional[Happening] = None, duration: Optional[float] = None, *,
            mics: Optional[Sequence[str]] = None, sample_rate: Optional[float] = None,
            quality: Optional[str] = None) -> NDArray[np.float32]:
     """Plays events on a fresh drum, in its room if it has one.
@@ -124,8 +132,8 @@ def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: O
     ----------
     drum : Model, Definition or str
         What is played; a definition or a preset's name is computed first.
-    events : sequence of Event, optional
-        What happens, in any order; one stroke at once unless given.
+    events : sequence of Event, str or path, optional
+        What happens, in any order, or the name of a MIDI file (see `midi_events`); one stroke at once unless given.
     duration : float, optional
         [s]; until the sound has died away unless given, as `tabor render` has it: until the energies of drum and room
         are 90 dB below their largest since the last event, 0.5 to 20 s after that event.

@@ -72,8 +72,8 @@ def test_words_are_words():
 
 
 def test_numpys_numbers_are_numbers(snare):
-    event = tabor.strike(np.float32(0.5), np.int64(3), radius=np.float64(0.02), angle=np.int8(90), pressure=np.float16(0.5),
-                         id=np.uint8(3))
+    event = tabor.strike(np.float32(0.5), np.int64(3), radius=np.float64(0.02), angle=np.int8(90),
+                         pressure=np.float16(0.5), id=np.uint8(3))
     assert event == tabor.strike(0.5, 3, radius=0.02, angle=90, pressure=0.5, id=3)
     assert type(event.time) is float and type(event.fields["velocity"]) is float and type(event.fields["id"]) is int
     assert pickle.loads(pickle.dumps(event)) == event

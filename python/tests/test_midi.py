@@ -43,15 +43,16 @@ SONGS = {
     "place of strokes": [[note(0, 38, 80), control(100, 16, 127), note(100, 38, 80), control(200, 17, 33),
                           note(200, 38, 80), note(240, 37, 80), note(260, 36, 80)]],
     "controllers act first": [[note(0, 38, 80)], [control(0, 16, 90), control(0, 1, 100)]],
-    "grip, strainer": [[note(0, 38, 80), control(60, 20, 0), note(100, 38, 80), control(130, 20, 100), control(140, 1, 9),
-                        note(200, 38, 80)]],
+    "grip, strainer": [[note(0, 38, 80), control(60, 20, 0), note(100, 38, 80), control(130, 20, 100),
+                        control(140, 1, 9), note(200, 38, 80)]],
     "gain": [[control(0, 7, 100), note(0, 38, 80), control(100, 11, 50), note(200, 38, 80), control(250, 7, 127)]],
     "fine velocities": [[control(0, 88, 64), note(0, 38, 80), note(200, 38, 80), control(300, 88, 127),
                          note(300, 38, 80, 0)]],
-    "hands": [[note(0, 38, 80), (100, "aftertouch", {"value": 90}), note(150, 38, 80), (200, "aftertouch", {"value": 0}),
-               (220, "polytouch", {"note": 38, "value": 1}), note(300, 38, 80),
+    "hands": [[note(0, 38, 80), (100, "aftertouch", {"value": 90}), note(150, 38, 80),
+               (200, "aftertouch", {"value": 0}), (220, "polytouch", {"note": 38, "value": 1}), note(300, 38, 80),
                (330, "polytouch", {"note": 38, "value": 0}), (340, "polytouch", {"note": 60, "value": 127})]],
-    "silences": [[note(0, 38, 120), control(200, 123, 0), control(201, 120, 0), note(202, 38, 80), control(300, 120, 0)]],
+    "silences": [[note(0, 38, 120), control(200, 123, 0), control(201, 120, 0), note(202, 38, 80),
+                  control(300, 120, 0)]],
     "presets": [[note(0, 38, 80), (100, "program_change", {"program": 2}), note(100, 38, 80),
                  (200, "program_change", {"program": 99}), (220, "program_change", {"program": 0}),
                  (220, "program_change", {"program": 2}), note(240, 40, 80), (300, "program_change", {"program": 1})]],
@@ -72,8 +73,8 @@ def test_a_snare_drum_at_another_rate(program_sound, tmp_path):
     drum = tabor.Definition("snare-14x5.5", {"strike.radius": 0.05, "wires.strainer": 0.5})
     np.testing.assert_array_equal(
         tabor.render(drum, path, sample_rate=44100),
-        program_sound("snare-14x5.5", "--rate", "44100", "--midi-file", str(path), "--set", "strike.radius=0.05", "--set",
-                      "wires.strainer=0.5"))
+        program_sound("snare-14x5.5", "--rate", "44100", "--midi-file", str(path), "--set", "strike.radius=0.05",
+                      "--set", "wires.strainer=0.5"))
 
 
 def test_a_room_fades_with_its_drum(program_sound, tmp_path):
@@ -81,8 +82,8 @@ def test_a_room_fades_with_its_drum(program_sound, tmp_path):
     hall = tabor.Definition("frame-drum", {"room.kind": "hall"})
     sound = tabor.render(hall, str(path), 1.0, quality="draft", mics=["left", "right"])
     np.testing.assert_array_equal(sound, program_sound(
-        "frame-drum", "--set", "room.kind=hall", "--quality", "draft", "--midi-file", str(path), "--duration", "1", "--mic",
-        "left", "--mic", "right", channels=2))
+        "frame-drum", "--set", "room.kind=hall", "--quality", "draft", "--midi-file", str(path), "--duration", "1",
+        "--mic", "left", "--mic", "right", channels=2))
 
 
 @pytest.mark.parametrize("division", [96, 0xE728 - 0x10000, 0xE250 - 0x10000, 0xE3FF - 0x10000])

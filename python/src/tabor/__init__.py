@@ -27,6 +27,6 @@ __version__ = version()
 __all__ = [
     "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelInfo", "Parameter", "Playable", "Preset",
     "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
-    "change", "damp", "gain", "midi_events", "move", "parameters", "presets", "press", "release", "render", "render_kit", "replace",
-    "reset", "silence", "strike", "swap", "trace", "version",
+    "change", "damp", "gain", "midi_events", "move", "parameters", "presets", "press", "release", "render",
+    "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",
 ]

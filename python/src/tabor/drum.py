@@ -102,7 +102,9 @@ def pointers(rows: NDArray[np.float32]) -> Any:
 
 
 def check_rows(rows: NDArray[np.float32], shape: Tuple[int, int]) -> None:
-    """Raises ValueError unless the library can write such rows."""
+    """Raises TypeError or ValueError unless the library can write such rows."""
+    if not isinstance(rows, np.ndarray):
+        raise TypeError(f"out: an array is needed, not {rows!r}")
     fits = rows.dtype == np.float32 and rows.shape == shape and rows.flags.writeable
     if not fits or (shape[1] > 1 and rows.strides[1] != 4):
         raise ValueError(f"out: a writable float32 array of shape {shape} with contiguous rows is needed, "

@@ -107,8 +107,8 @@ def _read(path: Path) -> Any:
             file = mido.MidiFile(file=opened)
             _check_header(file)
         except Exception as error:  # mido has many for a wrong file
-            raise Error(f"{os.fspath(path)}: not a Standard MIDI File of format 0 or 1: {error or type(error).__name__}",
-                        "value") from error
+            said = str(error) or type(error).__name__
+            raise Error(f"{os.fspath(path)}: not a Standard MIDI File of format 0 or 1: {said}", "value") from error
     return file
 
 
@@ -304,7 +304,7 @@ def _listed_preset(definition: Definition) -> Optional[int]:
 
 
 def _settled(actions: List[_Action], preset: Optional[int]) -> List[_Action]:
-    """The actions in order, without changes of preset that others overtake at the same frame, or that change nothing."""
+    """The actions in order, without changes of preset that another overtakes at their frame, or that change nothing."""
     ordered = sorted(actions, key=lambda action: action[:3])
     kept = []
     for action, following in zip(ordered, ordered[1:] + ordered[:1]):

@@ -316,3 +316,11 @@ def test_a_drum_says_what_it_is(snare):
     assert repr(drum) == "<tabor.Drum 'tabor', 48000 Hz, draft, mics top, silent after 0.000 s>"
     drum.process(4800, [tabor.strike()])
     assert repr(drum).endswith("sounding after 0.100 s>")
+
+
+def test_events_act_in_a_call_of_no_frames(snare):
+    tom = tabor.Model("tom-12", quality="draft")
+    for call in ("process", "trace"):
+        drum = tabor.Drum(snare)
+        assert getattr(drum, call)(0, [tabor.swap(0, tom), tabor.strike()]).shape[-1] == 0
+        assert drum.model is tom and drum.statistics().strikes == 1

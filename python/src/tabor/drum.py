@@ -247,6 +247,8 @@ class Drum:
             lib.tabor_drum_ledger(self._c, ledger)
             rows[frame] = ((start + frame) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
                            probe.striker_force, probe.wire_force, ledger.stored)
+        if at < len(placed):  # a trace of no frames
+            lib.tabor_drum_process(self._c, events + at, len(placed) - at, ffi.NULL, 0)
 
     def _prepare(self, placed: Sequence[Placed]) -> _Prepared:
         """The events for the library. Changes nothing, so that an event may be refused."""

@@ -129,3 +129,39 @@ def test_the_program_reads_what_is_written(program, tmp_path):
 def test_a_wrong_preset_file_is_refused(ini, said):
     with pytest.raises(tabor.Error, match=said):
         tabor.Definition.from_ini(ini)
+
+
+@pytest.mark.parametrize("name", [preset.name for preset in tabor.presets()])
+def test_a_saved_definition_is_loaded_again(name, tmp_path, program):
+    drum = tabor.Definition(name, {"batter.tension": 3456.7, "drum.name": "Trommel für Änne = 1"})
+    drum.save(tmp_path / "mine.ini")
+    assert tabor.Definition.load(os.fspath(tmp_path / "mine.ini")) == drum
+    assert tabor.Definition.from_ini(program("show", str(tmp_path / "mine.ini")).decode()) == drum
+
+
+def test_a_file_is_replaced_whole_or_not_at_all(tmp_path, monkeypatch):
+    path, drum = tmp_path / "mine.ini", tabor.Definition("tabor")
+    path.write_text("before")
+    path.chmod(0o640)
+    drum.save(path)
+    assert tabor.Definition.load(path) == drum and path.stat().st_mode & 0o777 == 0o640
+    before = path.read_text()
+    def fail(*_):
+        raise OSError("disk full")
+    for wrong in ({"drum.comment": "one ; two"}, {"drum.comment": " one"}, {"drum.comment": "x" * 190},
+                  {"strike.striker": "mace"}):
+        with pytest.raises(tabor.Error) as refused:
+            drum.copy(wrong).save(path)
+        assert refused.value.key == list(wrong)[0]
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises(OSError, match="disk full"):
+        drum.copy({"batter.tension": 4000}).save(path)
+    assert path.read_text() == before and list(tmp_path.iterdir()) == [path]
+    with pytest.raises(OSError):
+        drum.save(tmp_path / "none" / "mine.ini")
+
+
+def test_a_definition_says_what_it_is():
+    assert repr(tabor.Definition("tabor")) == (
+        "<tabor.Definition 'tabor', 300 mm, 1 head, 1 wire, strikers stick, mics top, bottom, far, left, right>")
+    assert ", 356 mm, 2 heads, 20 wires, strikers stick" in repr(tabor.Definition("snare-14x5.5"))

@@ -3,6 +3,7 @@ import copy
 import dataclasses
 import gc
 import math
+import threading
 
 import numpy as np
 import pytest
@@ -233,3 +234,93 @@ def test_a_trace_is_the_programs(program, tmp_path):
     for column, name in enumerate(tabor.TRACE.names):
         np.testing.assert_allclose(trace[name], expected[:, column], rtol=1e-5, atol=1e-12)
     assert np.nanmax(trace["striker_force"]) > 1
+
+
+def same_bits(drum, other):
+    return drum.save() == other.save() and drum.model is other.model
+
+
+@pytest.mark.parametrize("wrong", [
+    lambda: dataclasses.replace(tabor.strike(), time=9.0), lambda: tabor.strike(striker="mace"),
+    lambda: tabor.change(0, "mic.nowhere.gain", 1), lambda: "strike",
+    lambda: tabor.swap(0, tabor.Model("tabor", sample_rate=44100, quality="draft"))])
+def test_a_refused_call_changes_nothing(snare, wrong):
+    drum = tabor.Drum(snare)
+    drum.process(500, [tabor.strike()])
+    before = drum.copy()
+    tom = tabor.Model("tom-12", quality="draft")
+    for play in (drum.process, drum.trace):
+        with pytest.raises((ValueError, TypeError)):
+            play(64, [tabor.swap(0, tom), tabor.strike(), wrong()])
+        assert same_bits(drum, before)
+    np.testing.assert_array_equal(drum.process(64, [tabor.strike()]), before.process(64, [tabor.strike()]))
+
+
+def test_an_event_that_was_tampered_with_changes_nothing(snare):
+    drum, other = tabor.Drum(snare), tabor.Drum(snare)
+    for key, value in (("id", 2**40), ("radius", "30%")):
+        event = tabor.strike(0, id=2)
+        event.fields[key] = value
+        for play in (drum.process, drum.trace):
+            with pytest.raises((OverflowError, TypeError)):
+                play(64, [tabor.swap(0, tabor.Model("tom-12", quality="draft")), event])
+            assert same_bits(drum, other)
+
+
+@pytest.mark.parametrize("frames, error", [(-1, ValueError), (2**31, ValueError), (1.5, TypeError), (True, TypeError),
+                                           ("64", TypeError)])
+def test_wrong_numbers_of_frames_are_refused(snare, frames, error):
+    drum = tabor.Drum(snare)
+    for play in (drum.process, drum.trace):
+        with pytest.raises(error, match="frames"):
+            play(frames)
+    assert drum.process(np.int64(8)).shape == (len(snare.mics), 8)
+
+
+def test_a_copy_is_from_between_two_calls(monkeypatch, snare):
+    """Another thread swaps the drum's model while the copy is made."""
+    drum, original = tabor.Drum(snare), tabor.Drum.__init__
+    tom = tabor.Model("tom-12", quality="draft")
+    def swap_meanwhile(*arguments):
+        original(*arguments)
+        other_thread = threading.Thread(target=drum.process, args=(64, [tabor.swap(0, tom)]))
+        other_thread.start()
+        other_thread.join()
+    monkeypatch.setattr(tabor.Drum, "__init__", swap_meanwhile)
+    copied = drum.copy()
+    assert copied.model is snare and drum.model is tom
+
+
+def test_threads_take_turns(snare):
+    drum = tabor.Drum(snare)
+    models, done, errors = [tabor.Model("tom-12", quality="draft"), snare], threading.Event(), []
+    def play():
+        try:
+            for i in range(60):
+                drum.process(480, [tabor.swap(0, models[i % 2]), tabor.strike()])
+        except Exception as error:  # shown by the assertion below
+            errors.append(error)
+        done.set()
+    player = threading.Thread(target=play)
+    player.start()
+    while not done.is_set():
+        assert drum.copy().model in models
+        drum.ledger(), drum.probe(), drum.save()
+        assert drum.is_silent in (False, True) and "tabor.Drum" in repr(drum)
+    player.join()
+    assert not errors and drum.statistics().frames > 0
+
+
+def test_a_drum_says_what_it_is(snare):
+    drum = tabor.Drum(snare, ["top"])
+    assert repr(drum) == "<tabor.Drum 'tabor', 48000 Hz, draft, mics top, silent after 0.000 s>"
+    drum.process(4800, [tabor.strike()])
+    assert repr(drum).endswith("sounding after 0.100 s>")
+
+
+def test_events_act_in_a_call_of_no_frames(snare):
+    tom = tabor.Model("tom-12", quality="draft")
+    for call in ("process", "trace"):
+        drum = tabor.Drum(snare)
+        assert getattr(drum, call)(0, [tabor.swap(0, tom), tabor.strike()]).shape[-1] == 0
+        assert drum.model is tom and drum.statistics().strikes == 1

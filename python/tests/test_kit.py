@@ -128,3 +128,17 @@ def test_what_makes_no_kit():
         tabor.render_kit([tabor.Model("tabor", quality="draft")], sample_rate=44100)
     assert tabor.render_kit([], duration=0.01).shape == (0, 1, 1, 480)
     assert tabor.render_kit(DRUMS, [], **DRAFT).shape == (3, 0, 1, 2400)
+
+
+def test_takes_ring_out_unless_told():
+    takes = [[tabor.strike(0, 1)], [tabor.strike(0, 1), tabor.strike(0.7, 3)]]
+    models = [tabor.Model("tabor", quality="draft"), tabor.Model("frame-drum", quality="draft")]
+    kit = tabor.render_kit(models + models[:1], takes)
+    sounds = [[tabor.render(model, take) for take in takes] for model in models + models[:1]]
+    lengths = {sound.shape[1] for row in sounds for sound in row}
+    assert kit.shape == (3, 2, 1, max(lengths)) and len(lengths) > 1
+    for row, expected in zip(kit, sounds):
+        for sound, alone in zip(row, expected):
+            np.testing.assert_array_equal(sound[:, :alone.shape[1]], alone)
+            assert (sound[:, alone.shape[1]:] == 0).all()
+    assert tabor.render_kit([]).shape == (0, 1, 1, 0)

@@ -59,3 +59,9 @@ def test_rendering_adds_the_room_as_the_program_does(program_sound):
     np.testing.assert_array_equal(sound, expected)
     np.testing.assert_array_equal(tabor.render(hall, duration=0.3, mics=["right"])[0], expected[1])
     assert (sound != tabor.render("frame-drum", duration=0.3, mics=["left", "right"])).any()
+
+
+def test_a_room_says_what_it_is():
+    room = tabor.Room(tabor.Definition("snare-14x5.5", HALL), mics=["left", "right"])
+    assert repr(room) == "<tabor.Room hall, 20 x 15 x 9 m, 1.5 s, mics left, right>"
+    assert repr(tabor.Room("tabor")) == "<tabor.Room none, mics top, bottom, far, left, right>"

@@ -17,6 +17,7 @@ from .drum import TRACE, Drum, Ledger, Probe, Statistics
 from .events import (TECHNIQUES, Event, change, damp, gain, move, press, release, replace, reset, silence, strike,
                      swap)
 from .kit import render_kit
+from .midi import midi_events
 from .model import MODE, QUALITIES, Model, ModelInfo, Playable
 from .rendering import render, trace
 from .room import Room, RoomInfo
@@ -26,6 +27,6 @@ __version__ = version()
 __all__ = [
     "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelInfo", "Parameter", "Playable", "Preset",
     "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
-    "change", "damp", "gain", "move", "parameters", "presets", "press", "release", "render", "render_kit", "replace",
-    "reset", "silence", "strike", "swap", "trace", "version",
+    "change", "damp", "gain", "midi_events", "move", "parameters", "presets", "press", "release", "render",
+    "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",
 ]

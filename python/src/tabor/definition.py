@@ -4,6 +4,9 @@
 from __future__ import annotations
 
 import math
+import os
+import secrets
+import shutil
 from numbers import Integral
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
@@ -12,6 +15,7 @@ from ._library import Error, check, choice_of, encoded, ffi, lib, text
 #: A parameter's value: a number, or the word of a choice, or text.
 Value = Union[float, int, str]
 
+_LINE_LIMIT = 198  # bytes of a line that the program reads
 _HEADS = ("batter", "resonant")
 
 
@@ -148,6 +152,53 @@ class Definition(Mapping[str, Value]):
         made.validate()
         return made
 
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike[str]]) -> Definition:
+        """Reads a preset file, as `save` and `tabor show` write it.
+
+        Parameters
+        ----------
+        path : str or path
+            Name of the file.
+
+        Returns
+        -------
+        Definition
+            A drum with these parameters; what is not mentioned has its default.
+
+        Raises
+        ------
+        OSError
+            The file cannot be read.
+        Error
+            A line is not understood, or a value is not allowed.
+        """
+        with open(path, encoding="utf-8") as file:
+            return cls.from_ini(file.read())
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes a preset file, which `load` and the program `tabor` read back to an equal definition.
+
+        The file appears complete or not at all: what was there stays until the new one is written.
+
+        Parameters
+        ----------
+        path : str or path
+            Name of the file; it replaces one that is there.
+
+        Raises
+        ------
+        OSError
+            The file cannot be written.
+        Error
+            A rule between parameters is broken (see `validate`), or a preset file cannot hold one of the texts:
+            `Error.key` says which. Nothing is written then.
+        """
+        self.validate()
+        for key in self:
+            _check_line(key, self._written(key))
+        _write_file(os.fspath(path), self.to_ini())
+
     def to_ini(self) -> str:
         """Writes the text of a preset file.
 
@@ -201,7 +252,12 @@ class Definition(Mapping[str, Value]):
         return _restored, (self._fingerprint(),)  # for pickle and copy
 
     def __repr__(self) -> str:
-        return f"<tabor.Definition {self['drum.name']!r}, {len(self)} parameters>"
+        c = self._c
+        parts = [f"{2000 * c.shell.radius:.0f} mm", "2 heads" if "resonant.tension" in self else "1 head"]
+        if c.wires.count:
+            parts.append(f"{c.wires.count} wire{'s' if c.wires.count > 1 else ''}")
+        parts += [f"strikers {', '.join(self.strikers)}", f"mics {', '.join(self.mics)}"]
+        return f"<tabor.Definition {self['drum.name']!r}, {', '.join(parts)}>"
 
     def update(self, changes: Mapping[str, Value]) -> None:
         """Sets several parameters, all of them or, if one is refused, none.
@@ -300,6 +356,35 @@ def _restored(fingerprint: Tuple[Tuple[str, str], ...]) -> Definition:
     lib.tabor_drum_def_clear(made._c)
     made.update(dict(fingerprint))
     return made
+
+
+def _check_line(key: str, written: str) -> None:
+    """Raises Error for text that a preset file cannot hold, which has no way to quote."""
+    line = f"{key.rpartition('.')[2]} = {written}"
+    ends = written.strip() == written and not written.startswith(";") and " ;" not in written
+    if not ends or any(ord(letter) < 32 or ord(letter) == 127 for letter in written):
+        raise Error(f"{key}: a preset file cannot hold this text: {written!r}", "value", key, written)
+    if len(line.encode()) > _LINE_LIMIT:
+        raise Error(f"{key}: a preset file's lines hold {_LINE_LIMIT} bytes; this one has {len(line.encode())}",
+                    "value", key, written)
+
+
+def _write_file(path: str, content: str) -> None:
+    """Writes a file beside its place, then puts it there, with the permissions of the one that was there."""
+    place = os.path.realpath(path)
+    folder, name = os.path.split(place)
+    other = os.path.join(folder, f".{name}.{secrets.token_hex(4)}")
+    with open(other, "x", encoding="utf-8", newline="\n") as file:
+        try:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+            if os.path.exists(place):
+                shutil.copymode(place, other)
+            os.replace(other, place)
+        except BaseException:
+            os.unlink(other)
+            raise
 
 
 def _written(value: Union[float, int]) -> str:

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._library import Error, check, choice_of, ffi, fields, index_of, lib, saved_state, text
+from ._numbers import whole
 from .definition import Definition
-from .events import TECHNIQUES, TYPES, Event, Placed, place
+from .events import TECHNIQUES, TYPES, Event, Placed, live_parameter, place
 from .model import Model, model_of
 
 #: What moves, a row a sample, after it: `time` [s]; `head`, `wire`, `striker`, heights [m] over the undeflected head;
@@ -20,7 +21,9 @@ TRACE = np.dtype([(name, "f8") for name in
                   ("time", "head", "wire", "striker", "striker_force", "wire_force", "energy")])
 
 _NO_MIC = 255  # an output without microphone
-_PLAIN_FIELDS = ("id", "parameter", "velocity", "radius", "angle", "value")
+_MOST_FRAMES = 2**31 - 1
+_PLAIN_FIELDS = ("id", "velocity", "radius", "angle")
+_VALUE_FIELDS = ("pressure", "seconds", "strength", "value", "factor")  # one of them is the library's `value`
 
 
 class Ledger(NamedTuple):
@@ -99,7 +102,9 @@ def pointers(rows: NDArray[np.float32]) -> Any:
 
 
 def check_rows(rows: NDArray[np.float32], shape: Tuple[int, int]) -> None:
-    """Raises ValueError unless the library can write such rows."""
+    """Raises TypeError or ValueError unless the library can write such rows."""
+    if not isinstance(rows, np.ndarray):
+        raise TypeError(f"out: an array is needed, not {rows!r}")
     fits = rows.dtype == np.float32 and rows.shape == shape and rows.flags.writeable
     if not fits or (shape[1] > 1 and rows.strides[1] != 4):
         raise ValueError(f"out: a writable float32 array of shape {shape} with contiguous rows is needed, "
@@ -137,8 +142,15 @@ class Drum:
         self._swaps: List[Any] = []  # under way
         self._c = ffi.gc(drum[0], _destroyer(self._swaps))
         self._lock = threading.Lock()
-        self._route = routed(self._model.mics, self._mics)
-        lib.tabor_drum_route(self._c, self._route, len(self._mics))
+        lib.tabor_drum_route(self._c, routed(self._model.mics, self._mics), len(self._mics))
+
+    def __repr__(self) -> str:
+        with self._lock:
+            model, played = self._model, self._statistics().frames / self._model.sample_rate
+            state = "silent" if lib.tabor_drum_is_silent(self._c) else "sounding"
+        name = model.definition["drum.name"]
+        return (f"<tabor.Drum {name!r}, {model.sample_rate:g} Hz, {model.info.quality}, "
+                f"mics {', '.join(self._mics)}, {state} after {played:.3f} s>")
 
     @property
     def model(self) -> Model:
@@ -172,8 +184,10 @@ class Drum:
         Raises
         ------
         ValueError
-            An event is later than these frames, or needs what the drum has not.
+            An event is later than these frames, or needs what the drum has not. The drum then stays as it is, as
+            after every other exception.
         """
+        frames = whole("process: frames", frames, 0, _MOST_FRAMES)
         if out is None:
             out = np.empty((len(self._mics), frames), np.float32)
         check_rows(out, (len(self._mics), frames))
@@ -182,10 +196,14 @@ class Drum:
 
     def _play(self, placed: Sequence[Placed], out: NDArray[np.float32]) -> None:
         """As `process`, into an array that fits, with events that have their frames."""
+        rows = pointers(out)
         with self._lock:
-            events = self._translated(placed)
-            lib.tabor_drum_process(self._c, events, len(events), pointers(out), out.shape[1])
-            self._finish_swaps()
+            prepared = self._prepare(placed)
+            try:
+                self._swaps += prepared.swaps
+                lib.tabor_drum_process(self._c, prepared.events, len(placed), rows, out.shape[1])
+            finally:
+                self._settle(prepared)
 
     def trace(self, frames: int, events: Sequence[Event] = ()) -> NDArray[np.void]:
         """Plays on and returns what moves, instead of the sound.
@@ -202,60 +220,67 @@ class Drum:
         ndarray of TRACE, shape (frames,)
             A row after each sample.
         """
+        frames = whole("trace: frames", frames, 0, _MOST_FRAMES)
         placed = place(events, self._model.sample_rate, frames)
         rows = np.zeros(frames, TRACE)
-        probe, ledger = ffi.new("TaborProbe *"), ffi.new("TaborLedger *")
-        start = self.statistics().frames + 1
         with self._lock:
-            translated = self._translated(placed)
-            at = 0
-            for frame in range(frames):
-                first = at
-                while at < len(placed) and placed[at][0] == frame:
-                    translated[at].frame = 0
-                    at += 1
-                lib.tabor_drum_process(self._c, translated + first, at - first, ffi.NULL, 1)
-                lib.tabor_drum_probe(self._c, probe)
-                lib.tabor_drum_ledger(self._c, ledger)
-                rows[frame] = ((start + frame) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
-                               probe.striker_force, probe.wire_force, ledger.stored)
-            self._finish_swaps()
+            prepared = self._prepare(placed)
+            try:
+                self._swaps += prepared.swaps
+                self._trace(placed, prepared.events, rows)
+            finally:
+                self._settle(prepared)
         return rows
 
-    def _translated(self, placed: Sequence[Placed]) -> Any:
-        """The events for the library. The drum's model is then that after the last swap among them."""
-        model, swaps, made = self._model, [], []
-        for frame, event in placed:
-            values = {name: event.fields[name] for name in _PLAIN_FIELDS if event.fields.get(name) is not None}
-            values.update(frame=frame, type=TYPES[event.kind])
-            if event.kind == "strike":
-                _complete_stroke(values, event, model.definition)
-            elif event.fields.get("mic"):
-                values["index"] = index_of(model.mics, event.fields["mic"], "microphone")
-            elif "model" in event.fields:
-                swaps.append(self._prepared(model, event.fields["model"]))
-                values["swap"] = swaps[-1]
-                model = event.fields["model"]
-            made.append(values)
-        self._swaps += swaps
-        self._model = model
-        return ffi.new("TaborEvent[]", made)
+    def _trace(self, placed: Sequence[Placed], events: Any, rows: NDArray[np.void]) -> None:
+        """Plays sample by sample, and fills a row after each."""
+        probe, ledger = ffi.new("TaborProbe *"), ffi.new("TaborLedger *")
+        start = self._statistics().frames + 1
+        at = 0
+        for frame in range(len(rows)):
+            first = at
+            while at < len(placed) and placed[at][0] == frame:
+                events[at].frame = 0
+                at += 1
+            lib.tabor_drum_process(self._c, events + first, at - first, ffi.NULL, 1)
+            lib.tabor_drum_probe(self._c, probe)
+            lib.tabor_drum_ledger(self._c, ledger)
+            rows[frame] = ((start + frame) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
+                           probe.striker_force, probe.wire_force, ledger.stored)
+        if at < len(placed):  # a trace of no frames
+            lib.tabor_drum_process(self._c, events + at, len(placed) - at, ffi.NULL, 0)
 
-    def _prepared(self, old: Model, new: Model) -> Any:
+    def _prepare(self, placed: Sequence[Placed]) -> _Prepared:
+        """The events for the library. Changes nothing, so that an event may be refused."""
+        models, swaps, made = [self._model], [], []
+        for frame, event in placed:
+            model = models[-1]
+            values = _values(frame, event, model)
+            if "model" in event.fields:
+                models.append(event.fields["model"])
+                swaps.append(self._swap(model, models[-1]))
+                values["swap"] = swaps[-1]
+            made.append(values)
+        return _Prepared(ffi.new("TaborEvent[]", made), swaps, models)
+
+    def _swap(self, old: Model, new: Model) -> Any:
         swap = ffi.new("TaborSwap **")
         check(lib.tabor_swap_create, old._c, new._c, swap)
-        lib.tabor_swap_route(swap[0], routed(new.mics, self._mics), len(self._mics))
-        return ffi.gc(swap[0], lib.tabor_swap_destroy)
+        owned = ffi.gc(swap[0], lib.tabor_swap_destroy)
+        lib.tabor_swap_route(owned, routed(new.mics, self._mics), len(self._mics))
+        return owned
 
-    def _finish_swaps(self) -> None:
-        if lib.tabor_drum_model(self._c) != self._model._c:
-            raise RuntimeError("a swap was dropped")
+    def _settle(self, prepared: _Prepared) -> None:
+        """The model is now that of the last swap that acted: all of them, unless an interrupt came between."""
+        now = lib.tabor_drum_model(self._c)
+        self._model = next(model for model in reversed(prepared.models) if model._c == now)
         self._swaps[:] = [swap for swap in self._swaps if not lib.tabor_swap_done(swap)]
 
     @property
     def is_silent(self) -> bool:
         """True once everything has died away; the sound is then exactly 0 until the next event."""
-        return bool(lib.tabor_drum_is_silent(self._c))
+        with self._lock:
+            return bool(lib.tabor_drum_is_silent(self._c))
 
     def reset(self) -> None:
         """Brings the drum to rest; changed parameters, ledger and counters start again."""
@@ -282,7 +307,10 @@ class Drum:
             Counters.
         """
         with self._lock:
-            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, self._c))
+            return self._statistics()
+
+    def _statistics(self) -> Statistics:
+        return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, self._c))
 
     def probe(self) -> Probe:
         """Where things are now.
@@ -304,7 +332,10 @@ class Drum:
             For `load` of a drum on the same model, with the same library.
         """
         with self._lock:
-            return saved_state(self._c, lib.tabor_drum_state_size, lib.tabor_drum_state_save)
+            return self._saved()
+
+    def _saved(self) -> bytes:
+        return saved_state(self._c, lib.tabor_drum_state_size, lib.tabor_drum_state_save)
 
     def load(self, state: bytes) -> None:
         """Goes on from a saved state, with the same bits.
@@ -329,16 +360,41 @@ class Drum:
         Returns
         -------
         Drum
-            It goes on as this one does.
+            It goes on as this one does, but for sounds that fade out after a silence, a swap or a replacement.
+            Another thread may play this drum meanwhile: the copy is from between two of its calls.
         """
-        other = Drum(self._model, None)
+        with self._lock:
+            model, state = self._model, self._saved()
+        other = Drum(model, None)
         other._mics = self._mics
-        other._route = routed(self._model.mics, self._mics)
-        lib.tabor_drum_route(other._c, other._route, len(other._mics))
-        other.load(self.save())
+        lib.tabor_drum_route(other._c, routed(model.mics, self._mics), len(self._mics))
+        other.load(state)
         return other
 
     __copy__ = copy
+
+
+class _Prepared(NamedTuple):
+    """Events as the library takes them, with what must live as long as they do."""
+
+    events: Any
+    swaps: List[Any]
+    models: List[Model]  # before the first event, and after each swap
+
+
+def _values(frame: int, event: Event, model: Model) -> Dict[str, Any]:
+    """The members of the library's event, for a drum of this model."""
+    values = {name: event.fields[name] for name in _PLAIN_FIELDS if event.fields.get(name) is not None}
+    values.update({"value": event.fields[name] for name in _VALUE_FIELDS if name in event.fields})
+    values.update(frame=frame, type=TYPES[event.kind])
+    if event.kind == "strike":
+        _complete_stroke(values, event, model.definition)
+    elif event.kind == "change":
+        key = event.fields["key"]
+        values["parameter"] = live_parameter(key).id
+        if key.startswith("mic."):
+            values["index"] = index_of(model.mics, key.split(".")[1], "microphone")
+    return values
 
 
 def _complete_stroke(values: Dict[str, Any], event: Event, definition: Definition) -> None:

@@ -5,41 +5,117 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from ._library import choice_of, encoded, lib, UnknownNameError
+from ._library import Error, UnknownNameError, choice_of, encoded, lib
+from ._numbers import number, whole
 from .model import Model
 
 #: How a stroke can be made.
 TECHNIQUES: Tuple[str, ...] = ("normal", "buzz", "rimshot", "cross-stick", "rim", "sweep")
 
+_LARGEST_ID = 2**32 - 1
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Event:
     """Something that happens to a drum; made by `strike` and the other functions of events.
 
-    Use `dataclasses.replace` to have it at another time.
+    Use `dataclasses.replace` to have it at another time. Its values are checked when it is made.
     """
 
     time: float  #: [s] from the start of the call that plays it; it acts at the nearest sample
     kind: str  #: the name of the function that made it
-    fields: Dict[str, Any] = field(default_factory=dict)  #: what else describes it; None: as the definition says
+    fields: Dict[str, Any] = field(default_factory=dict)  #: its other parameters; None: as the definition says
+
+    def __post_init__(self) -> None:
+        choice_of(tuple(_FIELDS), self.kind, "event")
+        object.__setattr__(self, "time", number(f"{self.kind}: time", self.time, 0))
+        object.__setattr__(self, "fields", _checked(self.kind, self.fields))
+
+    def __repr__(self) -> str:
+        usual = {"pressure": 0.5, "seconds": 0.0, "id": 0} if self.kind in ("strike", "move") else {"id": 0}
+        told = [_short(self.time)] + [f"{key}={_short(value)}" for key, value in self.fields.items()
+                                     if value is not None and value != usual.get(key)]
+        return f"tabor.{self.kind}({', '.join(told)})"
 
 
-def _event(time: float, kind: str, **values: Any) -> Event:
-    if not (math.isfinite(time) and time >= 0):
-        raise ValueError(f"{kind}: time {time!r}: allowed: 0 or more")
-    for name, value in values.items():
-        if isinstance(value, float) and not math.isfinite(value):
-            raise ValueError(f"{kind}: {name} {value!r}: allowed: a finite number")
-    return Event(float(time), kind, values)
+def _short(value: Any) -> str:
+    return repr(value).removesuffix(".0") if isinstance(value, float) else repr(value)
 
 
-def _with_model(time: float, kind: str, model: Model) -> Event:
-    if not isinstance(model, Model):
-        raise TypeError(f"{kind}: a Model is needed, not {model!r}")
-    return _event(time, kind, model=model)
+# ---- what an event's fields may be ------------------------------------------------------------------------------
 
+_Check = Callable[[str, Any], Any]  # what is checked, as "strike: radius", and its value; gives the value
+
+
+def _within(minimum: float = -math.inf, maximum: float = math.inf) -> _Check:
+    return lambda what, value: number(what, value, minimum, maximum)
+
+
+def _unless_none(check: _Check) -> _Check:
+    return lambda what, value: None if value is None else check(what, value)
+
+
+def _word(what: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{what} {value!r}: a string is needed")
+    return value
+
+
+def _technique(what: str, value: Any) -> str:
+    choice_of(TECHNIQUES, _word(what, value), "technique")
+    return str(value)
+
+
+def _id(what: str, value: Any) -> int:
+    return whole(what, value, 0, _LARGEST_ID)
+
+
+def _model(what: str, value: Any) -> Model:
+    if not isinstance(value, Model):
+        raise TypeError(f"{what.partition(':')[0]}: a Model is needed, not {value!r}")
+    return value
+
+
+_FIELDS: Dict[str, Dict[str, _Check]] = {
+    "strike": {"velocity": _unless_none(_within(0.01, 30)), "radius": _unless_none(_within(0)),
+               "angle": _unless_none(_within()), "striker": _unless_none(_word), "technique": _unless_none(_technique),
+               "pressure": _within(0, 1), "id": _id},
+    "press": {"pressure": _within(0, 1), "id": _id},
+    "move": {"radius": _within(0), "angle": _within(), "seconds": _within(0, 60), "id": _id},
+    "damp": {"strength": _within(0, 100), "radius": _within(0), "angle": _within(), "id": _id},
+    "release": {"id": _id},
+    "change": {"key": _word, "value": _within()},
+    "swap": {"model": _model},
+    "replace": {"model": _model},
+    "silence": {},
+    "gain": {"factor": _within(0, 1e6)},
+    "reset": {}}
+
+
+def _checked(kind: str, fields: Dict[str, Any]) -> Dict[str, Any]:
+    unknown = sorted(set(fields) - set(_FIELDS[kind]))
+    if unknown:
+        raise TypeError(f"{kind} has no {unknown[0]}")
+    checked = {name: check(f"{kind}: {name}", fields.get(name)) for name, check in _FIELDS[kind].items()}
+    if kind == "change":
+        row = live_parameter(checked["key"])
+        number(f"change: {checked['key']}", checked["value"], row.minimum, row.maximum)
+    return checked
+
+
+def live_parameter(key: str) -> Any:
+    """The library's row of a parameter that can change while a drum rings."""
+    row = lib.tabor_parameter_find(encoded(key, "key"))
+    if not row:
+        raise UnknownNameError(f"no parameter is called {key!r}", "key", key)
+    if not row.live:
+        raise Error(f"{key} cannot change while the drum rings: swap to another model", "key", key)
+    return row
+
+
+# ---- making events ----------------------------------------------------------------------------------------------
 
 def strike(time: float = 0.0, velocity: Optional[float] = None, *, radius: Optional[float] = None,
            angle: Optional[float] = None, striker: Optional[str] = None, technique: Optional[str] = None,
@@ -51,9 +127,9 @@ def strike(time: float = 0.0, velocity: Optional[float] = None, *, radius: Optio
     time : float
         [s] from the start of the call that plays it.
     velocity : float, optional
-        Of the tip as it touches [m/s], clamped to 0.01 to 30.
+        Of the tip as it touches [m/s], 0.01 to 30.
     radius : float, optional
-        Distance from the centre [m], clamped to the head.
+        Distance from the centre [m], 0 or more; clamped to the head.
     angle : float, optional
         Direction [degrees], counter-clockwise from +x seen from above.
     striker : str, optional
@@ -63,16 +139,25 @@ def strike(time: float = 0.0, velocity: Optional[float] = None, *, radius: Optio
     pressure : float
         Of a buzz or a sweep, 0 to 1.
     id : int
-        A number for `press`, `move` and `release`; 0: anonymous.
+        A number for `press`, `move` and `release`, up to 2**32 - 1; 0: anonymous.
 
     Returns
     -------
     Event
+
+    Raises
+    ------
+    TypeError
+        A value is not a number, or not a string; True and False are no numbers.
+    Error
+        A value is not finite or not in its range, or there is no such technique; `Error.key` says which.
+
+    Notes
+    -----
+    All functions of events check their values so. Numbers may be NumPy scalars.
     """
-    if technique is not None:
-        choice_of(TECHNIQUES, technique, "technique")
-    return _event(time, "strike", velocity=velocity, radius=radius, angle=angle, striker=striker,
-                  technique=technique, value=pressure, id=id)
+    return Event(time, "strike", {"velocity": velocity, "radius": radius, "angle": angle, "striker": striker,
+                                  "technique": technique, "pressure": pressure, "id": id})
 
 
 def press(time: float, pressure: float, *, id: int = 0) -> Event:
@@ -91,7 +176,7 @@ def press(time: float, pressure: float, *, id: int = 0) -> Event:
     -------
     Event
     """
-    return _event(time, "press", value=pressure, id=id)
+    return Event(time, "press", {"pressure": pressure, "id": id})
 
 
 def move(time: float, radius: float, angle: float = 0.0, *, seconds: float = 0.0, id: int = 0) -> Event:
@@ -114,7 +199,7 @@ def move(time: float, radius: float, angle: float = 0.0, *, seconds: float = 0.0
     -------
     Event
     """
-    return _event(time, "move", radius=radius, angle=angle, value=seconds, id=id)
+    return Event(time, "move", {"radius": radius, "angle": angle, "seconds": seconds, "id": id})
 
 
 def damp(time: float, strength: float = 5.0, *, radius: float = 0.0, angle: float = 0.0, id: int = 0) -> Event:
@@ -137,7 +222,7 @@ def damp(time: float, strength: float = 5.0, *, radius: float = 0.0, angle: floa
     -------
     Event
     """
-    return _event(time, "damp", value=strength, radius=radius, angle=angle, id=id)
+    return Event(time, "damp", {"strength": strength, "radius": radius, "angle": angle, "id": id})
 
 
 def release(time: float, *, id: int = 0) -> Event:
@@ -154,7 +239,7 @@ def release(time: float, *, id: int = 0) -> Event:
     -------
     Event
     """
-    return _event(time, "release", id=id)
+    return Event(time, "release", {"id": id})
 
 
 def change(time: float, key: str, value: float) -> Event:
@@ -167,7 +252,7 @@ def change(time: float, key: str, value: float) -> Event:
     key : str
         As ``"wires.strainer"`` or ``"mic.top.gain"``.
     value : float
-        In the parameter's unit, clamped to its range.
+        In the parameter's unit, within its range.
 
     Returns
     -------
@@ -177,16 +262,10 @@ def change(time: float, key: str, value: float) -> Event:
     ------
     UnknownNameError
         No parameter has this key.
-    ValueError
-        The parameter is not live: `swap` to another model instead.
+    Error
+        The parameter is not live: `swap` to another model instead. Or the value is not in its range.
     """
-    row = lib.tabor_parameter_find(encoded(key, "key"))
-    if not row:
-        raise UnknownNameError(f"no parameter is called {key!r}", "key", key)
-    if not row.live:
-        raise ValueError(f"{key} cannot change while the drum rings: swap to another model")
-    mic = key.split(".")[1] if key.startswith("mic.") else None
-    return _event(time, "change", parameter=row.id, value=float(value), mic=mic)
+    return Event(time, "change", {"key": key, "value": value})
 
 
 def swap(time: float, model: Model) -> Event:
@@ -203,7 +282,7 @@ def swap(time: float, model: Model) -> Event:
     -------
     Event
     """
-    return _with_model(time, "swap", model)
+    return Event(time, "swap", {"model": model})
 
 
 def replace(time: float, model: Model) -> Event:
@@ -220,7 +299,7 @@ def replace(time: float, model: Model) -> Event:
     -------
     Event
     """
-    return _with_model(time, "replace", model)
+    return Event(time, "replace", {"model": model})
 
 
 def silence(time: float) -> Event:
@@ -235,7 +314,7 @@ def silence(time: float) -> Event:
     -------
     Event
     """
-    return _event(time, "silence")
+    return Event(time, "silence")
 
 
 def gain(time: float, factor: float) -> Event:
@@ -252,7 +331,7 @@ def gain(time: float, factor: float) -> Event:
     -------
     Event
     """
-    return _event(time, "gain", value=float(factor))
+    return Event(time, "gain", {"factor": factor})
 
 
 def reset(time: float) -> Event:
@@ -267,7 +346,7 @@ def reset(time: float) -> Event:
     -------
     Event
     """
-    return _event(time, "reset")
+    return Event(time, "reset")
 
 
 #: The library's type of each kind of event.
@@ -283,8 +362,12 @@ Placed = Tuple[int, Event]
 
 def place(events: Sequence[Event], rate: float, frames: int) -> List[Placed]:
     """The events with their frames, in order; ValueError for one that is not among so many frames."""
-    placed = [(math.floor(event.time * rate + 0.5), event) for event in events]
-    for frame, event in placed:
+    placed = []
+    for event in events:
+        if not isinstance(event, Event):
+            raise TypeError(f"events: an Event is needed, as tabor.strike() makes one, not {event!r}")
+        frame = math.floor(event.time * rate + 0.5)
         if frame >= max(frames, 1):
             raise ValueError(f"{event.kind}: {event.time:g} s is outside of {frames / rate:g} s")
+        placed.append((frame, event))
     return sorted(placed, key=lambda pair: pair[0])

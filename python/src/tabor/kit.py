@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from ._library import Error
 from .definition import Definition
-from .events import Event, strike
+from .events import strike
 from .model import Model, Playable, model_of
-from .rendering import Setting, frames_of, heard_mics
+from .rendering import Happening, Setting, frames_of, heard_mics
 
 _Job = Callable[[], None]
 
@@ -123,9 +123,39 @@ def _marked(error: Error, index: int) -> Error:
     return error
 
 
-def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Event]]] = None, duration: float = 1.0, *,
-               mics: Optional[Sequence[str]] = None, sample_rate: Optional[float] = None,
-               quality: Optional[str] = None, workers: Optional[int] = None,
+class _Sounds:
+    """The sounds of a kit: drums, takes, microphones, frames; without a number of frames each has its own length."""
+
+    def __init__(self, drums: int, takes: int, rows: int, frames: Optional[int]) -> None:
+        self._shape = (drums, takes, rows)
+        self._out = None if frames is None else np.zeros(self._shape + (frames,), np.float32)
+        self._apart: Dict[Tuple[int, int], NDArray[np.float32]] = {}
+
+    def play(self, setting: Setting, events: Happening, places: Sequence[int], take: int,
+             stopped: Callable[[], bool]) -> None:
+        """Plays a take, whose sound is that of several equal drums. Threads play different takes or drums."""
+        if self._out is None:
+            sound = setting.ring_out(events, stopped)
+            self._apart.update({(place, take): sound for place in places})
+            return
+        setting.play(events, self._out[places[0], take], stopped)
+        for place in places[1:]:
+            self._out[place, take] = self._out[places[0], take]
+
+    def all(self) -> NDArray[np.float32]:
+        """All in one array."""
+        if self._out is not None:
+            return self._out
+        longest = max((sound.shape[1] for sound in self._apart.values()), default=0)
+        out = np.zeros(self._shape + (longest,), np.float32)
+        for (place, take), sound in self._apart.items():
+            out[place, take, :, :sound.shape[1]] = sound
+        return out
+
+
+def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Happening]] = None,
+               duration: Optional[float] = None, *, mics: Optional[Sequence[str]] = None,
+               sample_rate: Optional[float] = None, quality: Optional[str] = None, workers: Optional[int] = None,
                progress: Optional[Callable[[int, int], object]] = None) -> NDArray[np.float32]:
     """Renders every take on every drum, in parallel. Each drum is computed once.
 
@@ -133,10 +163,11 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
     ----------
     drums : sequence of Model, Definition or str
         The drums; those that are equal are computed once.
-    takes : sequence of sequences of Event, optional
+    takes : sequence of sequences of Event, or of names of MIDI files, optional
         What happens in each take, which begins on a drum at rest; one take of one stroke unless given.
-    duration : float
-        Of each take [s].
+    duration : float, optional
+        Of each take [s]. Unless given, each rings out, as by `render`; zeros follow those that are shorter than the
+        longest.
     mics : sequence of str, optional
         Names of the microphones, which all drums must have; the usual one of each drum unless given.
     sample_rate : float, optional
@@ -166,6 +197,8 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
     """
     if isinstance(drums, (str, Definition, Model)):
         raise TypeError("drums is a sequence, as [drum]")
+    if isinstance(takes, (str, os.PathLike)):
+        raise TypeError(f"takes is a sequence, as [{takes!r}]")
     takes = [[strike()]] if takes is None else takes
     workers = _processors() if workers is None else workers
     if workers < 1:
@@ -173,13 +206,12 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
     given = [drum.sample_rate for drum in drums if isinstance(drum, Model)]
     rate = sample_rate if sample_rate is not None else (given or [48000.0])[0]
     rows = 1 if mics is None else len(mics)
-    out = np.zeros((len(drums), len(takes), rows, frames_of(duration, rate)), np.float32)
+    frames = None if duration is None else frames_of(duration, rate)
+    sounds = _Sounds(len(drums), len(takes), rows, frames)
 
     def play(setting: Setting, places: Sequence[int], take: int) -> _Job:
         def job() -> None:
-            setting.play(takes[take], out[places[0], take], jobs.stopped)
-            for place in places[1:]:
-                out[place, take] = out[places[0], take]
+            sounds.play(setting, takes[take], places, take, jobs.stopped)
             for _ in places:
                 jobs.count()
         return job
@@ -196,4 +228,4 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Sequence[Even
 
     jobs = _Jobs([build(drum, places) for drum, places in _same(drums)], len(drums) * len(takes))
     _run(jobs, workers, progress)
-    return out
+    return sounds.all()

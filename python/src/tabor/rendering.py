@@ -3,21 +3,31 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, Optional, Sequence, Tuple
+import math
+import os
+from typing import Callable, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._numbers import number
 from .drum import Drum, chosen
 from .events import Event, Placed, place, strike
+from .midi import Path, midi_events
 from .model import Model, Playable, model_of
-from .room import Room
+from .room import Room, RoomFade
+
+#: What happens to a drum: events, or the name of a MIDI file.
+Happening = Union[Sequence[Event], Path]
 
 _BLOCK = 4800  # frames between two looks at whether to stop
 
-
-def _block(placed: Sequence[Placed], start: int, end: int) -> List[Placed]:
-    return [(frame - start, event) for frame, event in placed if start <= frame < end]
+# When a sound has died away, as the program has it (host/sound/ring_out.h).
+_RING_OUT_BLOCK = 256  # frames between two looks at the energy; the length of the sound depends on it
+_ENERGY_FALL = 1e-9  # 90 dB
+_LEAST_TIME = 0.5  # after the last event [s]
+_MOST_TIME = 20.0  # after the last event [s]
+_LATEST_EVENT = 3600.0  # [s]
 
 
 def heard_mics(model: Model, mics: Optional[Sequence[str]]) -> Tuple[str, ...]:
@@ -39,26 +49,81 @@ class Setting:
     def _feeds(self) -> Tuple[str, ...]:
         return tuple(dict.fromkeys(Room(self._definition, self.model.sample_rate).feeds))
 
-    def play(self, events: Sequence[Event], out: NDArray[np.float32],
+    def _place(self, events: Happening, frames: int) -> List[Placed]:
+        listed = midi_events(events, self.model) if isinstance(events, (str, os.PathLike)) else events
+        return place(listed, self.model.sample_rate, frames)
+
+    def play(self, events: Happening, out: NDArray[np.float32],
              stopped: Callable[[], bool] = lambda: False) -> None:
         """Plays events on a fresh drum, into an array of shape (heard, frames)."""
         frames = out.shape[1]
-        placed = place(events, self.model.sample_rate, frames)
-        drum = Drum(self.model, self.rows)
-        room = Room(self._definition, self.model.sample_rate, self.rows) if self._definition.has_room else None
-        sound = out if len(self.rows) == self.heard else np.empty((len(self.rows), frames), np.float32)
+        playing = _Playing(self, self._place(events, frames))
         for start in range(0, frames, _BLOCK):
             if stopped():
                 return
-            block = sound[:, start:start + _BLOCK]
-            drum._play(_block(placed, start, start + _BLOCK), block)
-            if room:
-                room._add(block)
-        if sound is not out:
-            out[:] = sound[:self.heard]
+            out[:, start:start + _BLOCK] = playing.play(min(_BLOCK, frames - start))[:self.heard]
+
+    def ring_out(self, events: Happening, stopped: Callable[[], bool] = lambda: False) -> NDArray[np.float32]:
+        """Plays events on a fresh drum until it has died away; an array of shape (heard, frames)."""
+        playing = _Playing(self, self._place(events, math.ceil(_LATEST_EVENT * self.model.sample_rate) + 1))
+        return np.concatenate([block[:self.heard] for block in playing.ring_out(stopped)], axis=1)
 
 
-def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: float = 1.0, *,
+class _Playing:
+    """A fresh drum, in its room if it has one, and what is yet to happen to it."""
+
+    def __init__(self, setting: Setting, placed: Sequence[Placed]) -> None:
+        model, definition = setting.model, setting._definition
+        self._rate = model.sample_rate
+        self._drum = Drum(model, setting.rows)
+        self._room = RoomFade(definition, self._rate, setting.rows) if definition.has_room else None
+        self._placed = placed
+        self._next = 0  # of the events
+        self._position = 0  # frames played
+        self._loudest = 0.0  # stored energy since the last event [J]
+        self._loudest_room = 0.0
+
+    def _due(self, frames: int) -> List[Placed]:
+        """The events within as many frames, each with its frame among them."""
+        first, end = self._next, self._position + frames
+        while self._next < len(self._placed) and self._placed[self._next][0] < end:
+            self._next += 1
+        return [(frame - self._position, event) for frame, event in self._placed[first:self._next]]
+
+    def play(self, frames: int) -> NDArray[np.float32]:
+        """Plays on; an array of shape (rows, frames)."""
+        block = np.empty((len(self._drum.mics), frames), np.float32)
+        due = self._due(frames)
+        self._drum._play(due, block)
+        if self._room:
+            self._room.add(block, [frame for frame, event in due if event.kind == "silence"])
+        self._position += frames
+        return block
+
+    def ring_out(self, stopped: Callable[[], bool]) -> Iterator[NDArray[np.float32]]:
+        """Plays on until the sound has died away."""
+        last = self._placed[-1][0] if self._placed else 0
+        most = last + math.ceil(_MOST_TIME * self._rate)
+        over = False
+        while not over:
+            yield self.play(min(_RING_OUT_BLOCK, most - self._position))
+            over = self._is_over(last) or self._position >= most or stopped()
+
+    def _is_over(self, last: int) -> bool:
+        """Whether drum and room are 90 dB below their loudest since the event at this frame, the last one."""
+        room = self._room.energy if self._room else 0.0
+        self._loudest_room = max(self._loudest_room, room)
+        if self._position <= last:
+            return False
+        stored = self._drum.ledger().stored
+        self._loudest = max(self._loudest, stored)
+        if self._position < last + math.ceil(_LEAST_TIME * self._rate):
+            return False
+        return room <= _ENERGY_FALL * self._loudest_room and (
+            self._drum.is_silent or stored <= _ENERGY_FALL * self._loudest)
+
+
+def render(drum: Playable, events: Optional[Happening] = None, duration: Optional[float] = None, *,
            mics: Optional[Sequence[str]] = None, sample_rate: Optional[float] = None,
            quality: Optional[str] = None) -> NDArray[np.float32]:
     """Plays events on a fresh drum, in its room if it has one.
@@ -67,10 +132,11 @@ def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: f
     ----------
     drum : Model, Definition or str
         What is played; a definition or a preset's name is computed first.
-    events : sequence of Event, optional
-        What happens, in any order; one stroke at once unless given.
-    duration : float
-        [s].
+    events : sequence of Event, str or path, optional
+        What happens, in any order, or the name of a MIDI file (see `midi_events`); one stroke at once unless given.
+    duration : float, optional
+        [s]; until the sound has died away unless given, as `tabor render` has it: until the energies of drum and room
+        are 90 dB below their largest since the last event, 0.5 to 20 s after that event.
     mics : sequence of str, optional
         Names of the microphones; the usual one unless given.
     sample_rate : float, optional
@@ -88,7 +154,7 @@ def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: f
     Error
         The definition is not allowed; `Error.key` says why.
     ValueError
-        An event is not within the duration.
+        An event is not within the duration, or comes later than an hour.
 
     Examples
     --------
@@ -97,9 +163,12 @@ def render(drum: Playable, events: Optional[Sequence[Event]] = None, duration: f
     (1, 24000)
     """
     model = model_of(drum, sample_rate, quality)
-    names = heard_mics(model, mics)
-    out = np.empty((len(names), frames_of(duration, model.sample_rate)), np.float32)
-    Setting(model, names).play([strike()] if events is None else events, out)
+    setting = Setting(model, heard_mics(model, mics))
+    events = [strike()] if events is None else events
+    if duration is None:
+        return setting.ring_out(events)
+    out = np.empty((setting.heard, frames_of(duration, model.sample_rate)), np.float32)
+    setting.play(events, out)
     return out
 
 
@@ -132,7 +201,4 @@ def trace(drum: Playable, events: Optional[Sequence[Event]] = None, duration: fl
 
 def frames_of(duration: float, rate: float) -> int:
     """How many samples this is."""
-    frames = duration * rate
-    if not 0 <= frames < 2**31:
-        raise ValueError(f"duration {duration!r}: allowed: 0 to {2**31 / rate:.0f} s")
-    return round(frames)
+    return round(number("duration", duration, 0, math.floor((2**31 - 1) / rate)) * rate)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from ._library import Error, check, ffi, fields, lib, saved_state
 from .definition import Definition
 from .drum import chosen, pointers
 
+_FADE = 0.015  # of a silence [s]
 _KINDS = ("none", "booth", "studio", "hall")
 
 
@@ -72,6 +73,11 @@ class Room:
             raise ValueError(f"the room hears the drum by its microphone {missing[0]!r}, which is not among "
                              f"{', '.join(self._mics)}")
 
+    def __repr__(self) -> str:
+        info = self.info
+        size = f", {info.length:g} x {info.width:g} x {info.height:g} m, {info.decay:.2g} s" if info.length else ""
+        return f"<tabor.Room {info.kind}{size}, mics {', '.join(self._mics)}>"
+
     @property
     def mics(self) -> Tuple[str, ...]:
         """Names of the microphones that are the rows of the sound."""
@@ -116,15 +122,27 @@ class Room:
         with self._lock:
             lib.tabor_room_process(self._c, ffi.cast("const float *const *", places), places, sound.shape[1])
 
+    def _add_tail(self, sound: NDArray[np.float32], weights: NDArray[np.float32]) -> None:
+        """Adds what still sounds, times a weight for each frame; it hears nothing."""
+        tail = np.zeros(sound.shape, np.float32)
+        rows, places = pointers(tail), ffi.new("float *[]", int(lib.TABOR_MAX_MICS))
+        for row, place in enumerate(self._places):
+            places[place] = rows[row]
+        with self._lock:
+            lib.tabor_room_process(self._c, ffi.NULL, places, sound.shape[1])
+        sound += weights * tail
+
     @property
     def is_silent(self) -> bool:
         """True once everything has died away."""
-        return bool(lib.tabor_room_is_silent(self._c))
+        with self._lock:
+            return bool(lib.tabor_room_is_silent(self._c))
 
     @property
     def energy(self) -> float:
         """Mean square of the late sound at a microphone of gain 1, in units of full scale."""
-        return float(lib.tabor_room_energy(self._c))
+        with self._lock:
+            return float(lib.tabor_room_energy(self._c))
 
     def reset(self) -> None:
         """Brings the room to rest."""
@@ -158,3 +176,48 @@ class Room:
         with self._lock:
             if lib.tabor_room_state_load(self._c, state, len(state)) != lib.TABOR_OK:
                 raise Error("the saved state is damaged, or of another room than this one", "state")
+
+
+class RoomFade:
+    """A room whose sound a silence fades out over 15 ms, as in the program (host/sound/room_mix.h).
+
+    What is played from then on sounds in another room like it, which is at rest.
+    """
+
+    def __init__(self, definition: Definition, sample_rate: float, mics: Sequence[str]) -> None:
+        self._room = Room(definition, sample_rate, mics)
+        self._fading = Room(definition, sample_rate, mics)
+        self._fade = int(_FADE * sample_rate)
+        self._left = 0  # frames of the fade that are left
+
+    @property
+    def energy(self) -> float:
+        """As of a `Room`."""
+        return self._room.energy
+
+    def add(self, sound: NDArray[np.float32], silences: List[int]) -> None:
+        """Adds the room to a block of shape (mics, frames), with silences at these frames."""
+        start = 0
+        for frame in silences:
+            self._play(sound[:, start:frame])
+            self._silence()
+            start = frame
+        self._play(sound[:, start:])
+
+    def _silence(self) -> None:
+        if self._room.is_silent:
+            return  # an earlier fade goes on
+        self._room, self._fading = self._fading, self._room
+        self._left = self._fade
+        self._room.reset()
+
+    def _play(self, sound: NDArray[np.float32]) -> None:
+        if sound.shape[1] == 0:
+            return
+        self._room._add(sound)
+        frames = min(self._left, sound.shape[1])
+        if frames > 0:
+            left = np.arange(self._left, self._left - frames, -1, dtype=np.float32)
+            weights = (left / np.float32(self._fade + 1)).astype(np.float32)
+            self._fading._add_tail(sound[:, :frames], weights)
+        self._left -= frames

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Each song is rendered by the program and by the package, to the same bits."""
+
+import sys
+
+import numpy as np
+import pytest
+
+import tabor
+
+mido = pytest.importorskip("mido")
+
+
+def song(path, *tracks, division=480, kind=1):
+    """Writes a file; a track is a list of (tick, name of the message, its values)."""
+    file = mido.MidiFile(type=kind, ticks_per_beat=division)
+    for track in tracks:
+        made, now = mido.MidiTrack(), 0
+        for tick, name, values in sorted(track, key=lambda row: row[0]):
+            make = mido.MetaMessage if name == "set_tempo" else mido.Message
+            made.append(make(name, time=tick - now, **values))
+            now = tick
+        file.tracks.append(made)
+    file.save(path)
+    return path
+
+
+def note(tick, number, velocity, channel=9):
+    return tick, "note_on", {"note": number, "velocity": velocity, "channel": channel}
+
+
+def control(tick, number, value):
+    return tick, "control_change", {"control": number, "value": value}
+
+
+NOTES = [note(60 * i, number, velocity) for i, (number, velocity) in enumerate(
+    [(36, 100), (37, 90), (38, 1), (39, 80), (40, 127), (41, 19), (43, 20), (45, 21), (47, 64), (48, 99), (50, 3)])]
+SONGS = {
+    "every note": [NOTES + [note(700, 60, 99), note(710, 38, 0)]],
+    "note-offs do nothing": [[note(0, 38, 80), (50, "note_off", {"note": 38, "velocity": 64})]],
+    "tempos in another track": [[(0, "set_tempo", {"tempo": 400000}), (200, "set_tempo", {"tempo": 123456}),
+                                 (300, "set_tempo", {"tempo": 900001})], NOTES],
+    "place of strokes": [[note(0, 38, 80), control(100, 16, 127), note(100, 38, 80), control(200, 17, 33),
+                          note(200, 38, 80), note(240, 37, 80), note(260, 36, 80)]],
+    "controllers act first": [[note(0, 38, 80)], [control(0, 16, 90), control(0, 1, 100)]],
+    "grip, strainer": [[note(0, 38, 80), control(60, 20, 0), note(100, 38, 80), control(130, 20, 100),
+                        control(140, 1, 9), note(200, 38, 80)]],
+    "gain": [[control(0, 7, 100), note(0, 38, 80), control(100, 11, 50), note(200, 38, 80), control(250, 7, 127)]],
+    "fine velocities": [[control(0, 88, 64), note(0, 38, 80), note(200, 38, 80), control(300, 88, 127),
+                         note(300, 38, 80, 0)]],
+    "hands": [[note(0, 38, 80), (100, "aftertouch", {"value": 90}), note(150, 38, 80),
+               (200, "aftertouch", {"value": 0}), (220, "polytouch", {"note": 38, "value": 1}), note(300, 38, 80),
+               (330, "polytouch", {"note": 38, "value": 0}), (340, "polytouch", {"note": 60, "value": 127})]],
+    "silences": [[note(0, 38, 120), control(200, 123, 0), control(201, 120, 0), note(202, 38, 80),
+                  control(300, 120, 0)]],
+    "presets": [[note(0, 38, 80), (100, "program_change", {"program": 2}), note(100, 38, 80),
+                 (200, "program_change", {"program": 99}), (220, "program_change", {"program": 0}),
+                 (220, "program_change", {"program": 2}), note(240, 40, 80), (300, "program_change", {"program": 1})]],
+    "other messages": [[note(0, 38, 80), (10, "pitchwheel", {"pitch": 99}), (20, "sysex", {"data": [1, 2]}),
+                        control(30, 64, 127)]]}
+
+
+@pytest.mark.parametrize("name", SONGS)
+def test_a_file_sounds_as_the_program_plays_it(name, program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", *SONGS[name])
+    sound = tabor.render("tabor", path, quality="draft")
+    np.testing.assert_array_equal(sound, program_sound("tabor", "--quality", "draft", "--midi-file", str(path)))
+    assert np.abs(sound).max() > 0.001
+
+
+def test_a_snare_drum_at_another_rate(program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", NOTES, *SONGS["hands"], *SONGS["gain"])
+    drum = tabor.Definition("snare-14x5.5", {"strike.radius": 0.05, "wires.strainer": 0.5})
+    np.testing.assert_array_equal(
+        tabor.render(drum, path, sample_rate=44100),
+        program_sound("snare-14x5.5", "--rate", "44100", "--midi-file", str(path), "--set", "strike.radius=0.05",
+                      "--set", "wires.strainer=0.5"))
+
+
+def test_a_room_fades_with_its_drum(program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", *SONGS["silences"])
+    hall = tabor.Definition("frame-drum", {"room.kind": "hall"})
+    sound = tabor.render(hall, str(path), 1.0, quality="draft", mics=["left", "right"])
+    np.testing.assert_array_equal(sound, program_sound(
+        "frame-drum", "--set", "room.kind=hall", "--quality", "draft", "--midi-file", str(path), "--duration", "1",
+        "--mic", "left", "--mic", "right", channels=2))
+
+
+@pytest.mark.parametrize("division", [96, 0xE728 - 0x10000, 0xE250 - 0x10000, 0xE3FF - 0x10000])
+def test_ticks_are_parts_of_a_quarter_or_of_a_frame_of_film(division, program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", NOTES, division=division, kind=0)
+    model = tabor.Model("tabor", quality="draft")
+    frames = [round(event.time * 48000) for event in tabor.midi_events(path, model)]
+    assert frames == sorted(frames) and len(frames) == 11
+    np.testing.assert_array_equal(
+        tabor.render(model, path), program_sound("tabor", "--quality", "draft", "--midi-file", str(path)))
+
+
+def test_files_are_takes_of_a_kit_and_can_be_added_to(tmp_path, snare):
+    path = song(tmp_path / "song.mid", *SONGS["every note"])
+    kit = tabor.render_kit([snare], [path, [tabor.strike()]])
+    np.testing.assert_array_equal(kit[0, 0], tabor.render(snare, path))
+    events = tabor.midi_events(path, snare)
+    assert len(events) == 11 and events[0].kind == "strike"
+    assert tabor.render(snare, events + [tabor.strike(1.5)]).shape[1] > 48000
+    with pytest.raises(TypeError, match="takes is a sequence"):
+        tabor.render_kit([snare], "song.mid")
+
+
+def test_wrong_files_are_refused(tmp_path, snare, monkeypatch):
+    whole = song(tmp_path / "song.mid", NOTES).read_bytes()
+    wrong = tmp_path / "wrong.mid"
+    for said, content in (("not a Standard", b""), ("not a Standard", b"RIFF" + whole[4:]),
+                          ("not a Standard", whole[:-9]), ("format 2", whole[:9] + b"\2" + whole[10:]),
+                          ("0 ticks", whole[:12] + b"\0\0" + whole[14:]),
+                          ("division", whole[:12] + b"\x81\1" + whole[14:])):
+        wrong.write_bytes(content)
+        with pytest.raises(tabor.Error, match=said):
+            tabor.render(snare, wrong)
+    song(wrong, [note(0, 60, 99)])
+    with pytest.raises(tabor.Error, match="no note in it is a stroke: 1 are not in the map"):
+        tabor.render(snare, wrong)
+    song(wrong, [note(0, 38, 99), note(480 * 7300, 38, 9)])
+    with pytest.raises(tabor.Error, match="its last event comes at 3650 s; allowed: up to 3600"):
+        tabor.render(snare, wrong)
+    with pytest.raises(FileNotFoundError):
+        tabor.render(snare, tmp_path / "none.mid")
+    monkeypatch.setitem(sys.modules, "mido", None)
+    with pytest.raises(ImportError, match=r"pip install tabor\[midi\]"):
+        tabor.render(snare, tmp_path / "song.mid")

@@ -156,7 +156,9 @@ Outcome report_engine_error(const TaborError *error) {
   case TABOR_ERROR_ARGUMENT:
   case TABOR_ERROR_MEMORY:
   case TABOR_ERROR_NUMERICS:
-  case TABOR_ERROR_STATE: break;
+  case TABOR_ERROR_STATE:
+  case TABOR_ERROR_LIMIT:
+  case TABOR_ERROR_CANCELLED: break;
   }
   return fail("%s", error->message);
 }

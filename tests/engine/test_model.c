@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What tabor_model_create() and its like refuse, and how they say it. */
+#define _POSIX_C_SOURCE 200809L
 #include "physics.h"
 
 static void options_out_of_range_are_named_with_their_value_and_range(void **state) {
@@ -61,10 +62,171 @@ static void what_is_null_is_named(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- what a build takes ------------------------------------------------------------------------ */
+
+/* Of everything that costs time a legal extreme: minutes at live, hours at reference. */
+static TaborDrumDef largest_drum(void) {
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  def.wires.count = 40;
+  def.shell.radius = 0.6;
+  def.quality.wire_points = 400;
+  def.quality.two_way_bandwidth = 40000.0;
+  def.quality.bandwidth = 40000.0;
+  return def;
+}
+
+/* The memory, which a test can count, is right within the factor of 3 that the header promises. */
+static size_t most_bytes, now_bytes;
+
+static void *counted_allocate(size_t size, void *context) {
+  (void)context;
+  size_t *memory = NULL;
+  if (posix_memalign((void **)&memory, 64, size + 64) != 0) return NULL;
+  *memory = size;
+  now_bytes += size;
+  if (now_bytes > most_bytes) most_bytes = now_bytes;
+  return memory + 8;
+}
+
+static void counted_release(void *memory, void *context) {
+  (void)context;
+  if (!memory) return;
+  size_t *const first = (size_t *)memory - 8;
+  now_bytes -= *first;
+  free(first);
+}
+
+static TaborModelOptions counted_options(uint32_t quality) {
+  TaborModelOptions options;
+  tabor_model_options_default(&options);
+  options.quality = quality;
+  options.allocator = (TaborAllocator){counted_allocate, counted_release, NULL};
+  return options;
+}
+
+static void check_memory(const char *preset, uint32_t quality) {
+  const TaborDrumDef def = physics_preset(preset);
+  const TaborModelOptions options = counted_options(quality);
+  TaborModelEstimate estimate;
+  TaborModel *model = NULL;
+  assert_int_equal(tabor_model_estimate(&def, &options, &estimate, NULL), TABOR_OK);
+  most_bytes = now_bytes = 0;
+  assert_int_equal(tabor_model_create(&def, &options, &model, NULL), TABOR_OK);
+  print_message("%s, quality %u: estimated %.2g s, %.3g MB; took %.3g MB\n", preset, quality,
+                estimate.seconds, 1e-6 * (double)estimate.bytes, 1e-6 * (double)most_bytes);
+  assert_true(estimate.bytes > most_bytes / 3 && estimate.bytes < most_bytes * 3);
+  tabor_model_release(model);
+  assert_int_equal(now_bytes, 0);
+}
+
+static void memory_is_estimated_within_a_factor_of_3(void **state) {
+  (void)state;
+  static const char *const presets[] = {"snare-14x5.5", "tom-12", "bass-drum-22", "tabor"};
+  for (size_t i = 0; i < sizeof presets / sizeof *presets; i++) {
+    check_memory(presets[i], TABOR_QUALITY_LIVE);
+  }
+  check_memory("piccolo-13x3.5", TABOR_QUALITY_STUDIO);
+}
+
+static TaborModelEstimate estimate_of(const TaborDrumDef *def, uint32_t quality) {
+  TaborModelOptions options;
+  TaborModelEstimate estimate;
+  TaborError error;
+  tabor_model_options_default(&options);
+  options.quality = quality;
+  options.sample_rate = 192000.0;
+  if (tabor_model_estimate(def, &options, &estimate, &error) != TABOR_OK)
+    fail_msg("%s", error.message);
+  return estimate;
+}
+
+/* More of anything takes longer; half of the parameter that is named takes less. */
+static void the_dearest_parameter_is_named(void **state) {
+  (void)state;
+  TaborDrumDef def = largest_drum();
+  const TaborModelEstimate most = estimate_of(&def, TABOR_QUALITY_REFERENCE);
+  assert_true(most.seconds > 60.0);
+  assert_true(most.seconds > estimate_of(&def, TABOR_QUALITY_LIVE).seconds);
+  assert_string_equal(most.key, "wires.count");
+  def.wires.count = 20;
+  const TaborModelEstimate fewer = estimate_of(&def, TABOR_QUALITY_REFERENCE);
+  assert_true(fewer.seconds < 0.7 * most.seconds && fewer.bytes < most.bytes);
+  const TaborModelEstimate many_points = estimate_of(&def, TABOR_QUALITY_LIVE);
+  def.quality.wire_points = 100;
+  assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < many_points.seconds);
+}
+
+static void a_limit_refuses_what_takes_more(void **state) {
+  (void)state;
+  const TaborDrumDef def = largest_drum();
+  TaborModelOptions options;
+  TaborModel *model = (TaborModel *)&options; /* anything but NULL */
+  TaborError error;
+  tabor_model_options_default(&options);
+  options.sample_rate = 192000.0;
+  options.quality = TABOR_QUALITY_REFERENCE;
+  options.most_seconds = 10.0;
+  assert_int_equal(tabor_model_create(&def, &options, &model, &error), TABOR_ERROR_LIMIT);
+  assert_null(model);
+  assert_string_equal(error.key, "wires.count");
+  assert_non_null(strstr(error.message, "10 s"));
+  assert_non_null(strstr(error.message, "lower wires.count"));
+  options.most_seconds = 0.0;
+  options.most_bytes = 100000000;
+  assert_int_equal(tabor_model_create(&def, &options, &model, &error), TABOR_ERROR_LIMIT);
+  assert_non_null(strstr(error.message, "100 MB"));
+}
+
+/* ---- progress and cancellation ----------------------------------------------------------------- */
+
+typedef struct Listener {
+  uint64_t calls, end; /* so far; the call that cancels, 0: none */
+  double done;
+} Listener;
+
+static bool listen(double done, void *context) {
+  Listener *listener = context;
+  assert_true(done >= 0.0 && done <= 1.0);
+  listener->done = done;
+  return ++listener->calls != listener->end;
+}
+
+static TaborStatus build_with(Listener *listener, TaborModel **model) {
+  const TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborModelOptions options = counted_options(TABOR_QUALITY_DRAFT);
+  TaborError error;
+  options.progress = listen;
+  options.progress_context = listener;
+  return tabor_model_create(&def, &options, model, &error);
+}
+
+/* Wherever it is cancelled, a build ends there and gives all memory back. */
+static void a_build_can_be_cancelled_anywhere(void **state) {
+  (void)state;
+  enum { PLACES = 40 };
+  TaborModel *model = NULL;
+  Listener whole = {0};
+  now_bytes = 0;
+  assert_int_equal(build_with(&whole, &model), TABOR_OK);
+  assert_true(whole.done == 1.0);
+  tabor_model_release(model);
+  for (uint64_t i = 0; i < PLACES; i++) {
+    Listener cancelling = {.end = 1 + i * (whole.calls - 2) / (PLACES - 1)};
+    assert_int_equal(build_with(&cancelling, &model), TABOR_ERROR_CANCELLED);
+    assert_int_equal(cancelling.calls, cancelling.end);
+    assert_null(model);
+    assert_int_equal(now_bytes, 0);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(options_out_of_range_are_named_with_their_value_and_range),
     cmocka_unit_test(what_is_null_is_named),
+    cmocka_unit_test(memory_is_estimated_within_a_factor_of_3),
+    cmocka_unit_test(the_dearest_parameter_is_named),
+    cmocka_unit_test(a_limit_refuses_what_takes_more),
+    cmocka_unit_test(a_build_can_be_cancelled_anywhere),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

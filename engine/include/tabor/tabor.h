@@ -85,7 +85,9 @@ typedef enum TaborStatus {
   TABOR_ERROR_FULL,     /**< a ninth striker or microphone */
   TABOR_ERROR_MEMORY,   /**< the allocator returned NULL */
   TABOR_ERROR_NUMERICS, /**< a set-up computation did not converge */
-  TABOR_ERROR_STATE     /**< the saved bytes are damaged or belong to another model */
+  TABOR_ERROR_STATE,    /**< the saved bytes are damaged or belong to another model */
+  TABOR_ERROR_LIMIT,    /**< the model would take more time or memory than the options allow */
+  TABOR_ERROR_CANCELLED /**< the caller's progress function ended the build */
 } TaborStatus;
 
 /** Describes the first error that was found. Every set-up function accepts NULL in its place. */
@@ -571,6 +573,13 @@ typedef struct TaborAllocator {
   void *context;                                 /**< passed to both functions */
 } TaborAllocator;
 
+/**
+ * Hears how far the build of a model is: @p done from 0 to 1, which grows unevenly. It is called on the building thread,
+ * at least every 50 ms on a processor of today. If it returns false, the build ends with TABOR_ERROR_CANCELLED. To
+ * cancel from another thread, let it read an atomic flag.
+ */
+typedef bool (*TaborBuildProgress)(double done, void *context);
+
 /** Options of a model. Fill them with tabor_model_options_default() first. */
 typedef struct TaborModelOptions {
   uint32_t struct_size;  /**< set by tabor_model_options_default() */
@@ -579,7 +588,20 @@ typedef struct TaborModelOptions {
   uint32_t instructions; /**< a TaborInstructions, default TABOR_INSTRUCTIONS_AUTO */
   TaborAllocator
     allocator; /**< if both functions are NULL, the C library's, which is the default */
+  TaborBuildProgress progress; /**< may be NULL, the default */
+  void *progress_context;      /**< passed to progress */
+  /** Most seconds that the build may take by tabor_model_estimate(); 0, the default, is no limit. A model that needs
+   * more is refused with TABOR_ERROR_LIMIT, whose key is that of the parameter to lower. */
+  double most_seconds;
+  size_t most_bytes; /**< most memory in the same way */
 } TaborModelOptions;
+
+/** What building a model takes. */
+typedef struct TaborModelEstimate {
+  double seconds;            /**< on one core of a server of 2024; right within a factor of 3 */
+  size_t bytes;              /**< memory while it is built; right within a factor of 3 */
+  char key[TABOR_NAME_SIZE]; /**< of the parameter that costs most of it, as `quality.wire_points` */
+} TaborModelEstimate;
 
 /** Facts of a model. */
 typedef struct TaborModelInfo {
@@ -631,10 +653,16 @@ typedef struct TaborModeInfo {
 /** Fills in the defaults. */
 TABOR_API void tabor_model_options_default(TaborModelOptions *options);
 /**
+ * Says what tabor_model_create() would take, in some milliseconds. On an error, those of tabor_drum_def_tune(), or
+ * TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for @p options, *estimate is 0.
+ */
+TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOptions *options,
+                                           TaborModelEstimate *estimate, TaborError *error);
+/**
  * Computes a model. The caller owns one reference to it. @p options may be NULL for the defaults.
  * On an error *model is NULL: the errors of tabor_drum_def_tune(), TABOR_ERROR_ARGUMENT or
  * TABOR_ERROR_RANGE for @p options, TABOR_ERROR_RANGE for a drum that cannot be computed,
- * TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
+ * TABOR_ERROR_LIMIT, TABOR_ERROR_CANCELLED, TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
  * quarter of a second at live and about a second at studio. With heads of twice their size, or at
  * reference, a model takes some seconds; at reference at 88.2 kHz and more, half a minute.
  */

@@ -83,7 +83,7 @@ bool tb_cavity_order_prepare(TbCavityOrder *order, TbArena *arena, const TbCavit
                              uint32_t m, double top_zero, double top) {
   *order = (TbCavityOrder){.m = m};
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   const uint32_t room = (uint32_t)(top_zero / PI) + 4u;
   double *nodes = tb_arena_doubles(&scratch, room);
   const uint32_t count = nodes ? tb_bessel_zeros(m, top_zero, nodes, room) : 0;

@@ -159,6 +159,11 @@ double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint3
   return lo;
 }
 
+double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth) {
+  const TbCavityEigen drum = coupled_of(def);
+  return modes_below(&drum, 2.0 * PI * bandwidth);
+}
+
 /* ---- one mode -------------------------------------------------------------------------------- */
 
 /* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C v, and
@@ -380,7 +385,7 @@ static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum,
   bool settled = false, done = true;
   for (int pass = 0; done && !settled; pass++) {
     TbArena scratch;
-    tb_arena_prepare(&scratch, &arena->allocator);
+    tb_arena_beside(&scratch, arena);
     done = refine(e, &scratch, spectrum, k, pass, &refined, mode, &settled);
     tb_arena_release(&scratch);
   }

@@ -31,6 +31,8 @@ TbCavity tb_closed_drum_cavity(const TaborDrumDef *def, uint32_t m, double omega
 /* The highest frequency [Hz], at most `bandwidth`, below which two heads and the air between them
  * have no more than `most` modes. The count uses asymptotic formulas. */
 double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint32_t most);
+/* How many modes, sine copies counted, they have below `bandwidth` [Hz], by the same formulas. */
+double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth);
 
 /* The shell of a drum and its microphones. Returns false if memory ran out. */
 bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell);

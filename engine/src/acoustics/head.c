@@ -40,7 +40,7 @@ static TaborStatus build_order(TbHead *head, TbArena *arena, const TaborDrumDef 
                                const TbBesselTable *table, const TbShellMesh *shell, double rim_top,
                                TbHeadOrder *order) {
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   const TbModeLimits limit = {2.0 * PI * head->bandwidth,
                               2.0 * PI * fmax(head->bandwidth, rim_top)};
   TbHeadMode *modes = head->modes + head->row_count;
@@ -78,20 +78,18 @@ static void sort_modes(TbHead *head) {
   }
 }
 
-/* The basis and the bandwidth that it holds: of both heads, the slower needs more functions; and with the
- * air between them there must be room for all modes. */
-static double choose_basis(TbHead *head, const TaborDrumDef *def, double bandwidth,
-                           TbHeadLimits limits) {
+double tb_head_basis(const TaborDrumDef *def, double bandwidth, TbHeadLimits limits,
+                     double *reached) {
+  const uint32_t count = tb_is_two_headed(def) ? 2 : 1;
   const TaborHeadDef *const heads[TB_HEADS] = {&def->batter, &def->resonant};
   double top = 0.0;
-  head->bandwidth = bandwidth;
-  for (uint32_t h = 0; h < head->heads; h++) {
+  *reached = bandwidth;
+  for (uint32_t h = 0; h < count; h++) {
     const double own = zero_at_frequency(def, heads[h], 1.03 * bandwidth, limits.zero);
     top = fmax(top, own);
-    head->bandwidth = fmin(head->bandwidth, frequency_at(def, heads[h], own));
+    *reached = fmin(*reached, frequency_at(def, heads[h], own));
   }
-  if (head->heads == 2)
-    head->bandwidth = tb_closed_drum_bandwidth(def, head->bandwidth, limits.modes);
+  if (count == 2) *reached = tb_closed_drum_bandwidth(def, *reached, limits.modes);
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 
@@ -100,6 +98,7 @@ static TaborStatus build_orders(TbHead *head, TbArena *arena, const TaborDrumDef
                                 double basis_top, double rim_top, uint32_t most) {
   const uint32_t room = (uint32_t)(0.5 * basis_top) + 2u;
   for (uint32_t m = 0; m < most; m++) {
+    if (!tb_arena_go_on_at(arena, (double)m / most)) return TABOR_ERROR_MEMORY;
     TbHeadOrder *order = &head->orders[m];
     order->m = m;
     order->first_zero = head->zero_count;
@@ -120,12 +119,12 @@ TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *de
   *head = (TbHead){.heads = tb_is_two_headed(def) ? 2 : 1,
                    .most_modes = limits.modes,
                    .radius = def->shell.radius};
-  const double basis_top = choose_basis(head, def, bandwidth, limits);
+  const double basis_top = tb_head_basis(def, bandwidth, limits, &head->bandwidth);
   const uint32_t most_orders = (uint32_t)basis_top + 1u;
   head->orders = tb_arena_take(arena, most_orders, sizeof *head->orders);
   head->modes = tb_arena_take(arena, limits.modes, sizeof *head->modes);
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   TbBesselTable table;
   TbShellMesh shell;
   const bool outside = tb_has_cavity(def) && def->air.density > 0.0;

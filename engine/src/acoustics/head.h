@@ -69,6 +69,10 @@ typedef struct TbHead {
   double bandwidth; /* of the modes kept [Hz] */
 } TbHead;
 
+/* The highest Bessel zero of the basis for modes up to `bandwidth` [Hz], and the bandwidth that it holds: of both
+ * heads the slower needs more functions, and with the air between them there must be room for all modes. */
+double tb_head_basis(const TaborDrumDef *def, double bandwidth, TbHeadLimits limits,
+                     double *reached);
 /* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies
  * above `bandwidth`. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def, double bandwidth,

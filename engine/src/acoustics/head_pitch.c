@@ -52,7 +52,7 @@ TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborH
   TbHeadOrder order = {.m = air->order.m};
   TbHeadMode mode;
   TbArena scratch;
-  tb_arena_prepare(&scratch, &air->arena.allocator);
+  tb_arena_beside(&scratch, &air->arena);
   const TaborStatus status =
     tb_has_cavity(&held)
       ? tb_closed_drum_order(&held, &scratch, &scratch, &air->order, &rim, shell, limit, &order,

@@ -411,7 +411,7 @@ bool tb_shell_mesh_prepare(TbShellMesh *mesh, TbArena *arena, TbShellSize size,
   place_points(mesh, mesh->solved, outer, outer_count);
   place_angles(mesh);
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   bool done = true;
   for (uint32_t target = 0; target < mesh->targets && done; target++) {
     done = add_target(mesh, &scratch, target);

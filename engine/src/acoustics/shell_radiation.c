@@ -104,7 +104,7 @@ bool tb_shell_order_prepare(TbShellOrder *order, TbArena *arena, const TbShellMe
   for (int odd = 0; odd < 2; odd++) order->still[odd] = tb_arena_doubles(arena, cap * cap);
   if (arena->failed) return false;
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   TbShellRow *rows = tb_arena_take(&scratch, (size_t)mesh->solved * 2 * mesh->nodes, sizeof *rows);
   bool done = rows != NULL;
   if (done) tb_shell_rows(mesh, air->m, 0.0, rows);

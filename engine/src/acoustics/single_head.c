@@ -186,7 +186,7 @@ static TaborStatus finish_modes(const OrderWork *work, TbArena *arena, const TbA
     if (work->rim->count > 0) mode->n = strongest(air, v);
     if (rim_mass > 0.5) mode->part = TABOR_PART_RIM;
     TbArena one;
-    tb_arena_prepare(&one, &arena->allocator);
+    tb_arena_beside(&one, arena);
     const bool finished = finish_mode(work, &one, air, eigenvalues[k], v, mode);
     const bool failed = one.failed;
     tb_arena_release(&one);

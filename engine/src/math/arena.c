@@ -39,6 +39,35 @@ void tb_arena_prepare(TbArena *arena, const TaborAllocator *allocator) {
   *arena = (TbArena){.allocator = *allocator};
 }
 
+void tb_arena_beside(TbArena *arena, const TbArena *other) {
+  tb_arena_prepare(arena, &other->allocator);
+  arena->watch = other->watch;
+}
+
+bool tb_arena_go_on(TbArena *arena) {
+  TbWatch *watch = arena->watch;
+  if (!watch || !watch->go_on) return !arena->failed;
+  const double done = watch->done + watch->part * watch->stage;
+  if (!watch->cancelled) watch->cancelled = !watch->go_on(done < 1.0 ? done : 1.0, watch->context);
+  arena->failed |= watch->cancelled;
+  return !arena->failed;
+}
+
+bool tb_arena_go_on_at(TbArena *arena, double part) {
+  if (arena->watch) arena->watch->part = part;
+  return tb_arena_go_on(arena);
+}
+
+/* In pieces, as a system takes a while to give large memory. */
+static bool clear(TbArena *arena, char *bytes, size_t size) {
+  static const size_t PIECE = (size_t)1 << 24;
+  for (size_t at = 0; at < size; at += PIECE) {
+    if (arena->watch && !tb_arena_go_on(arena)) return false;
+    memset(bytes + at, 0, size - at < PIECE ? size - at : PIECE);
+  }
+  return true;
+}
+
 void *tb_arena_take(TbArena *arena, size_t count, size_t size) {
   if (count == 0) count = 1;
   if (count > (SIZE_MAX / 2) / size) {
@@ -52,11 +81,10 @@ void *tb_arena_take(TbArena *arena, size_t count, size_t size) {
     arena->failed = true;
     return NULL;
   }
-  memset(chunk, 0, bytes);
   chunk->next = arena->chunks;
   arena->chunks = chunk;
   arena->bytes += bytes;
-  return chunk + 1;
+  return clear(arena, (char *)(chunk + 1), bytes - sizeof(TbArenaChunk)) ? chunk + 1 : NULL;
 }
 
 double *tb_arena_doubles(TbArena *arena, size_t count) {

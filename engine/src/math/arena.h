@@ -11,17 +11,34 @@
 
 typedef struct TbArenaChunk TbArenaChunk;
 
+/* Who waits for what is built: hears how far it is, and may end it. */
+typedef struct TbWatch {
+  TaborBuildProgress go_on; /* or NULL */
+  void *context;
+  double done, stage; /* parts of the whole: before this stage, and of this stage */
+  double part;        /* of this stage that is done */
+  bool cancelled;
+} TbWatch;
+
 typedef struct TbArena {
   TaborAllocator allocator;
+  TbWatch *watch;       /* or NULL */
   TbArenaChunk *chunks; /* newest first */
   size_t bytes;         /* taken so far */
-  bool failed;          /* an allocation returned NULL */
+  bool failed;          /* an allocation returned NULL, or the watch cancelled what is built */
 } TbArena;
 
 /* The C library's allocator if both functions are NULL, otherwise the caller's. */
 TaborAllocator tb_allocator_resolve(const TaborAllocator *allocator);
 
 void tb_arena_prepare(TbArena *arena, const TaborAllocator *allocator);
+/* An arena with the allocator and the watch of another one. */
+void tb_arena_beside(TbArena *arena, const TbArena *other);
+/* Asks the watch, as each allocation does: call in loops without one, so that it is asked every 50 ms. If it cancels,
+ * this arena and all that share the watch have failed. Returns false if the arena has failed. */
+bool tb_arena_go_on(TbArena *arena);
+/* The same when `part` of the stage is done, 0 to 1. */
+bool tb_arena_go_on_at(TbArena *arena, double part);
 /* Returns zeroed memory aligned to 64 bytes. On failure it returns NULL, and `failed` stays set. */
 void *tb_arena_take(TbArena *arena, size_t count, size_t size);
 double *tb_arena_doubles(TbArena *arena, size_t count);

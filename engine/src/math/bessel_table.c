@@ -37,7 +37,7 @@ bool tb_bessel_table_prepare(TbBesselTable *table, TbArena *arena, uint32_t orde
   *table = (TbBesselTable){.orders = orders, .count = (uint32_t)points + 1u + BEFORE + AFTER};
   table->values = tb_arena_doubles(arena, (size_t)orders * table->count);
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   double *block = tb_arena_doubles(&scratch, 8 * (size_t)orders);
   const bool done = table->values && block;
   if (done) fill(table, block);

@@ -5,17 +5,22 @@
 
 #include "math/combine.h"
 
+bool tb_factor_row(uint32_t n, uint32_t i, double *matrix) {
+  double *row = matrix + (size_t)i * n;
+  /* The lower triangle of this row is U's column i already. */
+  tb_combine_rows(n - i, i, row, matrix + i, n, -1.0, row + i);
+  if (!(row[i] > 0.0) || isinf(row[i])) return false;
+  row[i] = sqrt(row[i]);
+  for (uint32_t j = i + 1; j < n; j++) {
+    row[j] /= row[i];
+    matrix[(size_t)j * n + i] = row[j];
+  }
+  return true;
+}
+
 bool tb_factor_positive(uint32_t n, double *matrix) {
   for (uint32_t i = 0; i < n; i++) {
-    double *row = matrix + (size_t)i * n;
-    /* The lower triangle of this row is U's column i already. */
-    tb_combine_rows(n - i, i, row, matrix + i, n, -1.0, row + i);
-    if (!(row[i] > 0.0) || isinf(row[i])) return false;
-    row[i] = sqrt(row[i]);
-    for (uint32_t j = i + 1; j < n; j++) {
-      row[j] /= row[i];
-      matrix[(size_t)j * n + i] = row[j];
-    }
+    if (!tb_factor_row(n, i, matrix)) return false;
   }
   return true;
 }

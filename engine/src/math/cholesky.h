@@ -9,6 +9,8 @@
 /* Replaces A, row-major n x n, by U in its upper and U^T in its lower triangle, so that every
  * substitution runs along rows. Returns false if A is not positive definite. */
 bool tb_factor_positive(uint32_t n, double *matrix);
+/* Row i of this, after all rows above it. */
+bool tb_factor_row(uint32_t n, uint32_t i, double *matrix);
 
 /* Solves A x = b with the factor from tb_factor_positive(); b becomes x. */
 void tb_solve_with_factor(uint32_t n, const double *factor, double *right_hand_side);

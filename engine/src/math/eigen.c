@@ -32,14 +32,15 @@ static void transpose(uint32_t n, double *a) {
 }
 
 /* K becomes U^-T K U^-1; factor[] as of tb_factor_positive(). */
-static void reduce_to_standard(uint32_t n, const double *factor, double *k) {
-  for (uint32_t i = 0; i < n; i++) { /* Y = U^-T K, row by row */
+static void reduce_to_standard(TbArena *watched, uint32_t n, const double *factor, double *k) {
+  for (uint32_t i = 0; i < n && tb_arena_go_on(watched); i++) { /* Y = U^-T K, row by row */
     const double *column = factor + (size_t)i * n;
     double *row = k + (size_t)i * n;
     tb_combine_rows(n, i, column, k, n, -1.0, row);
     for (uint32_t j = 0; j < n; j++) row[j] /= column[i];
   }
-  for (uint32_t i = 0; i < n; i++) { /* each row of A U = Y, as far as the diagonal */
+  for (uint32_t i = 0; i < n && tb_arena_go_on(watched);
+       i++) { /* each row of A U = Y, as far as the diagonal */
     double *row = k + (size_t)i * n;
     for (uint32_t j = 0; j <= i; j++) {
       const double *from = factor + (size_t)j * n;
@@ -86,9 +87,9 @@ static void reflect_both_sides(uint32_t n, uint32_t stride, const double *u, dou
 }
 
 /* From the last row upwards; the reflection of row i stays in a[i][0 .. i-1] and h[i]. */
-static void make_tridiagonal(uint32_t n, double *a, double *diagonal, double *beside, double *h,
-                             double *p) {
-  for (uint32_t i = n; i-- > 1;) {
+static void make_tridiagonal(TbArena *watched, uint32_t n, double *a, double *diagonal,
+                             double *beside, double *h, double *p) {
+  for (uint32_t i = n; i-- > 1 && tb_arena_go_on(watched);) {
     double *u = a + (size_t)i * n;
     diagonal[i] = u[i];
     h[i] = reflection(i, u, &beside[i - 1]);
@@ -99,10 +100,11 @@ static void make_tridiagonal(uint32_t n, double *a, double *diagonal, double *be
 }
 
 /* The product of these reflections, transposed: its rows are the basis in which A is tridiagonal. */
-static void gather_basis(uint32_t n, const double *a, const double *h, double *p, double *basis) {
+static void gather_basis(TbArena *watched, uint32_t n, const double *a, const double *h, double *p,
+                         double *basis) {
   memset(basis, 0, (size_t)n * n * sizeof *basis);
   for (uint32_t i = 0; i < n; i++) basis[(size_t)i * n + i] = 1.0;
-  for (uint32_t i = 1; i < n; i++) {
+  for (uint32_t i = 1; i < n && tb_arena_go_on(watched); i++) {
     const double *u = a + (size_t)i * n;
     if (!(h[i] > 0.0)) continue;
     memset(p, 0, i * sizeof *p);
@@ -179,8 +181,10 @@ static void rotate_rows(uint32_t n, uint32_t first, uint32_t last, Rotations r, 
 }
 
 /* T becomes diagonal, and its basis turns with it. */
-static bool make_diagonal(uint32_t n, double *d, double *e, Rotations r, double *basis) {
+static bool make_diagonal(TbArena *watched, uint32_t n, double *d, double *e, Rotations r,
+                          double *basis) {
   for (uint32_t first = 0; first < n; first++) {
+    if (!tb_arena_go_on(watched)) return false;
     for (uint32_t sweeps = 0;; sweeps++) {
       const uint32_t last = last_coupled(n, d, e, first);
       if (last == first) break;
@@ -218,14 +222,17 @@ bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double 
   double *p = tb_arena_doubles(scratch, n);
   if (scratch->failed) return false;
   if (mass) {
-    if (!tb_factor_positive(n, mass)) return false;
-    reduce_to_standard(n, mass, stiffness);
+    for (uint32_t i = 0; i < n; i++) {
+      if (!tb_arena_go_on(scratch) || !tb_factor_row(n, i, mass)) return false;
+    }
+    reduce_to_standard(scratch, n, mass, stiffness);
   }
-  make_tridiagonal(n, stiffness, eigenvalues, beside, h, p);
-  gather_basis(n, stiffness, h, p, vectors);
+  make_tridiagonal(scratch, n, stiffness, eigenvalues, beside, h, p);
+  gather_basis(scratch, n, stiffness, h, p, vectors);
   /* The reflections have done their work: their memory holds a sweep. */
-  if (!make_diagonal(n, eigenvalues, beside, (Rotations){h, p}, vectors)) return false;
+  if (!make_diagonal(scratch, n, eigenvalues, beside, (Rotations){h, p}, vectors)) return false;
   sort_ascending(n, eigenvalues, vectors);
-  for (uint32_t i = 0; mass && i < n; i++) tb_solve_upper(n, mass, vectors + (size_t)i * n);
-  return true;
+  for (uint32_t i = 0; mass && i < n && tb_arena_go_on(scratch); i++)
+    tb_solve_upper(n, mass, vectors + (size_t)i * n);
+  return !scratch->failed;
 }

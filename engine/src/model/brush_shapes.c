@@ -64,7 +64,7 @@ TaborStatus tb_brush_shapes_prepare(TaborModel *model) {
   if (!has_brush(&model->def)) return TABOR_OK;
   TbArena scratch;
   TbBesselTable table;
-  tb_arena_prepare(&scratch, &model->arena.allocator);
+  tb_arena_beside(&scratch, &model->arena);
   TaborStatus status = prepare_table(model, &scratch, &table) ? TABOR_OK : TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < model->def.striker_count && status == TABOR_OK; i++) {
     if (model->def.striker[i].kind == TABOR_STRIKER_BRUSH) {

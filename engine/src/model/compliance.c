@@ -22,6 +22,7 @@ static bool class_matrix(TbArena *arena, const TbProjectionGroup *group, const d
   if (!matrix) return false;
   for (uint32_t a = 0; a < points; a += 8) {
     for (uint32_t b = 0; b <= a; b += 8) {
+      if (!tb_arena_go_on(arena)) return false;
       double sum[8][8];
       block_of(modes, gain + group->first, group->gather + (size_t)a * modes,
                group->gather + (size_t)b * modes, sum);

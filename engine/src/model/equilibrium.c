@@ -140,8 +140,10 @@ static double imbalance(const TaborModel *model, const Statics *s, const double 
   return largest;
 }
 
-static bool factor_wires(const TaborModel *model, Statics *s, const double *root) {
+static bool factor_wires(TbArena *watched, const TaborModel *model, Statics *s,
+                         const double *root) {
   for (uint32_t w = 0; w < model->wires.count; w++) {
+    if (!tb_arena_go_on(watched)) return false;
     const TbWire *wire = &model->wires.wires[w];
     const uint32_t n = wire->row_count;
     const double *part = root + wire->first_row;
@@ -176,16 +178,17 @@ typedef struct Inner {
 } Inner;
 
 /* Solves (I + R C R) w = r, R = diag(root); r is used up. */
-static bool solve_direction(const TaborModel *model, Statics *s, const double *root, Inner *in,
-                            double *w) {
+static bool solve_direction(TbArena *watched, const TaborModel *model, Statics *s,
+                            const double *root, Inner *in, double *w) {
   const uint32_t n = s->n;
   for (uint32_t a = 0; a < n; a++) w[a] = 0.0;
-  if (!factor_wires(model, s, root)) return false;
+  if (!factor_wires(watched, model, s, root)) return false;
   precondition(model, s, in->r, in->z);
   memcpy(in->d, in->z, n * sizeof *in->d);
   double square = dot(n, in->r, in->z);
   const double enough = 1e-24 * square;
   for (uint32_t i = 0; i < 500 && square > enough; i++) {
+    if (!tb_arena_go_on(watched)) return false;
     for (uint32_t a = 0; a < n; a++) in->turned[a] = root[a] * in->d[a];
     yield(model, s, in->turned, in->md);
     for (uint32_t a = 0; a < n; a++) in->md[a] = in->d[a] + root[a] * in->md[a];
@@ -202,11 +205,11 @@ static bool solve_direction(const TaborModel *model, Statics *s, const double *r
   return true;
 }
 
-static bool newton_direction(const TaborModel *model, Statics *s, const double *rho,
-                             const double *root, Inner *in, double *delta) {
+static bool newton_direction(TbArena *watched, const TaborModel *model, Statics *s,
+                             const double *rho, const double *root, Inner *in, double *delta) {
   yield(model, s, rho, s->yielded);
   for (uint32_t a = 0; a < s->n; a++) in->r[a] = root[a] * s->yielded[a];
-  if (!solve_direction(model, s, root, in, delta)) return false;
+  if (!solve_direction(watched, model, s, root, in, delta)) return false;
   for (uint32_t a = 0; a < s->n; a++) delta[a] = rho[a] - root[a] * delta[a];
   return true;
 }
@@ -228,7 +231,8 @@ static TaborStatus balance(const TaborModel *model, TbArena *scratch, Statics *s
     double scale = 1e-12;
     for (uint32_t a = 0; a < n; a++) scale = fmax(scale, fabs(y[a]));
     if (imbalance(model, s, y, eta, rho, root) <= 1e-13 * scale) return TABOR_OK;
-    if (!newton_direction(model, s, rho, root, &in, delta)) return TABOR_ERROR_NUMERICS;
+    if (!newton_direction(scratch, model, s, rho, root, &in, delta))
+      return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
     double step = 1.0, next = potential;
     for (; step > 1e-9; step *= 0.5) {
       for (uint32_t a = 0; a < n; a++) trial[a] = y[a] + step * delta[a];

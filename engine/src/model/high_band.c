@@ -335,7 +335,7 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
   *band = (TbHighBand){.radius = model->head.radius, .precision = model->precision};
   if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   TbHighModes chosen;
   const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST_LIVE : TB_HIGH_MOST;
   bool done = tb_high_modes_choose(&chosen, &scratch, model, top, most);

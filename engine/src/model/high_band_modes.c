@@ -104,7 +104,7 @@ static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder
   double fields[2 * TABOR_MAX_MICS];
   for (uint32_t p = 0; p < b->outside_count; p++) points[p] = side->points[b->outside[p]];
   TbArena scratch;
-  tb_arena_prepare(&scratch, &b->scratch->allocator);
+  tb_arena_beside(&scratch, b->scratch);
   const bool done = tb_air_slow(order, &scratch, b->both_sides, x_at(b, c->omega), points,
                                 b->outside_count, resistance, fields);
   tb_arena_release(&scratch);
@@ -353,7 +353,7 @@ static bool collect_order(Builder *b, const bool *heard, uint32_t m) {
   b->inside.mics.count = 0;
   if (b->outside_count == b->model->def.mic_count) return add_heads(b, heard, m);
   TbArena scratch;
-  tb_arena_prepare(&scratch, &b->scratch->allocator);
+  tb_arena_beside(&scratch, b->scratch);
   Inside *inside = &b->inside;
   const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, m, b->top);
   const bool done =
@@ -378,7 +378,7 @@ static bool collect(Builder *b, uint32_t heads) {
       continue;
     }
     TbArena scratch;
-    tb_arena_prepare(&scratch, &b->scratch->allocator);
+    tb_arena_beside(&scratch, b->scratch);
     const bool done = collect_whole(b, &scratch, m);
     tb_arena_release(&scratch);
     if (!done) return false;

@@ -179,7 +179,7 @@ static TaborStatus prepare(TaborModel *model, TbArena *scratch, TaborError *erro
 TaborStatus tb_lug_modes_prepare(TaborModel *model, TaborError *error) {
   if (!tb_lugs_uneven(&model->def)) return TABOR_OK;
   TbArena scratch;
-  tb_arena_prepare(&scratch, &model->arena.allocator);
+  tb_arena_beside(&scratch, &model->arena);
   const TaborStatus status = prepare(model, &scratch, error);
   tb_arena_release(&scratch);
   return status;

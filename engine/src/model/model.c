@@ -2,101 +2,22 @@
 #include "model/model.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
+#include "model/build_estimate.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
+#include "model/quality_level.h"
 #include "model/state_layout.h"
 #include "model/stretch_gain.h"
 #include "model/tuning.h"
 #include "model/wire_gridf.h"
 #include "model/wire_reach.h"
 #include "model/wire_yield.h"
-
-/* What a quality level stands for. */
-typedef struct Level {
-  double bandwidth, top; /* two-way, and with the high band [Hz] */
-  uint32_t newton_cap, inner_cap, wire_cells;
-  double tolerance, inner_tolerance; /* of the contact solve */
-  double grid_tolerance;             /* of the grid under the wires */
-  TbPrecision precision, tables;     /* of contacts and high band; between modes and that grid */
-} Level;
-
-/* Tables between modes and contact points have a number for each pair: at most so many, where a model
- * may have more modes than FEW_MODES. */
-static const double MOST_PAIRS = 48e6;
-static const uint32_t FEW_MODES = 4096,
-                      MOST_MODES[] = {0, 4096, 4096, 8192, 16384}; /* by quality */
-static const double FEW_ZERO = 91.0; /* leaves half of FEW_MODES to either head */
-
-/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
-static const double TOP_OF_RATE = 0.2;
-
-/* Hoop and shell move up to here at every quality: a stick on the hoop meets their compliance [Hz]. */
-static const double RIM_TOP = 8000.0;
-
-/* A contact's force is a mean over two steps. It is 7 dB too weak at a third of the rate, and has no stiffness at a
- * quarter of it: at 48 kHz, the treble of wires on a head is 5 to 15 dB too faint at 16 kHz. The better qualities
- * step twice per frame where the output is slower than this [Hz]. */
-static const double ENOUGH_STEPS = 88200.0;
-
-static uint32_t steps_of(uint32_t quality, double sample_rate) {
-  return quality >= TABOR_QUALITY_STUDIO && sample_rate < ENOUGH_STEPS ? 2 : 1;
-}
-
-static TbHeadLimits limits_of(uint32_t quality, uint32_t points, double rate) {
-  const double rim = fmin(RIM_TOP, TOP_OF_RATE * rate);
-  if (quality < TABOR_QUALITY_STUDIO) return (TbHeadLimits){FEW_MODES, FEW_ZERO, rim};
-  const double fitting = MOST_PAIRS / fmax(1.0, points);
-  const uint32_t modes = (uint32_t)fmin(MOST_MODES[quality], fmax(FEW_MODES, fitting));
-  return (TbHeadLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes))), rim};
-}
-
-static Level level_of(uint32_t quality) {
-  switch (quality) {
-  case TABOR_QUALITY_DRAFT:
-    return (Level){2500.0, 0.0, 3, 4, 32, 3e-2, 1e-2, 1e-2, TB_IN_FLOAT, TB_IN_FLOAT};
-  case TABOR_QUALITY_LIVE:
-    return (Level){4000.0, 18000.0, 16, 16, 64, 3e-1, 3e-2, 3e-3, TB_IN_FLOAT, TB_IN_FLOAT};
-  case TABOR_QUALITY_REFERENCE:
-    return (Level){16000.0, 18000.0, 16, 64, 256, 0.0, 1e-7, 0.0, TB_IN_DOUBLE, TB_IN_DOUBLE};
-  default:
-    return (Level){12000.0, 18000.0, 8, 24, 128, 1e-4, 1e-2, 1e-3, TB_IN_DOUBLE, TB_IN_FLOAT};
-  }
-}
-
-/* The one-way band needs no more than that its modes be told apart from their images. */
-static const double TOP_OF_HEARING = 0.42;
-
-/* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
- * than half the head's shortest wavelength. */
-static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
-/* Studio gives fewer wires than twenty more points each, as many together. */
-static const uint32_t CELLS_OF_ALL = 960;
-
-static uint32_t cells_of_many(uint32_t quality, uint32_t wires, uint32_t most) {
-  if (quality != TABOR_QUALITY_STUDIO) return CELLS_OF_MANY[quality];
-  const uint32_t each = CELLS_OF_ALL / wires / 2u * 2u; /* even */
-  return each < CELLS_OF_MANY[quality] ? CELLS_OF_MANY[quality] : (each > most ? most : each);
-}
-
-static Level resolve_level(const TaborDrumDef *def, const TaborModel *model) {
-  const uint32_t quality = model->quality;
-  Level level = level_of(quality);
-  if (def->quality.two_way_bandwidth > 0.0) level.bandwidth = def->quality.two_way_bandwidth;
-  if (def->quality.newton_cap > 0) level.newton_cap = def->quality.newton_cap;
-  if (def->wires.count > MANY_WIRES) {
-    level.wire_cells = cells_of_many(quality, def->wires.count, level.wire_cells);
-  }
-  if (def->quality.wire_points > 0) level.wire_cells = def->quality.wire_points;
-  if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
-  level.bandwidth = fmin(level.bandwidth, TOP_OF_RATE * model->step_rate);
-  level.top = fmin(level.top, TOP_OF_HEARING * model->sample_rate);
-  return level;
-}
 
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape) {
@@ -204,7 +125,7 @@ static void prepare_law(TaborModel *model, const Probe *probe, uint32_t w) {
   TbWireCoefficients c;
   tb_wire_coefficients(wire, model->time_step, wire->tension, wire->damping_0, wire->damping_1, &c);
   double head = 0.0;
-  for (uint32_t i = 0; i < wire->row_count; i++) {
+  for (uint32_t i = 0; i < wire->row_count && tb_arena_go_on(&model->arena); i++) {
     const double here = head_compliance(model, probe, wire->first_row + i);
     model->yield[wire->first_row + i] = (float)here;
     head = fmax(head, here);
@@ -223,7 +144,7 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
   model->yield = tb_arena_take(&model->arena, model->wires.stride + TB_SLOTS, sizeof *model->yield);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
-  return TABOR_OK;
+  return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
 }
 
 /* Modes and their projection, with `spare` modes at the end of each group. */
@@ -370,7 +291,7 @@ static const TbKernels *choose_kernels(uint32_t instructions) {
   return &tb_kernels_baseline;
 }
 
-static void set_accuracy(TaborModel *model, const Level *level) {
+static void set_accuracy(TaborModel *model, const TbLevel *level) {
   model->tolerance = level->tolerance;
   model->inner_tolerance = level->inner_tolerance;
   model->grid_tolerance = level->grid_tolerance;
@@ -385,12 +306,12 @@ static uint32_t mode_count(const TbHead *head) {
   return count;
 }
 
-/* A model with more than FEW_MODES does not solve its contacts to rounding noise, which would take four times
+/* A model with more than TB_FEW_MODES does not solve its contacts to rounding noise, which would take four times
  * as long: to 1e-6, balanced in energy as at studio, with shapes under the wires right to 1e-4 and tables between
  * modes and contact points in single precision. That is far below what a stroke 0.1 % faster changes. */
-static void relax_large(TaborModel *model, const Level *level) {
-  Level relaxed = *level;
-  if (mode_count(&model->head) <= FEW_MODES) return;
+static void relax_large(TaborModel *model, const TbLevel *level) {
+  TbLevel relaxed = *level;
+  if (mode_count(&model->head) <= TB_FEW_MODES) return;
   relaxed.tolerance = fmax(level->tolerance, 1e-6);
   relaxed.inner_tolerance = fmax(level->inner_tolerance, 1e-2);
   relaxed.grid_tolerance = fmax(level->grid_tolerance, 1e-4);
@@ -398,11 +319,21 @@ static void relax_large(TaborModel *model, const Level *level) {
   set_accuracy(model, &relaxed);
 }
 
-static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level,
-                         TaborError *error) {
+/* The build is at this stage, which takes `seconds` of its time. */
+static void begin_stage(TbWatch *watch, double seconds) {
+  watch->done += watch->stage;
+  watch->stage = seconds;
+  watch->part = 0.0;
+}
+
+static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *level,
+                         const TbBuildCost *cost, TaborError *error) {
+  TbWatch *watch = model->arena.watch;
+  const double whole = tb_build_seconds(cost);
+  begin_stage(watch, cost->heads / whole);
   TaborStatus status = tb_head_prepare(
     &model->head, &model->arena, &model->def, level->bandwidth,
-    limits_of(model->quality, model->def.wires.count * level->wire_cells, model->step_rate));
+    tb_level_limits(model->quality, model->def.wires.count * level->wire_cells, model->step_rate));
   if (status != TABOR_OK) return status;
   if (model->head.row_count == 0) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
@@ -415,13 +346,28 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const Level *level
                             level->wire_cells, error);
   if (status != TABOR_OK) return status;
 
-  typedef TaborStatus Stage(TaborModel *, TbArena *);
-  Stage *const stages[] = {
-    prepare_modes,         prepare_compliance, prepare_laws,  prepare_contacts, prepare_stretch,
-    tb_wire_reach_prepare, prepare_center,     prepare_mics,  prepare_sticks,   prepare_patches,
-    prepare_places,        prepare_missing,    allocate_rest, tb_rest_prepare,  tb_high_band_rest};
+  typedef struct Stage {
+    TaborStatus (*prepare)(TaborModel *, TbArena *);
+    double seconds;
+  } Stage;
+  const Stage stages[] = {{prepare_modes, cost->grid},
+                          {prepare_compliance, 0.25 * cost->contacts},
+                          {prepare_laws, 0.25 * cost->contacts},
+                          {prepare_contacts, 0.0},
+                          {prepare_stretch, 0.0},
+                          {tb_wire_reach_prepare, 0.1 * cost->contacts},
+                          {prepare_center, 0.0},
+                          {prepare_mics, cost->high_band},
+                          {prepare_sticks, 0.0},
+                          {prepare_patches, 0.0},
+                          {prepare_places, 0.0},
+                          {prepare_missing, 0.0},
+                          {allocate_rest, 0.0},
+                          {tb_rest_prepare, 0.4 * cost->contacts},
+                          {tb_high_band_rest, 0.0}};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
-    status = stages[i](model, scratch);
+    begin_stage(watch, stages[i].seconds / whole);
+    status = stages[i].prepare(model, scratch);
   }
   if (status == TABOR_OK) status = tb_lug_modes_prepare(model, error);
   if (status == TABOR_OK) {
@@ -469,56 +415,129 @@ static TaborStatus memory_error(TaborError *error) {
                       "out of memory while building a model");
 }
 
+/* Checks both, puts options or defaults into `chosen`, and the definition with tensions into `tuned`. */
+static TaborStatus resolve(const TaborDrumDef *def, const TaborModelOptions *options,
+                           TaborModelOptions *chosen, TaborDrumDef *tuned, TaborError *error) {
+  tabor_model_options_default(chosen);
+  if (options) *chosen = *options;
+  TaborStatus status = tabor_drum_def_validate(def, error);
+  if (status == TABOR_OK) status = check_options(chosen, error);
+  if (status != TABOR_OK) return status;
+  chosen->allocator = tb_allocator_resolve(&chosen->allocator);
+  if (chosen->quality == TABOR_QUALITY_DEFAULT) chosen->quality = def->quality.level;
+  *tuned = *def;
+  return tb_tune(tuned, &chosen->allocator, error);
+}
+
+static TaborStatus limit_error(const TaborModelEstimate *estimate, const TaborModelOptions *options,
+                               TaborError *error) {
+  const bool slow = options->most_seconds > 0.0 && estimate->seconds > options->most_seconds;
+  char limit[48];
+  snprintf(limit, sizeof limit, slow ? "%.3g s" : "%.3g MB",
+           slow ? options->most_seconds : 1e-6 * (double)options->most_bytes);
+  return tb_error_set(error, TABOR_ERROR_LIMIT, estimate->key, NULL, NAN, NAN,
+                      "this model would take some %.2g s and %.2g MB to build, more than the limit "
+                      "of %s: lower %s",
+                      estimate->seconds, 1e-6 * (double)estimate->bytes, limit, estimate->key);
+}
+
+static TaborStatus check_limits(const TaborDrumDef *tuned, const TaborModelOptions *options,
+                                TaborError *error) {
+  TaborModelEstimate estimate;
+  if (options->most_seconds <= 0.0 && options->most_bytes == 0) return TABOR_OK;
+  const TaborStatus status = tb_build_estimate(tuned, options->quality, options->sample_rate,
+                                               &options->allocator, &estimate, error);
+  if (status != TABOR_OK) return status;
+  const bool slow = options->most_seconds > 0.0 && estimate.seconds > options->most_seconds;
+  const bool large = options->most_bytes > 0 && estimate.bytes > options->most_bytes;
+  return slow || large ? limit_error(&estimate, options, error) : TABOR_OK;
+}
+
+TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOptions *options,
+                                 TaborModelEstimate *estimate, TaborError *error) {
+  TaborModelOptions chosen;
+  TaborDrumDef tuned;
+  if (!estimate) return tb_error_null(error, "place for the estimate");
+  *estimate = (TaborModelEstimate){0};
+  const TaborStatus status = resolve(def, options, &chosen, &tuned, error);
+  if (status != TABOR_OK) return status;
+  return tb_build_estimate(&tuned, chosen.quality, chosen.sample_rate, &chosen.allocator, estimate,
+                           error);
+}
+
+/* What does not depend on the heads. */
+static TbLevel start(TaborModel *model, const TaborModelOptions *options) {
+  model->quality = options->quality;
+  model->sample_rate = options->sample_rate;
+  model->steps = tb_level_steps(model->quality, model->sample_rate);
+  model->step_rate = model->steps * model->sample_rate;
+  model->time_step = 1.0 / model->step_rate;
+  model->kernels = choose_kernels(options->instructions);
+  model->kernelsf = kernelsf_of(model->kernels);
+  const TbLevel level = tb_level(&model->def, model->quality, model->sample_rate);
+  model->newton_cap = level.newton_cap;
+  model->inner_cap = level.inner_cap;
+  set_accuracy(model, &level);
+  model->top = level.top;
+  return level;
+}
+
+static TaborStatus build_watched(TaborModel *model, const TaborModelOptions *options,
+                                 TaborError *error) {
+  TbWatch watch = {.go_on = options->progress, .context = options->progress_context};
+  const TbLevel level = start(model, options);
+  TbBuildCost cost;
+  TbArena scratch;
+  model->arena.watch = &watch;
+  tb_arena_beside(&scratch, &model->arena);
+  TaborStatus status = tb_build_cost(&model->def, options->quality, options->sample_rate,
+                                     &options->allocator, &cost, error);
+  if (status == TABOR_OK) status = build(model, &scratch, &level, &cost, error);
+  if (status == TABOR_OK && options->progress) (void)options->progress(1.0, watch.context);
+  tb_arena_release(&scratch);
+  model->arena.watch = NULL;
+  return watch.cancelled ? TABOR_ERROR_CANCELLED : status;
+}
+
+static TaborStatus build_error(TaborStatus status, TaborError *error) {
+  switch (status) {
+  case TABOR_OK:
+  case TABOR_ERROR_RANGE: return status; /* whoever found it has named it */
+  case TABOR_ERROR_MEMORY: return memory_error(error);
+  case TABOR_ERROR_CANCELLED:
+    return tb_error_set(error, status, NULL, NULL, NAN, NAN,
+                        "the build of the model was cancelled");
+  default:
+    return tb_error_set(error, status, NULL, NULL, NAN, NAN,
+                        "the modes or the rest state of this drum could not be computed");
+  }
+}
+
 TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                TaborModel **out, TaborError *error) {
+  TaborModelOptions chosen;
+  TaborDrumDef tuned;
   if (!out) return tb_error_null(error, "place for the model");
   *out = NULL;
-  TaborModelOptions defaults;
-  tabor_model_options_default(&defaults);
-  if (!options) options = &defaults;
-  TaborStatus status = tabor_drum_def_validate(def, error);
-  if (status == TABOR_OK) status = check_options(options, error);
+  TaborStatus status = resolve(def, options, &chosen, &tuned, error);
+  if (status == TABOR_OK) status = check_limits(&tuned, &chosen, error);
   if (status != TABOR_OK) return status;
 
-  const TaborAllocator allocator = tb_allocator_resolve(&options->allocator);
+  const TaborAllocator allocator = chosen.allocator;
   TaborModel *model = allocator.allocate(sizeof *model, allocator.context);
   if (!model) return memory_error(error);
   memset(model, 0, sizeof *model);
   atomic_init(&model->references, 1u);
   tb_arena_prepare(&model->arena, &allocator);
-  model->def = *def;
-  status = tb_tune(&model->def, &allocator, error);
-  if (status != TABOR_OK) {
-    tabor_model_release(model);
-    return status;
-  }
-  model->quality = options->quality ? options->quality : def->quality.level;
-  model->sample_rate = options->sample_rate;
-  model->steps = steps_of(model->quality, model->sample_rate);
-  model->step_rate = model->steps * model->sample_rate;
-  model->time_step = 1.0 / model->step_rate;
-  model->kernels = choose_kernels(options->instructions);
-  model->kernelsf = kernelsf_of(model->kernels);
-  const Level level = resolve_level(def, model);
-  model->newton_cap = level.newton_cap;
-  model->inner_cap = level.inner_cap;
-  set_accuracy(model, &level);
-  model->top = level.top;
-
-  TbArena scratch;
-  tb_arena_prepare(&scratch, &allocator);
+  model->def = tuned;
   if (error) error->status = TABOR_OK;
-  status = build(model, &scratch, &level, error);
-  tb_arena_release(&scratch);
-  if (status != TABOR_OK) {
-    tabor_model_release(model);
-    if (status == TABOR_ERROR_MEMORY) return memory_error(error);
-    if (status == TABOR_ERROR_RANGE) return status; /* whoever found it has named it */
-    return tb_error_set(error, status, NULL, NULL, NAN, NAN,
-                        "the modes or the rest state of this drum could not be computed");
+  status = build_watched(model, &chosen, error);
+  if (status == TABOR_OK) {
+    *out = model;
+    return TABOR_OK;
   }
-  *out = model;
-  return TABOR_OK;
+  tabor_model_release(model);
+  return build_error(status, error);
 }
 
 TaborModel *tabor_model_retain(TaborModel *model) {

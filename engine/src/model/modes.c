@@ -119,6 +119,7 @@ static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *
     const bool image = (wires->mirrored && row % wires->lanes > wires->middle) ||
                        (wires->balanced && row / wires->lanes > wires->count / 2);
     if (image || wires->real[row] == 0.0) continue;
+    if (!tb_arena_go_on(scratch)) return false;
     const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
     tb_modes_shape(list, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
                    radial, shape);
@@ -205,7 +206,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
                              const TbWires *wires, const uint32_t *spare, double time_step) {
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
   modes->groups = modes->halves * modes->quarters;
   TbModes list;

@@ -45,6 +45,7 @@ static bool collect_shapes(Fit *fit) {
   for (uint32_t w = 0; w < wire_grid->wires; w++) {
     const uint32_t image = wire_grid->wires - 1 - w;
     for (uint32_t j = 0; j < lanes; j++) {
+      if (!tb_arena_go_on(fit->scratch)) return false;
       if (wire_grid->quarters == 2 && image < w) { /* the same bits as its image */
         for (uint32_t i = 0; i < fit->modes_coupled; i++) {
           double *at = fit->shapes + (size_t)i * fit->stride + j;
@@ -75,9 +76,9 @@ static double sample(const Samples *s, uint32_t m, uint32_t v, uint32_t k) {
   return s->data[m * s->stride + v * s->step + k * s->spread];
 }
 
-static void gram(const Samples *s, const double *weight, double *matrix) {
+static void gram(TbArena *watched, const Samples *s, const double *weight, double *matrix) {
   const uint32_t n = s->length;
-  for (uint32_t m = 0; m < s->modes; m++) {
+  for (uint32_t m = 0; m < s->modes && tb_arena_go_on(watched); m++) {
     for (uint32_t v = 0; v < s->vectors; v++) {
       for (uint32_t i = 0; i < n; i++) {
         const double x = weight[i] * sample(s, m, v, i);
@@ -107,9 +108,9 @@ static double remainder_of(const Samples *s, uint32_t m, uint32_t v, const doubl
 
 /* Whether the components leave at most `error` of every sample. The last modes, which have the finest
  * shapes, are the first to fail. */
-static bool suffice(const Samples *s, const double *weight, const double *basis,
+static bool suffice(TbArena *watched, const Samples *s, const double *weight, const double *basis,
                     uint32_t components, double error) {
-  for (uint32_t m = s->modes; m-- > 0;) {
+  for (uint32_t m = s->modes; m-- > 0 && tb_arena_go_on(watched);) {
     for (uint32_t v = 0; v < s->vectors; v++) {
       if (!(remainder_of(s, m, v, weight, basis, components) <= error)) return false;
     }
@@ -125,7 +126,7 @@ static bool all_components(TbArena *scratch, const Samples *s, const double *wei
   double *values = tb_arena_doubles(scratch, n);
   double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
   if (scratch->failed) return false;
-  gram(s, weight, matrix);
+  gram(scratch, s, weight, matrix);
   if (!tb_eigen_symmetric(scratch, n, matrix, NULL, values, vectors)) return false;
   for (uint32_t c = 0; c < n; c++) {
     memcpy(basis + (size_t)c * n, vectors + (size_t)(n - 1 - c) * n, n * sizeof *basis);
@@ -140,22 +141,24 @@ static bool principal_components(TbArena *scratch, const Samples *s, const doubl
   uint32_t low = 0, high = most;
   while (low < high) { /* the remainder falls with their number */
     const uint32_t count = (low + high) / 2;
-    if (suffice(s, weight, basis, count, error)) {
+    if (suffice(scratch, s, weight, basis, count, error)) {
       high = count;
     } else {
       low = count + 1;
     }
   }
   *components = low;
-  return true;
+  return !scratch->failed;
 }
 
 /* ---- across --------------------------------------------------------------------------------- */
 
 static double largest_shape(const Fit *fit) {
   double most = 0.0;
-  const size_t count = (size_t)fit->modes_coupled * fit->stride;
-  for (size_t i = 0; i < count; i++) most = fmax(most, fabs(fit->shapes[i]));
+  for (uint32_t mode = 0; mode < fit->modes_coupled && tb_arena_go_on(fit->scratch); mode++) {
+    const double *shape = fit->shapes + (size_t)mode * fit->stride;
+    for (uint32_t i = 0; i < fit->stride; i++) most = fmax(most, fabs(shape[i]));
+  }
   return most;
 }
 
@@ -168,7 +171,8 @@ static uint32_t gather_modes(const Fit *fit, const double *from, uint32_t across
   for (uint32_t g = 0; g < modes->groups; g++) {
     if (across < 2 && g % quarters != across) continue;
     if (along < 2 && g / quarters != along) continue;
-    for (uint32_t i = modes->group[g]; i < modes->group[g + 1]; i++) {
+    for (uint32_t i = modes->group[g]; i < modes->group[g + 1] && tb_arena_go_on(fit->scratch);
+         i++) {
       memcpy(to + (size_t)count++ * fit->stride, from + (size_t)i * fit->stride,
              fit->stride * sizeof *to);
     }
@@ -244,6 +248,7 @@ static void shapes_on_lines(Fit *fit) {
   for (uint32_t g = 0; g < fit->modes->groups; g++) {
     const uint32_t across = g % wire_grid->quarters;
     for (uint32_t i = fit->modes->group[g]; i < fit->modes->group[g + 1]; i++) {
+      if (!tb_arena_go_on(fit->scratch)) return;
       double *to = fit->lines + (size_t)i * fit->stride;
       const double *from = fit->shapes + (size_t)i * fit->stride;
       for (uint32_t l = 0; l < lines_of_class(wire_grid, across); l++) {
@@ -390,7 +395,7 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   group->gather = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   group->scatter = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   if (fit->arena->failed) return false;
-  for (uint32_t i = 0; i < group->modes; i++) {
+  for (uint32_t i = 0; i < group->modes && tb_arena_go_on(fit->scratch); i++) {
     for (uint32_t l = 0; l < lines_of_class(wire_grid, across); l++) {
       for (uint32_t a = 0; a < wire_grid->columns[along]; a++) {
         const double value = amplitude(fit, basis, group->first + i, along, l, a);
@@ -400,7 +405,7 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
       }
     }
   }
-  return true;
+  return !fit->scratch->failed;
 }
 
 static void start_bed(TbWireGrid *wire_grid, const TbModes *modes, const TbWires *wires) {
@@ -416,7 +421,7 @@ static void start_bed(TbWireGrid *wire_grid, const TbModes *modes, const TbWires
 TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes *modes,
                                   const TbHead *head, const TbWires *wires, double tolerance) {
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   *p = (TbProjection){.precision = p->precision, .groups = modes->groups};
   start_bed(&p->wire_grid, modes, wires);
   Fit fit = {.projection = p,

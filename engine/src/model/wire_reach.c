@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-static void largest_shapes(const TaborModel *model, const TbProjectionGroup *group, double *grid,
+static void largest_shapes(TaborModel *model, const TbProjectionGroup *group, double *grid,
                            double *fold, double *rows, double *reach) {
   const TbWireGrid *wire_grid = &model->projection.wire_grid;
-  for (uint32_t i = 0; i < group->modes; i++) {
+  for (uint32_t i = 0; i < group->modes && tb_arena_go_on(&model->arena); i++) {
     for (uint32_t p = 0; p < group->points; p++) {
       grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
     }
@@ -30,5 +30,5 @@ TaborStatus tb_wire_reach_prepare(TaborModel *model, TbArena *scratch) {
   for (uint32_t g = 0; g < p->groups; g++) {
     largest_shapes(model, &p->group[g], grid, fold, rows, model->reach);
   }
-  return TABOR_OK;
+  return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
 }

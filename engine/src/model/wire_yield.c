@@ -156,24 +156,27 @@ static double top_zero(const Builder *b) {
   return fmin(TB_TOP_ZERO, b->radius * tb_head_wave_number(b->material, b->air, b->top));
 }
 
-static void add_all(Builder *b) {
+static bool add_all(Builder *b, TbArena *watched) {
   const double top = top_zero(b);
   for (uint32_t m = 0; (double)m < top; m++) {
     double zeros[MOST_ZEROS];
     const uint32_t count = tb_bessel_zeros(m, top, zeros, MOST_ZEROS);
     if (count == 0) break;
+    if (!tb_arena_go_on_at(watched, (double)m / top)) return false;
     turn_places(&b->places, m);
-    for (uint32_t i = 0; i < count; i++) add_zero(b, m, zeros[i]);
+    for (uint32_t i = 0; i < count && tb_arena_go_on(watched); i++) add_zero(b, m, zeros[i]);
   }
+  return !watched->failed;
 }
 
 /* ---- what stands for them -------------------------------------------------------------------- */
 
 /* How far a grid point's unit motion comes back through the wires' points. */
-static void find_norms(Builder *b) {
+static bool find_norms(Builder *b, TbArena *watched) {
   const TbWireGrid *grid = &b->projection->wire_grid;
   for (uint32_t g = 0; g < b->projection->groups; g++) {
     for (uint32_t i = 0; i < b->projection->group[g].used; i++) {
+      if (!tb_arena_go_on(watched)) return false;
       memset(b->grid, 0, grid->size * sizeof *b->grid);
       b->grid[grid->first[g] + i] = 1.0;
       b->kernels->expand(grid, b->grid, b->fold, b->shape);
@@ -182,6 +185,7 @@ static void find_norms(Builder *b) {
     }
   }
   memset(b->shape, 0, b->wires->stride * sizeof *b->shape);
+  return true;
 }
 
 static bool allocate(Builder *b, TbArena *scratch) {
@@ -224,7 +228,7 @@ static bool reduce(const Builder *b, TbArena *scratch, uint32_t g, double *omega
   complete(n, sqrt(b->bottom * b->top), a, b->compliance[g]);
   memcpy(mass, a, (size_t)n * n * sizeof *mass);
   if (!tb_eigen_symmetric(scratch, n, b->compliance[g], mass, lambda, vectors)) return false;
-  for (uint32_t k = 0; k < n; k++) {
+  for (uint32_t k = 0; k < n && tb_arena_go_on(scratch); k++) {
     omega[k] = fmin(b->top, fmax(b->bottom, 1.0 / sqrt(lambda[k])));
     for (uint32_t i = 0; i < n; i++) {
       double sum = 0.0;
@@ -232,7 +236,7 @@ static bool reduce(const Builder *b, TbArena *scratch, uint32_t g, double *omega
       shapes[(size_t)k * points + i] = sum;
     }
   }
-  return true;
+  return !scratch->failed;
 }
 
 static bool reduce_class(const Builder *b, TbArena *arena, TbArena *scratch, uint32_t g,
@@ -252,7 +256,7 @@ TaborStatus tb_wire_yield_prepare(TbWireYield *yield, TbArena *arena, const Tabo
                                   const TbProjection *projection) {
   const TaborDrumDef *def = &model->def;
   TbArena scratch;
-  tb_arena_prepare(&scratch, &arena->allocator);
+  tb_arena_beside(&scratch, arena);
   Builder b = {.material = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant,
                .air = &def->air,
                .radius = model->head.radius,
@@ -262,11 +266,8 @@ TaborStatus tb_wire_yield_prepare(TbWireYield *yield, TbArena *arena, const Tabo
                .bottom = 2.0 * PI * model->head.bandwidth,
                .top = 2.0 * PI * model->top};
   *yield = (TbWireYield){.decay_rate = def->quality.losses ? 0.5 * (b.top - b.bottom) : 0.0};
-  bool done = prepare_places(&b, &scratch) && allocate(&b, &scratch);
-  if (done) {
-    find_norms(&b);
-    add_all(&b);
-  }
+  bool done = prepare_places(&b, &scratch) && allocate(&b, &scratch) && find_norms(&b, &scratch) &&
+              add_all(&b, &scratch);
   for (uint32_t g = 0; done && g < projection->groups; g++) {
     done = reduce_class(&b, arena, &scratch, g, yield);
   }

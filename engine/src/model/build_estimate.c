@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/build_estimate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "acoustics/closed_drum_modes.h"
+#include "definition/definition.h"
+#include "model/head_waves.h"
+#include "model/quality_level.h"
+#include "model/wires.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- sizes ---------------------------------------------------------------------------------- */
+
+typedef struct Sizes {
+  double modes;         /* sine copies counted */
+  double classes;       /* of symmetry: 1, 2 or 4 */
+  double wires, points; /* of contact: `points` of all wires together */
+  double half;          /* points of a wire that are not images of others */
+  double lines;         /* across, of all classes */
+  double used;          /* points of the grid of one class */
+  double waves;         /* one-way Bessel functions that the wires feel */
+  double top_zero;      /* of the one-way band */
+} Sizes;
+
+static double wave_zero(const TaborDrumDef *def, const TaborHeadDef *head, double frequency) {
+  const double k = tb_head_wave_number(head, &def->air, 2.0 * PI * frequency);
+  return fmin(TB_TOP_ZERO, def->shell.radius * k);
+}
+
+/* About z^2/4 - z/2 modes of one head lie below the zero z. */
+static double mode_count(const TaborDrumDef *def, double bandwidth) {
+  if (tb_is_two_headed(def)) return tb_closed_drum_mode_count(def, bandwidth);
+  const double z = wave_zero(def, &def->batter, bandwidth);
+  return fmax(1.0, 0.25 * z * z - 0.5 * z);
+}
+
+static double largest_row(const TbWires *wires, const double *place) {
+  double most = 0.0;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    if (wires->real[row] != 0.0) most = fmax(most, fabs(place[row]));
+  }
+  return most;
+}
+
+/* Shapes that a tolerance tells apart, beyond the half waves of the finest mode. */
+static const double MARGIN = 4.0;
+
+/* `exact`: nothing is thinned. */
+static void grid_sizes(const TaborDrumDef *def, const TbWires *wires, double bandwidth, bool exact,
+                       Sizes *s) {
+  const TaborHeadDef *head = wires->head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
+  const double k = tb_head_wave_number(head, &def->air, 2.0 * PI * bandwidth);
+  const double along = wires->mirrored ? 2.0 : 1.0, across = wires->balanced ? 2.0 : 1.0;
+  const double along_most = 2.0 * largest_row(wires, wires->row_x) * k / PI + 2.0 * MARGIN;
+  const double across_most = 2.0 * largest_row(wires, wires->row_y) * k / PI + 2.0 * MARGIN;
+  const bool thinned = wires->aligned && !exact;
+  s->classes = along * across;
+  s->wires = wires->count;
+  s->points = wires->stride;
+  s->half = wires->lanes / along;
+  s->lines = thinned ? fmin(wires->count, across_most) : wires->count;
+  s->used = s->lines / across * (thinned ? fmin(s->half, along_most / along) : s->half);
+}
+
+static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                           const TaborAllocator *allocator, Sizes *s, TaborError *error) {
+  const TbLevel level = tb_level(def, quality, sample_rate);
+  const double step_rate = tb_level_steps(quality, sample_rate) * sample_rate;
+  const TbHeadLimits limits =
+    tb_level_limits(quality, def->wires.count * level.wire_cells, step_rate);
+  TbArena scratch;
+  TbWires wires;
+  double bandwidth;
+  tb_arena_prepare(&scratch, allocator);
+  (void)tb_head_basis(def, level.bandwidth, limits, &bandwidth);
+  const TaborStatus status =
+    tb_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
+  *s = (Sizes){.modes = fmin(limits.modes, mode_count(def, bandwidth)), .classes = 1.0};
+  s->top_zero = wave_zero(def, &def->batter, level.top);
+  if (status == TABOR_OK && wires.count > 0) {
+    const TaborHeadDef *head = wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
+    const double from = wave_zero(def, head, bandwidth), to = wave_zero(def, head, level.top);
+    const bool exact = level.grid_tolerance == 0.0 && s->modes <= TB_FEW_MODES;
+    grid_sizes(def, &wires, bandwidth, exact, s);
+    s->waves = fmax(0.0, 0.25 * (to * to - from * from));
+  }
+  tb_arena_release(&scratch);
+  return status;
+}
+
+/* ---- time and memory ------------------------------------------------------------------------ */
+
+/* Shapes of modes and their principal components; twice if one-way modes stand beside them. */
+static double grid_seconds(const Sizes *s) {
+  const double passes = s->waves > 0.0 ? 2.0 : 1.0;
+  const double shapes =
+    s->modes * s->half * (s->wires * s->wires + s->lines * s->half + 3.0 * s->used);
+  const double square = s->used * s->used;
+  return passes * 1.7e-9 * shapes + 6e-10 * s->waves * square +
+         (s->waves > 0.0 ? 2.2e-9 * s->classes * square * s->used : 0.0);
+}
+
+/* Compliances, contact laws, and the wires at rest. */
+static double contact_seconds(const Sizes *s) {
+  const double square = s->used * s->used, cells = s->wires > 0.0 ? s->points / s->wires : 0.0;
+  return 1.6e-10 * square * s->modes + 6e-10 * s->points * s->classes * square +
+         2e-9 * s->wires * cells * cells * cells;
+}
+
+double tb_build_seconds(const TbBuildCost *cost) {
+  return cost->heads + cost->grid + cost->contacts + cost->high_band;
+}
+
+TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                          const TaborAllocator *allocator, TbBuildCost *cost, TaborError *error) {
+  Sizes s;
+  const TaborStatus status = measure(def, quality, sample_rate, allocator, &s, error);
+  const double cells = s.wires > 0.0 ? s.points / s.wires : 0.0;
+  *cost = (TbBuildCost){
+    .heads = 0.05 + 1.4e-8 * s.modes * s.modes,
+    .grid = grid_seconds(&s),
+    .contacts = contact_seconds(&s),
+    .high_band = 0.03 + 5e-6 * s.top_zero * s.top_zero,
+    /* Tables between modes and points in both precisions; shapes at all points, four times; squares of classes;
+     * each wire's answers */
+    .bytes = 4e6 + 2e3 * s.modes + 24.0 * s.modes * s.used + 32.0 * s.modes * s.wires * s.half +
+             64.0 * s.classes * s.used * s.used + 24.0 * s.wires * cells * cells};
+  return status;
+}
+
+/* ---- the parameter to lower ----------------------------------------------------------------- */
+
+typedef struct Lever {
+  const char *key;
+  void (*halve)(TaborDrumDef *def, const TbLevel *level);
+} Lever;
+
+static void halve_points(TaborDrumDef *def, const TbLevel *level) {
+  def->quality.wire_points = level->wire_cells / 2u > 8u ? level->wire_cells / 2u : 8u;
+}
+static void halve_wires(TaborDrumDef *def, const TbLevel *level) {
+  (void)level;
+  def->wires.count = (def->wires.count + 1u) / 2u;
+}
+static void halve_two_way(TaborDrumDef *def, const TbLevel *level) {
+  def->quality.two_way_bandwidth = 0.5 * level->bandwidth;
+}
+static void halve_bandwidth(TaborDrumDef *def, const TbLevel *level) {
+  def->quality.bandwidth = 0.5 * level->top;
+}
+
+static const Lever LEVERS[] = {{"quality.wire_points", halve_points},
+                               {"wires.count", halve_wires},
+                               {"quality.two_way_bandwidth", halve_two_way},
+                               {"quality.bandwidth", halve_bandwidth}};
+
+/* The key of the lever that saves most of the time; of the quality if it saves more. */
+static const char *find_lever(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                              const TaborAllocator *allocator) {
+  const TbLevel level = tb_level(def, quality, sample_rate);
+  const char *key = "quality.level";
+  double least = INFINITY;
+  for (size_t i = 0; i < sizeof LEVERS / sizeof *LEVERS; i++) {
+    TaborDrumDef lower = *def;
+    TbBuildCost cost;
+    LEVERS[i].halve(&lower, &level);
+    if (tb_build_cost(&lower, quality, sample_rate, allocator, &cost, NULL) != TABOR_OK) continue;
+    if (tb_build_seconds(&cost) >= 0.95 * least) continue; /* of equals the first */
+    least = tb_build_seconds(&cost);
+    key = LEVERS[i].key;
+  }
+  return key;
+}
+
+TaborStatus tb_build_estimate(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                              const TaborAllocator *allocator, TaborModelEstimate *estimate,
+                              TaborError *error) {
+  TbBuildCost cost;
+  const TaborStatus status = tb_build_cost(def, quality, sample_rate, allocator, &cost, error);
+  *estimate = (TaborModelEstimate){.seconds = tb_build_seconds(&cost), .bytes = (size_t)cost.bytes};
+  if (status == TABOR_OK) {
+    const char *key = find_lever(def, quality, sample_rate, allocator);
+    memcpy(estimate->key, key, strlen(key) + 1u);
+  }
+  return status;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* What building a model takes, from its sizes, before anything is built.
+ *
+ * Times are sums of the products that set-up computes, each with the time that one takes; sizes of the grid under the
+ * wires follow from the head's shortest wave: L k/(2 pi) half waves along a length L. The times per product were
+ * fitted to some 30 builds of 0.1 to 360 s, from the presets to the largest drums that the parameters allow, on one core of
+ * an AMD EPYC of 2024. Set-up only. */
+#ifndef TB_BUILD_ESTIMATE_H
+#define TB_BUILD_ESTIMATE_H
+
+#include "math/arena.h"
+
+/* Processor time [s] of the stages of a build, and memory. */
+typedef struct TbBuildCost {
+  double heads, grid, contacts, high_band; /* as tabor_model_create() goes through them */
+  double bytes;
+} TbBuildCost;
+
+double tb_build_seconds(const TbBuildCost *cost);
+/* Of a valid definition whose heads have tensions, at a quality that is not the default. */
+TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                          const TaborAllocator *allocator, TbBuildCost *cost, TaborError *error);
+/* Seconds, bytes and the parameter whose half saves most of the time. */
+TaborStatus tb_build_estimate(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                              const TaborAllocator *allocator, TaborModelEstimate *estimate,
+                              TaborError *error);
+
+#endif

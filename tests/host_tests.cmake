@@ -75,10 +75,7 @@ if(TARGET tabor-program)
     tabor_add_script_test(test_player_symbols SCRIPT test_realtime_symbols "$<TARGET_FILE:tabor>"
                           "${PROJECT_SOURCE_DIR}/engine/include/tabor/tabor.h" "$<TARGET_FILE:tabor-host>"
                           "$<TARGET_FILE:tabor-host-core>")
-    tabor_add_script_test(test_player_effects "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}"
+    tabor_add_script_test(test_player_effects "${PROJECT_SOURCE_DIR}"
                           "$<$<BOOL:${TABOR_BUILD_CLAP}>:${TABOR_CLAP_INCLUDE_DIR}>")
-    # It builds a profiling library of its own.
-    tabor_add_host_test(test_bench_tool "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}"
-                        "$<TARGET_FILE:tabor>")
   endif()
 endif()

@@ -127,8 +127,8 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
   script_add(&scripts[1], script_strike(11, 6.0, 0.02, 0.0));
   script_add(&scripts[1], script_strike(2001, 1.5, 0.08, 90.0));
 
-  TaborModel *model = (narrow ? script_narrow_model : script_model)(
-    "tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *model = (narrow ? script_narrow_model : script_model)("tabor", TABOR_QUALITY_DEFAULT,
+                                                                    TABOR_INSTRUCTIONS_AUTO);
   Player players[2];
   pthread_t threads[2];
   for (int i = 0; i < 2; i++) {

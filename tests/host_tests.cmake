@@ -40,7 +40,7 @@ if(TARGET tabor-program)
                         test_system_split test_system_stereo test_system_terminal)
     tabor_add_host_test(${name} ${${name}_ARGUMENTS})
   endforeach()
-  if(TARGET man-page)
+  if(TARGET man-page AND NOT TABOR_SANITIZE) # of texts
     tabor_add_host_test(test_system_man_page "${PROJECT_BINARY_DIR}/host/tabor.1")
   endif()
 
@@ -75,10 +75,7 @@ if(TARGET tabor-program)
     tabor_add_script_test(test_player_symbols SCRIPT test_realtime_symbols "$<TARGET_FILE:tabor>"
                           "${PROJECT_SOURCE_DIR}/engine/include/tabor/tabor.h" "$<TARGET_FILE:tabor-host>"
                           "$<TARGET_FILE:tabor-host-core>")
-    tabor_add_script_test(test_player_effects "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}"
+    tabor_add_script_test(test_player_effects "${PROJECT_SOURCE_DIR}"
                           "$<$<BOOL:${TABOR_BUILD_CLAP}>:${TABOR_CLAP_INCLUDE_DIR}>")
-    # It builds a profiling library of its own.
-    tabor_add_host_test(test_bench_tool "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}"
-                        "$<TARGET_FILE:tabor>")
   endif()
 endif()

@@ -66,6 +66,25 @@ if(TABOR_BUILD_LV2 AND TEST test_lv2_jalv)
                                                     "INSPECT=$<TARGET_FILE:host_inspect>")
 endif()
 
+# What clang sees while the audio threads play, and tools/bench: each builds the library anew, with other flags.
+if(TEST test_player_effects)
+  tabor_add_script_test(test_player_sanitizer "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}"
+                        "$<$<BOOL:${TABOR_BUILD_CLAP}>:${TABOR_CLAP_INCLUDE_DIR}>")
+  set(threads "")
+  foreach(format IN ITEMS lv2 clap)
+    if(TARGET test_${format}_threads)
+      list(APPEND threads test_${format}_threads)
+    endif()
+  endforeach()
+  if(threads)
+    tabor_add_script_test(test_plugin_races "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}" "${TABOR_CLAP_INCLUDE_DIR}" ${threads})
+  else()
+    tabor_add_skipped_test(test_plugin_races "there are no plugins: needs lv2-dev")
+  endif()
+  tabor_add_host_test(test_bench_tool "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}" "${CMAKE_C_COMPILER}")
+  set_tests_properties(test_player_sanitizer test_plugin_races test_bench_tool PROPERTIES TIMEOUT 3600 LABELS long)
+endif()
+
 # The engine for another processor, under an emulator.
 if(NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
   add_test(NAME test_arm COMMAND "${PROJECT_SOURCE_DIR}/tools/check-arm")

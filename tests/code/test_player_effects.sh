@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Checks the audio threads of the program and the plugins with clang's tools for real-time code: -Wfunction-effects
-# for the calls in the source, RealtimeSanitizer for the calls while test_player_realtime, test_lv2_realtime and
-# test_clap_realtime play.
+# Checks the calls in the sources of the program's and the plugins' audio threads with clang's -Wfunction-effects.
+# test_player_sanitizer watches the calls while they play.
 #
-# test_player_effects.sh SOURCE CMAKE [CLAP-HEADERS]
+# test_player_effects.sh SOURCE [CLAP-HEADERS]
 set -eu
-source=$1 cmake=$2 clap=${3:-}
+source=$1 clap=${2:-}
 # shellcheck source=tests/support/find_clang.sh
 . "$source/tests/support/find_clang.sh"
 # shellcheck source=tests/support/skips.sh
@@ -19,8 +18,6 @@ fail() {
   echo "FAILED: $1"
   failures=$((failures + 1))
 }
-
-# ---- what is called ----
 
 # The engine's functions and the system's that are safe: test_realtime_symbols looks into them.
 header=$source/engine/include/tabor/tabor.h
@@ -39,18 +36,15 @@ effects() {
   "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" ${clap:+-isystem "$clap"} \
     -include "$work/safe.h" -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
-tests=test_player_realtime
 plugins="plugin/knobs plugin/model_worker plugin/plugin_run plugin/plugin_player plugin/plugin_player_input
   plugin/plugin_player_model plugin/plugin_player_sound"
 if pkg-config --exists lv2; then
   plugins+=" lv2/instrument lv2/sequence"
-  tests+=" test_lv2_realtime"
 else
   skip_part "the LV2 plugins: needs lv2-dev"
 fi
 if [ -n "$clap" ]; then
   plugins+=" clap/instance clap/note_events clap/parameters clap/ports"
-  tests+=" test_clap_realtime"
 else
   skip_part "the CLAP plugins: there are no CLAP headers (tools/setup --plugins brings them)"
 fi
@@ -66,27 +60,5 @@ if cmp -s "$source/host/sound/player.c" "$work/wrong.c" || effects "$work/wrong.
   fail "-Wfunction-effects does not see realloc()"
 fi
 grep -q realloc "$work/said" || fail "-Wfunction-effects names something else"
-
-# ---- what happens ----
-
-# sanitized FLAGS: builds and plays a few seconds.
-sanitized() {
-  local test
-  "$cmake" -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_C_FLAGS="$1 -fsanitize=realtime" -DTABOR_INSTALL=OFF ${clap:+-DTABOR_CLAP_INCLUDE_DIR="$clap"} >"$work/log" 2>&1 &&
-    "$cmake" --build "$work/build" --target $tests >>"$work/log" 2>&1 || {
-    tail -20 "$work/log"
-    fail "building with -fsanitize=realtime"
-    return
-  }
-  for test in $tests; do
-    "$work/build/tests/$test" 3 >"$work/log" 2>&1 || {
-      tail -40 "$work/log"
-      fail "RealtimeSanitizer, $1, $test"
-    }
-    grep -q 'changes of the model' "$work/log" || fail "nothing was played by $test"
-  done
-}
-sanitized -O1
 
 [ $failures = 0 ]

@@ -14,5 +14,8 @@ fi
 
 fresh_clone "$scratch/clone"
 mkdir "$scratch/home"
+# What was compiled before is not compiled again (tools/build.sh), though the home folder is another one.
+CCACHE_DIR=${CCACHE_DIR-$HOME/.cache/ccache}
+export CCACHE_DIR
 env -u DESTDIR -u LV2_PATH -u PKG_CONFIG_PATH -u XDG_CONFIG_HOME -u XDG_DATA_HOME HOME="$scratch/home" \
   bash "$SOURCE/tests/packaging/first_page.sh" "$scratch/clone"

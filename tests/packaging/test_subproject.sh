@@ -5,6 +5,10 @@
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
 
+# ccache knows again what was compiled in the same folder, not in a new one.
+builds=$STATIC_BUILD/subproject
+rm -rf "$builds"
+
 mkdir game
 cat >game/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.22)
@@ -23,14 +27,14 @@ install(TARGETS game)
 END
 
 for fetching in OFF ON; do
-  quietly "$CMAKE" -S game -B "build-$fetching" -DCMAKE_C_COMPILER="$CC" -DCMAKE_BUILD_TYPE=Debug \
+  quietly "$CMAKE" -S game -B "$builds/$fetching" -DCMAKE_C_COMPILER="$CC" -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_C_FLAGS_DEBUG=-O1 -DBY_FETCHING=$fetching -DFETCHCONTENT_SOURCE_DIR_TABOR="$SOURCE"
-  targets=$("$CMAKE" --build "build-$fetching" --target help)
+  targets=$("$CMAKE" --build "$builds/$fetching" --target help)
   grep -qw game <<<"$targets" || complain "no targets: $targets"
   if grep -E 'test_|tabor-program|man-page' <<<"$targets"; then complain "more than the library is built"; fi
 done
-quietly "$CMAKE" --build build-ON --target game --parallel 2
-quietly "$CMAKE" --install build-ON --prefix "$scratch/prefix"
+quietly "$CMAKE" --build "$builds/ON" --target game --parallel 2
+quietly "$CMAKE" --install "$builds/ON" --prefix "$scratch/prefix"
 [ "$(cd prefix && find . -type f)" = ./bin/game ] || complain "more than the game is installed"
 
 prefix/bin/game rhythm.wav tabor >rhythm.csv

@@ -25,12 +25,30 @@ TaborModel *script_model_of(const TaborDrumDef *def, TaborQuality quality,
   return model;
 }
 
-TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions) {
+static TaborDrumDef script_preset(const char *preset) {
   TaborDrumDef def;
   TaborError error;
   if (tabor_drum_def_preset(&def, preset, &error) != TABOR_OK) {
     fail_msg("%s: %s", preset, error.message);
   }
+  return def;
+}
+
+TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstructions instructions) {
+  const TaborDrumDef def = script_preset(preset);
+  return script_model_of(&def, quality, instructions);
+}
+
+void script_narrow(TaborDrumDef *def) {
+  def->quality.two_way_bandwidth = 1000.0;
+  def->quality.bandwidth = 3000.0;
+  def->quality.wire_points = 16;
+}
+
+TaborModel *script_narrow_model(const char *preset, TaborQuality quality,
+                                TaborInstructions instructions) {
+  TaborDrumDef def = script_preset(preset);
+  script_narrow(&def);
   return script_model_of(&def, quality, instructions);
 }
 

@@ -33,6 +33,11 @@ TaborModel *script_model(const char *preset, TaborQuality quality, TaborInstruct
 /** A model of a definition at 48 kHz; fails the test on an error. */
 TaborModel *script_model_of(const TaborDrumDef *def, TaborQuality quality,
                             TaborInstructions instructions);
+/** Leaves the drum few modes: it is built and played in a moment, whatever its quality. */
+void script_narrow(TaborDrumDef *def);
+/** The model of a preset that script_narrow() has changed. */
+TaborModel *script_narrow_model(const char *preset, TaborQuality quality,
+                                TaborInstructions instructions);
 /** A drum of @p model; fails the test on an error. */
 TaborDrum *script_drum(TaborModel *model);
 

@@ -2,14 +2,14 @@
 /* The energy ledger: over 0.13 s of every preset at draft and live; at studio of one preset of each kind, and over
  * 0.2 s of these without their losses.
  *
- * usage: test_system_energy [brief | long]: a sixtieth of a second of every fifth preset; or a second and half a
- * second of each, all of them at studio, too. */
+ * usage: test_system_energy [brief | narrow | long]: a sixtieth of a second of every fifth preset; the same with few
+ * modes; or a second and half a second of each, all of them at studio, too. */
 #include "physics.h"
 
 static const double RATE = 48000.0;
 
 static uint32_t blocks = 150, lossy_blocks = 94, preset_step = 1;
-static bool all_at_studio;
+static bool all_at_studio, narrow;
 
 /* Lossless drums conserve: rounding only, over up to 96,000 steps. */
 static const double DRIFT = 1e-11;
@@ -19,6 +19,12 @@ static const double RESIDUAL = 1e-9;
 static const double DRAFT_LOSS = 1e-5;
 /* What rounding may leave where wires hang 2 cm from their rest [J]. */
 static const double DROPPED = 2e-15;
+
+static TaborDrumDef drum_def(const char *name) {
+  TaborDrumDef def = physics_preset(name);
+  if (narrow) def.quality.two_way_bandwidth = 1000.0;
+  return def;
+}
 
 /* One head, strings below it, a closed shell, two heads, and wires below these. */
 static const char *const kinds[] = {"frame-drum", "bodhran-d-string", "timpani-26", "tom-12",
@@ -57,7 +63,7 @@ static void lossless_drums_keep_their_energy(void **state) {
   for (uint32_t p = 0; p < tabor_preset_count(); p += preset_step) {
     const char *name = tabor_preset(p)->name;
     if (finest_quality(name) < TABOR_QUALITY_STUDIO) continue;
-    TaborDrumDef def = physics_preset(name);
+    TaborDrumDef def = drum_def(name);
     def.quality.losses = 0;
     double most, least;
     const TaborLedger ledger = a_stroke(&def, TABOR_QUALITY_STUDIO, blocks, &most, &least);
@@ -75,7 +81,7 @@ static void with_losses_every_joule_is_accounted_for(void **state) {
   for (uint32_t p = 0; p < tabor_preset_count(); p += preset_step) {
     for (uint32_t quality = TABOR_QUALITY_DRAFT; quality <= finest_quality(tabor_preset(p)->name);
          quality++) {
-      const TaborDrumDef def = physics_preset(tabor_preset(p)->name);
+      const TaborDrumDef def = drum_def(tabor_preset(p)->name);
       double most, least;
       const TaborLedger ledger = a_stroke(&def, quality, lossy_blocks, &most, &least);
       print_message(
@@ -114,7 +120,7 @@ static void a_stroke_brings_its_kinetic_energy(void **state) {
 /* Moving parameters do work, either sign, and the balance still closes. */
 static void moving_parameters_are_accounted_for(void **state) {
   (void)state;
-  const TaborDrumDef preset = physics_preset("tabor"), def = physics_small(&preset);
+  const TaborDrumDef preset = drum_def("tabor"), def = physics_small(&preset);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   const TaborEvent strike = physics_strike(&def);
@@ -142,7 +148,7 @@ static void moving_parameters_are_accounted_for(void **state) {
 /* A drum at rest is exactly at rest, awake too: its ledger does not move. */
 static void a_drum_at_rest_stays_there(void **state) {
   (void)state;
-  const TaborDrumDef def = physics_preset("bodhran-d-string");
+  const TaborDrumDef def = drum_def("bodhran-d-string");
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
   TaborDrum *drum = physics_drum(model);
   /* A parameter set to the value that it has wakes the drum without moving anything. */
@@ -243,7 +249,8 @@ static void wires_far_from_rest_gain_nothing_by_rounding(void **state) {
 }
 
 int main(int argc, char **argv) {
-  if (argc > 1 && strcmp(argv[1], "brief") == 0) {
+  narrow = argc > 1 && strcmp(argv[1], "narrow") == 0;
+  if (narrow || (argc > 1 && strcmp(argv[1], "brief") == 0)) {
     blocks = lossy_blocks = 12;
     preset_step = 5;
   }

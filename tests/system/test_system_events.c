@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Events that are late, out of order or nonsense: acted on or dropped as tabor.h says, and counted. */
+/* Events that are late, out of order or nonsense: acted on or dropped as tabor.h says, and counted.
+ *
+ * usage: test_system_events [brief]: of a drum with few modes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,11 +15,17 @@
 
 enum { FRAMES = 512 };
 
+static bool brief;
 static TaborModel *model;
+
+static TaborModel *tabor(void) {
+  return (brief ? script_narrow_model : script_model)("tabor", TABOR_QUALITY_DEFAULT,
+                                                      TABOR_INSTRUCTIONS_AUTO);
+}
 
 static int set_up(void **state) {
   (void)state;
-  model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  model = tabor();
   return 0;
 }
 
@@ -269,7 +277,7 @@ static void blocks_do_not_change_a_flood(void **state) {
 /* Behind a thousand strokes at once, a release, a parameter, a swap and a reset still act. */
 static void what_ends_or_changes_a_sound_always_acts(void **state) {
   (void)state;
-  TaborModel *twin = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *twin = tabor();
   TaborSwap *swap = NULL;
   assert_int_equal(tabor_swap_create(model, twin, &swap, NULL), TABOR_OK);
   TaborDrum *drum = script_drum(model);
@@ -357,7 +365,8 @@ static void strokes_act_again_after_a_flood(void **state) {
   tabor_drum_destroy(drum);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_stick_that_never_sounded_is_counted),
     cmocka_unit_test(blocks_do_not_change_a_flood),

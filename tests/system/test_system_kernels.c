@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The same bits from every instruction set, and from every thread.
  *
- * usage: test_system_kernels [brief]: at draft and live alone. */
+ * usage: test_system_kernels [brief | narrow]: at draft and live alone; or all of it, of drums with few modes. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 
 #include "drum_script.h"
 
-static bool brief;
+static bool brief, narrow;
 
 static bool processor_has_avx2(void) {
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -42,6 +42,7 @@ static Take play_with(const char *preset, const char *stiffness, TaborQuality qu
     assert_int_equal(tabor_drum_def_set(&def, "wires.contact_stiffness", stiffness, NULL),
                      TABOR_OK);
   }
+  if (narrow) script_narrow(&def);
   TaborModel *model = script_model_of(&def, quality, instructions);
   Take take = play_fresh(model, &script);
   tabor_model_release(model);
@@ -126,7 +127,8 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
   script_add(&scripts[1], script_strike(11, 6.0, 0.02, 0.0));
   script_add(&scripts[1], script_strike(2001, 1.5, 0.08, 90.0));
 
-  TaborModel *model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *model = (narrow ? script_narrow_model : script_model)("tabor", TABOR_QUALITY_DEFAULT,
+                                                                    TABOR_INSTRUCTIONS_AUTO);
   Player players[2];
   pthread_t threads[2];
   for (int i = 0; i < 2; i++) {
@@ -148,6 +150,7 @@ static void two_threads_on_one_model_give_what_one_gives(void **state) {
 
 int main(int count, char **words) {
   brief = count > 1 && strcmp(words[1], "brief") == 0;
+  narrow = count > 1 && strcmp(words[1], "narrow") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(avx2_gives_the_same_bits_as_baseline),
     cmocka_unit_test(stiff_wires_give_the_same_bits_too),

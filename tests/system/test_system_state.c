@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of a drum is one thing: it can be put back to rest, saved, carried over and continued. */
+/* The state of a drum is one thing: it can be put back to rest, saved, carried over and continued.
+ *
+ * usage: test_system_state [brief]: of drums with few modes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,13 +16,19 @@
 /* In mid-ring: a striker just left, the wires chatter, a parameter is still moving. */
 enum { MIDDLE = 1166 };
 
+static bool brief;
 static TaborModel *model;
 static Script script;
 static Take whole; /* played in one go */
 
+static TaborModel *model_of(const char *preset) {
+  return (brief ? script_narrow_model : script_model)(preset, TABOR_QUALITY_DEFAULT,
+                                                      TABOR_INSTRUCTIONS_AUTO);
+}
+
 static int set_up(void **state) {
   (void)state;
-  model = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  model = model_of("tabor");
   script_everything(&script);
   TaborDrum *drum = script_drum(model);
   whole = take_create(model, SCRIPT_FRAMES);
@@ -91,7 +99,7 @@ static void a_reset_event_equals_a_fresh_drum(void **state) {
 /* The swap is an event at frame MIDDLE; the new model is built anew from the same definition. */
 static void swapping_to_an_identical_model_changes_no_bit(void **state) {
   (void)state;
-  TaborModel *twin = script_model("tabor", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *twin = model_of("tabor");
   TaborSwap *swap = NULL;
   assert_int_equal(tabor_swap_create(model, twin, &swap, NULL), TABOR_OK);
   assert_false(tabor_swap_done(swap));
@@ -187,8 +195,7 @@ static void a_damaged_state_is_refused_and_changes_nothing(void **state) {
 
 static void a_state_of_another_model_is_refused(void **state) {
   (void)state;
-  TaborModel *other_model =
-    script_model("bodhran-d-string", TABOR_QUALITY_DEFAULT, TABOR_INSTRUCTIONS_AUTO);
+  TaborModel *other_model = model_of("bodhran-d-string");
   TaborDrum *drum = drum_in_mid_ring(), *other = script_drum(other_model);
   const size_t size = tabor_drum_state_size(drum);
   unsigned char *bytes = malloc(size);
@@ -202,7 +209,8 @@ static void a_state_of_another_model_is_refused(void **state) {
   free(bytes);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(reset_equals_a_fresh_drum),
     cmocka_unit_test(a_reset_event_equals_a_fresh_drum),

@@ -392,7 +392,7 @@ static void random_playing_stays_finite_and_passive(void **state) {
   uint64_t seed = physics_seed();
   Tally tally = {0};
   enum { MODELS = 24 };
-  for (uint32_t m = 0; m < MODELS; m++) {
+  for (uint32_t m = 0; m < MODELS && m < sequences; m++) {
     const uint64_t name = seed;
     TaborDrumDef def =
       playing_drum(tabor_preset(m % tabor_preset_count())->name, 1 + m % 4, m % 5 != 0);

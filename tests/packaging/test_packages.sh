@@ -68,10 +68,22 @@ depends tabor "$same" 'libc6 .*' 'libsndfile1 .*' 'libjansson4 .*'
 field "libtabor$soname" Depends | grep -q , && complain "the library needs $(field "libtabor$soname" Depends)"
 for name in "${names[@]}"; do
   [ "$(field "$name" Version)" = "$debian-1" ] || complain "$name is of version $(field "$name" Version)"
-  has "$name" "/usr/share/doc/$name/copyright"
+  has "$name" "/usr/share/doc/$name/copyright" "/usr/share/doc/$name/changelog\.Debian\.gz"
   files_of "$name"
 done | sort | uniq -d >twice
 if [ -s twice ]; then complain "in two packages: $(cat twice)"; fi
+
+dpkg-deb --ctrl-tarfile packages/"libtabor$soname"_*.deb | tar -xO ./triggers | grep -qx 'activate-noawait ldconfig' ||
+  complain "the library does not tell ldconfig"
+# With lintian nothing is to be an error.
+if command -v lintian >/dev/null; then
+  lintian --fail-on error packages/*.deb >"$scratch/lintian" 2>&1 || {
+    cat "$scratch/lintian"
+    complain "lintian finds errors"
+  }
+else
+  skip_part "what lintian says: needs lintian"
+fi
 
 for name in "${names[@]}"; do dpkg-deb --extract packages/"$name"_*.deb root; done
 LD_LIBRARY_PATH=$(library_folder root)

@@ -5,9 +5,10 @@
 #   -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_SHARED_LIBS=ON
 
 set(CPACK_PACKAGE_NAME tabor)
+string(REPLACE "-" "~" CPACK_PACKAGE_VERSION "${TABOR_VERSION}") # 0.2.0~dev comes before 0.2.0
 set(CPACK_PACKAGE_VENDOR Tabor)
 set(CPACK_PACKAGE_CONTACT "Tabor's maintainers <maintainers@tabor.invalid>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+string(REGEX REPLACE "^A " "" CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}") # Debian wants no article
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
@@ -33,15 +34,17 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION sound)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(TABOR_DEBIAN_ABOUT
-    "The sound is computed from the drum's physics: heads that move the air, wires that bounce on
-them, a stick that strikes. No sound is sampled and no envelope is drawn.")
+    "The sound is computed from the drum's physics: heads that move the air,
+wires that bounce on them, a stick that strikes. No sound is sampled and no
+envelope is drawn.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME "${TABOR_DEBIAN_LIBRARY}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/debian/triggers") # ldconfig
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThis is the library.")
 
 set(TABOR_DEBIAN_SAME_VERSION
-    "${TABOR_DEBIAN_LIBRARY} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+    "${TABOR_DEBIAN_LIBRARY} (= ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtabor-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${TABOR_DEBIAN_SAME_VERSION}")

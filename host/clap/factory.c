@@ -8,7 +8,8 @@
 #define TEXT_OF(number) #number
 #define TEXT(number) TEXT_OF(number)
 #define VERSION_TEXT                                                                               \
-  TEXT(TABOR_VERSION_MAJOR) "." TEXT(TABOR_VERSION_MINOR) "." TEXT(TABOR_VERSION_PATCH)
+  TEXT(TABOR_VERSION_MAJOR)                                                                        \
+  "." TEXT(TABOR_VERSION_MINOR) "." TEXT(TABOR_VERSION_PATCH) TABOR_VERSION_SUFFIX
 
 static const char *const stereo_features[] = {
   CLAP_PLUGIN_FEATURE_INSTRUMENT, CLAP_PLUGIN_FEATURE_DRUM, CLAP_PLUGIN_FEATURE_SYNTHESIZER,

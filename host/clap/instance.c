@@ -117,17 +117,34 @@ static void end_note(const Instance *instance, const clap_event_header_t *event)
   (void)push(instance->answers, &end.header);
 }
 
+/* Silence acts before all notes of its frame, so those that it ends must not begin. */
+static bool is_choked(const Instance *instance, const MidiMessage *message) REALTIME;
+static bool is_choked(const Instance *instance, const MidiMessage *message) {
+  return midi_kind(message) == MIDI_NOTE_ON && instance->event < instance->choked[message->data[0]];
+}
+
 static void take_event(Instance *instance, const clap_event_header_t *event, bool notes,
                        uint32_t ahead) REALTIME;
 static void take_event(Instance *instance, const clap_event_header_t *event, bool notes,
                        uint32_t ahead) {
   MidiMessage messages[NOTE_EVENT_MESSAGES];
-  const uint32_t count = note_event_messages(event, messages);
+  uint32_t count = note_event_messages(event, messages);
+  if (count > 0 && is_choked(instance, &messages[count - 1])) count = 0;
   for (uint32_t i = 0; i < count; i++) {
     if (midi_goes_with_notes(&messages[i]) != notes) continue;
     plugin_player_take(&instance->player, &messages[i], ahead);
   }
   if (notes) end_note(instance, event);
+}
+
+static void find_chokes(Instance *instance, uint32_t frame) REALTIME;
+static void find_chokes(Instance *instance, uint32_t frame) {
+  const clap_event_header_t *event;
+  memset(instance->choked, 0, sizeof instance->choked);
+  for (uint32_t i = instance->event; (event = event_at(instance, i)); i++) {
+    if (frame_of(event, frame, instance->frames) != frame) break;
+    note_event_choke(event, i, instance->choked);
+  }
 }
 
 /* Controllers before notes. */
@@ -136,6 +153,7 @@ static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
   Instance *const instance = shell;
   const uint32_t first = instance->event;
   const clap_event_header_t *event;
+  find_chokes(instance, frame);
   for (int notes = 0; notes <= 1; notes++) {
     instance->event = first;
     while ((event = event_at(instance, instance->event)) &&

@@ -47,6 +47,8 @@ typedef struct Instance {
   const clap_output_events_t *answers;
   uint32_t event, event_count; /**< the next one, and all */
   uint32_t frames;
+  /** Number of the last event that chokes a key at this frame, 0 if none: notes before it do not begin. */
+  uint32_t choked[MIDI_VALUES];
 } Instance;
 
 static inline Instance *instance_of(const clap_plugin_t *plugin) { return plugin->plugin_data; }

@@ -64,6 +64,15 @@ static uint32_t midi(const clap_event_midi_t *event, MidiMessage *message) {
   return 0;
 }
 
+void note_event_choke(const clap_event_header_t *event, uint32_t number,
+                      uint32_t choked[MIDI_VALUES]) {
+  if (event->space_id != CLAP_CORE_EVENT_SPACE_ID || event->type != CLAP_EVENT_NOTE_CHOKE) return;
+  const int16_t key = ((const clap_event_note_t *)event)->key;
+  for (int i = 0; i < MIDI_VALUES; i++) {
+    if (!is_key(key) || i == key) choked[i] = number;
+  }
+}
+
 uint32_t note_event_messages(const clap_event_header_t *event,
                              MidiMessage messages[NOTE_EVENT_MESSAGES]) {
   if (event->space_id != CLAP_CORE_EVENT_SPACE_ID) return 0;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap/parameters.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,6 +23,12 @@ static clap_id id_of(KnobId knob) {
 
 /* ---- scales --------------------------------------------------------------------------------- */
 
+/* A host may send any number, and what no float can hold must not be converted. */
+static float single(double value) REALTIME;
+static float single(double value) {
+  return (float)fmin(fmax(value, -(double)FLT_MAX), (double)FLT_MAX);
+}
+
 /* The position of a value on a logarithmic scale. */
 static double to_parameter(const Instance *instance, KnobId id, double value) {
   const KnobRange *const range = &instance->ranges[id];
@@ -42,7 +49,7 @@ void parameters_set(Instance *instance, KnobId id, double value) {
   const KnobRange *const range = &instance->ranges[id];
   if (!isfinite(value)) return;
   if (knobs[id].choices) value = trunc(value);
-  const float kept = (float)knob_decimal((float)value);
+  const float kept = single(knob_decimal(single(value)));
   atomic_store(&instance->values[id], fminf(fmaxf(kept, range->minimum), range->maximum));
 }
 
@@ -61,7 +68,7 @@ bool parameters_take(Instance *instance, const clap_event_header_t *event) {
     const clap_event_param_mod_t *const moved = (const clap_event_param_mod_t *)event;
     const KnobId id = knob_of(instance, moved->param_id);
     if (id == KNOB_COUNT || !knob_is_modulated(id) || !isfinite(moved->amount)) return false;
-    atomic_store(&instance->modulations[id], (float)moved->amount);
+    atomic_store(&instance->modulations[id], single(moved->amount));
     return true;
   }
   return false;
@@ -73,7 +80,7 @@ static float offset_of(const Instance *instance, KnobId id, float value) {
   const double amount = (double)atomic_load(&instance->modulations[id]);
   if (amount == 0) return 0;
   const double from = to_parameter(instance, id, (double)value);
-  return (float)(to_knob(instance, id, from + amount) - (double)value);
+  return single(to_knob(instance, id, from + amount) - (double)value);
 }
 
 void parameters_turn(void *shell) {
@@ -107,11 +114,13 @@ static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double val
   const KnobId id = knob_of(instance, param);
   if (id == KNOB_COUNT || size == 0) return false;
   const Knob *const knob = &knobs[id];
-  const double plain = knob_decimal((float)to_knob(instance, id, value));
+  const KnobRange *const range = &instance->ranges[id];
+  const double most = knob_decimal(range->maximum), least = knob_decimal(range->minimum);
+  const double plain = fmin(fmax(knob_decimal(single(to_knob(instance, id, value))), least), most);
   if (knob->choices) return choice_text(knob->choices, (int)plain, text, size) > 0;
   if (plain == knob->off) return snprintf(text, size, "Off") > 0;
   if (is_per_cent(id)) return snprintf(text, size, "%.2f %%", 100 * value) > 0;
-  const char *const unit = instance->ranges[id].unit;
+  const char *const unit = range->unit;
   return snprintf(text, size, "%.6g%s%s", plain, *unit ? " " : "", unit) > 0;
 }
 

@@ -66,16 +66,27 @@ static Outcome report(const Arguments *arguments, const LibraryRequest *request,
 /* ---- doing it ---- */
 
 /* The instrument comes last: where it is, all its sounds are. */
-static Outcome make(const Arguments *arguments, const LibraryRequest *request) {
+static Outcome make_missing(const Arguments *arguments, LibrarySums *sums) {
+  const LibraryRequest *const request = sums->request;
   RenderBatch batch;
-  Outcome outcome = library_batch_make(arguments, request, &batch);
+  Outcome outcome = library_batch_make(arguments, sums, &batch);
+  if (outcome == OUTCOME_OK && batch.count > 0) outcome = library_sums_begin(sums);
   if (outcome == OUTCOME_OK) {
     outcome = render_jobs_do(&batch);
+    if (outcome == OUTCOME_OK) outcome = library_sums_end(sums);
     if (outcome == OUTCOME_OK) outcome = library_sfz_write(request, request->instrument);
     const Outcome reported = report(arguments, request, &batch);
     if (outcome == OUTCOME_OK) outcome = reported;
   }
   render_batch_free(&batch);
+  return outcome;
+}
+
+static Outcome make(const Arguments *arguments, const LibraryRequest *request) {
+  LibrarySums sums;
+  Outcome outcome = library_sums_read(request, &sums);
+  if (outcome == OUTCOME_OK) outcome = make_missing(arguments, &sums);
+  library_sums_free(&sums);
   return outcome;
 }
 
@@ -101,6 +112,7 @@ static const char notes[] =
   "\n"
   "A run that was ended goes on where it was: the same command keeps the sounds that are there.\n"
   "FOLDER/" LIBRARY_MANIFEST " says what they were made from; a folder takes one library only.\n"
+  "A sound whose bytes have changed, by FOLDER/" LIBRARY_SUMS ", is rendered again.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
 
 const Command library_command = {

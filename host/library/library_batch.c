@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/folder.h"
-#include "library/library_sound.h"
 
 /* The preset's own stroke gives way to that of the sound. */
 static Outcome take_stroke(const LibrarySound *sound, RenderRequest *request) {
@@ -31,25 +30,28 @@ static Outcome add_job(const Arguments *arguments, const LibrarySound *sound, ch
   return take_stroke(sound, &job->request);
 }
 
-static Outcome add_missing(const Arguments *arguments, const LibraryRequest *request,
-                           const LibrarySound *sound, RenderBatch *batch) {
+static Outcome add_missing(const Arguments *arguments, LibrarySums *sums, size_t index,
+                           RenderBatch *batch) {
+  const LibraryRequest *const request = sums->request;
+  const LibrarySound *const sound = &request->plan.sounds[index];
   char *const path = folder_path(request->folder, sound->file);
   if (!path) return fail_memory();
-  if (library_sound_is_finished(path, &request->render)) {
+  if (library_sums_keep(sums, index, path)) {
     free(path);
     return OUTCOME_OK;
   }
   return add_job(arguments, sound, path, batch);
 }
 
-Outcome library_batch_make(const Arguments *arguments, const LibraryRequest *request,
-                           RenderBatch *batch) {
-  const LibraryPlan *const plan = &request->plan;
-  *batch =
-    (RenderBatch){.threads = request->threads, .jobs = calloc(plan->count, sizeof *batch->jobs)};
+Outcome library_batch_make(const Arguments *arguments, LibrarySums *sums, RenderBatch *batch) {
+  const LibraryPlan *const plan = &sums->request->plan;
+  *batch = (RenderBatch){.threads = sums->request->threads,
+                         .jobs = calloc(plan->count, sizeof *batch->jobs),
+                         .rendered = library_sums_add,
+                         .context = sums};
   Outcome outcome = batch->jobs ? OUTCOME_OK : fail_memory();
   for (size_t i = 0; i < plan->count && outcome == OUTCOME_OK; i++) {
-    outcome = add_missing(arguments, request, &plan->sounds[i], batch);
+    outcome = add_missing(arguments, sums, i, batch);
   }
   return outcome;
 }

@@ -10,6 +10,7 @@
 #include "base/json_output.h"
 #include "base/text_file.h"
 #include "drums/drum_args.h"
+#include "library/library_sums.h"
 #include "platform/files.h"
 
 #define VALUE_FLAGS (JSON_ENCODE_ANY | JSON_REAL_PRECISION(15))
@@ -123,7 +124,10 @@ static Outcome check_absent(const LibraryRequest *request, const char *path) {
 }
 
 static Outcome check_foreign(const LibraryRequest *request) {
-  Outcome outcome = check_absent(request, request->instrument);
+  char *const sums = folder_path(request->folder, LIBRARY_SUMS);
+  Outcome outcome = sums ? check_absent(request, sums) : fail_memory();
+  free(sums);
+  if (outcome == OUTCOME_OK) outcome = check_absent(request, request->instrument);
   for (size_t i = 0; i < request->plan.count && outcome == OUTCOME_OK; i++) {
     char *const path = folder_path(request->folder, request->plan.sounds[i].file);
     if (!path) return fail_memory();

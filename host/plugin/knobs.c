@@ -283,7 +283,7 @@ double knob_factor(KnobId id, float value) {
 }
 
 double knob_decimal(float value) {
-  if (value == 0) return 0;
+  if (value == 0 || !isfinite(value)) return (double)value;
   const int exponent = DIGITS - 1 - (int)floor(log10(fabs((double)value)));
   const double scale = pow(10, abs(exponent)); /* exact up to 10^22 */
   return exponent >= 0 ? round((double)value * scale) / scale

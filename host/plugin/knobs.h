@@ -126,7 +126,7 @@ double *knob_field(TaborDrumDef *def, KnobId id);
 double knob_factor(KnobId id, float value) REALTIME;
 /**
  * Rounds a port's value to six decimal digits: 0.05f becomes 0.05. So a definition gets exactly the number
- * that a preset has.
+ * that a preset has. What is not finite stays so.
  */
 double knob_decimal(float value) REALTIME;
 

@@ -32,11 +32,16 @@ typedef struct RenderJob {
   atomic_bool finished;  /**< rendered or failed; any thread may read it */
 } RenderJob;
 
+/** Called when a sound has been rendered, on its thread but never twice at once. */
+typedef Outcome RenderedFn(void *context, const RenderJob *job);
+
 typedef struct RenderBatch {
   char *folder; /**< "FOLDER/", or NULL if -o names the file of the only sound */
   RenderJob *jobs;
   size_t count;
-  uint32_t threads; /**< number of jobs to render at once, at least 1 */
+  uint32_t threads;     /**< number of jobs to render at once, at least 1 */
+  RenderedFn *rendered; /**< or NULL */
+  void *context;        /**< of rendered */
 } RenderBatch;
 
 /** Reads --jobs; the default is the number of processors. */

@@ -45,6 +45,8 @@ static RenderJob *take_job(Jobs *jobs) {
 static void finish_job(Jobs *jobs, RenderJob *job) {
   atomic_store(&job->finished, true);
   (void)pthread_mutex_lock(&jobs->mutex);
+  if (jobs->batch->rendered && job->outcome == OUTCOME_OK)
+    job->outcome = jobs->batch->rendered(jobs->batch->context, job);
   jobs->left--;
   (void)pthread_cond_signal(&jobs->finished);
   (void)pthread_mutex_unlock(&jobs->mutex);

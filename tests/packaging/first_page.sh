@@ -73,8 +73,8 @@ look_for_result() {
     "mkdir -p ~/.lv2 "*) check_plugin ;;
     "tabor show "*) have mine.ini ;;
     "tools/plot-trace "*) if can_draw; then have trace.png; fi ;;
-    "cc ten.c "*) have ten ;;
-    ./ten) [ "$(grep -cE '^-?[0-9.e-]+$' "$log")" = 10 ] || complain "$1: prints no ten numbers" ;;
+    "cc stroke.c "*) have stroke ;;
+    ./stroke) [ "$(grep -cE '^-?[0-9.e-]+$' "$log")" = 10 ] || complain "$1: prints no ten numbers" ;;
     *) complain "'$1' is on the page, but tests/packaging/first_page.sh does not know what it promises" ;;
   esac
 }
@@ -115,7 +115,8 @@ check_links() {
   done <"$private/links"
 }
 
-awk '/^```$/ { inside = 0 } inside { print } /^```c$/ { inside = 1 }' README.md >ten.c
+awk '/^```$/ { inside = 0 } inside { print } /^```c$/ { inside = 1 }' README.md >stroke.c
+grep -qx 'Twenty lines of C:' README.md && [ "$(wc -l <stroke.c)" = 20 ] || complain "the program in C has another length than it says"
 commands >"$private/commands"
 count=0
 while IFS= read -r line; do

@@ -30,9 +30,9 @@ sed '/^# Until the first release/,$d' "$record/libtabor.abignore" >released.abig
 sed -E "s/(<class-decl name='TaborEvent' size-in-bits=')[0-9]+/\11024/" "$record/libtabor.abi" >other.abi
 status=0
 compare released.abignore other.abi >difference || status=$?
-if [ $status != 4 ] || ! grep -q "'struct TaborEvent' changed" difference; then
+if [ $((status & 4)) = 0 ] || ! grep -q "'struct TaborEvent' changed" difference; then
   cat difference >&2
-  complain "a struct of another size was not noticed: abidiff ended with $status, not 4"
+  complain "a struct of another size was not noticed: abidiff ended with $status, without 4"
 fi
 
 soname() { grep -oE "soname='[^']*'" | head -n 1; }

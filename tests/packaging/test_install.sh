@@ -31,7 +31,7 @@ mkdir cpp_only
 cat >cpp_only/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.22)
 project(Strike CXX)
-find_package(Tabor 0.1 REQUIRED)
+find_package(Tabor 0.2 REQUIRED)
 add_executable(strike $examples/cpp/strike.cpp)
 target_compile_features(strike PRIVATE cxx_std_17)
 target_link_libraries(strike PRIVATE Tabor::tabor)

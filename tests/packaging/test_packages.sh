@@ -14,6 +14,7 @@ field() { dpkg-deb --field packages/"$1"_*.deb "$2"; }
 files_of() { dpkg-deb --fsys-tarfile packages/"$1"_*.deb | tar -t | grep -v '/$' | sed 's/^\.//' | sort; }
 
 version=$("$TABOR" --version | cut -d ' ' -f 2)
+number=${version%%-*} debian=${version/-/\~} # of 0.2.0-dev 0.2.0 and 0.2.0~dev
 soname=$(readelf -d "$SHARED_BUILD/engine/libtabor.so" | sed -nE 's/.*\(SONAME\).*libtabor\.so\.(.*)\]/\1/p')
 names=("libtabor$soname" libtabor-dev tabor)
 if [ -d "$SHARED_BUILD/lv2" ]; then names+=(tabor-lv2); else skip_part "the LV2 plugins' package: needs lv2-dev"; fi
@@ -34,7 +35,7 @@ has() {
   done
 }
 library='/usr/lib/[^/]*/'
-has "libtabor$soname" "${library}libtabor\.so\.$soname" "${library}libtabor\.so\.$version"
+has "libtabor$soname" "${library}libtabor\.so\.$soname" "${library}libtabor\.so\.$number"
 has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}pkgconfig/tabor.pc" \
   "${library}cmake/tabor/tabor-config.cmake" /usr/share/doc/tabor/docs/embedding.md
 has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
@@ -60,17 +61,29 @@ depends() {
       complain "$package does not depend on $pattern but: $(field "$package" Depends)"
   done
 }
-same="libtabor$soname \(= $version-[0-9]+\)"
+same="libtabor$soname \(= $debian-[0-9]+\)"
 depends "libtabor$soname" 'libc6 .*'
 depends libtabor-dev "$same"
 depends tabor "$same" 'libc6 .*' 'libsndfile1 .*' 'libjansson4 .*'
 field "libtabor$soname" Depends | grep -q , && complain "the library needs $(field "libtabor$soname" Depends)"
 for name in "${names[@]}"; do
-  [ "$(field "$name" Version)" = "$version-1" ] || complain "$name is of version $(field "$name" Version)"
-  has "$name" "/usr/share/doc/$name/copyright"
+  [ "$(field "$name" Version)" = "$debian-1" ] || complain "$name is of version $(field "$name" Version)"
+  has "$name" "/usr/share/doc/$name/copyright" "/usr/share/doc/$name/changelog\.Debian\.gz"
   files_of "$name"
 done | sort | uniq -d >twice
 if [ -s twice ]; then complain "in two packages: $(cat twice)"; fi
+
+dpkg-deb --ctrl-tarfile packages/"libtabor$soname"_*.deb | tar -xO ./triggers | grep -qx 'activate-noawait ldconfig' ||
+  complain "the library does not tell ldconfig"
+# With lintian nothing is to be an error.
+if command -v lintian >/dev/null; then
+  lintian --fail-on error packages/*.deb >"$scratch/lintian" 2>&1 || {
+    cat "$scratch/lintian"
+    complain "lintian finds errors"
+  }
+else
+  skip_part "what lintian says: needs lintian"
+fi
 
 for name in "${names[@]}"; do dpkg-deb --extract packages/"$name"_*.deb root; done
 LD_LIBRARY_PATH=$(library_folder root)

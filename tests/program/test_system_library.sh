@@ -19,7 +19,7 @@ for radius in 00 80; do
     expected+="tabor-normal-r$radius-v$velocity-t1.wav tabor-normal-r$radius-v$velocity-t2.wav "
   done
 done
-same "the files" "tabor-library.json ${expected}tabor.sfz " "$(files two)"
+same "the files" "tabor-library.json tabor-library.sums ${expected}tabor.sfz " "$(files two)"
 
 # as the program's own strokes sound
 library tabor --velocities 3 --positions 2 --takes 1 -o one/ --seed 9
@@ -31,7 +31,7 @@ for radius in 0 80; do
   done
 done
 library tabor "${one[@]}" -o single
-same "of one place and velocity" "tabor-library.json tabor-normal-r33-v064-t1.wav tabor.sfz " \
+same "of one place and velocity" "tabor-library.json tabor-library.sums tabor-normal-r33-v064-t1.wav tabor.sfz " \
   "$(files single)"
 done_quietly render tabor "${short[@]}" -q -o stroke.wav --strike midi=64
 check "it is the preset's place" cmp stroke.wav single/tabor-normal-r33-v064-t1.wav
@@ -150,7 +150,7 @@ check "live is the default" grep -q '"quality": *"live"' default/tabor-library.j
 # Names that samplers would misread.
 "$TABOR" show tabor >'my $drum=1.ini'
 library 'my $drum=1.ini' --velocities 1 --positions 1 --takes 1 -o own
-same "names" "my__drum_1-normal-r33-v064-t1.wav my__drum_1.sfz tabor-library.json " "$(files own)"
+same "names" "my__drum_1-normal-r33-v064-t1.wav my__drum_1.sfz tabor-library.json tabor-library.sums " "$(files own)"
 library tabor --velocities 1 --positions 1 --takes 1 -o stereo --mic top --mic top --rate 44100
 same "two microphones" "2 44100" \
   "$("$TABOR" analyze stereo/*.wav --json | tee facts.json | "$INSPECT" json channels) $("$INSPECT" json rate <facts.json)"
@@ -173,6 +173,22 @@ for damage in 'truncate -s 0' 'truncate -s -1' 'truncate -s 44' 'truncate -s 6' 
   run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
   damaged "a sound after '$damage'"
 done
+overwritten() { dd if=/dev/zero of="$1" bs=1 seek="$2" count="$3" conv=notrunc status=none; }
+overwritten two/tabor-normal-r80-v001-t1.wav 200 8000
+run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
+damaged "a sound of which a part was overwritten"
+check "which is said" grep -qx 'two/tabor-normal-r80-v001-t1.wav: not the bytes that were written; it is rendered again' "$err"
+truncate -s -5 two/tabor-library.sums
+run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
+damaged "a sound whose checksum was cut off"
+echo nonsense >>two/tabor-library.sums
+run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
+same "a line that means nothing changes nothing" "0 12" "$(json rendered) $(json kept)"
+check "and is gone" diff -r two again
+rm two/tabor-library.sums
+run library tabor --velocities 3 --positions 2 --takes 2 -o two "${short[@]}" --json
+same "without checksums everything is rendered again" "12 0 " "$(json rendered) $(json kept) $(cat "$err")"
+check "as a folder of an older version" diff -r two again
 ringing=(library frame-drum "${one[@]}" --quality draft -o ringing)
 done_quietly "${ringing[@]}" -q
 cp -r ringing whole
@@ -282,7 +298,7 @@ two=(library tabor --velocities 2 --positions 1 --takes 1 -o failing "${short[@]
 same "status without room" 1 $?
 same "two lines" 2 "$(grep -c "^tabor: cannot write 'failing/tabor-.*: File too large" "$err")"
 same "facts" "null 0 0 2" "$(json instrument) $(json rendered) $(json kept) $(json failed)"
-same "no instrument, nothing half-written" "tabor-library.json " "$(files failing)"
+same "no instrument, nothing half-written" "tabor-library.json tabor-library.sums " "$(files failing)"
 done_quietly "${two[@]}" -q
 same "with room again" 2 "$(sounds failing)"
 

@@ -39,10 +39,13 @@ wrong() {
   failures=$((failures + 1))
 }
 
-# An unfinished file would be one that the complete run does not have, or another one.
+# An unfinished file would be one that the complete run does not have, or another one. Only a library's checksums grow with
+# its sounds, so they are none before the first sound.
 check_files() {
-  local file
+  local file none
+  none="./samples/tabor-library.sums $(sha256sum </dev/null)"
   while IFS= read -r file; do
+    if [ "$file" = "$none" ]; then continue; fi
     [ -z "$file" ] || grep -qxF "$file" good-files || wrong "$1" "$2" "it left ${file%% *}"
   done < <(result | sed '$d')
 }

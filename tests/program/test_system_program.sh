@@ -24,7 +24,7 @@ setting() { grep -E "^$1 = " "$out" | sed 's/^[^=]*= *//; s/ *;.*//'; }
 # ---- help and version ----
 
 done_quietly --version
-check "version" grep -qE '^tabor [0-9]+\.[0-9]+\.[0-9]+$' "$out"
+check "version" grep -qE '^tabor [0-9]+\.[0-9]+\.[0-9]+(-dev)?$' "$out"
 version=$(cut -d ' ' -f 2 "$out")
 done_quietly --version --json
 same "version as JSON" "$version" "$(json version)"

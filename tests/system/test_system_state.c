@@ -209,6 +209,84 @@ static void a_state_of_another_model_is_refused(void **state) {
   free(bytes);
 }
 
+/* ---- directions ----------------------------------------------------------------------------- */
+
+enum { TURN_FRAMES = 64 };
+
+/* A drum on which each kind of striker, a brush that moves and a hand are at `angle`. */
+static void play_at(TaborDrum *drum, uint32_t striker, TaborTechnique technique, double angle) {
+  const TaborEvent events[] = {
+    {.type = TABOR_EVENT_STRIKE,
+     .id = 1,
+     .striker = striker,
+     .technique = technique,
+     .velocity = 1.0,
+     .radius = 0.05,
+     .angle = angle,
+     .value = 0.5},
+    {.type = TABOR_EVENT_DAMP, .id = 2, .radius = 0.1, .angle = angle, .value = 10.0},
+    {.frame = 9, .type = TABOR_EVENT_MOVE, .id = 1, .radius = 0.1, .angle = -angle, .value = 0.1},
+  };
+  tabor_drum_process(drum, events, sizeof events / sizeof *events, NULL, TURN_FRAMES);
+}
+
+static unsigned char *state_at(TaborModel *drums, uint32_t striker, TaborTechnique technique,
+                               double angle, size_t *size) {
+  TaborDrum *drum = script_drum(drums);
+  play_at(drum, striker, technique, angle);
+  *size = tabor_drum_state_size(drum);
+  unsigned char *bytes = malloc(*size);
+  assert_non_null(bytes);
+  tabor_drum_state_save(drum, bytes);
+  tabor_drum_destroy(drum);
+  return bytes;
+}
+
+static void assert_loads(TaborModel *drums, uint32_t striker, TaborTechnique technique,
+                         double angle) {
+  size_t size;
+  TaborDrum *other = script_drum(drums);
+  unsigned char *bytes = state_at(drums, striker, technique, angle, &size);
+  if (tabor_drum_state_load(other, bytes, size) != TABOR_OK) {
+    fail_msg("striker %u, technique %d at %g degrees: its state is refused", striker,
+             (int)technique, angle);
+  }
+  tabor_drum_destroy(other);
+  free(bytes);
+}
+
+static void assert_same_direction(TaborModel *drums, uint32_t striker, TaborTechnique technique,
+                                  double angle, double turned) {
+  size_t size, other_size;
+  unsigned char *bytes = state_at(drums, striker, technique, angle, &size);
+  unsigned char *other = state_at(drums, striker, technique, turned, &other_size);
+  assert_int_equal(size, other_size);
+  assert_memory_equal(bytes, other, size);
+  free(bytes);
+  free(other);
+}
+
+/* A cross-stick's tip is 180 degrees further than the stroke, so it is the one that goes too far. */
+static void a_state_with_any_angle_is_loaded(void **state) {
+  (void)state;
+  static const double ANGLES[] = {-1e300, -1e6, -999999.5, -540.0, 540.0, 999999.5, 1e6, 1e300};
+  TaborModel *drums = script_model("snare-14x5.5", TABOR_QUALITY_DRAFT, TABOR_INSTRUCTIONS_AUTO);
+  const uint32_t strikers = tabor_model_definition(drums)->striker_count;
+  for (uint32_t striker = 0; striker < strikers; striker++) {
+    for (uint32_t technique = 0; technique <= TABOR_TECHNIQUE_SWEEP; technique++) {
+      for (size_t i = 0; i < sizeof ANGLES / sizeof *ANGLES; i++) {
+        assert_loads(drums, striker, (TaborTechnique)technique, ANGLES[i]);
+      }
+      /* whole turns, so the same place to the bit */
+      assert_same_direction(drums, striker, (TaborTechnique)technique, 30.1015625,
+                            360.0 * 2777 + 30.1015625);
+      assert_same_direction(drums, striker, (TaborTechnique)technique, -30.1015625,
+                            -360.0 * 2777 - 30.1015625);
+    }
+  }
+  tabor_model_release(drums);
+}
+
 int main(int argc, char **argv) {
   brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
@@ -218,6 +296,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(a_saved_state_continues_to_the_same_bit),
     cmocka_unit_test(a_damaged_state_is_refused_and_changes_nothing),
     cmocka_unit_test(a_state_of_another_model_is_refused),
+    cmocka_unit_test(a_state_with_any_angle_is_loaded),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -54,8 +54,9 @@ extern "C" {
 #endif
 
 #define TABOR_VERSION_MAJOR 0 /**< while it is 0, a new minor version may change the interface */
-#define TABOR_VERSION_MINOR 1 /**< of this header; tabor_version() returns the library's */
+#define TABOR_VERSION_MINOR 2 /**< of this header; tabor_version() returns the library's */
 #define TABOR_VERSION_PATCH 0 /**< a new patch version changes nothing in this header */
+#define TABOR_VERSION_SUFFIX "-dev" /**< "-dev" on the way to this version, "" in its release */
 
 #define TABOR_MAX_WIRES 40   /**< wires of one drum */
 #define TABOR_MAX_LUGS 16    /**< tension rods of one head */
@@ -459,7 +460,7 @@ typedef struct TaborPresetInfo {
  * SET-UP: any thread but the audio thread. */
 /** @{ */
 
-/** The library's version, such as "0.1.0". Static storage. */
+/** The library's version, such as "0.2.0", or "0.2.0-dev" before its release. Static storage. */
 TABOR_API const char *tabor_version(void);
 
 /** Number of rows of the parameter table. */

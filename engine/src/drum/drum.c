@@ -26,6 +26,13 @@ static double place_radius(const TbView *view, double radius) {
   return clamp(radius, 0.0, 0.999 * view->model->head.radius);
 }
 
+/* The same direction within one turn, whose sine and cosine keep all digits; exact. */
+static double place_angle(double angle) {
+  const double within = clamp(angle, -1e6, 1e6);
+  if (fabs(within) <= 360.0) return within;
+  return within - 360.0 * (double)(int32_t)(within / 360.0);
+}
+
 static bool fields_finite(const TaborEvent *event) {
   return isfinite(event->velocity) && isfinite(event->radius) && isfinite(event->angle) &&
          isfinite(event->value);
@@ -41,7 +48,7 @@ static bool strike(TbView *view, const TaborEvent *event) {
                            .technique = event->technique,
                            .velocity = clamp(event->velocity, 0.01, 30.0),
                            .radius = place_radius(view, event->radius),
-                           .angle = clamp(event->angle, -1e6, 1e6),
+                           .angle = place_angle(event->angle),
                            .pressure = clamp(event->value, 0.0, 1.0)};
   return tb_strike(view, &stroke);
 }
@@ -52,12 +59,12 @@ static bool press(TbView *view, const TaborEvent *event) {
 
 static bool damp(TbView *view, const TaborEvent *event) {
   return tb_damp(view, event->id, clamp(event->value, 0.0, 100.0),
-                 place_radius(view, event->radius), clamp(event->angle, -1e6, 1e6));
+                 place_radius(view, event->radius), place_angle(event->angle));
 }
 
 static bool move(TbView *view, const TaborEvent *event) {
   return tb_brush_move(view, event->id, place_radius(view, event->radius),
-                       clamp(event->angle, -1e6, 1e6), clamp(event->value, 0.0, 60.0));
+                       place_angle(event->angle), clamp(event->value, 0.0, 60.0));
 }
 
 /* True if the event was carried out. A drum that sleeps wakes up; one that is played is heard. */

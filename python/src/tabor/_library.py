@@ -88,7 +88,7 @@ def version() -> str:
     Returns
     -------
     str
-        As ``"0.1.0"``.
+        As ``"0.2.0"``, or ``"0.2.0-dev"`` before its release.
     """
     return text(lib.tabor_version())
 

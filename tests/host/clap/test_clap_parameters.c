@@ -140,6 +140,12 @@ static void test_values_stay_in_range(void **state) {
   assert_true(clap_host_value(host, KNOB_GAIN) == 20);
   set(host, KNOB_GAIN, NAN);
   assert_true(clap_host_value(host, KNOB_GAIN) == 20);
+  set(host, KNOB_GAIN, -1e300);
+  assert_true(clap_host_value(host, KNOB_GAIN) == -60);
+  set(host, KNOB_GAIN, 1e300); /* infinite as a float */
+  assert_true(clap_host_value(host, KNOB_GAIN) == 20);
+  set(host, KNOB_QUALITY, 1e300);
+  assert_true(clap_host_value(host, KNOB_QUALITY) == 3);
   set(host, KNOB_BATTER_TENSION, 2);
   assert_true(clap_host_value(host, KNOB_BATTER_TENSION) == 1);
   set(host, KNOB_QUALITY, 2.9);
@@ -169,6 +175,9 @@ static void test_texts_have_units(void **state) {
   says(host, KNOB_GAIN, -3, "-3 dB");
   says(host, KNOB_QUALITY, 1, "Live");
   says(host, KNOB_ROOM, 3, "Hall");
+  says(host, KNOB_ROOM, 1e300, "Hall");
+  says(host, KNOB_GAIN, 1e300, "20 dB");
+  says(host, KNOB_GAIN, -INFINITY, "Off");
   clap_host_close(host);
 }
 

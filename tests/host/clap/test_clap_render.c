@@ -11,6 +11,7 @@
 
 #include "clap_host.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -250,6 +251,40 @@ static void test_both_dialects_mean_the_same(void **state) {
   same_moments(in_midi, in_clap);
 }
 
+static double loudest(const ClapHost *host, uint32_t frames) {
+  double peak = 0;
+  for (uint32_t i = 0; i < frames; i++) peak = fmax(peak, fabs((double)host->sound[0][i]));
+  return peak;
+}
+
+/* Notes and a choke in one block, or at one frame of it. Returns the peak of what is heard. */
+static double heard(int16_t note, int16_t choke, bool choke_first, bool of_midi) {
+  ClapHost *const host = open_host(ID_DRUM, 0, TABOR_ROOM_NONE);
+  if (choke_first) clap_host_note(host, 5, CLAP_EVENT_NOTE_CHOKE, choke, 0);
+  if (of_midi) {
+    midi(host, 5, 0x99, (uint8_t)note, 100);
+  } else {
+    clap_host_note(host, 5, CLAP_EVENT_NOTE_ON, note, 0.8);
+  }
+  if (!choke_first) clap_host_note(host, 5, CLAP_EVENT_NOTE_CHOKE, choke, 0);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_int_equal(host->ended, 1);
+  const double peak = loudest(host, CLAP_BLOCK);
+  clap_host_close(host);
+  return peak;
+}
+
+/* At one frame the order of the list counts: a note that is choked as it begins is not heard. */
+static void test_a_choke_at_the_frame_of_its_notes(void **state) {
+  (void)state;
+  assert_true(heard(38, 38, false, false) == 0);
+  assert_true(heard(38, -1, false, false) == 0);
+  assert_true(heard(38, 38, false, true) == 0);
+  assert_true(heard(38, -1, true, false) > 1e-3);
+  assert_true(heard(38, 38, true, true) > 1e-3);
+  assert_true(heard(38, 41, false, false) > 1e-3);
+}
+
 static void test_note_ends_and_sleep(void **state) {
   (void)state;
   ClapHost *const host = open_host(ID_DRUM, 0, TABOR_ROOM_NONE);
@@ -286,6 +321,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_random_songs),
     cmocka_unit_test(test_parameters_act_at_their_frames),
     cmocka_unit_test(test_both_dialects_mean_the_same),
+    cmocka_unit_test(test_a_choke_at_the_frame_of_its_notes),
     cmocka_unit_test(test_note_ends_and_sleep),
   };
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

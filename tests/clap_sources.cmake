@@ -19,7 +19,7 @@ if(TABOR_BUILD_PROGRAM)
   set(test_clap_render_ARGUMENTS "$<TARGET_FILE:tabor-program>" "$<TARGET_FILE:tabor-clap>")
 endif()
 
-foreach(name IN ITEMS test_clap_parameters test_clap_presets test_clap_state)
+foreach(name IN ITEMS test_clap_builds test_clap_parameters test_clap_presets test_clap_state)
   set(${name}_SOURCES support/clap_host.c)
   set(${name}_LIBRARIES ${TABOR_CLAP_LIBRARIES})
   set(${name}_NEEDS tabor-clap)

@@ -236,13 +236,19 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
   (void)least;
   (void)most;
   const bool is_there = instance->is_open && rate == instance->rate;
-  if (is_there) plugin_player_rest(&instance->player);
+  if (is_there) {
+    model_worker_resume(&instance->worker);
+    plugin_player_rest(&instance->player);
+  }
   if (!is_there && !begin_rate(instance, rate)) return false;
   if (instance->is_open && !plugin_player_is_restored(&instance->player)) plugin_run_wait(&run);
   return true;
 }
 
-static void deactivate(const clap_plugin_t *plugin) { (void)plugin; }
+static void deactivate(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  if (instance->is_open) model_worker_cancel(&instance->worker);
+}
 
 static bool start_processing(const clap_plugin_t *plugin) {
   (void)plugin;

@@ -94,7 +94,13 @@ static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
 
 static void activate(LV2_Handle handle) {
   Instrument *const instrument = handle;
+  model_worker_resume(&instrument->worker);
   plugin_player_rest(&instrument->player);
+}
+
+static void deactivate(LV2_Handle handle) {
+  Instrument *const instrument = handle;
+  model_worker_cancel(&instrument->worker);
 }
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
@@ -240,7 +246,7 @@ LV2_SYMBOL_EXPORT const LV2_Descriptor *lv2_descriptor(uint32_t index) {
 #define PLUGIN(uri)                                                                                \
   {                                                                                                \
     .URI = (uri), .instantiate = instantiate, .connect_port = connect_port, .activate = activate,  \
-    .run = run, .cleanup = cleanup, .extension_data = extension_data                               \
+    .run = run, .deactivate = deactivate, .cleanup = cleanup, .extension_data = extension_data     \
   }
   static const LV2_Descriptor plugins[] = {PLUGIN(URI_DRUM), PLUGIN(URI_DRUM_MULTI)};
   return index < sizeof plugins / sizeof plugins[0] ? &plugins[index] : NULL;

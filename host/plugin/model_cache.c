@@ -4,6 +4,9 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+
+#define GLANCE 20000000 /* [ns] between two looks at whether a model is still wanted */
 
 typedef struct Entry {
   TaborDrumDef def;
@@ -78,12 +81,11 @@ static Entry *add(const TaborDrumDef *def, const TaborModelOptions *options) {
 }
 
 /* Leaves the lock meanwhile; others look at the entry's model all along. */
-static void build(Entry *entry) {
+static void build(Entry *entry, const TaborModelOptions *options) {
   TaborModel *model = NULL;
   entry->building = true;
   (void)pthread_mutex_unlock(&lock);
-  const TaborStatus status =
-    tabor_model_create(&entry->def, &entry->options, &model, &entry->error);
+  const TaborStatus status = tabor_model_create(&entry->def, options, &model, &entry->error);
   (void)pthread_mutex_lock(&lock);
   entry->model = model;
   entry->status = status;
@@ -91,12 +93,37 @@ static void build(Entry *entry) {
   (void)pthread_cond_broadcast(&built);
 }
 
-static TaborStatus use(Entry *entry, bool is_new, TaborModel **model, TaborError *error) {
+static bool goes_on(const TaborModelOptions *options) {
+  return !options->progress || options->progress(0.0, options->progress_context);
+}
+
+/* While another thread builds: false if this one does not want the model any more. */
+static bool wait_for(const Entry *entry, const TaborModelOptions *options) {
+  while (entry->building) {
+    struct timespec until;
+    if (!goes_on(options)) return false;
+    (void)clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += GLANCE;
+    until.tv_sec += until.tv_nsec / 1000000000;
+    until.tv_nsec %= 1000000000;
+    (void)pthread_cond_timedwait(&built, &lock, &until);
+  }
+  return true;
+}
+
+/* What another thread has cancelled is built by the next one that wants it. */
+static TaborStatus use(Entry *entry, bool is_new, const TaborModelOptions *options,
+                       TaborModel **model, TaborError *error) {
+  bool waits = true;
   entry->users++;
-  if (is_new) build(entry);
-  while (entry->building) (void)pthread_cond_wait(&built, &lock);
-  const TaborStatus status = entry->status;
-  *model = entry->model;
+  if (is_new) build(entry, options);
+  for (;;) {
+    waits = wait_for(entry, options);
+    if (!waits || entry->status != TABOR_ERROR_CANCELLED || !goes_on(options)) break;
+    build(entry, options);
+  }
+  const TaborStatus status = waits ? entry->status : TABOR_ERROR_CANCELLED;
+  if (status == TABOR_OK) *model = entry->model;
   *error = entry->error;
   if (status != TABOR_OK) leave(entry);
   return status;
@@ -113,7 +140,7 @@ TaborStatus model_cache_take(const TaborDrumDef *def, const TaborModelOptions *o
   if (is_new) entry = add(def, options);
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (entry) {
-    status = use(entry, is_new, model, error);
+    status = use(entry, is_new, options, model, error);
   } else {
     *error = (TaborError){.status = status, .message = "out of memory"};
   }

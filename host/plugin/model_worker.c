@@ -8,12 +8,34 @@
 
 #include "plugin/model_cache.h"
 
+/* ---- cancellation --------------------------------------------------------------------------- */
+
+/* What is nearly done is finished: a knob that turns all the time would never be heard otherwise. */
+static const double NEARLY = 0.5; /* [s] */
+
+/* Also called by threads that wait for a model that another instance builds. */
+static bool goes_on(double done, void *context) {
+  ModelWorker *const worker = context;
+  if (atomic_load(&worker->is_cancelled)) return false;
+  return !(atomic_load(&worker->is_outdated) && (1.0 - done) * worker->seconds > NEARLY);
+}
+
+void model_worker_cancel(ModelWorker *worker) { atomic_store(&worker->is_cancelled, true); }
+
+void model_worker_resume(ModelWorker *worker) { atomic_store(&worker->is_cancelled, false); }
+
+void model_worker_outdate(ModelWorker *worker) { atomic_store(&worker->is_outdated, true); }
+
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
 bool model_worker_begin(ModelWorker *worker, double rate, bool stereo) {
   worker->stereo = stereo;
   tabor_model_options_default(&worker->options);
   worker->options.sample_rate = rate;
+  worker->options.most_seconds = MODEL_WORKER_MOST_SECONDS;
+  worker->options.most_bytes = MODEL_WORKER_MOST_BYTES;
+  worker->options.progress = goes_on;
+  worker->options.progress_context = worker;
   worker->program = worker->composed_program = MODEL_WORKER_NO_PROGRAM;
   for (uint32_t i = 0; i < KNOB_KEYS; i++) worker->base_seen[i] = NAN;
   memcpy(worker->composed_seen, worker->base_seen, sizeof worker->base_seen);
@@ -275,11 +297,26 @@ static TaborStatus build_room(ModelWorker *worker, Reply *reply, bool chosen, Ta
   return TABOR_OK;
 }
 
-static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
+/* At the quality that was asked for, or the highest one below it that the limits allow. */
+static TaborStatus take_model(ModelWorker *worker, const TaborDrumDef *def, TaborModel **model,
+                              TaborError *error) {
   TaborModelOptions options = worker->options;
-  TaborModel *model = NULL;
+  TaborModelEstimate estimate;
+  TaborStatus status;
   options.quality = worker->request.quality;
-  TaborStatus status = model_cache_take(&reply->def, &options, &model, error);
+  for (;; options.quality--) {
+    status = tabor_model_estimate(def, &options, &estimate, error);
+    if (status != TABOR_OK) return status;
+    worker->seconds = estimate.seconds;
+    status = model_cache_take(def, &options, model, error);
+    if (status != TABOR_ERROR_LIMIT || options.quality <= TABOR_QUALITY_DRAFT) return status;
+    say(worker, "the next lower quality plays", error);
+  }
+}
+
+static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
+  TaborModel *model = NULL;
+  TaborStatus status = take_model(worker, &reply->def, &model, error);
   if (status != TABOR_OK) return status;
   reply->begins_anew = begins_anew(worker, reply);
   status = prepare(worker, model, reply, error);
@@ -303,6 +340,7 @@ static void answer(ModelWorker *worker) {
   reply->drum = NULL;
   reply->swap = NULL;
   reply->room = NULL;
+  reply->cancelled = false;
   reply->number = worker->request.number;
   TaborDrumDef composed;
   (void)pthread_mutex_lock(&worker->lock);
@@ -316,7 +354,14 @@ static void answer(ModelWorker *worker) {
   compose_model(worker, reply);
   describe(reply);
   const bool chosen = was_chosen(worker);
-  reply->failed = build(worker, reply, &error) != TABOR_OK;
+  const TaborStatus status = build(worker, reply, &error);
+  reply->failed = status != TABOR_OK;
+  reply->cancelled = status == TABOR_ERROR_CANCELLED;
+  if (reply->cancelled) { /* it will be news again */
+    reply->number = number;
+    reply->restoration = restoration;
+    return;
+  }
   if (reply->failed) say(worker, "the drum stays as it is", &error);
   if (!reply->failed && build_room(worker, reply, chosen, &error) != TABOR_OK) {
     say(worker, "the room stays as it is", &error);
@@ -338,6 +383,7 @@ bool model_worker_is_idle(const ModelWorker *worker) {
 
 void model_worker_ask(ModelWorker *worker, const Request *request) {
   worker->request = *request;
+  atomic_store(&worker->is_outdated, false);
   atomic_store(&worker->phase, PHASE_ASKED);
 }
 

@@ -12,6 +12,9 @@
  * knobs or quality keeps it ringing on another model; both are swaps. The room comes with the drum, and anew when
  * something changes that it depends on: the knob, or the drum's microphones, shell and air.
  *
+ * A host that renders offline waits for models. So none is built that takes more than MODEL_WORKER_MOST_SECONDS or
+ * MODEL_WORKER_MOST_BYTES: the quality is lowered until it does, and the log says so.
+ *
  * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
  * has chosen since. Knobs turned since then override values in it.
  */
@@ -26,6 +29,9 @@
 #include "plugin/knobs.h"
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
+
+#define MODEL_WORKER_MOST_SECONDS 15.0      /**< that building a model may take, by its estimate */
+#define MODEL_WORKER_MOST_BYTES 1000000000u /**< that it may take meanwhile */
 
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
@@ -54,6 +60,7 @@ typedef struct Reply {
   TaborSwap *swap;         /**< for the drum; NULL without drum: no change */
   RoomMix *room;           /**< another room, NULL for the one before */
   bool is_news;            /**< false: the request was answered before; ignore the rest */
+  bool cancelled;          /**< the build was ended; ignore the rest and ask again */
   bool failed;             /**< nothing was built; ignore the fields below */
   bool begins_anew;        /**< the swap replaces the drum */
   TaborDrumDef def;        /**< of the model */
@@ -83,6 +90,9 @@ typedef struct ModelWorker {
   atomic_uint phase;       /**< a Phase */
   atomic_uint restoration; /**< number of the newest restoration */
   atomic_int program;      /**< last asked for by the audio thread, for model_worker_save() */
+  atomic_bool is_outdated; /**< the audio thread has another wish than what is being built */
+  atomic_bool is_cancelled;
+  double seconds; /**< that the model takes which is being built */
   Request request;
   Reply reply;
 
@@ -118,6 +128,10 @@ bool model_worker_begin(ModelWorker *worker, double rate, bool stereo);
 void model_worker_end(ModelWorker *worker);
 /** Makes @p saved, which is valid, the wanted drum. Any time, in parallel with all other functions. */
 void model_worker_restore(ModelWorker *worker, const SavedState *saved);
+/** Ends what is being built, and lets nothing be built until model_worker_resume(). Any time, in parallel with all
+ * other functions; a worker then returns within 0.1 s. */
+void model_worker_cancel(ModelWorker *worker);
+void model_worker_resume(ModelWorker *worker);
 /** Saves the state. Any time, in parallel with all other functions. */
 void model_worker_save(ModelWorker *worker, SavedState *saved);
 
@@ -130,6 +144,8 @@ void model_worker_work(ModelWorker *worker);
 
 /** Hands @p request to the workers; call only if model_worker_is_idle(). */
 void model_worker_ask(ModelWorker *worker, const Request *request) REALTIME;
+/** Says that another request will follow what is being built: a build that would go on for long ends. */
+void model_worker_outdate(ModelWorker *worker) REALTIME;
 /** True if model_worker_ask() may be called. */
 bool model_worker_is_idle(const ModelWorker *worker) REALTIME;
 /** Returns the reply, valid until model_worker_accept(); NULL while there is none. */

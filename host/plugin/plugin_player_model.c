@@ -58,6 +58,10 @@ static bool speaks_of(const PluginPlayer *player, const Reply *reply) {
 
 static void land(PluginPlayer *player, const Reply *reply) {
   if (!reply->is_news) return;
+  if (reply->cancelled) {
+    player->asked = 0; /* no request has this number: ask again */
+    return;
+  }
   player->answered = reply->number;
   player->answered_restoration = reply->restoration;
   if (reply->restoration != player->request.restoration) take_restoration(player, reply);
@@ -93,6 +97,7 @@ static bool is_littered(const PluginPlayer *player) {
 }
 
 bool plugin_player_ask(PluginPlayer *player) {
+  if (wants(player)) model_worker_outdate(player->worker);
   if (!model_worker_is_idle(player->worker) || !(wants(player) || is_littered(player)))
     return false;
   player->asked = player->request.number;

@@ -23,7 +23,9 @@ bool worker_thread_start(WorkerThread *thread, ModelWorker *worker) {
 }
 
 void worker_thread_stop(WorkerThread *thread) {
+  if (!thread->runs) return;
   atomic_store(&thread->stops, true);
+  model_worker_cancel(thread->worker);
   if (thread->runs) (void)pthread_join(thread->thread, NULL);
   thread->runs = false;
 }

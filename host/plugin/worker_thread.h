@@ -18,7 +18,7 @@ typedef struct WorkerThread {
 
 /** Starts the thread. False if the system has none. */
 bool worker_thread_start(WorkerThread *thread, ModelWorker *worker);
-/** Stops the thread, if it runs, once it has built what it is at. */
+/** Stops the thread, if it runs, and cancels what it builds. */
 void worker_thread_stop(WorkerThread *thread);
 
 #endif

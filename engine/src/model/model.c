@@ -2,7 +2,6 @@
 #include "model/model.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "definition/def_text.h"
@@ -429,16 +428,22 @@ static TaborStatus resolve(const TaborDrumDef *def, const TaborModelOptions *opt
   return tb_tune(tuned, &chosen->allocator, error);
 }
 
-static TaborStatus limit_error(const TaborModelEstimate *estimate, const TaborModelOptions *options,
+/* To two digits, as an estimate is right within a factor. */
+static double two_digits(double value) {
+  double scale = 1.0;
+  while (value / scale >= 100.0) scale *= 10.0;
+  if (scale > 1.0 || value >= 10.0) return floor(value / scale + 0.5) * scale;
+  while (value * scale < 10.0 && scale < 1e6) scale *= 10.0;
+  return floor(value * scale + 0.5) / scale;
+}
+
+static TaborStatus limit_error(const TaborModelEstimate *estimate, bool slow, double limit,
                                TaborError *error) {
-  const bool slow = options->most_seconds > 0.0 && estimate->seconds > options->most_seconds;
-  char limit[48];
-  snprintf(limit, sizeof limit, slow ? "%.3g s" : "%.3g MB",
-           slow ? options->most_seconds : 1e-6 * (double)options->most_bytes);
   return tb_error_set(error, TABOR_ERROR_LIMIT, estimate->key, NULL, NAN, NAN,
-                      "this model would take some %.2g s and %.2g MB to build, more than the limit "
-                      "of %s: lower %s",
-                      estimate->seconds, 1e-6 * (double)estimate->bytes, limit, estimate->key);
+                      "this model would take some %g s and %g MB to build, more than the limit of "
+                      "%g %s: lower %s",
+                      two_digits(estimate->seconds), two_digits(1e-6 * (double)estimate->bytes),
+                      limit, slow ? "s" : "MB", estimate->key);
 }
 
 static TaborStatus check_limits(const TaborDrumDef *tuned, const TaborModelOptions *options,
@@ -448,9 +453,13 @@ static TaborStatus check_limits(const TaborDrumDef *tuned, const TaborModelOptio
   const TaborStatus status = tb_build_estimate(tuned, options->quality, options->sample_rate,
                                                &options->allocator, &estimate, error);
   if (status != TABOR_OK) return status;
-  const bool slow = options->most_seconds > 0.0 && estimate.seconds > options->most_seconds;
-  const bool large = options->most_bytes > 0 && estimate.bytes > options->most_bytes;
-  return slow || large ? limit_error(&estimate, options, error) : TABOR_OK;
+  if (options->most_seconds > 0.0 && estimate.seconds > options->most_seconds) {
+    return limit_error(&estimate, true, options->most_seconds, error);
+  }
+  if (options->most_bytes > 0 && estimate.bytes > options->most_bytes) {
+    return limit_error(&estimate, false, 1e-6 * (double)options->most_bytes, error);
+  }
+  return TABOR_OK;
 }
 
 TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOptions *options,

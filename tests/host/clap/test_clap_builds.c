@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Hosts do not wait for models that nobody wants any more, nor longer than a limit for one that is wanted.
+ *
+ * test_clap_builds PLUGINS
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "clap_host.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <cmocka.h>
+
+#define FRAMES 480u
+
+static const clap_plugin_entry_t *entry;
+static double whole; /* [s] that a model at studio took */
+
+static double now(void) {
+  struct timespec time;
+  (void)clock_gettime(CLOCK_MONOTONIC, &time);
+  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void wait_seconds(double seconds) {
+  const struct timespec time = {.tv_nsec = (long)(1e9 * seconds)};
+  (void)nanosleep(&time, NULL);
+}
+
+static ClapHost *open_draft(void) {
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_flush(host);
+  clap_host_activate(host);
+  clap_host_run(host, FRAMES);
+  return host;
+}
+
+/* Asks for a model at studio that no other instance has; `offline`: and waits for it. */
+static void ask_for_studio(ClapHost *host, double tension, bool offline) {
+  clap_host_render(host, offline);
+  clap_host_set(host, 0, KNOB_BATTER_TENSION, tension);
+  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_STUDIO);
+  clap_host_run(host, FRAMES);
+}
+
+/* Seconds that such a model takes. */
+static double whole_build(double tension) {
+  ClapHost *const host = open_draft();
+  const double start = now();
+  ask_for_studio(host, tension, true);
+  const double seconds = now() - start;
+  clap_host_close(host);
+  return seconds;
+}
+
+static void closing_ends_a_build(void **state) {
+  (void)state;
+  whole = whole_build(3001.0);
+  ClapHost *const host = open_draft();
+  ask_for_studio(host, 3002.0, false);
+  wait_seconds(0.05);
+  const double start = now();
+  clap_host_close(host);
+  const double closing = now() - start;
+  print_message("a model takes %.2f s, closing %.3f s\n", whole, closing);
+  assert_true(closing < 0.5 * whole);
+}
+
+static void record(ClapHost *host, float *sound) {
+  clap_host_render(host, true);
+  clap_host_run(host, 8192); /* and what glides arrives */
+  clap_host_midi(host, 0, &(MidiMessage){0x99, {38, 100}});
+  clap_host_run(host, FRAMES);
+  memcpy(sound, host->sound[0], FRAMES * sizeof *sound);
+}
+
+/* What was not built when the host switched the plugin off is built when it switches it on. */
+static void a_cancelled_drum_comes_later(void **state) {
+  (void)state;
+  static float cancelled[FRAMES], straight[FRAMES];
+  ClapHost *const one = open_draft();
+  ask_for_studio(one, 3003.0, false);
+  wait_seconds(0.05);
+  clap_host_deactivate(one);
+  clap_host_activate(one);
+  record(one, cancelled);
+  ClapHost *const other = open_draft();
+  ask_for_studio(other, 3003.0, true);
+  clap_host_deactivate(other);
+  clap_host_activate(other);
+  record(other, straight);
+  assert_memory_equal(cancelled, straight, sizeof straight);
+  clap_host_close(one);
+  clap_host_close(other);
+}
+
+/* A wish that comes while a model is built for long ends this build. */
+static void a_newer_wish_ends_a_build(void **state) {
+  (void)state;
+  ClapHost *const host = open_draft();
+  ask_for_studio(host, 3005.0, false);
+  wait_seconds(0.05);
+  const double start = now();
+  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_run(host, FRAMES);
+  clap_host_render(host, true);
+  clap_host_run(host, FRAMES); /* waits for the draft */
+  const double waiting = now() - start;
+  print_message("a model takes %.2f s, its end and a draft %.3f s\n", whole, waiting);
+  assert_true(waiting < 0.6 * whole);
+  clap_host_close(host);
+}
+
+static char *find_text(ClapState *state, const char *text) {
+  const size_t length = strlen(text);
+  for (size_t i = 0; i + length <= state->size; i++) {
+    if (memcmp(state->bytes + i, text, length) == 0) return state->bytes + i;
+  }
+  return NULL;
+}
+
+/* Offline, the host waits in its audio thread: of a drum of 30 wires at reference it gets studio, and is told. */
+static void what_takes_too_long_plays_at_a_lower_quality(void **state) {
+  (void)state;
+  static ClapState saved;
+  ClapHost *const host = open_draft();
+  clap_host_save(host, &saved);
+  char *const count = find_text(&saved, "count = 20");
+  assert_non_null(count);
+  memcpy(count, "count = 30", 10);
+  saved.at = 0;
+  assert_true(clap_host_load(host, &saved));
+  clap_host_render(host, true);
+  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_REFERENCE);
+  clap_host_run(host, FRAMES);
+  assert_non_null(strstr(host->said, "lower"));
+  print_message("%s\n", host->said);
+  clap_host_midi(host, 0, &(MidiMessage){0x99, {38, 100}});
+  clap_host_run(host, FRAMES);
+  double peak = 0.0;
+  for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)host->sound[0][i]));
+  assert_true(peak > 1e-3);
+  clap_host_close(host);
+}
+
+int main(int argc, char **argv) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(closing_ends_a_build),
+    cmocka_unit_test(a_cancelled_drum_comes_later),
+    cmocka_unit_test(a_newer_wish_ends_a_build),
+    cmocka_unit_test(what_takes_too_long_plays_at_a_lower_quality),
+  };
+  if (argc != 2) return 2;
+  entry = clap_host_entry(argv[1]);
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

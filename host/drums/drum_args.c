@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
+#include "drums/model_build.h"
 #include "drums/preset_file.h"
 #include "platform/paths.h"
 
@@ -236,18 +237,11 @@ Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
   return outcome;
 }
 
-Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options,
-                     TaborModel **model) {
-  TaborError error;
-  const TaborStatus status = tabor_model_create(def, options, model, &error);
-  return status == TABOR_OK ? OUTCOME_OK : report_engine_error(&error);
-}
-
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum) {
   TaborModel *model = NULL;
   TaborError error;
   *drum = NULL;
-  const Outcome outcome = model_create(def, options, &model);
+  const Outcome outcome = model_build(def, options, &model);
   if (outcome != OUTCOME_OK) return outcome;
   const TaborStatus status = tabor_drum_create(model, drum, &error);
   tabor_model_release(model); /* the drum keeps its own reference */

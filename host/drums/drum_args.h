@@ -58,9 +58,7 @@ Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
                            TaborModelOptions *options);
 /** Name of a TaborQuality, such as "live"; not for the default. */
 const char *quality_name(uint32_t quality);
-/** Builds a model; the caller owns one reference to it. On an error *model is NULL. */
-Outcome model_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborModel **model);
-/** Builds a model and a drum of it. On an error *drum is NULL. */
+/** Builds a model, which is announced if it takes long, and a drum of it. On an error *drum is NULL. */
 Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "drums/drum_args.h"
+#include "drums/model_build.h"
 
 Outcome preset_models_find(PresetModels *presets, uint32_t preset, TaborModel **model) {
   TaborDrumDef def;
@@ -15,7 +16,7 @@ Outcome preset_models_find(PresetModels *presets, uint32_t preset, TaborModel **
   if (tabor_drum_def_preset(&def, tabor_preset(preset)->name, &error) != TABOR_OK) {
     return report_engine_error(&error);
   }
-  const Outcome outcome = model_create(&def, presets->options, &presets->models[preset]);
+  const Outcome outcome = model_build(&def, presets->options, &presets->models[preset]);
   *model = presets->models[preset];
   return outcome;
 }

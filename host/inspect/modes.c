@@ -10,6 +10,7 @@
 #include "base/command.h"
 #include "base/json_output.h"
 #include "drums/drum_args.h"
+#include "drums/model_build.h"
 
 /* Time in which the amplitude falls by 60 dB [s]; infinite without losses. */
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
@@ -109,10 +110,8 @@ static Outcome run(const Arguments *arguments) {
   if (outcome == OUTCOME_OK) outcome = find_pitches(&def, &pitches);
   if (outcome != OUTCOME_OK) return outcome;
   TaborModel *model = NULL;
-  TaborError error;
-  if (tabor_model_create(&def, &model_options, &model, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
+  outcome = model_build(&def, &model_options, &model);
+  if (outcome != OUTCOME_OK) return outcome;
   outcome =
     arguments_has(arguments, "json") ? print_json(model, &pitches) : print_table(model, &pitches);
   tabor_model_release(model);

@@ -10,6 +10,7 @@
 
 #include "drums/drum_args.h"
 #include "drums/live_headroom.h"
+#include "drums/model_build.h"
 
 /* A swap on its way. */
 typedef struct Pending {
@@ -46,13 +47,6 @@ struct ModelBuilder {
 
 /* ---- the drum to begin with ------------------------------------------------------------------ */
 
-static Outcome build(const TaborModelOptions *options, const TaborDrumDef *def,
-                     TaborModel **model) {
-  TaborError error;
-  if (tabor_model_create(def, options, model, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
-}
-
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
   ModelBuilder *const builder = calloc(1, sizeof *builder);
   *created = builder;
@@ -66,7 +60,7 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
   memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
   TaborError error;
-  const Outcome outcome = build(&builder->options, &builder->wanted, &builder->model);
+  const Outcome outcome = model_build(&builder->wanted, &builder->options, &builder->model);
   if (outcome != OUTCOME_OK) return outcome;
   if (tabor_drum_create(builder->model, &builder->drum, &error) != TABOR_OK) {
     return report_engine_error(&error);
@@ -218,7 +212,7 @@ static void answer(ModelBuilder *builder) {
   TaborModel *model = NULL;
   memcpy(preset, builder->preset, sizeof preset);
   if (!builder->waits) (void)pthread_mutex_unlock(&builder->lock);
-  Outcome outcome = build(&options, &def, &model);
+  Outcome outcome = model_build_quietly(&def, &options, &model);
   if (!builder->waits) (void)pthread_mutex_lock(&builder->lock);
   const bool begins_anew = presets != builder->built_presets;
   if (outcome == OUTCOME_OK) outcome = send_model(builder, model, preset, frame, begins_anew);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "drums/drum_args.h"
+#include "drums/model_build.h"
 #include "platform/clock.h"
 #include "sound/room_create.h"
 
@@ -79,7 +80,7 @@ static Outcome change_logged(OfflinePlayer *player, PlayerMessage *message) {
   TaborModelOptions options = player->request->model;
   TaborModel *model = NULL;
   options.quality = drum->quality;
-  Outcome outcome = model_create(&drum->def, &options, &model);
+  Outcome outcome = model_build(&drum->def, &options, &model);
   if (outcome == OUTCOME_OK) outcome = change_model(player, model, message);
   TaborModel *const unused = outcome == OUTCOME_OK ? player->built : model;
   if (outcome == OUTCOME_OK) player->built = model;

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "drums/model_build.h"
+
 #define GUESSED_RING_OUT 3.0 /* [s], as long as no drum has died away */
 #define LEAST_ELAPSED 1.0    /* [s] before a forecast is ventured */
 #define LEAST_FRACTION 0.02  /* of all the sound, likewise */
@@ -78,6 +80,7 @@ void render_progress_text(const RenderBatch *batch, size_t left, double elapsed,
 
 void render_progress_show(const RenderBatch *batch, size_t left, double elapsed) {
   char text[RENDER_PROGRESS_SIZE];
+  if (model_build_is_shown()) return;
   render_progress_text(batch, left, elapsed, text, sizeof text);
   status_line(text);
 }

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
 import json
+import os
+import signal
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -46,3 +50,25 @@ def test_wrong_models_are_refused(wrong):
         wrong()
     with pytest.raises(TypeError, match="the name of a preset is needed, not None"):
         tabor.Model(None)
+
+
+def test_an_estimate_names_what_to_lower():
+    largest = tabor.Definition("snare-14x5.5", {
+        "wires.count": 40, "shell.radius": 0.6, "quality.wire_points": 400, "quality.bandwidth": 40000,
+        "quality.two_way_bandwidth": 40000})
+    estimate = tabor.Model.estimate(largest, sample_rate=192000, quality="reference")
+    assert estimate.seconds > 60 and estimate.bytes > 1e9 and estimate.key == "wires.count"
+    assert tabor.Model.estimate("tabor").seconds < 1
+
+
+def test_ctrl_c_ends_a_build():
+    start = time.process_time()
+    tabor.Model("piccolo-13x3.5", quality="studio")
+    whole = time.process_time() - start
+    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+    start = time.process_time()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        tabor.Model("piccolo-13x3.5", quality="studio")
+    assert time.process_time() - start < 0.5 * whole
+    timer.join()

@@ -200,20 +200,25 @@ static TaborStatus build_with(Listener *listener, TaborModel **model) {
   return tabor_model_create(&def, &options, model, &error);
 }
 
-/* Wherever it is cancelled, a build ends there and gives all memory back. */
+/* At whichever call it is cancelled, a build ends there and gives all memory back. */
 static void a_build_can_be_cancelled_anywhere(void **state) {
   (void)state;
-  enum { PLACES = 40 };
   TaborModel *model = NULL;
   Listener whole = {0};
   now_bytes = 0;
   assert_int_equal(build_with(&whole, &model), TABOR_OK);
-  assert_true(whole.done == 1.0);
+  assert_true(whole.calls > 1 && whole.done == 1.0);
   tabor_model_release(model);
-  for (uint64_t i = 0; i < PLACES; i++) {
-    Listener cancelling = {.end = 1 + i * (whole.calls - 2) / (PLACES - 1)};
-    assert_int_equal(build_with(&cancelling, &model), TABOR_ERROR_CANCELLED);
-    assert_int_equal(cancelling.calls, cancelling.end);
+  for (uint64_t i = 1; i < whole.calls; i++) {
+    Listener cancelling = {.end = i};
+    const TaborStatus status = build_with(&cancelling, &model);
+    if (status == TABOR_OK) { /* it was so quick that it was never asked so often */
+      assert_true(cancelling.calls < i || cancelling.done == 1.0);
+      tabor_model_release(model);
+      continue;
+    }
+    assert_int_equal(status, TABOR_ERROR_CANCELLED);
+    assert_int_equal(cancelling.calls, i);
     assert_null(model);
     assert_int_equal(now_bytes, 0);
   }

@@ -204,6 +204,16 @@ check "appended" cmp -s tail.au plain.au
 # ---- signals ----
 
 mics=$(mics_of tabor)
+# A model that takes long is announced before it is built, and a signal ends it.
+largest=(--set wires.count=40 --set quality.wire_points=400 --set shell.radius=0.6 --quality reference --rate 192000)
+"$TABOR" render "${largest[@]}" -o largest.wav >"$out" 2>"$err" &
+builder=$!
+check "a long build is announced" wait_for grep -q "takes some [0-9]* s and .* GB of memory; wires.count costs the most" "$err"
+kill -INT $builder
+wait $builder
+same "status of a build after SIGINT" 130 $?
+check "no sound of it" test ! -e largest.wav
+
 for name in plain.wav interrupted.wav interrupted.flac interrupted.au; do
   interrupted INT 130 1 "${long[@]}" -o $name
   interrupted TERM 143 1 "${long[@]}" -o $name

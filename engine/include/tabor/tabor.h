@@ -576,7 +576,7 @@ typedef struct TaborAllocator {
 
 /**
  * Hears how far the build of a model is: @p done from 0 to 1, which grows unevenly. It is called on the building thread,
- * at least every 50 ms on a processor of today. If it returns false, the build ends with TABOR_ERROR_CANCELLED. To
+ * every 5 to 50 ms on a processor of today. If it returns false, the build ends with TABOR_ERROR_CANCELLED. To
  * cancel from another thread, let it read an atomic flag.
  */
 typedef bool (*TaborBuildProgress)(double done, void *context);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "math/arena.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 struct TbArenaChunk {
   TbArenaChunk *next;
@@ -44,17 +46,26 @@ void tb_arena_beside(TbArena *arena, const TbArena *other) {
   arena->watch = other->watch;
 }
 
+static const double GLANCE = 0.005; /* [s] of processor time between two questions to the watch */
+
+static void ask(TbWatch *watch) {
+  const double done = watch->done + watch->part * watch->stage, now = (double)clock() / CLOCKS_PER_SEC;
+  if (watch->cancelled || fabs(now - watch->asked) < GLANCE) return;
+  watch->asked = now;
+  watch->cancelled = !watch->go_on(done < 1.0 ? done : 1.0, watch->context);
+}
+
 bool tb_arena_go_on(TbArena *arena) {
   TbWatch *watch = arena->watch;
   if (!watch || !watch->go_on) return !arena->failed;
-  const double done = watch->done + watch->part * watch->stage;
-  if (!watch->cancelled) watch->cancelled = !watch->go_on(done < 1.0 ? done : 1.0, watch->context);
+  ask(watch);
   arena->failed |= watch->cancelled;
   return !arena->failed;
 }
 
 bool tb_arena_go_on_at(TbArena *arena, double part) {
-  if (arena->watch) arena->watch->part = part;
+  TbWatch *watch = arena->watch;
+  if (watch && part > watch->part) watch->part = part;
   return tb_arena_go_on(arena);
 }
 

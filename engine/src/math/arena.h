@@ -17,6 +17,7 @@ typedef struct TbWatch {
   void *context;
   double done, stage; /* parts of the whole: before this stage, and of this stage */
   double part;        /* of this stage that is done */
+  double asked;       /* when go_on was called last [s] */
   bool cancelled;
 } TbWatch;
 

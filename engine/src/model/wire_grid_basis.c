@@ -45,7 +45,8 @@ static bool collect_shapes(Fit *fit) {
   for (uint32_t w = 0; w < wire_grid->wires; w++) {
     const uint32_t image = wire_grid->wires - 1 - w;
     for (uint32_t j = 0; j < lanes; j++) {
-      if (!tb_arena_go_on(fit->scratch)) return false;
+      const double part = (w + (double)j / lanes) / wire_grid->wires;
+      if (!tb_arena_go_on_at(fit->scratch, 0.3 * part)) return false;
       if (wire_grid->quarters == 2 && image < w) { /* the same bits as its image */
         for (uint32_t i = 0; i < fit->modes_coupled; i++) {
           double *at = fit->shapes + (size_t)i * fit->stride + j;
@@ -395,7 +396,9 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
   group->gather = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   group->scatter = tb_arena_doubles(fit->arena, (size_t)group->points * group->modes);
   if (fit->arena->failed) return false;
-  for (uint32_t i = 0; i < group->modes && tb_arena_go_on(fit->scratch); i++) {
+  for (uint32_t i = 0; i < group->modes; i++) {
+    const double part = (g + (double)i / group->modes) / fit->projection->groups;
+    if (!tb_arena_go_on_at(fit->scratch, 0.5 + 0.5 * part)) return false;
     for (uint32_t l = 0; l < lines_of_class(wire_grid, across); l++) {
       for (uint32_t a = 0; a < wire_grid->columns[along]; a++) {
         const double value = amplitude(fit, basis, group->first + i, along, l, a);

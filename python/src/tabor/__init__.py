@@ -18,15 +18,15 @@ from .events import (TECHNIQUES, Event, change, damp, gain, move, press, release
                      swap)
 from .kit import render_kit
 from .midi import midi_events
-from .model import MODE, QUALITIES, Model, ModelInfo, Playable
+from .model import MODE, QUALITIES, Model, ModelEstimate, ModelInfo, Playable
 from .rendering import render, trace
 from .room import Room, RoomInfo
 
 __version__ = version()
 
 __all__ = [
-    "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelInfo", "Parameter", "Playable", "Preset",
-    "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
+    "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelEstimate", "ModelInfo", "Parameter",
+    "Playable", "Preset", "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
     "change", "damp", "gain", "midi_events", "move", "parameters", "presets", "press", "release", "render",
     "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",
 ]

@@ -25,7 +25,8 @@ class Error(ValueError):
     minimum, maximum : float
         The allowed range; NaN where no range applies.
     status : str
-        ``"argument"``, ``"key"``, ``"name"``, ``"value"``, ``"range"``, ``"full"``, ``"numerics"`` or ``"state"``.
+        ``"argument"``, ``"key"``, ``"name"``, ``"value"``, ``"range"``, ``"full"``, ``"numerics"``, ``"state"``,
+        ``"limit"`` or ``"cancelled"``.
     index : int or None
         In `render_kit`, the place of the drum among those asked for.
     """

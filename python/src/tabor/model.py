@@ -8,7 +8,7 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import check, choice_of, ffi, fields, lib
+from ._library import Error, check, choice_of, ffi, fields, lib, text
 from .definition import Definition
 
 #: Qualities, from fast to exact. ``"definition"`` in their place means what ``quality.level`` of the definition says.
@@ -22,6 +22,14 @@ _PARTS = ("batter", "resonant", "both", "cavity", "rim")
 #: `phase` of two heads, 1 together, -1 in opposition.
 MODE = np.dtype([("m", "u4"), ("n", "u4"), ("frequency", "f8"), ("decay_rate", "f8"),
                  ("radiation_rate", "f8"), ("multiplicity", "u4"), ("part", "U8"), ("phase", "i4")])
+
+
+class ModelEstimate(NamedTuple):
+    """What building a model takes, right within a factor of 3."""
+
+    seconds: float  #: on one core of a server of 2024
+    bytes: int  #: memory while it is built
+    key: str  #: the parameter that costs most of it
 
 
 class ModelInfo(NamedTuple):
@@ -43,6 +51,46 @@ class ModelInfo(NamedTuple):
     drum_bytes: int  #: memory of each drum on it
 
 
+def _resolved(definition: Union[Definition, str], sample_rate: Optional[float],
+              quality: Optional[str]) -> Tuple[Definition, Any]:
+    """The definition, and options for it."""
+    if isinstance(definition, str):
+        definition = Definition(definition)
+    if not isinstance(definition, Definition):
+        raise TypeError(f"a Definition or the name of a preset is needed, not {definition!r}")
+    options = ffi.new("TaborModelOptions *")
+    lib.tabor_model_options_default(options)
+    if sample_rate is not None:
+        options.sample_rate = sample_rate
+    options.quality = choice_of(_LEVELS, "live" if quality is None else quality, "quality")
+    return definition, options
+
+
+class _Interruption:
+    """Lets Python's signal handlers run while the library builds a model, and keeps what they raise."""
+
+    def __init__(self, options: Any) -> None:
+        self.raised: Optional[BaseException] = None
+        self._call = ffi.callback("bool(double, void *)", self._go_on, error=False, onerror=self._keep)
+        options.progress = self._call
+
+    def _go_on(self, done: float, context: Any) -> bool:
+        return True  # a signal's handler runs here, as in any Python code
+
+    def _keep(self, kind: Any, raised: BaseException, traceback: Any) -> None:
+        self.raised = raised
+
+
+def _create(definition: Definition, options: Any, model: Any) -> None:
+    interruption = _Interruption(options)
+    try:
+        check(lib.tabor_model_create, definition._c, options, model)
+    except Error:
+        if interruption.raised is None:
+            raise
+        raise interruption.raised from None
+
+
 class Model:
     """A definition, computed for one sample rate. It never changes; any number of drums share it.
 
@@ -62,28 +110,30 @@ class Model:
 
     Notes
     -----
-    A built-in preset takes a quarter of a second at ``"live"``. Other threads go on meanwhile.
+    A built-in preset takes a quarter of a second at ``"live"``. Other threads go on meanwhile, and
+    Ctrl-C ends it.
     """
 
     def __init__(self, definition: Union[Definition, str], sample_rate: Optional[float] = None,
                  quality: Optional[str] = None) -> None:
-        if isinstance(definition, str):
-            definition = Definition(definition)
-        if not isinstance(definition, Definition):
-            raise TypeError(f"a Definition or the name of a preset is needed, not {definition!r}")
-        options = ffi.new("TaborModelOptions *")
-        lib.tabor_model_options_default(options)
-        if sample_rate is not None:
-            options.sample_rate = sample_rate
-        options.quality = choice_of(_LEVELS, "live" if quality is None else quality, "quality")
+        definition, options = _resolved(definition, sample_rate, quality)
         model = ffi.new("TaborModel **")
-        check(lib.tabor_model_create, definition._c, options, model)
+        _create(definition, options, model)
         self._c = ffi.gc(model[0], lib.tabor_model_release)
         self._definition = Definition._of(lib.tabor_model_definition(self._c)[0])
         self._rate = float(options.sample_rate)
 
     def __repr__(self) -> str:
         return f"<tabor.Model {self._definition['drum.name']!r}, {self._rate:g} Hz, {self.info.quality}>"
+
+    @staticmethod
+    def estimate(definition: Union[Definition, str], sample_rate: Optional[float] = None,
+                 quality: Optional[str] = None) -> ModelEstimate:
+        """What building a model of these arguments takes, and the parameter to lower if that is too much."""
+        definition, options = _resolved(definition, sample_rate, quality)
+        estimate = ffi.new("TaborModelEstimate *")
+        check(lib.tabor_model_estimate, definition._c, options, estimate)
+        return ModelEstimate(float(estimate.seconds), int(estimate.bytes), text(estimate.key))
 
     @property
     def definition(self) -> Definition:

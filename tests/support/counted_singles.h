@@ -121,9 +121,8 @@ COUNTED(gather_rounded, 8ull * g->blocks * g->vectors * g->part, (const TbGather
 COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
 COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
 COUNTED(unstretch, modes_of(parts),
-        (const TbParts *parts, uint32_t heads, const double f[2], const double *const pull[2],
-         Out next),
-        (parts, heads, f, pull, next))
+        (const TbParts *parts, const double f[2], const double *const pull[2], Out next),
+        (parts, f, pull, next))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED(losses, n,
         (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),

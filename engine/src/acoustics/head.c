@@ -156,6 +156,19 @@ TaborModeInfo tb_head_mode_info(const TbHeadMode *mode) {
                          .multiplicity = mode->m ? 2 : 1};
 }
 
+double tb_head_slope_square(const TbHead *head, uint32_t which, const TbHeadMode *mode) {
+  const TbHeadOrder *order = &head->orders[mode->m];
+  const double *v = order->vectors[which] + (size_t)mode->place * order->zero_count;
+  const double azimuth = mode->m ? PI : 2.0 * PI;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < order->zero_count; i++) {
+    const double slope = order->zeros[i] * tb_bessel_j(mode->m + 1, order->zeros[i]);
+    sum += v[i] * v[i] * slope * slope;
+  }
+  const double edge = order->edge ? order->edge[mode->place] : 0.0;
+  return 0.5 * azimuth * sum + azimuth * mode->m * edge * edge;
+}
+
 void tb_head_patch(const TbHead *head, double patch_radius, double *patch) {
   uint32_t index = 0;
   for (uint32_t m = 0; m < head->order_count; m++) {

@@ -78,6 +78,9 @@ double tb_head_basis(const TaborDrumDef *def, double bandwidth, TbHeadLimits lim
 TaborStatus tb_head_prepare(TbHead *head, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                             TbHeadLimits limits);
 
+/* Int |grad w|^2 dA of one mode on head `which`, of its cosine as of its sine copy:
+ * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m u^2 of the edge (rim.h). */
+double tb_head_slope_square(const TbHead *head, uint32_t which, const TbHeadMode *mode);
 /* The lowest frequency of a mode that moves more than the rim [rad/s]. */
 double tb_head_lowest(const TbHead *head);
 

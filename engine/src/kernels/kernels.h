@@ -23,12 +23,13 @@ typedef struct TbPair {
   double first, second;
 } TbPair;
 
-/* Parts of the modes' arrays: part i has size[i] modes from from[i] on. */
+/* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads whose bits are set in
+ * heads[i], 1, 2 or 3. */
 typedef struct TbParts {
-  uint32_t count, from[5], size[5];
+  uint32_t count, from[7], size[7], heads[7];
 } TbParts;
 
-/* Heads that stretch, one or two (stretch.h). */
+/* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the other's pull alone. */
 typedef struct TbStretching {
   uint32_t heads;
   const double *gain[2], *g, *q, *next, *last; /* [modes] */

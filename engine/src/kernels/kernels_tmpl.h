@@ -159,9 +159,9 @@ typedef struct TB_TYPE(TbKernels) {
                    const double *y);
   /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
-  /* next += f_0 pull_0 + f_1 pull_1; the second term for two heads only */
-  void (*unstretch)(const TbParts *parts, uint32_t heads, const double f[2],
-                    const double *const pull[2], double *next);
+  /* next += f_0 pull_0 + f_1 pull_1, of the heads that a part stretches */
+  void (*unstretch)(const TbParts *parts, const double f[2], const double *const pull[2],
+                    double *next);
   /* Sum c |x| */
   double (*reach)(uint32_t n, const double *c, const double *x);
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */

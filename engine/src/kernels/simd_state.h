@@ -16,61 +16,80 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
 }
 
 /* Reads a copy of `out`: the compiler would have to assume that a store changes *out. */
-static INLINE void stretch_heads(uint32_t heads, const TbParts *parts, TbStretching *out) {
+/* Modes that stretch both heads. */
+static INLINE void stretch_both(uint64_t from, uint64_t end, const TbStretching *out,
+                                Lanes along[2], Lanes own[3]) {
   const TbStretching s = *out;
-  Lanes along[2] = {zero(), zero()}, own[2][2] = {{zero(), zero()}, {zero(), zero()}};
-  for (uint32_t part = 0; part < parts->count; part++) {
-    const uint32_t end = parts->from[part] + parts->size[part];
-    for (uint64_t i = parts->from[part]; i < end; i += 8) {
-      const Lanes q = load(s.q + i), g = load(s.g + i);
-      const Lanes moved = add(load(s.next + i), load(s.last + i));
-      Lanes y[2], pull[2];
-#pragma GCC unroll 2 /* or the sums would live in memory */
-      for (uint32_t h = 0; h < heads; h++) {
-        y[h] = multiply_lanes(load(s.gain[h] + i), q);
-        pull[h] = multiply_lanes(g, y[h]);
-        store(s.pull[h] + i, pull[h]);
-        along[h] = add(along[h], multiply_lanes(y[h], moved));
-        for (uint32_t l = 0; l <= h; l++) {
-          own[h][l] = add(own[h][l], multiply_lanes(y[h], pull[l]));
-        }
-      }
-    }
+  Lanes a0 = along[0], a1 = along[1], o0 = own[0], o1 = own[1], cross = own[2];
+  for (uint64_t i = from; i < end; i += 8) {
+    const Lanes q = load(s.q + i), g = load(s.g + i);
+    const Lanes moved = add(load(s.next + i), load(s.last + i));
+    const Lanes y0 = multiply_lanes(load(s.gain[0] + i), q), pull0 = multiply_lanes(g, y0);
+    const Lanes y1 = multiply_lanes(load(s.gain[1] + i), q), pull1 = multiply_lanes(g, y1);
+    store(s.pull[0] + i, pull0);
+    store(s.pull[1] + i, pull1);
+    a0 = add(a0, multiply_lanes(y0, moved));
+    a1 = add(a1, multiply_lanes(y1, moved));
+    o0 = add(o0, multiply_lanes(y0, pull0));
+    o1 = add(o1, multiply_lanes(y1, pull1));
+    cross = add(cross, multiply_lanes(y1, pull0));
   }
-  for (uint32_t h = 0; h < heads; h++) {
-    out->along[h] = join(along[h]);
-    for (uint32_t l = 0; l <= h; l++) out->own[h][l] = out->own[l][h] = join(own[h][l]);
+  along[0] = a0, along[1] = a1, own[0] = o0, own[1] = o1, own[2] = cross;
+}
+
+/* Modes that stretch one head. */
+static INLINE void stretch_one(uint64_t from, uint64_t end, const TbStretching *out, uint32_t head,
+                               Lanes *along, Lanes *own) {
+  const TbStretching s = *out;
+  const double *const gain = s.gain[head];
+  double *const to = s.pull[head];
+  Lanes a = *along, o = *own;
+  for (uint64_t i = from; i < end; i += 8) {
+    const Lanes moved = add(load(s.next + i), load(s.last + i));
+    const Lanes y = multiply_lanes(load(gain + i), load(s.q + i));
+    const Lanes pull = multiply_lanes(load(s.g + i), y);
+    store(to + i, pull);
+    a = add(a, multiply_lanes(y, moved));
+    o = add(o, multiply_lanes(y, pull));
   }
+  *along = a, *own = o;
 }
 
 static void stretch(const TbParts *parts, TbStretching *s) {
-  if (s->heads == 2) {
-    stretch_heads(2, parts, s);
-  } else {
-    stretch_heads(1, parts, s);
-  }
-}
-
-static INLINE void unstretch_heads(uint32_t heads, const TbParts *parts, const double f[2],
-                                   const double *const pull[2], double *next) {
-  const double first = f[0], second = f[heads - 1];
-  const double *const first_pull = pull[0], *const second_pull = pull[heads - 1];
+  Lanes along[2] = {zero(), zero()}, own[3] = {zero(), zero(), zero()};
   for (uint32_t part = 0; part < parts->count; part++) {
-    const uint32_t end = parts->from[part] + parts->size[part];
-    for (uint64_t i = parts->from[part]; i < end; i += 8) {
-      Lanes sum = add(load(next + i), scale(load(first_pull + i), first));
-      if (heads == 2) sum = add(sum, scale(load(second_pull + i), second));
-      store(next + i, sum);
+    const uint64_t from = parts->from[part], end = from + parts->size[part];
+    if (parts->heads[part] == 3) {
+      stretch_both(from, end, s, along, own);
+    } else {
+      const uint32_t head = parts->heads[part] - 1u;
+      stretch_one(from, end, s, head, &along[head], &own[head]);
     }
   }
+  for (uint32_t h = 0; h < 2; h++) {
+    s->along[h] = join(along[h]);
+    s->own[h][h] = join(own[h]);
+  }
+  s->own[0][1] = s->own[1][0] = join(own[2]);
 }
 
-static void unstretch(const TbParts *parts, uint32_t heads, const double f[2],
-                      const double *const pull[2], double *next) {
-  if (heads == 2) {
-    unstretch_heads(2, parts, f, pull, next);
-  } else {
-    unstretch_heads(1, parts, f, pull, next);
+static void unstretch(const TbParts *parts, const double f[2], const double *const pull[2],
+                      double *next) {
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint64_t from = parts->from[part], end = from + parts->size[part];
+    if (parts->heads[part] == 3) {
+      for (uint64_t i = from; i < end; i += 8) {
+        const Lanes sum = add(load(next + i), scale(load(pull[0] + i), f[0]));
+        store(next + i, add(sum, scale(load(pull[1] + i), f[1])));
+      }
+    } else {
+      const uint32_t head = parts->heads[part] - 1u;
+      const double *const own = pull[head];
+      const double by = f[head];
+      for (uint64_t i = from; i < end; i += 8) {
+        store(next + i, add(load(next + i), scale(load(own + i), by)));
+      }
+    }
   }
 }
 

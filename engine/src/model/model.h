@@ -47,7 +47,8 @@ typedef struct TbRest {
 /* Data of the heads' stretching, see stretch.h. */
 typedef struct TbStretch {
   uint32_t count;   /* heads that stretch */
-  TbParts parts;    /* the modes that stretch, at the start of each group (modes.h) */
+  uint32_t head[2]; /* which */
+  TbParts parts;    /* the modes that stretch, of each group first (modes.h) */
   double *gain[2];  /* [padded] G, diagonal, of each head [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
 } TbStretch;

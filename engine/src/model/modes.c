@@ -153,27 +153,66 @@ static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbHead
   return (along ? modes->quarters : 0u) + (across ? 1u : 0u);
 }
 
+/* A mode moves one head alone if it stretches the other by less than this part. */
+static const double ONE_HEAD = 1e-4;
+
+/* So many modes stand by frequency: uneven lugs couple the lowest (model.h). */
+enum { LOWEST = 128 };
+
+/* The run of the mode of this number among those that no wire feels. */
+static uint32_t run_of(const TbHead *head, const TbHeadMode *mode, uint32_t number) {
+  if (head->heads < 2 || number < LOWEST) return 0;
+  const double batter = tb_head_slope_square(head, 0, mode);
+  const double resonant = tb_head_slope_square(head, 1, mode);
+  return resonant < ONE_HEAD * batter ? 1 : (batter < ONE_HEAD * resonant ? 2 : 0);
+}
+
+static uint32_t pad_with_silence(TbModes *modes, uint32_t next) {
+  while (next % 8 != 0) modes->row[next++] = TB_NO_MODE;
+  return next;
+}
+
+static void list_mode(TbModes *modes, const TbModes *list, uint32_t i, uint32_t *next) {
+  modes->row[*next] = list->row[i];
+  modes->sine[(*next)++] = list->sine[i];
+}
+
+/* The modes that no wire feels, in runs. `run` is scratch, of each listed mode. */
+static uint32_t order_unfelt(TbModes *modes, const TbModes *list, const TbHead *head,
+                             const uint8_t *felt, uint8_t *run, uint32_t next) {
+  uint32_t number = 0;
+  for (uint32_t i = 0; i < list->count; i++) {
+    if (!felt[i]) run[i] = (uint8_t)run_of(head, &head->modes[list->row[i]], number++);
+  }
+  for (uint32_t r = 0; r < TB_MODE_RUNS; r++) {
+    modes->run[r] = next;
+    for (uint32_t i = 0; i < list->count; i++) {
+      if (!felt[i] && run[i] == r) list_mode(modes, list, i, &next);
+    }
+    next = pad_with_silence(modes, next);
+  }
+  return modes->run[TB_MODE_RUNS] = next;
+}
+
 static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, const TbHead *head,
-                        const uint8_t *felt, const uint32_t *spare) {
-  uint32_t room = tb_pad(list->count) + 8u * modes->groups;
+                        const uint8_t *felt, uint8_t *run, const uint32_t *spare) {
+  uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_RUNS);
   for (uint32_t group = 0; spare && group < modes->groups; group++) room += spare[group];
   modes->count = list->count;
   modes->row = tb_arena_take(arena, room, sizeof *modes->row);
   modes->sine = tb_arena_take(arena, room, sizeof *modes->sine);
   if (arena->failed) return false;
   uint32_t next = 0;
-  for (uint32_t group = 0; group <= modes->groups; group++) {
+  for (uint32_t group = 0; group < modes->groups; group++) {
     modes->group[group] = next;
     for (uint32_t i = 0; i < list->count; i++) {
-      if (group_of(modes, list, head, i, felt[i]) != group) continue;
-      modes->row[next] = list->row[i];
-      modes->sine[next++] = list->sine[i];
+      if (group_of(modes, list, head, i, felt[i]) == group) list_mode(modes, list, i, &next);
     }
-    while (next % 8 != 0) modes->row[next++] = TB_NO_MODE;
-    const uint32_t kept = spare && group < modes->groups ? spare[group] : 0u;
-    for (uint32_t i = 0; i < kept; i++) modes->row[next++] = TB_NO_MODE;
+    next = pad_with_silence(modes, next);
+    for (uint32_t i = 0; spare && i < spare[group]; i++) modes->row[next++] = TB_NO_MODE;
   }
-  modes->padded = next;
+  modes->group[modes->groups] = next;
+  modes->padded = order_unfelt(modes, list, head, felt, run, next);
   return true;
 }
 
@@ -211,9 +250,10 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
   modes->groups = modes->halves * modes->quarters;
   TbModes list;
   uint8_t *felt = tb_arena_take(&scratch, head->most_modes, sizeof *felt);
-  const bool done = felt && list_modes(&list, &scratch, head) &&
+  uint8_t *run = tb_arena_take(&scratch, head->most_modes, sizeof *run);
+  const bool done = felt && run && list_modes(&list, &scratch, head) &&
                     find_felt(&list, &scratch, head, wires, felt) &&
-                    order_modes(modes, arena, &list, head, felt, spare) &&
+                    order_modes(modes, arena, &list, head, felt, run, spare) &&
                     mode_coefficients(modes, arena, head, wires->side, time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;

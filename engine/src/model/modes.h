@@ -14,23 +14,29 @@
 
 #define TB_NO_MODE UINT32_MAX
 
+enum { TB_MODE_RUNS = 3 };
+
 /* Modes that some wire feels come first, in groups of one symmetry each. Shapes even under the
  * mirror x -> -x across the wires' middles precede the odd ones; in each half, shapes even under y
  * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
- * wire feels follow. Wires that lack a symmetry have half the groups. */
+ * wire feels follow. Wires that lack a symmetry have half the groups.
+ *
+ * Of those that no wire feels, the lowest come first, by frequency. The others stand in three runs, padded like groups:
+ * modes that move both heads, the batter head alone, the resonant head alone. */
 typedef struct TbModes {
-  uint32_t count, padded;        /* modes, sine copies counted; the same with padding */
-  uint32_t halves, quarters;     /* groups under x -> -x, and under y -> -y: 1 or 2 each */
-  uint32_t groups;               /* halves * quarters */
-  uint32_t group[5];             /* first mode of each group; coupled modes end at group[groups] */
-  uint32_t *row;                 /* [padded]: index in head.modes, or TB_NO_MODE for padding */
-  uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
-  double *a, *b, *g;             /* [padded], as are all arrays below */
-  double *stiffness;             /* K' */
-  double *loss_head;             /* tanh(sk)/(2k^2): the part of the heads */
-  double *loss_air, *loss_shell; /* the parts of sound and of the cavity's walls */
-  bool walls;                    /* some loss_shell is not 0 */
-  double *pull;                  /* -side g: a mode's response to a wire's contact force */
+  uint32_t count, padded;         /* modes, sine copies counted; the same with padding */
+  uint32_t halves, quarters;      /* groups under x -> -x, and under y -> -y: 1 or 2 each */
+  uint32_t groups;                /* halves * quarters */
+  uint32_t group[5];              /* first mode of each group; coupled modes end at group[groups] */
+  uint32_t run[TB_MODE_RUNS + 1]; /* first mode of each run; the first run has the lowest modes */
+  uint32_t *row;                  /* [padded]: index in head.modes, or TB_NO_MODE for padding */
+  uint8_t *sine;                  /* [padded]: 1 for sin(m theta) */
+  double *a, *b, *g;              /* [padded], as are all arrays below */
+  double *stiffness;              /* K' */
+  double *loss_head;              /* tanh(sk)/(2k^2): the part of the heads */
+  double *loss_air, *loss_shell;  /* the parts of sound and of the cavity's walls */
+  bool walls;                     /* some loss_shell is not 0 */
+  double *pull;                   /* -side g: a mode's response to a wire's contact force */
 } TbModes;
 
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */

@@ -8,5 +8,7 @@
 
 /* Fills model->stretch. */
 TaborStatus tb_stretch_prepare(TaborModel *model);
+/* The same with the modes up to `times` the lowest frequency, for tests of what the others do. */
+TaborStatus tb_stretch_prepare_to(TaborModel *model, double times);
 
 #endif

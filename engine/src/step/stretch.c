@@ -131,7 +131,7 @@ void tb_stretch_respond(TbView *view) {
                                view->solve.in.stretch_slots[h]);
   }
   const double *const pulls[2] = {view->stretch_pull[0], view->stretch_pull[1]};
-  model->kernels->unstretch(&stretch->parts, stretch->count, pull, pulls, view->next.q);
+  model->kernels->unstretch(&stretch->parts, pull, pulls, view->next.q);
   view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
 }
 

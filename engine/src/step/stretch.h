@@ -5,9 +5,9 @@
  * |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
  * S [N/m] the sheet's stretching stiffness, A its area. Only the diagonal of G_h is kept: the exact
- * G_h also couples modes of one order, which changes glides by less than a tenth. Only modes below
- * 12 times the lowest frequency count (24 times at studio and reference), since higher modes hardly
- * stretch a head. q counts from rest: the sag under gravity is some 0.1 mm.
+ * G_h also couples modes of one order, which changes glides by less than a tenth. Modes up to 96 times the lowest
+ * frequency count: a hard stroke leaves as much of q^T G q in every kilohertz that it excites, so that few modes are
+ * several dB off on a bass drum. q counts from rest: the sag under gravity is some 0.1 mm.
  *
  * Over two steps, with y_h = G_h q^n and theta_h = y_h.(q+ + q-)/2,
  *   force -(S_h/2A) theta_h y_h, stored energy S_h/(8A) (q+^T G_h q^n)^2, exactly conservative.

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/stereo_pair.h"
+
 #define HUMANIZE_SEED 1
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
@@ -42,7 +44,8 @@ static void start_over(PluginPlayer *player, const MidiBinding *binding) {
 
 bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo) {
   MidiBinding binding;
-  drum_player_begin(&player->core, PLUGIN_MICS, 1);
+  player->base_gain = stereo ? knob_factor(KNOB_LEVEL_PAIR, STEREO_GAIN_DB) : 1;
+  drum_player_begin(&player->core, PLUGIN_MICS, player->base_gain);
   player->worker = worker;
   player->rate = rate;
   player->stereo = stereo;

@@ -52,6 +52,11 @@ typedef struct PluginPlayer {
   DrumPlayer core; /**< with an output for each PluginMic */
   MidiToEvents midi;
   Humanizer humanizer;
+  /**
+   * The drum's gain beside the knob's: the pair's usual level in the stereo plugin, otherwise 1. The drum plays at
+   * it before its sound is rounded to single precision, as `tabor render --stereo` does; levels are relative to it.
+   */
+  double base_gain;
   Fader levels[KNOB_COUNT]; /**< where knob_is_level() */
   /** Frames until a level moves, after its microphone was switched on. */
   uint32_t waits[KNOB_COUNT];

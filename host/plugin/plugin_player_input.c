@@ -114,7 +114,7 @@ static void turn_level(PluginPlayer *player, KnobId id, double factor, bool at_o
 }
 
 static void set_gain(PluginPlayer *player, double factor) {
-  const PlayerMessage message = {.type = PLAYER_GAIN, .value = factor};
+  const PlayerMessage message = {.type = PLAYER_GAIN, .value = factor * player->base_gain};
   plugin_player_act_now(player, &message);
 }
 
@@ -128,7 +128,8 @@ static double modulated(const PluginPlayer *player, KnobId id, double value) {
 }
 
 static double factor_of(const PluginPlayer *player, KnobId id) {
-  return knob_factor(id, (float)modulated(player, id, (double)player->seen[id]));
+  const double factor = knob_factor(id, (float)modulated(player, id, (double)player->seen[id]));
+  return knob_is_level(id) ? factor / player->base_gain : factor;
 }
 
 double plugin_player_live_value(const PluginPlayer *player, KnobId id) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "plugin_songs.h"
 
-#include "midi/midi_file.h" /* before cmocka, which takes the name of fail() */
+#include "drums/stereo_pair.h"
+#include "midi/midi_file.h" /* both before cmocka, which takes the name of fail() */
 #include <math.h>
 #include <setjmp.h>
 #include <sndfile.h>
@@ -329,8 +330,12 @@ void take_from(const char *command_name, const char *options, const char *const 
                      "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
                      "--format float --duration %s %s",
                      program, command_name, folder, folder, brief ? "0.5" : "1", options);
-  for (uint32_t i = 0; i < take->channels; i++) {
+  const bool chosen = strstr(options, "--stereo") != NULL;
+  for (uint32_t i = 0; i < take->channels && !chosen; i++) {
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
+  }
+  if (take->channels == 2 && !chosen) {
+    (void)snprintf(command + length, sizeof command - length, " --gain %g", STEREO_GAIN_DB);
   }
   assert_int_equal(system(command), 0);
   song_path(path, sizeof path, "song.wav");

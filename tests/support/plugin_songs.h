@@ -72,7 +72,10 @@ typedef struct Take {
 
 void take_open(Take *take, uint32_t channels);
 void take_close(Take *take);
-/** Lets `tabor COMMAND` with @p options play the song at these microphones. */
+/**
+ * Lets `tabor COMMAND` with @p options play the song: with --stereo among them at the pair, otherwise at these
+ * microphones, two of them at the level of the stereo plugin's pair.
+ */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take);
 /** Compares all samples; @p block is for the message. A silent take fails, too. */
 void take_compare(const Take *expected, const Take *take, uint32_t block);

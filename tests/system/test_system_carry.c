@@ -417,6 +417,87 @@ static void strikers_that_the_other_drum_lacks_vanish(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
+/* A microphone that only the new drum has is heard in full at once; one that both have passes from one to the other. */
+static void a_new_microphone_shares_with_nobody(void **state) {
+  (void)state;
+  enum { CROSSED = 768, UNTIL = 1200 }; /* 16 ms, as the engine has it */
+  TaborDrumDef other = def;
+  other.mic[other.mic_count] = def.mic[0];
+  (void)snprintf(other.mic[other.mic_count].name, TABOR_NAME_SIZE, "extra");
+  const uint32_t extra = other.mic_count++;
+  TaborModel *models[] = {physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&other, 48000.0, TABOR_QUALITY_DRAFT)};
+  const Scene scene = make_scene(0);
+  TaborDrum *drum = physics_drum(models[0]), *former = physics_drum(models[0]),
+            *alone = physics_drum(models[1]);
+  static float sound[2][UNTIL], expected[2][UNTIL], old[UNTIL];
+  play_scene(drum, &scene, 0, BEFORE, NULL);
+  play_scene(former, &scene, 0, BEFORE, NULL);
+  TaborSwap *swap = send(drum, models[1], TABOR_EVENT_SWAP);
+  const size_t size = tabor_drum_state_size(drum);
+  void *const saved = malloc(size);
+  tabor_drum_state_save(drum, saved); /* without what fades */
+  assert_int_equal(tabor_drum_state_load(alone, saved, size), TABOR_OK);
+  free(saved);
+  float *outputs[TABOR_MAX_MICS] = {sound[0]}, *alone_outputs[TABOR_MAX_MICS] = {expected[0]};
+  outputs[extra] = sound[1];
+  alone_outputs[extra] = expected[1];
+  tabor_drum_process(drum, NULL, 0, outputs, UNTIL);
+  tabor_drum_process(alone, NULL, 0, alone_outputs, UNTIL);
+  play(former, UNTIL, old);
+  assert_memory_equal(sound[1], expected[1], sizeof sound[1]);
+  assert_memory_equal(sound[0], old, CROSSED / 2 * sizeof(float));
+  for (uint32_t i = CROSSED; i < UNTIL; i++) assert_true(sound[0][i] == expected[0][i]);
+  tabor_drum_destroy(drum);
+  tabor_drum_destroy(former);
+  tabor_drum_destroy(alone);
+  tabor_swap_destroy(swap);
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
+/* Modes that creep back have no phase: from and to a head so damped they keep place and velocity. */
+static void overdamped_modes_keep_place_and_velocity(void **state) {
+  (void)state;
+  TaborDrumDef slack = physics_preset("frame-drum");
+  slack.shell.radius = 0.5;
+  slack.batter.tension = 100.0;
+  slack.batter.surface_density = 1.0;
+  slack.batter.damping_0 = 1000.0;
+  slack.quality.two_way_bandwidth = slack.quality.bandwidth = 600.0;
+  TaborDrumDef loose = slack;
+  loose.batter.damping_0 = 5.0;
+  TaborModel *models[] = {physics_model(&slack, 96000.0, TABOR_QUALITY_STUDIO),
+                          physics_model(&loose, 96000.0, TABOR_QUALITY_STUDIO)};
+  for (int way = 0; way < 2; way++) {
+    TaborDrum *drum = physics_drum(models[way]);
+    const TaborEvent strike = physics_strike(&slack);
+    tabor_drum_process(drum, &strike, 1, NULL, 300);
+    const TbView before = tb_view(drum->state, models[way]);
+    const uint32_t modes = before.model->modes.padded;
+    double *const place = malloc(2 * modes * sizeof *place);
+    memcpy(place, before.now.q, modes * sizeof *place);
+    memcpy(place + modes, before.last.q, modes * sizeof *place);
+    TaborSwap *swap = send(drum, models[1 - way], TABOR_EVENT_SWAP);
+    const TbView after = tb_view(drum->state, models[1 - way]);
+    assert_true(models[way]->head.modes[before.model->modes.row[0]].m ==
+                models[1 - way]->head.modes[after.model->modes.row[0]].m);
+    double most = 0.0;
+    for (uint32_t i = 0; i < modes && i < after.model->modes.padded; i++) {
+      most = fmax(most, fabs(place[i]));
+      const TbHeadMode *mode = &models[0]->head.modes[models[0]->modes.row[i]];
+      if (models[0]->modes.row[i] == TB_NO_MODE || mode->omega > mode->decay_rate) continue;
+      assert_true(after.now.q[i] == place[i] && after.last.q[i] == place[modes + i]);
+    }
+    assert_true(most > 0.0);
+    play(drum, 1000, NULL);
+    assert_closes(drum);
+    free(place);
+    tabor_drum_destroy(drum);
+    tabor_swap_destroy(swap);
+  }
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
 /* ---- beginning anew ------------------------------------------------------------------------- */
 
 /* Counters, ledger, gain and debt apart, which go on through what leaves a drum at rest. */
@@ -567,6 +648,72 @@ static void silences_of_a_drum_at_rest_are_free(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
+/* Where a drum fell asleep by itself nothing sounds, and nothing happens. */
+static void a_silence_of_a_sleeping_drum_does_nothing(void **state) {
+  (void)state;
+  TaborDrumDef deaf = physics_preset("frame-drum");
+  deaf.batter.damping_0 = 500.0;
+  deaf.quality.two_way_bandwidth = deaf.quality.bandwidth = 600.0;
+  TaborModel *model = physics_model(&deaf, 48000.0, TABOR_QUALITY_DRAFT);
+  const TaborEvent strike = physics_strike(&deaf), silence = {.type = TABOR_EVENT_SILENCE};
+  TaborDrum *drum = physics_drum(model);
+  tabor_drum_process(drum, &strike, 1, NULL, 96000);
+  assert_true(tabor_drum_is_silent(drum));
+  const size_t size = tabor_drum_state_size(drum);
+  char *const before = malloc(size), *const after = malloc(size);
+  tabor_drum_state_save(drum, before);
+  tabor_drum_process(drum, &silence, 1, NULL, 0);
+  tabor_drum_state_save(drum, after);
+  assert_true(tabor_drum_is_silent(drum));
+  assert_memory_equal(before, after, size);
+  free(before);
+  free(after);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* A silence that fades does not keep a hand that came after it on the head. */
+static void a_silence_lifts_hands_that_came_after_another(void **state) {
+  (void)state;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  const Scene scene = make_scene(0);
+  const TaborEvent events[] = {
+    {.type = TABOR_EVENT_SILENCE}, hand(10, 7), {.frame = 20, .type = TABOR_EVENT_SILENCE}};
+  TaborDrum *drum = physics_drum(model);
+  play_scene(drum, &scene, 0, BEFORE, NULL);
+  tabor_drum_process(drum, events, 2, NULL, 20);
+  assert_int_equal(counted(drum).in_play, 1);
+  tabor_drum_process(drum, &events[2], 1, NULL, 20);
+  assert_int_equal(counted(drum).in_play, 0);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* Snares that are off leave the head again after a silence, unheard; on another model, too. */
+static void what_is_hushed_stays_so_through_a_swap(void **state) {
+  (void)state;
+  enum { FADE = 720 };
+  static float sound[AFTER];
+  TaborModel *models[] = {physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT),
+                          physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT)};
+  Scene scene = make_scene(0);
+  add(&scene, parameter(BEFORE - 30, "wires.strainer", 0.0));
+  const TaborEvent silence = {.type = TABOR_EVENT_SILENCE};
+  TaborDrum *drum = physics_drum(models[0]);
+  play_scene(drum, &scene, 0, BEFORE + 1000, NULL);
+  tabor_drum_process(drum, &silence, 1, NULL, 10);
+  TaborSwap *swap = send(drum, models[1], TABOR_EVENT_SWAP);
+  play(drum, AFTER, sound);
+  double before = 0.0;
+  for (int i = 0; i < FADE - 10; i++) before = fmax(before, fabs((double)sound[i]));
+  assert_true(before > 0.0);
+  for (int i = FADE - 10; i < AFTER; i++) assert_true(sound[i] == 0.0f);
+  assert_true(tabor_drum_model(drum) == models[1]);
+  tabor_drum_destroy(drum);
+  tabor_swap_destroy(swap);
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
 static int set_up(void **state) {
   (void)state;
   def = small_snare();
@@ -580,10 +727,15 @@ int main(void) {
     cmocka_unit_test(times_and_speeds_stay_when_steps_are_halved),
     cmocka_unit_test(live_values_stay_if_they_were_moved),
     cmocka_unit_test(strikers_that_the_other_drum_lacks_vanish),
+    cmocka_unit_test(a_new_microphone_shares_with_nobody),
+    cmocka_unit_test(overdamped_modes_keep_place_and_velocity),
     cmocka_unit_test(a_replacement_is_at_rest),
     cmocka_unit_test(a_reset_leaves_a_new_drum),
     cmocka_unit_test(a_silence_takes_everybody_away),
     cmocka_unit_test(silences_of_a_drum_at_rest_are_free),
+    cmocka_unit_test(a_silence_of_a_sleeping_drum_does_nothing),
+    cmocka_unit_test(a_silence_lifts_hands_that_came_after_another),
+    cmocka_unit_test(what_is_hushed_stays_so_through_a_swap),
   };
   return cmocka_run_group_tests(tests, set_up, NULL);
 }

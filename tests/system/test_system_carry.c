@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What goes on and what ends when a drum with every kind of striker in play is swapped, replaced, silenced or reset. */
+/* What goes on and what ends when a drum with every kind of striker in play is swapped, replaced, silenced or reset.
+ *
+ * usage: test_system_carry [brief]: of drums with fewer wires, and for a shorter time. */
 #include "drum/drum.h"
 #include "physics.h"
 
 enum { SCENES = 3, BEFORE = 1200, AFTER = 2400, MOST_EVENTS = 16 };
 
+static bool brief;
 static TaborDrumDef def;
 
 typedef struct Scene {
@@ -20,6 +23,11 @@ static TaborDrumDef small_snare(void) {
   small.quality.wire_points = 16;
   small.quality.newton_cap = 16;
   small.wires.count = 4;
+  if (brief) {
+    small.quality.bandwidth = 1200.0;
+    small.quality.wire_points = 8;
+    small.wires.count = 2;
+  }
   small.batter.muffle_strength = 0.3;
   small.resonant.muffle_strength = 0.2;
   return small;
@@ -261,7 +269,9 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
     TaborSwap *swap = send(drum, near, TABOR_EVENT_SWAP);
     assert_int_equal(counted(drum).in_play, counted(same).in_play);
     const double control = ledger_of(drum).control - ledger_of(same).control;
-    assert_true(fabs(control) < 1e-6 * ledger_of(same).stored);
+    if (fabs(control) >= 1e-6 * ledger_of(same).stored)
+      fail_msg("scene %d: %.3g J of control, %.3g J stored", which, control,
+               ledger_of(same).stored);
     for (int look = 0; look < LOOKS; look++) {
       TaborProbe probe, expected;
       play(drum, 1, NULL);
@@ -291,8 +301,8 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
                     1e-3 * fabs(b.now.missing[i][n]) + 1e-12);
       }
     }
-    play(drum, AFTER, NULL);
-    play(same, AFTER, NULL);
+    play(drum, brief ? 500 : AFTER, NULL);
+    play(same, brief ? 500 : AFTER, NULL);
     assert_int_equal(counted(drum).in_play, counted(same).in_play);
     assert_int_equal(counted(drum).strikes, counted(same).strikes);
     assert_closes(drum);
@@ -351,8 +361,8 @@ static void times_and_speeds_stay_when_steps_are_halved(void **state) {
         const double ago = (double)(x->clock - m->moved) * ratio;
         assert_true(fabs(ago - (double)(y->clock - n->moved)) <= 1.0);
       }
-      play(drum, 12000, NULL);
-      play(same, 12000, NULL);
+      play(drum, brief ? 2000 : 12000, NULL);
+      play(same, brief ? 2000 : 12000, NULL);
       assert_int_equal(counted(drum).in_play, counted(same).in_play);
       for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
         assert_true(drum->state->live[i].now == same->state->live[i].now);
@@ -720,7 +730,8 @@ static int set_up(void **state) {
   return 0;
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  brief = argc > 1 && strcmp(argv[1], "brief") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_same_model_changes_nothing),
     cmocka_unit_test(a_slightly_other_model_changes_next_to_nothing),

@@ -31,6 +31,7 @@ endfunction()
 
 tabor_add_fuzz_target(api 1000 Tabor::tabor)
 tabor_add_fuzz_target(state 2000 Tabor::tabor)
+tabor_add_fuzz_target(room_state 1000 Tabor::tabor)
 tabor_add_fuzz_target(definition 500 tabor-plugin-archive)
 tabor_add_fuzz_target(preset 500 tabor-host CORPUS "${PROJECT_SOURCE_DIR}/presets/*.ini")
 tabor_add_fuzz_target(events_file 3000 tabor-host)
@@ -41,3 +42,14 @@ tabor_add_fuzz_target(midi_map 1000 tabor-host)
 tabor_add_fuzz_target(keymap 2000 tabor-host)
 tabor_add_fuzz_target(sound_file 300 tabor-host)
 tabor_add_fuzz_target(manifest 1000 tabor-host)
+
+# The CLAP plugins, with the host of their tests.
+tabor_add_fuzz_target(clap 500 tabor-clap-archive)
+if(TARGET fuzz_clap)
+  target_sources(fuzz_clap PRIVATE support/clap_host.c)
+  target_include_directories(fuzz_clap PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/support" ${CMOCKA_INCLUDE_DIRS})
+  target_link_libraries(fuzz_clap PRIVATE tabor-host-core Tabor::tabor ${CMOCKA_LINK_LIBRARIES} Threads::Threads
+                                          ${CMAKE_DL_LIBS})
+elseif(TABOR_CLAP_MISSING AND NOT TABOR_FUZZ)
+  tabor_add_skipped_test(fuzz_clap "there are no CLAP headers: tools/setup --plugins brings them")
+endif()

@@ -91,12 +91,12 @@ static void leave_former(DrumPlayer *player) {
   player->former = NULL;
 }
 
+/* The new room first, while the outputs still are the drum alone: it must not answer what fades in the former. */
 static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
-  if (player->former) {
-    room_mix_play(player->former, player->sound, player->heard, at, frames);
-    if (!room_mix_is_fading(player->former)) leave_former(player);
-  }
   if (player->room) room_mix_play(player->room, player->sound, player->heard, at, frames);
+  if (!player->former) return;
+  room_mix_play(player->former, player->sound, player->heard, at, frames);
+  if (!room_mix_is_fading(player->former)) leave_former(player);
 }
 
 /* Rooms hear the drum behind the gain: what sounds in them goes on as it is when that changes. */

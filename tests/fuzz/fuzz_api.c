@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Any sequence of calls to a drum, over a pool of models: events with any fields, blocks of any size, swaps, saves,
- * loads, resets. The sound stays finite, time goes on, and what was saved can be loaded. */
+/* Any sequence of calls to a drum, over a pool of models: events with any fields, blocks of any size, swaps,
+ * replacements, saves, loads, resets. The sound stays finite, time goes on, and what was saved can be loaded. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -24,7 +24,7 @@ static TaborEvent take_event(FuzzInput *input) {
   static const uint32_t LIVE[] = {308, 408, 508, 512, 513, 514, 803, 1103, 1400};
   TaborEvent event = {.frame = fuzz_byte(input) % (MOST_FRAMES + 8)};
   const uint8_t wild = fuzz_byte(input);
-  event.type = fuzz_byte(input) % (wild & 1u ? 12u : 9u);
+  event.type = fuzz_byte(input) % (TABOR_EVENT_REPLACE + (wild & 1u ? 4u : 1u));
   event.id = fuzz_byte(input) % 4;
   event.striker = wild & 2u ? fuzz_word(input) : fuzz_byte(input) % 4;
   event.technique = wild & 4u ? fuzz_word(input) : fuzz_byte(input) % 6;
@@ -55,7 +55,8 @@ static void process(Session *session, FuzzInput *input) {
                  count = fuzz_byte(input) % MOST_EVENTS;
   for (uint32_t i = 0; i < count; i++) {
     events[i] = take_event(input);
-    if (events[i].type == TABOR_EVENT_SWAP) events[i].swap = new_swap(session, input);
+    const bool swaps = events[i].type == TABOR_EVENT_SWAP || events[i].type == TABOR_EVENT_REPLACE;
+    if (swaps) events[i].swap = new_swap(session, input);
   }
   for (uint32_t i = 0; i < MOST_FRAMES; i++) sound[0][i] = sound[1][i] = 0.0f;
   tabor_drum_process(session->drum, events, count, fuzz_byte(input) % 8 ? outputs : NULL, frames);

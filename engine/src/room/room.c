@@ -91,16 +91,19 @@ void tabor_room_state_save(const TaborRoom *room, void *bytes) {
   memcpy((char *)bytes + size, &sum, sizeof sum);
 }
 
+/* The loudest that a state may be, in full scales: products and sums of such numbers stay finite. */
+static const float LOUDEST = 1e15f;
+
 static bool is_sound(const void *values, size_t count) {
   for (size_t i = 0; i < count; i++) {
     float value;
     memcpy(&value, (const char *)values + i * sizeof value, sizeof value);
-    if (!isfinite(value)) return false;
+    if (!(fabsf(value) <= LOUDEST)) return false;
   }
   return true;
 }
 
-/* Positions within their rings, and numbers throughout. */
+/* Positions within their rings, and numbers of a sound throughout. */
 static bool is_state(const TaborRoom *room, const void *bytes) {
   TbRoomState head;
   memcpy(&head, bytes, sizeof head);
@@ -110,8 +113,8 @@ static bool is_state(const TaborRoom *room, const void *bytes) {
     if (head.position[line] >= room->length[line]) return false;
   }
   if (head.early_position >= room->early_length || head.quiet >= room->longest) return false;
-  return is_sound(&head.power, 1) && is_sound(head.filter, TB_ROOM_LINES) &&
-         is_sound(head.reflected, TB_ROOM_FEEDS) &&
+  if (!(head.power >= 0.0f && isfinite(head.power))) return false;
+  return is_sound(head.filter, TB_ROOM_LINES) && is_sound(head.reflected, TB_ROOM_FEEDS) &&
          is_sound((const char *)bytes + offsetof(TbRoomState, memory), room->memory_count);
 }
 

@@ -47,6 +47,7 @@ bool tb_silence(TaborDrum *drum) {
   if (drum->state->asleep && !drum->tails) return false;
   if (is_silenced(drum, &from)) {
     tb_release(&from, 0);
+    drum->state->hushed = 1; /* a further silence need not look again */
     return false;
   }
   tb_tails_shorten(drum, fade);

@@ -11,17 +11,25 @@ static float *round_table(TbArena *arena, double *table, size_t count) {
   return rounded;
 }
 
-/* One class, by the tables of either precision. */
+bool tb_projection_round(TbProjection *p, TbArena *arena) {
+  if (p->precision != TB_IN_FLOAT) return !arena->failed;
+  for (uint32_t g = 0; g < p->groups; g++) {
+    TbProjectionGroup *group = &p->group[g];
+    const size_t count = (size_t)group->points * group->modes;
+    group->gather_rounded = round_table(arena, group->gather, count);
+    group->scatter_rounded = round_table(arena, group->scatter, count);
+  }
+  return !arena->failed;
+}
+
+/* One class, by the tables of either precision. The audio thread calls them. */
 typedef struct Tables {
-  void (*round)(TbProjectionGroup *group, TbArena *arena);
   void (*project)(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
                   double *grid);
   void (*project_forces)(const TbProjectionGroup *group, const TbKernels *kernels,
                          const double *grid, double *modal);
   void (*gather)(const TbKernels *kernels, const TbGather *gather);
 } Tables;
-
-static void keep(TbProjectionGroup *group, TbArena *arena) { (void)group, (void)arena; }
 
 static void project(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
                     double *grid) {
@@ -34,12 +42,6 @@ static void project_forces(const TbProjectionGroup *group, const TbKernels *kern
 }
 
 static void gather(const TbKernels *kernels, const TbGather *gather) { kernels->gather(gather); }
-
-static void round_both(TbProjectionGroup *group, TbArena *arena) {
-  const size_t count = (size_t)group->points * group->modes;
-  group->gather_rounded = round_table(arena, group->gather, count);
-  group->scatter_rounded = round_table(arena, group->scatter, count);
-}
 
 static void project_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
                             const double *q, double *grid) {
@@ -56,14 +58,9 @@ static void gather_rounded(const TbKernels *kernels, const TbGather *gather) {
 }
 
 static const Tables TABLES[] = {
-  [TB_IN_DOUBLE] = {keep, project, project_forces, gather},
-  [TB_IN_FLOAT] = {round_both, project_rounded, project_forces_rounded, gather_rounded},
+  [TB_IN_DOUBLE] = {project, project_forces, gather},
+  [TB_IN_FLOAT] = {project_rounded, project_forces_rounded, gather_rounded},
 };
-
-bool tb_projection_round(TbProjection *p, TbArena *arena) {
-  for (uint32_t g = 0; g < p->groups; g++) TABLES[p->precision].round(&p->group[g], arena);
-  return !arena->failed;
-}
 
 void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q, double *grid) {
   for (uint32_t g = 0; g < p->groups; g++) {

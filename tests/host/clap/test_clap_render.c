@@ -201,10 +201,11 @@ static void by_modulation(ClapHost *host) {
   midi(host, 3333, 0x99, 38, 90);
 }
 
+/* Wires that come back to a ringing head touch it at another instant; wires that leave it may be in the air. */
 static void a_frame_later(ClapHost *host) {
   midi(host, 0, 0x99, 38, 100);
-  clap_host_set(host, 1002, KNOB_STRAINER, 0);
-  clap_host_set(host, 3333, KNOB_STRAINER, 1);
+  clap_host_set(host, 1001, KNOB_STRAINER, 0);
+  clap_host_set(host, 3334, KNOB_STRAINER, 1);
   midi(host, 3333, 0x99, 38, 90);
 }
 

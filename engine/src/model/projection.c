@@ -11,14 +11,22 @@ static float *round_table(TbArena *arena, double *table, size_t count) {
   return rounded;
 }
 
+static void keep(TbProjectionGroup *group, TbArena *arena) { (void)group, (void)arena; }
+
+static void round_both(TbProjectionGroup *group, TbArena *arena) {
+  const size_t count = (size_t)group->points * group->modes;
+  group->gather_rounded = round_table(arena, group->gather, count);
+  group->scatter_rounded = round_table(arena, group->scatter, count);
+}
+
+/* Apart from TABLES, which the audio thread reaches. */
+static void (*const ROUND[])(TbProjectionGroup *group, TbArena *arena) = {
+  [TB_IN_DOUBLE] = keep,
+  [TB_IN_FLOAT] = round_both,
+};
+
 bool tb_projection_round(TbProjection *p, TbArena *arena) {
-  if (p->precision != TB_IN_FLOAT) return !arena->failed;
-  for (uint32_t g = 0; g < p->groups; g++) {
-    TbProjectionGroup *group = &p->group[g];
-    const size_t count = (size_t)group->points * group->modes;
-    group->gather_rounded = round_table(arena, group->gather, count);
-    group->scatter_rounded = round_table(arena, group->scatter, count);
-  }
+  for (uint32_t g = 0; g < p->groups; g++) ROUND[p->precision](&p->group[g], arena);
   return !arena->failed;
 }
 

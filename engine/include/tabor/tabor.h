@@ -342,6 +342,15 @@ typedef struct TaborStrikeDef {
   uint32_t technique;            /**< a TaborTechnique, default normal; sweep needs a brush */
 } TaborStrikeDef;
 
+/** Frequency response of a microphone, without latency and 0 dB at 1 kHz. Each but flat is typical of its kind
+ * (engine/src/model/mic_response.c has the curves). */
+typedef enum TaborMicResponse {
+  TABOR_RESPONSE_FLAT,    /**< the sound pressure itself */
+  TABOR_RESPONSE_DYNAMIC, /**< a cardioid dynamic microphone, as is put close to a snare drum */
+  TABOR_RESPONSE_LARGE_DYNAMIC, /**< a dynamic microphone for bass drums */
+  TABOR_RESPONSE_CONDENSER      /**< a condenser microphone with a small diaphragm */
+} TaborMicResponse;
+
 /** A microphone. It records the sound pressure at its place. */
 typedef struct TaborMicDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
@@ -351,7 +360,8 @@ typedef struct TaborMicDef {
    * within 0.01 m of a resonant head's plane. In a closed or two-headed shell, a microphone between
    * its ends hears the air inside; below the head of an open one it hears the air outside. */
   double height;
-  double gain; /**< a pure number, 0 to 100, default 1 */
+  double gain;       /**< a pure number, 0 to 100, default 1 */
+  uint32_t response; /**< a TaborMicResponse, default flat */
 } TaborMicDef;
 
 /** The air, and gravity. */

@@ -945,7 +945,8 @@ TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, 
  * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of each
  * microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has the equations). It
  * hears the drum by two of its microphones, the *feeds*: those called `left` and `right`, or else the one that
- * is farthest away, for both. The drum does not hear the room.
+ * is farthest away, for both. It undoes their frequency responses, and what it sends to a microphone passes that
+ * microphone's. The drum does not hear the room.
  */
 typedef struct TaborRoom TaborRoom;
 

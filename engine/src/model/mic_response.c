@@ -78,9 +78,9 @@ static void set_poles(const Shape *shape, double rate, TbSection *section) {
 
 /* B1 + 4 B2 (1 - c) at a frequency. */
 static double rest_at(const Shape *shape, const TbSection *section, double frequency, double c) {
-  const double b0 = square(1.0 + section->a1 + section->a2);
+  const double at_zero = square(1.0 + section->a1 + section->a2); /* B0 */
   const double size = size_at(1.0, section->a1, section->a2, c) * wanted_at(shape, frequency);
-  return (size - b0 * (1.0 - c)) / c;
+  return (size - at_zero * (1.0 - c)) / c;
 }
 
 static void set_zeros(const Shape *shape, double rate, TbSection *section) {
@@ -89,13 +89,13 @@ static void set_zeros(const Shape *shape, double rate, TbSection *section) {
   const double c_low = place_of(low, rate), c_high = place_of(high, rate);
   const double at_low = rest_at(shape, section, low, c_low);
   const double at_high = rest_at(shape, section, high, c_high);
-  const double b2 = 0.25 * (at_low - at_high) / (c_high - c_low);
-  const double b1 = at_low - 4.0 * b2 * (1.0 - c_low);
+  const double cross = 0.25 * (at_low - at_high) / (c_high - c_low); /* B2 */
+  const double at_half_rate = at_low - 4.0 * cross * (1.0 - c_low);  /* B1 */
   const double root = 1.0 + section->a1 + section->a2;
-  const double half = 0.5 * (root + sqrt(b1));
-  section->b0 = 0.5 * (half + sqrt(half * half + b2));
-  section->b1 = root - half;
-  section->b2 = -0.25 * b2 / section->b0;
+  const double w = 0.5 * (root + sqrt(at_half_rate)); /* W */
+  section->b0 = 0.5 * (w + sqrt(w * w + cross));
+  section->b1 = root - w;
+  section->b2 = -0.25 * cross / section->b0;
 }
 
 /* Makes the whole 1 at 1 kHz. */

@@ -481,7 +481,8 @@ static void blocks_change_no_bit(void **state) {
   float *left = bursts(1), *right = bursts(2);
   for (uint32_t kind = TABOR_ROOM_BOOTH; kind <= TABOR_ROOM_HALL; kind++) {
     TaborDrumDef def = drum_in(kind);
-    def.room.decay = 0.05; /* falls asleep between bursts */
+    def.room.decay = 0.05;                                    /* falls asleep between bursts */
+    def.mic[RIGHT].response = def.mic[CLOSE].response = kind; /* each response once */
     TaborRoom *room = room_of(&def, 44100.0);
     float *whole = wet_of(room, left, right, SOUND, SOUND);
     for (uint32_t i = 0; i < MICS * SOUND; i++) assert_true(fabsf(whole[i]) < 1e3f);
@@ -496,6 +497,59 @@ static void blocks_change_no_bit(void **state) {
   }
   free(left);
   free(right);
+}
+
+/* The sound that a microphone of this response hears instead of `flat`. The caller frees it. */
+static float *heard_as(uint32_t kind, const float *flat) {
+  TbMicResponse response;
+  TbResponseMemory memory = {{0.0}};
+  float *const sound = zeros(SOUND);
+  tb_mic_response_prepare(&response, kind, 48000.0);
+  for (uint32_t i = 0; i < SOUND; i++) {
+    sound[i] = (float)tb_mic_respond(&response, memory, (double)flat[i]);
+  }
+  return sound;
+}
+
+/* The largest difference, over the largest of the first. */
+static double difference(const float *a, const float *b) {
+  double most = 0.0, peak = 0.0;
+  for (uint32_t i = 0; i < SOUND; i++) {
+    peak = fmax(peak, fabs((double)a[i]));
+    most = fmax(most, fabs((double)a[i] - (double)b[i]));
+  }
+  return most / peak;
+}
+
+/* Feeds are rounded to float. The inverse raises that by up to 30 dB near half the rate. */
+static const double RESPONSE_ROUNDING = 1e-5;
+
+/* A room hears the same by feeds of any response; what it sends back is heard by each microphone's own. */
+static void responses_of_feeds_are_undone(void **state) {
+  (void)state;
+  float *left = zeros(SOUND), *right = zeros(SOUND);
+  uint64_t seed = 5;
+  for (uint32_t i = 0; i < SOUND / 4; i++) {
+    left[i] = (float)physics_uniform(&seed, -1.0, 1.0);
+    right[i] = (float)physics_uniform(&seed, -1.0, 1.0);
+  }
+  TaborDrumDef def = drum_in(TABOR_ROOM_STUDIO);
+  TaborRoom *room = room_of(&def, 48000.0);
+  def.mic[LEFT].response = TABOR_RESPONSE_DYNAMIC;
+  def.mic[RIGHT].response = TABOR_RESPONSE_CONDENSER;
+  def.mic[FAR].response = TABOR_RESPONSE_LARGE_DYNAMIC;
+  TaborRoom *coloured = room_of(&def, 48000.0);
+  float *dynamic = heard_as(TABOR_RESPONSE_DYNAMIC, left);
+  float *condenser = heard_as(TABOR_RESPONSE_CONDENSER, right);
+  float *wet = wet_of(room, left, right, SOUND, 256);
+  float *other = wet_of(coloured, dynamic, condenser, SOUND, 256);
+  float *far = heard_as(TABOR_RESPONSE_LARGE_DYNAMIC, wet + FAR * SOUND);
+  assert_true(difference(wet + NEAR * SOUND, other + NEAR * SOUND) < RESPONSE_ROUNDING);
+  assert_true(difference(far, other + FAR * SOUND) < RESPONSE_ROUNDING);
+  float *const all[] = {left, right, dynamic, condenser, wet, other, far};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
+  tabor_room_destroy(room);
+  tabor_room_destroy(coloured);
 }
 
 /* The pair's own channels: dry sound in, dry and wet out. Channels that nobody hears change nothing. */
@@ -759,6 +813,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(microphones_inside_a_drum_hear_no_room),
     cmocka_unit_test(first_reflections_come_from_six_images),
     cmocka_unit_test(blocks_change_no_bit),
+    cmocka_unit_test(responses_of_feeds_are_undone),
     cmocka_unit_test(channels_may_be_the_feeds_themselves),
     cmocka_unit_test(no_room_changes_no_bit),
     cmocka_unit_test(a_saved_state_continues_to_the_same_bit),

@@ -342,6 +342,15 @@ typedef struct TaborStrikeDef {
   uint32_t technique;            /**< a TaborTechnique, default normal; sweep needs a brush */
 } TaborStrikeDef;
 
+/** Frequency response of a microphone, without latency and 0 dB at 1 kHz. Each but flat is typical of its kind
+ * (engine/src/model/mic_response.c has the curves). */
+typedef enum TaborMicResponse {
+  TABOR_RESPONSE_FLAT,    /**< the sound pressure itself */
+  TABOR_RESPONSE_DYNAMIC, /**< a cardioid dynamic microphone, as is put close to a snare drum */
+  TABOR_RESPONSE_LARGE_DYNAMIC, /**< a dynamic microphone for bass drums */
+  TABOR_RESPONSE_CONDENSER      /**< a condenser microphone with a small diaphragm */
+} TaborMicResponse;
+
 /** A microphone. It records the sound pressure at its place. */
 typedef struct TaborMicDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
@@ -351,7 +360,8 @@ typedef struct TaborMicDef {
    * within 0.01 m of a resonant head's plane. In a closed or two-headed shell, a microphone between
    * its ends hears the air inside; below the head of an open one it hears the air outside. */
   double height;
-  double gain; /**< a pure number, 0 to 100, default 1 */
+  double gain;       /**< a pure number, 0 to 100, default 1 */
+  uint32_t response; /**< a TaborMicResponse, default flat */
 } TaborMicDef;
 
 /** The air, and gravity. */
@@ -935,7 +945,8 @@ TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, 
  * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of each
  * microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has the equations). It
  * hears the drum by two of its microphones, the *feeds*: those called `left` and `right`, or else the one that
- * is farthest away, for both. The drum does not hear the room.
+ * is farthest away, for both. It undoes their frequency responses, and what it sends to a microphone passes that
+ * microphone's. The drum does not hear the room.
  */
 typedef struct TaborRoom TaborRoom;
 

@@ -19,6 +19,15 @@ static void step_frame(TbView *view, uint32_t heard, double *pressure) {
   }
 }
 
+/* Each microphone's frequency response. */
+static void respond(TbView *view, double *pressure) {
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    const TbMicResponse *response = &view->model->mics[mic].response;
+    if (response->count == 0) continue;
+    pressure[mic] = tb_mic_respond(response, view->state->response[mic], pressure[mic]);
+  }
+}
+
 void tb_frame(TbView *view, uint32_t heard, double *pressure) {
   TbState *state = view->state;
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) pressure[mic] = 0.0;
@@ -29,6 +38,7 @@ void tb_frame(TbView *view, uint32_t heard, double *pressure) {
     return;
   }
   step_frame(view, heard, pressure);
+  respond(view, pressure);
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;
   }

@@ -293,6 +293,8 @@ static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
     to->state->delay_at[i] = from->state->delay_at[mic];
     memcpy(to->state->treble[i], from->state->treble[mic], sizeof to->state->treble[i]);
     memcpy(to->state->halved[i], from->state->halved[mic], sizeof to->state->halved[i]);
+    if (from->model->def.mic[mic].response != to->model->def.mic[i].response) continue;
+    memcpy(to->state->response[i], from->state->response[mic], sizeof to->state->response[i]);
   }
 }
 
@@ -337,10 +339,24 @@ static void route(TaborDrum *drum, TaborSwap *swap) {
   drum->route = swap->route;
 }
 
+/* Every microphone that goes on has the response that it had. */
+static bool hears_alike(const TaborSwap *swap) {
+  const TaborDrumDef *from = &swap->old_model->def, *to = &swap->new_model->def;
+  for (uint32_t i = 0; i < to->mic_count; i++) {
+    const uint32_t mic = swap->mics[i];
+    if (mic != TB_NO_MIC && from->mic[mic].response != to->mic[i].response) return false;
+  }
+  return true;
+}
+
+static bool is_same(const TaborSwap *swap) {
+  return swap->old_model->fingerprint == swap->new_model->fingerprint && hears_alike(swap);
+}
+
 static void begin_tail(TaborDrum *drum, TaborSwap *swap, bool continues) {
   const double rate = drum->model->sample_rate;
   if (swap->tail->state->asleep && !drum->tails) return;
-  if (continues && swap->old_model->fingerprint == swap->new_model->fingerprint) return;
+  if (continues && is_same(swap)) return;
   if (continues) {
     tb_tails_begin(drum, swap->tail, (uint32_t)(HOLD * rate), (uint32_t)(FADE * rate));
   } else {

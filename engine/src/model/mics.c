@@ -68,6 +68,7 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
     TbMic *mic = &model->mics[index];
     mic->travel = travel_steps(model, &model->def.mic[index]);
     mic->delay = mic->travel - (uint32_t)fmin(mic->travel, model->steps > 1 ? TB_HALVE_STEPS : 0);
+    tb_mic_response_prepare(&mic->response, model->def.mic[index].response, model->sample_rate);
     mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;

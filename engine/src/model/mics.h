@@ -12,7 +12,7 @@ struct TaborModel;
  * (step/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later. */
 enum { TB_HALVE_STEPS = 4 };
 
-/* Computes weights and delays of all microphones, into model->mics. */
+/* Computes weights, delays and frequency responses of all microphones, into model->mics. */
 TaborStatus tb_mics_prepare(struct TaborModel *model);
 
 /* Weights of a mode for microphone `index`. The pressure u (q+ - 2q + q-) + v (q+ - q-) equals

@@ -15,6 +15,7 @@
 #include "model/compliance.h"
 #include "model/contact_rows.h"
 #include "model/high_band.h"
+#include "model/mic_response.h"
 #include "model/projection.h"
 #include "model/residual_modes.h"
 #include "model/stick_bending.h"
@@ -31,6 +32,7 @@
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
   uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */
+  TbMicResponse response;
 } TbMic;
 
 typedef struct TbRest {

@@ -103,6 +103,15 @@ static bool is_sound(const void *values, size_t count) {
   return true;
 }
 
+static bool is_memory(const void *values, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    double value;
+    memcpy(&value, (const char *)values + i * sizeof value, sizeof value);
+    if (!(fabs(value) <= (double)LOUDEST)) return false;
+  }
+  return true;
+}
+
 /* Positions within their rings, and numbers of a sound throughout. */
 static bool is_state(const TaborRoom *room, const void *bytes) {
   TbRoomState head;
@@ -115,6 +124,8 @@ static bool is_state(const TaborRoom *room, const void *bytes) {
   if (head.early_position >= room->early_length || head.quiet >= room->longest) return false;
   if (!(head.power >= 0.0f && isfinite(head.power))) return false;
   return is_sound(head.filter, TB_ROOM_LINES) && is_sound(head.reflected, TB_ROOM_FEEDS) &&
+         is_memory(head.undone, sizeof head.undone / sizeof(double)) &&
+         is_memory(head.response, sizeof head.response / sizeof(double)) &&
          is_sound((const char *)bytes + offsetof(TbRoomState, memory), room->memory_count);
 }
 

@@ -24,6 +24,10 @@
  * hear different sound. Where T0 is long for the size, lines are longer, so that the network's modes lie dense
  * enough to overlap: 0.45 T0 of them a hertz.
  *
+ * Microphones. The room hears the sound pressure: what a feed's frequency response does is undone first, by the
+ * inverse of that filter, which is stable (model/mic_response.h). What the room sends to a microphone passes the
+ * response of that microphone, as does what the drum sends there.
+ *
  * Limits: the drum stands upright, its centre at 0.43 of the length, 0.37 of the width and 0.7 m above the
  * floor; microphones beyond a wall stand before it, and those inside the drum hear no room. Far below the
  * frequency at which a room's own modes overlap, a real room has single ones; this one has not. With one pole a
@@ -31,6 +35,7 @@
 #ifndef TB_ROOM_H
 #define TB_ROOM_H
 
+#include "model/mic_response.h"
 #include "tabor/tabor.h"
 
 #define TB_ROOM_LINES 32
@@ -47,6 +52,7 @@ typedef struct TbRoomImage {
 typedef struct TbRoomMic {
   float late[TB_ROOM_LINES];
   TbRoomImage image[TB_ROOM_IMAGES];
+  TbMicResponse response;
 } TbRoomMic;
 
 /* All that changes, in one piece of memory. `memory` holds the rings of the lines, then those of the
@@ -60,6 +66,7 @@ typedef struct TbRoomState {
   float power; /* of the values written, smoothed */
   float filter[TB_ROOM_LINES];
   float reflected[TB_ROOM_FEEDS];
+  TbResponseMemory undone[TB_ROOM_FEEDS], response[TABOR_MAX_MICS]; /* of the filters */
   float memory[];
 } TbRoomState;
 
@@ -76,6 +83,7 @@ struct TaborRoom {
   uint32_t memory_count;
   float gain[TB_ROOM_LINES], pole[TB_ROOM_LINES]; /* s = pole s + gain x */
   float feed_gain[TB_ROOM_FEEDS];
+  TbMicResponse undo[TB_ROOM_FEEDS]; /* inverse of each feed's response */
   float inject[TB_ROOM_FEEDS][TB_ROOM_LINES];
   float wall_gain, wall_pole;
   double power_gain; /* from state->power to tabor_room_energy() */

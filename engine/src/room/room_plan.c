@@ -151,7 +151,7 @@ static uint32_t farthest(const TaborDrumDef *def) {
   return found;
 }
 
-static void choose_feeds(TaborRoom *room, const TaborDrumDef *def) {
+static void choose_feeds(TaborRoom *room, const TaborDrumDef *def, double sample_rate) {
   const int left = tabor_drum_def_find_mic(def, "left");
   const int right = tabor_drum_def_find_mic(def, "right");
   const bool pair = left >= 0 && right >= 0;
@@ -160,6 +160,8 @@ static void choose_feeds(TaborRoom *room, const TaborDrumDef *def) {
   for (uint32_t i = 0; i < TB_ROOM_FEEDS; i++) {
     const TaborMicDef *mic = &def->mic[room->info.feed[i]];
     room->feed_gain[i] = mic->gain > 0.0 ? (float)(distance_of(mic) / mic->gain) : 0.0f;
+    tb_mic_response_prepare(&room->undo[i], mic->response, sample_rate);
+    tb_mic_response_invert(&room->undo[i]);
   }
 }
 
@@ -205,6 +207,7 @@ static void plan_mic(TaborRoom *room, const TaborDrumDef *def, const Hall *hall,
   const double gain = is_inside(def, mic) ? 0.0 : mic->gain * def->room.level;
   TbRoomMic *heard = &room->mic[index];
   double place[3];
+  tb_mic_response_prepare(&heard->response, mic->response, hall->rate);
   direction_of(mic, place);
   for (int axis = 0; axis < 3; axis++) {
     const double edge = MARGIN * hall->size[axis];
@@ -257,7 +260,7 @@ void tb_room_plan(TaborRoom *room, const TaborDrumDef *def, double sample_rate) 
   if (def->room.kind != TABOR_ROOM_NONE) {
     const Hall hall = hall_of(def, sample_rate);
     plan_lines(room, &hall);
-    choose_feeds(room, def);
+    choose_feeds(room, def, sample_rate);
     const double late = late_factor(room, &hall);
     room->mic_count = def->mic_count;
     for (uint32_t i = 0; i < room->mic_count; i++) plan_mic(room, def, &hall, late, i);

@@ -37,6 +37,15 @@ static uint32_t write_ring(float *ring, uint32_t position, uint32_t length, uint
 
 /* ---- feeds ----------------------------------------------------------------------------------- */
 
+/* `values` through the filter, if there is any. */
+static void respond(const TbMicResponse *response, TbResponseMemory memory, uint32_t frames,
+                    float *values) {
+  if (response->count == 0) return;
+  for (uint32_t i = 0; i < frames; i++) {
+    values[i] = (float)tb_mic_respond(response, memory, (double)values[i]);
+  }
+}
+
 static void take_feeds(const TaborRoom *room, const float *const *dry, uint32_t from,
                        uint32_t frames, Piece *feeds) {
   for (uint32_t feed = 0; feed < TB_ROOM_FEEDS; feed++) {
@@ -45,6 +54,7 @@ static void take_feeds(const TaborRoom *room, const float *const *dry, uint32_t 
       const float x = samples ? samples[from + i] : 0.0f;
       feeds[feed][i] = fabsf(x) <= LARGEST ? room->feed_gain[feed] * x : 0.0f;
     }
+    respond(&room->undo[feed], room->state->undone[feed], frames, feeds[feed]);
   }
 }
 
@@ -187,6 +197,8 @@ static void fall_asleep(TbRoomState *state) {
   state->power = 0.0f;
   memset(state->filter, 0, sizeof state->filter);
   memset(state->reflected, 0, sizeof state->reflected);
+  memset(state->undone, 0, sizeof state->undone);
+  memset(state->response, 0, sizeof state->response);
 }
 
 /* Awake, and for no more frames than are left until it may fall asleep. */
@@ -207,6 +219,7 @@ static void play(TaborRoom *room, Piece *feeds, float *const *outputs, uint32_t 
   for (uint32_t mic = 0; outputs && mic < room->mic_count; mic++) {
     if (!outputs[mic]) continue;
     add_images(room, &room->mic[mic], frames, heard[mic]);
+    respond(&room->mic[mic].response, room->state->response[mic], frames, heard[mic]);
     for (uint32_t i = 0; i < frames; i++) outputs[mic][from + i] += heard[mic][i];
   }
   if (room->state->quiet == room->longest) fall_asleep(room->state);
@@ -226,6 +239,7 @@ void tb_room_step(TaborRoom *room, const float *const *dry, float *const *output
       const uint32_t silent = first_sound(feeds, count);
       done += silent;
       state->asleep = silent == count;
+      memset(state->undone, 0, sizeof state->undone); /* sound is taken again, from its start */
       continue;
     }
     play(room, feeds, outputs, from + done, count);

@@ -111,6 +111,7 @@ typedef struct TbState {
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
   double halved[TABOR_MAX_MICS][TB_HALVE_MEMORY]; /* see halve_rate.h */
+  TbResponseMemory response[TABOR_MAX_MICS];      /* see mic_response.h */
   uint32_t heard; /* microphones whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
   TbLiveParam live[TB_LIVE_COUNT];

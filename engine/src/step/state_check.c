@@ -149,7 +149,7 @@ static bool microphones(const TaborModel *model, const TbState *state) {
     if (state->delay_at[mic] > model->mics[mic].delay) return false;
   }
   return all_within(NUMBERS(state->treble), MOST) && all_within(NUMBERS(state->halved), MOST) &&
-         all_within(NUMBERS(state->ears), MOST);
+         all_within(NUMBERS(state->response), MOST) && all_within(NUMBERS(state->ears), MOST);
 }
 
 static bool numbers(const TbState *state) {

@@ -272,6 +272,7 @@ static void fall_asleep(TbView *view) {
   }
   memset(view->state->treble, 0, sizeof view->state->treble);
   memset(view->state->halved, 0, sizeof view->state->halved);
+  memset(view->state->response, 0, sizeof view->state->response);
   clear_high(view);
   view->state->heard = 0;
   view->state->asleep = 1;

@@ -3,8 +3,8 @@
  *
  *   z(s) = A sqrt(2/12) Sum_j cos(g_j s/L + p_j), j = 1 to 12,
  *
- * z [m] is where the wire lies without load, away from the head, less where a straight wire would lie;
- * s [m] counts from its middle. g_j is normally distributed with variance 1 (Box and Muller), p_j uniform,
+ * z [m] is where the unloaded wire lies, away from the head, less where a straight one would lie;
+ * s [m] counts from its middle. g_j is normally distributed with variance 1, p_j uniform,
  * both drawn from the seed and the wire's number. Over many wires, z(s) has mean 0, root mean
  * square A at every s, and correlation exp(-d^2/(2 L^2)) between places a distance d apart, the
  * characteristic function of g.

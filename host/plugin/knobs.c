@@ -116,6 +116,16 @@ const Knob knobs[KNOB_COUNT] = {
                            .off = 0,
                            .comment = "What a tuner reads at a lug of the lower head; 0: as the "
                                       "tension says. No effect on drums with one head."},
+  [KNOB_UNEVENNESS] = {.symbol = "wires_unevenness",
+                       .name = "Wire unevenness",
+                       .key = "wires.unevenness",
+                       .group = "snares",
+                       .kind = KNOB_REBUILD,
+                       ENGINE_RANGE,
+                       FROM_PRESET,
+                       .comment =
+                         "How unevenly the snares lie and how far they are bent, times what "
+                         "the drum says; 0: straight wires side by side."},
   [KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                            .name = "Velocity curve",
                            .group = "stick",
@@ -238,6 +248,7 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_PITCH,
   KNOB_RESONANT_PITCH,
   KNOB_ROOM,
+  KNOB_UNEVENNESS,
 };
 
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {
@@ -258,6 +269,7 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   case KNOB_STRIKE_ANGLE: return &def->strike.angle;
   case KNOB_BATTER_PITCH: return &def->batter.pitch;
   case KNOB_RESONANT_PITCH: return def->two_headed ? &def->resonant.pitch : NULL;
+  case KNOB_UNEVENNESS: return def->wires.count > 0 ? &def->wires.unevenness : NULL;
   default: return NULL;
   }
 }

@@ -29,6 +29,7 @@ typedef enum KnobId {
   KNOB_STRIKE_ANGLE,
   KNOB_BATTER_PITCH,
   KNOB_RESONANT_PITCH,
+  KNOB_UNEVENNESS,
   KNOB_VELOCITY_CURVE,
   KNOB_HUMANIZE,
   KNOB_QUALITY,
@@ -44,7 +45,7 @@ typedef enum KnobId {
   KNOB_COUNT
 } KnobId;
 
-#define KNOB_KEYS (KNOB_RESONANT_PITCH + 1) /**< number of knobs for keys */
+#define KNOB_KEYS (KNOB_UNEVENNESS + 1) /**< number of knobs for keys */
 
 /** How a knob takes effect. */
 typedef enum KnobKind {

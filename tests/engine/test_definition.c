@@ -1290,8 +1290,78 @@ static void test_wire_spread(void **state) {
   assert_true(tb_deviate(1, 0) != tb_deviate(0, 1));
 }
 
+static int by_value(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* However few wires there are, the highest and the lowest lie the spread from a mean of rest_offset, and the
+ * others evenly between them: the same standard deviation, spread sqrt((n + 1)/(3 (n - 1))), for every seed. */
+static void test_rest_spread(void **state) {
+  (void)state;
+  const double spread = 2e-4, mean = -5e-5;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.wires.rest_spread = 1e-4;
+  def.wires.unevenness = 2;
+  def.wires.rest_offset = mean;
+  for (uint32_t count = 2; count <= TABOR_MAX_WIRES; count++) {
+    def.wires.count = count;
+    def.wires.seed = 77 * count;
+    double lifted[TABOR_MAX_WIRES];
+    for (uint32_t w = 0; w < count; w++) {
+      TaborWireDef wire;
+      tb_wire_resolve(&def, w, &wire);
+      lifted[w] = wire.rest_offset - mean;
+    }
+    qsort(lifted, count, sizeof *lifted, by_value);
+    for (uint32_t i = 0; i < count; i++) {
+      const double expected = spread * (2.0 * i / (count - 1.0) - 1);
+      assert_true(fabs(lifted[i] - expected) < 1e-19);
+    }
+  }
+}
+
+/* A wire of its own, one alone and even ones get none; each seed has its own order, which no tension follows. */
+static void test_rest_order(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.wires.rest_offset = 1e-4;
+  def.wires.rest_spread = 1e-3;
+  TaborWireDef wire;
+  def.wires.count = 1;
+  tb_wire_resolve(&def, 0, &wire);
+  assert_true(wire.rest_offset == 1e-4);
+  def.wires.count = TABOR_MAX_WIRES;
+  double product = 0;
+  uint32_t moved = 0;
+  for (uint32_t seed = 0; seed < 1000; seed++) {
+    for (uint32_t w = 0; w < TABOR_MAX_WIRES; w++) {
+      def.wires.seed = seed;
+      tb_wire_resolve(&def, w, &wire);
+      const double own = wire.rest_offset;
+      product += (own - 1e-4) / 1e-3 * tb_deviate(seed, w);
+      def.wires.seed = seed + 1;
+      tb_wire_resolve(&def, w, &wire);
+      moved += wire.rest_offset != own;
+    }
+  }
+  assert_true(fabs(product / 40000) < 0.01); /* five standard errors, 0.59 0.577/200 each */
+  assert_true(moved > 38000);                /* one in 40 stays where it was */
+  def.wires.unevenness = 0;
+  tb_wire_resolve(&def, 5, &wire);
+  assert_true(wire.rest_offset == 1e-4);
+  def.wires.unevenness = 1;
+  def.wire[5].rest_offset = 3e-4;
+  tb_wire_resolve(&def, 5, &wire);
+  assert_true(wire.rest_offset == 3e-4);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_rest_spread),
+    cmocka_unit_test(test_rest_order),
     cmocka_unit_test(test_table),
     cmocka_unit_test(test_live_keys),
     cmocka_unit_test(test_parameter_find),

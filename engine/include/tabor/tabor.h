@@ -243,7 +243,8 @@ typedef struct TaborWiresDef {
   double mass_per_length;   /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
   double tension;           /**< T [N], 0.01 to 200, default 5 */
   double tension_spread;    /**< largest relative deviation between wires, 0 to 0.9, default 0 */
-  uint32_t seed;            /**< seed of these deviations, 0 to 4294967295, default 1 */
+  /** Seed of these deviations, and of how uneven wires lie, 0 to 4294967295, default 1. */
+  uint32_t seed;
   double bending_stiffness; /**< EI [N m2], 0 to 0.1, default 1e-6 */
   double damping_0;         /**< sigma0 [1/s], 0 to 1000, default 2 */
   double damping_1;         /**< sigma1 [m2/s], 0 to 0.1, default 0.001 */
@@ -252,6 +253,19 @@ typedef struct TaborWiresDef {
   /** Distance of the ends from the undeflected head, positive away from it [m], -0.01 to 0.02,
    * default 0. */
   double rest_offset;
+  /** How unevenly the wires lie [m], 0 to 0.001, default 0. Offsets that are evenly spaced from
+   * -rest_spread to rest_spread, times the unevenness, are added to `rest_offset`, to each wire another
+   * one, in an order drawn from the seed. A single wire gets 0. */
+  double rest_spread;
+  /** How far the wires are bent along their length: root mean square of the height over a straight wire
+   * [m], 0 to 0.001, times the unevenness, default 0. The bends are drawn from the seed. */
+  double bend_height;
+  /** Length L of these bends [m], 0.005 to 1, default 0.02: the heights at two places a distance d
+   * apart have the correlation exp(-d^2/(2 L^2)). */
+  double bend_length;
+  /** Factor of `rest_spread` and `bend_height`, 0 (even and straight) to 3, default 1. The strainer
+   * lifts uneven wires further, so that the lowest point of all comes as far off as if they were even. */
+  double unevenness;
   double contact_stiffness; /**< K [N/m^(exponent+1) per length], 1e4 to 1e13, default 1e8 */
   double contact_exponent;  /**< 1 to 3, default 1.5 */
   double contact_loss;      /**< lambda [s/m], 0 to 100, default 0.3 */

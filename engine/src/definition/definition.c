@@ -307,6 +307,21 @@ double tb_deviate(uint32_t seed, uint32_t index) {
   return (2 * whole + 1) * 0x1p-52 - 1;
 }
 
+/* Place of a wire between the lowest, -1, and the highest, 1: evenly spaced, in an order that is drawn.
+ * The generator's numbers up to here are those of tensions. */
+static double rest_place(const TaborWiresDef *wires, uint32_t index) {
+  enum { FIRST_DRAW = 1 << 16 };
+  if (wires->count < 2) return 0;
+  const double own = tb_deviate(wires->seed, FIRST_DRAW + index);
+  int rank = 0;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const double other = tb_deviate(wires->seed, FIRST_DRAW + w);
+    rank += other < own || (other == own && w < index);
+  }
+  const int steps = (int)wires->count - 1;
+  return (double)(2 * rank - steps) / steps;
+}
+
 static void take_default(double *own, double shared) {
   if (isnan(*own)) *own = shared;
 }
@@ -316,6 +331,7 @@ void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire
   const TaborWiresDef *const wires = &def->wires;
   const double deviation = wires->tension_spread * tb_deviate(wires->seed, index);
   const double place = (double)index - ((double)wires->count - 1) / 2;
+  const double lifted = wires->unevenness * wires->rest_spread * rest_place(wires, index);
   *wire = def->wire[index];
   take_default(&wire->length, wires->length);
   take_default(&wire->mass_per_length, wires->mass_per_length);
@@ -323,7 +339,7 @@ void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire
   take_default(&wire->bending_stiffness, wires->bending_stiffness);
   take_default(&wire->damping_0, wires->damping_0);
   take_default(&wire->damping_1, wires->damping_1);
-  take_default(&wire->rest_offset, wires->rest_offset);
+  take_default(&wire->rest_offset, wires->rest_offset + lifted);
   take_default(&wire->contact_stiffness, wires->contact_stiffness);
   take_default(&wire->contact_exponent, wires->contact_exponent);
   take_default(&wire->contact_loss, wires->contact_loss);

@@ -14,6 +14,7 @@
  *
  * - tension: with the spread applied, T (1 + spread u), u in [-1, 1] from seed and index; a wire's
  *   own tension has no spread. The spread may carry the tension past the range of the key.
+ * - rest offset: with its spread applied; a wire's own rest offset has no spread.
  * - angle: wires.angle unless the wire has its own.
  * - offset: wires.offset + (index - (count - 1)/2) spacing unless the wire has its own.
  *

@@ -293,7 +293,8 @@ static double wire_height(const TbView *view) {
   const TbWires *wires = &view->model->wires;
   const uint32_t node = wires->wires[0].first_node + wires->wires[0].cells / 2;
   const double ends = view->model->rest.offset[0] - view->state->shift[0];
-  return wires->side * (ends + view->model->rest.v[node] + view->now.v[node]);
+  const double shape = wires->shape[node - TB_WIRE_FRONT];
+  return wires->side * (ends + shape + view->model->rest.v[node] + view->now.v[node]);
 }
 
 void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {

@@ -9,7 +9,10 @@
  *
  * C is a block per wire plus the head's part, which goes through the grid of wire_grid.h. The
  * wires' part alone is solved directly and preconditions conjugate gradients for the whole system.
- * The head is about as stiff as the bed of wires, so a few steps suffice. */
+ * The head is about as stiff as the bed of wires, so a few steps suffice.
+ *
+ * The shape of a bent wire (wire_shape.h) is a part of eta0, and so of the datum of the penetration. Where
+ * wires are, in rest.v and in the state, is counted from that shape. */
 #include <math.h>
 #include <string.h>
 
@@ -261,8 +264,9 @@ static TaborStatus wire_statics(const TaborModel *model, TbArena *scratch, Stati
     return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
   }
   for (uint32_t a = 0; a < rows; a++) {
-    const uint32_t node = wire->row_node + a - 1;
-    s->eta0[wire->first_row + a] -= s->responses[w][rows * n + node] + model->rest.offset[w];
+    const uint32_t node = wire->row_node + a - 1, row = wire->first_row + a;
+    s->eta0[row] -=
+      s->responses[w][rows * n + node] + model->rest.offset[w] + model->wires.shape[row];
     for (uint32_t b = 0; b < rows; b++) s->wires[w][a * rows + b] = s->responses[w][b * n + node];
   }
   return TABOR_OK;

@@ -263,6 +263,7 @@ static uint64_t fingerprint(const TaborModel *model) {
       hash = hash_bytes(hash, &model->stick[i].grip[grip], offsetof(TbStickBody, shape));
     }
   }
+  hash = hash_bytes(hash, model->rest.eta, model->wires.stride * sizeof *model->rest.eta);
   hash = hash_bytes(hash, model->rest.force, model->wires.stride * sizeof *model->rest.force);
   const size_t coupled = (size_t)model->lugs.count * model->lugs.count;
   hash = hash_bytes(hash, model->lugs.pull, coupled * sizeof *model->lugs.pull);

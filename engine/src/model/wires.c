@@ -7,6 +7,7 @@
 #include "definition/definition.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
+#include "model/wire_shape.h"
 
 static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
                                double k) {
@@ -123,11 +124,36 @@ static void wire_rows(TbWires *wires, uint32_t w, double radius) {
   }
 }
 
+static void bend(TbWires *wires, const TaborWiresDef *def, uint32_t w) {
+  const TbWire *wire = &wires->wires[w];
+  TbWireShape shape;
+  tb_wire_shape_draw(&shape, def, w);
+  for (uint32_t row = wire->first_row; row < wire->first_row + wire->row_count; row++) {
+    const double steps = (double)(row - w * wires->lanes) - (double)wires->middle;
+    wires->shape[row] = tb_wire_shape_height(&shape, steps * wire->spacing);
+  }
+}
+
+/* How far the lowest point of uneven wires lies below even ones [m]. A wire's own rest offset is no
+ * unevenness. */
+static double deepest(const TbWires *wires, const TaborDrumDef *def) {
+  double depth = 0.0;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    const TbWire *wire = &wires->wires[w];
+    const bool own = !isnan(def->wire[w].rest_offset);
+    const double lifted = own ? 0.0 : wire->rest_offset - def->wires.rest_offset;
+    for (uint32_t row = wire->first_row; row < wire->first_row + wire->row_count; row++) {
+      depth = fmax(depth, -(lifted + wires->shape[row]));
+    }
+  }
+  return depth;
+}
+
 static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
   wires->stride = wires->count * wires->lanes;
   wires->node_count = wires->stride + 2u * TB_WIRE_FRONT;
   wires->row_wire = tb_arena_take(arena, wires->stride, sizeof *wires->row_wire);
-  double **arrays[] = {&wires->inner, &wires->real, &wires->row_x, &wires->row_y};
+  double **arrays[] = {&wires->inner, &wires->real, &wires->row_x, &wires->row_y, &wires->shape};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, wires->stride);
   }
@@ -175,7 +201,11 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
   wires->lanes = tb_pad(cells);
   wires->middle = cells ? cells / 2 - 1u : 0;
   find_symmetries(wires);
-  return rows_prepare(wires, arena, def->shell.radius);
+  const TaborStatus status = rows_prepare(wires, arena, def->shell.radius);
+  if (status != TABOR_OK) return status;
+  for (uint32_t w = 0; w < wires->count; w++) bend(wires, &def->wires, w);
+  wires->strainer_travel += deepest(wires, def);
+  return TABOR_OK;
 }
 
 void tb_wire_coefficients(const TbWire *wire, double k, double tension, double damping_0,

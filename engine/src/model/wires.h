@@ -64,9 +64,10 @@ typedef struct TbWires {
   uint8_t *row_wire;      /* [stride] */
   double *inner, *real;   /* [stride]: 1 for inner nodes, 1 for nodes over the head, else 0 */
   double *row_x, *row_y;  /* [stride]: place, +x along wires.angle [m] */
+  double *shape;          /* [stride]: own shape of a bent wire, away from the head [m] */
   double side;            /* +1 above the head, -1 below */
   double gravity;         /* outward acceleration [m/s2]: -g above, +g below */
-  double strainer_travel; /* [m] */
+  double strainer_travel; /* [m]: until the lowest point is as far off as if wires were even */
 } TbWires;
 
 /* Prepares grids, contact points and laws. The laws get their slope limits later, from the

@@ -59,7 +59,8 @@ static const char *const symbols[] = {"batter_tension",
                                       "level_inside",
                                       "batter_pitch",
                                       "resonant_pitch",
-                                      "room"};
+                                      "room",
+                                      "wires_unevenness"};
 
 #define SYMBOLS (sizeof symbols / sizeof symbols[0])
 

@@ -143,13 +143,14 @@ static void check_symbols(const char *plugin_uri, const char *const *symbols, ui
 static void test_symbols_do_not_change(void **state) {
   (void)state;
   static const char *const stereo[] = {
-    "events",       "out_left",     "out_right",      "freewheel",  "ready",     SHARED_KNOBS,
-    "level_pair",   "level_top",    "level_bottom",   "level_near", "level_far", "velocity_range",
-    "level_inside", "batter_pitch", "resonant_pitch", "room"};
+    "events",     "out_left",        "out_right",    "freewheel",    "ready",
+    SHARED_KNOBS, "level_pair",      "level_top",    "level_bottom", "level_near",
+    "level_far",  "velocity_range",  "level_inside", "batter_pitch", "resonant_pitch",
+    "room",       "wires_unevenness"};
   static const char *const multi[] = {
-    "events",         "out_top",    "out_bottom",   "out_near",      "out_far",
-    "out_left",       "out_right",  "freewheel",    "ready",         SHARED_KNOBS,
-    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch"};
+    "events",         "out_top",    "out_bottom",   "out_near",       "out_far",
+    "out_left",       "out_right",  "freewheel",    "ready",          SHARED_KNOBS,
+    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch", "wires_unevenness"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
 }

@@ -188,8 +188,12 @@ recorded() {
   size=$(recorded_size) || return 1
   awk "BEGIN { exit !($size >= $1 * 48000 * $2) }"
 }
-# catches PROCESS SIGNAL-NUMBER: true if the process has a handler for the signal.
-catches() { (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status") >> ($2 - 1)) & 1)); }
+# catches PROCESS SIGNAL-NUMBER: true if the process has a handler for the signal, and is no longer the shell that
+# was forked to start it, which has handlers of its own.
+catches() {
+  [ "$(readlink "/proc/$1/exe")" != "$(readlink /proc/$$/exe)" ] || return 1
+  (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status") >> ($2 - 1)) & 1))
+}
 # record_more SECONDS BYTES: waits until SECONDS more sound is recorded, with BYTES per frame.
 record_more() {
   local size

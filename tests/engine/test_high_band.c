@@ -79,7 +79,7 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
       pressure += model->mics[0].ahead[k] * (next[k] - now[k]) -
                   model->mics[0].behind[k] * (now[k] - last[k]);
     }
-    pressure = tb_force_equalizer(treble, pressure);
+    pressure = tb_force_equalizer(&TB_EQUALIZER_OF_STRIKERS, treble, pressure);
     if (i + delay < FRAMES) samples[i + delay] = (float)(pressure / def->full_scale);
   }
   tabor_model_info(model, info);

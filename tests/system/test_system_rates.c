@@ -88,7 +88,7 @@ typedef struct Levels {
 static double treble_gain(double f, double rate) {
   double memory[3] = {0.0}, re = 0.0, im = 0.0;
   for (int i = 0; i < 200; i++) {
-    const double y = tb_force_equalizer(memory, i == 0 ? 1.0 : 0.0);
+    const double y = tb_force_equalizer(&TB_EQUALIZER_OF_STRIKERS, memory, i == 0 ? 1.0 : 0.0);
     re += y * cos(2.0 * PI * f * i / rate);
     im -= y * sin(2.0 * PI * f * i / rate);
   }

@@ -53,6 +53,12 @@ void tb_contact_law_prepare(TbContactLaw *law, double stiffness, double exponent
   law->limit_potential = law->limit_force * lo / (exponent + 1.0);
 }
 
+void tb_contact_law_prepare_sum(TbContactLaw *law, double stiffness, double exponent, double lambda,
+                                double time_step, double slope_limit) {
+  tb_contact_law_prepare(law, stiffness * tb_power(0.5, exponent), exponent, lambda, time_step,
+                         slope_limit);
+}
+
 void tb_contact_law_damper(TbContactLaw *law, double c, double time_step) {
   *law = (TbContactLaw){.kind = TB_CONTACT_LAW_DAMPER, .loss = c / (2.0 * time_step)};
 }

@@ -13,7 +13,13 @@
  * as a difference quotient: it is the mean of V' over the interval, piece by piece.
  *
  * Limits: s -> 0 gives f = V'(y); lambda = 0 gives f s = DV exactly. A damper (a hand) is the
- * linear contact f = c s/(2k), V = 0. Audio-safe. */
+ * linear contact f = c s/(2k), V = 0.
+ *
+ * The force above is the mean of the true one over 2k: a linear contact has the stiffness K cos(omega k), which is none
+ * at a quarter of the rate and negative beyond. Strikers' contacts store V at the mean of two instants instead, in terms
+ * of their sum: Y(n) = eta(n) + eta(n-1), W(Y) = 2 V(Y/2), f = (W(Y+s) - W(Y))/s, with the same s. A linear contact then
+ * has K cos(omega k/2)^2. W is V with K/2^a, so that the formulas above stay, with y = Y; contacts store W(Y)/2.
+ * Audio-safe. */
 #ifndef TB_CONTACT_LAW_H
 #define TB_CONTACT_LAW_H
 
@@ -57,6 +63,9 @@ static inline uint32_t tb_contact_law_power(const TbContactLaw *law) {
 /* lambda [s/m], time_step k [s], slope_limit G [N/m] (infinite for none). Set-up or audio. */
 void tb_contact_law_prepare(TbContactLaw *law, double stiffness, double exponent, double lambda,
                             double time_step, double slope_limit);
+/* The same for the law W of the sum of two instants' penetrations. The limit is that of W''. */
+void tb_contact_law_prepare_sum(TbContactLaw *law, double stiffness, double exponent, double lambda,
+                                double time_step, double slope_limit);
 /* A linear damper of c [N s/m]. */
 void tb_contact_law_damper(TbContactLaw *law, double c, double time_step);
 

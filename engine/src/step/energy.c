@@ -5,6 +5,7 @@
 #include "step/lug_forces.h"
 #include "step/stick_rigid.h"
 #include "step/stretch.h"
+#include "step/striker_pool.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
                           const double *now) {
@@ -69,14 +70,12 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
 
 /* Of strikers, their contacts, and what the head yields to them by its missing modes. */
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
-  const uint32_t first = view->model->wires.stride;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &view->state->slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
     sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
-           tb_contact_law_potential(&view->state->slot_laws[i], next->eta[first + i]) +
-           tb_contact_law_potential(&view->state->slot_laws[i], now->eta[first + i]) +
+           2.0 * tb_pool_contact_energy(view, i, next, now) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
            2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->step_rate,
                                           next->missing[i], now->missing[i]);

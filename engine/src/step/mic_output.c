@@ -8,6 +8,11 @@
 #include "step/force_equalizer.h"
 #include "step/high_band_step.h"
 
+/* True while the wires can touch their head. */
+static bool wires_lie(const TbView *view) {
+  return view->model->wires.count > 0 && !view->state->lifted;
+}
+
 /* ---- the high band -------------------------------------------------------------------------- */
 
 /* Samples after which what wires take from modes is renewed: modes decay in hundreds. */
@@ -18,7 +23,7 @@ static TbRingParts divide(const TbView *view) {
   const TbHighBand *high = &view->model->high;
   const TbWires *wires = &view->model->wires;
   TbRingParts parts = {.count = 0};
-  if (wires->count > 0 && !view->state->lifted) {
+  if (wires_lie(view)) {
     const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
     const bool held = view->state->held;
     if (from > 0) parts.part[parts.count++].end = from;
@@ -29,13 +34,22 @@ static TbRingParts divide(const TbView *view) {
   return parts;
 }
 
+/* What a striker's force does to the high band: see force_equalizer.h. */
+static double high_push(TbView *view, TbSlot *slot, double force) {
+  const double before = slot->force_before;
+  slot->force_before = force;
+  return wires_lie(view) ? 0.5 * (force + before) : force;
+}
+
 /* Strikers push the batter head's modes; true if any does. */
 static bool strike_high(TbView *view) {
   bool struck = false;
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    const double push = view->solve.warm.force[view->model->wires.stride + i];
-    const TbSlot *slot = &view->state->slots[i];
-    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop || push == 0.0) continue;
+    TbSlot *slot = &view->state->slots[i];
+    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop) continue;
+    const double push =
+      high_push(view, slot, view->solve.warm.force[view->model->wires.stride + i]);
+    if (push == 0.0) continue;
     tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;
   }
@@ -63,7 +77,7 @@ static void renew_hold(TbView *view) {
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
-  const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
+  const bool pushed = wires_lie(view) && !unchanged;
   if (pushed) {
     const TbWireContacts contacts = tb_high_band_push(view->model, view->solve.warm.force, view->s,
                                                       view->solve.work.turned, view->high_force);
@@ -122,6 +136,8 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   TbState *state = view->state;
   const TbLiveParam *live = state->live;
   const uint32_t first = first_of(heard);
+  const TbForceEqualizer *equalizer =
+    wires_lie(view) ? &TB_EQUALIZER_OF_WIRES : &TB_EQUALIZER_OF_STRIKERS;
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
@@ -137,7 +153,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
         mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
     }
-    pressure[mic] = delayed(view, mic, tb_force_equalizer(state->treble[mic], p)) *
+    pressure[mic] = delayed(view, mic, tb_force_equalizer(equalizer, state->treble[mic], p)) *
                     live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
   }
 }

@@ -64,6 +64,7 @@ typedef struct TbSlot {
   double press, anchor;                     /* F0 [N], z0 [m] */
   uint32_t bristles;                        /* 1: a bristle group of a brush */
   uint32_t sounded;                         /* a striker has touched */
+  double force_before;                      /* on the head, a sample ago [N] */
   double part;                              /* fraction of a striker; 1: all of it */
   uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
   double resistance, push;                  /* of its wires, when held [N s/m], [N] */

@@ -34,9 +34,9 @@ static bool is_brush(const TaborModel *model, uint32_t definition) {
 
 static bool slot_numbers(const TbSlot *s) {
   const double places[] = {s->along, s->radius, s->angle, s->coat};
-  const double others[] = {s->mass,     s->rest_height, s->cross,   s->press,  s->anchor,
-                           s->part,     s->resistance,  s->push,    s->due,    s->velocity,
-                           s->strength, s->bend[0],     s->bend[1], s->bend[2]};
+  const double others[] = {s->mass,     s->rest_height,  s->cross,   s->press,   s->anchor,
+                           s->part,     s->resistance,   s->push,    s->due,     s->velocity,
+                           s->strength, s->force_before, s->bend[0], s->bend[1], s->bend[2]};
   return all_within(NUMBERS(places), MOST_PLACE) && all_within(NUMBERS(others), MOST) &&
          s->along >= 0.0 && s->radius >= 0.0;
 }
@@ -140,8 +140,7 @@ static bool flags(const TaborModel *model, const TbState *state) {
   const bool wires = model->wires.count > 0;
   return state->newest < 3u && state->asleep <= 1u && state->lifted <= (wires ? 1u : 0u) &&
          state->held <= (wires ? 1u : 0u) && state->airborne <= 1u && state->hushed <= 1u &&
-         state->event_debt <= TB_DEBT_MOST &&
-         state->heard >> model->def.mic_count == 0;
+         state->event_debt <= TB_DEBT_MOST && state->heard >> model->def.mic_count == 0;
 }
 
 static bool microphones(const TaborModel *model, const TbState *state) {

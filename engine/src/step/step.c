@@ -65,6 +65,12 @@ static void penetrate_wires(TbView *view, double *slots) {
   tb_wire_motion_of(view)->penetrate(view);
 }
 
+/* 1 where the law acts on the sum of the last two instants' penetrations (contact_law.h), which stands in
+ * view->last.eta during the solve; otherwise 0. */
+static double law_of_sum(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].kind == TB_SLOT_STRIKER ? 1.0 : 0.0;
+}
+
 /* ... and of all. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
@@ -90,6 +96,7 @@ static void free_penetration(TbView *view) {
       if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
+    view->last.eta[row] += law_of_sum(view, i) * view->now.eta[row];
   }
 }
 
@@ -137,6 +144,7 @@ static void respond(TbView *view, bool unchanged) {
     view->next.z[i] = tb_pool_free_height(view, i) + view->own[row] * force[row];
     if (view->state->slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
     if (view->state->slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
+    view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
 }

@@ -95,7 +95,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   const double k = model->time_step, compliance = own_compliance(view, s);
   const double loss = hard ? hoop->contact_loss : def->contact_loss;
   view->own[row] = compliance;
-  tb_contact_law_prepare(
+  tb_contact_law_prepare_sum(
     law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
     hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
     TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
@@ -162,12 +162,15 @@ void tb_pool_rebuild(TbView *view, uint32_t slot) {
   view->solve.warm.force[view->model->wires.stride + slot] = 0.0;
 }
 
-/* What its contact stores [J]. */
-static double contact_energy(const TbView *view, uint32_t slot) {
-  const TbContactLaw *law = &view->state->slot_laws[slot];
+double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
+                              const TbPhase *now) {
   const uint32_t row = view->model->wires.stride + slot;
-  return 0.5 * (tb_contact_law_potential(law, view->now.eta[row]) +
-                tb_contact_law_potential(law, view->last.eta[row]));
+  const double sum = next->eta[row] + now->eta[row];
+  return 0.5 * tb_contact_law_potential(&view->state->slot_laws[slot], sum);
+}
+
+static double contact_energy(const TbView *view, uint32_t slot) {
+  return tb_pool_contact_energy(view, slot, &view->now, &view->last);
 }
 
 void tb_pool_raise(TbView *view, uint32_t slot, double by) {
@@ -209,12 +212,9 @@ static void clear_row(TbView *view, uint32_t slot) {
 static void book_removed(TbView *view, uint32_t slot) {
   TbState *state = view->state;
   const TbSlot *s = &state->slots[slot];
-  const uint32_t row = view->model->wires.stride + slot;
   if (s->kind == TB_SLOT_STRIKER) {
-    state->sums.removed +=
-      0.5 * (tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
-             tb_contact_law_potential(&state->slot_laws[slot], view->now.eta[row]) +
-             tb_contact_law_potential(&state->slot_laws[slot], view->last.eta[row]));
+    state->sums.removed += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
+                           contact_energy(view, slot);
     state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
     state->sums.removed +=
       tb_residual_modes_energy(tb_slot_missing(view, slot), view->model->step_rate,

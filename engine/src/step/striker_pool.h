@@ -65,6 +65,9 @@ double tb_pool_press_force(double pressure);
 bool tb_pool_sounded(const TbView *view, uint32_t slot);
 /* True if the striker touches the head or the hoop, with either end. */
 bool tb_pool_touches(const TbView *view, uint32_t slot);
+/* What a striker's contact stores between two instants [J]. */
+double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
+                              const TbPhase *now);
 /* Raises the head's surface under a striker by `by` [m]; the work is a hand's. */
 void tb_pool_raise(TbView *view, uint32_t slot, double by);
 /* Moves a striker to another place on the head; the work is a hand's. */

@@ -12,7 +12,7 @@
  * and hence at every higher rate; poles at 0.70 and 0.37 keep its gain at half the rate to 19 dB. That of strikers
  * is within 0.013 dB.
  *
- * While wires lie on the head, the filter is theirs. It lifts what strikers excite by 1/cos(omega k/2) too much, so
+ * Unless the wires are thrown off, the filter is theirs. It lifts what strikers excite by 1/cos(omega k/2) too much, so
  * their forces act on the high band as means of two samples; at the two-way modes of `live` this is 0.3 dB or less.
  * Audio-safe. */
 #ifndef TB_FORCE_EQUALIZER_H

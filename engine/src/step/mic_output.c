@@ -8,9 +8,9 @@
 #include "step/force_equalizer.h"
 #include "step/high_band_step.h"
 
-/* True while the wires can touch their head. */
+/* True unless the wires are thrown off. */
 static bool wires_lie(const TbView *view) {
-  return view->model->wires.count > 0 && !view->state->lifted;
+  return view->model->wires.count > 0 && view->state->live[TB_LIVE_STRAINER].now > 0.0;
 }
 
 /* ---- the high band -------------------------------------------------------------------------- */
@@ -23,7 +23,7 @@ static TbRingParts divide(const TbView *view) {
   const TbHighBand *high = &view->model->high;
   const TbWires *wires = &view->model->wires;
   TbRingParts parts = {.count = 0};
-  if (wires_lie(view)) {
+  if (wires->count > 0 && !view->state->lifted) {
     const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
     const bool held = view->state->held;
     if (from > 0) parts.part[parts.count++].end = from;
@@ -77,7 +77,7 @@ static void renew_hold(TbView *view) {
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
-  const bool pushed = wires_lie(view) && !unchanged;
+  const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
   if (pushed) {
     const TbWireContacts contacts = tb_high_band_push(view->model, view->solve.warm.force, view->s,
                                                       view->solve.work.turned, view->high_force);

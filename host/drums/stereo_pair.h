@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stereo_pair.h
- * The option --stereo: a drum's microphones left and right, in a room.
+ * The option --stereo: a drum's microphones left and right, in a room: in the one that `--set room.kind` or the preset
+ * chooses, but not in a preset's booth.
  */
 #ifndef TABOR_HOST_STEREO_PAIR_H
 #define TABOR_HOST_STEREO_PAIR_H

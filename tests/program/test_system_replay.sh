@@ -146,7 +146,7 @@ if [ -w /dev/full ]; then
 fi
 awk 'BEGIN { print "time,velocity"; for (i = 0; i < 100; i++) print i / 100 ",1" }' >flood.csv
 (
-  ulimit -f 3
+  ulimit -f 4
   "$TABOR" play tabor --backend null --quality draft --duration 1.2 --events flood.csv --log full.log </dev/null \
     >"$out" 2>"$err"
 )

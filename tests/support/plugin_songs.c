@@ -335,7 +335,8 @@ void take_from(const char *command_name, const char *options, const char *const 
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
   }
   if (take->channels == 2 && !chosen) {
-    (void)snprintf(command + length, sizeof command - length, " --gain %g", STEREO_GAIN_DB);
+    const char *const room = strstr(options, "room.kind") ? "" : " --set room.kind=none";
+    (void)snprintf(command + length, sizeof command - length, " --gain %g%s", STEREO_GAIN_DB, room);
   }
   assert_int_equal(system(command), 0);
   song_path(path, sizeof path, "song.wav");

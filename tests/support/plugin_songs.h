@@ -74,7 +74,7 @@ void take_open(Take *take, uint32_t channels);
 void take_close(Take *take);
 /**
  * Lets `tabor COMMAND` with @p options play the song: with --stereo among them at the pair, otherwise at these
- * microphones, two of them at the level of the stereo plugin's pair.
+ * microphones, two of them at the level of the stereo plugin's pair and in free air, if @p options have no room.
  */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take);
 /** Compares all samples; @p block is for the message. A silent take fails, too. */

@@ -228,10 +228,9 @@ static void snares_are_heard(void **state) {
   const double with = late_treble(play(&on, stroke(&on, 2.5, -1.0), NULL, 0.3));
   const double without = late_treble(play(&off, stroke(&off, 2.5, -1.0), NULL, 0.3));
   print_message("above 3 kHz after 50 ms: %.1f dB on, %.1f dB off\n", with, without);
-  assert_true(with - without > 11.0);
+  assert_true(with - without > 15.0);
 }
 
-/* `studio` has 7 dB more with the snares on. */
 static void soft_strokes_at_the_edge_sound_them_too(void **state) {
   (void)state;
   const TaborDrumDef on = drum_of("snare-14x5.5"), off = drum_of("snare-14x5.5-off");
@@ -240,12 +239,15 @@ static void soft_strokes_at_the_edge_sound_them_too(void **state) {
   const double without = late_treble(play(&off, stroke(&off, 0.4, edge), NULL, 0.2));
   print_message("0.4 m/s at the edge, above 3 kHz after 50 ms: %.1f dB on, %.1f dB off\n", with,
                 without);
-  assert_true(with - without > 6.0);
+  assert_true(with - without > 10.0);
 }
 
+/* Wires that lie level: of uneven ones, the slack ones that hang lower sag away from the head. */
 static void slack_wires_rattle_longer(void **state) {
   (void)state;
   TaborDrumDef def = drum_of("snare-14x5.5");
+  def.wires.unevenness = 0.0;
+  def.wires.rest_offset = -5e-5;
   def.wires.tension = 2.0;
   const double slack = treble_lasts(play(&def, stroke(&def, 2.5, -1.0), NULL, 0.4));
   def.wires.tension = 60.0;

@@ -105,6 +105,8 @@ def test_presets_are_listed(program):
 def test_the_table_of_parameters():
     row = next(row for row in tabor.parameters() if (row.section, row.key) == ("batter", "tension"))
     assert (row.unit, row.minimum, row.maximum, row.live) == ("N/m", 100, 20000, False)
+    row = next(row for row in tabor.parameters() if (row.section, row.key) == ("resonant", "damping_k"))
+    assert (row.unit, row.minimum, row.maximum, row.live) == ("m/s", 0, 5, False)
     row = next(row for row in tabor.parameters() if (row.section, row.key) == ("room", "kind"))
     assert row.choices == ("none", "booth", "studio", "hall")
 

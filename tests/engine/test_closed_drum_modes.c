@@ -134,12 +134,38 @@ static void a_lining_takes_what_its_admittance_says(void **state) {
   assert_true(fabs(little / expected - 1.0) < 1e-3);
 }
 
+/* Without air, modes of both heads have the loss factors sigma_k/c of these. */
+static void in_vacuo_each_head_has_its_loss_factor(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_membrane();
+  def.two_headed = 1;
+  def.resonant = def.batter;
+  def.resonant.tension = 2345.0;
+  def.batter.damping_k = 0.3;
+  def.resonant.damping_k = 0.1;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
+  uint32_t rows[2] = {0};
+  TaborModeInfo mode;
+  for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
+    assert_true(mode.part == TABOR_PART_BATTER || mode.part == TABOR_PART_RESONANT);
+    const uint32_t h = mode.part == TABOR_PART_RESONANT;
+    const TaborHeadDef *head = h ? &def.resonant : &def.batter;
+    const double factor = head->damping_k / sqrt(head->tension / head->surface_density);
+    const double seen = 2.0 * mode.decay_rate / (2.0 * 3.14159265358979323846 * mode.frequency);
+    assert_true(fabs(seen / factor - 1.0) < 1e-9);
+    rows[h]++;
+  }
+  assert_true(rows[0] > 100 && rows[1] > 100);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(two_heads_radiate_as_boundary_elements_say),
     cmocka_unit_test(a_timpano_has_its_published_frequencies),
     cmocka_unit_test(a_heavy_wall_keeps_sound_in),
     cmocka_unit_test(a_lining_takes_what_its_admittance_says),
+    cmocka_unit_test(in_vacuo_each_head_has_its_loss_factor),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

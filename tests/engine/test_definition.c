@@ -443,6 +443,8 @@ static void test_set_refusals(void **state) {
   refuse_set("shell.depth", "0.009", TABOR_ERROR_RANGE, "outside 0.01 to 1.5 m");
   refuse_set("wires.head", "top", TABOR_ERROR_VALUE, "is none of: batter, resonant");
   refuse_set("batter.stretch_stiffness", "-1", TABOR_ERROR_RANGE, "outside 0 to 1e7 N/m");
+  refuse_set("batter.damping_k", "-0.1", TABOR_ERROR_RANGE, "-0.1 is outside 0 to 5 m/s");
+  refuse_set("resonant.damping_k", "5.1", TABOR_ERROR_RANGE, "5.1 is outside 0 to 5 m/s");
   refuse_set("batter.muffle_strength", "30.1", TABOR_ERROR_RANGE, "outside 0 to 30 N s/m");
   refuse_set("batter.muffle_radius", "0.61", TABOR_ERROR_RANGE, "outside 0 to 0.6 m");
   refuse_set("resonant.tension", "99", TABOR_ERROR_RANGE, "outside 100 to 20000 N/m");
@@ -915,7 +917,7 @@ static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
 /* Each of its keys brings the second head, with defaults for the others. */
 static void test_second_head(void **state) {
   (void)state;
-  enum { KEYS = 13 + TABOR_MAX_LUGS };
+  enum { KEYS = 14 + TABOR_MAX_LUGS };
   TaborDrumDef one, two;
   tabor_drum_def_default(&one);
   tabor_drum_def_default(&two);
@@ -938,15 +940,17 @@ static void test_second_head(void **state) {
 
   must_set(&one, "resonant.tension", "1234");
   must_set(&one, "resonant.damping_1", "0.002");
+  must_set(&one, "resonant.damping_k", "0.25");
   assert_int_equal(one.two_headed, 1);
   assert_true(one.resonant.tension == 1234 && one.resonant.damping_1 == 0.002);
+  assert_true(one.resonant.damping_k == 0.25 && one.batter.damping_k == 0.0);
   assert_true(one.resonant.surface_density == two.resonant.surface_density);
   assert_true(one.batter.tension == two.batter.tension);
 }
 
 static void test_second_head_keys(void **state) {
   (void)state;
-  enum { KEYS = 13 }; /* but for lugs' own values, which are not set */
+  enum { KEYS = 14 }; /* but for lugs' own values, which are not set */
   TaborDrumDef def, copy;
   char all[8192];
   tabor_drum_def_default(&def);

@@ -55,6 +55,38 @@ static void in_vacuo_the_zeros_give_frequencies_and_losses(void **state) {
   }
 }
 
+/* sigma_k alone gives every mode of a membrane the loss factor sigma_k/c. */
+static void loss_in_proportion_to_wavenumber_is_a_constant_loss_factor(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_membrane();
+  def.batter.damping_k = 0.3;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
+  const double factor = 0.3 / sqrt(3000.0 / 0.26);
+  TaborModeInfo mode;
+  uint32_t rows = 0;
+  for (; tabor_model_mode(model, rows, &mode); rows++) {
+    assert_true(fabs(2.0 * mode.decay_rate / (2.0 * PI * mode.frequency) / factor - 1.0) < 1e-9);
+  }
+  assert_true(rows > 100);
+  tabor_model_release(model);
+}
+
+/* The three terms of the loss add, also where the sheet is stiff. */
+static void losses_of_a_head_add(void **state) {
+  (void)state;
+  TaborDrumDef def = bare_head();
+  def.batter.damping_k = 0.2;
+  def.batter.bending_stiffness = 0.01;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
+  for (uint32_t m = 0; m < 4; m++) {
+    TaborModeInfo mode;
+    assert_true(find_mode(model, m, 3, &mode));
+    const double k = ZEROS[m][2] / 0.2;
+    assert_true(fabs(mode.decay_rate / (0.5 * (20.0 + 0.2 * k + 5e-4 * k * k)) - 1.0) < 1e-9);
+  }
+  tabor_model_release(model);
+}
+
 static void rows_are_sorted_and_complete(void **state) {
   (void)state;
   const TaborDrumDef def = bare_head();
@@ -219,6 +251,8 @@ static void shapes_from_a_table_are_the_same(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(in_vacuo_the_zeros_give_frequencies_and_losses),
+    cmocka_unit_test(loss_in_proportion_to_wavenumber_is_a_constant_loss_factor),
+    cmocka_unit_test(losses_of_a_head_add),
     cmocka_unit_test(rows_are_sorted_and_complete),
     cmocka_unit_test(timpani_head_without_kettle_is_nearly_harmonic),
     cmocka_unit_test(radiation_follows_from_the_finite_frequency_resistance),

@@ -2,6 +2,7 @@
 /* The one-way high band against a sum over all modes, each with its own air. */
 #include "acoustics/air.h"
 #include "math/bessel.h"
+#include "model/high_band_modes.h"
 #include "model/model.h"
 #include "physics.h"
 #include "step/force_equalizer.h"
@@ -240,11 +241,138 @@ static void slow_modes_radiate_as_others_do(void **state) {
   tb_arena_release(&arena);
 }
 
+/* ---- losses ----------------------------------------------------------------------------------- */
+
+static TaborDrumDef lossy_drum(uint32_t kind, double density, double damping_k) {
+  TaborDrumDef def = small_drum(kind);
+  def.air.density = density;
+  def.quality.two_way_bandwidth = 5000.0;
+  def.batter.bending_stiffness = def.batter.damping_0 = def.batter.damping_1 = 0.0;
+  def.batter.damping_k = damping_k;
+  if (def.two_headed) {
+    def.resonant = def.batter;
+    def.resonant.tension = 6500.0;
+    def.resonant.damping_k = 0.7 * damping_k;
+  }
+  return def;
+}
+
+/* A drum, and the same with half as much loss in its heads: the difference is without what radiates. */
+typedef struct Halves {
+  TaborModel *whole, *half;
+  TbArena scratch;
+  TbHighModes high_whole, high_half;
+} Halves;
+
+static void prepare_halves(Halves *halves, uint32_t kind, double density, double damping_k) {
+  const TaborDrumDef whole = lossy_drum(kind, density, damping_k);
+  const TaborDrumDef half = lossy_drum(kind, density, 0.5 * damping_k);
+  const TaborAllocator system = tb_allocator_resolve(NULL);
+  halves->whole = physics_model(&whole, RATE, TABOR_QUALITY_DRAFT);
+  halves->half = physics_model(&half, RATE, TABOR_QUALITY_DRAFT);
+  tb_arena_prepare(&halves->scratch, &system);
+  assert_true(
+    tb_high_modes_choose(&halves->high_whole, &halves->scratch, halves->whole, 12000.0, 4096));
+  assert_true(
+    tb_high_modes_choose(&halves->high_half, &halves->scratch, halves->half, 12000.0, 4096));
+}
+
+static void release_halves(Halves *halves) {
+  tb_arena_release(&halves->scratch);
+  tabor_model_release(halves->whole);
+  tabor_model_release(halves->half);
+}
+
+/* Loss factors of a head's modes, summed. */
+typedef struct Factors {
+  double sum, count;
+} Factors;
+
+static void count_factor(Factors *factors, double whole, double half, double omega) {
+  factors->sum += 4.0 * (whole - half) / omega;
+  factors->count += 1.0;
+}
+
+/* Mean of a head's two-way modes from two thirds of the bandwidth on. */
+static double two_way_factor(const Halves *halves, uint32_t h) {
+  const TbHead *head = &halves->whole->head;
+  Factors factors = {0.0, 0.0};
+  for (uint32_t row = 0; row < head->row_count; row++) {
+    const TbHeadMode *mode = &head->modes[row], *half = &halves->half->head.modes[row];
+    if (mode->omega < 2.0 * PI * head->bandwidth / 1.5) continue;
+    if (mode->part != (h ? TABOR_PART_RESONANT : TABOR_PART_BATTER)) continue;
+    count_factor(&factors, mode->decay_rate, half->decay_rate, mode->omega);
+  }
+  assert_true(factors.count > 10.0);
+  return factors.sum / factors.count;
+}
+
+static const TbHighMode *find_high(const TbHighModes *modes, const TbHighMode *like) {
+  for (uint32_t i = 0; i < modes->count; i++) {
+    const TbHighMode *mode = &modes->modes[i];
+    if (mode->head == like->head && mode->m == like->m && mode->zero == like->zero) return mode;
+  }
+  return NULL;
+}
+
+/* Mean of a head's modes in the high band up to `times` the bandwidth. */
+static double high_factor(const Halves *halves, uint32_t h, double times) {
+  Factors factors = {0.0, 0.0};
+  for (uint32_t i = 0; i < halves->high_whole.count; i++) {
+    const TbHighMode *mode = &halves->high_whole.modes[i];
+    const TbHighMode *half = find_high(&halves->high_half, mode);
+    if (mode->omega > times * 2.0 * PI * halves->whole->head.bandwidth) continue;
+    if (mode->head == h && half) {
+      count_factor(&factors, mode->decay_rate, half->decay_rate, mode->omega);
+    }
+  }
+  assert_true(factors.count > 10.0);
+  return factors.sum / factors.count;
+}
+
+/* Where the air is too thin to matter, 4e-7 of a mode's mass, all modes have the loss factor sigma_k/c. */
+static void in_thin_air_all_modes_have_one_loss_factor(void **state) {
+  (void)state;
+  static const double THIN = 1e-8, TOLERANCE_THIN = 1e-6;
+  for (uint32_t kind = 0; kind <= TWO_HEADS; kind++) {
+    Halves halves;
+    prepare_halves(&halves, kind, THIN, 0.3);
+    const TaborDrumDef *def = &halves.whole->def;
+    for (uint32_t h = 0; h <= def->two_headed; h++) {
+      const TaborHeadDef *head = h ? &def->resonant : &def->batter;
+      const double factor = head->damping_k / sqrt(head->tension / head->surface_density);
+      const double below = two_way_factor(&halves, h), above = high_factor(&halves, h, INFINITY);
+      print_message("kind %u, head %u: %.1e and %.1e off the loss factor %.5f\n", kind, h,
+                    below / factor - 1.0, above / factor - 1.0, factor);
+      assert_true(fabs(below / factor - 1.0) < TOLERANCE_THIN);
+      assert_true(fabs(above / factor - 1.0) < TOLERANCE_THIN);
+    }
+    release_halves(&halves);
+  }
+}
+
+/* In air, the head's part of a mode's mass grows across the border: the air is 5 % of the mass there, and a
+ * quarter more or less at the means of both sides. (Over a cavity, its air has a part in two-way modes, too.) */
+static void both_sides_of_the_border_lose_alike(void **state) {
+  (void)state;
+  static const double TOLERANCE_AIR = 0.02;
+  for (uint32_t kind = 0; kind < TABOR_BOUNDARY_CLOSED; kind++) {
+    Halves halves;
+    prepare_halves(&halves, kind, 1.205, 0.3);
+    const double below = two_way_factor(&halves, 0), above = high_factor(&halves, 0, 1.5);
+    print_message("kind %u: %.6f below, %.6f above\n", kind, below, above);
+    assert_true(fabs(above / below - 1.0) < TOLERANCE_AIR);
+    release_halves(&halves);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(levels_agree_with_the_full_sum),
     cmocka_unit_test(an_open_edge_radiates_a_fixed_part),
     cmocka_unit_test(slow_modes_radiate_as_others_do),
+    cmocka_unit_test(in_thin_air_all_modes_have_one_loss_factor),
+    cmocka_unit_test(both_sides_of_the_border_lose_alike),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -97,6 +97,27 @@ static void with_losses_every_joule_is_accounted_for(void **state) {
 }
 
 /* What a stroke brings is M v^2/2, and what it hits decides what it loses. */
+static TaborDrumDef with_damping_k(double damping_k) {
+  TaborDrumDef def = drum_def("tom-12");
+  def.batter.damping_k = def.resonant.damping_k = damping_k;
+  return def;
+}
+
+/* What a loss in proportion to the wavenumber takes is lost in the heads. */
+static void film_loss_is_accounted_for(void **state) {
+  (void)state;
+  for (uint32_t q = TABOR_QUALITY_LIVE; q <= TABOR_QUALITY_STUDIO; q++) {
+    const TaborDrumDef without = with_damping_k(0.0), with = with_damping_k(0.3);
+    double most, least;
+    const TaborLedger before = a_stroke(&without, q, lossy_blocks, &most, &least);
+    const TaborLedger after = a_stroke(&with, q, lossy_blocks, &most, &least);
+    print_message("head_loss %.4g J, with damping_k %.4g J, residual %.1e\n", before.head_loss,
+                  after.head_loss, fmax(most, -least));
+    assert_true(fmax(most, -least) < physics_residual(q));
+    assert_true(after.head_loss > 1.05 * before.head_loss);
+  }
+}
+
 static void a_stroke_brings_its_kinetic_energy(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("frame-drum");
@@ -262,6 +283,7 @@ int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(lossless_drums_keep_their_energy),
     cmocka_unit_test(with_losses_every_joule_is_accounted_for),
+    cmocka_unit_test(film_loss_is_accounted_for),
     cmocka_unit_test(a_stroke_brings_its_kinetic_energy),
     cmocka_unit_test(moving_parameters_are_accounted_for),
     cmocka_unit_test(a_drum_at_rest_stays_there),

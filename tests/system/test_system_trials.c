@@ -57,8 +57,8 @@ static bool is_newer(const TaborParameter *p) {
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
-         strcmp(p->key, "bristles") == 0 || strcmp(p->key, "spread") == 0 ||
-         strcmp(p->key, "sweep_speed") == 0;
+         strcmp(p->key, "damping_k") == 0 || strcmp(p->key, "bristles") == 0 ||
+         strcmp(p->key, "spread") == 0 || strcmp(p->key, "sweep_speed") == 0;
 }
 
 /* On every other drum, of its own seed, so that older trials stay what they were. */
@@ -118,6 +118,8 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   uint64_t more = seed + 4;
   def->shell.absorption = draw_key(&more, "shell.absorption");
   def->striker[0].bending_frequency = draw_key(&more, "striker.any.bending_frequency");
+  def->batter.damping_k = draw_key(&more, "batter.damping_k");
+  def->resonant.damping_k = draw_key(&more, "resonant.damping_k");
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {

@@ -192,7 +192,11 @@ typedef struct TaborShellDef {
 
 /**
  * A head, [Torin2014] eq. (1)-(2): displacement w [m],
- * rho w_tt = (T + dT) lap w - D lap^2 w - sigma0 rho w_t + sigma1 rho lap w_t + forces.
+ * rho w_tt = (T + dT) lap w - D lap^2 w - sigma0 rho w_t - sigma_k rho sqrt(-lap) w_t
+ * + sigma1 rho lap w_t + forces.
+ * In vacuo the amplitude of the mode of wavenumber K [1/m] decays by
+ * (sigma0 + sigma_k K + sigma1 K^2)/2 [1/s]. Without bending stiffness the mode has
+ * omega = c K, c = sqrt(T/rho), so sigma_k alone gives all modes the loss factor 1/Q = sigma_k/c.
  * Large deflections raise the tension: dT = S/(2 A) Int |grad w|^2 dA, A the head's area
  * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head.
  * Where two defaults are given, the first is for the batter head, the second for the resonant
@@ -210,6 +214,7 @@ typedef struct TaborHeadDef {
   double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 and 0.105 */
   double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 and 1.5e-4 */
   double damping_0;         /**< sigma0 [1/s], 0 to 1000, default 12 */
+  double damping_k;         /**< sigma_k [m/s], 0 to 5, default 0 */
   double damping_1;         /**< sigma1 [m2/s], 0 to 0.1, default 0.0016 */
   double stretch_stiffness; /**< S = E h/(1 - nu^2) of the sheet [N/m], 0 to 1e7, default 0 */
   /** The damper's distance from the centre [m], 0 to 0.6 and less than the shell's radius, default

@@ -12,6 +12,10 @@ double tb_head_stiffness(const TaborHeadDef *head, double wavenumber) {
   return head->tension * k2 + head->bending_stiffness * k2 * k2;
 }
 
+double tb_head_film_loss(const TaborHeadDef *head, double wavenumber) {
+  return head->damping_1 * wavenumber * wavenumber + head->damping_k * wavenumber;
+}
+
 /* Head h by itself. */
 static void add_head(const TbCavityEigen *drum, const TbAirOrder *air, uint32_t h, uint32_t size,
                      double *mass, double *stiffness, double *own) {

@@ -33,6 +33,8 @@ static inline uint32_t tb_cavity_eigen_size(const TbCavityOrder *cavity, const T
 
 /* Stiffness T K^2 + D K^4 of a head per area [N/m3], K its wavenumber [1/m]. */
 double tb_head_stiffness(const TaborHeadDef *head, double wavenumber);
+/* The part of the loss that a rigidly lifted film does not have [1/s]: sigma_k K + sigma1 K^2 (head.h). */
+double tb_head_film_loss(const TaborHeadDef *head, double wavenumber);
 
 /* eigenvalues[size] ascending [rad^2/s^2], vectors[size][size] by rows. Returns TABOR_ERROR_MEMORY
  * or TABOR_ERROR_NUMERICS on failure. */

@@ -185,7 +185,7 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
     const double mass = norm * head->surface_density * v[i] * v[i];
     const double bent = v[i] - parts->rim.edge * tb_rim_lift(e->air, h, i);
     const double lifted = norm * head->surface_density * (v[i] * v[i] - bent * bent);
-    const double film = head->damping_1 * wavenumber * wavenumber;
+    const double film = tb_head_film_loss(head, wavenumber);
     parts->head_mass[h] += mass;
     parts->head_loss += mass * (head->damping_0 + film) - lifted * film;
     const double size = sqrt(mass);

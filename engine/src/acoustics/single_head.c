@@ -91,7 +91,7 @@ static Own own_parts(const OrderWork *work, const TbAirOrder *air, const double 
     const double wavenumber = air->zeros[i] / radius;
     const double bent = v[i] - rim.edge * tb_rim_lift(air, 0, i);
     const double norm = work->azimuth * radius * radius * 0.5 * air->slopes[i] * air->slopes[i];
-    const double share = norm * v[i] * v[i], film = batter->damping_1 * wavenumber * wavenumber;
+    const double share = norm * v[i] * v[i], film = tb_head_film_loss(batter, wavenumber);
     const double lifted = norm * (v[i] * v[i] - bent * bent);
     own.mass += share * batter->surface_density;
     own.stiffness += (share - lifted) * tb_head_stiffness(batter, wavenumber);

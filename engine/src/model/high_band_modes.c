@@ -133,7 +133,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   const double upward = head ? -1.0 : 1.0; /* shapes are upward, fields of outward motion */
   for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= upward * c->scale;
   c->decay_rate = 0.5 * side->head->surface_density / mass *
-                  (side->head->damping_0 + side->head->damping_1 * wavenumber * wavenumber);
+                  (side->head->damping_0 + tb_head_film_loss(side->head, wavenumber));
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;

@@ -3,9 +3,9 @@
  * with TB_FLOAT defined. For kernels_tmpl.c alone.
  *
  * Arithmetic uses the compiler's own vector operations. Intrinsics are used only where the compiler
- * finds no single instruction: on x86 for comparison, selection, largest and smallest, roots and
- * change of precision; on aarch64 for change of precision alone. On other processors these
- * operations are loops over lanes, with the same results to the bit. */
+ * finds no single instruction: on x86 and for WebAssembly for comparison, selection, largest and
+ * smallest, roots and change of precision; on aarch64 for change of precision alone. On other
+ * processors these operations are loops over lanes, with the same results to the bit. */
 #ifndef TB_SIMD_LANES_H
 #define TB_SIMD_LANES_H
 
@@ -19,6 +19,8 @@
 #  include <immintrin.h>
 #elif defined(__aarch64__)
 #  include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#  include <wasm_simd128.h>
 #endif
 
 #ifdef TB_FLOAT
@@ -41,6 +43,14 @@ typedef int64_t Whole;
 #define PARTS (8 / WIDTH)
 /* Lanes stay in registers only between calls, so every function is inlined. */
 #define INLINE inline __attribute__((always_inline))
+/* Before a loop over sums, or gcc would keep these in memory. clang would do so with it: it unrolls
+ * such loops by itself, and a loop that it is asked to unroll too late. */
+#ifdef __clang__
+#  define UNROLL(count)
+#else
+#  define UNROLL(count) UNROLL_AS(GCC unroll count)
+#  define UNROLL_AS(words) _Pragma(#  words)
+#endif
 
 typedef Real Vector __attribute__((vector_size(WIDTH * sizeof(Real)), may_alias));
 typedef Real Unaligned
@@ -90,6 +100,17 @@ static INLINE Vector vector_larger(Vector x, Vector y) { return _mm_max_pd(x, y)
 static INLINE Vector vector_smaller(Vector x, Vector y) { return _mm_min_pd(x, y); }
 static INLINE Vector vector_root(Vector x) { return _mm_sqrt_pd(x); }
 static INLINE bool vector_any(Bits m) { return _mm_movemask_pd((__m128d)m) != 0; }
+#  elif defined(__wasm_simd128__)
+#    ifdef TB_FLOAT
+#      define OF_LANES(operation) wasm_f32x4_##operation
+#    else
+#      define OF_LANES(operation) wasm_f64x2_##operation
+#    endif
+/* pmax(x, y) is x < y ? y : x, and pmin(x, y) is y < x ? y : x. */
+static INLINE Vector vector_larger(Vector x, Vector y) { return (Vector)OF_LANES(pmax)(y, x); }
+static INLINE Vector vector_smaller(Vector x, Vector y) { return (Vector)OF_LANES(pmin)(y, x); }
+static INLINE Vector vector_root(Vector x) { return (Vector)OF_LANES(sqrt)(x); }
+static INLINE bool vector_any(Bits m) { return wasm_v128_any_true(m); }
 #  else
 static INLINE Vector vector_larger(Vector x, Vector y) { return vector_pick(x > y, x, y); }
 static INLINE Vector vector_smaller(Vector x, Vector y) { return vector_pick(y > x, x, y); }
@@ -143,6 +164,30 @@ static INLINE void vector_add_wide(Vector x, double *p) {
   _mm_store_pd(p, _mm_add_pd(_mm_load_pd(p), _mm_cvtps_pd(x)));
   _mm_store_pd(p + 2, _mm_add_pd(_mm_load_pd(p + 2), _mm_cvtps_pd(_mm_movehl_ps(x, x))));
 }
+#  elif defined(__wasm_simd128__)
+static INLINE Vector vector_from_pairs(v128_t low, v128_t high) {
+  return (Vector)wasm_i64x2_shuffle(wasm_f32x4_demote_f64x2_zero(low),
+                                    wasm_f32x4_demote_f64x2_zero(high), 0, 2);
+}
+static INLINE v128_t low_pair(Vector x) { return wasm_f64x2_promote_low_f32x4(x); }
+static INLINE v128_t high_pair(Vector x) {
+  return wasm_f64x2_promote_low_f32x4(wasm_i64x2_shuffle(x, x, 1, 1));
+}
+static INLINE Vector vector_narrow(const double *p) {
+  return vector_from_pairs(wasm_v128_load(p), wasm_v128_load(p + 2));
+}
+static INLINE Vector vector_narrow_change(const double *p, const double *q) {
+  return vector_from_pairs(wasm_f64x2_sub(wasm_v128_load(p), wasm_v128_load(q)),
+                           wasm_f64x2_sub(wasm_v128_load(p + 2), wasm_v128_load(q + 2)));
+}
+static INLINE void vector_widen(Vector x, double *p) {
+  wasm_v128_store(p, low_pair(x));
+  wasm_v128_store(p + 2, high_pair(x));
+}
+static INLINE void vector_add_wide(Vector x, double *p) {
+  wasm_v128_store(p, wasm_f64x2_add(wasm_v128_load(p), low_pair(x)));
+  wasm_v128_store(p + 2, wasm_f64x2_add(wasm_v128_load(p + 2), high_pair(x)));
+}
 #  else
 static INLINE Vector vector_narrow(const double *p) {
   return (Vector){(float)p[0], (float)p[1], (float)p[2], (float)p[3]};
@@ -168,6 +213,10 @@ static INLINE Vector vector_widen(const float *p) {
 }
 #elif defined(__aarch64__)
 static INLINE Vector vector_widen(const float *p) { return (Vector)vcvt_f64_f32(vld1_f32(p)); }
+#elif defined(__wasm_simd128__)
+static INLINE Vector vector_widen(const float *p) {
+  return (Vector)wasm_f64x2_promote_low_f32x4(wasm_v128_load64_zero(p));
+}
 #else
 static INLINE Vector vector_widen(const float *p) { return (Vector){(double)p[0], (double)p[1]}; }
 #endif
@@ -310,18 +359,41 @@ static INLINE void store_double(double *p, Lanes x) { store(p, x); }
 
 /* ---- one number from eight ------------------------------------------------------------------ */
 
+/* join() adds ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7])); largest_of() gives the
+ * largest lane, or 0 if all are negative. */
+#if defined(__wasm_simd128__)
+/* Two lanes: the upper half of a register of floats is joined with the lower one. */
+static INLINE Vector upper_half(Vector x) { return (Vector)wasm_i64x2_shuffle(x, x, 1, 1); }
+
+static INLINE Real join(Lanes x) {
+#  ifdef TB_FLOAT
+  const Vector half = x.part[0] + x.part[1], sum = half + upper_half(half);
+#  else
+  const Vector sum = (x.part[0] + x.part[2]) + (x.part[1] + x.part[3]);
+#  endif
+  return sum[0] + sum[1];
+}
+
+static INLINE Real largest_of(Lanes x) {
+  Vector most = (Vector){0};
+  for (int i = 0; i < PARTS; i++) most = vector_larger(x.part[i], most);
+  if (SINGLE) most = vector_larger(upper_half(most), most);
+  return most[1] > most[0] ? most[1] : most[0];
+}
+#else
 static INLINE Real join(Lanes x) {
   Real s[8] __attribute__((aligned(64)));
   store(s, x);
   return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
 
-/* The largest lane, or 0 if all are negative. */
 static INLINE Real largest_of(Lanes x) {
   Real s[8] __attribute__((aligned(64))), most = 0;
   store(s, x);
   for (int i = 0; i < 8; i++) most = s[i] > most ? s[i] : most;
   return most;
 }
+
+#endif
 
 #endif

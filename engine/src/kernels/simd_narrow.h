@@ -42,7 +42,7 @@ static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *
   Lanes sum[4];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t row = 0; row < count; row++) {
-#pragma GCC unroll 4 /* or the sums would live in memory */
+    UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
       sum[b] = add(sum[b], scale(load(x[row] + at + 8 * b), f[row]));
     }

@@ -5,6 +5,7 @@
 
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"
+#include "kernels/simd_rows.h"
 
 typedef TYPE_OF(TbRing) Ring;
 
@@ -41,6 +42,13 @@ static TbPair ring(const Ring *r) {
   return (TbPair){(double)join(sum[0]), (double)join(sum[1])};
 }
 
+/* Compilers of WebAssembly read all of a loop's body before they compute. Twelve registers of doubles
+ * and eight of sums are more than a processor has, and the sums would live in memory. */
+#if defined(__wasm_simd128__) && !defined(TB_FLOAT)
+static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) {
+  return (TbPair){dot(n, u, x), dot(n, v, x)};
+}
+#else
 static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) {
   Lanes first = zero(), second = zero();
   for (uint64_t i = 0; i < n; i += 8) {
@@ -50,5 +58,6 @@ static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) 
   }
   return (TbPair){(double)join(first), (double)join(second)};
 }
+#endif
 
 #endif

@@ -17,18 +17,18 @@ static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Rea
   const Real *matrix = table;
   const float *floats = table;
   Lanes sum[6];
-#pragma GCC unroll 6
+  UNROLL(6)
   for (uint32_t b = 0; b < count; b++) sum[b] = zero();
   for (uint32_t i = 0; i < n; i++) {
     const uint64_t at = from + 8u * (uint64_t)i;
-#pragma GCC unroll 6 /* or the sums would live in memory */
+    UNROLL(6)
     for (uint32_t b = 0; b < count; b++) {
       const Lanes m =
         rounded ? load_float(floats + at + b * stride) : load(matrix + at + b * stride);
       sum[b] = add(sum[b], scale(m, x[i]));
     }
   }
-#pragma GCC unroll 6
+  UNROLL(6)
   for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
 }
 
@@ -89,19 +89,19 @@ static INLINE void gather_blocks(bool rounded, uint32_t vectors, uint32_t count,
     for (uint32_t s = 0; s < vectors * count; s++) sum[w][s] = zero();
   }
   for (uint64_t i = 0; i < g->part; i += ways) {
-#pragma GCC unroll 4 /* or the sums would live in memory */
+    UNROLL(4)
     for (uint32_t w = 0; w < ways; w++) {
-#pragma GCC unroll 4
+      UNROLL(4)
       for (uint32_t b = 0; b < count; b++) {
         const Lanes m = entry(rounded, g, from + b * stride + 8u * (i + w));
-#pragma GCC unroll 2
+        UNROLL(2)
         for (uint32_t v = 0; v < vectors; v++) {
           sum[w][v * count + b] = add(sum[w][v * count + b], scale(m, g->x[v][i + w]));
         }
       }
     }
   }
-#pragma GCC unroll 8
+  UNROLL(8)
   for (uint32_t s = 0; s < vectors * count; s++) {
     if (ways == 4) sum[1][s] = add(sum[1][s], sum[3][s]);
     if (ways == 4) sum[0][s] = add(sum[0][s], sum[2][s]);

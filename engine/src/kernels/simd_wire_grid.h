@@ -36,9 +36,9 @@ static INLINE void clear_tile(Tile *tile) {
 /* sum[l][b] += factor[l * step] x[b] */
 static INLINE void add_to_tile(uint32_t lines, uint32_t blocks, Tile *tile, const Real *factor,
                                uint32_t step, const Lanes *x) {
-#pragma GCC unroll 3
+  UNROLL(3)
   for (uint32_t l = 0; l < lines; l++) {
-#pragma GCC unroll 4
+    UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
       tile->sum[l][b] = add(tile->sum[l][b], scale(x[b], factor[l * step]));
     }
@@ -47,15 +47,15 @@ static INLINE void add_to_tile(uint32_t lines, uint32_t blocks, Tile *tile, cons
 
 static INLINE void store_tile(uint32_t lines, uint32_t blocks, const Tile *tile, uint32_t step,
                               Real *out) {
-#pragma GCC unroll 3
+  UNROLL(3)
   for (uint32_t l = 0; l < lines; l++) {
-#pragma GCC unroll 4
+    UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) store(out + l * step + 8u * b, tile->sum[l][b]);
   }
 }
 
 static INLINE void load_blocks(uint32_t blocks, const Real *at, Lanes *x) {
-#pragma GCC unroll 4
+  UNROLL(4)
   for (uint32_t b = 0; b < blocks; b++) x[b] = load(at + 8u * b);
 }
 
@@ -101,7 +101,7 @@ static INLINE void gather_tile(uint32_t lines, uint32_t blocks, uint32_t line, u
     load_blocks(blocks, x + w * wire_grid->lanes + at, own);
     if (image != w) {
       load_blocks(blocks, x + image * wire_grid->lanes + at, other);
-#pragma GCC unroll 3
+      UNROLL(3)
       for (uint32_t b = 0; b < blocks; b++) {
         own[b] = odd ? subtract(own[b], other[b]) : add(own[b], other[b]);
       }
@@ -115,7 +115,7 @@ static INLINE void spread_parity(uint32_t blocks, const Bed *wire_grid, uint32_t
                                  const Real *across, const Real *lines, Lanes *sum) {
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t l = from; l < end; l++) {
-#pragma GCC unroll 4
+    UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
       sum[b] = add(sum[b], scale(load(lines + l * wire_grid->lanes + 8u * b), across[l]));
     }
@@ -133,7 +133,7 @@ static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, u
     spread_parity(blocks, wire_grid, 0, wire_grid->first_line[1], across, from + at, s);
     spread_parity(blocks, wire_grid, wire_grid->first_line[1], wire_grid->lines, across, from + at,
                   d);
-#pragma GCC unroll 4
+    UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
       store(image + 8u * b, subtract(s[b], d[b]));
       store(own + 8u * b, add(s[b], d[b]));

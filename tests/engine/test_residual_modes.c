@@ -188,7 +188,8 @@ static void a_stick_finds_the_head_as_soft_as_it_is(void **state) {
   const double without = force_level(&bare, 4000.0) - whole;
   print_message("force around 4 kHz: %+.1f dB, %+.1f dB without the missing modes\n", with,
                 without);
-  assert_true(fabs(with) < 2.0);
+  /* Where mobility limits the force, it is wrong by as much as this: 2.0 dB at any rate. */
+  assert_true(fabs(with) < -20.0 * log10(1.0 - SMEARED));
   assert_true(without > 5.0);
 }
 

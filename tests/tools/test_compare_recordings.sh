@@ -55,6 +55,7 @@ check "says so" grep -q '^snare-14x5.5, snare/bottom: [0-9]* of 60 features of s
 check "its overhead in free air" grep -qE '^snare-14x5.5, snare/oh: [0-9]+ of 23 features of decay in the plain range, 15 asked; [0-9]+ in the widened range, 21 asked' "$out"
 check "and what it is taken for" grep -qE '^snare-14x5.5: nearest to (tom|floortom)/top, not to snare/top$' "$out"
 check "the verdict" grep -q '^compare-recordings: the gate fails; ' "$out"
+check "nothing else is called known" grep -qE '^strict: snare-14x5.5, snare/top, live, [a-z]+: [^;]*;[^;]*; outside the plain range: [^;]*$' "$out"
 same "the others pass" 0 "$(grep -vcE '^(snare-14x5.5[,:]|strict: |compare-recordings: )' "$out")"
 check "says what the strict gate misses" grep -qE '^strict: snare-14x5.5, snare/bottom, live, spectrum: [0-9]+ of 60 in the plain range, 36 asked; [0-9]+ in the widened range, 57 asked; outside the plain range: to_e50_' "$out"
 compare --check --strict --quality draft --program ./spoilt

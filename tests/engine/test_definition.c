@@ -1294,6 +1294,34 @@ static void test_wire_spread(void **state) {
   assert_true(tb_deviate(1, 0) != tb_deviate(0, 1));
 }
 
+/* At twice the head's tension wire and head both sound higher by sqrt(2). */
+static void test_wires_follow_their_head(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  TaborWireDef wire;
+  tabor_drum_def_default(&def);
+  def.wires.count = 4;
+  def.wires.head = TABOR_HEAD_RESONANT;
+  def.wires.tension = 12;
+  def.wires.head_tension = 3000;
+  def.resonant.tension = 3000;
+  tb_wire_resolve(&def, 1, &wire);
+  assert_true(wire.tension == 12);
+  def.resonant.tension = 6000;
+  def.batter.tension = 1000;
+  tb_wire_resolve(&def, 1, &wire);
+  assert_true(wire.tension == 24);
+  def.wires.tension = 200;
+  tb_wire_resolve(&def, 1, &wire);
+  assert_true(wire.tension == 200); /* no wire bears more */
+  def.wire[1].tension = 5;
+  tb_wire_resolve(&def, 1, &wire);
+  assert_true(wire.tension == 5); /* its own does not follow */
+  def.wires.head_tension = 0;
+  tb_wire_resolve(&def, 2, &wire);
+  assert_true(wire.tension == 200);
+}
+
 static int by_value(const void *a, const void *b) {
   const double x = *(const double *)a, y = *(const double *)b;
   return (x > y) - (x < y);
@@ -1364,6 +1392,7 @@ static void test_rest_order(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_wires_follow_their_head),
     cmocka_unit_test(test_rest_spread),
     cmocka_unit_test(test_rest_order),
     cmocka_unit_test(test_table),

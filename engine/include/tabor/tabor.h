@@ -247,6 +247,10 @@ typedef struct TaborWiresDef {
   double offset;  /**< of their middle from the centre, across [m], -0.6 to 0.6, default 0 */
   double mass_per_length;   /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
   double tension;           /**< T [N], 0.01 to 200, default 5 */
+  /** The tension of the head that carries the wires at which `tension` holds [N/m], 0 to 20000, default 0. If
+   * that head is tighter or slacker, the wires are so, too, in proportion, within the range of `tension`, so
+   * that their pitch keeps its distance from the head's. 0: their tension does not follow. */
+  double head_tension;
   double tension_spread;    /**< largest relative deviation between wires, 0 to 0.9, default 0 */
   /** Seed of these deviations, and of how uneven wires lie, 0 to 4294967295, default 1. */
   uint32_t seed;

@@ -322,6 +322,16 @@ static double rest_place(const TaborWiresDef *wires, uint32_t index) {
   return (double)(2 * rank - steps) / steps;
 }
 
+/* The pitch of wires keeps its distance from the head's where their tension is in proportion to its own. */
+static double shared_tension(const TaborDrumDef *def) {
+  const TaborWiresDef *const wires = &def->wires;
+  const bool below = wires->head == TABOR_HEAD_RESONANT;
+  const double head = below ? def->resonant.tension : def->batter.tension;
+  if (wires->head_tension == 0 || head == wires->head_tension) return wires->tension;
+  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_WIRES_TENSION)->info;
+  return fmin(fmax(wires->tension * (head / wires->head_tension), range->minimum), range->maximum);
+}
+
 static void take_default(double *own, double shared) {
   if (isnan(*own)) *own = shared;
 }
@@ -335,7 +345,7 @@ void tb_wire_resolve(const TaborDrumDef *def, unsigned index, TaborWireDef *wire
   *wire = def->wire[index];
   take_default(&wire->length, wires->length);
   take_default(&wire->mass_per_length, wires->mass_per_length);
-  take_default(&wire->tension, wires->tension * (1 + deviation));
+  take_default(&wire->tension, shared_tension(def) * (1 + deviation));
   take_default(&wire->bending_stiffness, wires->bending_stiffness);
   take_default(&wire->damping_0, wires->damping_0);
   take_default(&wire->damping_1, wires->damping_1);

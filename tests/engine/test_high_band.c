@@ -5,7 +5,6 @@
 #include "model/high_band_modes.h"
 #include "model/model.h"
 #include "physics.h"
-#include "step/force_equalizer.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 96000.0;
@@ -71,7 +70,6 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
   assert_true(q && shape && radial);
   tb_model_shape(model, 0, radius, angle, model->patches[0], radial, shape);
   memset(samples, 0, FRAMES * sizeof *samples);
-  double treble[3] = {0.0};
   for (uint32_t i = 0; i < FRAMES; i++) {
     double *next = q + (i + 1) % 3 * n, *now = q + i % 3 * n, *last = q + (i + 2) % 3 * n;
     double pressure = 0.0;
@@ -80,7 +78,6 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
       pressure += model->mics[0].ahead[k] * (next[k] - now[k]) -
                   model->mics[0].behind[k] * (now[k] - last[k]);
     }
-    pressure = tb_force_equalizer(&TB_EQUALIZER_OF_STRIKERS, treble, pressure);
     if (i + delay < FRAMES) samples[i + delay] = (float)(pressure / def->full_scale);
   }
   tabor_model_info(model, info);

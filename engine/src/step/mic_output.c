@@ -125,6 +125,12 @@ static double hear(TbEar *ear, TbPair sums) {
   return pressure;
 }
 
+static double equalized(TbView *view, uint32_t mic, double pressure) {
+  double *memory = view->state->treble[mic];
+  return wires_lie(view) ? tb_force_equalizer(memory, pressure)
+                         : tb_force_equalizer_rest(memory, pressure);
+}
+
 static uint32_t first_of(uint32_t heard) {
   uint32_t mic = 0;
   while (heard != 0 && !(heard >> mic & 1u)) mic++;
@@ -136,8 +142,6 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   TbState *state = view->state;
   const TbLiveParam *live = state->live;
   const uint32_t first = first_of(heard);
-  const TbForceEqualizer *equalizer =
-    wires_lie(view) ? &TB_EQUALIZER_OF_WIRES : &TB_EQUALIZER_OF_STRIKERS;
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
@@ -153,7 +157,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
         mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
     }
-    pressure[mic] = delayed(view, mic, tb_force_equalizer(equalizer, state->treble[mic], p)) *
-                    live[TB_LIVE_GAIN + mic].now / live[TB_LIVE_FULL_SCALE].now;
+    pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /
+                    live[TB_LIVE_FULL_SCALE].now;
   }
 }

@@ -205,7 +205,8 @@ static void a_flood_is_played_or_counted(void **state) {
   stage_close(stage);
 }
 
-static const double ROUNDING = 1e-7; /* of single precision, in which the drum gives its samples */
+/* Of two samples of single precision, 2^-24 each. */
+static const double ROUNDING = 1.2e-7;
 
 /* The gain glides over 5 ms: no step is larger than its share. */
 static void gain_does_not_click(void **state) {

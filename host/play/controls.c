@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "drums/preset_text.h"
 #include "ui/command_words.h"
 
 #define LEAST_GAIN (-60.0)
@@ -48,10 +49,31 @@ static uint64_t frame_at(const Controls *controls, double time) {
   return player_frame_at(controls->player, time);
 }
 
+static void remember(Controls *controls, const FormerSetting *former) {
+  if (controls->former_count == CONTROLS_UNDO) {
+    controls->former_count--;
+    memmove(controls->former, controls->former + 1, controls->former_count * sizeof *former);
+  }
+  controls->former[controls->former_count++] = *former;
+}
+
+/* A change that can be taken back. */
+static Outcome change(Controls *controls, double time, const char *key, const char *value) {
+  TaborDrumDef def;
+  FormerSetting former = {0};
+  model_builder_definition(controls->builder, &def);
+  (void)snprintf(former.key, sizeof former.key, "%s", key);
+  const TaborStatus known = tabor_drum_def_get(&def, key, former.value, sizeof former.value, NULL);
+  const Outcome outcome =
+    model_builder_set(controls->builder, frame_at(controls, time), "set", key, value);
+  if (outcome == OUTCOME_OK && known == TABOR_OK) remember(controls, &former);
+  return outcome;
+}
+
 static void set_number(Controls *controls, double time, const char *key, double value) {
   char text[32];
   (void)snprintf(text, sizeof text, "%.9g", value);
-  (void)model_builder_set(controls->builder, frame_at(controls, time), "set", key, text);
+  (void)change(controls, time, key, text);
 }
 
 static void switch_snares(Controls *controls, double time) {
@@ -81,6 +103,7 @@ static void switch_muffle(Controls *controls, double time) {
 
 /* Another drum has its own. */
 static void forget_switches(Controls *controls) {
+  controls->former_count = 0;
   controls->strainer = 1;
   controls->muffle = MUFFLE;
 }
@@ -269,11 +292,31 @@ static void run_set(Controls *controls, const char *text, double time) {
     (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
     return;
   }
-  const uint64_t frame = frame_at(controls, time);
-  if (model_builder_set(controls->builder, frame, "set", key, value) != OUTCOME_OK) return;
+  if (change(controls, time, key, value) != OUTCOME_OK) return;
   const TaborParameter *const parameter = tabor_parameter_find(key);
   const bool is_word = (*value >= 'A' && *value <= 'Z') || (*value >= 'a' && *value <= 'z');
   tell(controls, "%s = %s %s", key, value, parameter && !is_word ? parameter->unit : "");
+}
+
+static void run_undo(Controls *controls, const char *text, double time) {
+  (void)text;
+  if (controls->former_count == 0) {
+    (void)refuse("undo: nothing was set since this drum was chosen");
+    return;
+  }
+  const FormerSetting *const former = &controls->former[--controls->former_count];
+  const uint64_t frame = frame_at(controls, time);
+  if (model_builder_set(controls->builder, frame, "undo", former->key, former->value) != OUTCOME_OK)
+    return;
+  tell(controls, "%s = %.100s again", former->key, former->value);
+}
+
+static void run_save(Controls *controls, const char *text, double time) {
+  (void)time;
+  TaborDrumDef def;
+  model_builder_definition(controls->builder, &def);
+  if (preset_text_save(&def, "'tabor play'", text) != OUTCOME_OK) return;
+  tell(controls, "saved %s", text);
 }
 
 static void run_preset(Controls *controls, const char *text, double time) {
@@ -332,9 +375,10 @@ static void run_quit(Controls *controls, const char *text, double time) {
 
 static void run_command(Controls *controls, const char *text, double time) {
   static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
-    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
-    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
-    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
+    [COMMAND_UNDO] = run_undo,         [COMMAND_SAVE] = run_save,       [COMMAND_SET] = run_set,
+    [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed,
+    [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,
+    [COMMAND_QUIT] = run_quit,
   };
   CommandWord command;
   const char *rest;

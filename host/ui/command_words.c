@@ -10,6 +10,8 @@ static const struct {
   const char *usage; /* what has to follow; NULL: nothing may */
 } commands[COMMAND_WORDS] = {
   [COMMAND_SET] = {"set", "KEY VALUE"},
+  [COMMAND_UNDO] = {"undo", NULL},
+  [COMMAND_SAVE] = {"save", "FILE"},
   [COMMAND_PRESET] = {"preset", "NAME"},
   [COMMAND_GAIN] = {"gain", "DB"},
   [COMMAND_SPEED] = {"speed", "M/S"},

@@ -12,6 +12,8 @@
 
 typedef enum CommandWord {
   COMMAND_SET,
+  COMMAND_UNDO,
+  COMMAND_SAVE,
   COMMAND_PRESET,
   COMMAND_GAIN,
   COMMAND_SPEED,

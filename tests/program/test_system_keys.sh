@@ -102,6 +102,12 @@ types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e
   'type :humanize 0.5\r' 'wait humanize 0.5' 'type :set' 'sleep 0.1' 'type \e' 'wait ? help' \
   'type :gain\r' 'wait gain needs more: gain DB' 'type :silence now\r' "wait nothing may follow 'silence'"
 same "commands make no strokes" 0 "$(strokes)"
+types 'type :undo\r' 'wait undo: nothing was set' 'type :set batter.tension 5000\r' 'wait batter.tension = 5000' \
+  'type :set batter.tension 6000\r' 'wait batter.tension = 6000' 'type :undo\r' 'wait batter.tension = 5000 again' \
+  'type :save mine.ini\r' 'wait saved mine.ini' 'type :save none/mine.ini\r' 'wait none/mine.ini'
+same "a saved drum is the drum as it stands" 1 "$(grep -c '^tension = 5000 ' mine.ini)"
+"$TABOR" show mine.ini >"$out"
+same "it reads back" "$(tail -n +2 mine.ini)" "$(tail -n +2 "$out")"
 types 'type :preset tom-12\r' 'wait tabor  tom-12' 'type ]' 'wait tabor  floor-tom-16' 'type [[' \
   'gone floor-tom-16' 'type b' 'wait snares off' 'type b' 'wait snares on' 'type n' 'wait muffle on' \
   'type n' 'wait muffle off' 'type ?' 'wait ghost notes' 'type ?' 'gone ghost notes' \

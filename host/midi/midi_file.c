@@ -236,7 +236,7 @@ static Outcome check_header(const Reader *reader, uint32_t format) {
 
 static Outcome take_header(Reader *reader) {
   if (left(reader) < CHUNK_HEAD + HEADER_LEAST || !is_chunk(reader, "MThd")) {
-    return refuse("%s: not a Standard MIDI File, which begins with 'MThd' and 10 bytes more",
+    return refuse("%s: not a Standard MIDI File: it does not begin with a header 'MThd'",
                   input_name(reader->name));
   }
   uint32_t length = 0;

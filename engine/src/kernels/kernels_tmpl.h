@@ -115,7 +115,7 @@ typedef struct TB_TYPE(TbKernels) {
    const TB_REAL *p, TB_REAL *f, TB_REAL *s);
   /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'); its derivative in t, which
    * is -Sum m (law - f') + s (slope m + g); Sum |s f'|; the largest |law - f'|, in single
-   * precision divided by 1 + slope yield. */
+   * precision divided by 1 + slope yield, or 0 if yield is NULL there. */
   TB_TYPE(TbBalance)
   (*balance)(uint32_t n, TB_REAL t, const TB_REAL *yield, const TB_REAL *s, const TB_REAL *law,
              const TB_REAL *slope, const TB_REAL *f, const TB_REAL *f_last, const TB_REAL *p,

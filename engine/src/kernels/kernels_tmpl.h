@@ -159,6 +159,8 @@ typedef struct TB_TYPE(TbKernels) {
                    const double *y);
   /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
+  /* Sum pull_h x, of the modes that stretch head h */
+  TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[2], const double *x);
   /* next += f_0 pull_0 + f_1 pull_1, of the heads that a part stretches */
   void (*unstretch)(const TbParts *parts, const double f[2], const double *const pull[2],
                     double *next);

@@ -120,6 +120,8 @@ COUNTED(multiply_rounded, 8ull * blocks * n,
 COUNTED(gather_rounded, 8ull * g->blocks * g->vectors * g->part, (const TbGather *g), (g))
 COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, x, b, y))
 COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
+COUNTED_RESULT(TbPair, stretch_dots, modes_of(parts),
+               (const TbParts *parts, const double *const pull[2], In x), (parts, pull, x))
 COUNTED(unstretch, modes_of(parts),
         (const TbParts *parts, const double f[2], const double *const pull[2], Out next),
         (parts, f, pull, next))
@@ -188,6 +190,7 @@ static const TbKernels counting = {
   .gather_rounded = COUNT(gather_rounded),
   .two_step = COUNT(two_step),
   .stretch = COUNT(stretch),
+  .stretch_dots = COUNT(stretch_dots),
   .unstretch = COUNT(unstretch),
   .reach = COUNT(reach),
   .losses = COUNT(losses),

@@ -53,6 +53,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .gather_rounded = gather_rounded,
   .two_step = two_step,
   .stretch = stretch,
+  .stretch_dots = stretch_dots,
   .unstretch = unstretch,
   .reach = reach,
   .losses = losses,

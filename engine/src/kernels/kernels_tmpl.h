@@ -115,7 +115,7 @@ typedef struct TB_TYPE(TbKernels) {
    const TB_REAL *p, TB_REAL *f, TB_REAL *s);
   /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'); its derivative in t, which
    * is -Sum m (law - f') + s (slope m + g); Sum |s f'|; the largest |law - f'|, in single
-   * precision divided by 1 + slope yield. */
+   * precision divided by 1 + slope yield, or 0 if yield is NULL there. */
   TB_TYPE(TbBalance)
   (*balance)(uint32_t n, TB_REAL t, const TB_REAL *yield, const TB_REAL *s, const TB_REAL *law,
              const TB_REAL *slope, const TB_REAL *f, const TB_REAL *f_last, const TB_REAL *p,
@@ -159,6 +159,8 @@ typedef struct TB_TYPE(TbKernels) {
                    const double *y);
   /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
+  /* Sum pull_h x, of the modes that stretch head h */
+  TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[2], const double *x);
   /* next += f_0 pull_0 + f_1 pull_1, of the heads that a part stretches */
   void (*unstretch)(const TbParts *parts, const double f[2], const double *const pull[2],
                     double *next);

@@ -134,9 +134,11 @@ static Residual weigh(uint32_t n, const Real *slope, const Real *s, const Real *
 }
 #endif
 
-static Balance balance(uint32_t n, Real t, const Real *yield, const Real *s_at, const Real *law,
-                       const Real *slope, const Real *f_at, const Real *f_last, const Real *p,
-                       const Real *p_last) {
+/* `with_miss` is a constant at every call. */
+static INLINE Balance balance_of(bool with_miss, uint32_t n, Real t, const Real *yield,
+                                 const Real *s_at, const Real *law, const Real *slope,
+                                 const Real *f_at, const Real *f_last, const Real *p,
+                                 const Real *p_last) {
   Lanes value = zero(), derivative = zero(), size = zero();
   Lanes miss = zero();
   for (uint64_t i = 0; i < n; i += 8) {
@@ -147,11 +149,19 @@ static Balance balance(uint32_t n, Real t, const Real *yield, const Real *s_at, 
     value = add(value, multiply_lanes(s, left));
     derivative = subtract(derivative, add(multiply_lanes(m, left), bend));
     size = add(size, size_of(multiply_lanes(s, moved)));
+    if (!with_miss) continue;
     miss = larger(SINGLE ? divide(size_of(left), firmness(load(slope + i), load(yield + i)))
                          : size_of(left),
                   miss);
   }
   return (Balance){join(value), join(derivative), join(size), largest_of(miss)};
+}
+
+static Balance balance(uint32_t n, Real t, const Real *yield, const Real *s, const Real *law,
+                       const Real *slope, const Real *f, const Real *f_last, const Real *p,
+                       const Real *p_last) {
+  if (SINGLE && !yield) return balance_of(false, n, t, yield, s, law, slope, f, f_last, p, p_last);
+  return balance_of(true, n, t, yield, s, law, slope, f, f_last, p, p_last);
 }
 
 #endif

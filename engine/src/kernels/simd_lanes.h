@@ -126,6 +126,21 @@ static INLINE bool vector_any(Bits m) {
 #  endif
 #endif
 
+/* Lanes in reverse order. */
+#if WIDTH == 8
+#  define BACKWARDS 7, 6, 5, 4, 3, 2, 1, 0
+#elif WIDTH == 4
+#  define BACKWARDS 3, 2, 1, 0
+#else
+#  define BACKWARDS 1, 0
+#endif
+#ifdef __clang__
+static INLINE Vector vector_reverse(Vector x) { return __builtin_shufflevector(x, x, BACKWARDS); }
+#else
+typedef Whole Order __attribute__((vector_size(WIDTH * sizeof(Whole))));
+static INLINE Vector vector_reverse(Vector x) { return __builtin_shuffle(x, (Order){BACKWARDS}); }
+#endif
+
 /* Conversion from the other precision, and back. */
 #ifdef TB_FLOAT
 #  if WIDTH == 8
@@ -270,6 +285,16 @@ static INLINE Lanes load_unaligned(const Real *p) {
 
 static INLINE void store(Real *p, Lanes x) {
   for (int i = 0; i < PARTS; i++) ((Vector *)(void *)p)[i] = x.part[i];
+}
+
+static INLINE void store_unaligned(Real *p, Lanes x) {
+  for (int i = 0; i < PARTS; i++) ((Unaligned *)(void *)p)[i] = x.part[i];
+}
+
+static INLINE Lanes reverse(Lanes x) {
+  Lanes y;
+  for (int i = 0; i < PARTS; i++) y.part[i] = vector_reverse(x.part[PARTS - 1 - i]);
+  return y;
 }
 
 static INLINE Lanes zero(void) {

@@ -73,6 +73,34 @@ static void stretch(const TbParts *parts, TbStretching *s) {
   s->own[0][1] = s->own[1][0] = join(own[2]);
 }
 
+static INLINE Lanes dot_of_part(uint64_t from, uint64_t end, const double *pull, const double *x,
+                                Lanes sum) {
+  for (uint64_t i = from; i < end; i += 8) {
+    sum = add(sum, multiply_lanes(load(pull + i), load(x + i)));
+  }
+  return sum;
+}
+
+static TbPair stretch_dots(const TbParts *parts, const double *const pull[2], const double *x) {
+  const double *const u = pull[0], *const v = pull[1];
+  Lanes first = zero(), second = zero();
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint64_t from = parts->from[part], end = from + parts->size[part];
+    if (parts->heads[part] == 3) {
+      for (uint64_t i = from; i < end; i += 8) {
+        const Lanes value = load(x + i);
+        first = add(first, multiply_lanes(load(u + i), value));
+        second = add(second, multiply_lanes(load(v + i), value));
+      }
+    } else if (parts->heads[part] == 1) {
+      first = dot_of_part(from, end, u, x, first);
+    } else {
+      second = dot_of_part(from, end, v, x, second);
+    }
+  }
+  return (TbPair){join(first), join(second)};
+}
+
 static void unstretch(const TbParts *parts, const double f[2], const double *const pull[2],
                       double *next) {
   for (uint32_t part = 0; part < parts->count; part++) {

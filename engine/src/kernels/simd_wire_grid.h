@@ -190,91 +190,198 @@ static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, ui
   store_tile(lines, blocks, &tile, wire_grid->half, values + line * wire_grid->half + at);
 }
 
-/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle has no mirror image. */
+/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle has no mirror image. What is
+ * after the middle is noise. Reads up to 7 elements before x. */
 static void fold(const Bed *wire_grid, const Real *x, Real *even, Real *odd) {
   const uint32_t middle = wire_grid->middle;
-  for (uint32_t j = 0; j < middle; j++) {
-    even[j] = x[j] + x[2 * middle - j];
-    odd[j] = x[j] - x[2 * middle - j];
+  const Real *mirror = x + 2u * (size_t)middle;
+  for (uint32_t j = 0; j <= middle; j += 8) {
+    const Lanes own = load(x + j), other = reverse(load_unaligned(mirror - j - 7));
+    store_unaligned(even + j, add(own, other));
+    store_unaligned(odd + j, subtract(own, other));
   }
   even[middle] = x[middle];
   odd[middle] = REAL(0.0);
-  for (uint32_t j = middle + 1; j < wire_grid->half; j++) even[j] = odd[j] = REAL(0.0);
 }
 
+/* Writes up to 7 elements after the lanes. */
 static void unfold(const Bed *wire_grid, const Real *even, const Real *odd, Real *x) {
-  const uint32_t middle = wire_grid->middle;
-  for (uint32_t j = 0; j < middle; j++) {
-    x[j] = even[j] + odd[j];
-    x[2 * middle - j] = even[j] - odd[j];
+  const uint32_t middle = wire_grid->middle, real = 2u * middle + 1u;
+  for (uint32_t j = 0; j <= middle; j += 8) {
+    store(x + j, add(load_unaligned(even + j), load_unaligned(odd + j)));
   }
   x[middle] = even[middle];
-  for (uint32_t j = 2 * middle + 1; j < wire_grid->lanes; j++) x[j] = REAL(0.0);
+  for (uint32_t j = middle + 1; j < real; j += 8) {
+    const size_t mirror = 2u * middle - j; /* and the 7 before it */
+    const Lanes e = load_unaligned(even + mirror - 7), o = load_unaligned(odd + mirror - 7);
+    store_unaligned(x + j, reverse(subtract(e, o)));
+  }
+  for (uint32_t j = real; j < wire_grid->lanes; j++) x[j] = REAL(0.0);
 }
 
 /* ---- both ----------------------------------------------------------------------------------- */
 
-/* Parts of the scratch. */
+/* Parts of the scratch, after TB_WIRE_GRID_SLACK. */
 typedef struct Room {
   Real *lines;     /* [lines][lanes] */
-  Real *folded[2]; /* [lines][half] for each class along */
+  Real *folded[2]; /* [lines][half] for each class along, or [lines][columns] */
   Real *points;    /* [lines][padded] */
 } Room;
 
 static Room room_in(const Bed *wire_grid, Real *scratch) {
-  Real *folded = scratch + wire_grid->lines * wire_grid->lanes;
-  return (Room){scratch,
+  Real *lines = scratch + TB_WIRE_GRID_SLACK, *folded = lines + wire_grid->lines * wire_grid->lanes;
+  return (Room){lines,
                 {folded, folded + wire_grid->lines * wire_grid->half},
                 folded + 2u * wire_grid->lines * wire_grid->half};
 }
 
-static void contract(const Bed *wire_grid, const Real *x, Real *scratch, Real *grid) {
-  const Room room = room_in(wire_grid, scratch);
-  const Real *lines =
-    wire_grid->wires > 1 ? room.lines : x; /* one wire is its line across itself */
-  if (wire_grid->wires > 1) gather_lines(wire_grid, x, room.lines);
-  for (uint32_t l = 0; wire_grid->halves == 2 && l < wire_grid->lines; l++) {
-    fold(wire_grid, lines + l * wire_grid->lanes, room.folded[0] + l * wire_grid->half,
-         room.folded[1] + l * wire_grid->half);
+static void copy_lanes(uint32_t n, const Real *from, Real *to) {
+  for (uint32_t i = 0; i < n; i += 8) store_unaligned(to + i, load_unaligned(from + i));
+}
+
+/* A single wire is its line across itself. */
+static void rows_to_lines(const Bed *wire_grid, const Real *x, Real *lines) {
+  if (wire_grid->wires > 1) {
+    gather_lines(wire_grid, x, lines);
+  } else {
+    copy_lanes(wire_grid->lanes, x, lines);
   }
+}
+
+static void lines_to_rows(const Bed *wire_grid, const Real *lines, Real *x) {
+  if (wire_grid->wires > 1) {
+    spread_lines(wire_grid, lines, x);
+  } else {
+    copy_lanes(wire_grid->lanes, lines, x);
+  }
+}
+
+/* Folds all lines, or unfolds them; `step` is from one line's values to the next. Lines go upwards,
+ * so that each overwrites what the one before has left beyond its end. */
+static void fold_lines(const Bed *wire_grid, uint32_t step, const Room *room) {
+  for (uint32_t l = 0; l < wire_grid->lines; l++) {
+    fold(wire_grid, room->lines + l * wire_grid->lanes, room->folded[0] + l * step,
+         room->folded[1] + l * step);
+  }
+}
+
+static void unfold_lines(const Bed *wire_grid, uint32_t step, const Room *room) {
+  for (uint32_t l = 0; l < wire_grid->lines; l++) {
+    unfold(wire_grid, room->folded[0] + l * step, room->folded[1] + l * step,
+           room->lines + l * wire_grid->lanes);
+  }
+}
+
+/* A class without thinning is a run of its lines' values, without a gap, and padding. */
+typedef struct Run {
+  uint32_t first, count; /* in the grid */
+  uint32_t from;         /* in the lines' values */
+} Run;
+
+static Run run_of(const Bed *wire_grid, uint32_t along, uint32_t across) {
+  const uint32_t *line = wire_grid->first_line + across, columns = wire_grid->columns[along];
+  return (Run){wire_grid->first[along * wire_grid->quarters + across],
+               (line[1] - line[0]) * columns, line[0] * columns};
+}
+
+static void values_to_grid(const Bed *wire_grid, uint32_t along, const Real *values, Real *grid) {
+  for (uint32_t across = 0; across < wire_grid->quarters; across++) {
+    const Run run = run_of(wire_grid, along, across);
+    copy_lanes(run.count, values + run.from, grid + run.first);
+    for (uint32_t i = run.count; i % 8u; i++) grid[run.first + i] = REAL(0.0);
+  }
+}
+
+static void grid_to_values(const Bed *wire_grid, uint32_t along, const Real *grid, Real *values) {
+  for (uint32_t across = 0; across < wire_grid->quarters; across++) {
+    const Run run = run_of(wire_grid, along, across);
+    copy_lanes(run.count, grid + run.first, values + run.from);
+  }
+}
+
+/* Without thinning each point is a sum or a difference of two lanes, or a lane. */
+static void contract_lanes(const Bed *wire_grid, const Room *room, Real *grid) {
+  if (wire_grid->halves == 1) {
+    values_to_grid(wire_grid, 0, room->lines, grid);
+    return;
+  }
+  fold_lines(wire_grid, wire_grid->columns[0], room);
+  for (uint32_t along = 0; along < 2; along++) {
+    values_to_grid(wire_grid, along, room->folded[along], grid);
+  }
+}
+
+static void expand_lanes(const Bed *wire_grid, const Real *grid, const Room *room) {
+  if (wire_grid->halves == 1) {
+    grid_to_values(wire_grid, 0, grid, room->lines);
+    return;
+  }
+  for (uint32_t along = 0; along < 2; along++) {
+    grid_to_values(wire_grid, along, grid, room->folded[along]);
+  }
+  unfold_lines(wire_grid, wire_grid->columns[0], room);
+}
+
+static void fold_with_padding(const Bed *wire_grid, const Room *room) {
+  fold_lines(wire_grid, wire_grid->half, room);
+  for (uint32_t l = 0; l < wire_grid->lines; l++) {
+    for (uint32_t j = wire_grid->middle + 1; j < wire_grid->half; j++) {
+      room->folded[0][l * wire_grid->half + j] = REAL(0.0);
+      room->folded[1][l * wire_grid->half + j] = REAL(0.0);
+    }
+  }
+}
+
+static void contract_thinned(const Bed *wire_grid, const Room *room, Real *grid) {
+  if (wire_grid->halves == 2) fold_with_padding(wire_grid, room);
   for (uint32_t i = 0; i < wire_grid->size; i++) grid[i] = REAL(0.0);
   for (uint32_t along = 0; along < wire_grid->halves; along++) {
-    const Real *values = wire_grid->halves == 2 ? room.folded[along] : lines;
+    const Real *values = wire_grid->halves == 2 ? room->folded[along] : room->lines;
     const uint32_t columns = wire_grid->columns[along], *place = wire_grid->place[along];
-    if (wire_grid->thinned) {
-      FOR_TILES(columns_tile, 0, wire_grid->lines, wire_grid->padded[along] / 8u, wire_grid, along,
-                values, room.points)
-    }
-    const Real *points = wire_grid->thinned ? room.points : values;
-    const uint32_t step = wire_grid->thinned ? wire_grid->padded[along] : wire_grid->half;
-    for (uint32_t l = 0; l < wire_grid->lines; l++, place += columns, points += step) {
+    FOR_TILES(columns_tile, 0, wire_grid->lines, wire_grid->padded[along] / 8u, wire_grid, along,
+              values, room->points)
+    const Real *points = room->points;
+    for (uint32_t l = 0; l < wire_grid->lines; l++, place += columns) {
       for (uint32_t a = 0; a < columns; a++) grid[place[a]] = points[a];
+      points += wire_grid->padded[along];
     }
+  }
+}
+
+static void expand_thinned(const Bed *wire_grid, const Real *grid, const Room *room) {
+  for (uint32_t along = 0; along < wire_grid->halves; along++) {
+    Real *values = wire_grid->halves == 2 ? room->folded[along] : room->lines;
+    const uint32_t columns = wire_grid->columns[along], *place = wire_grid->place[along];
+    const uint32_t copied = wire_grid->lines == 1 ? 0 : wire_grid->lines;
+    Real *points = room->points;
+    for (uint32_t l = 0; l < copied; l++, place += columns) {
+      for (uint32_t a = 0; a < columns; a++) points[a] = grid[place[a]];
+      points += wire_grid->padded[along];
+    }
+    FOR_TILES(lanes_tile, 0, wire_grid->lines, wire_grid->half / 8u, wire_grid, along, grid,
+              room->points, values)
+  }
+  if (wire_grid->halves == 2) unfold_lines(wire_grid, wire_grid->half, room);
+}
+
+static void contract(const Bed *wire_grid, const Real *x, Real *scratch, Real *grid) {
+  const Room room = room_in(wire_grid, scratch);
+  rows_to_lines(wire_grid, x, room.lines);
+  if (wire_grid->thinned) {
+    contract_thinned(wire_grid, &room, grid);
+  } else {
+    contract_lanes(wire_grid, &room, grid);
   }
 }
 
 static void expand(const Bed *wire_grid, const Real *grid, Real *scratch, Real *x) {
   const Room room = room_in(wire_grid, scratch);
-  Real *lines = wire_grid->wires > 1 ? room.lines : x;
-  for (uint32_t along = 0; along < wire_grid->halves; along++) {
-    Real *values = wire_grid->halves == 2 ? room.folded[along] : lines;
-    const uint32_t columns = wire_grid->columns[along], *place = wire_grid->place[along];
-    Real *points = wire_grid->thinned ? room.points : values;
-    const uint32_t step = wire_grid->thinned ? wire_grid->padded[along] : wire_grid->half;
-    const uint32_t copied = wire_grid->thinned && wire_grid->lines == 1 ? 0 : wire_grid->lines;
-    for (uint32_t l = 0; l < copied; l++, place += columns, points += step) {
-      for (uint32_t a = 0; a < columns; a++) points[a] = grid[place[a]];
-    }
-    if (wire_grid->thinned) {
-      FOR_TILES(lanes_tile, 0, wire_grid->lines, wire_grid->half / 8u, wire_grid, along, grid,
-                room.points, values)
-    }
+  if (wire_grid->thinned) {
+    expand_thinned(wire_grid, grid, &room);
+  } else {
+    expand_lanes(wire_grid, grid, &room);
   }
-  for (uint32_t l = 0; wire_grid->halves == 2 && l < wire_grid->lines; l++) {
-    unfold(wire_grid, room.folded[0] + l * wire_grid->half, room.folded[1] + l * wire_grid->half,
-           lines + l * wire_grid->lanes);
-  }
-  if (wire_grid->wires > 1) spread_lines(wire_grid, room.lines, x);
+  lines_to_rows(wire_grid, room.lines, x);
 }
 
 static void comply(const TYPE_OF(TbCompliance) * compliance, const Real *grid, Real *out) {

@@ -16,10 +16,10 @@
  *
  * Mirror symmetries make classes that do not mix: even or odd along (x -> -x) times even or odd
  * across (y -> -y). If the bed is its own mirror image across, wires and their images go in pairs,
- * and even lines come before the odd ones. In double, half the lanes represent all: the folded
- * f_j + f_mirror and f_j - f_mirror. TbWireGridF does not fold (halves = 1): the classes along
- * stand side by side and each shape covers all lanes, since folding costs more than it saves when a
- * register holds twice as many numbers.
+ * and even lines come before the odd ones. Half the lanes represent all: the folded f_j + f_mirror
+ * and f_j - f_mirror. Without a grid along these are the points. TbWireGridF with a grid along does
+ * not fold (halves = 1): the classes along stand side by side and each shape covers all lanes,
+ * since folding costs more than it saves when a register holds twice as many numbers.
  *
  * A grid vector holds class after class (even along first, then even across first), each as
  * [line][column] padded with zeros to a multiple of 8. The head's response to a grid vector is
@@ -29,6 +29,9 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+
+/* Elements before the scratch's parts, which folding reads and does not use. */
+enum { TB_WIRE_GRID_SLACK = 8 };
 
 #define TB_TEMPLATE "kernels/wire_grid_tmpl.h"
 #include "kernels/both.h"

@@ -29,5 +29,5 @@ typedef struct TB_TYPE(TbWireGrid) {
 static inline uint32_t TB_NAME(tb_wire_grid_scratch)(const TB_TYPE(TbWireGrid) * wire_grid) {
   const uint32_t padded =
     wire_grid->padded[0] > wire_grid->padded[1] ? wire_grid->padded[0] : wire_grid->padded[1];
-  return wire_grid->lines * (wire_grid->lanes + 2u * wire_grid->half + padded);
+  return TB_WIRE_GRID_SLACK + wire_grid->lines * (wire_grid->lanes + 2u * wire_grid->half + padded);
 }

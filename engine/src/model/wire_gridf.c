@@ -23,8 +23,7 @@ static double shape_at(const TbWireGrid *wire_grid, uint32_t along, uint32_t col
   if (along == 1 && lane == wire_grid->middle) return 0.0;
   const uint32_t half = image ? 2 * wire_grid->middle - lane : lane;
   const size_t at = (size_t)column * wire_grid->half + half;
-  const double value =
-    wire_grid->thinned ? wire_grid->expand[along][at] : (half == column ? 1.0 : 0.0);
+  const double value = wire_grid->expand[along][at];
   return along == 1 && image ? -value : value;
 }
 
@@ -67,31 +66,46 @@ bool tb_compliancef_prepare(TbComplianceF *compliancef, TbArena *arena,
   return true;
 }
 
-bool tb_wire_gridf_prepare(TbWireGridF *wire_gridf, TbArena *arena, TbWireGrid *wire_grid) {
-  round_bed(wire_grid);
-  *wire_gridf = (TbWireGridF){.wires = wire_grid->wires,
-                              .lanes = wire_grid->lanes,
-                              .halves = 1,
-                              .quarters = wire_grid->quarters,
-                              .middle = wire_grid->middle,
-                              .half = wire_grid->lanes,
-                              .lines = wire_grid->lines,
-                              .thinned = true,
-                              .size = wire_grid->size};
-  memcpy(wire_gridf->first_line, wire_grid->first_line, sizeof wire_gridf->first_line);
-  memcpy(wire_gridf->first, wire_grid->first, sizeof wire_gridf->first);
+/* The classes along as one, with shapes over all lanes. */
+static bool fill_along(TbWireGridF *wire_gridf, TbArena *arena, const TbWireGrid *wire_grid) {
+  wire_gridf->halves = 1;
+  wire_gridf->half = wire_grid->lanes;
   for (uint32_t along = 0; along < wire_grid->halves; along++)
     wire_gridf->columns[0] += wire_grid->columns[along];
   wire_gridf->padded[0] = tb_pad(wire_gridf->columns[0]);
-  const size_t across = (size_t)wire_grid->wires * wire_grid->lines, lanes = wire_grid->lanes;
-  const size_t columns = wire_gridf->columns[0];
-  wire_gridf->across = tb_arena_take(arena, across, sizeof(float));
+  const size_t lanes = wire_grid->lanes, columns = wire_gridf->columns[0];
   wire_gridf->contract[0] = tb_arena_take(arena, lanes * wire_gridf->padded[0], sizeof(float));
   wire_gridf->expand[0] = tb_arena_take(arena, lanes * columns, sizeof(float));
   wire_gridf->place[0] = tb_arena_take(arena, wire_grid->lines * columns, sizeof(uint32_t));
   if (arena->failed) return false;
-  for (size_t i = 0; i < across; i++) wire_gridf->across[i] = (float)wire_grid->across[i];
   fill_shapes(wire_gridf, wire_grid);
   fill_places(wire_gridf, wire_grid);
+  return true;
+}
+
+static bool fill_across(TbWireGridF *wire_gridf, TbArena *arena, const TbWireGrid *wire_grid) {
+  const size_t across = (size_t)wire_grid->wires * wire_grid->lines;
+  wire_gridf->across = tb_arena_take(arena, across, sizeof(float));
+  if (arena->failed) return false;
+  for (size_t i = 0; i < across; i++) wire_gridf->across[i] = (float)wire_grid->across[i];
+  return true;
+}
+
+bool tb_wire_gridf_prepare(TbWireGridF *wire_gridf, TbArena *arena, TbWireGrid *wire_grid) {
+  round_bed(wire_grid);
+  *wire_gridf = (TbWireGridF){.wires = wire_grid->wires,
+                              .lanes = wire_grid->lanes,
+                              .quarters = wire_grid->quarters,
+                              .middle = wire_grid->middle,
+                              .lines = wire_grid->lines,
+                              .thinned = wire_grid->thinned,
+                              .size = wire_grid->size};
+  memcpy(wire_gridf->first_line, wire_grid->first_line, sizeof wire_gridf->first_line);
+  memcpy(wire_gridf->first, wire_grid->first, sizeof wire_gridf->first);
+  if (!fill_across(wire_gridf, arena, wire_grid)) return false;
+  if (wire_grid->thinned) return fill_along(wire_gridf, arena, wire_grid);
+  wire_gridf->halves = wire_grid->halves;
+  wire_gridf->half = wire_grid->half;
+  memcpy(wire_gridf->columns, wire_grid->columns, sizeof wire_gridf->columns);
   return true;
 }

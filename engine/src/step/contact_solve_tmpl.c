@@ -335,10 +335,11 @@ static double newton_step(TbSolve *solve, TbResidual found, uint32_t cap, double
 
 /* ---- the balance ---------------------------------------------------------------------------- */
 
-static Balance balance_at(TbSolve *solve, const Real *s, Real t) {
+/* `yield` is NULL where the largest miss is not asked for. */
+static Balance balance_at(TbSolve *solve, const Real *yield, const Real *s, Real t) {
   const Work *work = work_of(solve);
-  return kernels_of(solve)->balance(total_rows(solve), t, yield_of(solve), s, work->law,
-                                    work->slope, work->force, work->force_last, work->product,
+  return kernels_of(solve)->balance(total_rows(solve), t, yield, s, work->law, work->slope,
+                                    work->force, work->force_last, work->product,
                                     work->product_last);
 }
 
@@ -362,7 +363,7 @@ static bool balance(TbSolve *solve, Balance sums, Real reach, Move *move) {
     kernels_of(solve)->extrapolate(total_rows(solve), -t, work->product, work->product_last,
                                    work->s, work->turned);
     apply_laws(solve, work->turned);
-    sums = balance_at(solve, work->turned, t);
+    sums = balance_at(solve, NULL, work->turned, t);
   }
 }
 
@@ -420,7 +421,7 @@ static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *out
   const Work *work = work_of(solve);
   Move move;
   evaluate(solve);
-  const Balance sums = balance_at(solve, work->s, REAL(0.0));
+  const Balance sums = balance_at(solve, yield_of(solve), work->s, REAL(0.0));
   if (!(sums.miss <= enough)) return false;
   if (balance(solve, sums, reach, &move)) {
     give_back(solve, move, outcome);

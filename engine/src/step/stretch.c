@@ -29,14 +29,14 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
  * displacements of their head are the simpler. */
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
-  const uint32_t last = model->stretch.count - 1u;
+  const TbStretch *stretch = &model->stretch;
+  const double *const pull[2] = {view->stretch_pull[0], view->stretch_pull[1]};
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
     if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-    const TbPair r = model->kernels->two_dots(model->modes.padded, view->stretch_pull[0],
-                                              view->stretch_pull[last], tb_slot_shape(view, slot));
+    const TbPair r = model->kernels->stretch_dots(&stretch->parts, pull, tb_slot_shape(view, slot));
     view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
-    view->solve.in.stretch_slots[last][slot] = model->wires.side * r.second;
+    if (stretch->count == 2) view->solve.in.stretch_slots[1][slot] = model->wires.side * r.second;
   }
 }
 

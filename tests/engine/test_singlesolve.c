@@ -222,14 +222,15 @@ static void the_account_of_resting_wires_does_not_drift(void **state) {
 }
 
 /* Rounding must not keep a drum awake, nor the iteration busy with it: the marching drum's gut lay trembling with
- * 5e-17 J for good, and the snare drum's last second took as long as it sounded. */
+ * 5e-17 J for good, and the snare drum's last second took as long as it sounded. The slowest loss is that of the stock drum's
+ * wires where they hang free, 5 1/s: 130 dB in 6 s. */
 static void falls_asleep(TaborModel *model, TaborDrum *drum) {
   TaborEvent strike = physics_strike(&model->def);
   strike.velocity = 2.0;
   uint32_t blocks = 0;
   do {
     tabor_drum_process(drum, &strike, blocks == 0, NULL, 480);
-  } while (++blocks < 300 && !tabor_drum_is_silent(drum));
+  } while (++blocks < 600 && !tabor_drum_is_silent(drum));
   TaborStatistics statistics;
   tabor_drum_statistics(drum, &statistics);
   const double mean = (double)statistics.newton_iterations / (double)statistics.solves;

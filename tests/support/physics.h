@@ -55,6 +55,12 @@ static inline double physics_residual(uint32_t quality) {
 }
 
 /* A drum with the size of `live` and contacts in double precision: works like studio, but is faster. */
+/* Wires that lie even and drawn past the head: all of them touch, and their head stops them. */
+static inline void physics_lay_even(TaborDrumDef *def) {
+  def->wires.unevenness = 0.0;
+  def->wires.rest_offset = -5e-5;
+}
+
 static inline TaborDrumDef physics_small(const TaborDrumDef *def) {
   TaborDrumDef small = *def;
   if (small.quality.two_way_bandwidth == 0.0) small.quality.two_way_bandwidth = 2500.0;

@@ -8,6 +8,7 @@ enum { BLOCK = 64, BLOCKS = 400 };
  * that know of it, of which random trials found one that did not while wires were lifted. */
 static TaborModel *drum_off(double travel) {
   TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  physics_lay_even(&def);
   def.wires.strainer_travel = travel;
   def.batter.tension = 1000.0;
   def.batter.stretch_stiffness = 1e7;

@@ -35,6 +35,7 @@ static TaborDrumDef small_snare(const char *preset) {
   def.quality.wire_points = 12;
   def.wires.damping_1 = 0.01; /* without sigma0 wires of the preset ring for 22 s */
   if (def.wires.count > 2) def.wires.count = 2;
+  if (def.wires.count > 1) physics_lay_even(&def); /* a wire that hangs clear rings for longer */
   def.mic_count = 1;
   return def;
 }

@@ -54,8 +54,8 @@ for package in "${names[@]}"; do
     tabor-vst3)
       has tabor-vst3 "$contents/[^/]*-linux/Tabor\.so" "$contents/Resources/moduleinfo\.json" \
         "$contents/Resources/licenses\.txt"
-      dpkg-deb --fsys-tarfile packages/tabor-vst3_*.deb | tar -xO ./usr/share/doc/tabor-vst3/copyright |
-        grep -q Steinberg || complain "the copyright of tabor-vst3 does not name the sources of others"
+      dpkg-deb --fsys-tarfile packages/tabor-vst3_*.deb | tar -xO ./usr/share/doc/tabor-vst3/copyright >copyright
+      grep -q Steinberg copyright || complain "the copyright of tabor-vst3 does not name the sources of others"
       ;;
     *) continue ;;
   esac

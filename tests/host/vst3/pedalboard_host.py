@@ -5,9 +5,10 @@ pedalboard_host.py BUNDLE PROGRAM
 
 Notes, controllers and pressures are on whole frames: 50 frames a tick. pedalboard puts a controller at the beginning of
 its block, so in blocks of 50 frames each is where the program has it. Of Tabor Multi it can only list the parameters: it
-gives an instrument no buffers for more than one output.
+gives an instrument no buffers for more than one output. So $VST3_HOST plays that.
 """
 
+import os
 import subprocess
 import sys
 import time
@@ -105,6 +106,16 @@ def check_sound():
             same(f"{what} in blocks of {block}", wanted, played(plugin, song, block))
 
 
+def check_multi():
+    microphones = ["left", "right", "top", "bottom", "near", "far", "inside"]
+    wanted = rendered([note(240, 100)], [word for name in microphones for word in ("--mic", name)])
+    for block in ("64", "4096"):
+        sound = subprocess.run([os.environ["VST3_HOST"], bundle, "Tabor Multi", "12000", str(wanted.shape[1]), block],
+                               check=True, capture_output=True).stdout
+        sound = numpy.frombuffer(sound, "<f4").reshape(-1, len(microphones)).T
+        same(f"Tabor Multi in blocks of {block}", wanted, sound)
+
+
 def check_state():
     plugin, other = load("Tabor"), load("Tabor")
     plugin.room, plugin.gain, plugin.quality = "None", "-6 dB", "Draft"
@@ -118,4 +129,5 @@ def check_state():
 
 check_parameters()
 check_sound()
+check_multi()
 check_state()

@@ -9,7 +9,13 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(_folder "${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share")
   set(_documents "${_folder}/doc/${CPACK_DEBIAN_${_name}_PACKAGE_NAME}")
   file(MAKE_DIRECTORY "${_documents}")
-  file(COPY_FILE "${CPACK_RESOURCE_FILE_LICENSE}" "${_documents}/copyright")
+  set(_license "${CPACK_RESOURCE_FILE_LICENSE}")
+  # What contains sources of others has their licences beside it.
+  file(GLOB_RECURSE _licenses "${CPACK_TEMPORARY_DIRECTORY}/${component}/licenses.txt")
+  if(_licenses)
+    list(GET _licenses 0 _license)
+  endif()
+  file(COPY_FILE "${_license}" "${_documents}/copyright")
   file(WRITE "${_documents}/changelog.Debian"
 "${CPACK_DEBIAN_${_name}_PACKAGE_NAME} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 

@@ -23,6 +23,11 @@ if [ -d "$SHARED_BUILD/clap" ]; then
 else
   skip_part "the CLAP plugins' package: there are no CLAP headers (tools/setup --plugins brings them)"
 fi
+if [ -d "$SHARED_BUILD/vst3" ]; then
+  names+=(tabor-vst3)
+else
+  skip_part "the VST3 plugins' package: there are no sources of these (tools/setup --plugins brings them)"
+fi
 [ "$(find packages -maxdepth 1 -name '*.deb' | wc -l)" = ${#names[@]} ] || complain "not these packages: $(ls packages)"
 
 # has PACKAGE PATTERN...: files that match; the pattern stands for a whole path.
@@ -41,11 +46,17 @@ has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}
 has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
   /usr/share/tabor/presets/snare-14x5.5.ini /usr/share/doc/tabor/README.md
 
-bundle=/usr/lib/lv2/tabor.lv2
+bundle=/usr/lib/lv2/tabor.lv2 contents=/usr/lib/vst3/Tabor\\.vst3/Contents
 for package in "${names[@]}"; do
   case $package in
     tabor-lv2) has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl ;;
     tabor-clap) has tabor-clap /usr/lib/clap/tabor.clap ;;
+    tabor-vst3)
+      has tabor-vst3 "$contents/[^/]*-linux/Tabor\.so" "$contents/Resources/moduleinfo\.json" \
+        "$contents/Resources/licenses\.txt"
+      dpkg-deb --fsys-tarfile packages/tabor-vst3_*.deb | tar -xO ./usr/share/doc/tabor-vst3/copyright >copyright
+      grep -q Steinberg copyright || complain "the copyright of tabor-vst3 does not name the sources of others"
+      ;;
     *) continue ;;
   esac
   field "$package" Depends | grep -q libtabor && complain "$package needs the library: $(field "$package" Depends)"

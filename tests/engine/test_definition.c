@@ -233,8 +233,8 @@ static void test_table_covers_the_struct(void **state) {
   const size_t names = (TABOR_MAX_STRIKERS + TABOR_MAX_MICS) * TABOR_NAME_SIZE;
   const size_t counts =
     4 * sizeof(uint32_t); /* struct_size, two_headed, striker_count, mic_count */
-  const size_t paddings =
-    15 + 2 * TABOR_MAX_STRIKERS + TABOR_MAX_MICS; /* a word after each odd run of uint32_t, at most */
+  const size_t paddings = 15 + 2 * TABOR_MAX_STRIKERS +
+                          TABOR_MAX_MICS; /* a word after each odd run of uint32_t, at most */
   assert_in_range(bytes, sizeof def - names - counts - 4 * paddings, sizeof def - names - counts);
 }
 

@@ -245,13 +245,13 @@ typedef struct TaborWiresDef {
   double spacing; /**< between neighbours [m], 0 to 0.1, default 0.002 */
   double angle;   /**< direction in which they run [deg], -360 to 360, default 0 */
   double offset;  /**< of their middle from the centre, across [m], -0.6 to 0.6, default 0 */
-  double mass_per_length;   /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
-  double tension;           /**< T [N], 0.01 to 200, default 5 */
+  double mass_per_length; /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
+  double tension;         /**< T [N], 0.01 to 200, default 5 */
   /** The tension of the head that carries the wires at which `tension` holds [N/m], 0 to 20000, default 0. If
    * that head is tighter or slacker, the wires are so, too, in proportion, within the range of `tension`, so
    * that their pitch keeps its distance from the head's. 0: their tension does not follow. */
   double head_tension;
-  double tension_spread;    /**< largest relative deviation between wires, 0 to 0.9, default 0 */
+  double tension_spread; /**< largest relative deviation between wires, 0 to 0.9, default 0 */
   /** Seed of these deviations, and of how uneven wires lie, 0 to 4294967295, default 1. */
   uint32_t seed;
   double bending_stiffness; /**< EI [N m2], 0 to 0.1, default 1e-6 */
@@ -632,9 +632,10 @@ typedef struct TaborModelOptions {
 
 /** What building a model takes. */
 typedef struct TaborModelEstimate {
-  double seconds;            /**< on one core of a server of 2024; right within a factor of 3 */
-  size_t bytes;              /**< memory while it is built; right within a factor of 3 */
-  char key[TABOR_NAME_SIZE]; /**< of the parameter that costs most of it, as `quality.wire_points` */
+  double seconds; /**< on one core of a server of 2024; right within a factor of 3 */
+  size_t bytes;   /**< memory while it is built; right within a factor of 3 */
+  char
+    key[TABOR_NAME_SIZE]; /**< of the parameter that costs most of it, as `quality.wire_points` */
 } TaborModelEstimate;
 
 /** Facts of a model. */
@@ -690,7 +691,8 @@ TABOR_API void tabor_model_options_default(TaborModelOptions *options);
  * Says what tabor_model_create() would take, in some milliseconds. On an error, those of tabor_drum_def_tune(), or
  * TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for @p options, *estimate is 0.
  */
-TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOptions *options,
+TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def,
+                                           const TaborModelOptions *options,
                                            TaborModelEstimate *estimate, TaborError *error);
 /**
  * Computes a model. The caller owns one reference to it. @p options may be NULL for the defaults.

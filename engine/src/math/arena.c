@@ -49,7 +49,8 @@ void tb_arena_beside(TbArena *arena, const TbArena *other) {
 static const double GLANCE = 0.005; /* [s] of processor time between two questions to the watch */
 
 static void ask(TbWatch *watch) {
-  const double done = watch->done + watch->part * watch->stage, now = (double)clock() / CLOCKS_PER_SEC;
+  const double done = watch->done + watch->part * watch->stage,
+               now = (double)clock() / CLOCKS_PER_SEC;
   if (watch->cancelled || fabs(now - watch->asked) < GLANCE) return;
   watch->asked = now;
   watch->cancelled = !watch->go_on(done < 1.0 ? done : 1.0, watch->context);

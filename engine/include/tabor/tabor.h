@@ -778,6 +778,15 @@ typedef struct TaborEvent {
   TaborSwap *swap;    /**< for TABOR_EVENT_SWAP and TABOR_EVENT_REPLACE */
 } TaborEvent;
 
+/** Sound from outside that drives a drum. */
+typedef struct TaborSound {
+  uint32_t
+    mic; /**< microphone of the definition at whose place the source is; of no matter past the last */
+  /** [frames] [Pa]: the pressure that the source would cause at the centre of the batter head if the drum were not
+   * there, ahead by the sound's way to the drum; NULL: silence. Samples must be finite. */
+  const float *pressure;
+} TaborSound;
+
 /** Counters since creation or reset, which go on through silences, swaps and replacements, and the strikers and hands in play. */
 typedef struct TaborStatistics {
   uint64_t frames;            /**< frames processed, sleeping ones included */
@@ -811,7 +820,7 @@ typedef struct TaborStatistics {
  * (newton_capped), where a drum may lose more energy, but never gains any.
  */
 typedef struct TaborLedger {
-  /** Kinetic energy of launched strikers, and the work of pressing hands and their springs. */
+  /** Kinetic energy of launched strikers, and the work of pressing hands, their springs and sound from outside. */
   double injected;
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
@@ -933,6 +942,16 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  */
 TABOR_API void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
                                   float *const *outputs, uint32_t frames);
+/**
+ * tabor_drum_process() while sound from outside drives the heads, and through them the wires: a loudspeaker in front
+ * of a snare drum, or another drum. @p sound may be NULL. Its source stands at the place of a microphone, which is
+ * used backwards: the heads are pushed as that microphone would hear them move (engine/src/step/incident_sound.h has
+ * the equation). It acts on the modes up to the two-way bandwidth. Sound below 2e-5 Pa counts as silence; any other
+ * wakes a drum that sleeps. The ledger counts its work as injected.
+ */
+TABOR_API void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_t count,
+                                        const TaborSound *sound, float *const *outputs,
+                                        uint32_t frames);
 /** True if everything has died away: the output is then exactly 0 until the next event. */
 TABOR_API bool tabor_drum_is_silent(const TaborDrum *drum);
 /** Brings the drum to rest, like TABOR_EVENT_RESET. */

@@ -195,11 +195,14 @@ static uint32_t heard_mics(const TbRoute *route, uint32_t heard) {
   return mics;
 }
 
-static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, double *sound) {
+static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, TbFrameAir *air,
+                      double *sound) {
   double pressure[TABOR_MAX_MICS];
   const TbRoute *route = &drum->route;
+  const uint32_t tap = air && air->tap != TB_NO_TAP ? 1u << air->tap : 0u;
   tb_event_pay_back(drum->state);
-  tb_frame(view, heard_mics(route, heard), pressure);
+  tb_frame(view, heard_mics(route, heard) | tap, air, pressure);
+  if (!drum->state->asleep) drum->at_rest = false;
   for (uint32_t i = 0; i < route->count; i++) {
     sound[i] = route->mics[i] == TB_NO_MIC ? 0.0 : pressure[route->mics[i]];
   }
@@ -241,8 +244,14 @@ static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events,
   return next;
 }
 
-void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
-                        float *const *outputs, uint32_t frames) {
+static TbFrameAir air_of_frame(const TbDrumAir *air, uint32_t frame) {
+  return (TbFrameAir){.mic = air->mic,
+                      .incident = air->incident ? (double)air->incident[frame] : 0.0,
+                      .tap = air->tapped ? air->tap : TB_NO_TAP};
+}
+
+void tb_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
+                     const TbDrumAir *air, float *const *outputs, uint32_t frames) {
   const TbFpMode mode = tb_fp_enter();
   TbView view = tb_view(drum->state, drum->model);
   double sound[TABOR_MAX_MICS];
@@ -250,10 +259,27 @@ void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t coun
   if (frames == 0) act_due(drum, &view, events, count, 0, 0, true);
   for (uint32_t frame = 0; frame < frames; frame++) {
     next = act_due(drum, &view, events, count, next, frame, frame + 1 == frames);
-    one_frame(drum, &view, heard_outputs(drum, outputs), sound);
+    TbFrameAir around = air ? air_of_frame(air, frame) : (TbFrameAir){.tap = TB_NO_TAP};
+    one_frame(drum, &view, heard_outputs(drum, outputs), &around, sound);
     store(drum, outputs, frame, sound);
+    if (air && air->tapped) air->tapped[frame] = (float)around.tapped;
   }
   tb_fp_leave(mode);
+}
+
+void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
+                        float *const *outputs, uint32_t frames) {
+  tb_drum_process(drum, events, count, NULL, outputs, frames);
+}
+
+void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_t count,
+                              const TaborSound *sound, float *const *outputs, uint32_t frames) {
+  TbDrumAir air = {.tap = TB_NO_TAP};
+  if (sound && sound->mic < drum->model->def.mic_count) {
+    air.mic = sound->mic;
+    air.incident = sound->pressure;
+  }
+  tb_drum_process(drum, events, count, &air, outputs, frames);
 }
 
 bool tabor_drum_is_silent(const TaborDrum *drum) { return drum->state->asleep && !drum->tails; }

@@ -44,6 +44,17 @@ struct TaborSwap {
   atomic_bool used, acted;      /* the event has come; nothing is left to be done but to ring out */
 };
 
+/* Sound from outside during a block, and the drum's own before it travels; any pointer may be NULL. */
+typedef struct TbDrumAir {
+  uint32_t mic;          /* at whose place the sound's source is */
+  const float *incident; /* [frames] [Pa]: see step/incident_sound.h */
+  uint32_t tap;          /* microphone whose signal is wanted before its delay */
+  float *tapped;         /* [frames], out [Pa] */
+} TbDrumAir;
+
+/* tabor_drum_process() in other sound; `air` may be NULL. Audio-safe. */
+void tb_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
+                     const TbDrumAir *air, float *const *outputs, uint32_t frames);
 /* An output for each microphone. */
 TbRoute tb_route_plain(const TaborModel *model);
 /* Outputs as a caller has chosen them. */

@@ -1,19 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "drum/frame.h"
 
+#include <math.h>
+
+#include "step/incident_sound.h"
 #include "step/step.h"
 
 static const uint64_t HOUSEKEEPING = 64; /* steps */
 
+/* A step in which the sound from outside goes from one pressure to another. */
+static void step_in_sound(TbView *view, double from, double to, uint32_t heard, double *pressure) {
+  view->incident.before = from;
+  view->incident.now = to;
+  tb_step(view, heard, pressure);
+}
+
 /* One step, or two and what microphones hear of both. */
-static void step_frame(TbView *view, uint32_t heard, double *pressure) {
+static void step_frame(TbView *view, double from, double to, uint32_t heard, double *pressure) {
   double first[TABOR_MAX_MICS];
   if (view->model->steps == 1) {
-    tb_step(view, heard, pressure);
+    step_in_sound(view, from, to, heard, pressure);
     return;
   }
-  tb_step(view, heard, first);
-  tb_step(view, heard, pressure);
+  const double middle = 0.5 * (from + to);
+  step_in_sound(view, from, middle, heard, first);
+  const double tapped = view->tapped;
+  step_in_sound(view, middle, to, heard, pressure);
+  view->tapped = 0.5 * (tapped + view->tapped);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     pressure[mic] = tb_halve_rate(view->state->halved[mic], first[mic], pressure[mic]);
   }
@@ -28,16 +41,32 @@ static void respond(TbView *view, double *pressure) {
   }
 }
 
-void tb_frame(TbView *view, uint32_t heard, double *pressure) {
+/* Returns the pressure of the frame before. */
+static double take_sound(TbView *view, const TbFrameAir *air) {
   TbState *state = view->state;
+  const double before = state->incident;
+  const bool sounds = air && fabs(air->incident) >= TB_INCIDENT_LEAST;
+  state->incident = sounds ? air->incident : 0.0;
+  if (sounds) state->asleep = state->quiet_checks = 0;
+  view->incident.mic = air ? air->mic : 0;
+  view->tap = air ? air->tap : TB_NO_TAP;
+  view->tapped = 0.0;
+  return before;
+}
+
+void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure) {
+  TbState *state = view->state;
+  const double before = take_sound(view, air);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) pressure[mic] = 0.0;
   state->statistics.frames++;
   if (state->asleep) {
     state->statistics.slept_frames++;
     state->hushed = 0;
+    if (air) air->tapped = 0.0;
     return;
   }
-  step_frame(view, heard, pressure);
+  step_frame(view, before, state->incident, heard, pressure);
+  if (air) air->tapped = view->tapped;
   respond(view, pressure);
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;

@@ -5,7 +5,16 @@
 
 #include "step/state.h"
 
-/* Advances the state by one frame, asleep or not; pressure[] as for tb_step(). */
-void tb_frame(TbView *view, uint32_t heard, double *pressure);
+/* Sound from outside during a frame, and what is wanted of the drum's own. */
+typedef struct TbFrameAir {
+  uint32_t mic;    /* at whose place the sound's source is */
+  double incident; /* [Pa]: see step/incident_sound.h */
+  uint32_t tap;    /* microphone whose signal is wanted before its delay, or TB_NO_TAP */
+  double tapped;   /* out [Pa] */
+} TbFrameAir;
+
+/* Advances the state by one frame, asleep or not; pressure[] as for tb_step(). Sound from outside wakes the
+ * drum. `air` may be NULL. */
+void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure);
 
 #endif

@@ -89,7 +89,7 @@ static uint32_t heard_of(const TbTail *tail, uint32_t heard) {
 static void play(TbTail *tail, double weight, uint32_t heard, double *outputs) {
   TbView view = tb_view(tail->state, tail->model);
   double own[TABOR_MAX_MICS] = {0.0};
-  tb_frame(&view, heard_of(tail, heard), own);
+  tb_frame(&view, heard_of(tail, heard), NULL, own);
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) {
     if (heard >> i & 1u && tail->mics[i] != TB_NO_MIC) outputs[i] += weight * own[tail->mics[i]];
   }

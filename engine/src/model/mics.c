@@ -53,6 +53,24 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   *behind = u - v;
 }
 
+/* The weights of a source at the microphone's place, from those of the microphone. These give the pressure per
+ * unit of displacement, -w^2 W, and a factor sin(w k)/(w k) that makes up for what the recursion does to a force;
+ * who hears the drum makes up for it already. */
+static void push_weights(const TaborModel *model, const TaborMicDef *def, double omega,
+                         double ahead, double behind, double *now, double *before) {
+  const double pi = 3.14159265358979323846;
+  const double distance = sqrt(def->radius * def->radius + def->height * def->height);
+  const double turn = omega * model->time_step, u = 0.5 * (ahead + behind),
+               v = 0.5 * (ahead - behind);
+  double sine, cosine;
+  *now = *before = 0.0;
+  if (model->def.air.density == 0.0) return;
+  tb_sin_cos(turn, &sine, &cosine);
+  const double size = 4.0 * pi * distance / model->def.air.density * turn / (omega * omega * sine);
+  *now = size * (2.0 * u * (cosine - 1.0) + 2.0 * v * cosine);
+  *before = -size * 2.0 * v;
+}
+
 static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
@@ -60,6 +78,8 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
     const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
     tb_mic_weights(model, index, mode->omega, &pole, mode->m, model->modes.sine[i],
                    mode->fields + 2 * index, &mic->ahead[i], &mic->behind[i]);
+    push_weights(model, &model->def.mic[index], mode->omega, mic->ahead[i], mic->behind[i],
+                 &mic->push_now[i], &mic->push_before[i]);
   }
 }
 
@@ -71,6 +91,8 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
     tb_mic_response_prepare(&mic->response, model->def.mic[index].response, model->sample_rate);
     mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
+    mic->push_now = tb_arena_doubles(&model->arena, model->modes.padded);
+    mic->push_before = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;
     mode_weights(model, index, mic);
   }

@@ -31,6 +31,8 @@
  * B(n) = Sum behind q^n, `delay` steps later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
+  /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see step/incident_sound.h */
+  double *push_now, *push_before;
   uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */
   TbMicResponse response;
 } TbMic;

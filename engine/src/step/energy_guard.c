@@ -2,6 +2,7 @@
 #include "step/energy_guard.h"
 
 #include "step/energy.h"
+#include "step/incident_sound.h"
 #include "step/striker_pool.h"
 
 /* next = last + t (next - last). */
@@ -24,7 +25,7 @@ static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
   const TbHandWork hands = tb_pool_hand_work(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
-         losses.shell + losses.wires + hands.lost - hands.done;
+         losses.shell + losses.wires + hands.lost - hands.done - tb_incident_work(view);
 }
 
 bool tb_energy_guard(TbView *view) {

@@ -156,6 +156,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
       const TbPair own =
         mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
+      if (mic == view->tap) view->tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /
                     live[TB_LIVE_FULL_SCALE].now;

@@ -114,6 +114,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   const TbLayout *l = &model->layout;
   TbView view = {.model = model,
                  .state = state,
+                 .tap = TB_NO_TAP,
                  .bend = at(state, l->bend),
                  .head = at(state, l->head),
                  .rest_load = at(state, l->rest_load),

@@ -28,6 +28,8 @@ typedef struct TbLiveParam {
   uint32_t left;
 } TbLiveParam;
 
+#define TB_NO_TAP UINT32_MAX
+
 typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
 
 /* The slot of the batter head's muffler, a permanent hand. The resonant head's muffler has the next
@@ -108,6 +110,7 @@ typedef struct TbState {
   TbWireContacts contacts; /* sums over these samples */
   uint32_t airborne;   /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint32_t event_debt; /* see event_budget.h */
+  double incident;     /* sound from outside at the last frame [Pa] */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */
@@ -138,6 +141,12 @@ typedef struct TbPhase {
   double (*missing)[TB_MISSING], (*bow)[TB_BENDS];
 } TbPhase;
 
+/* Sound from outside: pressure [Pa] at this step and at the one before, from the place of a microphone. */
+typedef struct TbIncident {
+  uint32_t mic;
+  double now, before;
+} TbIncident;
+
 /* The three instants that a step touches: n + 1, n, n - 1. */
 typedef struct TbView {
   const TaborModel *model;
@@ -155,6 +164,9 @@ typedef struct TbView {
   double *stretch_carry; /* [bed size + TB_SLOTS]: part of `product` due to past stretch */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
+  TbIncident incident; /* see incident_sound.h */
+  uint32_t tap;        /* a microphone whose signal is wanted before its delay, or TB_NO_TAP */
+  double tapped;       /* this signal of the newest step [Pa] */
   TbSolve solve;
 } TbView;
 

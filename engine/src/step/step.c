@@ -9,6 +9,7 @@
 #include "step/energy.h"
 #include "step/energy_guard.h"
 #include "step/high_band_step.h"
+#include "step/incident_sound.h"
 #include "step/live_params.h"
 #include "step/lug_forces.h"
 #include "step/mic_output.h"
@@ -157,7 +158,7 @@ static void book_losses(TbView *view) {
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHandWork hands = tb_pool_hand_work(view);
-  sums->injected += hands.done;
+  sums->injected += hands.done + tb_incident_work(view);
   sums->damper_loss += hands.lost;
 }
 
@@ -178,6 +179,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   TB_STAGE(STRIKERS);
   tb_brush_step(view);
   free_motion(view);
+  tb_incident_push(view);
   tb_lug_forces_pull(view);
   TB_STAGE(STRETCH);
   tb_stretch_free(view);

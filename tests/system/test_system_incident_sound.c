@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+/* Sound from outside: a source at a microphone's place pushes the heads as that microphone hears them. */
+#include "physics.h"
+
+static const double PI = 3.14159265358979323846;
+enum { RATE = 48000, BLOCK = 64 };
+
+static TaborDrum *drum_of(const TaborDrumDef *def, uint32_t quality) {
+  TaborModel *model = physics_model(def, RATE, quality);
+  TaborDrum *drum = physics_drum(model);
+  tabor_model_release(model);
+  return drum;
+}
+
+/* Plays `frames` frames of what `pressure` gives [Pa], from `from` on, into sound[] of the first microphone. */
+static void play(TaborDrum *drum, uint32_t mic, double (*pressure)(uint32_t), uint32_t from,
+                 uint32_t frames, float *sound) {
+  for (uint32_t at = 0; at < frames; at += BLOCK) {
+    float in[BLOCK];
+    float *outputs[TABOR_MAX_MICS] = {sound ? sound + at : NULL};
+    for (uint32_t i = 0; i < BLOCK; i++) in[i] = (float)pressure(from + at + i);
+    const TaborSound outside = {.mic = mic, .pressure = in};
+    tabor_drum_process_sound(drum, NULL, 0, &outside, outputs, BLOCK);
+  }
+}
+
+/* ---- the static limit ------------------------------------------------------------------------ */
+
+static double one_pascal(uint32_t frame) {
+  const double rise = 0.2 * RATE; /* slowly: the modes must not ring */
+  return frame < rise ? 0.5 - 0.5 * cos(PI * frame / rise) : 1.0;
+}
+
+/* A membrane in a baffle under a far source: the baffle doubles the pressure, and a uniform pressure p pushes the
+ * centre by p a^2/(4 T). What is missing are the modes above the bandwidth, and the far source's own curvature. */
+static const double STATIC_TOLERANCE = 0.01;
+
+static void slow_sound_pushes_a_membrane_like_a_uniform_pressure(void **state) {
+  (void)state;
+  TaborDrumDef def = physics_membrane();
+  def.shell.boundary = TABOR_BOUNDARY_BAFFLED;
+  def.air.density = 1.2;
+  def.air.gravity = 0.0;
+  def.batter.damping_0 = 40.0;
+  def.mic[0].radius = 0.0;
+  def.mic[0].height = 10.0;
+  TaborDrum *drum = drum_of(&def, TABOR_QUALITY_STUDIO);
+  play(drum, 0, one_pascal, 0, RATE, NULL);
+  TaborProbe probe;
+  tabor_drum_probe(drum, &probe);
+  const double radius = def.shell.radius;
+  const double expected = -2.0 * radius * radius / (4.0 * def.batter.tension);
+  print_message("centre %.4g m, uniform pressure %.4g m\n", probe.head, expected);
+  assert_true(fabs(probe.head / expected - 1.0) < STATIC_TOLERANCE);
+  tabor_drum_destroy(drum);
+}
+
+/* ---- resonance and energy -------------------------------------------------------------------- */
+
+static double frequency, level; /* of the tone */
+
+static double tone(uint32_t frame) { return level * sin(2.0 * PI * frequency * frame / RATE); }
+
+/* Root mean square of the pressure at the microphone in the last tenth of half a second. */
+static double answer(const TaborDrumDef *def, TaborModel *model, double hertz) {
+  static float sound[RATE / 2];
+  TaborDrum *drum = physics_drum(model);
+  frequency = hertz;
+  level = 0.1;
+  play(drum, (uint32_t)tabor_drum_def_find_mic(def, "far"), tone, 0, RATE / 2, sound);
+  double sum = 0.0;
+  for (uint32_t i = RATE * 4 / 10; i < RATE / 2; i++) sum += (double)sound[i] * (double)sound[i];
+  tabor_drum_destroy(drum);
+  return sqrt(sum);
+}
+
+/* The lowest mode in which both heads move together is a peak of the answer to tones. */
+static void a_tone_finds_the_mode(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("tom-12");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborModeInfo mode = {0};
+  for (uint32_t row = 0; mode.part == TABOR_PART_RIM || row == 0; row++) {
+    assert_true(tabor_model_mode(model, row, &mode));
+  }
+  const double at = answer(&def, model, mode.frequency);
+  print_message("%.1f Hz: %.3g, 10 %% below and above: %.3g, %.3g\n", mode.frequency, at,
+                answer(&def, model, 0.9 * mode.frequency),
+                answer(&def, model, 1.1 * mode.frequency));
+  assert_true(at > 3.0 * answer(&def, model, 0.9 * mode.frequency));
+  assert_true(at > 3.0 * answer(&def, model, 1.1 * mode.frequency));
+  tabor_model_release(model);
+}
+
+static double sweep(uint32_t frame) {
+  const double t = (double)frame / RATE;
+  return level * sin(2.0 * PI * (40.0 * t + 0.5 * 2000.0 * t * t));
+}
+
+static void the_ledger_closes(void **state) {
+  (void)state;
+  static const uint32_t QUALITIES[] = {TABOR_QUALITY_LIVE, TABOR_QUALITY_STUDIO};
+  for (size_t i = 0; i < 2; i++) {
+    TaborDrumDef def = physics_preset("snare-14x5.5");
+    if (QUALITIES[i] == TABOR_QUALITY_STUDIO) def = physics_small(&def);
+    TaborDrum *drum = drum_of(&def, QUALITIES[i]);
+    level = 20.0; /* loud enough for the wires to leave their head */
+    play(drum, 0, sweep, 0, RATE / 4 / BLOCK * BLOCK, NULL);
+    TaborLedger ledger;
+    TaborStatistics statistics;
+    tabor_drum_ledger(drum, &ledger);
+    tabor_drum_statistics(drum, &statistics);
+    print_message("injected %.4g J, stored %.4g J, lost in contacts %.4g J, residual %.2g J\n",
+                  ledger.injected, ledger.stored, ledger.contact_loss, ledger.residual);
+    assert_true(statistics.newton_capped == 0);
+    assert_true(ledger.injected > 0.0 && ledger.contact_loss > 0.0);
+    assert_true(fabs(ledger.residual) < physics_residual(QUALITIES[i]) * ledger.injected);
+    tabor_drum_destroy(drum);
+  }
+}
+
+/* ---- silence --------------------------------------------------------------------------------- */
+
+static double nothing(uint32_t frame) {
+  (void)frame;
+  return 0.0;
+}
+
+static double faint(uint32_t frame) {
+  (void)frame;
+  return 1.9e-5; /* [Pa], below what counts */
+}
+
+static void silence_in_is_silence_out(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5");
+  TaborDrum *drum = drum_of(&def, TABOR_QUALITY_LIVE);
+  play(drum, 0, nothing, 0, 10 * BLOCK, NULL);
+  play(drum, 0, faint, 0, 10 * BLOCK, NULL);
+  TaborStatistics statistics;
+  tabor_drum_statistics(drum, &statistics);
+  assert_true(tabor_drum_is_silent(drum));
+  assert_true(statistics.slept_frames == 20 * BLOCK);
+  tabor_drum_destroy(drum);
+}
+
+/* Blocks and a saved state change no bit. */
+static void blocks_and_states_change_no_bit(void **state) {
+  (void)state;
+  enum { LENGTH = 8 * BLOCK };
+  const TaborDrumDef def = physics_preset("tom-12");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  float in[LENGTH], whole[LENGTH], parts[LENGTH];
+  level = 5.0;
+  for (uint32_t i = 0; i < LENGTH; i++) in[i] = (float)sweep(i + 400);
+  TaborDrum *first = physics_drum(model), *second = physics_drum(model);
+  const TaborSound all = {.mic = 0, .pressure = in};
+  float *outputs[TABOR_MAX_MICS] = {whole};
+  tabor_drum_process_sound(first, NULL, 0, &all, outputs, LENGTH);
+  for (uint32_t at = 0, size = 1; at < LENGTH; at += size) {
+    size = LENGTH - at < 37 ? LENGTH - at : 37;
+    const TaborSound part = {.mic = 0, .pressure = in + at};
+    float *out[TABOR_MAX_MICS] = {parts + at};
+    void *bytes = malloc(tabor_drum_state_size(second));
+    tabor_drum_state_save(second, bytes);
+    tabor_drum_destroy(second);
+    second = physics_drum(model);
+    assert_int_equal(tabor_drum_state_load(second, bytes, tabor_drum_state_size(second)), TABOR_OK);
+    free(bytes);
+    tabor_drum_process_sound(second, NULL, 0, &part, out, size);
+  }
+  assert_memory_equal(whole, parts, sizeof whole);
+  assert_true(whole[LENGTH - 1] != 0.0f);
+  tabor_drum_destroy(first);
+  tabor_drum_destroy(second);
+  tabor_model_release(model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(slow_sound_pushes_a_membrane_like_a_uniform_pressure),
+    cmocka_unit_test(a_tone_finds_the_mode),
+    cmocka_unit_test(the_ledger_closes),
+    cmocka_unit_test(silence_in_is_silence_out),
+    cmocka_unit_test(blocks_and_states_change_no_bit),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

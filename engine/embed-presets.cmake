@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Writes preset files as the C table of engine/src/definition/preset.h, in this order:
 #
-#   cmake -D "OUTPUT=TABLE.c" -D "PRESETS=A.ini;B.ini" -P embed-presets.cmake
+#   cmake -D "OUTPUT=TABLE.c" -D "PRESETS=A.ini;B.ini" [-D KITS=ON] -P embed-presets.cmake
 #
+# With KITS the table is that of engine/src/kit/kit_def.h.
 # It reads what host/drums/preset_file.h describes, and no text but ASCII. Whether the values make sense is tested
 # later (tests/engine/test_preset.c); here a file only has to be sound.
 cmake_minimum_required(VERSION 3.22)
@@ -120,7 +121,7 @@ macro(take_pair)
   list(APPEND keys "${key}")
   set(full_key "${section}.${key}")
   as_c(value "${value}")
-  if(full_key STREQUAL "drum.comment")
+  if(full_key STREQUAL "${of_what}.comment")
     set(comment "${value}")
   endif()
   add_pair()
@@ -167,6 +168,17 @@ endfunction()
 if(NOT OUTPUT OR NOT PRESETS)
   message(FATAL_ERROR "usage: cmake -D OUTPUT=TABLE.c -D \"PRESETS=A.ini;B.ini\" -P embed-presets.cmake")
 endif()
+if(KITS)
+  set(of_what kit)
+  set(header "kit/kit_def.h")
+  set(table tb_kits)
+  set(number_of tb_kit_count)
+else()
+  set(of_what drum)
+  set(header "definition/preset.h")
+  set(table tb_presets)
+  set(number_of tb_preset_count)
+endif()
 set(count 0)
 foreach(file IN LISTS PRESETS)
   embed("${file}" ${count})
@@ -174,12 +186,12 @@ foreach(file IN LISTS PRESETS)
 endforeach()
 file(
   WRITE "${OUTPUT}"
-  "/* Written by engine/embed-presets.cmake from the files of presets/. */
-#include \"definition/preset.h\"
+  "/* Written by engine/embed-presets.cmake from text files. */
+#include \"${header}\"
 #include <stddef.h>
 ${arrays}
-const TbPreset tb_presets[] = {
+const TbPreset ${table}[] = {
 ${rows}};
 
-const uint32_t tb_preset_count = ${count};
+const uint32_t ${number_of} = ${count};
 ")

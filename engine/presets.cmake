@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The built-in presets: files of presets/ compiled into the library, in the order in which they are
-# listed. Sets TABOR_PRESET_SOURCE, the generated table, which the target preset-table writes.
+# The built-in presets and kits: files of presets/ and kits/ compiled into the library, in the order in which they are
+# listed. Sets TABOR_PRESET_SOURCE and TABOR_KIT_SOURCE, the generated tables, which the target preset-table writes.
 
 set(TABOR_PRESETS
     tabor
@@ -18,9 +18,14 @@ set(TABOR_PRESETS
     bass-drum-22
     timpani-26)
 
+set(TABOR_KITS standard)
+
 list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VARIABLE TABOR_PRESET_FILES)
 list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")
+list(TRANSFORM TABOR_KITS PREPEND "${PROJECT_SOURCE_DIR}/kits/" OUTPUT_VARIABLE TABOR_KIT_FILES)
+list(TRANSFORM TABOR_KIT_FILES APPEND ".ini")
 set(TABOR_PRESET_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/preset_table.c")
+set(TABOR_KIT_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/kit_table.c")
 
 set(TABOR_EMBED_PRESETS "${CMAKE_CURRENT_SOURCE_DIR}/embed-presets.cmake")
 add_custom_command(
@@ -30,4 +35,11 @@ add_custom_command(
   DEPENDS "${TABOR_EMBED_PRESETS}" ${TABOR_PRESET_FILES}
   COMMENT "Embedding the presets"
   VERBATIM)
-add_custom_target(preset-table DEPENDS "${TABOR_PRESET_SOURCE}")
+add_custom_command(
+  OUTPUT "${TABOR_KIT_SOURCE}"
+  COMMAND "${CMAKE_COMMAND}" -D "OUTPUT=${TABOR_KIT_SOURCE}" -D "PRESETS=${TABOR_KIT_FILES}" -D KITS=ON -P
+          "${TABOR_EMBED_PRESETS}"
+  DEPENDS "${TABOR_EMBED_PRESETS}" ${TABOR_KIT_FILES}
+  COMMENT "Embedding the kits"
+  VERBATIM)
+add_custom_target(preset-table DEPENDS "${TABOR_PRESET_SOURCE}" "${TABOR_KIT_SOURCE}")

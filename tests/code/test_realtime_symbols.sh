@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Checks in the compiled library which functions the audio thread can call, independent of the branches that other
-# tests take. Every function has its own section. From the functions that tabor.h marks AUDIO or ANY, this test
+# tests take. Every function has its own section. From the functions that the headers mark AUDIO or ANY, this test
 # follows every reference to other sections, tables of functions included, and checks the symbols reached
 # outside the library. It cannot see the user's function pointers, the allocator; test_realtime counts its calls.
 #
@@ -18,7 +18,7 @@ shift 2
 allowed="memcmp memcpy memmove memset sqrt _GLOBAL_OFFSET_TABLE_ __stack_chk_fail"
 
 audio=$(awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 } audio' \
-  "$header" | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
+  "$(dirname "$header")"/*.h | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
 
 if [ $# -gt 0 ]; then
   audio="player_process player_send ask_client $audio"

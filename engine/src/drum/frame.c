@@ -45,9 +45,10 @@ static void respond(TbView *view, double *pressure) {
 static double take_sound(TbView *view, const TbFrameAir *air) {
   TbState *state = view->state;
   const double before = state->incident;
-  const bool sounds = air && fabs(air->incident) >= TB_INCIDENT_LEAST;
-  state->incident = sounds ? air->incident : 0.0;
-  if (sounds) state->asleep = state->quiet_checks = 0;
+  const double size = air ? fabs(air->incident) : 0.0;
+  const bool wakes = size >= TB_INCIDENT_LEAST && size >= air->wake;
+  if (wakes) state->asleep = state->quiet_checks = 0;
+  state->incident = size >= TB_INCIDENT_LEAST && !state->asleep ? air->incident : 0.0;
   view->incident.mic = air ? air->mic : 0;
   view->tap = air ? air->tap : TB_NO_TAP;
   view->tapped = 0.0;

@@ -9,6 +9,7 @@
 typedef struct TbFrameAir {
   uint32_t mic;    /* at whose place the sound's source is */
   double incident; /* [Pa]: see step/incident_sound.h */
+  double wake;     /* a drum that sleeps does not hear what is less [Pa] */
   uint32_t tap;    /* microphone whose signal is wanted before its delay, or TB_NO_TAP */
   double tapped;   /* out [Pa] */
 } TbFrameAir;

@@ -158,7 +158,9 @@ static void book_losses(TbView *view) {
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHandWork hands = tb_pool_hand_work(view);
-  sums->injected += hands.done + tb_incident_work(view);
+  const double sound = tb_incident_work(view);
+  view->state->sound_work += sound;
+  sums->injected += hands.done + sound;
   sums->damper_loss += hands.lost;
 }
 

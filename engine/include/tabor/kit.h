@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file kit.h
+ * Several drums that are played as one instrument, in one room, and hear each other.
+ *
+ * - A *kit definition* (TaborKitDef) is a plain struct: drums, where they stand, which notes play them, how loud
+ *   they are in the mix. It has some 130 kB: allocate it.
+ * - A *kit* (TaborKit) is the sounding instrument. It takes events that are addressed to drums and fills outputs: a
+ *   stereo mix, each drum's part of it, each microphone.
+ *
+ * Places are in metres: x to the player's right, y away from the player, height above the floor. A drum's place is
+ * the centre of its batter head.
+ *
+ * **The mix.** Two microphones hang over the kit, the overheads, and hear every drum from where they are; a room
+ * answers what they hear. To their sound the mix adds one close microphone of each drum, with a gain and a place between
+ * left and right.
+ *
+ * **Drums hear each other.** The sound pressure p of a drum falls with the distance r from its centre as 1/r. Each other
+ * drum is pushed by it as by a source at that distance, after the sound's way from head to head:
+ *
+ *   p_B(t) = c Sum_A (d/r_AB) p_A(t - t_AB),
+ *
+ * p_A what a microphone at the large distance d hears of drum A in the direction of the kit's middle, and c the
+ * coupling. Drum B is pushed by the same weights by which it is heard there (tabor_drum_process_sound()), so that two
+ * drums act on each other by the same numbers. The work is booked as injected. Limits: of a drum only the one direction
+ * is taken; drums closer than their own size have no near field; the modes up to the two-way bandwidth
+ * hear and are heard through their head's own motion, not hoops and stands.
+ *
+ * A drum that sleeps is woken by the others' sound only if it has wires and the pressure reaches `wake`, that is, if the
+ * wires may be lifted off their head. So a stroke on one drum does not make all others cost processor time.
+ *
+ * Threads, errors and units are those of tabor.h.
+ */
+#ifndef TABOR_KIT_H
+#define TABOR_KIT_H
+
+#include <tabor/tabor.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TABOR_KIT_DRUMS 16       /**< drums of one kit */
+#define TABOR_KIT_NOTES 128      /**< notes of MIDI */
+#define TABOR_KIT_ALL UINT32_MAX /**< address of an event that goes to every drum */
+#define TABOR_KIT_OWN_MICS                                                                         \
+  5 /**< a drum's own microphones in a kit at most; the kit adds three of its own */
+
+/** @name Microphones that a kit adds to each drum: its overheads, and the one by which drums hear each other */
+/** @{ */
+#define TABOR_KIT_LEFT "left"
+#define TABOR_KIT_RIGHT "right"
+#define TABOR_KIT_AIR "kit"
+/** @} */
+
+/** What a note does to a drum. */
+typedef enum TaborKitStroke {
+  TABOR_KIT_STROKE_NONE,        /**< the note belongs to another drum or to none */
+  TABOR_KIT_STROKE_HEAD,        /**< a stroke on the head */
+  TABOR_KIT_STROKE_RIMSHOT,     /**< head and hoop at once */
+  TABOR_KIT_STROKE_CROSS_STICK, /**< the stick lies on the head and strikes the hoop */
+  TABOR_KIT_STROKE_RIM,         /**< the hoop alone */
+  TABOR_KIT_STROKE_BUZZ,        /**< the stick is pressed until the note ends */
+  TABOR_KIT_STROKE_SWEEP        /**< a brush is drawn over the head until the note ends */
+} TaborKitStroke;
+
+/** One drum of a kit. */
+typedef struct TaborKitDrumDef {
+  char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
+  TaborDrumDef def;           /**< the drum itself; its room is not used */
+  double x, y;                /**< place [m], -5 to 5 */
+  double height;              /**< of the batter head above the floor [m], 0.05 to 3, default 0.7 */
+  /** Angle between the drum's axis and the vertical [deg], 0 to 180: 0, the default, is a head that looks up, 90 the
+   * batter head of a bass drum. */
+  double tilt;
+  /** Direction to which a tilted batter head looks, seen from above [deg], -360 to 360, default 270: to the player. */
+  double facing;
+  double gain; /**< of the close microphone in the mix [dB], -120 (none) to 24, default 0 */
+  double pan;  /**< of the close microphone, -1 (left) to 1 (right), default 0 */
+  double
+    wake; /**< pressure at which others' sound wakes the drum if it has wires [Pa], 0 to 1000, default 1 */
+  uint32_t
+    choke; /**< a stroke silences other drums of the same group; 0, the default: none, to 15 */
+  char mic[TABOR_NAME_SIZE];      /**< name of its close microphone; "", the default: the first */
+  uint8_t notes[TABOR_KIT_NOTES]; /**< a TaborKitStroke for each note */
+} TaborKitDrumDef;
+
+/** A whole kit. Plain data. */
+typedef struct TaborKitDef {
+  uint32_t struct_size;          /**< set by tabor_kit_def_default() */
+  char name[TABOR_NAME_SIZE];    /**< name of the kit */
+  char comment[TABOR_TEXT_SIZE]; /**< description, one line */
+  char license[TABOR_NAME_SIZE]; /**< licence of the definition */
+  uint32_t coupled;              /**< 1, the default: drums hear each other; 0: they do not */
+  double
+    coupling; /**< how loud others are heard beside what physics says [dB], -60 to 24, default 0 */
+  double overheads; /**< gain of the overheads in the mix [dB], -120 (none) to 24, default 0 */
+  double
+    full_scale; /**< pressure at the overheads that gives 1.0 in the mix [Pa], 1e-3 to 1e5, default 20 */
+  double overhead_spacing;               /**< between the overheads [m], 0.1 to 5, default 1 */
+  double overhead_x, overhead_y;         /**< place of their middle [m], -5 to 5 */
+  double overhead_height;                /**< above the floor [m], 0.3 to 5, default 1.6 */
+  TaborRoomDef room;                     /**< around the kit; heard through the overheads */
+  uint32_t drum_count;                   /**< 0 to TABOR_KIT_DRUMS; a kit that plays needs one */
+  TaborKitDrumDef drum[TABOR_KIT_DRUMS]; /**< the drums */
+} TaborKitDef;
+
+/** A built-in kit: name for tabor_kit_def_preset(), description, and name of its text file in kits/. */
+typedef TaborPresetInfo TaborKitInfo;
+
+/** @name Set-up: kit definitions
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
+
+/** Number of built-in kits. */
+TABOR_API uint32_t tabor_kit_count(void);
+/** Built-in kit @p index in listed order, from 0; NULL past the end. Static storage. */
+TABOR_API const TaborKitInfo *tabor_kit(uint32_t index);
+
+/** Sets every field to its default: no drums. */
+TABOR_API void tabor_kit_def_default(TaborKitDef *def);
+/** Loads the built-in kit @p name. TABOR_ERROR_NAME if there is none; the message suggests a similar name. */
+TABOR_API TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, TaborError *error);
+/**
+ * Sets one field from text. Keys are `kit.KEY` and `room.KEY`, as the fields above and those of TaborRoomDef are
+ * called, and `drum.NAME.KEY`, where a new NAME adds a drum. KEY is
+ *
+ * - `preset`: the drum becomes this built-in preset; place, mix and notes stay;
+ * - a field of TaborKitDrumDef: `x`, `y`, `height`, `tilt`, `facing`, `gain`, `pan`, `wake`, `choke`, `mic`;
+ * - `head`, `rimshot`, `cross-stick`, `rim`, `buzz`, `sweep`: the notes that play it so, as "38, 40"; "" none;
+ * - a key of the drum itself, as `batter.pitch`.
+ *
+ * `kit.coupling` takes "off", too. On an error @p def is unchanged: TABOR_ERROR_KEY, TABOR_ERROR_VALUE,
+ * TABOR_ERROR_RANGE, TABOR_ERROR_NAME for an unknown preset, TABOR_ERROR_FULL for a drum too many.
+ */
+TABOR_API TaborStatus tabor_kit_def_set(TaborKitDef *def, const char *key, const char *value,
+                                        TaborError *error);
+/** Begins a section of a kit file: `kit`, `room` or `drum.NAME`, which adds that drum. TABOR_ERROR_KEY,
+ * TABOR_ERROR_FULL. */
+TABOR_API TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section,
+                                            TaborError *error);
+/**
+ * Checks ranges and rules: every drum by tabor_drum_def_validate(), one drum for each note, names that differ. The message
+ * names the drum.
+ */
+TABOR_API TaborStatus tabor_kit_def_validate(const TaborKitDef *def, TaborError *error);
+/** Index of the drum @p name, or -1. */
+TABOR_API int tabor_kit_def_find(const TaborKitDef *def, const char *name);
+/**
+ * Writes to @p placed the definition of drum @p drum as it stands in the kit, for tabor_model_create(): with the kit's own
+ * microphones in place of the preset's `left`, `right` and `far`. TABOR_ERROR_ARGUMENT if there is no such drum;
+ * TABOR_ERROR_FULL if more than TABOR_KIT_OWN_MICS microphones are left; TABOR_ERROR_NAME for a close microphone that it
+ * lacks; TABOR_ERROR_RANGE for an overhead within the drum.
+ */
+TABOR_API TaborStatus tabor_kit_def_place(const TaborKitDef *def, uint32_t drum,
+                                          TaborDrumDef *placed, TaborError *error);
+/** @} */
+
+/** A sounding kit. */
+typedef struct TaborKit TaborKit;
+
+/** An event of a drum. */
+typedef struct TaborKitEvent {
+  uint32_t drum;    /**< index of the drum, or TABOR_KIT_ALL; another one: the event is dropped */
+  TaborEvent event; /**< as for tabor_drum_process() */
+} TaborKitEvent;
+
+/** Where a block goes. Any pointer may be NULL: that output is not computed. */
+typedef struct TaborKitOutputs {
+  float *stereo[2];                /**< the mix, left and right */
+  float *drum[TABOR_KIT_DRUMS][2]; /**< each drum's part of it, without the room */
+  float *mic
+    [TABOR_KIT_DRUMS]
+    [TABOR_MAX_MICS]; /**< microphones, in the order of the drum's placed definition; TABOR_KIT_AIR is silent */
+} TaborKitOutputs;
+
+/** @name Set-up: kits
+ * SET-UP: any thread but the audio thread. */
+/** @{ */
+
+/**
+ * Creates a kit at rest.
+ *
+ * @param def     its definition, which is copied.
+ * @param models  [def->drum_count]: the models of the drums, built from what tabor_kit_def_place() gives, at one sample
+ *                rate and with one allocator. The kit keeps references. They may be built in parallel.
+ * @param kit     receives the kit; NULL on an error.
+ *
+ * Errors: those of tabor_kit_def_validate() and tabor_room_create(), TABOR_ERROR_ARGUMENT for models that do not fit,
+ * TABOR_ERROR_MEMORY.
+ */
+TABOR_API TaborStatus tabor_kit_create(const TaborKitDef *def, TaborModel *const *models,
+                                       TaborKit **kit, TaborError *error);
+/** Frees a kit. Ignores NULL. Swaps that are not done must be destroyed after it. */
+TABOR_API void tabor_kit_destroy(TaborKit *kit);
+/** The drum @p drum of a kit, for queries; NULL past the last. */
+TABOR_API const TaborDrum *tabor_kit_drum(const TaborKit *kit, uint32_t drum);
+/** The definition with which the kit was created. */
+TABOR_API const TaborKitDef *tabor_kit_definition(const TaborKit *kit);
+/** @} */
+
+/** @name Kits on the audio thread
+ * AUDIO: real-time safe; one thread at a time for one kit. */
+/** @{ */
+
+/**
+ * Computes @p frames samples of all drums, the mix and the room.
+ *
+ * @param kit     the kit.
+ * @param events  @p count events, sorted by frame; may be NULL when count is 0. A swap must be made for a model of a
+ *                placed definition; only microphones with the kit's own names are mixed.
+ * @param count   number of events.
+ * @param outputs where the sound goes; samples overwrite the arrays. NULL: nowhere.
+ * @param frames  samples of each output; may be 0: all events then act at once.
+ *
+ * The output does not depend on the division into blocks. The latency is 0. The work is bounded: each drum bounds its
+ * own, and takes 256 events at most within 64 frames; further ones are dropped and counted in tabor_kit_dropped().
+ */
+TABOR_API void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uint32_t count,
+                                 const TaborKitOutputs *outputs, uint32_t frames);
+/** True if every drum and the room are silent: the outputs are then exactly 0 until the next event. */
+TABOR_API bool tabor_kit_is_silent(const TaborKit *kit);
+/** Brings all drums and the room to rest. */
+TABOR_API void tabor_kit_reset(TaborKit *kit);
+/** Number of events that no drum was given, beside those that drums dropped. */
+TABOR_API uint64_t tabor_kit_dropped(const TaborKit *kit);
+/** Number of bytes that tabor_kit_state_save() writes; it changes with the drums' models. */
+TABOR_API size_t tabor_kit_state_size(const TaborKit *kit);
+/** Writes the whole state to @p bytes. A kit of the same definition and models continues from it with the same bits. */
+TABOR_API void tabor_kit_state_save(const TaborKit *kit, void *bytes);
+/** Restores a saved state. If the bytes are damaged or belong to another kit, it returns TABOR_ERROR_STATE and the kit is
+ * as it was, or at rest. */
+TABOR_API TaborStatus tabor_kit_state_load(TaborKit *kit, const void *bytes, size_t size);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TABOR_KIT_H */

@@ -1,37 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "midi/midi_song.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "drums/drum_args.h"
-
-/* A message of the file and its place among the others. */
-typedef struct Place {
-  uint32_t frame;
-  bool is_note; /* or belongs to one */
-  size_t index;
-} Place;
-
-static int compare_places(const void *left, const void *right) {
-  const Place *const a = left, *const b = right;
-  if (a->frame != b->frame) return a->frame < b->frame ? -1 : 1;
-  if (a->is_note != b->is_note) return a->is_note ? 1 : -1;
-  return a->index < b->index ? -1 : a->index > b->index;
-}
-
-static Place *sort_messages(const MidiFile *file, double rate) {
-  Place *const places = calloc(file->count + 1, sizeof *places);
-  if (!places) return NULL;
-  for (size_t i = 0; i < file->count; i++) {
-    const MidiFileEvent *const event = &file->events[i];
-    places[i] =
-      (Place){(uint32_t)llround(event->time * rate), midi_goes_with_notes(&event->message), i};
-  }
-  if (file->count > 0) qsort(places, file->count, sizeof *places, compare_places);
-  return places;
-}
+#include "midi/midi_order.h"
 
 /* What follows is meant for another preset. */
 static void bind_preset(MidiToEvents *drum, uint32_t preset) {
@@ -49,7 +23,7 @@ static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
   return true;
 }
 
-static void take_messages(const Place *places, MidiToEvents *drum, MidiSong *song) {
+static void take_messages(const MidiPlace *places, MidiToEvents *drum, MidiSong *song) {
   const MidiFile *const file = &song->file;
   int preset = song->first_preset;
   for (size_t i = 0; i < file->count && song->presets <= MIDI_SONG_MOST_PRESETS; i++) {
@@ -111,7 +85,7 @@ Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef
                           double rate) {
   MidiBinding binding;
   MidiToEvents drum;
-  Place *const places = sort_messages(&song->file, rate);
+  MidiPlace *const places = midi_order(&song->file, rate);
   free(song->items);
   song->items = calloc(song->file.count + 1, sizeof *song->items);
   song->count = song->presets = 0;
@@ -184,9 +158,10 @@ Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count
 void midi_song_note(const Arguments *arguments, const MidiSong *song) {
   const unsigned long long ignored = song->counts.ignored_notes;
   if (ignored == 0) return;
-  note("%s: %llu of %llu notes are not in the map and were passed over",
-       input_name(arguments_value(arguments, "midi-file")), ignored,
-       ignored + song->counts.strokes);
+  const bool is_kits = ignored >= song->counts.strokes; /* half of the notes find no drum */
+  note("%s: %llu of %llu notes are not in the map and were passed over%s",
+       input_name(arguments_value(arguments, "midi-file")), ignored, ignored + song->counts.strokes,
+       is_kits ? "; --kit standard plays a drum track on several drums" : "");
 }
 
 void midi_song_free(MidiSong *song) {

@@ -7,6 +7,7 @@
 #include "base/json_output.h"
 #include "drums/drum_args.h"
 #include "render/render_jobs.h"
+#include "render/render_kit.h"
 #include "render/render_options.h"
 
 /* The file that -o names. */
@@ -21,6 +22,7 @@ static Outcome render_single(RenderBatch *batch) {
 
 static Outcome run(const Arguments *arguments) {
   RenderBatch batch;
+  if (arguments_has(arguments, "kit")) return render_kit(arguments);
   Outcome outcome = render_batch_read(arguments, &batch);
   if (outcome == OUTCOME_OK) {
     outcome = batch.folder ? render_jobs_run(&batch) : render_single(&batch);
@@ -64,6 +66,9 @@ static const char notes[] =
   "gain of\n"
   "the performance. --mic and --split give other microphones of it, --duration another length.\n"
   "The log of a performance that was killed, take.part.log, is played as far as it goes.\n"
+  "\n"
+  "--kit plays --midi-file on a kit, into its stereo mix, kit.wav unless -o names it; --split gives\n"
+  "a stereo file for each drum. --set KEY=VALUE changes the kit, as drum.snare.batter.pitch=G3.\n"
   "\n"
   "With -o FOLDER/ every PRESET becomes FOLDER/PRESET.wav; with --each, every PRESET plays every\n"
   "--events file by itself, which becomes FOLDER/PRESET-EVENTS.wav. The folder is created if its\n"

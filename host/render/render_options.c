@@ -9,6 +9,7 @@
 #include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "drums/stereo_pair.h"
+#include "kit/kit_args.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
 #include "strokes/humanize_options.h"
@@ -26,6 +27,7 @@ const Option render_options[] = {
   OPTION_EVENTS,
   {"replay", 0, "FILE", "play what 'tabor play --log FILE' has written, to the bit; see below"},
   OPTION_MIDI_FILE,
+  OPTION_KIT,
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,
   OPTION_VELOCITY_CURVE,

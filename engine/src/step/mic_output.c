@@ -109,12 +109,16 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
   return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
+/* The high band's part. The tap is for other drums, which hear low notes (kit/kit.h): it has none. */
+static TbPair high_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
+  if (mic == view->tap) return (TbPair){0.0, 0.0};
+  return tb_high_band_step_of(view)->sums(view, mic, phase);
+}
+
 /* What a microphone would have heard if it had been heard before. */
 static void begin_hearing(TbView *view, uint32_t mic) {
-  const TbPair now =
-    sums_at(view, mic, &view->now, tb_high_band_step_of(view)->sums(view, mic, &view->now));
-  const TbPair last =
-    sums_at(view, mic, &view->last, tb_high_band_step_of(view)->sums(view, mic, &view->last));
+  const TbPair now = sums_at(view, mic, &view->now, high_sums_at(view, mic, &view->now));
+  const TbPair last = sums_at(view, mic, &view->last, high_sums_at(view, mic, &view->last));
   view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
 }
 
@@ -154,7 +158,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
     double p = 0.0;
     if (heard >> mic & 1u) {
       const TbPair own =
-        mic == first ? high : tb_high_band_step_of(view)->sums(view, mic, &view->next);
+        mic == first && mic != view->tap ? high : high_sums_at(view, mic, &view->next);
       p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
       if (mic == view->tap) view->tapped = p;
     }

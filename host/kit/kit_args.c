@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#include "kit/kit_args.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "drums/drum_args.h"
+#include "drums/preset_file.h"
+
+/* A PresetPairFn: a section or a "key = value" of a kit file into the definition. */
+static bool set_pair(void *def, const char *section, const char *key, const char *value,
+                     unsigned line, char *message, size_t size) {
+  (void)line;
+  char full[2 * TABOR_NAME_SIZE + 256];
+  (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
+  TaborError error;
+  const TaborStatus status =
+    key ? tabor_kit_def_set(def, full, value, &error) : tabor_kit_def_section(def, section, &error);
+  if (status == TABOR_OK) return true;
+  (void)snprintf(message, size, "%s", error.message);
+  return false;
+}
+
+static Outcome load_file(const char *path, TaborKitDef *def) {
+  char message[2 * TABOR_TEXT_SIZE];
+  tabor_kit_def_default(def);
+  switch (preset_file_read(path, set_pair, def, message, sizeof message)) {
+  case PRESET_FILE_OK: return OUTCOME_OK;
+  case PRESET_FILE_UNREADABLE: return fail("%s", message);
+  case PRESET_FILE_INVALID: break;
+  }
+  return refuse("%s", message);
+}
+
+static Outcome load_builtin(const char *name, TaborKitDef *def) {
+  TaborError error;
+  if (tabor_kit_def_preset(def, name, &error) == TABOR_OK) return OUTCOME_OK;
+  if (strstr(error.message, "did you mean")) return report_engine_error(&error);
+  return refuse("%s; 'tabor presets --kits' lists them, and files end in .ini", error.message);
+}
+
+/* A drum that is not there is a mistake, unless its preset is given. */
+static Outcome check_drum(const TaborKitDef *def, const char *key) {
+  static const char prefix[] = "drum.";
+  char name[TABOR_NAME_SIZE] = "";
+  if (strncmp(key, prefix, sizeof prefix - 1) != 0) return OUTCOME_OK;
+  const char *const start = key + sizeof prefix - 1;
+  const size_t length = strcspn(start, ".");
+  if (length >= sizeof name || strcmp(start + length, ".preset") == 0) return OUTCOME_OK;
+  memcpy(name, start, length);
+  if (tabor_kit_def_find(def, name) >= 0) return OUTCOME_OK;
+  return refuse("--set '%.80s': the kit has no drum '%.63s'; --set drum.%.63s.preset=NAME adds it",
+                key, name, name);
+}
+
+static Outcome apply_setting(const char *setting, TaborKitDef *def) {
+  const char *const equals = strchr(setting, '=');
+  char key[4 * TABOR_NAME_SIZE];
+  const size_t length = equals ? (size_t)(equals - setting) : 0;
+  if (length == 0) return refuse("--set '%.80s': not of the form KEY=VALUE", setting);
+  if (length >= sizeof key) return refuse("--set '%.80s...': no key is so long", setting);
+  memcpy(key, setting, length);
+  key[length] = '\0';
+  const Outcome outcome = check_drum(def, key);
+  TaborError error;
+  if (outcome != OUTCOME_OK) return outcome;
+  if (tabor_kit_def_set(def, key, equals + 1, &error) == TABOR_OK) return OUTCOME_OK;
+  return report_engine_error(&error);
+}
+
+Outcome kit_load(const Arguments *arguments, TaborKitDef *def) {
+  const char *const kit = arguments_value(arguments, "kit");
+  const char *setting;
+  size_t position = 0;
+  TaborError error;
+  if (!*kit) return refuse("--kit needs the name of a kit");
+  Outcome outcome = preset_is_file(kit) ? load_file(kit, def) : load_builtin(kit, def);
+  while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {
+    outcome = apply_setting(setting, def);
+  }
+  if (outcome != OUTCOME_OK) return outcome;
+  if (def->drum_count == 0) return refuse("%s: the kit has no drum; [drum.NAME] adds one", kit);
+  if (tabor_kit_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
+  return refuse("%s: %s", kit, error.message);
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+#include "kit/kit_midi.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- set-up --------------------------------------------------------------------------------- */
+
+/* The strokes of both have the same order. */
+_Static_assert((int)MIDI_STROKE_SWEEP == (int)TABOR_KIT_STROKE_SWEEP &&
+                 (int)MIDI_STROKE_HEAD == (int)TABOR_KIT_STROKE_HEAD,
+               "strokes of notes");
+
+static void map_drum(const TaborKitDrumDef *drum, MidiResponse response, int channel,
+                     MidiMap *map) {
+  midi_map_default(map);
+  map->response = response;
+  map->channel = channel;
+  map->programs = false;
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    map->notes[note] =
+      (MidiNote){.stroke = (MidiStroke)drum->notes[note], .radius = NAN, .angle = NAN, .speed = 1};
+  }
+}
+
+void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, MidiResponse response, int channel) {
+  memset(midi, 0, sizeof *midi);
+  memset(midi->owner, KIT_MIDI_NOBODY, sizeof midi->owner);
+  midi->count = kit->drum_count;
+  for (uint32_t i = 0; i < kit->drum_count; i++) {
+    const TaborKitDrumDef *const drum = &kit->drum[i];
+    MidiBinding binding;
+    map_drum(drum, response, channel, &midi->maps[i]);
+    midi_binding_make(&midi->maps[i], &drum->def, &binding);
+    midi_to_events_begin(&midi->drums[i], &midi->maps[i], &binding);
+    midi->head_radius[i] = drum->def.shell.radius;
+    for (int note = 0; note < MIDI_VALUES; note++) {
+      if (drum->notes[note] != TABOR_KIT_STROKE_NONE) midi->owner[note] = (uint8_t)i;
+    }
+  }
+}
+
+/* General MIDI's percussion [GeneralMIDI], from note 35 on. */
+const char *kit_midi_note_name(int note) {
+  static const char *const NAMES[] = {
+    "acoustic bass drum",
+    "bass drum 1",
+    "side stick",
+    "acoustic snare",
+    "hand clap",
+    "electric snare",
+    "low floor tom",
+    "closed hi-hat",
+    "high floor tom",
+    "pedal hi-hat",
+    "low tom",
+    "open hi-hat",
+    "low-mid tom",
+    "hi-mid tom",
+    "crash cymbal 1",
+    "high tom",
+    "ride cymbal 1",
+    "Chinese cymbal",
+    "ride bell",
+    "tambourine",
+    "splash cymbal",
+    "cowbell",
+    "crash cymbal 2",
+    "vibraslap",
+    "ride cymbal 2",
+    "hi bongo",
+    "low bongo",
+    "mute hi conga",
+    "open hi conga",
+    "low conga",
+    "high timbale",
+    "low timbale",
+    "high agogo",
+    "low agogo",
+    "cabasa",
+    "maracas",
+    "short whistle",
+    "long whistle",
+    "short guiro",
+    "long guiro",
+    "claves",
+    "hi wood block",
+    "low wood block",
+    "mute cuica",
+    "open cuica",
+    "mute triangle",
+    "open triangle",
+  };
+  const int first = 35, count = (int)(sizeof NAMES / sizeof *NAMES);
+  return note >= first && note < first + count ? NAMES[note - first] : NULL;
+}
+
+/* ---- messages ------------------------------------------------------------------------------- */
+
+static bool event_of(const MidiAction *action, TaborEvent *event) {
+  switch (action->type) {
+  case MIDI_ACTION_EVENT: *event = action->event; return true;
+  case MIDI_ACTION_GAIN:
+    *event = (TaborEvent){.type = TABOR_EVENT_GAIN, .value = action->value};
+    return true;
+  case MIDI_ACTION_SILENCE: *event = (TaborEvent){.type = TABOR_EVENT_SILENCE}; return true;
+  default: return false;
+  }
+}
+
+static uint32_t take_for(KitMidi *midi, uint32_t drum, const MidiMessage *message,
+                         TaborKitEvent *event) {
+  MidiAction action;
+  if (!midi_to_events_take(&midi->drums[drum], message, &action)) return 0;
+  event->drum = drum;
+  if (!event_of(&action, &event->event)) return 0;
+  midi->strokes[drum] += event->event.type == TABOR_EVENT_STRIKE;
+  return 1;
+}
+
+/* A prefix is for one note only, whichever drum that is for. */
+static void forget_prefix(KitMidi *midi, uint8_t channel) {
+  for (uint32_t i = 0; i < midi->count; i++) midi->drums[i].prefixes[channel] = 0;
+}
+
+static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEvent *event) {
+  const uint8_t note = message->data[0], owner = midi->owner[note];
+  const int channel = midi->maps[0].channel;
+  const bool strikes = midi_kind(message) == MIDI_NOTE_ON && message->data[1] > 0;
+  if (channel != MIDI_OMNI && channel != midi_channel(message)) return 0;
+  uint32_t count = 0;
+  if (owner != KIT_MIDI_NOBODY) {
+    count = take_for(midi, owner, message, event);
+  } else if (strikes) {
+    midi->unknown[note]++;
+  }
+  if (midi_kind(message) != MIDI_POLY_PRESSURE) forget_prefix(midi, midi_channel(message));
+  return count;
+}
+
+uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
+                       TaborKitEvent events[TABOR_KIT_DRUMS]) {
+  uint32_t count = 0;
+  switch (midi_kind(message)) {
+  case MIDI_NOTE_ON:
+  case MIDI_NOTE_OFF:
+  case MIDI_POLY_PRESSURE: return take_note(midi, message, events);
+  default: break;
+  }
+  for (uint32_t i = 0; i < midi->count; i++) count += take_for(midi, i, message, events + count);
+  return count;
+}

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT */
+/* MIDI on a kit: which drum hears which message. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "kit/kit_midi.h"
+
+static TaborKitDef *kit;
+static KitMidi *midi;
+static TaborKitEvent events[TABOR_KIT_DRUMS];
+
+static int prepare(void **state) {
+  (void)state;
+  kit = malloc(sizeof *kit);
+  midi = malloc(sizeof *midi);
+  if (tabor_kit_def_preset(kit, "standard", NULL) != TABOR_OK) return 1;
+  kit_midi_begin(midi, kit, midi_response_default, MIDI_OMNI);
+  return 0;
+}
+
+static int clean_up(void **state) {
+  (void)state;
+  free(midi);
+  free(kit);
+  return 0;
+}
+
+static uint32_t take(uint8_t status, uint8_t first, uint8_t second) {
+  const MidiMessage message = {.status = status, .data = {first, second}};
+  return kit_midi_take(midi, &message, events);
+}
+
+static void a_note_goes_to_its_drum_alone(void **state) {
+  (void)state;
+  static const struct {
+    uint8_t note;
+    const char *drum;
+    uint32_t technique;
+  } rows[] = {{36, "kick", TABOR_TECHNIQUE_NORMAL},       {38, "snare", TABOR_TECHNIQUE_NORMAL},
+              {37, "snare", TABOR_TECHNIQUE_CROSS_STICK}, {40, "snare", TABOR_TECHNIQUE_RIMSHOT},
+              {50, "high-tom", TABOR_TECHNIQUE_NORMAL},   {45, "low-tom", TABOR_TECHNIQUE_NORMAL},
+              {41, "floor-tom", TABOR_TECHNIQUE_NORMAL}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    assert_int_equal(take(0x99, rows[i].note, 100), 1);
+    assert_int_equal(events[0].drum, tabor_kit_def_find(kit, rows[i].drum));
+    assert_int_equal(events[0].event.type, TABOR_EVENT_STRIKE);
+    assert_int_equal(events[0].event.technique, rows[i].technique);
+    assert_int_equal(take(0x89, rows[i].note, 0), 0);
+  }
+}
+
+/* A bass drum is struck where its beater lands, not in the middle as note 36 of a single drum is. */
+static void a_drum_is_struck_where_its_preset_says(void **state) {
+  (void)state;
+  const TaborDrumDef *kick = &kit->drum[tabor_kit_def_find(kit, "kick")].def;
+  assert_int_equal(take(0x99, 36, 100), 1);
+  assert_true(events[0].event.radius == kick->strike.radius);
+}
+
+static void unknown_notes_are_counted_and_named(void **state) {
+  (void)state;
+  assert_int_equal(take(0x99, 42, 100), 0);
+  assert_int_equal(take(0x99, 42, 0), 0); /* its end */
+  assert_int_equal(take(0x99, 42, 1), 0);
+  assert_int_equal(midi->unknown[42], 2);
+  assert_string_equal(kit_midi_note_name(42), "closed hi-hat");
+  assert_string_equal(kit_midi_note_name(35), "acoustic bass drum");
+  assert_string_equal(kit_midi_note_name(81), "open triangle");
+  assert_null(kit_midi_note_name(34));
+  assert_null(kit_midi_note_name(82));
+}
+
+static void silence_and_gain_reach_all_drums(void **state) {
+  (void)state;
+  assert_int_equal(take(0xB9, 123, 0), kit->drum_count);
+  for (uint32_t i = 0; i < kit->drum_count; i++) {
+    assert_int_equal(events[i].drum, i);
+    assert_int_equal(events[i].event.type, TABOR_EVENT_SILENCE);
+  }
+  assert_int_equal(take(0xB9, 7, 127), kit->drum_count);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_GAIN);
+  assert_int_equal(take(0xC9, 3, 0), 0); /* a program */
+}
+
+/* The prefix of a velocity is for the next note, whichever drum that plays. */
+static void a_velocity_prefix_is_for_one_note(void **state) {
+  (void)state;
+  assert_int_equal(take(0x99, 38, 64), 1);
+  const double plain = events[0].event.velocity;
+  assert_int_equal(take(0xB9, 88, 127), 0);
+  assert_int_equal(take(0x99, 36, 64), 1); /* takes it */
+  assert_int_equal(take(0x99, 38, 64), 1);
+  assert_true(events[0].event.velocity == plain);
+  assert_int_equal(take(0xB9, 88, 127), 0);
+  assert_int_equal(take(0x99, 38, 64), 1);
+  assert_true(events[0].event.velocity > plain);
+}
+
+static void key_pressure_lays_a_hand_on_the_notes_drum(void **state) {
+  (void)state;
+  assert_int_equal(take(0xA9, 50, 127), 1);
+  assert_int_equal(events[0].drum, tabor_kit_def_find(kit, "high-tom"));
+  assert_int_equal(events[0].event.type, TABOR_EVENT_DAMP);
+  assert_int_equal(take(0xA9, 42, 127), 0);
+}
+
+static void other_channels_are_passed_over(void **state) {
+  (void)state;
+  kit_midi_begin(midi, kit, midi_response_default, 9);
+  assert_int_equal(take(0x98, 38, 100), 0);
+  assert_int_equal(take(0x98, 42, 100), 0);
+  assert_int_equal(midi->unknown[42], 0);
+  assert_int_equal(take(0x99, 38, 100), 1);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test_setup_teardown(a_note_goes_to_its_drum_alone, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_drum_is_struck_where_its_preset_says, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(unknown_notes_are_counted_and_named, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(silence_and_gain_reach_all_drums, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_velocity_prefix_is_for_one_note, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(key_pressure_lays_a_hand_on_the_notes_drum, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(other_channels_are_passed_over, prepare, clean_up),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

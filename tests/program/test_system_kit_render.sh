@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `tabor render --kit`: a General MIDI track on several drums, its report, its files, and what is refused.
+#
+# test_system_kit_render.sh GROOVE.MID
+# shellcheck source=tests/support/host_checks.sh
+. "$(dirname "$0")/../support/host_checks.sh"
+groove=$1
+cp "$groove" groove.mid
+# Bass drum, snare drum, low tom and hi-hat, a quarter of a second apart: 480 ticks a quarter, at 120 quarters a minute.
+printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\24\0\231\44\144\201\160\46\144\201\160\55\144\201\160\52\144\0\377\57\0' >song.mid
+short=(render --kit standard --midi-file song.mid --quality draft --duration 0.8)
+
+run presets --kits
+check "the kits are listed" grep -q '^standard ' "$out"
+
+# ---- one command ----
+
+run render --kit standard --midi-file groove.mid --quality draft --duration 8 --json -o groove.wav
+same "status" 0 "$status"
+check "what is not modelled is named once" grep -q '42 closed hi-hat (22), 49 crash cymbal 1 (2)$' "$err"
+same "warnings and notes" 1 "$(wc -l <"$err")"
+same "frames" 384000 "$(json frames)"
+strokes=$(for i in 0 1 2 3 4; do echo "$(json "drums.$i.name") $(json "drums.$i.strokes")"; done | tr '\n' ' ')
+same "strokes" 'kick 11 snare 12 high-tom 4 low-tom 3 floor-tom 3 ' "$strokes"
+holds "a level for use" "$(json peak) > 0.1 && $(json peak) < 1"
+
+# ---- the same sound however it is made ----
+
+run "${short[@]}" -o mix.wav
+check "one stroke on the hi-hat" grep -q 'no drum of the kit: 42 closed hi-hat (1)$' "$err"
+check "a line about the file" grep -q '^mix.wav: kit standard, 0.80 s, 48000 Hz, 2 channels, peak -' "$err"
+
+done_quietly "${short[@]}" -q -o again.wav
+same_bytes "twice" mix.wav again.wav
+done_quietly "${short[@]}" -q --jobs 1 -o jobs.wav
+same_bytes "on one thread" mix.wav jobs.wav
+done_quietly "${short[@]}" -q --set kit.coupling=off -o alone.wav
+other_bytes "drums hear each other" mix.wav alone.wav
+done_quietly "${short[@]}" -q --split --format float -o take.wav
+same "a file for each drum" "take-floor-tom.wav take-high-tom.wav take-kick.wav take-low-tom.wav take-snare.wav" "$(echo take-*)"
+
+# A kit file with what is built in is the same kit.
+sed 's/^name = .*/name = mine/' "$(dirname "$groove")/../kits/standard.ini" >mine.ini
+done_quietly render --kit ./mine.ini --midi-file song.mid --quality draft --duration 0.8 -q -o file.wav
+same_bytes "from a file" mix.wav file.wav
+
+# A track for a kit on one drum: half of it is lost, and the program says what to do.
+printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\13\0\231\46\144\0\52\144\0\377\57\0' >half.mid
+run render frame-drum --midi-file half.mid --quality draft --duration 0.1 -o one.wav
+check "the kit is recommended" grep -q -- '--kit standard' "$err"
+
+# ---- refused ----
+
+refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart --midi-file song.mid
+refused "--kit needs --midi-file" render --kit standard
+refused "--kit and --strike" render --kit standard --midi-file song.mid --strike time=0
+refused "--kit and 'tom-12'" render tom-12 --kit standard --midi-file song.mid
+refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1
+refused "drum.snare: batter.tension = 1 is outside 100 to 20000" "${short[@]}" --set drum.snare.batter.tension=1
+refused "note 36 plays both" "${short[@]}" --set drum.snare.rim=36
+refused "-o 'mix.txt'" "${short[@]}" -o mix.txt
+cp song.mid song.wav
+refused "would overwrite 'song.wav'" render --kit standard --midi-file song.wav -o song.wav
+printf '[drum.a]\npreset = tom-12\nhaed = 38\n' >bad.ini
+refused "bad.ini:3: .*haed" render --kit ./bad.ini --midi-file song.mid
+printf '[kit]\nname = empty\n' >empty.ini
+refused "no drum" render --kit ./empty.ini --midi-file song.mid
+failed "cannot|No such file" render --kit standard --midi-file missing.mid
+
+finish

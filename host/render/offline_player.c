@@ -23,6 +23,8 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   drum_player_set_room(&player->core, &player->room);
   for (uint32_t i = 0; i < request->channels; i++) player->core.heard |= 1u << request->mics[i];
   drum_player_set_drum(&player->core, player->drum, request->def.striker_count);
+  if (request->input.pressure) player->core.input = player->input;
+  player->core.input_mic = request->input.mic;
   return OUTCOME_OK;
 }
 
@@ -162,6 +164,9 @@ static void interleave(OfflinePlayer *player, uint32_t at, uint32_t frames) {
 static Outcome play(OfflinePlayer *player, uint32_t at, uint32_t end) {
   while (at < end && player->outcome == OUTCOME_OK) {
     const uint32_t left = end - at, frames = left < DRUM_PLAYER_BLOCK ? left : DRUM_PLAYER_BLOCK;
+    if (player->core.input) {
+      sound_input_take(&player->request->input, player->position, frames, player->input);
+    }
     const double start = processor_time();
     drum_player_play(&player->core, take_message, player, frames);
     player->computing += processor_time() - start;

@@ -37,12 +37,13 @@ typedef struct OfflinePlayer {
   TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
   TaborModel *built; /**< the same, if it is of a log's; owned */
   SentSwap *swaps;
-  size_t next_event, next_item; /**< index into the strokes, and into the song */
-  size_t next_message;          /**< index into the log */
-  uint32_t position;            /**< frames played */
-  double peak;                  /**< largest absolute sample */
-  double computing;             /**< processor time used by the drum [s] */
-  Outcome outcome;              /**< of building models of presets */
+  size_t next_event, next_item;   /**< index into the strokes, and into the song */
+  size_t next_message;            /**< index into the log */
+  uint32_t position;              /**< frames played */
+  double peak;                    /**< largest absolute sample */
+  double computing;               /**< processor time used by the drum [s] */
+  Outcome outcome;                /**< of building models of presets */
+  float input[DRUM_PLAYER_BLOCK]; /**< of the next block */
   double interleaved[MOST_CHANNELS * OFFLINE_BLOCK]; /**< the newest block */
 } OfflinePlayer;
 

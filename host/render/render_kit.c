@@ -53,8 +53,8 @@ typedef struct KitRendering {
 /* ---- the request ----------------------------------------------------------------------------- */
 
 static Outcome check_options(const Arguments *arguments) {
-  static const char *const excluded[] = {"strike", "events", "each",      "replay",  "trace",
-                                         "stereo", "mic",    "normalize", "midi-map"};
+  static const char *const excluded[] = {"strike", "events", "each",      "replay",   "trace",
+                                         "stereo", "mic",    "normalize", "midi-map", "input"};
   for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;
     return refuse("--kit and --%s: a kit plays a MIDI file into its own mix", excluded[i]);

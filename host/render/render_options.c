@@ -39,6 +39,9 @@ const Option render_options[] = {
   OPTION_JOBS,
   OPTION_MIC,
   OPTION_STEREO,
+  OPTION_INPUT,
+  OPTION_INPUT_LEVEL,
+  OPTION_INPUT_MIC,
   {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
   OPTION_GAIN,
   {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
@@ -177,6 +180,10 @@ static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) 
   return strokes_read(arguments, &request->def, request->model.sample_rate, &request->strokes);
 }
 
+static Outcome read_input(const Arguments *arguments, RenderRequest *request) {
+  return sound_input_read(arguments, &request->def, request->model.sample_rate, &request->input);
+}
+
 /* Its events join the strokes. */
 static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
   MidiMap map;
@@ -218,9 +225,9 @@ static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *reques
 /* What a log has of its own. */
 static Outcome check_replay(const Arguments *arguments) {
   static const char *const excluded[] = {
-    "strike",         "events",         "midi-file", "midi-map", "midi-channel",
-    "velocity-curve", "velocity-range", "humanize",  "seed",     "set",
-    "rate",           "quality",        "gain",      "stereo",
+    "strike",         "events",   "midi-file", "midi-map",    "midi-channel", "velocity-curve",
+    "velocity-range", "humanize", "seed",      "set",         "rate",         "quality",
+    "gain",           "stereo",   "input",     "input-level", "input-mic",
   };
   for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;
@@ -269,8 +276,9 @@ static Outcome read_replay(const Arguments *arguments, RenderRequest *request) {
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request) {
   /* each step relies on those before; files come last, so that a wrong request touches none */
   static ReadFn *const strokes[] = {
-    read_encoding, read_flags,      read_gain,     read_drum, read_model,          read_strokes,
-    read_song,     scatter_strokes, read_duration, read_mics, render_outputs_plan, NULL,
+    read_encoding, read_flags,          read_gain,  read_drum,       read_model,
+    read_strokes,  read_song,           read_input, scatter_strokes, read_duration,
+    read_mics,     render_outputs_plan, NULL,
   };
   static ReadFn *const replay[] = {
     read_encoding, read_flags, read_gain,           read_replay,

@@ -127,6 +127,8 @@ Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *
   if (outcome == OUTCOME_OK && song) outcome = protect(request, song, "MIDI file");
   if (outcome == OUTCOME_OK && map) outcome = protect(request, map, "MIDI map");
   if (outcome == OUTCOME_OK && log) outcome = protect(request, log, "log");
+  const char *const input = arguments_value(arguments, "input");
+  if (outcome == OUTCOME_OK && input) outcome = protect(request, input, "sound");
   return outcome;
 }
 

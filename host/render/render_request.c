@@ -24,13 +24,16 @@ void render_request_free(RenderRequest *request) {
   strokes_free(&request->strokes);
   midi_song_free(&request->song);
   replay_free(&request->replay);
+  sound_input_free(&request->input);
 }
 
-/* The later of a frame and the song's last. */
+/* The later of a frame, the song's last and that of the sound from outside. */
 static uint32_t or_song_end(const RenderRequest *request, uint32_t frame) {
   const MidiSong *const song = &request->song;
   const uint32_t last = song->count > 0 ? song->items[song->count - 1].frame : 0;
-  return frame > last ? frame : last;
+  const uint32_t heard = request->input.count > 0 ? request->input.count - 1 : 0;
+  const uint32_t later = frame > last ? frame : last;
+  return later > heard ? later : heard;
 }
 
 uint32_t render_request_last_frame(const RenderRequest *request) {

@@ -9,6 +9,7 @@
 #include "files/audio_file.h"
 #include "midi/midi_song.h"
 #include "render/replay.h"
+#include "render/sound_input.h"
 #include "strokes/strokes.h"
 
 #define MOST_CHANNELS 64
@@ -21,6 +22,7 @@ typedef struct RenderRequest {
   MidiSong song;                /**< other actions of a MIDI file */
   bool replays;                 /**< plays a log instead of strokes and song */
   Replay replay;                /**< the log */
+  SoundInput input;             /**< a loudspeaker */
   AudioFormat audio;            /**< format of each file */
   uint32_t channels;            /**< number of channels, over all files */
   uint32_t mics[MOST_CHANNELS]; /**< of each channel: index among the definition's microphones */

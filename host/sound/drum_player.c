@@ -139,7 +139,9 @@ static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
     }
   }
   if (player->drum) {
-    tabor_drum_process(player->drum, player->events, count, outputs, frames);
+    const TaborSound outside = {.mic = player->input_mic,
+                                .pressure = player->input ? player->input + at : NULL};
+    tabor_drum_process_sound(player->drum, player->events, count, &outside, outputs, frames);
   }
   add_rooms(player, count, at, frames);
   drop_events(player, count, frames);

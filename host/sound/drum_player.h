@@ -37,6 +37,9 @@ typedef struct DrumPlayer {
   bool has_next;
   DrumWitnessFn *witness; /**< may be NULL */
   void *context;          /**< of the witness */
+  const float
+    *input; /**< [DRUM_PLAYER_BLOCK] sound from outside in the next block [Pa]; NULL: none */
+  uint32_t input_mic; /**< microphone at whose place its source is */
   float sound[TABOR_MAX_MICS]
              [DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
 } DrumPlayer;

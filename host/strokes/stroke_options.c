@@ -53,7 +53,8 @@ Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double
   while (outcome == OUTCOME_OK && (file = arguments_next(arguments, "events", &position))) {
     outcome = events_file_read(file, def, strokes);
   }
-  if (outcome == OUTCOME_OK && strokes->count == 0 && !arguments_has(arguments, "midi-file")) {
+  if (outcome == OUTCOME_OK && strokes->count == 0 && !arguments_has(arguments, "midi-file") &&
+      !arguments_has(arguments, "input")) {
     const Stroke stroke = stroke_default(def, "[strike]");
     outcome = strokes_add(strokes, &stroke);
   }

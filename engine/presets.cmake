@@ -18,7 +18,7 @@ set(TABOR_PRESETS
     bass-drum-22
     timpani-26)
 
-set(TABOR_KITS standard)
+set(TABOR_KITS standard jazz marching frame-drums)
 
 list(TRANSFORM TABOR_PRESETS PREPEND "${PROJECT_SOURCE_DIR}/presets/" OUTPUT_VARIABLE TABOR_PRESET_FILES)
 list(TRANSFORM TABOR_PRESET_FILES APPEND ".ini")

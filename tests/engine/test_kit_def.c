@@ -43,7 +43,9 @@ static void built_in_kits_are_valid(void **state) {
       if (tabor_kit_def_place(def, drum, &placed, &error) != TABOR_OK) {
         fail_msg("%s", error.message);
       }
-      assert_int_equal(tabor_drum_def_validate(&placed, &error), TABOR_OK);
+      if (tabor_drum_def_tune(&placed, &error) != TABOR_OK) { /* its pitches can be had */
+        fail_msg("%s, %s: %s", def->name, def->drum[drum].name, error.message);
+      }
     }
   }
   TaborError error = {0};

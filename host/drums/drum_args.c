@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "drums/model_build.h"
 #include "drums/preset_file.h"
 #include "platform/paths.h"
 
@@ -237,11 +236,12 @@ Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
   return outcome;
 }
 
-Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum) {
+Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, SharedModels *shared,
+                    TaborDrum **drum) {
   TaborModel *model = NULL;
   TaborError error;
   *drum = NULL;
-  const Outcome outcome = model_build(def, options, &model);
+  const Outcome outcome = shared_models_take(shared, def, options, &model);
   if (outcome != OUTCOME_OK) return outcome;
   const TaborStatus status = tabor_drum_create(model, drum, &error);
   tabor_model_release(model); /* the drum keeps its own reference */

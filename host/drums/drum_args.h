@@ -8,6 +8,7 @@
 
 #include "base/options.h"
 #include "drums/default_preset.h"
+#include "drums/shared_models.h"
 
 /** Help text of commands for PRESET. */
 #define PRESET_NOTES                                                                               \
@@ -58,7 +59,9 @@ Outcome model_options_read(const Arguments *arguments, const TaborDrumDef *def,
                            TaborModelOptions *options);
 /** Name of a TaborQuality, such as "live"; not for the default. */
 const char *quality_name(uint32_t quality);
-/** Builds a model, which is announced if it takes long, and a drum of it. On an error *drum is NULL. */
-Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, TaborDrum **drum);
+/** Builds a model, which is announced if it takes long, or takes one of @p shared, which may be NULL, and creates a drum of it.
+ * On an error *drum is NULL. */
+Outcome drum_create(const TaborDrumDef *def, const TaborModelOptions *options, SharedModels *shared,
+                    TaborDrum **drum);
 
 #endif

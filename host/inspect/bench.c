@@ -51,7 +51,7 @@ static Outcome prepare(Bench *bench) {
   bench->best_sum = bench->best_idle = INFINITY;
   if (!bench->sound || !bench->times || !bench->best) return fail_memory();
   prepare_strokes(bench);
-  const Outcome outcome = drum_create(&bench->def, &bench->model_options, &bench->drum);
+  const Outcome outcome = drum_create(&bench->def, &bench->model_options, NULL, &bench->drum);
   if (outcome == OUTCOME_OK) tabor_model_info(tabor_drum_model(bench->drum), &bench->info);
   return outcome;
 }

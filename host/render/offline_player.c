@@ -14,7 +14,7 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   memset(player, 0, sizeof *player);
   player->request = request;
   player->presets.options = &request->model;
-  Outcome outcome = drum_create(&request->def, &request->model, &player->drum);
+  Outcome outcome = drum_create(&request->def, &request->model, request->shared, &player->drum);
   if (outcome != OUTCOME_OK) return outcome;
   player->model = (TaborModel *)tabor_drum_model(player->drum);
   drum_player_begin(&player->core, request->def.mic_count, request->gain);

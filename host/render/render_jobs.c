@@ -15,6 +15,7 @@
 /* Jobs while they are being done. */
 typedef struct Jobs {
   RenderBatch *batch;
+  SharedModels models;
   pthread_mutex_t mutex;
   pthread_cond_t finished; /* another job has */
   size_t next;             /* job to begin */
@@ -28,7 +29,8 @@ static void note_played(void *context, uint32_t frames) {
   atomic_store_explicit(&job->played, frames, memory_order_relaxed);
 }
 
-static void do_job(RenderJob *job) {
+static void do_job(RenderJob *job, SharedModels *models) {
+  job->request.shared = models;
   message_subject(job->name);
   job->outcome = render_file(&job->request, note_played, job, &job->report);
   message_subject(NULL);
@@ -56,7 +58,8 @@ static void *work(void *context) {
   Jobs *const jobs = context;
   RenderJob *job;
   while ((job = take_job(jobs))) {
-    if (job->outcome == OUTCOME_OK) do_job(job); /* others have failed, and said so */
+    if (job->outcome == OUTCOME_OK)
+      do_job(job, &jobs->models); /* others have failed, and said so */
     finish_job(jobs, job);
   }
   return NULL;
@@ -138,7 +141,9 @@ Outcome render_jobs_do(RenderBatch *batch) {
                .left = batch->count};
   if (batch->count == 0) return OUTCOME_OK;
   json_object_seed(0); /* before there are threads, says jansson */
+  shared_models_begin(&jobs.models);
   do_jobs(&jobs);
+  shared_models_end(&jobs.models);
   return worst(batch);
 }
 

@@ -6,6 +6,7 @@
 #ifndef TABOR_HOST_RENDER_REQUEST_H
 #define TABOR_HOST_RENDER_REQUEST_H
 
+#include "drums/shared_models.h"
 #include "files/audio_file.h"
 #include "midi/midi_song.h"
 #include "render/replay.h"
@@ -18,6 +19,7 @@ typedef struct RenderRequest {
   const char *preset;
   TaborDrumDef def;
   TaborModelOptions model;
+  SharedModels *shared;         /**< models of the batch, or NULL */
   Strokes strokes;              /**< strokes and all other events */
   MidiSong song;                /**< other actions of a MIDI file */
   bool replays;                 /**< plays a log instead of strokes and song */

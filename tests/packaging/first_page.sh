@@ -20,10 +20,10 @@ complain() {
   exit 1
 }
 
-# The lines of the page's indented blocks; the layout is no commands, and what stands between fences is C.
+# The lines of the page's indented blocks; what stands between fences is C.
 commands() {
-  awk '/^## / { section = $2 } /^```/ { fenced = !fenced }
-    /^    / && !fenced && section != "Layout" { print substr($0, 5) }' README.md
+  awk '/^```/ { fenced = !fenced }
+    /^    / && !fenced { print substr($0, 5) }' README.md
 }
 
 # have FILE...: they are there, and not empty.

@@ -13,6 +13,7 @@
 #include "kit/kit_args.h"
 #include "kit/kit_build.h"
 #include "kit/kit_song.h"
+#include "kit/kit_threads.h"
 #include "midi/midi_map_file.h"
 #include "midi/midi_options.h"
 #include "platform/clock.h"
@@ -38,6 +39,7 @@ typedef struct KitRendering {
   uint32_t frames, threads; /* frames: length, or 0 */
   bool split, json, quiet;
   TaborKit *kit;
+  KitThreads *kit_threads;
   OutputFile outputs[TABOR_KIT_DRUMS];
   char *names[TABOR_KIT_DRUMS]; /* if split */
   AudioFile files[TABOR_KIT_DRUMS];
@@ -203,10 +205,10 @@ static void compute(KitRendering *r, uint32_t frames) {
          r->song.events[r->next_event].event.frame < r->position + frames) {
     r->song.events[r->next_event++].event.frame -= r->position;
   }
-  const double start = stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID);
+  const double start = stopwatch_seconds(CLOCK_MONOTONIC);
   tabor_kit_process(r->kit, r->song.events + first, (uint32_t)(r->next_event - first), &outputs,
                     frames);
-  r->computing += stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
+  r->computing += stopwatch_seconds(CLOCK_MONOTONIC) - start;
   r->position += frames;
 }
 
@@ -303,7 +305,7 @@ static Outcome report(const KitRendering *r) {
        r->output_count > 1 ? " ... " : "",
        r->output_count > 1 ? r->outputs[r->output_count - 1].name : "", r->def.name,
        r->position / (double)r->audio.rate, (unsigned)r->audio.rate, 20 * log10(r->peak));
-  if (!r->quiet) note("%.2f of real time", r->computing * r->audio.rate / r->position);
+  note("%.2f of real time", r->computing * r->audio.rate / r->position);
   return OUTCOME_OK;
 }
 
@@ -319,6 +321,7 @@ static Outcome render(const Arguments *arguments, KitRendering *r) {
     kit_song_note(arguments_value(arguments, "midi-file"), &r->midi);
   }
   if (outcome == OUTCOME_OK) outcome = kit_build(&r->def, &r->model, r->threads, &r->kit);
+  if (outcome == OUTCOME_OK) r->kit_threads = kit_threads_begin(r->kit, r->threads);
   if (outcome == OUTCOME_OK) outcome = open_outputs(r);
   if (outcome == OUTCOME_OK) outcome = play(r);
   if (outcome == OUTCOME_OK) outcome = deliver(r);
@@ -326,6 +329,7 @@ static Outcome render(const Arguments *arguments, KitRendering *r) {
 }
 
 static void free_all(KitRendering *r) {
+  kit_threads_end(r->kit_threads, r->kit);
   tabor_kit_destroy(r->kit);
   kit_song_free(&r->song);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {

@@ -159,6 +159,11 @@ TABOR_API TaborStatus tabor_kit_def_place(const TaborKitDef *def, uint32_t drum,
 /** A sounding kit. */
 typedef struct TaborKit TaborKit;
 
+/** Computes a drum of @p kit: for a TaborKitRun. */
+typedef void TaborKitJob(void *kit, uint32_t drum);
+/** Calls @p job(kit, drum) for each drum < @p count: see tabor_kit_set_runner(). */
+typedef void TaborKitRun(void *context, TaborKitJob *job, void *kit, uint32_t count);
+
 /** An event of a drum. */
 typedef struct TaborKitEvent {
   uint32_t drum;    /**< index of the drum, or TABOR_KIT_ALL; another one: the event is dropped */
@@ -193,6 +198,13 @@ TABOR_API TaborStatus tabor_kit_create(const TaborKitDef *def, TaborModel *const
                                        TaborKit **kit, TaborError *error);
 /** Frees a kit. Ignores NULL. Swaps that are not done must be destroyed after it. */
 TABOR_API void tabor_kit_destroy(TaborKit *kit);
+/**
+ * Lets the drums of a kit be computed on several threads: @p run is called within tabor_kit_process(), some thousand times a
+ * second, and calls @p job once for each drum from 0 to @p count - 1, in any order and on any threads, and returns when all
+ * are done. The sound does not depend on it. NULL, the default: one after another on the caller's thread. What @p run does is
+ * the caller's: for an audio thread it must not lock.
+ */
+TABOR_API void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context);
 /** The drum @p drum of a kit, for queries; NULL past the last. */
 TABOR_API const TaborDrum *tabor_kit_drum(const TaborKit *kit, uint32_t drum);
 /** The definition with which the kit was created. */

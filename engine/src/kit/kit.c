@@ -127,8 +127,12 @@ static bool is_wanted(const TbKitVoice *voice, uint32_t mic, float *const *mics)
   return mics && mics[mic];
 }
 
-static void play(TaborKit *kit, uint32_t drum, const TaborKitOutputs *to, uint32_t frames) {
+/* A TaborKitJob: the drum's part of the piece. It writes to nothing but its voice. */
+static void play(void *context, uint32_t drum) {
+  TaborKit *const kit = context;
   TbKitVoice *const voice = &kit->voices[drum];
+  const TaborKitOutputs *const to = kit->outputs;
+  const uint32_t frames = kit->frames;
   float said[TB_KIT_PIECE] = {0.0f};
   float *outputs[TABOR_MAX_MICS];
   const bool coupled = kit->def.coupled && voice->air != TB_NO_MIC;
@@ -148,6 +152,16 @@ static void play(TaborKit *kit, uint32_t drum, const TaborKitOutputs *to, uint32
 
 static double sample_of(const TbKitVoice *voice, uint32_t mic, uint32_t frame) {
   return mic == TB_NO_MIC ? 0.0 : (double)voice->sound[mic][frame];
+}
+
+static void play_all(TaborKit *kit, const TaborKitOutputs *outputs, uint32_t frames) {
+  kit->outputs = outputs;
+  kit->frames = frames;
+  if (kit->run) {
+    kit->run(kit->run_context, play, kit, kit->def.drum_count);
+    return;
+  }
+  for (uint32_t i = 0; i < kit->def.drum_count; i++) play(kit, i);
 }
 
 typedef struct Mix {
@@ -183,7 +197,7 @@ static void play_piece(TaborKit *kit, const TaborKitOutputs *outputs, uint32_t a
   Mix mix;
   float *none[2] = {NULL, NULL};
   memset(&mix, 0, sizeof mix);
-  for (uint32_t i = 0; i < kit->def.drum_count; i++) play(kit, i, outputs, frames);
+  play_all(kit, outputs, frames);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     TbKitVoice *const voice = &kit->voices[i];
     if (kit->def.coupled) say(kit, voice, voice->heard, frames);
@@ -245,6 +259,11 @@ void tabor_kit_reset(TaborKit *kit) {
   kit->muffled = false;
   tabor_room_reset(kit->room);
   kit->frame = kit->dropped = 0;
+}
+
+void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context) {
+  kit->run = run;
+  kit->run_context = context;
 }
 
 uint64_t tabor_kit_dropped(const TaborKit *kit) { return kit->dropped; }

@@ -54,6 +54,10 @@ struct TaborKit {
   uint32_t ring;  /* length of each ring, a power of 2 */
   uint64_t frame; /* since the last reset */
   uint64_t dropped;
+  TaborKitRun *run; /* or NULL */
+  void *run_context;
+  const TaborKitOutputs *outputs; /* of the piece: for the drums */
+  uint32_t frames;
 };
 
 /* Factor of a gain in decibels; -120 dB is silence. Audio-safe. */

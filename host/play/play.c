@@ -6,6 +6,7 @@
 #include "base/command.h"
 #include "drums/drum_args.h"
 #include "play/console.h"
+#include "play/play_kit.h"
 #include "play/play_report.h"
 
 /* The first thing that went wrong decides. */
@@ -35,6 +36,7 @@ static Outcome play(PlayRequest *request) {
 
 static Outcome run(const Arguments *arguments) {
   PlayRequest request;
+  if (arguments_has(arguments, "kit")) return play_kit(arguments);
   Outcome outcome = play_request_read(arguments, &request);
   if (outcome == OUTCOME_OK) outcome = play(&request);
   play_request_free(&request);
@@ -48,6 +50,7 @@ static const char notes[] =
   "--midi-file plays a MIDI file. Live MIDI comes from every hardware input, or from those that\n"
   "--midi-in names, also if they are plugged in later, and from any program that connects to the\n"
   "input 'tabor-midi'. docs/midi.md has the map.\n"
+  "--kit plays several drums by live MIDI, or --midi-file, in stereo; docs/kit.md has the notes.\n"
   "--log writes the drum, and all that is played on it with its time, for 'tabor render "
   "--replay'.\n"
   "While the drum plays, take.wav and take.log are called take.part.wav and take.part.log. If the\n"

@@ -7,6 +7,7 @@
 #include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "drums/stereo_pair.h"
+#include "kit/kit_args.h"
 #include "midi/midi_input.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"
@@ -30,6 +31,7 @@ const Option play_options[] = {
   OPTION_SET,
   OPTION_EVENTS,
   OPTION_MIDI_FILE,
+  OPTION_KIT,
   OPTION_MIDI_IN,
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+#include "play/play_kit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/interrupt.h"
+#include "base/json_output.h"
+#include "drums/drum_args.h"
+#include "kit/kit_args.h"
+#include "kit/kit_build.h"
+#include "kit/kit_player.h"
+#include "midi/midi_input.h"
+#include "midi/midi_map_file.h"
+#include "midi/midi_options.h"
+#include "platform/clock.h"
+#include "platform/process.h"
+#include "play/backend.h"
+#include "strokes/humanize_options.h"
+
+#define DEFAULT_BUFFER 128
+#define TURN 0.05     /* [s] between two looks at signals and the device */
+#define SIGNALLED 128 /* exit status of a program that a signal ended, less its number */
+
+/* A kit on a device. */
+typedef struct KitSession {
+  TaborKitDef def;
+  TaborModelOptions model;
+  KitMidi song_midi, live_midi; /* of the file; of the thread that receives */
+  KitSong song;
+  Humanizer song_scatter, live_scatter;
+  MidiResponse response;
+  int channel;
+  double gain, duration;
+  bool quiet, json;
+  const Backend *backend;
+  BackendRequest device;
+  BackendStream *stream;
+  BackendFacts facts;
+  MidiInput *input;
+  TaborKit *kit;
+  KitPlayer player;
+} KitSession;
+
+/* ---- the request ----------------------------------------------------------------------------- */
+
+static Outcome check_options(const Arguments *arguments) {
+  static const char *const excluded[] = {"record",   "format", "log", "events",
+                                         "midi-map", "keys",   "mic", "stereo"};
+  for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
+    if (!arguments_has(arguments, excluded[i])) continue;
+    return refuse("--kit and --%s: a kit is played by MIDI, and heard in its own mix", excluded[i]);
+  }
+  if (!arguments->operand) return OUTCOME_OK;
+  return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
+}
+
+static Outcome read_device(const Arguments *arguments, KitSession *s) {
+  static const NumberField buffer = {"--buffer", 16, 4096, true};
+  const char *const name = arguments_value(arguments, "backend");
+  double frames = DEFAULT_BUFFER;
+  s->device = (BackendRequest){.device = arguments_value(arguments, "device"), .channels = 2};
+  Outcome outcome = arguments_number(arguments, &buffer, &frames);
+  if (outcome == OUTCOME_OK) outcome = backend_find(name ? name : "portaudio", &s->backend);
+  if (outcome != OUTCOME_OK) return outcome;
+  s->device.buffer = (uint32_t)frames;
+  if (arguments_has(arguments, "rate")) s->device.rate = s->model.sample_rate;
+  if (s->backend->waits)
+    return refuse("--kit and --backend file: 'tabor render --kit' writes files");
+  if (!s->device.device || s->backend == &backend_portaudio) return OUTCOME_OK;
+  return refuse("--device: only --backend portaudio has devices");
+}
+
+static Outcome read_numbers(const Arguments *arguments, KitSession *s) {
+  static const NumberField gain = {"--gain", -120, 120, false};
+  static const NumberField duration = {"--duration", 0.01, 86400, false};
+  const char *const channel = arguments_value(arguments, "midi-channel");
+  double gain_db = 0;
+  s->quiet = arguments_has(arguments, "quiet");
+  s->json = arguments_has(arguments, "json");
+  s->response = midi_response_default;
+  s->channel = MIDI_OMNI;
+  Outcome outcome = arguments_number(arguments, &gain, &gain_db);
+  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &s->duration);
+  if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0.3, &s->live_scatter);
+  if (outcome == OUTCOME_OK) outcome = midi_response_read(arguments, &s->response);
+  if (outcome == OUTCOME_OK && channel) {
+    outcome = midi_channel_read("--midi-channel", channel, &s->channel);
+  }
+  if (outcome == OUTCOME_OK) {
+    outcome = model_options_read(arguments, &s->def.drum[0].def, &s->model);
+  }
+  s->song_scatter = s->live_scatter;
+  s->gain = pow(10, gain_db / 20);
+  return outcome;
+}
+
+/* ---- opening --------------------------------------------------------------------------------- */
+
+static Outcome open_device(KitSession *s) {
+  const Outcome outcome = s->backend->open(&s->device, &s->stream, &s->facts);
+  s->model.sample_rate = s->facts.rate;
+  return outcome;
+}
+
+static Outcome read_song(const Arguments *arguments, KitSession *s) {
+  const char *const name = arguments_value(arguments, "midi-file");
+  kit_midi_begin(&s->song_midi, &s->def, s->response, s->channel);
+  kit_midi_begin(&s->live_midi, &s->def, s->response, s->channel);
+  if (!name) return OUTCOME_OK;
+  const Outcome outcome =
+    kit_song_read(name, &s->song_midi, s->song_scatter, s->model.sample_rate, &s->song);
+  if (outcome == OUTCOME_OK && !s->quiet) kit_song_note(name, &s->song_midi);
+  return outcome;
+}
+
+static Outcome create_player(KitSession *s) {
+  const KitPlayerSetup setup = {.kit = s->kit,
+                                .song = &s->song,
+                                .rate = s->model.sample_rate,
+                                .gain = s->gain,
+                                .width = s->facts.width,
+                                .buffer = s->facts.buffer,
+                                .end = (uint64_t)llround(s->duration * s->model.sample_rate)};
+  return kit_player_begin(&s->player, &setup);
+}
+
+/* A MidiInputFn. */
+static void receive(void *context, double time, const MidiMessage *message) {
+  KitSession *const s = context;
+  TaborKitEvent events[TABOR_KIT_DRUMS];
+  const uint32_t count = kit_midi_take(&s->live_midi, message, events);
+  for (uint32_t i = 0; i < count; i++) {
+    humanize(&s->live_scatter, s->live_midi.head_radius[events[i].drum], &events[i].event);
+    kit_player_send(&s->player, time, &events[i]);
+  }
+}
+
+static Outcome open_all(const Arguments *arguments, KitSession *s) {
+  Outcome outcome = open_device(s);
+  if (outcome == OUTCOME_OK) outcome = read_song(arguments, s);
+  if (outcome == OUTCOME_OK) {
+    outcome = kit_build(&s->def, &s->model, process_processors(), &s->kit);
+  }
+  if (outcome == OUTCOME_OK) outcome = create_player(s);
+  if (outcome != OUTCOME_OK) return outcome;
+  return midi_input_open(arguments_value(arguments, "midi-in"), s->quiet, receive, s, &s->input);
+}
+
+/* ---- playing --------------------------------------------------------------------------------- */
+
+static bool process(void *context, float *samples, uint32_t frames, double now, bool gap) {
+  KitSession *const s = context;
+  return kit_player_process(&s->player, samples, frames, now, gap);
+}
+
+static void announce(const KitSession *s) {
+  if (s->quiet) return;
+  note("kit %s on '%s': %.10g Hz, %u frames at once, %.1f ms from a stroke to its sound",
+       s->def.name, s->facts.device, s->facts.rate, (unsigned)s->facts.buffer,
+       1000 * (s->facts.buffer / s->facts.rate + s->facts.latency));
+}
+
+static Outcome run(KitSession *s) {
+  const BackendClient client = {.process = process, .context = s};
+  interrupt_catch();
+  announce(s);
+  const Outcome outcome = s->backend->start(s->stream, &client);
+  if (outcome != OUTCOME_OK) return outcome;
+  while (!kit_player_is_over(&s->player)) {
+    if (interrupt_caught() != 0) return (Outcome)(SIGNALLED + interrupt_caught());
+    if (!s->backend->is_running(s->stream) && !kit_player_is_over(&s->player)) {
+      return fail("'%s' is gone: it asks for no more sound", s->facts.device);
+    }
+    clock_sleep_until(stopwatch_seconds(CLOCK_MONOTONIC) + TURN);
+  }
+  return OUTCOME_OK;
+}
+
+/* ---- the report ------------------------------------------------------------------------------ */
+
+static Outcome print_json(KitSession *s, const KitPlayerStatus *status) {
+  json_t *drums = json_array();
+  for (uint32_t i = 0; i < s->def.drum_count; i++) {
+    TaborStatistics statistics;
+    tabor_drum_statistics(tabor_kit_drum(s->kit, i), &statistics);
+    drums = json_with_item(drums, json_pack("{s:o, s:I}", "name", json_text(s->def.drum[i].name),
+                                            "strokes", (json_int_t)statistics.strikes));
+  }
+  return json_print(json_pack("{s:o, s:o, s:o, s:I, s:I, s:o}", "kit", json_text(s->def.name),
+                              "seconds", json_number(status->seconds), "peak",
+                              json_number(status->peak), "gaps", (json_int_t)status->gaps,
+                              "dropped", (json_int_t)status->dropped, "drums", drums));
+}
+
+static Outcome report(KitSession *s) {
+  KitPlayerStatus status;
+  kit_player_status(&s->player, &status);
+  if (status.clipped > 0) {
+    warn("%llu samples were clipped: the peak was %+.1f dBFS", (unsigned long long)status.clipped,
+         20 * log10(status.peak));
+  }
+  if (status.gaps > 0) {
+    warn(
+      "the output ran dry %llu times: a block took up to %.0f %% of its time; a larger --buffer or "
+      "--quality draft avoids it",
+      (unsigned long long)status.gaps, 100 * status.worst_load);
+  }
+  if (status.dropped > 0) {
+    warn("%llu events were dropped: too many at once", (unsigned long long)status.dropped);
+  }
+  if (s->json) return print_json(s, &status);
+  if (!s->quiet) note("%.2f s played, %.2f of real time", status.seconds, status.load);
+  return OUTCOME_OK;
+}
+
+static void close_all(KitSession *s) {
+  midi_input_close(s->input);
+  if (s->backend && s->stream) s->backend->close(s->stream);
+  kit_player_end(&s->player);
+  tabor_kit_destroy(s->kit);
+  kit_song_free(&s->song);
+  free(s);
+}
+
+Outcome play_kit(const Arguments *arguments) {
+  KitSession *const s = calloc(1, sizeof *s);
+  if (!s) return fail_memory();
+  Outcome outcome = check_options(arguments);
+  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &s->def);
+  if (outcome == OUTCOME_OK) outcome = read_numbers(arguments, s);
+  if (outcome == OUTCOME_OK) outcome = read_device(arguments, s);
+  if (outcome == OUTCOME_OK) outcome = open_all(arguments, s);
+  if (outcome == OUTCOME_OK) {
+    outcome = run(s);
+    const Outcome said = report(s);
+    if (outcome == OUTCOME_OK) outcome = said;
+  }
+  close_all(s);
+  return outcome;
+}

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `tabor play --kit`: a MIDI file on a kit, on a device that is not heard, and what is refused.
+# shellcheck source=tests/support/host_checks.sh
+. "$(dirname "$0")/../support/host_checks.sh"
+# Bass drum, snare drum, low tom and hi-hat, a quarter of a second apart: 480 ticks a quarter, at 120 quarters a minute.
+printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\24\0\231\44\144\201\160\46\144\201\160\55\144\201\160\52\144\0\377\57\0' >song.mid
+short=(play --kit standard --backend null --quality draft)
+
+run "${short[@]}" --duration 1 --midi-file song.mid --json
+same "status" 0 "$status"
+strokes=$(for i in 0 1 2 3 4; do echo "$(json "drums.$i.name") $(json "drums.$i.strokes")"; done | tr '\n' ' ')
+same "strokes" 'kick 1 snare 1 high-tom 0 low-tom 1 floor-tom 0 ' "$strokes"
+same "length" 1.0 "$(json seconds)"
+holds "it is heard" "$(json peak) > 0.01"
+check "the hi-hat is named" grep -q '42 closed hi-hat (1)$' "$err"
+
+# Ctrl-C ends it.
+"$TABOR" "${short[@]}" >"$out" 2>"$err" &
+child=$!
+check "it plays" wait_for grep -q "kit standard on 'null'" "$err"
+kill -INT $child
+wait $child
+same "status after SIGINT" 130 $?
+
+refused "unknown kit" play --kit standart --backend null
+refused "--kit and --record" "${short[@]}" --record take.wav
+refused "--kit and 'tom-12'" play tom-12 --kit standard --backend null
+refused "--kit and --backend file" play --kit standard --backend file
+refused "--device: only" "${short[@]}" --device 'JACK: system'
+refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1
+
+finish

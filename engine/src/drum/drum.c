@@ -246,6 +246,7 @@ static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events,
 
 static TbFrameAir air_of_frame(const TbDrumAir *air, uint32_t frame) {
   return (TbFrameAir){.mic = air->mic,
+                      .low = air->low,
                       .incident = air->incident ? (double)air->incident[frame] : 0.0,
                       .wake = air->wake,
                       .tap = air->tapped ? air->tap : TB_NO_TAP};

@@ -50,6 +50,7 @@ static double take_sound(TbView *view, const TbFrameAir *air) {
   if (wakes) state->asleep = state->quiet_checks = 0;
   state->incident = size >= TB_INCIDENT_LEAST && !state->asleep ? air->incident : 0.0;
   view->incident.mic = air ? air->mic : 0;
+  view->incident.low = air && air->low;
   view->tap = air ? air->tap : TB_NO_TAP;
   view->tapped = 0.0;
   return before;

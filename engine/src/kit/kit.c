@@ -74,7 +74,7 @@ static const float *listen(const TaborKit *kit, uint32_t drum, uint32_t frames) 
   bool hears = false;
   for (uint32_t i = 0; !kit->muffled && i < kit->def.drum_count; i++) {
     if (i == drum || kit->voices[i].quiet >= kit->ring) continue;
-    if (!hears) memset(voice->heard, 0, sizeof voice->heard);
+    if (!hears) memset(voice->heard, 0, frames * sizeof(float));
     hear(kit, i, voice, frames, voice->heard);
     hears = true;
   }
@@ -133,20 +133,22 @@ static void play(void *context, uint32_t drum) {
   TbKitVoice *const voice = &kit->voices[drum];
   const TaborKitOutputs *const to = kit->outputs;
   const uint32_t frames = kit->frames;
-  float said[TB_KIT_PIECE] = {0.0f};
+  float said[TB_KIT_PIECE];
   float *outputs[TABOR_MAX_MICS];
   const bool coupled = kit->def.coupled && voice->air != TB_NO_MIC;
   const TbDrumAir air = {.mic = coupled ? voice->air : 0,
+                         .low = true,
                          .incident = coupled ? listen(kit, drum, frames) : NULL,
                          .wake = voice->wake,
                          .tap = voice->air,
                          .tapped = coupled ? said : NULL};
+  memset(said, 0, frames * sizeof *said);
   for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) {
     outputs[mic] = is_wanted(voice, mic, to ? to->mic[drum] : NULL) ? voice->sound[mic] : NULL;
+    memset(voice->sound[mic], 0, frames * sizeof(float));
   }
-  memset(voice->sound, 0, sizeof voice->sound);
   tb_drum_process(voice->drum, voice->events, voice->count, &air, outputs, frames);
-  memcpy(voice->heard, said, sizeof said); /* only said once all drums have heard */
+  memcpy(voice->heard, said, frames * sizeof *said); /* only said once all drums have heard */
   if (tabor_drum_model(voice->drum) != voice->model) tb_kit_voice_bind(kit, drum);
 }
 

@@ -7,6 +7,8 @@
 #include "math/portable_math.h"
 #include "model/model.h"
 
+static const double PI = 3.14159265358979323846;
+
 /* ---- microphones ---------------------------------------------------------------------------- */
 
 /* Travel time to the nearest point of a head, in whole steps. */
@@ -58,7 +60,6 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
  * who hears the drum makes up for it already. */
 static void push_weights(const TaborModel *model, const TaborMicDef *def, double omega,
                          double ahead, double behind, double *now, double *before) {
-  const double pi = 3.14159265358979323846;
   const double distance = sqrt(def->radius * def->radius + def->height * def->height);
   const double turn = omega * model->time_step, u = 0.5 * (ahead + behind),
                v = 0.5 * (ahead - behind);
@@ -66,7 +67,7 @@ static void push_weights(const TaborModel *model, const TaborMicDef *def, double
   *now = *before = 0.0;
   if (model->def.air.density == 0.0) return;
   tb_sin_cos(turn, &sine, &cosine);
-  const double size = 4.0 * pi * distance / model->def.air.density * turn / (omega * omega * sine);
+  const double size = 4.0 * PI * distance / model->def.air.density * turn / (omega * omega * sine);
   *now = size * (2.0 * u * (cosine - 1.0) + 2.0 * v * cosine);
   *before = -size * 2.0 * v;
 }
@@ -83,6 +84,53 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
   }
 }
 
+/* ---- low modes ------------------------------------------------------------------------------ */
+
+static const double LOW = 2000.0;        /* [Hz] */
+static const double LEAST_WEIGHT = 1e-3; /* of the largest: -60 dB */
+
+static double push_of(const TbMic *mic, uint32_t mode) {
+  return fabs(mic->push_now[mode]) + fabs(mic->push_before[mode]);
+}
+
+static bool is_low(const TaborModel *model, const TbMic *mic, uint32_t mode, double largest) {
+  const uint32_t row = model->modes.row[mode];
+  if (row == TB_NO_MODE || !(push_of(mic, mode) > LEAST_WEIGHT * largest)) return false;
+  return model->head.modes[row].omega < 2.0 * PI * LOW;
+}
+
+static void take_low_mode(const TbMic *mic, const TbModes *modes, uint32_t mode, TbLowModes *low) {
+  const uint32_t at = low->count++;
+  low->mode[at] = mode;
+  low->ahead[at] = mic->ahead[mode];
+  low->behind[at] = mic->behind[mode];
+  low->now[at] = mic->push_now[mode];
+  low->before[at] = mic->push_before[mode];
+  low->g_now[at] = modes->g[mode] * mic->push_now[mode];
+  low->g_before[at] = modes->g[mode] * mic->push_before[mode];
+}
+
+static TaborStatus list_low_modes(TaborModel *model, TbMic *mic) {
+  const TbModes *modes = &model->modes;
+  TbLowModes *low = &mic->low;
+  double largest = 0.0;
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < modes->padded; i++) largest = fmax(largest, push_of(mic, i));
+  for (uint32_t i = 0; i < modes->padded; i++) count += is_low(model, mic, i, largest);
+  double **const arrays[] = {&low->ahead,  &low->behind, &low->now,
+                             &low->before, &low->g_now,  &low->g_before};
+  low->mode = tb_arena_take(&model->arena, count + 1u, sizeof *low->mode);
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+    *arrays[i] = tb_arena_doubles(&model->arena, count + 1u);
+  }
+  if (model->arena.failed) return TABOR_ERROR_MEMORY;
+  low->count = 0;
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    if (is_low(model, mic, i, largest)) take_low_mode(mic, modes, i, low);
+  }
+  return TABOR_OK;
+}
+
 TaborStatus tb_mics_prepare(TaborModel *model) {
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     TbMic *mic = &model->mics[index];
@@ -95,6 +143,7 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
     mic->push_before = tb_arena_doubles(&model->arena, model->modes.padded);
     if (model->arena.failed) return TABOR_ERROR_MEMORY;
     mode_weights(model, index, mic);
+    if (list_low_modes(model, mic) != TABOR_OK) return TABOR_ERROR_MEMORY;
   }
   return TABOR_OK;
 }

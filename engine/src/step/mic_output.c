@@ -109,16 +109,26 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
   return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
-/* The high band's part. The tap is for other drums, which hear low notes (kit/kit.h): it has none. */
-static TbPair high_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
-  if (mic == view->tap) return (TbPair){0.0, 0.0};
-  return tb_high_band_step_of(view)->sums(view, mic, phase);
+/* What the tap hears: other drums hear the low modes alone. */
+static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase) {
+  const TbLowModes *low = &view->model->mics[mic].low;
+  TbPair sums = {0.0, 0.0};
+  for (uint32_t i = 0; i < low->count; i++) {
+    sums.first += low->ahead[i] * phase->q[low->mode[i]];
+    sums.second += low->behind[i] * phase->q[low->mode[i]];
+  }
+  return sums;
+}
+
+static TbPair all_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
+  if (mic == view->tap) return low_sums_at(view, mic, phase);
+  return sums_at(view, mic, phase, tb_high_band_step_of(view)->sums(view, mic, phase));
 }
 
 /* What a microphone would have heard if it had been heard before. */
 static void begin_hearing(TbView *view, uint32_t mic) {
-  const TbPair now = sums_at(view, mic, &view->now, high_sums_at(view, mic, &view->now));
-  const TbPair last = sums_at(view, mic, &view->last, high_sums_at(view, mic, &view->last));
+  const TbPair now = all_sums_at(view, mic, &view->now);
+  const TbPair last = all_sums_at(view, mic, &view->last);
   view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
 }
 
@@ -157,9 +167,9 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     double p = 0.0;
     if (heard >> mic & 1u) {
-      const TbPair own =
-        mic == first && mic != view->tap ? high : high_sums_at(view, mic, &view->next);
-      p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
+      const bool known = mic == first && mic != view->tap;
+      p = hear(&state->ears[mic],
+               known ? sums_at(view, mic, &view->next, high) : all_sums_at(view, mic, &view->next));
       if (mic == view->tap) view->tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /

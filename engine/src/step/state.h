@@ -145,6 +145,7 @@ typedef struct TbPhase {
 /* Sound from outside: pressure [Pa] at this step and at the one before, from the place of a microphone. */
 typedef struct TbIncident {
   uint32_t mic;
+  bool low; /* the low modes alone hear it */
   double now, before;
 } TbIncident;
 

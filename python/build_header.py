@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Makes the module tabor._header from the C header, so that both always say the same.
+"""Makes the module tabor._header from the C headers, so that both always say the same.
 
-    python build_header.py TABOR.H _HEADER.PY
+    python build_header.py TABOR.H KIT.H _HEADER.PY
 """
 
 import re
@@ -23,11 +23,12 @@ def declarations(header: str) -> str:
 
 
 def main() -> None:
-    """Reads the header and writes the module."""
-    header, module = map(Path, sys.argv[1:])
+    """Reads the headers and writes the module."""
+    *headers, module = map(Path, sys.argv[1:])
     builder = FFI()
     builder.set_source("tabor._header", None)
-    builder.cdef(declarations(header.read_text(encoding="utf-8")))
+    for header in headers:
+        builder.cdef(declarations(header.read_text(encoding="utf-8")))
     builder.emit_python_code(str(module))
 
 

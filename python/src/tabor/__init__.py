@@ -5,7 +5,8 @@
     sound = tabor.render("snare-14x5.5", [tabor.strike(0, velocity=3.0)], duration=1.0)
 
 From slow to fast, there is a `Definition`, physical parameters of a drum; a `Model`, everything that can be computed
-from it for one sample rate; a `Drum`, which sounds; and a `Room` around it. `render` does it all at once, and
+from it for one sample rate; a `Drum`, which sounds; and a `Room` around it. A `Kit` has several
+drums that hear each other. `render` does it all at once, and
 `render_kit` for many drums in parallel. `strike`, `change` and others make the events that happen to a drum.
 
 Units are SI, angles in degrees. Sound is an array of float32, shape (microphones, frames).
@@ -14,6 +15,7 @@ Units are SI, angles in degrees. Sound is an array of float32, shape (microphone
 from ._library import Error, UnknownNameError, version
 from .definition import Definition, Parameter, Preset, Value, parameters, presets
 from .drum import TRACE, Drum, Ledger, Probe, Statistics
+from .drum_kit import Kit, KitEvent, kits
 from .events import (TECHNIQUES, Event, change, damp, gain, move, press, release, replace, reset, silence, strike,
                      swap)
 from .kit import render_kit
@@ -25,8 +27,8 @@ from .room import Room, RoomInfo
 __version__ = version()
 
 __all__ = [
-    "Definition", "Drum", "Error", "Event", "Ledger", "MODE", "Model", "ModelEstimate", "ModelInfo", "Parameter",
+    "Definition", "Drum", "Error", "Event", "Kit", "KitEvent", "Ledger", "MODE", "Model", "ModelEstimate", "ModelInfo", "Parameter",
     "Playable", "Preset", "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
-    "change", "damp", "gain", "midi_events", "move", "parameters", "presets", "press", "release", "render",
+    "change", "damp", "gain", "kits", "midi_events", "move", "parameters", "presets", "press", "release", "render",
     "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",
 ]

@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: MIT
+"""Several drums in one room that hear each other."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._library import Error, UnknownNameError, check, encoded, ffi, fields, lib, text
+from ._numbers import number, whole
+from .definition import Definition, Preset, Value
+from .drum import Ledger, Statistics, _values
+from .events import Event, place
+from .model import Model
+
+_MOST_FRAMES = 2**31 - 1
+
+#: An event and the name of the drum that it is for; None: all drums.
+KitEvent = Tuple[Optional[str], Event]
+
+
+def kits() -> Tuple[Preset, ...]:
+    """The built-in kits.
+
+    Returns
+    -------
+    tuple of Preset
+        Names and descriptions.
+    """
+    rows = [lib.tabor_kit(i) for i in range(lib.tabor_kit_count())]
+    return tuple(Preset(text(row.name), text(row.comment)) for row in rows)
+
+
+class Kit:
+    """A kit of drums, at rest to begin with.
+
+    Parameters
+    ----------
+    kit : str
+        Name of a built-in kit, as `kits` lists them.
+    settings : mapping of str to str or number, optional
+        Changes, as ``{"drum.snare.batter.pitch": "G3", "kit.coupling": "off"}`` (docs/kit.md has the keys).
+    sample_rate : float, optional
+        [Hz], 48,000 unless given.
+    quality : str, optional
+        One of `QUALITIES`, ``"live"`` unless given.
+
+    Raises
+    ------
+    Error
+        There is no such kit, or a setting is not allowed.
+
+    Notes
+    -----
+    The sound does not depend on its division into blocks. Threads take turns at one kit.
+
+    Examples
+    --------
+    >>> kit = tabor.Kit("standard")
+    >>> sound = kit.process(48000, [("kick", tabor.strike(0, velocity=5)), ("snare", tabor.strike(0.5))])
+    """
+
+    def __init__(self, kit: str = "standard", settings: Optional[Mapping[str, Value]] = None,
+                 sample_rate: Optional[float] = None, quality: Optional[str] = None) -> None:
+        self._def = ffi.new("TaborKitDef *")
+        check(lib.tabor_kit_def_preset, self._def, encoded(kit, "kit"))
+        for key, value in (settings or {}).items():
+            check(lib.tabor_kit_def_set, self._def, encoded(key, "key"), encoded(str(value), "value"))
+        check(lib.tabor_kit_def_validate, self._def)
+        self._drums = tuple(text(self._def.drum[i].name) for i in range(self._def.drum_count))
+        self._models = tuple(Model(self._placed(i), sample_rate, quality) for i in range(len(self._drums)))
+        models = ffi.new("TaborModel *[]", [model._c for model in self._models])
+        made = ffi.new("TaborKit **")
+        check(lib.tabor_kit_create, self._def, models, made)
+        self._c = ffi.gc(made[0], lib.tabor_kit_destroy)
+        self._lock = threading.Lock()
+
+    def _placed(self, drum: int) -> Definition:
+        """The drum as it stands in the kit."""
+        definition = ffi.new("TaborDrumDef *")
+        check(lib.tabor_kit_def_place, self._def, drum, definition)
+        return Definition._of(definition[0])
+
+    def __repr__(self) -> str:
+        return f"<tabor.Kit {text(self._def.name)!r}, {self.sample_rate:g} Hz, drums {', '.join(self._drums)}>"
+
+    @property
+    def drums(self) -> Tuple[str, ...]:
+        """Names of the drums."""
+        return self._drums
+
+    @property
+    def models(self) -> Dict[str, Model]:
+        """The model of each drum."""
+        return dict(zip(self._drums, self._models))
+
+    @property
+    def sample_rate(self) -> float:
+        """The sample rate [Hz]."""
+        return self._models[0].sample_rate
+
+    def process(self, frames: int, events: Sequence[KitEvent] = ()) -> NDArray[np.float32]:
+        """Plays on.
+
+        Parameters
+        ----------
+        frames : int
+            How many samples.
+        events : sequence of (str or None, Event)
+            What happens meanwhile, and to which drum; None: to all. An event at t seconds acts at frame t x rate.
+
+        Returns
+        -------
+        ndarray of float32, shape (2, frames)
+            The stereo mix, with the room.
+
+        Raises
+        ------
+        ValueError
+            An event is later than these frames, is for no drum of the kit, or is a swap, which kits do not take. The kit
+            then stays as it is.
+        """
+        frames = whole("process: frames", frames, 0, _MOST_FRAMES)
+        made = ffi.new("TaborKitEvent[]", self._prepare(events, frames))
+        out = np.empty((2, frames), np.float32)
+        outputs = ffi.new("TaborKitOutputs *")
+        for side in range(2):
+            outputs.stereo[side] = ffi.cast("float *", out[side].ctypes.data)
+        with self._lock:
+            lib.tabor_kit_process(self._c, made, len(made), outputs, frames)
+        return out
+
+    def render(self, events: Sequence[KitEvent], duration: float) -> NDArray[np.float32]:
+        """Plays from rest.
+
+        Parameters
+        ----------
+        events : sequence of (str or None, Event)
+            What happens, as for `process`.
+        duration : float
+            Length [s].
+
+        Returns
+        -------
+        ndarray of float32, shape (2, frames)
+            The stereo mix.
+        """
+        frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
+        self._prepare(events, frames)  # before anything changes
+        self.reset()
+        return self.process(frames, events)
+
+    def _prepare(self, events: Sequence[KitEvent], frames: int) -> List[Dict[str, Any]]:
+        """The events for the library, in order."""
+        made: List[Tuple[int, Dict[str, Any]]] = []
+        for name, event in events:
+            for frame, placed in place([event], self.sample_rate, frames):
+                if "model" in placed.fields:
+                    raise ValueError(f"{placed.kind}: the drums of a kit stay")
+                made += [(frame, {"drum": drum, "event": _values(frame, placed, self._models[drum])})
+                         for drum in self._addressed(name)]
+        return [values for _, values in sorted(made, key=lambda pair: pair[0])]
+
+    def _addressed(self, name: Optional[str]) -> Sequence[int]:
+        if name is None:
+            return range(len(self._drums))
+        if name not in self._drums:
+            raise UnknownNameError(f"no drum is called {name!r}; there are {', '.join(self._drums)}", "name", "drum",
+                                   str(name))
+        return (self._drums.index(name),)
+
+    def _drum(self, name: str) -> Any:
+        return lib.tabor_kit_drum(self._c, self._addressed(name)[0])
+
+    def ledger(self, drum: str) -> Ledger:
+        """Where the energy of a drum went since creation or reset.
+
+        Parameters
+        ----------
+        drum : str
+            Its name.
+
+        Returns
+        -------
+        Ledger
+            Energies [J]; the work of others' sound counts as injected.
+        """
+        with self._lock:
+            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._drum(drum)))
+
+    def statistics(self, drum: str) -> Statistics:
+        """What was counted of a drum since creation or reset.
+
+        Parameters
+        ----------
+        drum : str
+            Its name.
+
+        Returns
+        -------
+        Statistics
+            Counters.
+        """
+        with self._lock:
+            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics,
+                                       self._drum(drum)))
+
+    @property
+    def is_silent(self) -> bool:
+        """True once everything has died away."""
+        with self._lock:
+            return bool(lib.tabor_kit_is_silent(self._c))
+
+    def reset(self) -> None:
+        """Brings all drums and the room to rest."""
+        with self._lock:
+            lib.tabor_kit_reset(self._c)
+
+    def save(self) -> bytes:
+        """Saves the state of the kit.
+
+        Returns
+        -------
+        bytes
+            For `load` of a kit like this one.
+        """
+        with self._lock:
+            state = ffi.new("char[]", lib.tabor_kit_state_size(self._c))
+            lib.tabor_kit_state_save(self._c, state)
+            return bytes(ffi.buffer(state))
+
+    def load(self, state: bytes) -> None:
+        """Goes on from a saved state, with the same bits.
+
+        Parameters
+        ----------
+        state : bytes
+            What `save` gave.
+
+        Raises
+        ------
+        Error
+            The bytes are damaged, or of another kit.
+        """
+        with self._lock:
+            if lib.tabor_kit_state_load(self._c, state, len(state)) != lib.TABOR_OK:
+                raise Error("the saved state is damaged, or of another kit than this one", "state")

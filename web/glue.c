@@ -105,22 +105,12 @@ EXPORT("drum_reset") void web_drum_reset(WebDrum *web) {
 
 /* ---- facts ---------------------------------------------------------------------------------- */
 
-EXPORT("drum_radius") double web_drum_radius(const WebDrum *web) {
-  return tabor_model_definition(web->model)->shell.radius;
-}
-
-/* Direction of the preset's own stroke [deg]. */
-EXPORT("drum_stroke_angle") double web_drum_stroke_angle(const WebDrum *web) {
-  return tabor_model_definition(web->model)->strike.angle;
-}
-
-/* Speed of the preset's own stroke [m/s]. */
-EXPORT("drum_stroke_velocity") double web_drum_stroke_velocity(const WebDrum *web) {
-  return tabor_model_definition(web->model)->strike.velocity;
-}
-
-EXPORT("drum_wire_count") uint32_t web_drum_wire_count(const WebDrum *web) {
-  return web->info.wire_count;
+/* A number of the definition, such as "shell.radius"; 0 if the drum has no such part. */
+EXPORT("drum_number") double web_drum_number(const WebDrum *web, const char *key) {
+  char text[TABOR_TEXT_SIZE] = "";
+  const TaborDrumDef *const def = tabor_model_definition(web->model);
+  (void)tabor_drum_def_get(def, key, text, sizeof text, NULL);
+  return strtod(text, NULL);
 }
 
 EXPORT("drum_mode_count") uint32_t web_drum_mode_count(const WebDrum *web) {

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Somebody at the page of tools/web, in headless Chromium: strikes drums with mouse, touch and keys, records them, and looks
+// whether the page asks anybody else for anything. For test_web.sh.
+//
+//     strike_web_page.mjs ADDRESS TOOLS FOLDER
+//
+// TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv of each recording and
+// pictures of the page. Prints a line "NAME PRESET QUALITY SECONDS" for each recording, and what was measured as
+// "# ..." lines. Status 1 if something is wrong.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+
+const [address, tools, folder] = process.argv.slice(2);
+const require = createRequire(resolve(tools, "package.json"));
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const WAIT = 120_000; // [ms]; nothing here fails because a machine is slow
+const flags = [
+  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+];
+const drums = [["tom-12", "live"], ["snare-14x5.5", "live"], ["snare-14x5.5", "draft"], ["bass-drum-22", "live"]];
+
+let wrong = 0;
+function complain(text) {
+  console.error(`FAILED: ${text}`);
+  wrong++;
+}
+
+/** Hears errors, and requests to anybody else. */
+function watch(page) {
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complain(`the console says: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complain(`an error: ${error.message}`));
+  page.on("requestfailed", (request) => complain(`${request.failure().errorText}: ${request.url()}`));
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith(address) && !url.startsWith("blob:")) complain(`a request to ${url}`);
+  });
+}
+
+const status = (page, text) => page.locator("#status", { hasText: text }).waitFor({ timeout: WAIT });
+
+async function open(browser, options) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  page.setDefaultTimeout(WAIT);
+  watch(page);
+  const began = Date.now();
+  await page.goto(address);
+  await status(page, "Ready");
+  console.log(`# the page is ready after ${Date.now() - began} ms`);
+  return page;
+}
+
+/** Chooses a drum and waits until it plays. */
+async function choose(page, preset, quality) {
+  await page.getByRole("combobox", { name: "Drum" }).selectOption(preset);
+  await page.getByRole("combobox", { name: "Quality" }).selectOption(quality);
+  await status(page, "Ready");
+  await page.waitForTimeout(300); // the former drum fades
+  console.log(`# ${preset}: ${await page.locator("#facts").textContent()}`);
+}
+
+/** The place at a share of the head's radius to the right of and above the centre. */
+async function placeOf(page, right, up) {
+  const box = await page.locator("#drum").boundingBox();
+  const radius = (0.86 * box.width) / 2;
+  return [box.x + box.width / 2 + right * radius, box.y + box.height / 2 - up * radius];
+}
+
+/** Strokes by mouse, keys and, on the rim, by the mouse again. */
+async function play(page) {
+  await page.mouse.click(...(await placeOf(page, 0.1, 0.2)));
+  await page.waitForTimeout(150);
+  await page.mouse.click(...(await placeOf(page, -0.5, 0.3)));
+  await page.keyboard.press("3");
+  for (const key of ["a", "g", "p", " ", "z", "x", "c"]) {
+    await page.keyboard.press(key);
+    await page.waitForTimeout(60);
+  }
+  await page.mouse.click(...(await placeOf(page, 1.04, 0)));
+  await page.waitForTimeout(800);
+}
+
+async function save(page, link, file) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByText(link).click()]);
+  await download.saveAs(join(folder, file));
+}
+
+async function record(page, name, preset, quality) {
+  await choose(page, preset, quality);
+  await page.getByRole("button", { name: "Record" }).click();
+  await play(page);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await status(page, "Recorded");
+  const said = await page.locator("#status").textContent();
+  await save(page, "Sound (WAV)", `${name}.wav`);
+  await save(page, "Strokes (CSV)", `${name}.csv`);
+  console.log(`${name} ${preset} ${quality} ${parseFloat(said.split(" ")[1])}`);
+}
+
+/** Looks for what people with assistive technology miss. */
+async function checkAccess(page, where) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  for (const { id, help, nodes } of violations) complain(`${where}: ${id}: ${help}: ${nodes[0].html}`);
+}
+
+async function recordDrums(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await page.getByRole("heading").click(); // a gesture without a stroke
+  await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
+  let count = 0;
+  for (const [preset, quality] of drums) await record(page, `take${++count}`, preset, quality);
+  await page.context().close();
+}
+
+/** A finger strikes at once, and the link names the drum. */
+async function touch(browser) {
+  const page = await open(browser, { hasTouch: true, isMobile: true, viewport: { width: 360, height: 740 } });
+  await choose(page, "frame-drum", "live");
+  await page.touchscreen.tap(...(await placeOf(page, 0.2, 0.2)));
+  await page.waitForFunction(() => document.getElementById("level").value > -40);
+  await page.reload();
+  await status(page, "Ready");
+  const drum = await page.getByRole("combobox", { name: "Drum" }).inputValue();
+  if (drum !== "frame-drum") complain(`the link restores ${drum}`);
+  await page.context().close();
+}
+
+async function picture(browser, colorScheme, width) {
+  const viewport = { width, height: width > 600 ? 800 : 740 };
+  const page = await open(browser, { colorScheme, viewport });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  if (wide > width) complain(`the page is ${wide} wide on ${width}`);
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.4)));
+  await page.waitForFunction(() => document.getElementById("level").value > -40);
+  await page.screenshot({ path: join(folder, `${colorScheme}-${width}.png`) });
+  await checkAccess(page, `${colorScheme} ${width}`);
+  await page.context().close();
+}
+
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
+try {
+  await recordDrums(browser);
+  await touch(browser);
+  for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
+} catch (error) {
+  complain(error.message);
+} finally {
+  await browser.close();
+}
+process.exitCode = wrong > 0 ? 1 : 0;

@@ -7,7 +7,7 @@
 // TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv of each recording and
 // pictures of the page. Prints a line "NAME PRESET QUALITY SECONDS" for each recording, and what was measured as
 // "# ..." lines. Status 1 if something is wrong.
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
@@ -35,7 +35,10 @@ function watch(page) {
     if (["error", "warning"].includes(message.type())) complain(`the console says: ${message.text()}`);
   });
   page.on("pageerror", (error) => complain(`an error: ${error.message}`));
-  page.on("requestfailed", (request) => complain(`${request.failure().errorText}: ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    const reason = request.failure().errorText;
+    if (reason !== "net::ERR_ABORTED") complain(`${reason}: ${request.url()}`); // what a closed page left
+  });
   page.on("request", (request) => {
     const url = request.url();
     if (!url.startsWith(address) && !url.startsWith("blob:")) complain(`a request to ${url}`);
@@ -91,16 +94,18 @@ async function save(page, link, file) {
   await download.saveAs(join(folder, file));
 }
 
+/** Length of a recording: its header has 58 bytes. */
+const secondsOf = (file) => (statSync(file).size - 58) / 4 / 48000;
+
 async function record(page, name, preset, quality) {
   await choose(page, preset, quality);
   await page.getByRole("button", { name: "Record" }).click();
   await play(page);
   await page.getByRole("button", { name: "Stop" }).click();
   await status(page, "Recorded");
-  const said = await page.locator("#status").textContent();
   await save(page, "Sound (WAV)", `${name}.wav`);
   await save(page, "Strokes (CSV)", `${name}.csv`);
-  console.log(`${name} ${preset} ${quality} ${parseFloat(said.split(" ")[1])}`);
+  console.log(`${name} ${preset} ${quality} ${secondsOf(join(folder, `${name}.wav`))}`);
 }
 
 /** Looks for what people with assistive technology miss. */

@@ -26,6 +26,7 @@ typedef struct WebDrum {
   uint32_t event_count;
   TaborEvent events[MOST_EVENTS];
   float sound[TABOR_MAX_MICS][BLOCK];
+  TaborLedger ledger;
   float wet[BLOCK]; /**< what the room sends to the first microphone */
 } WebDrum;
 
@@ -173,4 +174,10 @@ EXPORT("drum_process") const float *web_drum_process(WebDrum *web) {
   web->event_count = 0;
   if (web->room) add_room(web, outputs);
   return outputs[0];
+}
+
+/* The energy account [J], as numbers in the order of TaborLedger; until the next call. */
+EXPORT("drum_ledger") const TaborLedger *web_drum_ledger(WebDrum *web) {
+  tabor_drum_ledger(web->drum, &web->ledger);
+  return &web->ledger;
 }

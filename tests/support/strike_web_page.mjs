@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Somebody at the page of tools/web, in headless Chromium: strikes drums with mouse, touch and keys, records them, and looks
-// whether the page asks anybody else for anything. For test_web.sh.
+// Somebody at the page of tools/web, in headless Chromium: strikes drums with mouse, touch, keys and MIDI, records them, and
+// looks whether the page asks anybody else for anything. For test_web.sh.
 //
 //     strike_web_page.mjs ADDRESS TOOLS FOLDER
 //
@@ -45,10 +45,20 @@ function watch(page) {
   });
 }
 
+/** A MIDI input in place of the browser's: window.midiInput. */
+function offerMidi() {
+  globalThis.midiInput = { onmidimessage: null };
+  const access = { inputs: new Map([["pads", globalThis.midiInput]]), onstatechange: null };
+  navigator.requestMIDIAccess = async () => access;
+}
+
+const sendMidi = (page, ...data) => page.evaluate((data) => globalThis.midiInput.onmidimessage({ data }), data);
+
 const status = (page, text) => page.locator("#status", { hasText: text }).waitFor({ timeout: WAIT });
 
 async function open(browser, options) {
   const context = await browser.newContext(options);
+  await context.addInitScript(offerMidi);
   const page = await context.newPage();
   page.setDefaultTimeout(WAIT);
   watch(page);
@@ -75,7 +85,7 @@ async function placeOf(page, right, up) {
   return [box.x + box.width / 2 + right * radius, box.y + box.height / 2 - up * radius];
 }
 
-/** Strokes by mouse, keys and, on the rim, by the mouse again. */
+/** Strokes by mouse, keys, MIDI and, on the rim, by the mouse again. */
 async function play(page) {
   await page.mouse.click(...(await placeOf(page, 0.1, 0.2)));
   await page.waitForTimeout(150);
@@ -85,9 +95,16 @@ async function play(page) {
     await page.keyboard.press(key);
     await page.waitForTimeout(60);
   }
+  for (const [note, velocity] of [[38, 100], [36, 10], [40, 64], [35, 64], [38, 0]]) {
+    await sendMidi(page, 0x99, note, velocity);
+    await page.waitForTimeout(60);
+  }
   await page.mouse.click(...(await placeOf(page, 1.04, 0)));
   await page.waitForTimeout(800);
 }
+
+/** Number of strokes that play() makes. */
+const STROKES = 13;
 
 async function save(page, link, file) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByText(link).click()]);
@@ -105,6 +122,8 @@ async function record(page, name, preset, quality) {
   await status(page, "Recorded");
   await save(page, "Sound (WAV)", `${name}.wav`);
   await save(page, "Strokes (CSV)", `${name}.csv`);
+  const strokes = readFileSync(join(folder, `${name}.csv`), "utf8").trim().split("\n").length - 1;
+  if (strokes !== STROKES) complain(`${preset}: ${strokes} of ${STROKES} strokes`);
   console.log(`${name} ${preset} ${quality} ${secondsOf(join(folder, `${name}.wav`))}`);
 }
 
@@ -119,8 +138,34 @@ async function recordDrums(browser) {
   const page = await open(browser, { acceptDownloads: true });
   await page.getByRole("heading").click(); // a gesture without a stroke
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
+  await page.getByRole("button", { name: "MIDI" }).click();
+  await status(page, "1 MIDI input");
   let count = 0;
   for (const [preset, quality] of drums) await record(page, `take${++count}`, preset, quality);
+  await page.context().close();
+}
+
+/** Snares off and on by box, key and controller; the energy account adds up. */
+async function operate(browser) {
+  const page = await open(browser, {});
+  const snares = page.getByRole("checkbox", { name: "Snares on" });
+  await page.getByRole("button", { name: "MIDI" }).click();
+  await status(page, "1 MIDI input");
+  await snares.uncheck();
+  await page.getByRole("heading").click();
+  await page.keyboard.press("b");
+  if (!(await snares.isChecked())) complain("the key b does not put the snares on");
+  await sendMidi(page, 0xb0, 20, 0);
+  if (await snares.isChecked()) complain("controller 20 does not take the snares off");
+  await page.getByRole("slider", { name: "Stick speed" }).fill("3");
+  await page.locator("#drum").press("Enter");
+  await page.waitForFunction(() => document.getElementById("energy").textContent.includes("sound0.0 %") === false);
+  const sum = await page.evaluate(() =>
+    [...document.querySelectorAll("#energy td:last-child")].reduce((sum, cell) => sum + parseFloat(cell.textContent), 0));
+  if (Math.abs(sum - 100) > 1) complain(`the energy account adds up to ${sum} %`);
+  await page.locator("#drum").press("]");
+  await status(page, "Building");
+  await status(page, "Ready");
   await page.context().close();
 }
 
@@ -144,7 +189,8 @@ async function picture(browser, colorScheme, width) {
   if (wide > width) complain(`the page is ${wide} wide on ${width}`);
   await page.mouse.click(...(await placeOf(page, 0.3, 0.4)));
   await page.waitForFunction(() => document.getElementById("level").value > -40);
-  await page.screenshot({ path: join(folder, `${colorScheme}-${width}.png`) });
+  await page.waitForTimeout(250);
+  await page.screenshot({ fullPage: true, path: join(folder, `${colorScheme}-${width}.png`) });
   await checkAccess(page, `${colorScheme} ${width}`);
   await page.context().close();
 }
@@ -152,6 +198,7 @@ async function picture(browser, colorScheme, width) {
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
 try {
   await recordDrums(browser);
+  await operate(browser);
   await touch(browser);
   for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
 } catch (error) {

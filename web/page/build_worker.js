@@ -35,6 +35,7 @@ function factsOf(engine, drum) {
       angle: number("wires.angle"), // [deg]
       strainer: number("wires.strainer"),
     },
+    place: number("strike.radius"), // [m]
     angle: number("strike.angle"), // [deg]
     velocity: number("strike.velocity"), // [m/s]
     modes: engine.drum_mode_count(drum),

@@ -8,20 +8,31 @@
 //   { type: "record", on }
 //
 // Messages from it: { type: "playing" } for each new drum; { type: "struck", frame, ... } for each stroke;
-// { type: "level", peak } some fifty times a second; { type: "recorded", sound, frame, last }.
-import { continueEngine } from "./engine.js";
+// { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last }.
+import { ContinuedEngine } from "./engine.js";
 
 const BLOCK = 128; // frames
 const FADE = 0.03; // of the drum that another one replaces [s]
+const COPIED = 1 << 20; // of the memory of a new drum, in the time of a block [bytes]
 const LEVEL_BLOCKS = 8; // blocks of one level
+const LEDGER_LEVELS = 8; // levels between two ledgers
+// Of TaborLedger, in its order.
+const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
+  "radiated", "removed", "high_band", "residual"];
 const PIECE_BLOCKS = 32; // blocks of one piece of a recording
 
 /** A drum in an engine of its own. */
 class Voice {
   constructor(module, { drum, memory }) {
-    this.engine = continueEngine(module, memory);
+    this.continued = new ContinuedEngine(module, memory);
+    this.engine = this.continued.exports;
     this.drum = drum;
     this.left = Math.round(FADE * sampleRate); // frames of the fade, once it fades
+  }
+
+  /** Call until it is true; only then there is a drum. */
+  arrive(most) {
+    return this.continued.copy(most);
   }
 
   strike({ velocity, radius, angle, technique }) {
@@ -35,6 +46,13 @@ class Voice {
   /** The next block; it is overwritten by the next call. */
   process() {
     return new Float32Array(this.engine.memory.buffer, this.engine.drum_process(this.drum), BLOCK);
+  }
+
+  /** The energy account [J]. */
+  ledger() {
+    const address = this.engine.drum_ledger(this.drum);
+    const values = new Float64Array(this.engine.memory.buffer, address, LEDGER.length);
+    return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
   }
 
   /** Adds the next block of the fade to `output`; false once it is over. */
@@ -51,10 +69,13 @@ class Voice {
 class DrumProcessor extends AudioWorkletProcessor {
   frame = 0; // the first of the next block
   voice = null;
-  former = null;
+  former = null; // fades
+  coming = null; // is being copied
+  waiting = []; // strokes that came before the first drum
   module = null;
   peak = 0;
   levelBlocks = 0;
+  levels = 0;
   recording = null; // { sound, blocks }
 
   constructor() {
@@ -83,14 +104,24 @@ class DrumProcessor extends AudioWorkletProcessor {
   }
 
   change(message) {
+    this.coming = new Voice(this.module, message);
+  }
+
+  /** A little at a time while another drum sounds. */
+  bringDrum() {
+    if (!this.coming.arrive(this.voice ? COPIED : Infinity)) return;
     this.former = this.voice;
-    this.voice = new Voice(this.module, message);
+    this.voice = this.coming;
+    this.coming = null;
+    for (const stroke of this.waiting.splice(0)) this.strike(stroke);
     this.port.postMessage({ type: "playing" });
   }
 
   strike(message) {
-    if (!this.voice?.strike(message)) return;
-    this.port.postMessage({ ...message, type: "struck", frame: this.frame });
+    if (!this.voice) this.waiting.push(message);
+    else if (this.voice.strike(message)) {
+      this.port.postMessage({ ...message, type: "struck", frame: this.frame });
+    }
   }
 
   beginRecording() {
@@ -113,19 +144,24 @@ class DrumProcessor extends AudioWorkletProcessor {
     recording.blocks++;
   }
 
+  report() {
+    this.port.postMessage({ type: "level", peak: this.peak });
+    this.peak = this.levelBlocks = 0;
+    if (++this.levels % LEDGER_LEVELS > 0 || !this.voice) return;
+    this.port.postMessage({ type: "ledger", ...this.voice.ledger() });
+  }
+
   /** A recording goes on with the block after this one. */
   finishBlock(output) {
     for (const sample of output) this.peak = Math.max(this.peak, Math.abs(sample));
-    if (++this.levelBlocks === LEVEL_BLOCKS) {
-      this.port.postMessage({ type: "level", peak: this.peak });
-      this.peak = this.levelBlocks = 0;
-    }
+    if (++this.levelBlocks === LEVEL_BLOCKS) this.report();
     if (this.recording) this.record(output);
     this.frame += BLOCK;
     if (this.recording?.blocks === PIECE_BLOCKS) this.sendRecording(false);
   }
 
   process(_, [[output]]) {
+    if (this.coming) this.bringDrum();
     if (this.voice) output.set(this.voice.process());
     if (this.former && !this.former.addFade(output)) this.former = null;
     this.finishBlock(output);

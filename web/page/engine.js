@@ -22,12 +22,25 @@ export async function startEngine(bytes, progress = () => {}) {
 }
 
 /** An engine that goes on from the memory of another one; its drums have the same addresses. */
-export function continueEngine(module, memory) {
-  const { exports } = new WebAssembly.Instance(module, importsOf(() => {}));
-  const missing = (memory.byteLength - exports.memory.buffer.byteLength) / PAGE_SIZE;
-  if (missing > 0) exports.memory.grow(missing);
-  new Uint8Array(exports.memory.buffer).set(new Uint8Array(memory));
-  return exports;
+export class ContinuedEngine {
+  #memory;
+  #copied = 0; // bytes
+
+  constructor(module, memory) {
+    this.exports = new WebAssembly.Instance(module, importsOf(() => {})).exports;
+    const missing = (memory.byteLength - this.exports.memory.buffer.byteLength) / PAGE_SIZE;
+    if (missing > 0) this.exports.memory.grow(missing);
+    this.#memory = memory;
+  }
+
+  /** Copies at most `most` bytes more of the memory. True once all of it is there. */
+  copy(most) {
+    const count = Math.min(most, this.#memory.byteLength - this.#copied);
+    const part = new Uint8Array(this.#memory, this.#copied, count);
+    new Uint8Array(this.exports.memory.buffer).set(part, this.#copied);
+    this.#copied += count;
+    return this.#copied === this.#memory.byteLength;
+  }
 }
 
 /** The text at an address. Not for the audio thread, which has no decoder. */

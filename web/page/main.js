@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The page: what is chosen, struck, shown and recorded.
 import { DrumView } from "./drum_view.js";
+import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
 import { actionOf } from "./keys.js";
+import { listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
 import { RATE, Sound } from "./sound.js";
+import { SpectrumView } from "./spectrum_view.js";
 
 const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
 const GHOST = 1 / 3; // speed of a ghost note, as a share
@@ -18,6 +21,8 @@ const element = (id) => document.getElementById(id);
 const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names
 
 const view = new DrumView(element("drum"));
+const energy = new EnergyView(element("energy"));
+const spectrum = new SpectrumView(element("spectrum"));
 let presets = []; // { name, comment }
 let sound = null;
 let facts = null; // of the drum that sounds
@@ -49,6 +54,14 @@ function showLevel(peak) {
   element("level").value = Math.max(level, FLOOR);
   element("decibels").value = level < FLOOR ? "−∞ dB" : `${level.toFixed(0).replace("-", "−")} dB`;
   view.setLevel(level);
+  if (peak > 0) spectrum.show(sound.analyser);
+}
+
+function showLedger(ledger) {
+  energy.show(ledger);
+  const { gaps } = sound;
+  element("gaps").hidden = gaps === undefined;
+  element("gaps").textContent = gaps > 0 ? `Gaps in the sound: ${gaps}. A lower quality helps.` : "No gaps in the sound";
 }
 
 /* ---- the drum ---- */
@@ -151,6 +164,23 @@ function strikeAt(event) {
   strike({ share, angle, velocity: velocityOf(event), technique: share > 1 ? RIM : 0 });
 }
 
+/* Notes strike where the preset's own stroke does. */
+function actByMidi({ velocity, technique, isCentre, snares }) {
+  if (!facts) return;
+  if (snares !== undefined) {
+    if (!element("snares").disabled) setSnares(snares);
+    return;
+  }
+  const place = technique === CROSS_STICK ? CROSS_STICK_PLACE : facts.place / facts.radius;
+  strike({ share: isCentre ? 0 : place, angle: facts.angle, velocity, technique });
+}
+
+function connectMidi() {
+  sound.start();
+  const tell = (count) => say(count === 1 ? "1 MIDI input" : `${count} MIDI inputs`);
+  listenToMidi(actByMidi, tell).catch((error) => say(`No MIDI: ${error.message}`, true));
+}
+
 /* ---- keys ---- */
 
 function act(action) {
@@ -246,6 +276,7 @@ function listen() {
       recorder?.addStroke(stroke);
     },
     level: ({ peak }) => showLevel(peak),
+    ledger: showLedger,
     recorded: addRecorded,
   };
   for (const [type, use] of Object.entries(heard)) {
@@ -257,6 +288,8 @@ function listen() {
   element("speed").addEventListener("input", showSpeed);
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
   element("record").addEventListener("click", toggleRecording);
+  element("midi").addEventListener("click", connectMidi);
+  element("midi").hidden = !navigator.requestMIDIAccess;
   addEventListener("keydown", pressKey);
   addEventListener("pointerup", () => { if (facts) sound.start(); }); // when a touch allows sound
 }

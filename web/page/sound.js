@@ -2,6 +2,7 @@
 // The drum that sounds: a worker builds it, the audio thread plays it.
 
 export const RATE = 48000; // [Hz]; the browser converts to the device's
+const SPECTRUM_FRAMES = 4096;
 export const QUALITIES = ["", "draft", "live", "studio"]; // by the engine's numbers
 
 export class Sound extends EventTarget {
@@ -10,6 +11,7 @@ export class Sound extends EventTarget {
   #built = null; // a drum that the audio thread does not have yet
   #context = null;
   #node = null;
+  #analyser = null;
   #waiting = null; // the stroke that came before there was a drum
 
   constructor(bytes) {
@@ -53,6 +55,16 @@ export class Sound extends EventTarget {
     if (this.#node) this.#send({ type: "strainer", value });
   }
 
+  /** What hears the sound: an AnalyserNode, or null before the first gesture. */
+  get analyser() {
+    return this.#analyser;
+  }
+
+  /** Gaps in the sound so far; undefined where the browser does not count them. */
+  get gaps() {
+    return this.#context?.playbackStats?.underrunEvents;
+  }
+
   record(on) {
     this.#send({ type: "record", on });
   }
@@ -66,6 +78,8 @@ export class Sound extends EventTarget {
     this.#node.port.onmessage = ({ data }) => this.#tell(data.type, data);
     this.#node.onprocessorerror = () => this.#tell("failed", "the audio thread has stopped");
     this.#node.connect(this.#context.destination);
+    this.#analyser = new AnalyserNode(this.#context, { fftSize: SPECTRUM_FRAMES, smoothingTimeConstant: 0.5 });
+    this.#node.connect(this.#analyser);
     this.#send({ type: "engine", bytes: this.#bytes });
     this.play();
     if (this.#waiting) this.strike(this.#waiting);

@@ -4,7 +4,7 @@
 import { startEngine, textAt, withText } from "./engine.js";
 
 const TRIALS = 2; // the first is dearer: the engine is still being compiled
-const TRIAL_LENGTH = 0.25; // [s]
+const TRIAL_LENGTH = 0.15; // [s]
 const TRIAL_SPEED = 4.5; // [m/s]
 const BLOCK = 128; // frames
 

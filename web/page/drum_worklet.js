@@ -43,9 +43,11 @@ class Voice {
     this.engine.drum_set_strainer(this.drum, value);
   }
 
-  /** The next block; it is overwritten by the next call. */
+  /** The next block; it is overwritten by the next call. It stays in its place: memory grows no more. */
   process() {
-    return new Float32Array(this.engine.memory.buffer, this.engine.drum_process(this.drum), BLOCK);
+    const address = this.engine.drum_process(this.drum);
+    this.block ??= new Float32Array(this.engine.memory.buffer, address, BLOCK);
+    return this.block;
   }
 
   /** The energy account [J]. */

@@ -2,12 +2,12 @@
 // Where the energy of the strokes is or went, from the drum's ledger (docs/embedding.md).
 
 const PARTS = [
-  ["stored", "still in the drum and the sticks"],
+  ["stored", "still in drum and sticks"],
   ["head_loss", "lost in the heads"],
   ["wire_loss", "lost in the wires"],
   ["contact_loss", "lost in contacts"],
   ["damper_loss", "lost in hands"],
-  ["shell_loss", "lost in hoop, shell and enclosed air"],
+  ["shell_loss", "lost in hoop, shell, air"],
   ["radiated", "radiated as sound"],
   ["removed", "left with the sticks"],
 ];

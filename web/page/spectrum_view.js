@@ -3,7 +3,7 @@
 
 const LOWEST = 50; // [Hz]
 const HIGHEST = 20000; // [Hz]
-const FLOOR = -110; // [dB]
+const FLOOR = -130; // [dB]
 const CEILING = -10; // [dB]
 const MARKS = [100, 1000, 10000]; // [Hz]
 

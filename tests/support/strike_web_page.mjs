@@ -169,6 +169,18 @@ async function operate(browser) {
   await page.context().close();
 }
 
+/** Snares that are off before there is any sound are off at the first stroke; wires then lose next to nothing. */
+async function strikeWithoutSnares(browser) {
+  const page = await open(browser, {});
+  await page.getByRole("checkbox", { name: "Snares on" }).uncheck();
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.1)));
+  const share = page.getByRole("row", { name: "lost in the wires" }).getByRole("cell").last();
+  await page.getByRole("row", { name: "radiated" }).getByText(/[1-9]/).waitFor();
+  const lost = parseFloat(await share.textContent());
+  if (lost > 0.2) complain(`snares that are off lose ${lost} % of the energy`);
+  await page.context().close();
+}
+
 /** A finger strikes at once, and the link names the drum. */
 async function touch(browser) {
   const page = await open(browser, { hasTouch: true, isMobile: true, viewport: { width: 360, height: 740 } });
@@ -199,6 +211,7 @@ const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, ar
 try {
   await recordDrums(browser);
   await operate(browser);
+  await strikeWithoutSnares(browser);
   await touch(browser);
   for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
 } catch (error) {

@@ -74,6 +74,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   former = null; // fades
   coming = null; // is being copied
   waiting = []; // strokes that came before the first drum
+  strainer = null; // where the snares were put since the drum was chosen
   module = null;
   peak = 0;
   levelBlocks = 0;
@@ -100,13 +101,19 @@ class DrumProcessor extends AudioWorkletProcessor {
     switch (message.type) {
       case "drum": return this.change(message);
       case "strike": return this.strike(message);
-      case "strainer": return this.voice?.setStrainer(message.value);
+      case "strainer": return this.setStrainer(message.value);
       case "record": return message.on ? this.beginRecording() : this.sendRecording(true);
     }
   }
 
   change(message) {
     this.coming = new Voice(this.module, message);
+    this.strainer = null;
+  }
+
+  setStrainer(value) {
+    this.strainer = value;
+    if (!this.coming) this.voice?.setStrainer(value);
   }
 
   /** A little at a time while another drum sounds. */
@@ -115,6 +122,7 @@ class DrumProcessor extends AudioWorkletProcessor {
     this.former = this.voice;
     this.voice = this.coming;
     this.coming = null;
+    if (this.strainer !== null) this.voice.setStrainer(this.strainer);
     for (const stroke of this.waiting.splice(0)) this.strike(stroke);
     this.port.postMessage({ type: "playing" });
   }

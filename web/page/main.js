@@ -37,6 +37,11 @@ function say(text, isFailure = false) {
   element("status").classList.toggle("failed", isFailure);
 }
 
+function fail(reason) {
+  showProgress(1);
+  say(`This does not work: ${reason}`, true);
+}
+
 function showProgress(done) {
   element("progress").value = done;
   element("progress").classList.toggle("done", done >= 1);
@@ -105,10 +110,10 @@ function useDrum(built) {
   facts = built;
   last.angle = facts.angle;
   if (isFirst) setSpeed(facts.velocity);
-  showSnares();
   showProgress(1);
   showFacts();
   view.show(facts);
+  showSnares();
   say("Ready");
   sound.play();
 }
@@ -117,6 +122,7 @@ function showSnares() {
   const hasSnares = facts.wires.count > 0;
   element("snares").disabled = !hasSnares;
   element("snares").checked = hasSnares && facts.wires.strainer > 0;
+  view.setSnares(element("snares").checked);
 }
 
 function setSnares(on) {
@@ -269,7 +275,7 @@ function listen() {
   const heard = {
     progress: showProgress,
     built: useDrum,
-    failed: (message) => say(`This does not work: ${message}`, true),
+    failed: fail,
     started: () => { element("record").disabled = false; },
     struck: (stroke) => {
       view.mark(stroke.radius / facts.radius, stroke.angle, stroke.velocity);
@@ -304,4 +310,4 @@ async function begin() {
   chooseDrum();
 }
 
-begin().catch((error) => say(`This does not work: ${error.message}`, true));
+begin().catch((error) => fail(error.message));

@@ -12,7 +12,8 @@ export class Sound extends EventTarget {
   #context = null;
   #node = null;
   #analyser = null;
-  #waiting = null; // the stroke that came before there was a drum
+  #waiting = null; // the stroke that came before the audio thread
+  #strainer = null; // where the snares were put before
 
   constructor(bytes) {
     super();
@@ -30,6 +31,11 @@ export class Sound extends EventTarget {
 
   /** Plays the drum that was built last. */
   play() {
+    if (this.#built) this.#strainer = null;
+    this.#sendDrum();
+  }
+
+  #sendDrum() {
     if (!this.#node || !this.#built) return;
     const { drum, memory } = this.#built;
     this.#built = null;
@@ -53,6 +59,7 @@ export class Sound extends EventTarget {
 
   setStrainer(value) {
     if (this.#node) this.#send({ type: "strainer", value });
+    else this.#strainer = value;
   }
 
   /** What hears the sound: an AnalyserNode, or null before the first gesture. */
@@ -81,7 +88,8 @@ export class Sound extends EventTarget {
     this.#analyser = new AnalyserNode(this.#context, { fftSize: SPECTRUM_FRAMES, smoothingTimeConstant: 0.5 });
     this.#node.connect(this.#analyser);
     this.#send({ type: "engine", bytes: this.#bytes });
-    this.play();
+    this.#sendDrum();
+    if (this.#strainer !== null) this.setStrainer(this.#strainer);
     if (this.#waiting) this.strike(this.#waiting);
     this.#tell("started");
   }

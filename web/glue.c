@@ -6,28 +6,32 @@
  * A worker creates the drum, and copies its memory to an instance on the audio thread. So all that a
  * drum consists of lies in memory, and addresses mean the same in both.
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "tabor/tabor.h"
 
-enum { BLOCK = 128, MOST_EVENTS = 64 };
+enum { BLOCK = 128, MOST_EVENTS = 64, CHANNELS = 2 };
+
+static const double gain_db = 12; /* of a pair of microphones, as `tabor render --stereo` has it */
 
 #define EXPORT(name) __attribute__((export_name(name)))
 #define IMPORT(name) __attribute__((import_module("tabor"), import_name(name)))
 
-/** A drum in its room, heard by its first microphone: what `tabor render` plays. */
+/** A drum in a room, heard by its microphones left and right: what `tabor render --stereo` plays. */
 typedef struct WebDrum {
   TaborModel *model;
   TaborDrum *drum;
-  TaborRoom *room; /**< NULL: the drum is in free air */
+  TaborRoom *room;
   TaborModelInfo info;
   TaborError error;
   uint32_t event_count;
   TaborEvent events[MOST_EVENTS];
-  float sound[TABOR_MAX_MICS][BLOCK];
+  uint32_t mics[CHANNELS];
+  float sound[CHANNELS][BLOCK];
   TaborLedger ledger;
-  float wet[BLOCK]; /**< what the room sends to the first microphone */
+  float wet[CHANNELS][BLOCK]; /**< what the room sends to the microphones */
 } WebDrum;
 
 /* Hears how far a model is, 0 to 1. */
@@ -63,17 +67,40 @@ static TaborStatus build_model(WebDrum *web, const TaborDrumDef *def, uint32_t q
   return tabor_model_create(def, &options, &web->model, &web->error);
 }
 
+/* An event at the beginning of the next block; false if there are too many. */
+static bool add_event(WebDrum *web, const TaborEvent *event) {
+  if (web->event_count == MOST_EVENTS) return false;
+  web->events[web->event_count++] = *event;
+  return true;
+}
+
+static void add_gain(WebDrum *web) {
+  const TaborEvent event = {.type = TABOR_EVENT_GAIN, .value = pow(10, gain_db / 20)};
+  (void)add_event(web, &event);
+}
+
+/* All presets have both. A preset's booth is that of its close microphones. */
+static void choose_pair(WebDrum *web, TaborDrumDef *def) {
+  web->mics[0] = (uint32_t)tabor_drum_def_find_mic(def, "left");
+  web->mics[1] = (uint32_t)tabor_drum_def_find_mic(def, "right");
+  if (def->room.kind == TABOR_ROOM_NONE || def->room.kind == TABOR_ROOM_BOOTH) {
+    def->room.kind = TABOR_ROOM_STUDIO;
+  }
+}
+
 static TaborStatus build(WebDrum *web, const char *preset, uint32_t quality, double rate) {
   TaborDrumDef def;
   TaborError *const error = &web->error;
   TaborStatus status = tabor_drum_def_preset(&def, preset, error);
-  if (status == TABOR_OK) status = build_model(web, &def, quality, rate);
+  if (status != TABOR_OK) return status;
+  choose_pair(web, &def);
+  status = build_model(web, &def, quality, rate);
   if (status == TABOR_OK) status = tabor_drum_create(web->model, &web->drum, error);
-  if (status == TABOR_OK && def.room.kind != TABOR_ROOM_NONE) {
-    status = tabor_room_create(&def, rate, NULL, &web->room, error);
-  }
-  if (status == TABOR_OK) tabor_model_info(web->model, &web->info);
-  return status;
+  if (status == TABOR_OK) status = tabor_room_create(&def, rate, NULL, &web->room, error);
+  if (status != TABOR_OK) return status;
+  tabor_model_info(web->model, &web->info);
+  add_gain(web);
+  return TABOR_OK;
 }
 
 /* NULL if there is no memory. Any other error is in drum_error(). */
@@ -101,7 +128,8 @@ EXPORT("drum_destroy") void web_drum_destroy(WebDrum *web) {
 EXPORT("drum_reset") void web_drum_reset(WebDrum *web) {
   web->event_count = 0;
   tabor_drum_reset(web->drum);
-  if (web->room) tabor_room_reset(web->room);
+  tabor_room_reset(web->room);
+  add_gain(web);
 }
 
 /* ---- facts ---------------------------------------------------------------------------------- */
@@ -119,13 +147,6 @@ EXPORT("drum_mode_count") uint32_t web_drum_mode_count(const WebDrum *web) {
 }
 
 /* ---- on the audio thread -------------------------------------------------------------------- */
-
-/* An event at the beginning of the next block; false if there are too many. */
-static bool add_event(WebDrum *web, const TaborEvent *event) {
-  if (web->event_count == MOST_EVENTS) return false;
-  web->events[web->event_count++] = *event;
-  return true;
-}
 
 /* A stroke of the preset's own striker, @p radius [m] from the centre. */
 EXPORT("drum_strike")
@@ -151,29 +172,23 @@ EXPORT("drum_set_strainer") bool web_drum_set_strainer(WebDrum *web, double stra
 }
 
 static void add_room(WebDrum *web, float *const *outputs) {
-  float *wet[TABOR_MAX_MICS] = {web->wet};
+  float *wet[TABOR_MAX_MICS] = {NULL};
   memset(web->wet, 0, sizeof web->wet);
+  for (uint32_t i = 0; i < CHANNELS; i++) wet[web->mics[i]] = web->wet[i];
   tabor_room_process(web->room, (const float *const *)outputs, wet, BLOCK);
-  for (uint32_t i = 0; i < BLOCK; i++) outputs[0][i] += web->wet[i];
+  for (uint32_t i = 0; i < CHANNELS; i++) {
+    for (uint32_t n = 0; n < BLOCK; n++) web->sound[i][n] += web->wet[i][n];
+  }
 }
 
-/* Microphones that are heard: the first, and those that the room hears the drum by. */
-static void connect(WebDrum *web, float **outputs) {
-  TaborRoomInfo room;
-  outputs[0] = web->sound[0];
-  if (!web->room) return;
-  tabor_room_info(web->room, &room);
-  for (uint32_t i = 0; i < 2; i++) outputs[room.feed[i]] = web->sound[room.feed[i]];
-}
-
-/* The next 128 frames, until the next call. */
+/* The next 128 frames of the left channel, then of the right one; until the next call. */
 EXPORT("drum_process") const float *web_drum_process(WebDrum *web) {
   float *outputs[TABOR_MAX_MICS] = {NULL};
-  connect(web, outputs);
+  for (uint32_t i = 0; i < CHANNELS; i++) outputs[web->mics[i]] = web->sound[i];
   tabor_drum_process(web->drum, web->events, web->event_count, outputs, BLOCK);
   web->event_count = 0;
-  if (web->room) add_room(web, outputs);
-  return outputs[0];
+  add_room(web, outputs);
+  return web->sound[0];
 }
 
 /* The energy account [J], as numbers in the order of TaborLedger; until the next call. */

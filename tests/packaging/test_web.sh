@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The page of tools/web in headless Chromium: strokes by mouse, touch and keys, recorded there, have the same bits as
-# `tabor render` has; no error, no request to anybody else, nothing that axe objects to, at most 300 KB compressed.
+# `tabor render --stereo` has; no error, no request to anybody else, nothing that axe objects to, at most 300 KB compressed.
 # PICTURES=FOLDER keeps pictures of the page.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
@@ -39,7 +39,7 @@ if [ -n "${PICTURES-}" ]; then cp takes/*.png "$PICTURES"; fi
 
 count=0
 while read -r name preset quality seconds; do
-  quietly "$TABOR" render "$preset" -q --quality "$quality" --format float --events "takes/$name.csv" \
+  quietly "$TABOR" render "$preset" -q --stereo --quality "$quality" --format float --events "takes/$name.csv" \
     --duration "$seconds" -o native.wav
   [ "$("$INSPECT" peak native.wav)" != 0 ] || complain "$preset, $quality: there is no sound"
   "$INSPECT" equal "takes/$name.wav" native.wav || complain "$preset, $quality: the page has other bits"

@@ -111,8 +111,8 @@ async function save(page, link, file) {
   await download.saveAs(join(folder, file));
 }
 
-/** Length of a recording: its header has 58 bytes. */
-const secondsOf = (file) => (statSync(file).size - 58) / 4 / 48000;
+/** Length of a recording in stereo: its header has 58 bytes. */
+const secondsOf = (file) => (statSync(file).size - 58) / 8 / 48000;
 
 async function record(page, name, preset, quality) {
   await choose(page, preset, quality);

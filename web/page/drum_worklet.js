@@ -12,6 +12,7 @@
 import { ContinuedEngine } from "./engine.js";
 
 const BLOCK = 128; // frames
+const CHANNELS = 2;
 const FADE = 0.03; // of the drum that another one replaces [s]
 const COPIED = 1 << 20; // of the memory of a new drum, in the time of a block [bytes]
 const LEVEL_BLOCKS = 8; // blocks of one level
@@ -43,10 +44,11 @@ class Voice {
     this.engine.drum_set_strainer(this.drum, value);
   }
 
-  /** The next block; it is overwritten by the next call. It stays in its place: memory grows no more. */
+  /** The channels of the next block, until the next call. They stay in their place: memory grows no more. */
   process() {
+    const { buffer } = this.engine.memory;
     const address = this.engine.drum_process(this.drum);
-    this.block ??= new Float32Array(this.engine.memory.buffer, address, BLOCK);
+    this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
     return this.block;
   }
 
@@ -57,12 +59,12 @@ class Voice {
     return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
   }
 
-  /** Adds the next block of the fade to `output`; false once it is over. */
-  addFade(output) {
+  /** Adds the next block of the fade to the outputs; false once it is over. */
+  addFade(outputs) {
     const whole = FADE * sampleRate;
     const block = this.process();
-    for (let i = 0; i < BLOCK && this.left > 0; i++, this.left--) {
-      output[i] += (block[i] * this.left) / whole;
+    for (let n = 0; n < BLOCK && this.left > 0; n++, this.left--) {
+      for (let i = 0; i < CHANNELS; i++) outputs[i][n] += (block[i][n] * this.left) / whole;
     }
     return this.left > 0;
   }
@@ -135,23 +137,27 @@ class DrumProcessor extends AudioWorkletProcessor {
   }
 
   beginRecording() {
-    this.recording = { sound: new Float32Array(PIECE_BLOCKS * BLOCK), blocks: 0, frame: this.frame };
+    this.recording = { sound: new Float32Array(PIECE_BLOCKS * BLOCK * CHANNELS), blocks: 0, frame: this.frame };
   }
 
   /** Sends what has been recorded since the last time. */
   sendRecording(last) {
     if (!this.recording) return;
     const { sound, blocks, frame } = this.recording;
-    const piece = sound.slice(0, blocks * BLOCK);
+    const piece = sound.slice(0, blocks * BLOCK * CHANNELS);
     this.port.postMessage({ type: "recorded", sound: piece, frame, last }, [piece.buffer]);
     if (last) this.recording = null;
     else this.beginRecording();
   }
 
-  record(output) {
-    const recording = this.recording;
-    recording.sound.set(output, recording.blocks * BLOCK);
-    recording.blocks++;
+  /** Frame by frame, the channels of each side by side. */
+  record(outputs) {
+    const { sound, blocks } = this.recording;
+    const start = blocks * BLOCK * CHANNELS;
+    for (let i = 0; i < CHANNELS; i++) {
+      for (let n = 0; n < BLOCK; n++) sound[start + n * CHANNELS + i] = outputs[i][n];
+    }
+    this.recording.blocks++;
   }
 
   report() {
@@ -162,19 +168,21 @@ class DrumProcessor extends AudioWorkletProcessor {
   }
 
   /** A recording goes on with the block after this one. */
-  finishBlock(output) {
-    for (const sample of output) this.peak = Math.max(this.peak, Math.abs(sample));
+  finishBlock(outputs) {
+    for (const output of outputs) {
+      for (const sample of output) this.peak = Math.max(this.peak, Math.abs(sample));
+    }
     if (++this.levelBlocks === LEVEL_BLOCKS) this.report();
-    if (this.recording) this.record(output);
+    if (this.recording) this.record(outputs);
     this.frame += BLOCK;
     if (this.recording?.blocks === PIECE_BLOCKS) this.sendRecording(false);
   }
 
-  process(_, [[output]]) {
+  process(_, [outputs]) {
     if (this.coming) this.bringDrum();
-    if (this.voice) output.set(this.voice.process());
-    if (this.former && !this.former.addFade(output)) this.former = null;
-    this.finishBlock(output);
+    if (this.voice) this.voice.process().forEach((channel, i) => outputs[i].set(channel));
+    if (this.former && !this.former.addFade(outputs)) this.former = null;
+    this.finishBlock(outputs);
     return true;
   }
 }

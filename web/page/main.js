@@ -6,7 +6,7 @@ import { startEngine, textAt } from "./engine.js";
 import { actionOf } from "./keys.js";
 import { listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
-import { RATE, Sound } from "./sound.js";
+import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
 
 const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
@@ -221,7 +221,7 @@ function toggleRecording() {
   const begins = !recorder;
   element("record").setAttribute("aria-pressed", String(begins));
   element("record").textContent = begins ? "Stop recording" : "Record";
-  if (begins) recorder = new Recorder(RATE);
+  if (begins) recorder = new Recorder(CHANNELS, RATE);
   sound.record(begins);
 }
 

@@ -7,19 +7,21 @@ const TECHNIQUE_NAMES = ["normal", "buzz", "rimshot", "cross-stick", "rim"]; // 
 
 export class Recorder {
   #rate;
+  #channels;
   #pieces = [];
   #strokes = [];
   #start = null; // frame of the first sample
   #frames = 0;
 
-  constructor(rate) {
+  constructor(channels, rate) {
+    this.#channels = channels;
     this.#rate = rate;
   }
 
   add({ sound, frame }) {
     this.#start ??= frame;
     this.#pieces.push(sound);
-    this.#frames += sound.length;
+    this.#frames += sound.length / this.#channels;
   }
 
   addStroke(stroke) {
@@ -35,7 +37,7 @@ export class Recorder {
   }
 
   sound() {
-    return wavFile(this.#pieces, this.#rate);
+    return wavFile(this.#pieces, this.#channels, this.#rate);
   }
 
   #row({ frame, velocity, radius, angle, technique }) {

@@ -2,6 +2,7 @@
 // The drum that sounds: a worker builds it, the audio thread plays it.
 
 export const RATE = 48000; // [Hz]; the browser converts to the device's
+export const CHANNELS = 2;
 const SPECTRUM_FRAMES = 4096;
 export const QUALITIES = ["", "draft", "live", "studio"]; // by the engine's numbers
 
@@ -80,7 +81,7 @@ export class Sound extends EventTarget {
     await this.#context.audioWorklet.addModule(new URL("drum_worklet.js", import.meta.url));
     this.#node = new AudioWorkletNode(this.#context, "tabor-drum", {
       numberOfInputs: 0,
-      outputChannelCount: [1],
+      outputChannelCount: [CHANNELS],
     });
     this.#node.port.onmessage = ({ data }) => this.#tell(data.type, data);
     this.#node.onprocessorerror = () => this.#tell("failed", "the audio thread has stopped");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sound file of one channel of floats, with the samples as they are.
+// A sound file of floats, with the samples as they are.
 
 const HEADER = 58; // bytes before the samples
 const IEEE_FLOAT = 3;
@@ -9,28 +9,29 @@ function writeText(view, at, text) {
 }
 
 /** The header of a file of `frames` frames; floats take the chunk `fact`. */
-function header(frames, rate) {
+function header(frames, channels, rate) {
+  const frameBytes = 4 * channels;
   const view = new DataView(new ArrayBuffer(HEADER));
   writeText(view, 0, "RIFF");
-  view.setUint32(4, HEADER - 8 + 4 * frames, true);
+  view.setUint32(4, HEADER - 8 + frameBytes * frames, true);
   writeText(view, 8, "WAVEfmt ");
   view.setUint32(16, 18, true); // bytes of fmt
   view.setUint16(20, IEEE_FLOAT, true);
-  view.setUint16(22, 1, true); // channels
+  view.setUint16(22, channels, true);
   view.setUint32(24, rate, true);
-  view.setUint32(28, 4 * rate, true); // bytes per second
-  view.setUint16(32, 4, true); // bytes of a frame
+  view.setUint32(28, frameBytes * rate, true); // bytes per second
+  view.setUint16(32, frameBytes, true);
   view.setUint16(34, 32, true); // bits of a sample
   writeText(view, 38, "fact");
   view.setUint32(42, 4, true);
   view.setUint32(46, frames, true);
   writeText(view, 50, "data");
-  view.setUint32(54, 4 * frames, true);
+  view.setUint32(54, frameBytes * frames, true);
   return view;
 }
 
-/** A WAV file of `pieces`, arrays of floats. */
-export function wavFile(pieces, rate) {
-  const frames = pieces.reduce((sum, piece) => sum + piece.length, 0);
-  return new Blob([header(frames, rate), ...pieces], { type: "audio/wav" });
+/** A WAV file of `pieces`, arrays of floats, the channels of a frame side by side. */
+export function wavFile(pieces, channels, rate) {
+  const samples = pieces.reduce((sum, piece) => sum + piece.length, 0);
+  return new Blob([header(samples / channels, channels, rate), ...pieces], { type: "audio/wav" });
 }

@@ -49,3 +49,5 @@ tabor_add_embed_test(test_abi NEEDS_SHARED)
 tabor_add_embed_test(test_jack_example)
 tabor_add_embed_test(test_python NEEDS_SHARED)
 tabor_add_embed_test(test_python_examples NEEDS_SHARED)
+# It builds the engine for WebAssembly.
+tabor_add_embed_test(test_web)

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Somebody at the page of tools/web, in headless Chromium: strikes drums with mouse, touch, keys and MIDI, records them, and
+// looks whether the page asks anybody else for anything. For test_web.sh.
+//
+//     strike_web_page.mjs ADDRESS TOOLS FOLDER
+//
+// TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv of each recording and
+// pictures of the page. Prints a line "NAME PRESET QUALITY SECONDS" for each recording, and what was measured as
+// "# ..." lines. Status 1 if something is wrong.
+import { readFileSync, statSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+
+const [address, tools, folder] = process.argv.slice(2);
+const require = createRequire(resolve(tools, "package.json"));
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const WAIT = 120_000; // [ms]; nothing here fails because a machine is slow
+const flags = [
+  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+];
+const drums = [["tom-12", "live"], ["snare-14x5.5", "live"], ["snare-14x5.5", "draft"], ["bass-drum-22", "live"]];
+
+let wrong = 0;
+function complain(text) {
+  console.error(`FAILED: ${text}`);
+  wrong++;
+}
+
+/** Hears errors, and requests to anybody else. */
+function watch(page) {
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complain(`the console says: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complain(`an error: ${error.message}`));
+  page.on("requestfailed", (request) => {
+    const reason = request.failure().errorText;
+    if (reason !== "net::ERR_ABORTED") complain(`${reason}: ${request.url()}`); // what a closed page left
+  });
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith(address) && !url.startsWith("blob:")) complain(`a request to ${url}`);
+  });
+}
+
+/** A MIDI input in place of the browser's: window.midiInput. */
+function offerMidi() {
+  globalThis.midiInput = { onmidimessage: null };
+  const access = { inputs: new Map([["pads", globalThis.midiInput]]), onstatechange: null };
+  navigator.requestMIDIAccess = async () => access;
+}
+
+const sendMidi = (page, ...data) => page.evaluate((data) => globalThis.midiInput.onmidimessage({ data }), data);
+
+const status = (page, text) => page.locator("#status", { hasText: text }).waitFor({ timeout: WAIT });
+
+async function open(browser, options) {
+  const context = await browser.newContext(options);
+  await context.addInitScript(offerMidi);
+  const page = await context.newPage();
+  page.setDefaultTimeout(WAIT);
+  watch(page);
+  const began = Date.now();
+  await page.goto(address);
+  await status(page, "Ready");
+  console.log(`# the page is ready after ${Date.now() - began} ms`);
+  return page;
+}
+
+/** Chooses a drum and waits until it plays. */
+async function choose(page, preset, quality) {
+  await page.getByRole("combobox", { name: "Drum" }).selectOption(preset);
+  await page.getByRole("combobox", { name: "Quality" }).selectOption(quality);
+  await status(page, "Ready");
+  await page.waitForTimeout(300); // the former drum fades
+  console.log(`# ${preset}: ${await page.locator("#facts").textContent()}`);
+}
+
+/** The place at a share of the head's radius to the right of and above the centre. */
+async function placeOf(page, right, up) {
+  const box = await page.locator("#drum").boundingBox();
+  const radius = (0.86 * box.width) / 2;
+  return [box.x + box.width / 2 + right * radius, box.y + box.height / 2 - up * radius];
+}
+
+/** Strokes by mouse, keys, MIDI and, on the rim, by the mouse again. */
+async function play(page) {
+  await page.mouse.click(...(await placeOf(page, 0.1, 0.2)));
+  await page.waitForTimeout(150);
+  await page.mouse.click(...(await placeOf(page, -0.5, 0.3)));
+  await page.keyboard.press("3");
+  for (const key of ["a", "g", "p", " ", "z", "x", "c"]) {
+    await page.keyboard.press(key);
+    await page.waitForTimeout(60);
+  }
+  for (const [note, velocity] of [[38, 100], [36, 10], [40, 64], [35, 64], [38, 0]]) {
+    await sendMidi(page, 0x99, note, velocity);
+    await page.waitForTimeout(60);
+  }
+  await page.mouse.click(...(await placeOf(page, 1.04, 0)));
+  await page.waitForTimeout(800);
+}
+
+/** Number of strokes that play() makes. */
+const STROKES = 13;
+
+async function save(page, link, file) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByText(link).click()]);
+  await download.saveAs(join(folder, file));
+}
+
+/** Length of a recording in stereo: its header has 58 bytes. */
+const secondsOf = (file) => (statSync(file).size - 58) / 8 / 48000;
+
+async function record(page, name, preset, quality) {
+  await choose(page, preset, quality);
+  await page.getByRole("button", { name: "Record" }).click();
+  await play(page);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await status(page, "Recorded");
+  await save(page, "Sound (WAV)", `${name}.wav`);
+  await save(page, "Strokes (CSV)", `${name}.csv`);
+  const strokes = readFileSync(join(folder, `${name}.csv`), "utf8").trim().split("\n").length - 1;
+  if (strokes !== STROKES) complain(`${preset}: ${strokes} of ${STROKES} strokes`);
+  console.log(`${name} ${preset} ${quality} ${secondsOf(join(folder, `${name}.wav`))}`);
+}
+
+/** Looks for what people with assistive technology miss. */
+async function checkAccess(page, where) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  for (const { id, help, nodes } of violations) complain(`${where}: ${id}: ${help}: ${nodes[0].html}`);
+}
+
+async function recordDrums(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await page.getByRole("heading").click(); // a gesture without a stroke
+  await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
+  await page.getByRole("button", { name: "MIDI" }).click();
+  await status(page, "1 MIDI input");
+  let count = 0;
+  for (const [preset, quality] of drums) await record(page, `take${++count}`, preset, quality);
+  await page.context().close();
+}
+
+/** Snares off and on by box, key and controller; the energy account adds up. */
+async function operate(browser) {
+  const page = await open(browser, {});
+  const snares = page.getByRole("checkbox", { name: "Snares on" });
+  await page.getByRole("button", { name: "MIDI" }).click();
+  await status(page, "1 MIDI input");
+  await snares.uncheck();
+  await page.getByRole("heading").click();
+  await page.keyboard.press("b");
+  if (!(await snares.isChecked())) complain("the key b does not put the snares on");
+  await sendMidi(page, 0xb0, 20, 0);
+  if (await snares.isChecked()) complain("controller 20 does not take the snares off");
+  await page.getByRole("slider", { name: "Stick speed" }).fill("3");
+  await page.locator("#drum").press("Enter");
+  await page.waitForFunction(() => document.getElementById("energy").textContent.includes("sound0.0 %") === false);
+  const sum = await page.evaluate(() =>
+    [...document.querySelectorAll("#energy td:last-child")].reduce((sum, cell) => sum + parseFloat(cell.textContent), 0));
+  if (Math.abs(sum - 100) > 1) complain(`the energy account adds up to ${sum} %`);
+  await page.locator("#drum").press("]");
+  await status(page, "Building");
+  await status(page, "Ready");
+  await page.context().close();
+}
+
+/** Snares that are off before there is any sound are off at the first stroke; wires then lose next to nothing. */
+async function strikeWithoutSnares(browser) {
+  const page = await open(browser, {});
+  await page.getByRole("checkbox", { name: "Snares on" }).uncheck();
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.1)));
+  const share = page.getByRole("row", { name: "lost in the wires" }).getByRole("cell").last();
+  await page.getByRole("row", { name: "radiated" }).getByText(/[1-9]/).waitFor();
+  const lost = parseFloat(await share.textContent());
+  if (lost > 0.2) complain(`snares that are off lose ${lost} % of the energy`);
+  await page.context().close();
+}
+
+/** A finger strikes at once, and the link names the drum. */
+async function touch(browser) {
+  const page = await open(browser, { hasTouch: true, isMobile: true, viewport: { width: 360, height: 740 } });
+  await choose(page, "frame-drum", "live");
+  await page.touchscreen.tap(...(await placeOf(page, 0.2, 0.2)));
+  await page.waitForFunction(() => document.getElementById("level").value > -40);
+  await page.reload();
+  await status(page, "Ready");
+  const drum = await page.getByRole("combobox", { name: "Drum" }).inputValue();
+  if (drum !== "frame-drum") complain(`the link restores ${drum}`);
+  await page.context().close();
+}
+
+async function picture(browser, colorScheme, width) {
+  const viewport = { width, height: width > 600 ? 800 : 740 };
+  const page = await open(browser, { colorScheme, viewport });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  if (wide > width) complain(`the page is ${wide} wide on ${width}`);
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.4)));
+  await page.waitForFunction(() => document.getElementById("level").value > -40);
+  await page.waitForTimeout(250);
+  await page.screenshot({ fullPage: true, path: join(folder, `${colorScheme}-${width}.png`) });
+  await checkAccess(page, `${colorScheme} ${width}`);
+  await page.context().close();
+}
+
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
+try {
+  await recordDrums(browser);
+  await operate(browser);
+  await strikeWithoutSnares(browser);
+  await touch(browser);
+  for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
+} catch (error) {
+  complain(error.message);
+} finally {
+  await browser.close();
+}
+process.exitCode = wrong > 0 ? 1 : 0;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The drum from above: head, hoop, lugs and wires to scale, and where it was struck.
+
+const HEAD_SHARE = 0.86; // the head's radius in the half width of the picture
+const MARK_TIME = 900; // how long a stroke stays visible [ms]
+const FLOOR = -60; // level that no longer lights the head [dBFS]
+const TURN = 2 * Math.PI;
+const radians = (degrees) => (degrees * Math.PI) / 180;
+
+export class DrumView {
+  #canvas;
+  #facts = { radius: 0.18, lugs: 10, wires: { count: 0 } };
+  #marks = []; // { x, y, velocity, time }, x and y as shares of the radius
+  #level = FLOOR;
+  #asked = false; // a picture is to come
+
+  constructor(canvas) {
+    this.#canvas = canvas;
+    new ResizeObserver(() => this.#ask()).observe(canvas);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#ask());
+  }
+
+  show(facts) {
+    this.#facts = facts;
+    this.#marks = [];
+    this.#ask();
+  }
+
+  setSnares(on) {
+    this.#facts.snaresOff = !on;
+    this.#ask();
+  }
+
+  setLevel(level) {
+    if (level <= FLOOR && this.#level <= FLOOR) return;
+    this.#level = Math.max(level, FLOOR);
+    this.#ask();
+  }
+
+  /** Marks a stroke at a share of the radius and an angle [deg]. */
+  mark(share, angle, velocity) {
+    const [x, y] = [share * Math.cos(radians(angle)), -share * Math.sin(radians(angle))];
+    this.#marks.push({ x, y, velocity, time: performance.now() });
+    this.#ask();
+  }
+
+  /** The place under a pointer: { share of the radius, angle [deg] }; the angle runs counter-clockwise. */
+  placeAt({ clientX, clientY }) {
+    const box = this.#canvas.getBoundingClientRect();
+    const radius = (HEAD_SHARE * box.width) / 2;
+    const x = (clientX - box.left - box.width / 2) / radius;
+    const y = (box.top + box.height / 2 - clientY) / radius;
+    return { share: Math.hypot(x, y), angle: (Math.atan2(y, x) * 180) / Math.PI };
+  }
+
+  #ask() {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw() {
+    this.#asked = false;
+    const canvas = this.#canvas;
+    const size = Math.round(canvas.clientWidth * devicePixelRatio);
+    if (canvas.width !== size) canvas.width = canvas.height = size;
+    const context = canvas.getContext("2d");
+    const radius = (HEAD_SHARE * size) / 2;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, size, size);
+    context.setTransform(radius, 0, 0, radius, size / 2, size / 2); // the head has the radius 1
+    const style = getComputedStyle(canvas);
+    const color = (name) => style.getPropertyValue(`--${name}`);
+    this.#drawHoop(context, color);
+    this.#drawHead(context, color);
+    this.#drawWires(context, color);
+    this.#drawMarks(context, color);
+  }
+
+  #drawHoop(context, color) {
+    context.fillStyle = color("lug");
+    for (let j = 0; j < this.#facts.lugs; j++) {
+      const angle = ((j + 0.5) * TURN) / this.#facts.lugs;
+      context.beginPath();
+      context.arc(1.08 * Math.cos(angle), -1.08 * Math.sin(angle), 0.035, 0, TURN);
+      context.fill();
+    }
+    context.strokeStyle = color("hoop");
+    context.lineWidth = 0.06;
+    context.beginPath();
+    context.arc(0, 0, 1.03, 0, TURN);
+    context.stroke();
+  }
+
+  /** The louder it sounds, the brighter. */
+  #drawHead(context, color) {
+    context.beginPath();
+    context.arc(0, 0, 1, 0, TURN);
+    context.fillStyle = color("head");
+    context.fill();
+    context.globalAlpha = 0.5 * (1 - this.#level / FLOOR);
+    context.fillStyle = color("glow");
+    context.fill();
+    context.globalAlpha = 1;
+  }
+
+  #drawWires(context, color) {
+    const { radius, wires, snaresOff } = this.#facts;
+    context.save();
+    context.rotate(-radians(wires.angle ?? 0));
+    context.strokeStyle = color("wire");
+    context.lineWidth = 0.004;
+    context.globalAlpha = snaresOff ? 0.25 : 1;
+    for (let i = 0; i < wires.count; i++) {
+      const y = ((i - (wires.count - 1) / 2) * wires.spacing) / radius;
+      const half = Math.min(wires.length / 2 / radius, Math.sqrt(1 - y * y));
+      context.beginPath();
+      context.moveTo(-half, y);
+      context.lineTo(half, y);
+      context.stroke();
+    }
+    context.restore();
+  }
+
+  #drawMarks(context, color) {
+    const now = performance.now();
+    this.#marks = this.#marks.filter((mark) => now - mark.time < MARK_TIME);
+    context.fillStyle = color("mark");
+    for (const { x, y, velocity, time } of this.#marks) {
+      context.globalAlpha = 1 - (now - time) / MARK_TIME;
+      context.beginPath();
+      context.arc(x, y, 0.02 + 0.012 * Math.sqrt(velocity), 0, TURN);
+      context.fill();
+    }
+    context.globalAlpha = 1;
+    if (this.#marks.length > 0) this.#ask();
+  }
+}

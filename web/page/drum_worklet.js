@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Plays the drum, on the audio thread. Messages to it:
+//
+//   { type: "engine", bytes }            the engine; before everything else
+//   { type: "drum", drum, memory }       another drum, as build_worker.js makes it; the former fades out
+//   { type: "strike", velocity, radius, angle, technique }
+//   { type: "strainer", value }          1: the snares are on, 0: off
+//   { type: "record", on }
+//
+// Messages from it: { type: "playing" } for each new drum; { type: "struck", frame, ... } for each stroke;
+// { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last }.
+import { ContinuedEngine } from "./engine.js";
+
+const BLOCK = 128; // frames
+const CHANNELS = 2;
+const FADE = 0.03; // of the drum that another one replaces [s]
+const COPIED = 1 << 20; // of the memory of a new drum, in the time of a block [bytes]
+const LEVEL_BLOCKS = 8; // blocks of one level
+const LEDGER_LEVELS = 8; // levels between two ledgers
+// Of TaborLedger, in its order.
+const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
+  "radiated", "removed", "high_band", "residual"];
+const PIECE_BLOCKS = 32; // blocks of one piece of a recording
+
+/** A drum in an engine of its own. */
+class Voice {
+  constructor(module, { drum, memory }) {
+    this.continued = new ContinuedEngine(module, memory);
+    this.engine = this.continued.exports;
+    this.drum = drum;
+    this.left = Math.round(FADE * sampleRate); // frames of the fade, once it fades
+  }
+
+  /** Call until it is true; only then there is a drum. */
+  arrive(most) {
+    return this.continued.copy(most);
+  }
+
+  strike({ velocity, radius, angle, technique }) {
+    return this.engine.drum_strike(this.drum, velocity, radius, angle, technique);
+  }
+
+  setStrainer(value) {
+    this.engine.drum_set_strainer(this.drum, value);
+  }
+
+  /** The channels of the next block, until the next call. They stay in their place: memory grows no more. */
+  process() {
+    const { buffer } = this.engine.memory;
+    const address = this.engine.drum_process(this.drum);
+    this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
+    return this.block;
+  }
+
+  /** The energy account [J]. */
+  ledger() {
+    const address = this.engine.drum_ledger(this.drum);
+    const values = new Float64Array(this.engine.memory.buffer, address, LEDGER.length);
+    return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
+  }
+
+  /** Adds the next block of the fade to the outputs; false once it is over. */
+  addFade(outputs) {
+    const whole = FADE * sampleRate;
+    const block = this.process();
+    for (let n = 0; n < BLOCK && this.left > 0; n++, this.left--) {
+      for (let i = 0; i < CHANNELS; i++) outputs[i][n] += (block[i][n] * this.left) / whole;
+    }
+    return this.left > 0;
+  }
+}
+
+class DrumProcessor extends AudioWorkletProcessor {
+  frame = 0; // the first of the next block
+  voice = null;
+  former = null; // fades
+  coming = null; // is being copied
+  waiting = []; // strokes that came before the first drum
+  strainer = null; // where the snares were put since the drum was chosen
+  module = null;
+  peak = 0;
+  levelBlocks = 0;
+  levels = 0;
+  recording = null; // { sound, blocks }
+
+  constructor() {
+    super();
+    this.pending = Promise.resolve(); // messages act one after the other
+    this.port.onmessage = ({ data }) => this.receive(data);
+  }
+
+  async compile(bytes) {
+    this.module = await WebAssembly.compile(bytes);
+  }
+
+  receive(message) {
+    if (message.type === "engine") this.pending = this.compile(message.bytes);
+    else if (this.module) this.act(message);
+    else this.pending = this.pending.then(() => this.act(message));
+  }
+
+  act(message) {
+    switch (message.type) {
+      case "drum": return this.change(message);
+      case "strike": return this.strike(message);
+      case "strainer": return this.setStrainer(message.value);
+      case "record": return message.on ? this.beginRecording() : this.sendRecording(true);
+    }
+  }
+
+  change(message) {
+    this.coming = new Voice(this.module, message);
+    this.strainer = null;
+  }
+
+  setStrainer(value) {
+    this.strainer = value;
+    if (!this.coming) this.voice?.setStrainer(value);
+  }
+
+  /** A little at a time while another drum sounds. */
+  bringDrum() {
+    if (!this.coming.arrive(this.voice ? COPIED : Infinity)) return;
+    this.former = this.voice;
+    this.voice = this.coming;
+    this.coming = null;
+    if (this.strainer !== null) this.voice.setStrainer(this.strainer);
+    for (const stroke of this.waiting.splice(0)) this.strike(stroke);
+    this.port.postMessage({ type: "playing" });
+  }
+
+  strike(message) {
+    if (!this.voice) this.waiting.push(message);
+    else if (this.voice.strike(message)) {
+      this.port.postMessage({ ...message, type: "struck", frame: this.frame });
+    }
+  }
+
+  beginRecording() {
+    this.recording = { sound: new Float32Array(PIECE_BLOCKS * BLOCK * CHANNELS), blocks: 0, frame: this.frame };
+  }
+
+  /** Sends what has been recorded since the last time. */
+  sendRecording(last) {
+    if (!this.recording) return;
+    const { sound, blocks, frame } = this.recording;
+    const piece = sound.slice(0, blocks * BLOCK * CHANNELS);
+    this.port.postMessage({ type: "recorded", sound: piece, frame, last }, [piece.buffer]);
+    if (last) this.recording = null;
+    else this.beginRecording();
+  }
+
+  /** Frame by frame, the channels of each side by side. */
+  record(outputs) {
+    const { sound, blocks } = this.recording;
+    const start = blocks * BLOCK * CHANNELS;
+    for (let i = 0; i < CHANNELS; i++) {
+      for (let n = 0; n < BLOCK; n++) sound[start + n * CHANNELS + i] = outputs[i][n];
+    }
+    this.recording.blocks++;
+  }
+
+  report() {
+    this.port.postMessage({ type: "level", peak: this.peak });
+    this.peak = this.levelBlocks = 0;
+    if (++this.levels % LEDGER_LEVELS > 0 || !this.voice) return;
+    this.port.postMessage({ type: "ledger", ...this.voice.ledger() });
+  }
+
+  /** A recording goes on with the block after this one. */
+  finishBlock(outputs) {
+    for (const output of outputs) {
+      for (const sample of output) this.peak = Math.max(this.peak, Math.abs(sample));
+    }
+    if (++this.levelBlocks === LEVEL_BLOCKS) this.report();
+    if (this.recording) this.record(outputs);
+    this.frame += BLOCK;
+    if (this.recording?.blocks === PIECE_BLOCKS) this.sendRecording(false);
+  }
+
+  process(_, [outputs]) {
+    if (this.coming) this.bringDrum();
+    if (this.voice) this.voice.process().forEach((channel, i) => outputs[i].set(channel));
+    if (this.former && !this.former.addFade(outputs)) this.former = null;
+    this.finishBlock(outputs);
+    return true;
+  }
+}
+
+registerProcessor("tabor-drum", DrumProcessor);

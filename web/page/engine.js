@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The engine as WebAssembly, instantiated by hand: Emscripten's own JavaScript does not run in an AudioWorklet
+// without shared memory. web/glue.c has the functions that it exports.
+
+const PAGE_SIZE = 65536; // of WebAssembly's memory [bytes]
+const NOT_SUPPORTED = 52; // of WASI
+
+/** What the engine imports. It asks for no clock while it plays. */
+function importsOf(progress) {
+  return {
+    tabor: { progress },
+    env: { emscripten_notify_memory_growth() {} },
+    wasi_snapshot_preview1: { clock_time_get: () => NOT_SUPPORTED },
+  };
+}
+
+/** An engine that begins from nothing. `progress` hears how far a model is, 0 to 1. */
+export async function startEngine(bytes, progress = () => {}) {
+  const { instance } = await WebAssembly.instantiate(bytes, importsOf(progress));
+  instance.exports._initialize();
+  return instance.exports;
+}
+
+/** An engine that goes on from the memory of another one; its drums have the same addresses. */
+export class ContinuedEngine {
+  #memory;
+  #copied = 0; // bytes
+
+  constructor(module, memory) {
+    this.exports = new WebAssembly.Instance(module, importsOf(() => {})).exports;
+    const missing = (memory.byteLength - this.exports.memory.buffer.byteLength) / PAGE_SIZE;
+    if (missing > 0) this.exports.memory.grow(missing);
+    this.#memory = memory;
+  }
+
+  /** Copies at most `most` bytes more of the memory. True once all of it is there. */
+  copy(most) {
+    const count = Math.min(most, this.#memory.byteLength - this.#copied);
+    const part = new Uint8Array(this.#memory, this.#copied, count);
+    new Uint8Array(this.exports.memory.buffer).set(part, this.#copied);
+    this.#copied += count;
+    return this.#copied === this.#memory.byteLength;
+  }
+}
+
+/** The text at an address. Not for the audio thread, which has no decoder. */
+export function textAt(engine, address) {
+  const bytes = new Uint8Array(engine.memory.buffer, address);
+  return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+}
+
+/** Calls `use` with the address of a text. */
+export function withText(engine, text, use) {
+  const bytes = new TextEncoder().encode(`${text}\0`);
+  const address = engine.malloc(bytes.length);
+  new Uint8Array(engine.memory.buffer).set(bytes, address);
+  const result = use(address);
+  engine.free(address);
+  return result;
+}

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// The page: what is chosen, struck, shown and recorded.
+import { DrumView } from "./drum_view.js";
+import { EnergyView } from "./energy_view.js";
+import { startEngine, textAt } from "./engine.js";
+import { actionOf } from "./keys.js";
+import { listenToMidi } from "./midi.js";
+import { Recorder } from "./recorder.js";
+import { CHANNELS, RATE, Sound } from "./sound.js";
+import { SpectrumView } from "./spectrum_view.js";
+
+const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
+const GHOST = 1 / 3; // speed of a ghost note, as a share
+const CROSS_STICK = 3; // the engine's number of this technique
+const CROSS_STICK_PLACE = 0.6; // where its tip lies, as a share of the radius
+const RIM = 4; // the engine's number of this technique
+const RIM_WIDTH = 1.12; // a pointer out to here strikes the rim
+const FLOOR = -60; // [dBFS]
+
+const element = (id) => document.getElementById(id);
+const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names
+
+const view = new DrumView(element("drum"));
+const energy = new EnergyView(element("energy"));
+const spectrum = new SpectrumView(element("spectrum"));
+let presets = []; // { name, comment }
+let sound = null;
+let facts = null; // of the drum that sounds
+let tried = null; // the quality that is being built
+let recorder = null;
+let last = { share: 0, angle: 0, speed: 1 }; // the last stroke
+
+/* ---- what is shown ---- */
+
+function say(text, isFailure = false) {
+  element("status").textContent = text;
+  element("status").classList.toggle("failed", isFailure);
+}
+
+function fail(reason) {
+  showProgress(1);
+  say(`This does not work: ${reason}`, true);
+}
+
+function showProgress(done) {
+  element("progress").value = done;
+  element("progress").classList.toggle("done", done >= 1);
+}
+
+function showFacts() {
+  const load = Math.round(100 * facts.load);
+  element("facts").textContent =
+    `${tried}: ${facts.modes} modes, built in ${facts.seconds.toFixed(2)} s; takes ${load} % of real time here`;
+  element("comment").textContent = presets.find(({ name }) => name === element("preset").value).comment;
+}
+
+function showLevel(peak) {
+  const level = peak > 0 ? 20 * Math.log10(peak) : -Infinity;
+  element("level").value = Math.max(level, FLOOR);
+  element("decibels").value = level < FLOOR ? "−∞ dB" : `${level.toFixed(0).replace("-", "−")} dB`;
+  view.setLevel(level);
+  if (peak > 0) spectrum.show(sound.analyser);
+}
+
+function showLedger(ledger) {
+  energy.show(ledger);
+  const { gaps } = sound;
+  element("gaps").hidden = gaps === undefined;
+  element("gaps").textContent = gaps > 0 ? `Gaps in the sound: ${gaps}. A lower quality helps.` : "No gaps in the sound";
+}
+
+/* ---- the drum ---- */
+
+const speed = () => 2 ** Number(element("speed").value); // [m/s]
+
+function setSpeed(velocity) {
+  element("speed").value = Math.log2(velocity);
+  showSpeed();
+}
+
+function showSpeed() {
+  const text = `${speed().toFixed(2)} m/s`;
+  element("speed-text").value = text;
+  element("speed").setAttribute("aria-valuetext", text);
+}
+
+function buildDrum(quality) {
+  tried = quality;
+  say(`Building ${element("preset").value}, ${quality}`);
+  showProgress(0);
+  sound.build(element("preset").value, quality);
+}
+
+function chooseDrum() {
+  const quality = element("quality").value;
+  link.set("drum", element("preset").value);
+  link.set("quality", quality);
+  history.replaceState(null, "", `#${link}`);
+  buildDrum(quality === "automatic" ? "live" : quality);
+}
+
+/* A machine that cannot play `live` gets `draft`, if the quality is left to the page. */
+function useDrum(built) {
+  const chosen = element("quality").value;
+  if (chosen === "automatic" && tried === "live" && built.load > MOST_LOAD) {
+    buildDrum("draft");
+    return;
+  }
+  const isFirst = !facts;
+  facts = built;
+  last.angle = facts.angle;
+  if (isFirst) setSpeed(facts.velocity);
+  showProgress(1);
+  showFacts();
+  view.show(facts);
+  showSnares();
+  say("Ready");
+  sound.play();
+}
+
+function showSnares() {
+  const hasSnares = facts.wires.count > 0;
+  element("snares").disabled = !hasSnares;
+  element("snares").checked = hasSnares && facts.wires.strainer > 0;
+  view.setSnares(element("snares").checked);
+}
+
+function setSnares(on) {
+  element("snares").checked = on;
+  sound.setStrainer(on ? facts.wires.strainer || 1 : 0);
+  view.setSnares(on);
+}
+
+function stepPreset(step) {
+  const select = element("preset");
+  const count = select.options.length;
+  select.selectedIndex = (select.selectedIndex + step + count) % count;
+  chooseDrum();
+}
+
+/* ---- strokes ---- */
+
+/* A place is a share of the radius, so that it is the same on every drum. */
+function strike({ share, angle, velocity, technique = 0 }) {
+  sound.start();
+  if (!facts) return;
+  const radius = Math.min(share, 1) * facts.radius;
+  last = { share: Math.min(share, 1), angle, velocity };
+  sound.strike({ velocity, radius, angle, technique });
+}
+
+function strikeWith(technique) {
+  const share = technique === CROSS_STICK ? CROSS_STICK_PLACE : last.share;
+  strike({ ...last, share, velocity: speed(), technique });
+}
+
+/* Pens know how hard they are pressed. */
+function velocityOf(event) {
+  const ghost = event.shiftKey ? GHOST : 1;
+  const pressure = event.pointerType === "pen" && event.pressure > 0 ? 2 * event.pressure : 1;
+  return speed() * ghost * pressure;
+}
+
+function strikeAt(event) {
+  if (event.button !== 0) return;
+  event.preventDefault();
+  element("drum").focus({ focusVisible: false });
+  const { share, angle } = view.placeAt(event);
+  if (share > RIM_WIDTH) return;
+  strike({ share, angle, velocity: velocityOf(event), technique: share > 1 ? RIM : 0 });
+}
+
+/* Notes strike where the preset's own stroke does. */
+function actByMidi({ velocity, technique, isCentre, snares }) {
+  if (!facts) return;
+  if (snares !== undefined) {
+    if (!element("snares").disabled) setSnares(snares);
+    return;
+  }
+  const place = technique === CROSS_STICK ? CROSS_STICK_PLACE : facts.place / facts.radius;
+  strike({ share: isCentre ? 0 : place, angle: facts.angle, velocity, technique });
+}
+
+function connectMidi() {
+  sound.start();
+  const tell = (count) => say(count === 1 ? "1 MIDI input" : `${count} MIDI inputs`);
+  listenToMidi(actByMidi, tell).catch((error) => say(`No MIDI: ${error.message}`, true));
+}
+
+/* ---- keys ---- */
+
+function act(action) {
+  const angle = facts?.angle ?? 0;
+  if ("stroke" in action) strike({ share: action.stroke, angle, velocity: speed() });
+  if ("ghost" in action) strike({ share: action.ghost, angle, velocity: GHOST * speed() });
+  if (action.technique) strikeWith(action.technique);
+  if (action.repeat) strike({ ...last, velocity: last.velocity ?? speed() });
+  if (action.speed) setSpeed(action.speed);
+  if (action.preset) stepPreset(action.preset);
+  if (action.snares && !element("snares").disabled) setSnares(!element("snares").checked);
+}
+
+/* Lists, boxes and buttons keep their own keys. */
+function isTaken(event, key) {
+  if (event.ctrlKey || event.altKey || event.metaKey) return true;
+  const own = event.target.closest("select, button, summary, a, input");
+  return own?.tagName === "SELECT" || (own && (key === " " || key === "enter"));
+}
+
+function pressKey(event) {
+  const key = event.key.toLowerCase();
+  const action = isTaken(event, key) ? null : actionOf(key);
+  if (!action) return;
+  event.preventDefault();
+  act(action);
+}
+
+/* ---- recording ---- */
+
+function toggleRecording() {
+  const begins = !recorder;
+  element("record").setAttribute("aria-pressed", String(begins));
+  element("record").textContent = begins ? "Stop recording" : "Record";
+  if (begins) recorder = new Recorder(CHANNELS, RATE);
+  sound.record(begins);
+}
+
+function offer(anchor, blob) {
+  URL.revokeObjectURL(anchor.href);
+  anchor.hidden = !blob;
+  if (blob) anchor.href = URL.createObjectURL(blob);
+}
+
+function addRecorded(piece) {
+  recorder.add(piece);
+  if (piece.last) finishRecording();
+  else if (recorder.isFull && element("record").getAttribute("aria-pressed") === "true") toggleRecording();
+}
+
+function finishRecording() {
+  offer(element("sound-file"), recorder.sound());
+  offer(element("strokes-file"), recorder.strokes());
+  element("files").hidden = false;
+  say(`Recorded ${recorder.seconds.toFixed(1)} s`);
+  recorder = null;
+}
+
+/* ---- the beginning ---- */
+
+async function load(file) {
+  const response = await fetch(new URL(file, import.meta.url));
+  if (!response.ok) throw new Error(`${file}: ${response.status}`);
+  return response.arrayBuffer();
+}
+
+async function listPresets(bytes) {
+  const engine = await startEngine(bytes);
+  return Array.from({ length: engine.preset_count() }, (_, i) => ({
+    name: textAt(engine, engine.preset_name(i)),
+    comment: textAt(engine, engine.preset_comment(i)),
+  }));
+}
+
+function fillPresets() {
+  const select = element("preset");
+  for (const { name } of presets) select.add(new Option(name));
+  const wanted = presets.some(({ name }) => name === link.get("drum"));
+  select.value = wanted ? link.get("drum") : "snare-14x5.5";
+  const quality = element("quality");
+  quality.value = link.get("quality") ?? "automatic";
+  if (quality.selectedIndex < 0) quality.value = "automatic";
+}
+
+function listen() {
+  const heard = {
+    progress: showProgress,
+    built: useDrum,
+    failed: fail,
+    started: () => { element("record").disabled = false; },
+    struck: (stroke) => {
+      view.mark(stroke.radius / facts.radius, stroke.angle, stroke.velocity);
+      recorder?.addStroke(stroke);
+    },
+    level: ({ peak }) => showLevel(peak),
+    ledger: showLedger,
+    recorded: addRecorded,
+  };
+  for (const [type, use] of Object.entries(heard)) {
+    sound.addEventListener(type, ({ detail }) => use(detail));
+  }
+  element("drum").addEventListener("pointerdown", strikeAt);
+  element("preset").addEventListener("change", chooseDrum);
+  element("quality").addEventListener("change", chooseDrum);
+  element("speed").addEventListener("input", showSpeed);
+  element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
+  element("record").addEventListener("click", toggleRecording);
+  element("midi").addEventListener("click", connectMidi);
+  element("midi").hidden = !navigator.requestMIDIAccess;
+  addEventListener("keydown", pressKey);
+  addEventListener("pointerup", () => { if (facts) sound.start(); }); // when a touch allows sound
+}
+
+async function begin() {
+  const bytes = await load("tabor.wasm");
+  presets = await listPresets(bytes);
+  sound = new Sound(bytes);
+  fillPresets();
+  showSpeed();
+  listen();
+  chooseDrum();
+}
+
+begin().catch((error) => fail(error.message));

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The drum that sounds: a worker builds it, the audio thread plays it.
+
+export const RATE = 48000; // [Hz]; the browser converts to the device's
+export const CHANNELS = 2;
+const SPECTRUM_FRAMES = 4096;
+export const QUALITIES = ["", "draft", "live", "studio"]; // by the engine's numbers
+
+export class Sound extends EventTarget {
+  #bytes;
+  #worker = null;
+  #built = null; // a drum that the audio thread does not have yet
+  #context = null;
+  #node = null;
+  #analyser = null;
+  #waiting = null; // the stroke that came before the audio thread
+  #strainer = null; // where the snares were put before
+
+  constructor(bytes) {
+    super();
+    this.#bytes = bytes;
+  }
+
+  /** Builds a drum beside the one that sounds. Events: "progress", then "built" or "failed". */
+  build(preset, quality) {
+    this.#worker?.terminate();
+    this.#worker = new Worker(new URL("build_worker.js", import.meta.url), { type: "module" });
+    this.#worker.onmessage = ({ data }) => this.#hear(data);
+    const number = QUALITIES.indexOf(quality);
+    this.#worker.postMessage({ bytes: this.#bytes, preset, quality: number, rate: RATE });
+  }
+
+  /** Plays the drum that was built last. */
+  play() {
+    if (this.#built) this.#strainer = null;
+    this.#sendDrum();
+  }
+
+  #sendDrum() {
+    if (!this.#node || !this.#built) return;
+    const { drum, memory } = this.#built;
+    this.#built = null;
+    this.#send({ type: "drum", drum, memory }, [memory]);
+  }
+
+  /** Call in a gesture: browsers refuse sound before one. */
+  start() {
+    if (this.#context) {
+      if (this.#context.state === "suspended") this.#context.resume();
+      return;
+    }
+    this.#context = new AudioContext({ sampleRate: RATE, latencyHint: "interactive" });
+    this.#connect().catch((error) => this.#tell("failed", String(error)));
+  }
+
+  strike(stroke) {
+    if (this.#node) this.#send({ type: "strike", ...stroke });
+    else this.#waiting = stroke;
+  }
+
+  setStrainer(value) {
+    if (this.#node) this.#send({ type: "strainer", value });
+    else this.#strainer = value;
+  }
+
+  /** What hears the sound: an AnalyserNode, or null before the first gesture. */
+  get analyser() {
+    return this.#analyser;
+  }
+
+  /** Gaps in the sound so far; undefined where the browser does not count them. */
+  get gaps() {
+    return this.#context?.playbackStats?.underrunEvents;
+  }
+
+  record(on) {
+    this.#send({ type: "record", on });
+  }
+
+  async #connect() {
+    await this.#context.audioWorklet.addModule(new URL("drum_worklet.js", import.meta.url));
+    this.#node = new AudioWorkletNode(this.#context, "tabor-drum", {
+      numberOfInputs: 0,
+      outputChannelCount: [CHANNELS],
+    });
+    this.#node.port.onmessage = ({ data }) => this.#tell(data.type, data);
+    this.#node.onprocessorerror = () => this.#tell("failed", "the audio thread has stopped");
+    this.#node.connect(this.#context.destination);
+    this.#analyser = new AnalyserNode(this.#context, { fftSize: SPECTRUM_FRAMES, smoothingTimeConstant: 0.5 });
+    this.#node.connect(this.#analyser);
+    this.#send({ type: "engine", bytes: this.#bytes });
+    this.#sendDrum();
+    if (this.#strainer !== null) this.setStrainer(this.#strainer);
+    if (this.#waiting) this.strike(this.#waiting);
+    this.#tell("started");
+  }
+
+  #hear(data) {
+    if ("progress" in data) return this.#tell("progress", data.progress);
+    this.#worker.terminate();
+    this.#worker = null;
+    if (data.error) return this.#tell("failed", data.error);
+    this.#built = data;
+    this.#tell("built", data.facts);
+  }
+
+  #send(message, transfer = []) {
+    this.#node.port.postMessage(message, transfer);
+  }
+
+  #tell(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+}

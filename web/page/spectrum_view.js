@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The spectrum of what sounds, over a logarithmic frequency.
+
+const LOWEST = 50; // [Hz]
+const HIGHEST = 20000; // [Hz]
+const FLOOR = -130; // [dB]
+const CEILING = -10; // [dB]
+const MARKS = [100, 1000, 10000]; // [Hz]
+
+export class SpectrumView {
+  #canvas;
+  #decibels = null;
+
+  constructor(canvas) {
+    this.#canvas = canvas;
+  }
+
+  /** Draws what an AnalyserNode hears. */
+  show(analyser) {
+    this.#decibels ??= new Float32Array(analyser.frequencyBinCount);
+    analyser.getFloatFrequencyData(this.#decibels);
+    const canvas = this.#canvas;
+    canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
+    canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
+    const context = canvas.getContext("2d");
+    const style = getComputedStyle(canvas);
+    context.strokeStyle = context.fillStyle = style.getPropertyValue("--line");
+    this.#drawMarks(context);
+    context.strokeStyle = style.getPropertyValue("--accent");
+    this.#drawCurve(context, analyser.context.sampleRate / analyser.fftSize);
+  }
+
+  #x(frequency) {
+    return (this.#canvas.width * Math.log(frequency / LOWEST)) / Math.log(HIGHEST / LOWEST);
+  }
+
+  #y(decibels) {
+    const share = (decibels - FLOOR) / (CEILING - FLOOR);
+    return this.#canvas.height * (1 - Math.min(Math.max(share, 0), 1));
+  }
+
+  #drawMarks(context) {
+    for (const frequency of MARKS) context.fillRect(this.#x(frequency), 0, 1, this.#canvas.height);
+  }
+
+  #drawCurve(context, step) {
+    context.lineWidth = 1.5 * devicePixelRatio;
+    context.beginPath();
+    for (let i = Math.ceil(LOWEST / step); i * step < HIGHEST; i++) {
+      context.lineTo(this.#x(i * step), this.#y(this.#decibels[i]));
+    }
+    context.stroke();
+  }
+}

@@ -81,6 +81,11 @@ static TaborStatus check_choices(const TaborKitDrumDef *drum, TaborError *error)
                         "%s: choke group %u; allowed: 0 (none) to %u", drum->name,
                         (unsigned)drum->choke, TB_KIT_MOST_CHOKE);
   }
+  if (!tb_text_is_valid(drum->mic, sizeof drum->mic)) {
+    return tb_error_set(error, TABOR_ERROR_VALUE, "mic", NULL, NAN, NAN,
+                        "%s: the name of its close microphone is not a line of printable text",
+                        drum->name);
+  }
   for (uint32_t note = 0; note < TABOR_KIT_NOTES; note++) {
     if (drum->notes[note] < TB_KIT_STROKES) continue;
     return tb_error_set(error, TABOR_ERROR_VALUE, "notes", NULL, NAN, NAN,

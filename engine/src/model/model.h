@@ -53,7 +53,7 @@ typedef struct TbRest {
   double *bend;   /* [node_count] their second differences [m] */
   double *eta;    /* [stride] penetration [m] */
   double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the striker pool */
-  double *grid;   /* [bed size] `force` on the grid under the wires */
+  double *grid;   /* [grid size] `force` on the grid under the wires */
   double *offset; /* [wires] of the ends [m] */
   double head;    /* height of the centre of the wires' head [m] */
 } TbRest;

@@ -51,7 +51,7 @@ typedef struct TbContacts {
   bool lifted; /* no wire point can be touched: s and M x are 0 there */
   uint32_t cap, inner_cap;
   double tolerance, inner_tolerance;
-  const double *coupling;      /* [TB_SLOTS][bed size]: head's compliance, grid to slot */
+  const double *coupling;      /* [TB_SLOTS][grid size]: head's compliance, grid to slot */
   const double *slot_coupling; /* [TB_SLOTS][TB_SLOTS] */
   const double *own;           /* [stride + TB_SLOTS]: compliance of wires and strikers */
   const TbContactLaw *wire_laws, *slot_laws;
@@ -65,7 +65,7 @@ typedef struct TbContacts {
 /* The last sample's result: the solve starts from it and replaces it. */
 typedef struct TbWarmStart {
   double *force, *product; /* [stride + TB_SLOTS]: f and M f */
-  double *grid;            /* [bed size]: f on the grid */
+  double *grid;            /* [grid size]: f on the grid */
 } TbWarmStart;
 
 #define TB_TEMPLATE "step/solve_tmpl.h"

@@ -8,11 +8,11 @@ typedef struct TB_TYPE(TbSolveWork) {
   TB_REAL *force_last, *product_last;
   TB_REAL *law, *slope, *mean;
   TB_REAL *weight, *residual, *direction, *turned, *moved, *solution;
-  TB_REAL *grid, *grid_last, *pushed, *answer; /* [bed size] */
+  TB_REAL *grid, *grid_last, *pushed, *answer; /* [grid size] */
   TB_REAL *scratch;                            /* [tb_wire_grid_scratch] */
 #if TB_REAL_IS_FLOAT
   float *b, *y, *root, *own, *before; /* [stride + TB_SLOTS] */
   float *yield;                       /* [stride + TB_SLOTS]: own and the head's right below */
-  float *stretch[2];                  /* [bed size] */
+  float *stretch[2];                  /* [grid size] */
 #endif
 } TB_TYPE(TbSolveWork);

@@ -163,7 +163,7 @@ typedef struct TbView {
     *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
-  double *stretch_carry; /* [bed size + TB_SLOTS]: part of `product` due to past stretch */
+  double *stretch_carry; /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];
   TbIncident incident; /* see incident_sound.h */

@@ -7,24 +7,38 @@
 #include "drums/drum_args.h"
 #include "drums/preset_file.h"
 
-/* A PresetPairFn: a section or a "key = value" of a kit file into the definition. */
-static bool set_pair(void *def, const char *section, const char *key, const char *value,
+/* A kit file being read. */
+typedef struct KitFile {
+  const char *path;
+  TaborKitDef *def;
+  KitSamples *samples;
+} KitFile;
+
+static bool is_note(const char *section) { return strncmp(section, "note.", 5) == 0; }
+
+/* A PresetPairFn: a section or a "key = value" of a kit file into the definition, or into the samples. */
+static bool set_pair(void *context, const char *section, const char *key, const char *value,
                      unsigned line, char *message, size_t size) {
   (void)line;
+  const KitFile *const file = context;
+  if (is_note(section)) {
+    return kit_samples_set(file->samples, file->path, section, key, value, message, size);
+  }
   char full[2 * TABOR_NAME_SIZE + 256];
   (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
   TaborError error;
-  const TaborStatus status =
-    key ? tabor_kit_def_set(def, full, value, &error) : tabor_kit_def_section(def, section, &error);
+  const TaborStatus status = key ? tabor_kit_def_set(file->def, full, value, &error)
+                                 : tabor_kit_def_section(file->def, section, &error);
   if (status == TABOR_OK) return true;
   (void)snprintf(message, size, "%s", error.message);
   return false;
 }
 
-static Outcome load_file(const char *path, TaborKitDef *def) {
+static Outcome load_file(const char *path, TaborKitDef *def, KitSamples *samples) {
+  KitFile file = {.path = path, .def = def, .samples = samples};
   char message[2 * TABOR_TEXT_SIZE];
   tabor_kit_def_default(def);
-  switch (preset_file_read(path, set_pair, def, message, sizeof message)) {
+  switch (preset_file_read(path, set_pair, &file, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;
   case PRESET_FILE_UNREADABLE: return fail("%s", message);
   case PRESET_FILE_INVALID: break;
@@ -53,7 +67,20 @@ static Outcome check_drum(const TaborKitDef *def, const char *key) {
                 key, name, name);
 }
 
-static Outcome apply_setting(const char *setting, TaborKitDef *def) {
+/* note.42.sample=hat.wav */
+static Outcome set_note(const char *key, const char *value, KitSamples *samples) {
+  char section[4 * TABOR_NAME_SIZE], message[2 * TABOR_TEXT_SIZE];
+  const char *const dot = strrchr(key, '.');
+  const size_t length = (size_t)(dot - key);
+  memcpy(section, key, length);
+  section[length] = '\0';
+  if (kit_samples_set(samples, "", section, dot + 1, value, message, sizeof message)) {
+    return OUTCOME_OK;
+  }
+  return refuse("--set '%.80s': %s", key, message);
+}
+
+static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *samples) {
   const char *const equals = strchr(setting, '=');
   char key[4 * TABOR_NAME_SIZE];
   const size_t length = equals ? (size_t)(equals - setting) : 0;
@@ -61,6 +88,7 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def) {
   if (length >= sizeof key) return refuse("--set '%.80s...': no key is so long", setting);
   memcpy(key, setting, length);
   key[length] = '\0';
+  if (is_note(key)) return set_note(key, equals + 1, samples);
   const Outcome outcome = check_drum(def, key);
   TaborError error;
   if (outcome != OUTCOME_OK) return outcome;
@@ -68,15 +96,16 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def) {
   return report_engine_error(&error);
 }
 
-Outcome kit_load(const Arguments *arguments, TaborKitDef *def) {
+Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *samples) {
   const char *const kit = arguments_value(arguments, "kit");
   const char *setting;
   size_t position = 0;
   TaborError error;
+  kit_samples_begin(samples);
   if (!*kit) return refuse("--kit needs the name of a kit");
-  Outcome outcome = preset_is_file(kit) ? load_file(kit, def) : load_builtin(kit, def);
+  Outcome outcome = preset_is_file(kit) ? load_file(kit, def, samples) : load_builtin(kit, def);
   while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {
-    outcome = apply_setting(setting, def);
+    outcome = apply_setting(setting, def, samples);
   }
   if (outcome != OUTCOME_OK) return outcome;
   if (def->drum_count == 0) return refuse("%s: the kit has no drum; [drum.NAME] adds one", kit);

@@ -9,13 +9,15 @@
 #include <tabor/kit.h>
 
 #include "base/options.h"
+#include "kit/kit_samples.h"
 
 /** Row of an option table for the option that kit_load() reads. */
 #define OPTION_KIT                                                                                 \
   { "kit", 0, "KIT", "several drums, by name or from a file (docs/kit.md)" }
 
 /** Reads --kit: a name that 'tabor presets --kits' lists, or a file: with a '/' in it, or ending in .ini. Applies every
- * --set in order, and validates the result. */
-Outcome kit_load(const Arguments *arguments, TaborKitDef *def);
+ * --set in order, and validates the result. *samples gets the kit's samples, which are not read yet; free it with
+ * kit_samples_free(), whatever the outcome. */
+Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *samples);
 
 #endif

@@ -131,6 +131,11 @@ static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEve
   uint32_t count = 0;
   if (owner != KIT_MIDI_NOBODY) {
     count = take_for(midi, owner, message, event);
+  } else if (strikes && midi->has_sample[note]) {
+    *event =
+      (TaborKitEvent){.drum = KIT_MIDI_SAMPLE + note,
+                      .event = {.type = TABOR_EVENT_STRIKE, .velocity = message->data[1] / 127.0}};
+    count = 1;
   } else if (strikes) {
     midi->unknown[note]++;
   }

@@ -13,10 +13,13 @@
 #include "midi/midi_to_events.h"
 
 #define KIT_MIDI_NOBODY 0xff
+/** Address of a stroke on a note with a sample (kit_samples.h): this and the note. Its velocity is the strength, 0 to 1. */
+#define KIT_MIDI_SAMPLE 0x1000u
 
 typedef struct KitMidi {
   uint32_t count;                      /**< drums */
   uint8_t owner[MIDI_VALUES];          /**< drum of each note, or KIT_MIDI_NOBODY */
+  bool has_sample[MIDI_VALUES];        /**< to be set after kit_midi_begin() */
   uint64_t unknown[MIDI_VALUES];       /**< strokes on notes that play no drum */
   uint64_t strokes[TABOR_KIT_DRUMS];   /**< on each drum */
   double head_radius[TABOR_KIT_DRUMS]; /**< [m] */

@@ -56,8 +56,15 @@ static uint32_t gather(KitPlayer *player, uint32_t frames) {
   while (count < KIT_PLAYER_EVENTS &&
          take_event(player, player->position + frames, &frame, &player->events[count])) {
     const uint64_t offset = frame > player->position ? frame - player->position : 0;
+    TaborKitEvent *const event = &player->events[count];
     last = offset > last ? (uint32_t)offset : last;
-    player->events[count++].event.frame = last;
+    event->event.frame = last;
+    if (event->drum < KIT_MIDI_SAMPLE) {
+      count++;
+    } else {
+      kit_samples_strike(player->setup.samples, event->drum - KIT_MIDI_SAMPLE,
+                         event->event.velocity, last);
+    }
   }
   return count;
 }
@@ -97,6 +104,7 @@ static uint32_t play_piece(KitPlayer *player, float *samples, uint32_t most) {
   const uint32_t count = gather(player, frames);
   const TaborKitOutputs outputs = {.stereo = {player->sound[0], player->sound[1]}};
   tabor_kit_process(player->setup.kit, player->events, count, &outputs, frames);
+  kit_samples_add(player->setup.samples, player->sound[0], player->sound[1], frames);
   send_out(player, samples, frames);
   player->position += frames;
   if (left == frames) atomic_store(&player->over, true);

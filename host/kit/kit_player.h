@@ -8,6 +8,7 @@
 
 #include "base/message.h"
 #include "base/spsc_queue.h"
+#include "kit/kit_samples.h"
 #include "kit/kit_song.h"
 #include "sound/frame_clock.h"
 
@@ -17,6 +18,7 @@
 typedef struct KitPlayerSetup {
   TaborKit *kit;       /**< outlives the player, as does the song */
   const KitSong *song; /**< may have no events */
+  KitSamples *samples; /**< read; for the audio thread alone from now on */
   double rate, gain;   /**< [Hz]; factor */
   uint32_t width;      /**< channels of the device */
   uint32_t buffer;     /**< frames of a block, as far as they are known */

@@ -28,6 +28,7 @@ static Outcome take_messages(const MidiFile *file, const MidiPlace *places, KitM
     const uint32_t count = kit_midi_take(midi, &file->events[places[i].index].message, events);
     for (uint32_t k = 0; k < count; k++) {
       events[k].event.frame = places[i].frame;
+      if (events[k].drum >= midi->count) continue; /* a sample */
       humanize(humanizer, midi->head_radius[events[k].drum], &events[k].event);
     }
     song->count += count;

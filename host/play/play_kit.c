@@ -30,6 +30,7 @@ typedef struct KitSession {
   TaborModelOptions model;
   KitMidi song_midi, live_midi; /* of the file; of the thread that receives */
   KitSong song;
+  KitSamples samples;
   Humanizer song_scatter, live_scatter;
   MidiResponse response;
   int channel;
@@ -109,6 +110,9 @@ static Outcome read_song(const Arguments *arguments, KitSession *s) {
   const char *const name = arguments_value(arguments, "midi-file");
   kit_midi_begin(&s->song_midi, &s->def, s->response, s->channel);
   kit_midi_begin(&s->live_midi, &s->def, s->response, s->channel);
+  for (int i = 0; i < MIDI_VALUES; i++) {
+    s->song_midi.has_sample[i] = s->live_midi.has_sample[i] = s->samples.notes[i].path != NULL;
+  }
   if (!name) return OUTCOME_OK;
   const Outcome outcome =
     kit_song_read(name, &s->song_midi, s->song_scatter, s->model.sample_rate, &s->song);
@@ -119,6 +123,7 @@ static Outcome read_song(const Arguments *arguments, KitSession *s) {
 static Outcome create_player(KitSession *s) {
   const KitPlayerSetup setup = {.kit = s->kit,
                                 .song = &s->song,
+                                .samples = &s->samples,
                                 .rate = s->model.sample_rate,
                                 .gain = s->gain,
                                 .width = s->facts.width,
@@ -133,7 +138,9 @@ static void receive(void *context, double time, const MidiMessage *message) {
   TaborKitEvent events[TABOR_KIT_DRUMS];
   const uint32_t count = kit_midi_take(&s->live_midi, message, events);
   for (uint32_t i = 0; i < count; i++) {
-    humanize(&s->live_scatter, s->live_midi.head_radius[events[i].drum], &events[i].event);
+    if (events[i].drum < s->def.drum_count) {
+      humanize(&s->live_scatter, s->live_midi.head_radius[events[i].drum], &events[i].event);
+    }
     kit_player_send(&s->player, time, &events[i]);
   }
 }
@@ -141,6 +148,7 @@ static void receive(void *context, double time, const MidiMessage *message) {
 static Outcome open_all(const Arguments *arguments, KitSession *s) {
   Outcome outcome = open_device(s);
   if (outcome == OUTCOME_OK) outcome = read_song(arguments, s);
+  if (outcome == OUTCOME_OK) outcome = kit_samples_load(&s->samples, s->model.sample_rate);
   if (outcome == OUTCOME_OK) {
     outcome = kit_build(&s->def, &s->model, process_processors(), &s->kit);
   }
@@ -222,6 +230,7 @@ static void close_all(KitSession *s) {
   kit_player_end(&s->player);
   tabor_kit_destroy(s->kit);
   kit_song_free(&s->song);
+  kit_samples_free(&s->samples);
   free(s);
 }
 
@@ -229,7 +238,7 @@ Outcome play_kit(const Arguments *arguments) {
   KitSession *const s = calloc(1, sizeof *s);
   if (!s) return fail_memory();
   Outcome outcome = check_options(arguments);
-  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &s->def);
+  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &s->def, &s->samples);
   if (outcome == OUTCOME_OK) outcome = read_numbers(arguments, s);
   if (outcome == OUTCOME_OK) outcome = read_device(arguments, s);
   if (outcome == OUTCOME_OK) outcome = open_all(arguments, s);

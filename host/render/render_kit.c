@@ -33,6 +33,7 @@ typedef struct KitRendering {
   TaborKitDef def;
   KitMidi midi;
   KitSong song;
+  KitSamples samples;
   TaborModelOptions model;
   AudioFormat audio;
   double gain, gain_db;
@@ -103,6 +104,7 @@ static Outcome read_song(const Arguments *arguments, KitRendering *r) {
   if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0, &humanizer);
   if (outcome != OUTCOME_OK) return outcome;
   kit_midi_begin(&r->midi, &r->def, response, channel);
+  for (int i = 0; i < MIDI_VALUES; i++) r->midi.has_sample[i] = r->samples.notes[i].path != NULL;
   outcome = kit_song_read(name, &r->midi, humanizer, r->model.sample_rate, &r->song);
   const bool ends = r->frames > 0 && r->song.last_frame >= r->frames;
   if (outcome != OUTCOME_OK || !ends) return outcome;
@@ -193,6 +195,23 @@ static Outcome deliver(KitRendering *r) {
 
 /* ---- sound ----------------------------------------------------------------------------------- */
 
+/* Of the events up to a frame those of drums, which stay together, from `first` on; returns their number. Samples begin. */
+static uint32_t take_events(KitRendering *r, size_t first, uint64_t end) {
+  uint32_t count = 0;
+  for (; r->next_event < r->song.count; r->next_event++) {
+    TaborKitEvent event = r->song.events[r->next_event];
+    if (event.event.frame >= end) break;
+    event.event.frame -= r->position;
+    if (event.drum >= KIT_MIDI_SAMPLE) {
+      kit_samples_strike(&r->samples, event.drum - KIT_MIDI_SAMPLE, event.event.velocity,
+                         event.event.frame);
+    } else {
+      r->song.events[first + count++] = event;
+    }
+  }
+  return count;
+}
+
 static void compute(KitRendering *r, uint32_t frames) {
   TaborKitOutputs outputs = {0};
   const size_t first = r->next_event;
@@ -201,13 +220,10 @@ static void compute(KitRendering *r, uint32_t frames) {
     pair[0] = r->sound[i][0];
     pair[1] = r->sound[i][1];
   }
-  while (r->next_event < r->song.count &&
-         r->song.events[r->next_event].event.frame < r->position + frames) {
-    r->song.events[r->next_event++].event.frame -= r->position;
-  }
+  const uint32_t count = take_events(r, first, (uint64_t)r->position + frames);
   const double start = stopwatch_seconds(CLOCK_MONOTONIC);
-  tabor_kit_process(r->kit, r->song.events + first, (uint32_t)(r->next_event - first), &outputs,
-                    frames);
+  tabor_kit_process(r->kit, r->song.events + first, count, &outputs, frames);
+  if (!r->split) kit_samples_add(&r->samples, r->sound[0][0], r->sound[0][1], frames);
   r->computing += stopwatch_seconds(CLOCK_MONOTONIC) - start;
   r->position += frames;
 }
@@ -240,7 +256,8 @@ static bool is_over(KitRendering *r) {
     stored += ledger.stored;
   }
   r->loudest = fmax(r->loudest, stored);
-  const bool silent = stored <= ENERGY_FALL * r->loudest && (double)r->block_peak < QUIET;
+  const bool silent = stored <= ENERGY_FALL * r->loudest && (double)r->block_peak < QUIET &&
+                      (r->split || kit_samples_are_silent(&r->samples));
   r->sounding = !silent;
   return (since >= LEAST_TIME && silent) || since >= MOST_TIME;
 }
@@ -313,10 +330,11 @@ static Outcome report(const KitRendering *r) {
 
 static Outcome render(const Arguments *arguments, KitRendering *r) {
   Outcome outcome = check_options(arguments);
-  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &r->def);
+  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &r->def, &r->samples);
   if (outcome == OUTCOME_OK) outcome = read_numbers(arguments, r);
   if (outcome == OUTCOME_OK) outcome = read_song(arguments, r);
   if (outcome == OUTCOME_OK) outcome = plan_outputs(arguments, r);
+  if (outcome == OUTCOME_OK) outcome = kit_samples_load(&r->samples, r->model.sample_rate);
   if (outcome == OUTCOME_OK && !r->quiet) {
     kit_song_note(arguments_value(arguments, "midi-file"), &r->midi);
   }
@@ -332,6 +350,7 @@ static void free_all(KitRendering *r) {
   kit_threads_end(r->kit_threads, r->kit);
   tabor_kit_destroy(r->kit);
   kit_song_free(&r->song);
+  kit_samples_free(&r->samples);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     audio_file_free(&r->files[i]);
     output_discard(&r->outputs[i]);

@@ -50,7 +50,23 @@ printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\13\0\231\46\144\0\52\144\0\377\57\0
 run render frame-drum --midi-file half.mid --quality draft --duration 0.1 -o one.wav
 check "the kit is recommended" grep -q -- '--kit standard' "$err"
 
+# A sound file stands for the hi-hat; the note is not passed over any more.
+done_quietly render frame-drum --quality draft --duration 0.2 -q -o hat.wav
+{ cat mine.ini; printf '[note.42]\nsample = hat.wav\ngain = -6\nchoke = 1\n'; } >hat.ini
+done_quietly render --kit ./hat.ini --midi-file song.mid --quality draft --duration 1.2 -q -o hats.wav
+run render --kit standard --set note.42.sample=hat.wav --set note.42.gain=-6 --midi-file song.mid --quality draft --duration 1.2 -o set.wav
+same "no note is passed over" 0 "$(grep -c 'no drum of the kit' "$err")"
+same_bytes "on the command line as in the file" hats.wav set.wav
+done_quietly render --kit ./mine.ini --midi-file song.mid --quality draft --duration 1.2 -q -o none.wav
+other_bytes "it is heard" hats.wav none.wav
+
 # ---- refused ----
+
+printf '[note.42]\nsample = hat.wav\npitch = 2\n' >wrong.ini
+refused "wrong.ini:3: .*no key 'pitch'" render --kit ./wrong.ini --midi-file song.mid
+refused "note.0 to note.127" "${short[@]}" --set note.128.sample=hat.wav
+refused "rate is 48000 Hz" "${short[@]}" --set note.42.sample=hat.wav --rate 44100
+failed "cannot read 'none.flac'" "${short[@]}" --set note.42.sample=none.flac
 
 refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart --midi-file song.mid
 refused "--kit needs --midi-file" render --kit standard

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "kit/kit_samples.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "files/audio_clip.h"
+#include "platform/paths.h"
+
+#define FADE_TIME 0.015 /* [s], as of a drum's silence */
+enum { MOST_CHOKE = 15 };
+
+/* ---- the kit file ---------------------------------------------------------------------------- */
+
+void kit_samples_begin(KitSamples *samples) { memset(samples, 0, sizeof *samples); }
+
+static int note_of(const char *section) {
+  static const char prefix[] = "note.";
+  const size_t digits = strspn(section + sizeof prefix - 1, "0123456789");
+  if (strncmp(section, prefix, sizeof prefix - 1) != 0 || digits == 0 || digits > 3) return -1;
+  if (section[sizeof prefix - 1 + digits] != '\0') return -1;
+  const int note = atoi(section + sizeof prefix - 1);
+  return note < MIDI_VALUES ? note : -1;
+}
+
+/* "FOLDER/hat.wav" beside "FOLDER/kit.ini"; a path of its own stays. */
+static char *beside(const char *file, const char *name) {
+  const size_t folder = path_has_folder(name) ? 0 : (size_t)(path_base(file) - file);
+  char *const path = malloc(folder + strlen(name) + 1);
+  if (!path) return NULL;
+  memcpy(path, file, folder);
+  memcpy(path + folder, name, strlen(name) + 1);
+  return path;
+}
+
+static bool read_number(const char *key, const char *value, double least, double most, bool whole,
+                        double *number, char *message, size_t size) {
+  const NumberField field = {key, least, most, whole};
+  const MessageCapture before = message_capture(message, size);
+  const bool read = number_read(&field, value, number) == OUTCOME_OK;
+  message_release(before);
+  return read;
+}
+
+bool kit_samples_set(KitSamples *samples, const char *file, const char *section, const char *key,
+                     const char *value, char *message, size_t size) {
+  const int note = note_of(section);
+  double number = 0;
+  if (note < 0) {
+    (void)snprintf(message, size, "[%.40s]: allowed are note.0 to note.127", section);
+    return false;
+  }
+  KitSample *const sample = &samples->notes[note];
+  if (!key) return true;
+  if (strcmp(key, "sample") == 0) {
+    free(sample->path);
+    sample->path = beside(file, value);
+    return sample->path != NULL;
+  }
+  if (strcmp(key, "gain") == 0) {
+    return read_number("gain", value, -120, 24, false, &sample->gain_db, message, size);
+  }
+  if (strcmp(key, "choke") == 0) {
+    const bool read = read_number("choke", value, 0, MOST_CHOKE, true, &number, message, size);
+    sample->choke = (uint32_t)number;
+    return read;
+  }
+  (void)snprintf(message, size, "[%.40s] has no key '%.40s'; allowed: sample, gain, choke", section,
+                 key);
+  return false;
+}
+
+/* ---- the files ------------------------------------------------------------------------------- */
+
+static Outcome read_side(KitSample *sample, uint32_t channel, double rate, AudioClip *clip) {
+  const AudioClipPart whole = {channel, 0, INFINITY};
+  const Outcome outcome = audio_clip_read(sample->path, &whole, clip);
+  if (outcome != OUTCOME_OK) return outcome;
+  if (clip->rate != rate) {
+    return refuse("'%s': its rate is %u Hz, that of the kit %.10g Hz", sample->path,
+                  (unsigned)clip->rate, rate);
+  }
+  float *const sound = calloc(clip->count + 1, sizeof *sound);
+  if (!sound) return fail_memory();
+  const double gain = pow(10, sample->gain_db / 20);
+  for (size_t i = 0; i < clip->count; i++) sound[i] = (float)(gain * clip->samples[i]);
+  sample->sound[channel - 1] = sound;
+  sample->frames = (uint32_t)clip->count;
+  return OUTCOME_OK;
+}
+
+static Outcome read_sample(KitSample *sample, double rate) {
+  AudioClip clip = {0};
+  Outcome outcome = read_side(sample, 1, rate, &clip);
+  const uint32_t channels = clip.channels;
+  audio_clip_free(&clip);
+  if (outcome != OUTCOME_OK || channels < 2) return outcome;
+  outcome = read_side(sample, 2, rate, &clip);
+  audio_clip_free(&clip);
+  return outcome;
+}
+
+Outcome kit_samples_load(KitSamples *samples, double rate) {
+  Outcome outcome = OUTCOME_OK;
+  samples->fade = (uint32_t)(FADE_TIME * rate);
+  for (int note = 0; note < MIDI_VALUES && outcome == OUTCOME_OK; note++) {
+    if (samples->notes[note].path) outcome = read_sample(&samples->notes[note], rate);
+  }
+  return outcome;
+}
+
+void kit_samples_free(KitSamples *samples) {
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    free(samples->notes[note].path);
+    free(samples->notes[note].sound[0]);
+    free(samples->notes[note].sound[1]);
+  }
+  kit_samples_begin(samples);
+}
+
+/* ---- sound ----------------------------------------------------------------------------------- */
+
+static void choke(KitSamples *samples, uint32_t group, uint32_t offset) {
+  for (uint32_t i = 0; group != 0 && i < KIT_SAMPLE_VOICES; i++) {
+    KitSampleVoice *const voice = &samples->voices[i];
+    if (!voice->sample || voice->sample->choke != group || voice->fades) continue;
+    voice->fades = true;
+    voice->hold = offset;
+    voice->left = samples->fade;
+  }
+}
+
+static KitSampleVoice *free_voice(KitSamples *samples) {
+  for (uint32_t i = 0; i < KIT_SAMPLE_VOICES; i++) {
+    if (!samples->voices[i].sample) return &samples->voices[i];
+  }
+  samples->oldest = (samples->oldest + 1) % KIT_SAMPLE_VOICES;
+  return &samples->voices[samples->oldest];
+}
+
+void kit_samples_strike(KitSamples *samples, uint32_t note, double strength, uint32_t offset) {
+  const KitSample *const sample = &samples->notes[note];
+  choke(samples, sample->choke, offset);
+  *free_voice(samples) =
+    (KitSampleVoice){.sample = sample, .wait = offset, .gain = (float)(strength * strength)};
+}
+
+static float next_gain(KitSampleVoice *voice, uint32_t whole) {
+  if (!voice->fades) return voice->gain;
+  if (voice->hold > 0) {
+    voice->hold--;
+    return voice->gain;
+  }
+  voice->left--;
+  return voice->gain * (float)voice->left / (float)whole;
+}
+
+static void add_voice(KitSamples *samples, KitSampleVoice *voice, float *left, float *right,
+                      uint32_t frames) {
+  const KitSample *const sample = voice->sample;
+  const float *const other = sample->sound[1] ? sample->sound[1] : sample->sound[0];
+  const uint32_t from = voice->wait < frames ? voice->wait : frames;
+  voice->wait -= from;
+  for (uint32_t i = from; i < frames; i++) {
+    const bool ends = voice->position == sample->frames || (voice->fades && voice->left == 0);
+    if (ends) {
+      voice->sample = NULL;
+      return;
+    }
+    const float gain = next_gain(voice, samples->fade);
+    left[i] += gain * sample->sound[0][voice->position];
+    right[i] += gain * other[voice->position++];
+  }
+}
+
+void kit_samples_add(KitSamples *samples, float *left, float *right, uint32_t frames) {
+  for (uint32_t i = 0; i < KIT_SAMPLE_VOICES; i++) {
+    if (samples->voices[i].sample) add_voice(samples, &samples->voices[i], left, right, frames);
+  }
+}
+
+bool kit_samples_are_silent(const KitSamples *samples) {
+  for (uint32_t i = 0; i < KIT_SAMPLE_VOICES; i++) {
+    if (samples->voices[i].sample) return false;
+  }
+  return true;
+}

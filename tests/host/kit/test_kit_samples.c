@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/* Sound files that stand for what a kit does not model. */
+#include "kit/kit_samples.h" /* before cmocka, whose fail() is a macro */
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { FRAMES = 1000, FADE = 100 };
+
+/* Notes 42 and 46, of group 1, with samples of constant 1, and 0.5 at the left and -0.5 at the right. */
+static int prepare(void **state) {
+  KitSamples *samples = malloc(sizeof *samples);
+  kit_samples_begin(samples);
+  samples->fade = FADE;
+  for (int i = 0; i < 2; i++) {
+    KitSample *sample = &samples->notes[42 + 4 * i];
+    sample->choke = 1;
+    sample->frames = FRAMES;
+    for (int side = 0; side <= i; side++) {
+      sample->sound[side] = malloc(FRAMES * sizeof(float));
+      for (int f = 0; f < FRAMES; f++) {
+        sample->sound[side][f] = i == 0 ? 1.0f : 0.5f - (float)side;
+      }
+    }
+  }
+  *state = samples;
+  return 0;
+}
+
+static int clean_up(void **state) {
+  kit_samples_free(*state);
+  free(*state);
+  return 0;
+}
+
+static void a_stroke_plays_the_sample_from_its_frame_on(void **state) {
+  KitSamples *samples = *state;
+  static float left[2 * FRAMES], right[2 * FRAMES];
+  memset(left, 0, sizeof left);
+  memset(right, 0, sizeof right);
+  assert_true(kit_samples_are_silent(samples));
+  kit_samples_strike(samples, 42, 0.5, 300);
+  kit_samples_add(samples, left, right, 2 * FRAMES);
+  assert_true(left[299] == 0.0f && left[300] == 0.25f && left[1299] == 0.25f && left[1300] == 0.0f);
+  assert_memory_equal(left, right, sizeof left); /* a mono file at both sides */
+  assert_true(kit_samples_are_silent(samples));
+  kit_samples_strike(samples, 46, 1.0, 0);
+  memset(left, 0, sizeof left);
+  memset(right, 0, sizeof right);
+  kit_samples_add(samples, left, right, 10);
+  assert_true(left[0] == 0.5f && right[0] == -0.5f);
+}
+
+static void blocks_change_nothing_and_a_stroke_chokes_its_group(void **state) {
+  KitSamples *samples = *state;
+  static float whole[2][2 * FRAMES], parts[2][2 * FRAMES];
+  for (int run = 0; run < 2; run++) {
+    float(*to)[2 * FRAMES] = run == 0 ? whole : parts;
+    const uint32_t block = run == 0 ? 2 * FRAMES : 16;
+    memset(to, 0, sizeof whole);
+    for (uint32_t at = 0; at < 2 * FRAMES; at += block) {
+      if (at == 0) kit_samples_strike(samples, 42, 1.0, 5);
+      if (at <= 407 && 407 < at + block) kit_samples_strike(samples, 46, 1.0, 407 - at);
+      kit_samples_add(samples, to[0] + at, to[1] + at, block);
+    }
+    assert_true(kit_samples_are_silent(samples));
+  }
+  assert_memory_equal(whole, parts, sizeof whole);
+  assert_true(whole[1][406] == 1.0f);
+  assert_true(whole[1][407] < 1.0f - 0.5f + 0.001f); /* the other begins, the first fades */
+  assert_true(whole[1][407 + FADE] == -0.5f);
+}
+
+static void sections_are_read_or_refused(void **state) {
+  KitSamples *samples = *state;
+  char message[200] = "";
+  assert_true(kit_samples_set(samples, "kits/a.ini", "note.51", "sample", "ride.wav", message,
+                              sizeof message));
+  assert_string_equal(samples->notes[51].path, "kits/ride.wav");
+  assert_true(
+    kit_samples_set(samples, "kits/a.ini", "note.51", "choke", "3", message, sizeof message));
+  assert_int_equal(samples->notes[51].choke, 3);
+  static const char *const bad[][3] = {{"note.128", "gain", "0"}, {"note.x", "gain", "0"},
+                                       {"note.51", "gain", "25"}, {"note.51", "choke", "1.5"},
+                                       {"note.51", "pitch", "1"}, {"note.51", "gain", "loud"}};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    message[0] = '\0';
+    assert_false(
+      kit_samples_set(samples, "a.ini", bad[i][0], bad[i][1], bad[i][2], message, sizeof message));
+    assert_true(message[0] != '\0');
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test_setup_teardown(a_stroke_plays_the_sample_from_its_frame_on, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(blocks_change_nothing_and_a_stroke_chokes_its_group, prepare,
+                                    clean_up),
+    cmocka_unit_test_setup_teardown(sections_are_read_or_refused, prepare, clean_up),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

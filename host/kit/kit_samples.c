@@ -164,6 +164,7 @@ static void add_voice(KitSamples *samples, KitSampleVoice *voice, float *left, f
   const float *const other = sample->sound[1] ? sample->sound[1] : sample->sound[0];
   const uint32_t from = voice->wait < frames ? voice->wait : frames;
   voice->wait -= from;
+  voice->hold -= from < voice->hold ? from : voice->hold;
   for (uint32_t i = from; i < frames; i++) {
     const bool ends = voice->position == sample->frames || (voice->fades && voice->left == 0);
     if (ends) {

@@ -127,9 +127,10 @@ static bool is_wanted(const TbKitVoice *voice, uint32_t mic, float *const *mics)
   return mics && mics[mic];
 }
 
-/* A TaborKitJob: the drum's part of the piece. It writes to nothing but its voice. */
+/* A TaborKitJob: the drum's part of the piece, on any thread. It writes to nothing but its voice. */
 static void play(void *context, uint32_t drum) {
   TaborKit *const kit = context;
+  const TbFpMode mode = tb_fp_enter();
   TbKitVoice *const voice = &kit->voices[drum];
   const TaborKitOutputs *const to = kit->outputs;
   const uint32_t frames = kit->frames;
@@ -150,6 +151,7 @@ static void play(void *context, uint32_t drum) {
   tb_drum_process(voice->drum, voice->events, voice->count, &air, outputs, frames);
   memcpy(voice->heard, said, frames * sizeof *said); /* only said once all drums have heard */
   if (tabor_drum_model(voice->drum) != voice->model) tb_kit_voice_bind(kit, drum);
+  tb_fp_leave(mode);
 }
 
 static double sample_of(const TbKitVoice *voice, uint32_t mic, uint32_t frame) {

@@ -95,6 +95,25 @@ static void COUNT(laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws
 }
 
 #if TB_REAL_IS_FLOAT
+static float COUNT(begin)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws_of,
+                          TbStartF *start, OutF f) {
+  laws += (uint64_t)wires * lanes;
+  work += 2ull * wires * lanes;
+  return TABLE.begin(wires, lanes, laws_of, start, f);
+}
+
+static void COUNT(try_forces)(TbTrial *trial) {
+  laws += (uint64_t)trial->wires * trial->lanes;
+  work += 2ull * trial->wires * trial->lanes;
+  TABLE.try_forces(trial);
+}
+
+static void COUNT(try_moved)(TbTrial *trial) {
+  laws += (uint64_t)trial->wires * trial->lanes;
+  work += 2ull * trial->wires * trial->lanes;
+  TABLE.try_moved(trial);
+}
+
 COUNTED(narrow, n, (uint32_t n, In x, OutF out), (n, x, out))
 COUNTED(narrow_change, n, (uint32_t n, In x, In y, OutF out), (n, x, y, out))
 COUNTED(widen, n, (uint32_t n, InF x, Out out), (n, x, out))
@@ -102,6 +121,7 @@ COUNTED(add_widened, n, (uint32_t n, InF x, Out out), (n, x, out))
 COUNTED_RESULT(bool, penetrate, n,
                (uint32_t n, float side, InF w, In v, In v_last, In load, In y, Out b),
                (n, side, w, v, v_last, load, y, b))
+COUNTED(give, n, (uint32_t n, const TbEndF *end), (n, end))
 COUNTED_RESULT(float, aim, n,
                (uint32_t n, InF law, InF slope, InF yield, OutF f, OutF weight, OutF x),
                (n, law, slope, yield, f, weight, x))
@@ -181,6 +201,10 @@ static const TbKernels counting = {
   .widen = COUNT(widen),
   .add_widened = COUNT(add_widened),
   .penetrate = COUNT(penetrate),
+  .begin = COUNT(begin),
+  .try_forces = COUNT(try_forces),
+  .try_moved = COUNT(try_moved),
+  .give = COUNT(give),
   .aim = COUNT(aim),
   .left_over = COUNT(left_over),
   .combine = COUNT(combine),

@@ -10,6 +10,7 @@
 #include "kernels/simd_tables.h"
 #include "kernels/simd_wire_grid.h"
 #ifdef TB_FLOAT
+#  include "kernels/simd_contact_trial.h"
 #  include "kernels/simd_narrow.h"
 #else
 #  include "kernels/simd_state.h"
@@ -44,6 +45,10 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .widen = widen,
   .add_widened = add_widened,
   .penetrate = penetrate,
+  .begin = begin,
+  .try_forces = try_forces,
+  .try_moved = try_moved,
+  .give = give,
   .aim = aim,
   .left_over = left_over,
   .combine = combine,

@@ -60,6 +60,20 @@ typedef struct TB_TYPE(TbBalance) {
   TB_REAL value, derivative, size, miss;
 } TB_TYPE(TbBalance);
 
+#if TB_REAL_IS_FLOAT
+/* One pass over the rows of wires, `lanes` rows each, at the forces f + t g of TbBalance. `balance` has its sums; `way` is
+ * the largest |s|, `lost` Sum s (law - mean), `touching` the number of slopes > 0. */
+typedef struct TbTrial {
+  uint32_t wires, lanes;
+  const TbContactLaw *laws;
+  float t;
+  const float *b, *y, *root, *yield, *f, *f_last, *p, *p_last;
+  TbBalanceF balance;
+  float way, lost;
+  uint32_t touching;
+} TbTrial;
+#endif
+
 typedef struct TB_TYPE(TbKernels) {
   /* ---- vectors and tables, in either precision --------------------------------------------- */
 
@@ -133,6 +147,15 @@ typedef struct TB_TYPE(TbKernels) {
   /* b = (side w - (v - v_last)) + load. Returns true if y or y + b is above -TB_NEAR anywhere. */
   bool (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
                     const double *load, const double *y, double *b);
+  /* `start` for the rows of wires, and the laws there: f = f_last + (law - f_last)/(1 + slope yield). Returns the largest
+   * change of f. */
+  float (*begin)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws, TbStartF *start,
+                 float *f);
+  /* The laws at s = b - p - t (p - p_last), never stored: `try_forces` takes t = 0, and finds `way` and `miss`, too. */
+  void (*try_forces)(TbTrial *trial);
+  void (*try_moved)(TbTrial *trial);
+  /* `end` without the sums of the laws. */
+  void (*give)(uint32_t n, const TbEndF *end);
   /* With `firm` = 1 + slope yield: weight = sqrt(slope), f += (law - f)/firm, and x with law + weight x
    * = f. Returns the largest change of f. */
   float (*aim)(uint32_t n, const float *law, const float *slope, const float *yield, float *f,

@@ -167,23 +167,6 @@ static INLINE Secant secant_of_power(const LawLanes *law, uint32_t power, Vector
                   vector_pick(air, change * per_s, inside.rise)};
 }
 
-typedef struct LawArrays {
-  const Real *y, *root, *s; /* root: sqrt(y), 0 where y < 0, if available; otherwise NULL */
-  Real *force, *slope, *mean;
-} LawArrays;
-
-/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope; 0 in lanes without contact. */
-static INLINE void law_with_loss(const LawLanes *law, Vector s, Vector top, Secant secant,
-                                 LawArrays at) {
-  const Vector factor = REAL(1.0) + law->loss * s;
-  const Bits touching = vector_greater(top, none()), pushing = vector_greater(factor, none());
-  const Vector mean = vector_pick(touching, secant.mean, none());
-  const Vector rise = vector_pick(touching, secant.rise, none());
-  write(at.mean, mean);
-  write(at.force, vector_pick(pushing, mean * factor, none()));
-  write(at.slope, vector_pick(pushing, rise * factor + law->loss * mean, none()));
-}
-
 /* Lanes beyond the knee use their own formulas; the other lanes keep their values. The result of a
  * lane must not depend on the other lanes in its register, and so on the register's width. This
  * case is rare, so it is kept out of line. */
@@ -197,24 +180,47 @@ static __attribute__((noinline)) Secant with_knee(const LawLanes *law, uint32_t 
                   vector_pick(beyond, over.rise, below->rise)};
 }
 
-static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawArrays arrays) {
+/* What a law gives: see TbContactLawResult. */
+typedef struct LawVectors {
+  Vector force, slope, mean;
+} LawVectors;
+
+/* (DV/s) max(0, 1 + lambda s/(2k)) and its slope; 0 in lanes without contact. */
+static INLINE LawVectors law_with_loss(const LawLanes *law, Vector s, Vector top, Secant secant) {
+  const Vector factor = REAL(1.0) + law->loss * s;
+  const Bits touching = vector_greater(top, none()), pushing = vector_greater(factor, none());
+  const Vector mean = vector_pick(touching, secant.mean, none());
+  const Vector rise = vector_pick(touching, secant.rise, none());
+  return (LawVectors){vector_pick(pushing, mean * factor, none()),
+                      vector_pick(pushing, rise * factor + law->loss * mean, none()), mean};
+}
+
+/* The law at s, with p = sqrt(y) where y > 0 if the power is 3. */
+static INLINE LawVectors law_vectors(const LawLanes *law, uint32_t power, Vector y, Vector p,
+                                     Vector s) {
+  const Vector x = y + s, top = vector_larger(x, y);
+  if (!vector_any(vector_greater(top, none()))) return (LawVectors){none(), none(), none()};
+  Secant secant =
+    power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, p, s, x);
+  const Bits beyond = vector_greater(top, every(law->limit));
+  if (vector_any(beyond)) secant = with_knee(law, power, y, s, beyond, &secant);
+  return law_with_loss(law, s, top, secant);
+}
+
+typedef struct LawArrays {
+  const Real *y, *root, *s; /* root: sqrt(y), 0 where y < 0, if available; otherwise NULL */
+  Real *force, *slope, *mean;
+} LawArrays;
+
+static INLINE void law_at(const LawLanes *law, uint32_t power, uint32_t n, LawArrays at) {
   for (uint32_t i = 0; i < n; i += WIDTH) {
-    const LawArrays at = {arrays.y + i,     NULL,           arrays.s + i, arrays.force + i,
-                          arrays.slope + i, arrays.mean + i};
-    const Vector y = read(at.y), s = read(at.s), x = y + s, top = vector_larger(x, y);
-    if (!vector_any(vector_greater(top, none()))) {
-      write(at.force, none());
-      write(at.slope, none());
-      write(at.mean, none());
-      continue;
-    }
+    const Vector y = read(at.y + i);
     Vector p = y;
-    if (power == 3) p = arrays.root ? read(arrays.root + i) : vector_root(vector_larger(y, none()));
-    Secant secant =
-      power == 2 ? secant_of_line(law, y, s, x) : secant_of_power(law, power, y, p, s, x);
-    const Bits beyond = vector_greater(top, every(law->limit));
-    if (vector_any(beyond)) secant = with_knee(law, power, y, s, beyond, &secant);
-    law_with_loss(law, s, top, secant, at);
+    if (power == 3) p = at.root ? read(at.root + i) : vector_root(vector_larger(y, none()));
+    const LawVectors values = law_vectors(law, power, y, p, read(at.s + i));
+    write(at.force + i, values.force);
+    write(at.slope + i, values.slope);
+    write(at.mean + i, values.mean);
   }
 }
 

@@ -12,35 +12,55 @@ typedef TYPE_OF(TbEnd) End;
 typedef TYPE_OF(TbResidual) Residual;
 typedef TYPE_OF(TbBalance) Balance;
 
+/* The largest |b|, y and |f| so far. */
+typedef struct StartSizes {
+  Lanes change, depth, force;
+} StartSizes;
+
+/* What a block of rows starts from. */
+typedef struct StartBlock {
+  Lanes s, y, f;
+#ifdef TB_FLOAT
+  Lanes root, yield;
+#endif
+} StartBlock;
+
+static INLINE StartBlock start_block(const Start *at, uint64_t i, StartSizes *sizes) {
+  const Lanes b = load_double(at->from_b + i);
+  StartBlock rows = {.s = load_change(at->from_b + i, at->from_p + i),
+                     .y = load_double(at->from_y + i),
+                     .f = load_double(at->from_f + i)};
+#ifdef TB_FLOAT
+  const Lanes own = load_double(at->from_own + i);
+  rows.root = root(larger(rows.y, zero()));
+  rows.yield = add(own, load(at->head + i));
+  store(at->b + i, b);
+  store(at->y + i, rows.y);
+  store(at->root + i, rows.root);
+  store(at->own + i, own);
+  store(at->yield + i, rows.yield);
+  sizes->force = larger(size_of(rows.f), sizes->force);
+#endif
+  store(at->f + i, rows.f);
+  store(at->p + i, load_double(at->from_p + i));
+  sizes->change = larger(size_of(b), sizes->change);
+  sizes->depth = larger(rows.y, sizes->depth);
+  return rows;
+}
+
+static INLINE void give_sizes(const StartSizes *sizes, Start *start) {
+  start->change = largest_of(sizes->change);
+  start->depth = largest_of(sizes->depth);
+#ifdef TB_FLOAT
+  start->force = largest_of(sizes->force);
+#endif
+}
+
 static void start(uint32_t n, Start *whole) {
   const Start copy = *whole, *at = &copy; /* no store changes the copy */
-  Lanes change = zero(), deepest = zero();
-#ifdef TB_FLOAT
-  Lanes strongest = zero();
-#endif
-  for (uint64_t i = 0; i < n; i += 8) {
-    const Lanes b = load_double(at->from_b + i), y = load_double(at->from_y + i);
-    const Lanes f = load_double(at->from_f + i);
-    store(at->s + i, load_change(at->from_b + i, at->from_p + i));
-#ifdef TB_FLOAT
-    store(at->b + i, b);
-    store(at->y + i, y);
-    store(at->root + i, root(larger(y, zero())));
-    const Lanes own = load_double(at->from_own + i);
-    store(at->own + i, own);
-    store(at->yield + i, add(own, load(at->head + i)));
-    strongest = larger(size_of(f), strongest);
-#endif
-    store(at->f + i, f);
-    store(at->p + i, load_double(at->from_p + i));
-    change = larger(size_of(b), change);
-    deepest = larger(y, deepest);
-  }
-  whole->change = largest_of(change);
-  whole->depth = largest_of(deepest);
-#ifdef TB_FLOAT
-  whole->force = largest_of(strongest);
-#endif
+  StartSizes sizes = {zero(), zero(), zero()};
+  for (uint64_t i = 0; i < n; i += 8) store(at->s + i, start_block(at, i, &sizes).s);
+  give_sizes(&sizes, whole);
 }
 
 static void end(uint32_t n, End *whole) {

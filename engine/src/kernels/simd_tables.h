@@ -61,13 +61,20 @@ static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix,
 
 typedef TYPE_OF(TbGather) Gather;
 
-/* Number of blocks of rows taken at once, and the number of partial sums per row, so that an
- * addition seldom waits for the one before. In double each row has one sum, in ascending order. */
-enum { GATHER_BLOCKS = SINGLE ? 4 : 2 };
+/* Most sums at once, blocks of rows times vectors: what fits the registers of every instruction set beside a table's entry.
+ * In single precision a row has several partial sums where there are few sums, so that an addition seldom waits for the one
+ * before, and a turn of the loop takes several columns. In double each row has one sum, in ascending order. */
+enum { GATHER_SUMS = SINGLE ? 6 : 4, GATHER_COLUMNS = SINGLE ? 4 : 1 };
 
-static INLINE uint32_t ways_of(uint32_t vectors, uint32_t count) {
-  if (!SINGLE || count == 4) return 1;
-  return (count == 1 ? 4 : 2) / vectors;
+static INLINE uint32_t ways_of(uint32_t sums) {
+  if (!SINGLE || sums >= 4) return 1;
+  return sums == 1 ? 4 : 2;
+}
+
+/* Number of blocks to take at once, of `left` and at most `most`: about equal shares, since a small one is dear. */
+static INLINE uint32_t share_of(uint32_t left, uint32_t most) {
+  const uint32_t turns = (left + most - 1u) / most;
+  return (left + turns - 1u) / turns;
 }
 
 static INLINE Lanes entry(bool rounded, const Gather *g, uint64_t at) {
@@ -83,25 +90,27 @@ static INLINE Lanes entry(bool rounded, const Gather *g, uint64_t at) {
 static INLINE void gather_blocks(bool rounded, uint32_t vectors, uint32_t count, const Gather *g,
                                  uint32_t block) {
   const uint64_t stride = 8u * (uint64_t)g->n, from = stride * block;
-  const uint32_t ways = ways_of(vectors, count);
-  Lanes sum[4][8];
+  const uint32_t ways = ways_of(vectors * count);
+  Lanes sum[4][GATHER_SUMS];
   for (uint32_t w = 0; w < ways; w++) {
+    UNROLL(6)
     for (uint32_t s = 0; s < vectors * count; s++) sum[w][s] = zero();
   }
-  for (uint64_t i = 0; i < g->part; i += ways) {
+  for (uint64_t i = 0; i < g->part; i += GATHER_COLUMNS) {
     UNROLL(4)
-    for (uint32_t w = 0; w < ways; w++) {
-      UNROLL(4)
+    for (uint32_t c = 0; c < GATHER_COLUMNS; c++) {
+      UNROLL(6)
       for (uint32_t b = 0; b < count; b++) {
-        const Lanes m = entry(rounded, g, from + b * stride + 8u * (i + w));
+        const Lanes m = entry(rounded, g, from + b * stride + 8u * (i + c));
         UNROLL(2)
         for (uint32_t v = 0; v < vectors; v++) {
-          sum[w][v * count + b] = add(sum[w][v * count + b], scale(m, g->x[v][i + w]));
+          Lanes *to = &sum[c % ways][v * count + b];
+          *to = add(*to, scale(m, g->x[v][i + c]));
         }
       }
     }
   }
-  UNROLL(8)
+  UNROLL(6)
   for (uint32_t s = 0; s < vectors * count; s++) {
     if (ways == 4) sum[1][s] = add(sum[1][s], sum[3][s]);
     if (ways == 4) sum[0][s] = add(sum[0][s], sum[2][s]);
@@ -111,14 +120,24 @@ static INLINE void gather_blocks(bool rounded, uint32_t vectors, uint32_t count,
 }
 
 static INLINE void gather_all(bool rounded, uint32_t vectors, const Gather *g) {
+  const uint32_t most = SINGLE ? GATHER_SUMS / vectors : 2;
   for (uint32_t b = 0, take; b < g->blocks; b += take) {
-    const uint32_t left = g->blocks - b;
-    take = left < GATHER_BLOCKS ? left : GATHER_BLOCKS;
+    take = share_of(g->blocks - b, most);
     switch (take) { /* one copy of the code for each */
     case 1: gather_blocks(rounded, vectors, 1, g, b); break;
     case 2: gather_blocks(rounded, vectors, 2, g, b); break;
-    case 3: gather_blocks(rounded, vectors, 3, g, b); break;
-    default: gather_blocks(rounded, vectors, 4, g, b); break;
+    case 3:
+      if (most >= 3) gather_blocks(rounded, vectors, 3, g, b);
+      break;
+    case 4:
+      if (most >= 4) gather_blocks(rounded, vectors, 4, g, b);
+      break;
+    case 5:
+      if (most >= 5) gather_blocks(rounded, vectors, 5, g, b);
+      break;
+    default:
+      if (most >= 6) gather_blocks(rounded, vectors, 6, g, b);
+      break;
     }
   }
 }

@@ -5,6 +5,8 @@
 #ifndef TB_SIMD_WIRE_GRID_H
 #define TB_SIMD_WIRE_GRID_H
 
+#include <stddef.h>
+
 #include "kernels/kernels.h"
 #include "kernels/simd_lanes.h"
 #include "kernels/simd_tables.h"
@@ -111,13 +113,15 @@ static INLINE void gather_tile(uint32_t lines, uint32_t blocks, uint32_t line, u
   store_tile(lines, blocks, &tile, wire_grid->lanes, to + line * wire_grid->lanes + at);
 }
 
-static INLINE void spread_parity(uint32_t blocks, const Bed *wire_grid, uint32_t from, uint32_t end,
-                                 const Real *across, const Real *lines, Lanes *sum) {
+/* sum[b] = Sum over `count` lines of across[l] lines[l] */
+static INLINE void spread_parity(uint32_t blocks, uint32_t count, size_t step, const Real *across,
+                                 const Real *lines, Lanes *sum) {
+  UNROLL(4)
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
-  for (uint32_t l = from; l < end; l++) {
+  for (const Real *end = across + count; across < end; across++, lines += step) {
     UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
-      sum[b] = add(sum[b], scale(load(lines + l * wire_grid->lanes + 8u * b), across[l]));
+      sum[b] = add(sum[b], scale(load(lines + 8u * b), *across));
     }
   }
 }
@@ -125,14 +129,15 @@ static INLINE void spread_parity(uint32_t blocks, const Bed *wire_grid, uint32_t
 /* For one pair: x[v], x[image] = Sum over even lines +- Sum over odd lines */
 static INLINE void spread_tile(uint32_t lines, uint32_t blocks, uint32_t pair, uint32_t at,
                                const Bed *wire_grid, const Real *from, Real *x) {
+  const size_t step = wire_grid->lanes;
+  const uint32_t even = wire_grid->first_line[1], odd = wire_grid->lines - even;
   for (uint32_t w = pair; w < pair + lines; w++) {
     const Real *across = wire_grid->across + w * wire_grid->lines;
     Real *own = x + w * wire_grid->lanes + at,
          *image = x + image_of(wire_grid, w) * wire_grid->lanes + at;
     Lanes s[MOST_BLOCKS], d[MOST_BLOCKS];
-    spread_parity(blocks, wire_grid, 0, wire_grid->first_line[1], across, from + at, s);
-    spread_parity(blocks, wire_grid, wire_grid->first_line[1], wire_grid->lines, across, from + at,
-                  d);
+    spread_parity(blocks, even, step, across, from + at, s);
+    spread_parity(blocks, odd, step, across + even, from + even * step + at, d);
     UNROLL(4)
     for (uint32_t b = 0; b < blocks; b++) {
       store(image + 8u * b, subtract(s[b], d[b]));

@@ -11,7 +11,7 @@
  * what it would change. States, their response to the forces, and the ledger stay double, so
  * nothing drifts. The work of the forces and the energy that contacts store agree only to rounding:
  * about 1e-7 of the energy that goes through the contacts in a sample, with either sign. The
- * iteration ends where forces would lose up to 3e-6 of that energy; this loss is booked as lost in
+ * iteration ends where forces would lose up to 3e-5 of that energy; this loss is booked as lost in
  * contacts.
  *
  * In double, an iteration that does not converge is balanced once more, up to half of the forces'

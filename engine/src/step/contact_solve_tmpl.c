@@ -19,8 +19,8 @@ typedef TYPE_OF(TbBalance) Balance;
 /* Forces are balanced where they lose this part of the work that makes up the balance, and as far
  * on either side: in single precision sums are right to a tenth of it, and nothing may be
  * gained. */
-static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-6 : 0.0);
-static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-6 : 1e-13);
+static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-5 : 0.0);
+static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-5 : 1e-13);
 static const uint32_t MOST_BALANCE_STEPS = SINGLE ? 4 : 8;
 static const Real BALANCE_REACH = REAL(SINGLE ? 0.25 : 0.1);
 #ifdef TB_FLOAT
@@ -68,31 +68,30 @@ static void yield_at_slots(TbSolve *solve) {
   }
 }
 
-/* Everything in single precision; s = b - M f of the last sample's forces. */
-static TbStartF take_in(TbSolve *solve) {
+/* The start from row `from` on: everything in single precision, s = b - M f of the last sample's forces. */
+static TbStartF start_at(TbSolve *solve, uint32_t from) {
   TbSolveWorkF *work = &solve->workf;
-  TbStartF start = {.from_b = solve->in.b,
-                    .from_p = solve->warm.product,
-                    .from_y = solve->in.y,
-                    .from_f = solve->warm.force,
-                    .from_own = solve->in.own,
-                    .p = work->product_last,
-                    .f = work->force_last,
-                    .s = work->s,
-                    .b = work->b,
-                    .y = work->y,
-                    .root = work->root,
-                    .own = work->own,
-                    .head = solve->in.yield,
-                    .yield = work->yield};
-  solve->in.kernelsf->start(total_rows(solve), &start);
-  yield_at_slots(solve);
+  return (TbStartF){.from_b = solve->in.b + from,
+                    .from_p = solve->warm.product + from,
+                    .from_y = solve->in.y + from,
+                    .from_f = solve->warm.force + from,
+                    .from_own = solve->in.own + from,
+                    .p = work->product_last + from,
+                    .f = work->force_last + from,
+                    .s = work->s + from,
+                    .b = work->b + from,
+                    .y = work->y + from,
+                    .root = work->root + from,
+                    .own = work->own + from,
+                    .head = solve->in.yield + from,
+                    .yield = work->yield + from};
+}
+
+static void take_stretch(TbSolve *solve) {
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
     solve->in.kernelsf->narrow(solve->in.wire_gridf->size, solve->in.stretch_grid[h],
-                               work->stretch[h]);
+                               solve->workf.stretch[h]);
   }
-  work->wires = true;
-  return start;
 }
 
 static void take_grid(TbSolve *solve) {
@@ -388,25 +387,40 @@ static End give_rows(TbSolve *solve, uint32_t from, uint32_t rows, Real t) {
   return end;
 }
 
-/* The forces where they are balanced, and what the laws lose there. */
-static void give_back(TbSolve *solve, Move move, TbSolveOutcome *outcome) {
+/* Books what the laws lose, at the wires and at the slots' own forces. */
+static void book(TbSolve *solve, Real wires_lost, uint32_t touching, TbSolveOutcome *outcome) {
   const Work *work = work_of(solve);
-  const uint32_t stride = solve->in.stride;
-  const End wires = give_rows(solve, 0, stride, move.t);
-  double contact = (double)(wires.lost + move.over), damper = 0.0;
-  outcome->touching = wires.touching;
-  if (solve->in.slot_mask) {
-    outcome->touching += give_rows(solve, stride, TB_SLOTS, move.t).touching;
-  }
+  double contact = (double)wires_lost, damper = 0.0;
+  outcome->touching = touching;
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     if (!tb_slot_in_play(&solve->in, slot)) continue;
-    const uint32_t row = stride + slot;
+    const uint32_t row = solve->in.stride + slot;
     const bool hand = solve->in.slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER;
     *(hand ? &damper : &contact) +=
       solve->s[row] * ((double)work->law[row] - (double)work->mean[row]);
   }
   outcome->contact_loss = 0.5 * contact;
   outcome->damper_loss = 0.5 * damper;
+}
+
+/* The same for the slots' rows; returns how many touch. */
+static uint32_t give_slots(TbSolve *solve, Real t) {
+  return solve->in.slot_mask ? give_rows(solve, solve->in.stride, TB_SLOTS, t).touching : 0u;
+}
+
+/* The forces where they are balanced, and what the laws lose there. */
+static void give_back(TbSolve *solve, Move move, TbSolveOutcome *outcome) {
+  const End wires = give_rows(solve, 0, solve->in.stride, move.t);
+  const uint32_t touching = wires.touching + give_slots(solve, move.t);
+  book(solve, wires.lost + move.over, touching, outcome);
+}
+
+/* The wires' forces on the grid, moved along with the others. */
+static void move_grid(TbSolve *solve, Real t) {
+  const Work *work = work_of(solve);
+  kernels_of(solve)->extrapolate(solve->in.wire_grid->size, t, work->grid, work->grid_last,
+                                 work->grid, work->grid);
+  give_grid(solve);
 }
 
 static void evaluate(TbSolve *solve) {
@@ -425,9 +439,7 @@ static bool settles(TbSolve *solve, Real enough, Real reach, TbSolveOutcome *out
   if (!(sums.miss <= enough)) return false;
   if (balance(solve, sums, reach, &move)) {
     give_back(solve, move, outcome);
-    kernels_of(solve)->extrapolate(solve->in.wire_grid->size, move.t, work->grid, work->grid_last,
-                                   work->grid, work->grid);
-    give_grid(solve);
+    move_grid(solve, move.t);
     if (work->wires || !wires_touch(solve, work->s)) return true;
   }
   evaluate(solve); /* it has left the laws of another place */
@@ -518,12 +530,14 @@ static bool iterate(TbSolve *solve, TbStart size, TbSolveOutcome *outcome) {
 }
 #endif
 
+#ifndef TB_FLOAT
 static bool solve_contacts(TbSolve *solve, TbSolveOutcome *outcome) {
-  const Start size = take_in(solve);
+  const TbStart size = take_in(solve);
   outcome->iterations = 0;
-  apply_laws(solve, work_of(solve)->s);
+  apply_laws(solve, solve->work.s);
   return iterate(solve, size, outcome);
 }
+#endif
 
 /* ---- for others ----------------------------------------------------------------------------- */
 
@@ -546,6 +560,6 @@ static void product(TbSolve *solve, const double *x, double *grid, double *out) 
 void tb_contact_newton_step(TbSolve *solve, uint32_t inner_cap, double inner_tolerance) {
   newton_step(solve, find_residual(solve), inner_cap, inner_tolerance);
 }
-#endif
 
-const TbContactMethod NAME_OF(tb_contact_method) = {near, solve_contacts, product};
+const TbContactMethod tb_contact_method = {near, solve_contacts, product};
+#endif

@@ -3,6 +3,8 @@
 
 static bool is_silent(const TbIncident *sound) { return sound->now == 0.0 && sound->before == 0.0; }
 
+bool tb_incident_pushes(const TbView *view) { return !is_silent(&view->incident); }
+
 void tb_incident_push(TbView *view) {
   const TbIncident *sound = &view->incident;
   const TbModes *modes = &view->model->modes;

@@ -109,6 +109,12 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
   return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
+/* The same at the end of the step, where modes_end.h knows one microphone's. */
+static TbPair sums_at_end(const TbView *view, uint32_t mic, TbPair high) {
+  if (mic != view->ear) return sums_at(view, mic, &view->next, high);
+  return (TbPair){view->end.heard.first + high.first, view->end.heard.second + high.second};
+}
+
 /* The high band's part. The tap is for other drums, which hear low notes (kit/kit.h): it has none. */
 static TbPair high_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
   if (mic == view->tap) return (TbPair){0.0, 0.0};
@@ -135,7 +141,7 @@ static double equalized(TbView *view, uint32_t mic, double pressure) {
                          : tb_force_equalizer_rest(memory, pressure);
 }
 
-static uint32_t first_of(uint32_t heard) {
+uint32_t tb_first_heard(uint32_t heard) {
   uint32_t mic = 0;
   while (heard != 0 && !(heard >> mic & 1u)) mic++;
   return mic;
@@ -145,7 +151,7 @@ static uint32_t first_of(uint32_t heard) {
 void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
   TbState *state = view->state;
   const TbLiveParam *live = state->live;
-  const uint32_t first = first_of(heard);
+  const uint32_t first = tb_first_heard(heard);
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
@@ -159,7 +165,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
     if (heard >> mic & 1u) {
       const TbPair own =
         mic == first && mic != view->tap ? high : high_sums_at(view, mic, &view->next);
-      p = hear(&state->ears[mic], sums_at(view, mic, &view->next, own));
+      p = hear(&state->ears[mic], sums_at_end(view, mic, own));
       if (mic == view->tap) view->tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /

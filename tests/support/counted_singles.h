@@ -142,9 +142,9 @@ COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, 
 COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
 COUNTED_RESULT(TbPair, stretch_dots, modes_of(parts),
                (const TbParts *parts, const double *const pull[2], In x), (parts, pull, x))
-COUNTED(unstretch, modes_of(parts),
-        (const TbParts *parts, const double f[2], const double *const pull[2], Out next),
-        (parts, f, pull, next))
+COUNTED(step_and_stretch, s->modes + modes_of(parts), (const TbParts *parts, TbStretching *s),
+        (parts, s))
+COUNTED(end_modes, 3ull * end->modes, (const TbParts *parts, TbModesEnd *end), (parts, end))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED(losses, n,
         (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
@@ -214,8 +214,9 @@ static const TbKernels counting = {
   .gather_rounded = COUNT(gather_rounded),
   .two_step = COUNT(two_step),
   .stretch = COUNT(stretch),
+  .step_and_stretch = COUNT(step_and_stretch),
   .stretch_dots = COUNT(stretch_dots),
-  .unstretch = COUNT(unstretch),
+  .end_modes = COUNT(end_modes),
   .reach = COUNT(reach),
   .losses = COUNT(losses),
   .subtract = COUNT(subtract),

@@ -31,11 +31,23 @@ typedef struct TbParts {
 
 /* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the other's pull alone. */
 typedef struct TbStretching {
-  uint32_t heads;
-  const double *gain[2], *g, *q, *next, *last; /* [modes] */
-  double *pull[2];                             /* [modes], out */
-  double along[2], own[2][2];                  /* out */
+  uint32_t modes;
+  const double *a, *b;                  /* [modes], as all arrays: of the two-step recursion */
+  const double *gain[2], *g, *q, *last; /* q at the present instant */
+  double *next;                         /* read, or written: see the kernels */
+  double *pull[2];                      /* out */
+  double along[2], own[2][2];           /* out */
 } TbStretching;
+
+/* The end of a step of the modes: what heads' stretching adds, what the modes have lost then, by origin, and what one microphone
+ * hears of them. */
+typedef struct TbModesEnd {
+  uint32_t modes, origins;                                 /* origins: 2 or 3 */
+  const double *pull[2], *last, *loss[3], *ahead, *behind; /* [modes] */
+  double stretch[2], *next; /* next is changed by stretch[h] pull[h] */
+  double lost[3];           /* out */
+  TbPair heard;             /* out */
+} TbModesEnd;
 
 /* Consecutive modes of the high band, up to `end`. */
 typedef struct TbRingPart {

@@ -180,13 +180,15 @@ typedef struct TB_TYPE(TbKernels) {
   /* out = a x - b y */
   void (*two_step)(uint32_t n, double *out, const double *a, const double *x, const double *b,
                    const double *y);
-  /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l */
+  /* y_h = gain_h q, pull_h = g y_h, along_h = Sum y_h (next + last), own_hl = Sum y_h pull_l;
+   * `step_and_stretch` takes the step of all modes with it, next = a q - b last. */
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
+  void (*step_and_stretch)(const TbParts *parts, TbStretching *stretching);
   /* Sum pull_h x, of the modes that stretch head h */
   TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[2], const double *x);
-  /* next += f_0 pull_0 + f_1 pull_1, of the heads that a part stretches */
-  void (*unstretch)(const TbParts *parts, const double f[2], const double *const pull[2],
-                    double *next);
+  /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`, and Sum ahead next and
+   * Sum behind next. */
+  void (*end_modes)(const TbParts *parts, TbModesEnd *end);
   /* Sum c |x| */
   double (*reach)(uint32_t n, const double *c, const double *x);
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */

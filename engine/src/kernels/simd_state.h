@@ -15,15 +15,26 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
   }
 }
 
-/* Reads a copy of `out`: the compiler would have to assume that a store changes *out. */
+/* ---- heads that stretch ----------------------------------------------------------------------- */
+
+/* In the functions of this part, `steps` is a constant at every call: whether next is computed or read. They read a copy of the
+ * struct, or the compiler would have to assume that a store changes it. */
+static INLINE Lanes next_of(bool steps, const TbStretching *s, uint64_t i, Lanes q, Lanes last) {
+  if (!steps) return load(s->next + i);
+  const Lanes next =
+    subtract(multiply_lanes(load(s->a + i), q), multiply_lanes(load(s->b + i), last));
+  store(s->next + i, next);
+  return next;
+}
+
 /* Modes that stretch both heads. */
-static INLINE void stretch_both(uint64_t from, uint64_t end, const TbStretching *out,
+static INLINE void stretch_both(bool steps, uint64_t from, uint64_t end, const TbStretching *out,
                                 Lanes along[2], Lanes own[3]) {
   const TbStretching s = *out;
   Lanes a0 = along[0], a1 = along[1], o0 = own[0], o1 = own[1], cross = own[2];
   for (uint64_t i = from; i < end; i += 8) {
-    const Lanes q = load(s.q + i), g = load(s.g + i);
-    const Lanes moved = add(load(s.next + i), load(s.last + i));
+    const Lanes q = load(s.q + i), g = load(s.g + i), last = load(s.last + i);
+    const Lanes moved = add(next_of(steps, &s, i, q, last), last);
     const Lanes y0 = multiply_lanes(load(s.gain[0] + i), q), pull0 = multiply_lanes(g, y0);
     const Lanes y1 = multiply_lanes(load(s.gain[1] + i), q), pull1 = multiply_lanes(g, y1);
     store(s.pull[0] + i, pull0);
@@ -38,15 +49,16 @@ static INLINE void stretch_both(uint64_t from, uint64_t end, const TbStretching 
 }
 
 /* Modes that stretch one head. */
-static INLINE void stretch_one(uint64_t from, uint64_t end, const TbStretching *out, uint32_t head,
-                               Lanes *along, Lanes *own) {
+static INLINE void stretch_one(bool steps, uint64_t from, uint64_t end, const TbStretching *out,
+                               uint32_t head, Lanes *along, Lanes *own) {
   const TbStretching s = *out;
   const double *const gain = s.gain[head];
   double *const to = s.pull[head];
   Lanes a = *along, o = *own;
   for (uint64_t i = from; i < end; i += 8) {
-    const Lanes moved = add(load(s.next + i), load(s.last + i));
-    const Lanes y = multiply_lanes(load(gain + i), load(s.q + i));
+    const Lanes q = load(s.q + i), last = load(s.last + i);
+    const Lanes moved = add(next_of(steps, &s, i, q, last), last);
+    const Lanes y = multiply_lanes(load(gain + i), q);
     const Lanes pull = multiply_lanes(load(s.g + i), y);
     store(to + i, pull);
     a = add(a, multiply_lanes(y, moved));
@@ -55,22 +67,39 @@ static INLINE void stretch_one(uint64_t from, uint64_t end, const TbStretching *
   *along = a, *own = o;
 }
 
-static void stretch(const TbParts *parts, TbStretching *s) {
+/* Modes that stretch no head. */
+static INLINE void stretch_none(bool steps, uint64_t from, uint64_t end, const TbStretching *s) {
+  if (steps && from < end)
+    two_step((uint32_t)(end - from), s->next + from, s->a + from, s->q + from, s->b + from,
+             s->last + from);
+}
+
+static INLINE void stretch_parts(bool steps, const TbParts *parts, TbStretching *s) {
   Lanes along[2] = {zero(), zero()}, own[3] = {zero(), zero(), zero()};
+  uint64_t done = 0;
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
+    stretch_none(steps, done, from, s);
     if (parts->heads[part] == 3) {
-      stretch_both(from, end, s, along, own);
+      stretch_both(steps, from, end, s, along, own);
     } else {
       const uint32_t head = parts->heads[part] - 1u;
-      stretch_one(from, end, s, head, &along[head], &own[head]);
+      stretch_one(steps, from, end, s, head, &along[head], &own[head]);
     }
+    done = end;
   }
+  stretch_none(steps, done, s->modes, s);
   for (uint32_t h = 0; h < 2; h++) {
     s->along[h] = join(along[h]);
     s->own[h][h] = join(own[h]);
   }
   s->own[0][1] = s->own[1][0] = join(own[2]);
+}
+
+static void stretch(const TbParts *parts, TbStretching *s) { stretch_parts(false, parts, s); }
+
+static void step_and_stretch(const TbParts *parts, TbStretching *s) {
+  stretch_parts(true, parts, s);
 }
 
 static INLINE Lanes dot_of_part(uint64_t from, uint64_t end, const double *pull, const double *x,
@@ -101,24 +130,58 @@ static TbPair stretch_dots(const TbParts *parts, const double *const pull[2], co
   return (TbPair){join(first), join(second)};
 }
 
-static void unstretch(const TbParts *parts, const double f[2], const double *const pull[2],
-                      double *next) {
+/* ---- the end of a step ------------------------------------------------------------------------ */
+
+typedef struct EndSums {
+  Lanes lost[3], ahead, behind;
+} EndSums;
+
+/* `heads`, whose stretching moves these modes, and `origins` are constants at every call. */
+static INLINE void end_part(uint32_t heads, uint32_t origins, uint64_t from, uint64_t end,
+                            const TbModesEnd *at, EndSums *out) {
+  EndSums sums = *out;
+  for (uint64_t i = from; i < end; i += 8) {
+    Lanes next = load(at->next + i);
+    if (heads & 1u) next = add(next, scale(load(at->pull[0] + i), at->stretch[0]));
+    if (heads & 2u) next = add(next, scale(load(at->pull[1] + i), at->stretch[1]));
+    if (heads) store(at->next + i, next);
+    const Lanes step = subtract(next, load(at->last + i)), square = multiply_lanes(step, step);
+    UNROLL(3)
+    for (uint32_t j = 0; j < origins; j++) {
+      sums.lost[j] = add(sums.lost[j], multiply_lanes(load(at->loss[j] + i), square));
+    }
+    sums.ahead = add(sums.ahead, multiply_lanes(load(at->ahead + i), next));
+    sums.behind = add(sums.behind, multiply_lanes(load(at->behind + i), next));
+  }
+  *out = sums;
+}
+
+static INLINE void end_parts(uint32_t origins, const TbParts *parts, const TbModesEnd *at,
+                             EndSums *sums) {
+  uint64_t done = 0;
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
-    if (parts->heads[part] == 3) {
-      for (uint64_t i = from; i < end; i += 8) {
-        const Lanes sum = add(load(next + i), scale(load(pull[0] + i), f[0]));
-        store(next + i, add(sum, scale(load(pull[1] + i), f[1])));
-      }
-    } else {
-      const uint32_t head = parts->heads[part] - 1u;
-      const double *const own = pull[head];
-      const double by = f[head];
-      for (uint64_t i = from; i < end; i += 8) {
-        store(next + i, add(load(next + i), scale(load(own + i), by)));
-      }
+    end_part(0, origins, done, from, at, sums);
+    switch (parts->heads[part]) {
+    case 1: end_part(1, origins, from, end, at, sums); break;
+    case 2: end_part(2, origins, from, end, at, sums); break;
+    default: end_part(3, origins, from, end, at, sums); break;
     }
+    done = end;
   }
+  end_part(0, origins, done, at->modes, at, sums);
+}
+
+static void end_modes(const TbParts *parts, TbModesEnd *whole) {
+  const TbModesEnd copy = *whole;
+  EndSums sums = {{zero(), zero(), zero()}, zero(), zero()};
+  if (copy.origins == 3) {
+    end_parts(3, parts, &copy, &sums);
+  } else {
+    end_parts(2, parts, &copy, &sums);
+  }
+  for (uint32_t j = 0; j < 3; j++) whole->lost[j] = join(sums.lost[j]);
+  whole->heard = (TbPair){join(sums.ahead), join(sums.behind)};
 }
 
 static double reach(uint32_t n, const double *c, const double *x) {

@@ -122,12 +122,16 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
 }
 
 TbLosses tb_losses(const TbView *view) {
-  const TaborModel *model = view->model;
-  const TbModes *modes = &model->modes;
+  const TbModes *modes = &view->model->modes;
   const double *const origins[3] = {modes->loss_head, modes->loss_air, modes->loss_shell};
   double by[3] = {0.0};
-  model->kernels->losses(modes->padded, modes->walls ? 3 : 2, origins, view->next.q, view->last.q,
-                         by);
+  view->model->kernels->losses(modes->padded, modes->walls ? 3 : 2, origins, view->next.q,
+                               view->last.q, by);
+  return tb_losses_with(view, by);
+}
+
+TbLosses tb_losses_with(const TbView *view, const double by[3]) {
+  const TaborModel *model = view->model;
   TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;

@@ -24,5 +24,7 @@ typedef struct TbLosses {
   double head, radiated, shell, wires;
 } TbLosses;
 TbLosses tb_losses(const TbView *view);
+/* The same with the modes' losses known: of heads, sound and shell. */
+TbLosses tb_losses_with(const TbView *view, const double by[3]);
 
 #endif

@@ -3,6 +3,8 @@
 
 static bool is_silent(const TbIncident *sound) { return sound->now == 0.0 && sound->before == 0.0; }
 
+bool tb_incident_pushes(const TbView *view) { return !is_silent(&view->incident); }
+
 /* ---- all modes ------------------------------------------------------------------------------- */
 
 static void push_all(const TbMic *mic, const TbModes *modes, const TbIncident *sound, double *q) {

@@ -22,6 +22,8 @@
 /* Pressure that counts as silence [Pa]: the threshold of hearing. */
 #define TB_INCIDENT_LEAST 2e-5
 
+/* True if it acts in this step. */
+bool tb_incident_pushes(const TbView *view);
 /* Adds what the sound does to the modes' free motion in view->next. */
 void tb_incident_push(TbView *view);
 /* Work that it does in this step [J]. Call after view->next is filled. */

@@ -120,6 +120,19 @@ static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase
   return sums;
 }
 
+/* The same at the end of the step, where modes_end.h knows one microphone's. */
+static TbPair sums_at_end(const TbView *view, uint32_t mic, TbPair high) {
+  if (mic != view->ear) return sums_at(view, mic, &view->next, high);
+  return (TbPair){view->end.heard.first + high.first, view->end.heard.second + high.second};
+}
+
+/* `high` is the high band's part, if it is known. */
+static TbPair heard_at_end(TbView *view, uint32_t mic, const TbPair *high) {
+  if (mic == view->tap) return low_sums_at(view, mic, &view->next);
+  if (high) return sums_at_end(view, mic, *high);
+  return sums_at_end(view, mic, tb_high_band_step_of(view)->sums(view, mic, &view->next));
+}
+
 static TbPair all_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
   if (mic == view->tap) return low_sums_at(view, mic, phase);
   return sums_at(view, mic, phase, tb_high_band_step_of(view)->sums(view, mic, phase));
@@ -145,7 +158,7 @@ static double equalized(TbView *view, uint32_t mic, double pressure) {
                          : tb_force_equalizer_rest(memory, pressure);
 }
 
-static uint32_t first_of(uint32_t heard) {
+uint32_t tb_first_heard(uint32_t heard) {
   uint32_t mic = 0;
   while (heard != 0 && !(heard >> mic & 1u)) mic++;
   return mic;
@@ -155,7 +168,7 @@ static uint32_t first_of(uint32_t heard) {
 void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
   TbState *state = view->state;
   const TbLiveParam *live = state->live;
-  const uint32_t first = first_of(heard);
+  const uint32_t first = tb_first_heard(heard);
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
@@ -167,9 +180,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     double p = 0.0;
     if (heard >> mic & 1u) {
-      const bool known = mic == first && mic != view->tap;
-      p = hear(&state->ears[mic],
-               known ? sums_at(view, mic, &view->next, high) : all_sums_at(view, mic, &view->next));
+      p = hear(&state->ears[mic], heard_at_end(view, mic, mic == first ? &high : NULL));
       if (mic == view->tap) view->tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /

@@ -6,6 +6,9 @@
 
 #include "step/state.h"
 
+/* The first microphone of a set of bits; 0 of none. */
+uint32_t tb_first_heard(uint32_t heard);
+
 /* Moves the high band from view->now to view->next. Writes the signals of the microphones in the
  * mask `heard` to pressure[mic] as fractions of full scale, and 0 for the others. `unchanged`:
  * nothing touched in this step or in the last one. */

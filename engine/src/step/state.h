@@ -149,6 +149,8 @@ typedef struct TbIncident {
   double now, before;
 } TbIncident;
 
+#define TB_NO_EAR UINT32_MAX
+
 /* The three instants that a step touches: n + 1, n, n - 1. */
 typedef struct TbView {
   const TaborModel *model;
@@ -163,6 +165,10 @@ typedef struct TbView {
     *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
+  TbStretching stretching;                  /* the sums of this sample, if `stretched` */
+  bool stretched;
+  TbModesEnd end;        /* see modes_end.h */
+  uint32_t ear;          /* the microphone that is heard there, or TB_NO_EAR */
   double *stretch_carry; /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
   double *delay[TABOR_MAX_MICS];

@@ -13,6 +13,7 @@
 #include "step/live_params.h"
 #include "step/lug_forces.h"
 #include "step/mic_output.h"
+#include "step/modes_end.h"
 #include "step/reset.h"
 #include "step/stick_rigid.h"
 #include "step/stretch.h"
@@ -46,11 +47,8 @@ static void free_wires(TbView *view) {
 
 /* Where head and wires would be without contact forces, into view->next. */
 static void free_motion(TbView *view) {
-  const TaborModel *model = view->model;
-  const TbModes *modes = &model->modes;
   TB_STAGE(MODES);
-  model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
-                           view->last.q);
+  tb_stretch_move(view);
   TB_STAGE(WIRES);
   if (!view->state->lifted) free_wires(view);
   tb_rigid_stick_step(view);
@@ -150,8 +148,9 @@ static void respond(TbView *view, bool unchanged) {
   }
 }
 
-static void book_losses(TbView *view) {
-  const TbLosses losses = tb_losses(view);
+/* With the modes' losses of modes_end.h, unless the step was shortened after them. */
+static void book_losses(TbView *view, bool shortened) {
+  const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
   TaborLedger *sums = &view->state->sums;
   sums->head_loss += losses.head;
   sums->radiated += losses.radiated;
@@ -195,16 +194,18 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   respond(view, unchanged);
   TB_STAGE(STRETCH);
   tb_stretch_respond(view);
+  tb_modes_end(view, tb_first_heard(heard));
   TB_STAGE(LEDGER);
   const bool shortened = outcome.excess > 0.0 && tb_energy_guard(view);
   if (shortened) {
     tb_solve_forget(&view->solve);
     tb_stretch_clear(view);
+    view->ear = TB_NO_EAR;
   } else {
     view->state->sums.contact_loss += outcome.contact_loss;
     view->state->sums.damper_loss += outcome.damper_loss;
   }
-  book_losses(view);
+  book_losses(view, shortened);
   tb_mic_output(view, heard, unchanged, pressure);
   TB_STAGE(OTHER);
   view->state->airborne = !outcome.contact;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "step/incident_sound.h"
 #include "step/slot_compliance.h"
 #include "step/wire_motion.h"
 
@@ -52,22 +53,46 @@ static void prepare_grid(TbView *view) {
   }
 }
 
+static TbStretching stretching_of(const TbView *view) {
+  const TbModes *modes = &view->model->modes;
+  const TbStretch *stretch = &view->model->stretch;
+  return (TbStretching){.modes = modes->padded,
+                        .a = modes->a,
+                        .b = modes->b,
+                        .gain = {stretch->gain[0], stretch->gain[1]},
+                        .g = modes->g,
+                        .q = view->now.q,
+                        .last = view->last.q,
+                        .next = view->next.q,
+                        .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
+}
+
+/* If nothing else pushes the modes before tb_stretch_free(), one pass moves them and finds its sums. */
+void tb_stretch_move(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  view->stretched = model->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
+  if (view->stretched) {
+    view->stretching = stretching_of(view);
+    model->kernels->step_and_stretch(&model->stretch.parts, &view->stretching);
+  } else {
+    model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
+                             view->last.q);
+  }
+}
+
 void tb_stretch_free(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
   view->solve.in.stretch_count = stretch->count;
   if (stretch->count == 0) return;
-  TbStretching s = {.heads = stretch->count,
-                    .gain = {stretch->gain[0], stretch->gain[1]},
-                    .g = model->modes.g,
-                    .q = view->now.q,
-                    .next = view->next.q,
-                    .last = view->last.q,
-                    .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
-  model->kernels->stretch(&stretch->parts, &s);
-  weigh(stretch->count, s.own, stretch->factor, view->solve.in.stretch_weight);
+  if (!view->stretched) {
+    view->stretching = stretching_of(view);
+    model->kernels->stretch(&stretch->parts, &view->stretching);
+  }
+  weigh(stretch->count, view->stretching.own, stretch->factor, view->solve.in.stretch_weight);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    view->stretch_along[h] = s.along[h];
+    view->stretch_along[h] = view->stretching.along[h];
     view->stretch_rest[h] = 0.0;
   }
   prepare_slots(view);
@@ -116,7 +141,7 @@ void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
   if (stretch->count == 0) return;
-  double pushed[2] = {0.0}, along[2] = {0.0}, pull[2];
+  double pushed[2] = {0.0}, along[2] = {0.0};
   for (uint32_t h = 0; h < stretch->count; h++) {
     pushed[h] = pushed_along(view, h);
     along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
@@ -124,14 +149,12 @@ void tb_stretch_respond(TbView *view) {
   tb_stretch_clear(view);
   const uint32_t size = model->projection.wire_grid.size;
   for (uint32_t h = 0; h < stretch->count; h++) {
-    pull[h] = -tension(view, h, along);
+    view->end.stretch[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
     model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.in.stretch_grid[h]);
     model->kernels->add_scaled(TB_SLOTS, view->stretch_carry + size, past,
                                view->solve.in.stretch_slots[h]);
   }
-  const double *const pulls[2] = {view->stretch_pull[0], view->stretch_pull[1]};
-  model->kernels->unstretch(&stretch->parts, pull, pulls, view->next.q);
   view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
 }
 

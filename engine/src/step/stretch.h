@@ -22,6 +22,8 @@
 
 #include "step/state.h"
 
+/* The modes' free motion, into view->next. */
+void tb_stretch_move(TbView *view);
 /* Computes Y^T (x + q-), r and W. Call after the modes' free motion and before the contacts.
  * tb_stretch_respond() adds the force itself; until then next.q is x. */
 void tb_stretch_free(TbView *view);
@@ -32,7 +34,7 @@ void tb_stretch_yield(TbView *view, double *slots);
 /* Replaces the last sample's stretch by this sample's in M f, the response to the last forces. Call
  * before the solve, which starts from M f and moves along it. */
 void tb_stretch_renew(TbView *view);
-/* Adds the stretch force. Call after the contacts have moved the modes. They changed Y^T q+ by
+/* Finds the stretch force, which modes_end.h adds. Call after the contacts have moved the modes. They changed Y^T q+ by
  * -r f, so theta is known. */
 void tb_stretch_respond(TbView *view);
 /* Call after `product` was recomputed without any stretch. */

@@ -19,8 +19,8 @@ typedef TYPE_OF(TbBalance) Balance;
 /* Forces are balanced where they lose this part of the work that makes up the balance, and as far
  * on either side: in single precision sums are right to a tenth of it, and nothing may be
  * gained. */
-static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-5 : 0.0);
-static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-5 : 1e-13);
+static const Real BALANCE_AIM = REAL(SINGLE ? 1.5e-6 : 0.0);
+static const Real BALANCE_WINDOW = REAL(SINGLE ? 1.5e-6 : 1e-13);
 static const uint32_t MOST_BALANCE_STEPS = SINGLE ? 4 : 8;
 static const Real BALANCE_REACH = REAL(SINGLE ? 0.25 : 0.1);
 #ifdef TB_FLOAT

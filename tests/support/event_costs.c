@@ -13,7 +13,7 @@
 
 #include "tabor/tabor.h"
 
-enum { MOST = 1000, BLOCK = 64 };
+enum { MOST = 1000, BLOCK = 64, LEAD = 10 };
 
 static const char KINDS[] = "sbrcpdlmgtuhRXY";
 
@@ -101,19 +101,37 @@ static uint32_t fill(const char *mix, uint32_t *seed, TaborEvent *events) {
   return count;
 }
 
-static void play(const char *mix, uint32_t *seed) {
-  static float sound[TABOR_MAX_MICS][BLOCK];
-  float *outputs[TABOR_MAX_MICS];
-  TaborEvent events[MOST];
+static float *outputs[TABOR_MAX_MICS];
+static void *ringing; /* the state of a drum that was struck */
+static size_t ringing_bytes;
+
+static TaborDrum *new_drum(void) {
   TaborDrum *drum = NULL;
-  TaborStatistics statistics;
-  const TaborEvent first = {.type = TABOR_EVENT_STRIKE, .velocity = 4.5, .radius = 0.05};
-  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) outputs[i] = sound[i];
-  swap_count = 0;
   if (tabor_drum_create(models[0], &drum, NULL) != TABOR_OK) fail("no memory for a drum");
-  for (uint32_t block = 0; block < 30; block++) {
+  return drum;
+}
+
+static void keep_ringing_drum(void) {
+  static float sound[TABOR_MAX_MICS][BLOCK];
+  const TaborEvent first = {.type = TABOR_EVENT_STRIKE, .velocity = 4.5, .radius = 0.05};
+  TaborDrum *drum = new_drum();
+  for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) outputs[i] = sound[i];
+  for (uint32_t block = 0; block < LEAD; block++) {
     tabor_drum_process(drum, &first, block == 0, outputs, BLOCK);
   }
+  ringing_bytes = tabor_drum_state_size(drum);
+  ringing = malloc(ringing_bytes);
+  if (!ringing) fail("no memory for a state");
+  tabor_drum_state_save(drum, ringing);
+  tabor_drum_destroy(drum);
+}
+
+static void play(const char *mix, uint32_t *seed) {
+  TaborEvent events[MOST];
+  TaborDrum *drum = new_drum();
+  TaborStatistics statistics;
+  swap_count = 0;
+  if (tabor_drum_state_load(drum, ringing, ringing_bytes) != TABOR_OK) fail("the state is refused");
   const uint32_t count = fill(mix, seed, events);
   CALLGRIND_START_INSTRUMENTATION;
   CALLGRIND_ZERO_STATS;
@@ -131,7 +149,9 @@ int main(int argc, char **argv) {
   models[0] = model_of(argv[1], argv[2], 1.0);
   models[1] = model_of(argv[1], argv[2], 1.1);
   uint32_t seed = 1u + (uint32_t)strtoul(argv[3], NULL, 10) % 2147483645u;
+  keep_ringing_drum();
   for (int i = 4; i < argc; i++) play(argv[i], &seed);
+  free(ringing);
   tabor_model_release(models[0]);
   tabor_model_release(models[1]);
   return 0;

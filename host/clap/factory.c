@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "clap/instance.h"
+#include "clap/kit_instance.h"
 #include "clap/presets.h"
 
 #define TEXT_OF(number) #number
@@ -26,6 +27,7 @@ static const clap_plugin_descriptor_t plugins[] = {
   PLUGIN(ID_DRUM, "Tabor", "A snare drum computed from physics"),
   PLUGIN(ID_DRUM_MULTI, "Tabor Multi",
          "A snare drum computed from physics, an output per microphone"),
+  PLUGIN(ID_KIT, "Tabor Kit", "A drum kit computed from physics, an output per drum"),
 };
 
 #define PLUGINS (sizeof plugins / sizeof plugins[0])
@@ -45,10 +47,11 @@ static const clap_plugin_t *create(const clap_plugin_factory_t *factory, const c
                                    const char *id) {
   (void)factory;
   if (!clap_version_is_compatible(host->clap_version)) return NULL;
-  for (size_t i = 0; i < PLUGINS; i++) {
-    if (strcmp(id, plugins[i].id) == 0) return instance_create(&plugins[i], host, i == 0);
-  }
-  return NULL;
+  size_t i = 0;
+  while (i < PLUGINS && strcmp(id, plugins[i].id) != 0) i++;
+  if (i == PLUGINS) return NULL;
+  if (strcmp(id, ID_KIT) == 0) return kit_instance_create(&plugins[i], host);
+  return instance_create(&plugins[i], host, strcmp(id, ID_DRUM) == 0);
 }
 
 static const clap_plugin_factory_t plugin_factory = {

@@ -29,7 +29,10 @@ static bool init(const clap_plugin_t *plugin) {
 
 /* ---- drum and models ------------------------------------------------------------------------ */
 
+static void work(void *worker) { model_worker_work(worker); }
+
 static void free_all(Instance *instance) {
+  model_worker_cancel(&instance->worker);
   worker_thread_stop(&instance->thread);
   plugin_player_end(&instance->player);
   model_worker_end(&instance->worker);
@@ -53,7 +56,7 @@ static bool open(Instance *instance, double rate) {
   if (instance->is_saved) model_worker_restore(&instance->worker, &instance->saved);
   instance->is_open =
     plugin_player_begin(&instance->player, &instance->worker, rate, instance->stereo) &&
-    worker_thread_start(&instance->thread, &instance->worker);
+    worker_thread_start(&instance->thread, work, &instance->worker);
   if (!instance->is_open) free_all(instance);
   return instance->is_open;
 }
@@ -66,28 +69,23 @@ static void destroy(const clap_plugin_t *plugin) {
 
 /* ---- blocks --------------------------------------------------------------------------------- */
 
-/* The events are in order of time. One past the end is at the last frame. */
-static uint32_t frame_of(const clap_event_header_t *event, uint32_t at, uint32_t frames) {
-  if (event->time <= at) return at;
-  return event->time < frames ? event->time : frames - (frames > 0);
-}
-
-/* Functions of the host that CLAP wants fit for the audio thread. */
-typedef const clap_event_header_t *GetEventFn(const clap_input_events_t *, uint32_t) REALTIME;
-typedef bool PushEventFn(const clap_output_events_t *, const clap_event_header_t *) REALTIME;
-
 static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) REALTIME;
 static const clap_event_header_t *event_at(const Instance *instance, uint32_t number) {
-  if (number >= instance->event_count) return NULL;
-  GetEventFn *const get = (GetEventFn *)instance->events->get;
-  return get(instance->events, number);
+  return event_list_at(&instance->list, number);
+}
+
+static uint32_t frame_of(const Instance *instance, const clap_event_header_t *event,
+                         uint32_t at) REALTIME;
+static uint32_t frame_of(const Instance *instance, const clap_event_header_t *event, uint32_t at) {
+  return event_list_frame(&instance->list, event, at);
 }
 
 static bool find_event(void *shell, uint32_t frames, uint32_t *frame) REALTIME;
 static bool find_event(void *shell, uint32_t frames, uint32_t *frame) {
   const Instance *const instance = shell;
   const clap_event_header_t *const event = event_at(instance, instance->event);
-  if (event) *frame = frame_of(event, *frame, frames);
+  (void)frames;
+  if (event) *frame = frame_of(instance, event, *frame);
   return event != NULL;
 }
 
@@ -97,24 +95,10 @@ static bool note_knobs(void *shell, uint32_t frame) {
   const clap_event_header_t *event;
   bool any = false;
   for (uint32_t i = instance->event; (event = event_at(instance, i)); i++) {
-    if (frame_of(event, frame, instance->frames) != frame) break;
+    if (frame_of(instance, event, frame) != frame) break;
     if (parameters_take(instance, event)) any = true;
   }
   return any;
-}
-
-/* The host need not keep a voice for a note that was let go. */
-static void end_note(const Instance *instance, const clap_event_header_t *event) REALTIME;
-static void end_note(const Instance *instance, const clap_event_header_t *event) {
-  const bool ends = event->space_id == CLAP_CORE_EVENT_SPACE_ID &&
-                    (event->type == CLAP_EVENT_NOTE_OFF || event->type == CLAP_EVENT_NOTE_CHOKE);
-  if (!ends || !instance->answers) return;
-  clap_event_note_t end = *(const clap_event_note_t *)event;
-  end.header.size = sizeof end;
-  end.header.type = CLAP_EVENT_NOTE_END;
-  end.header.flags = 0;
-  PushEventFn *const push = (PushEventFn *)instance->answers->try_push;
-  (void)push(instance->answers, &end.header);
 }
 
 /* Silence acts before all notes of its frame, so those that it ends must not begin. */
@@ -134,7 +118,7 @@ static void take_event(Instance *instance, const clap_event_header_t *event, boo
     if (midi_goes_with_notes(&messages[i]) != notes) continue;
     plugin_player_take(&instance->player, &messages[i], ahead);
   }
-  if (notes) end_note(instance, event);
+  if (notes) event_list_end_note(&instance->list, event);
 }
 
 static void find_chokes(Instance *instance, uint32_t frame) REALTIME;
@@ -142,7 +126,7 @@ static void find_chokes(Instance *instance, uint32_t frame) {
   const clap_event_header_t *event;
   memset(instance->choked, 0, sizeof instance->choked);
   for (uint32_t i = instance->event; (event = event_at(instance, i)); i++) {
-    if (frame_of(event, frame, instance->frames) != frame) break;
+    if (frame_of(instance, event, frame) != frame) break;
     note_event_choke(event, i, instance->choked);
   }
 }
@@ -157,7 +141,7 @@ static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
   for (int notes = 0; notes <= 1; notes++) {
     instance->event = first;
     while ((event = event_at(instance, instance->event)) &&
-           frame_of(event, frame, instance->frames) == frame) {
+           frame_of(instance, event, frame) == frame) {
       take_event(instance, event, notes == 1, ahead);
       instance->event++;
     }
@@ -178,12 +162,12 @@ static clap_process_status status_of(const Instance *instance) {
 /* The host turns knobs all the same. */
 static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) REALTIME;
 static clap_process_status play_silence(Instance *instance, const PluginOutputs *outputs) {
-  for (uint32_t i = 0; i < instance->event_count; i++) {
+  for (uint32_t i = 0; i < instance->list.count; i++) {
     (void)parameters_take(instance, event_at(instance, i));
   }
   for (uint32_t i = 0; i < PLUGIN_MICS; i++) {
     if (!outputs->channels[i]) continue;
-    memset(outputs->channels[i], 0, instance->frames * sizeof(float));
+    memset(outputs->channels[i], 0, instance->list.frames * sizeof(float));
   }
   return CLAP_PROCESS_SLEEP;
 }
@@ -192,11 +176,8 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   Instance *const instance = instance_of(plugin);
   PluginOutputs outputs;
   ports_connect(instance, block, &outputs);
-  instance->events = block->in_events;
-  instance->answers = block->out_events;
+  instance->list = event_list_of(block);
   instance->event = 0;
-  instance->event_count = block->in_events ? block->in_events->size(block->in_events) : 0;
-  instance->frames = block->frames_count;
   if (!instance->is_open) return play_silence(instance, &outputs);
   PluginRun run = {.player = &instance->player,
                    .outputs = &outputs,

@@ -13,6 +13,7 @@
 
 #include <clap/clap.h>
 
+#include "clap/event_list.h"
 #include "plugin/plugin_run.h"
 #include "plugin/worker_thread.h"
 
@@ -43,10 +44,8 @@ typedef struct Instance {
   PluginPlayer player;
 
   /* audio thread: the block */
-  const clap_input_events_t *events;
-  const clap_output_events_t *answers;
-  uint32_t event, event_count; /**< the next one, and all */
-  uint32_t frames;
+  EventList list;
+  uint32_t event; /**< the next one */
   /** Number of the last event that chokes a key at this frame, 0 if none: notes before it do not begin. */
   uint32_t choked[MIDI_VALUES];
 } Instance;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap/instance_state.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,6 +8,7 @@
 
 #include "clap/instance_drum.h"
 #include "clap/parameters.h"
+#include "clap/stream_text.h"
 #include "plugin/definition_text.h"
 
 #define FIRST_LINE "tabor-state 1\n"
@@ -18,33 +18,18 @@
 
 /* ---- saving --------------------------------------------------------------------------------- */
 
-static uint32_t bits_of(float value) {
-  uint32_t bits;
-  memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
 static size_t write_head(const Instance *instance, const SavedState *saved, char *text) {
+  char digits[2][9];
   size_t length = (size_t)snprintf(text, HEAD_LIMIT, FIRST_LINE);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[i]);
     const float seen = i < KNOB_KEYS ? saved->seen[i] : value;
-    length +=
-      (size_t)snprintf(text + length, HEAD_LIMIT - length, "%s %08" PRIx32 " %08" PRIx32 "\n",
-                       knobs[i].symbol, bits_of(value), bits_of(seen));
+    stream_float_digits(value, digits[0]);
+    stream_float_digits(seen, digits[1]);
+    length += (size_t)snprintf(text + length, HEAD_LIMIT - length, "%s %s %s\n", knobs[i].symbol,
+                               digits[0], digits[1]);
   }
   return length + (size_t)snprintf(text + length, HEAD_LIMIT - length, DEFINITION);
-}
-
-/* Hosts may take less at once than they are given. */
-static bool write_all(const clap_ostream_t *stream, const char *text, size_t size) {
-  while (size > 0) {
-    const int64_t written = stream->write(stream, text, size);
-    if (written <= 0 || (uint64_t)written > size) return false;
-    text += written;
-    size -= (size_t)written;
-  }
-  return true;
 }
 
 static bool save(const clap_plugin_t *plugin, const clap_ostream_t *stream) {
@@ -55,7 +40,8 @@ static bool save(const clap_plugin_t *plugin, const clap_ostream_t *stream) {
   char *const text = definition_write(&saved.def);
   if (!text) return false;
   const size_t length = write_head(instance, &saved, head);
-  const bool is_written = write_all(stream, head, length) && write_all(stream, text, strlen(text));
+  const bool is_written =
+    stream_write(stream, head, length) && stream_write(stream, text, strlen(text));
   free(text);
   return is_written;
 }
@@ -69,32 +55,10 @@ static bool refuse(Instance *instance, const char *why) {
   return false;
 }
 
-/* Everything that the stream has, terminated; NULL if it is too long or cannot be read. The caller frees it. */
-static char *read_all(const clap_istream_t *stream) {
-  char *const text = calloc(1, STATE_LIMIT + 1);
-  size_t size = 0;
-  while (text && size <= STATE_LIMIT) {
-    const size_t left = STATE_LIMIT + 1 - size;
-    const int64_t count = stream->read(stream, text + size, left);
-    if (count < 0 || (uint64_t)count > left) break;
-    if (count == 0) return text;
-    size += (size_t)count;
-  }
-  free(text);
-  return NULL;
-}
-
 /* What a state says of the knobs. */
 typedef struct KnobValues {
   float values[KNOB_COUNT], seen[KNOB_COUNT];
 } KnobValues;
-
-static bool read_float(const char *digits, float *value) {
-  char *end;
-  const uint32_t bits = (uint32_t)strtoul(digits, &end, 16);
-  memcpy(value, &bits, sizeof bits);
-  return end == digits + 8 && isfinite(*value);
-}
 
 /* The line of one knob, which is cut. */
 static bool read_knob(char *line, KnobValues *read) {
@@ -102,7 +66,7 @@ static bool read_knob(char *line, KnobValues *read) {
   float one, other;
   if (!value || strlen(value) != 18 || value[9] != ' ') return false;
   *value = '\0';
-  if (!read_float(value + 1, &one) || !read_float(value + 10, &other)) return false;
+  if (!stream_float(value + 1, &one) || !stream_float(value + 10, &other)) return false;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     if (strcmp(knobs[i].symbol, line) != 0) continue;
     read->values[i] = one;
@@ -144,7 +108,7 @@ static bool read_state(Instance *instance, char *text) {
 
 static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
   Instance *const instance = instance_of(plugin);
-  char *const text = read_all(stream);
+  char *const text = stream_read(stream, STATE_LIMIT);
   if (!text) return refuse(instance, "it cannot be read");
   const bool is_read = read_state(instance, text);
   free(text);

@@ -64,9 +64,13 @@ static uint32_t midi(const clap_event_midi_t *event, MidiMessage *message) {
   return 0;
 }
 
+bool note_event_is_choke(const clap_event_header_t *event) {
+  return event->space_id == CLAP_CORE_EVENT_SPACE_ID && event->type == CLAP_EVENT_NOTE_CHOKE;
+}
+
 void note_event_choke(const clap_event_header_t *event, uint32_t number,
                       uint32_t choked[MIDI_VALUES]) {
-  if (event->space_id != CLAP_CORE_EVENT_SPACE_ID || event->type != CLAP_EVENT_NOTE_CHOKE) return;
+  if (!note_event_is_choke(event)) return;
   const int16_t key = ((const clap_event_note_t *)event)->key;
   for (int i = 0; i < MIDI_VALUES; i++) {
     if (!is_key(key) || i == key) choked[i] = number;

@@ -26,6 +26,8 @@
 uint32_t note_event_messages(const clap_event_header_t *event,
                              MidiMessage messages[NOTE_EVENT_MESSAGES]) REALTIME;
 
+/** True for a note choke, which may name a key. */
+bool note_event_is_choke(const clap_event_header_t *event) REALTIME;
 /** Raises choked[key] to @p number for every key that @p event chokes; a choke without a key is for all. */
 void note_event_choke(const clap_event_header_t *event, uint32_t number,
                       uint32_t choked[MIDI_VALUES]) REALTIME;

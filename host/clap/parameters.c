@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/choice_text.h"
+
 /* ---- ids ------------------------------------------------------------------------------------ */
 
 static KnobId knob_of(const Instance *instance, clap_id id) REALTIME;
@@ -100,14 +102,6 @@ static bool is_per_cent(KnobId id) {
   return id == KNOB_STRAINER || id == KNOB_HUMANIZE || id == KNOB_STICK_HARDNESS;
 }
 
-static int choice_text(const char *choices, int number, char *text, uint32_t size) {
-  for (; number > 0 && *choices; number--) {
-    choices += strcspn(choices, "|");
-    choices += *choices == '|';
-  }
-  return snprintf(text, size, "%.*s", (int)strcspn(choices, "|"), choices);
-}
-
 static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double value, char *text,
                           uint32_t size) {
   const Instance *const instance = instance_of(plugin);
@@ -124,22 +118,13 @@ static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double val
   return snprintf(text, size, "%.6g%s%s", plain, *unit ? " " : "", unit) > 0;
 }
 
-static bool find_choice(const char *choices, const char *text, double *value) {
-  char word[CLAP_NAME_SIZE];
-  for (int number = 0; choice_text(choices, number, word, sizeof word) > 0; number++) {
-    *value = number;
-    if (strcmp(word, text) == 0) return true;
-  }
-  return false;
-}
-
 static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char *text,
                           double *value) {
   const Instance *const instance = instance_of(plugin);
   const KnobId id = knob_of(instance, param);
   char *end = NULL;
   if (id == KNOB_COUNT) return false;
-  if (knobs[id].choices) return find_choice(knobs[id].choices, text, value);
+  if (knobs[id].choices) return choice_find(knobs[id].choices, text, value);
   double plain = strtod(text, &end);
   if (end == text && strcmp(text, "Off") == 0 && !isnan(knobs[id].off)) {
     plain = knobs[id].off;

@@ -36,17 +36,21 @@ static void say(void *context, const char *line) {
   (void)lv2_log_error(&instrument->logger, "Tabor: %s\n", line);
 }
 
+static void build_models(void *worker) { model_worker_work(worker); }
+
 static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map *map) {
   map_uris(&instrument->urids, map);
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
-  return instrument->schedule || worker_thread_start(&instrument->thread, &instrument->worker);
+  return instrument->schedule ||
+         worker_thread_start(&instrument->thread, build_models, &instrument->worker);
 }
 
 static void cleanup(LV2_Handle handle) {
   Instrument *const instrument = handle;
+  model_worker_cancel(&instrument->worker);
   worker_thread_stop(&instrument->thread);
   plugin_player_end(&instrument->player);
   model_worker_end(&instrument->worker);

@@ -9,14 +9,15 @@ static void *look_for_work(void *context) {
   const struct timespec glance = {.tv_nsec = GLANCE};
   WorkerThread *const thread = context;
   while (!atomic_load(&thread->stops)) {
-    model_worker_work(thread->worker);
+    thread->work(thread->context);
     (void)nanosleep(&glance, NULL);
   }
   return NULL;
 }
 
-bool worker_thread_start(WorkerThread *thread, ModelWorker *worker) {
-  thread->worker = worker;
+bool worker_thread_start(WorkerThread *thread, WorkerThreadFn *work, void *context) {
+  thread->work = work;
+  thread->context = context;
   atomic_store(&thread->stops, false);
   thread->runs = pthread_create(&thread->thread, NULL, look_for_work, thread) == 0;
   return thread->runs;
@@ -25,7 +26,6 @@ bool worker_thread_start(WorkerThread *thread, ModelWorker *worker) {
 void worker_thread_stop(WorkerThread *thread) {
   if (!thread->runs) return;
   atomic_store(&thread->stops, true);
-  model_worker_cancel(thread->worker);
-  if (thread->runs) (void)pthread_join(thread->thread, NULL);
+  (void)pthread_join(thread->thread, NULL);
   thread->runs = false;
 }

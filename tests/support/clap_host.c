@@ -32,6 +32,10 @@ static void clear(const clap_host_t *host, clap_id id, clap_param_clear_flags fl
 
 static void request(const clap_host_t *host) { (void)host; }
 
+static void request_callback(const clap_host_t *host) {
+  ((ClapHost *)host->host_data)->callbacks++;
+}
+
 static void request_block(const clap_host_t *host) { ((ClapHost *)host->host_data)->requests++; }
 
 static void refuse(const clap_host_t *host, uint32_t kind, const char *location, const char *key,
@@ -73,6 +77,17 @@ const clap_plugin_entry_t *clap_host_entry(const char *binary) {
 
 /* ---- an instance ---------------------------------------------------------------------------- */
 
+static void find_ports(ClapHost *host) {
+  const clap_plugin_audio_ports_t *const ports = clap_host_extension(host, CLAP_EXT_AUDIO_PORTS);
+  host->port_count = ports->count(host->plugin, false);
+  assert_true(host->port_count <= CLAP_PORTS);
+  for (uint32_t i = 0; i < host->port_count; i++) {
+    clap_audio_port_info_t info;
+    assert_true(ports->get(host->plugin, i, false, &info));
+    host->widths[i] = info.channel_count;
+  }
+}
+
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
   const clap_plugin_factory_t *const factory = entry->get_factory(CLAP_PLUGIN_FACTORY_ID);
   ClapHost *const host = calloc(1, sizeof *host);
@@ -87,11 +102,12 @@ ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
                              .get_extension = extension,
                              .request_restart = request,
                              .request_process = request_block,
-                             .request_callback = request};
+                             .request_callback = request_callback};
   host->stereo = strcmp(id, ID_DRUM) == 0;
   host->plugin = factory->create_plugin(factory, &host->host, id);
   assert_non_null(host->plugin);
   assert_true(host->plugin->init(host->plugin));
+  find_ports(host);
   return host;
 }
 
@@ -140,11 +156,15 @@ static ClapEvent *add(ClapHost *host, uint32_t time, uint16_t type, size_t size)
   return event;
 }
 
-void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value) {
+void clap_host_set_id(ClapHost *host, uint32_t time, clap_id id, double value) {
   ClapEvent *const event = add(host, time, CLAP_EVENT_PARAM_VALUE, sizeof event->value);
-  event->value.param_id = clap_host_id(knob);
+  event->value.param_id = id;
   event->value.note_id = event->value.port_index = event->value.channel = event->value.key = -1;
   event->value.value = value;
+}
+
+void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value) {
+  clap_host_set_id(host, time, clap_host_id(knob), value);
 }
 
 void clap_host_modulate(ClapHost *host, uint32_t time, KnobId knob, double amount) {
@@ -214,16 +234,17 @@ void clap_host_run(ClapHost *host, uint32_t frames) {
   const clap_input_events_t in = {host, count_events, get_event};
   const clap_output_events_t out = {host, push_event};
   float *channels[CLAP_CHANNELS];
-  clap_audio_buffer_t outputs[CLAP_CHANNELS - 1] = {{.data32 = channels, .channel_count = 2}};
-  const uint32_t ports = host->stereo ? 1 : CLAP_CHANNELS - 1;
+  clap_audio_buffer_t outputs[CLAP_PORTS];
+  uint32_t next = 0;
   for (uint32_t i = 0; i < CLAP_CHANNELS; i++) channels[i] = host->sound[i];
-  for (uint32_t i = 1; i < ports; i++) {
-    outputs[i] = (clap_audio_buffer_t){.data32 = &channels[i + 1], .channel_count = 1};
+  for (uint32_t i = 0; i < host->port_count; i++) {
+    outputs[i] = (clap_audio_buffer_t){.data32 = &channels[next], .channel_count = host->widths[i]};
+    next += host->widths[i];
   }
   const clap_process_t block = {.steady_time = -1,
                                 .frames_count = frames,
                                 .audio_outputs = outputs,
-                                .audio_outputs_count = ports,
+                                .audio_outputs_count = host->port_count,
                                 .in_events = &in,
                                 .out_events = &out};
   assert_true(frames <= CLAP_BLOCK);

@@ -13,7 +13,8 @@
 
 #define CLAP_BLOCK 8192 /**< most frames of a block */
 #define CLAP_EVENTS 1024
-#define CLAP_CHANNELS 7   /**< most channels of all outputs */
+#define CLAP_CHANNELS 18  /**< most channels of all outputs */
+#define CLAP_PORTS 9      /**< most outputs */
 #define CLAP_STATE 131072 /**< most bytes of a state */
 
 typedef union ClapEvent {
@@ -29,13 +30,15 @@ typedef struct ClapHost {
   clap_host_t host;
   const clap_plugin_t *plugin;
   bool stereo, is_active;
-  ClapEvent events[CLAP_EVENTS]; /**< of the next block, in order of time */
-  uint32_t event_count, ended;   /**< ended: number of note ends that the plugin has sent */
+  uint32_t port_count, widths[CLAP_PORTS]; /**< outputs, and channels of each */
+  ClapEvent events[CLAP_EVENTS];           /**< of the next block, in order of time */
+  uint32_t event_count, ended; /**< ended: number of note ends that the plugin has sent */
   float sound[CLAP_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
   char said[512];                         /**< newest line of the log, or "" */
   char loaded[64],
     refused[512]; /**< key of the newest preset, and newest complaint about one; or "" */
-  uint32_t rescans, requests; /**< of the values of all parameters; for blocks */
+  uint32_t rescans, requests,
+    callbacks; /**< of the values of all parameters; for blocks; for the main thread */
   clap_process_status status; /**< of the newest block */
 } ClapHost;
 
@@ -58,6 +61,7 @@ const void *clap_host_extension(const ClapHost *host, const char *id);
 /** Id of the parameter of a knob. */
 clap_id clap_host_id(KnobId knob);
 /** Adds an event for the next block; call in order of time. */
+void clap_host_set_id(ClapHost *host, uint32_t time, clap_id id, double value);
 void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value);
 void clap_host_modulate(ClapHost *host, uint32_t time, KnobId knob, double amount);
 void clap_host_midi(ClapHost *host, uint32_t time, const MidiMessage *message);

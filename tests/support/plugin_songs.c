@@ -322,24 +322,7 @@ void take_close(Take *take) {
   for (uint32_t i = 0; i < take->channels; i++) free(take->sound[i]);
 }
 
-/* As the program has it, by one of these commands. */
-void take_from(const char *command_name, const char *options, const char *const *mics, Take *take) {
-  char command[1024], path[256];
-  size_t length =
-    (size_t)snprintf(command, sizeof command,
-                     "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
-                     "--format float --duration %s %s",
-                     program, command_name, folder, folder, brief ? "0.5" : "1", options);
-  const bool chosen = strstr(options, "--stereo") != NULL;
-  for (uint32_t i = 0; i < take->channels && !chosen; i++) {
-    length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
-  }
-  if (take->channels == 2 && !chosen) {
-    const char *const room = strstr(options, "room.kind") ? "" : " --set room.kind=none";
-    (void)snprintf(command + length, sizeof command - length, " --gain %g%s", STEREO_GAIN_DB, room);
-  }
-  assert_int_equal(system(command), 0);
-  song_path(path, sizeof path, "song.wav");
+void take_read(const char *path, Take *take) {
   SF_INFO info = {0};
   SNDFILE *const file = sf_open(path, SFM_READ, &info);
   assert_non_null(file);
@@ -351,6 +334,27 @@ void take_from(const char *command_name, const char *options, const char *const 
     for (uint32_t i = 0; i < take->channels; i++) take->sound[i][at] = frame[i];
   }
   sf_close(file);
+}
+
+/* As the program has it, by one of these commands. */
+void take_from(const char *command_name, const char *options, const char *const *mics, Take *take) {
+  char command[1024], path[256];
+  size_t length =
+    (size_t)snprintf(command, sizeof command,
+                     "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
+                     "--format float --duration %s %s",
+                     program, command_name, folder, folder, brief ? "0.5" : "1", options);
+  const bool chosen = strstr(options, "--stereo") || strstr(options, "--kit");
+  for (uint32_t i = 0; i < take->channels && !chosen; i++) {
+    length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
+  }
+  if (take->channels == 2 && !chosen) {
+    const char *const room = strstr(options, "room.kind") ? "" : " --set room.kind=none";
+    (void)snprintf(command + length, sizeof command - length, " --gain %g%s", STEREO_GAIN_DB, room);
+  }
+  assert_int_equal(system(command), 0);
+  song_path(path, sizeof path, "song.wav");
+  if (!strstr(options, "--split")) take_read(path, take);
 }
 
 static double take_peak(const Take *take) {

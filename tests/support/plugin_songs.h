@@ -74,9 +74,12 @@ void take_open(Take *take, uint32_t channels);
 void take_close(Take *take);
 /**
  * Lets `tabor COMMAND` with @p options play the song: with --stereo among them at the pair, otherwise at these
- * microphones, two of them at the level of the stereo plugin's pair and in free air, if @p options have no room.
+ * microphones, two of them at the level of the stereo plugin's pair and in free air, if @p options have no room. With
+ * --kit it is the kit's mix; with --split, too, nothing is read.
  */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take);
+/** Reads a sound file of as many channels and frames. */
+void take_read(const char *path, Take *take);
 /** Compares all samples; @p block is for the message. A silent take fails, too. */
 void take_compare(const Take *expected, const Take *take, uint32_t block);
 

@@ -18,6 +18,7 @@
 
 #include <cmocka.h>
 
+#include "clap/kit_instance.h"
 #include "counted_calls.h"
 #include "float_mode.h"
 #include "midi_writer.h"
@@ -43,7 +44,9 @@ static void counted_run(ClapHost *host, uint32_t frames) {
   float_mode_check();
   float_mode_reset();
   if (calls > 0) fail_msg("%ld calls", calls);
-  for (uint32_t i = 0; i < (host->stereo ? 2 : CLAP_CHANNELS); i++) {
+  uint32_t channels = 0;
+  for (uint32_t i = 0; i < host->port_count; i++) channels += host->widths[i];
+  for (uint32_t i = 0; i < channels; i++) {
     for (uint32_t at = 0; at < frames; at++) assert_true(isfinite(host->sound[i][at]));
   }
 }
@@ -132,12 +135,47 @@ static void nor_those_with_an_output_per_microphone(void **state) {
   play_random(ID_DRUM_MULTI, 2);
 }
 
+/* Now and then another kit, room or tuning; levels and notes all the time. */
+static void send_to_kit(ClapHost *host, uint64_t *random, bool change) {
+  static const KitKnobId rebuilt[] = {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_TUNE};
+  const double value = random_part(random);
+  if (change) clap_host_set_id(host, 0, rebuilt[midi_random(random) % 3], 3 * value);
+  clap_host_set_id(host, 0, KIT_KNOB_LEVEL + (clap_id)(midi_random(random) % 8), -20 * value);
+  clap_host_note(host, 0, CLAP_EVENT_NOTE_ON, (int16_t)(35 + midi_random(random) % 16), value);
+  send_controller(host, 0, random);
+  if (value > 0.95) clap_host_note(host, 0, CLAP_EVENT_NOTE_CHOKE, 38, 0);
+}
+
+static void nor_those_of_a_kit(void **state) {
+  (void)state;
+  const struct timespec moment = {.tv_nsec = 1000000};
+  uint64_t random = 3;
+  uint32_t changes = 0;
+  ClapHost *const host = clap_host_open(&clap_entry, ID_KIT);
+  clap_host_set_id(host, 0, KIT_KNOB_QUALITY, 0);
+  clap_host_flush(host);
+  clap_host_activate(host);
+  const KitPluginPlayer *const player = &kit_instance_of(host->plugin)->player;
+  for (uint64_t position = 0; position < (uint64_t)(48000 * seconds) || changes < 3;) {
+    const bool change = kit_plugin_player_is_settled(player) && random_part(&random) < 0.1;
+    const uint32_t frames = (uint32_t)(midi_random(&random) % 1500);
+    send_to_kit(host, &random, change);
+    counted_run(host, frames);
+    position += frames;
+    changes += change;
+    if (!kit_plugin_player_is_settled(player)) (void)nanosleep(&moment, NULL);
+  }
+  clap_host_close(host);
+  assert_int_equal(model_cache_count(), 0);
+}
+
 int main(int argc, char **argv) {
   if (argc > 1) seconds = atof(argv[1]);
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_counters_count),
     cmocka_unit_test(blocks_call_nothing_that_waits),
     cmocka_unit_test(nor_those_with_an_output_per_microphone),
+    cmocka_unit_test(nor_those_of_a_kit),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

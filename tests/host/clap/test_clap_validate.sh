@@ -18,7 +18,7 @@ holds "it is below 3 MB" "$(stat -c %s "$CLAP") < 3000000"
 
 # ---- the documentation ----
 
-symbols=$(sed -n 's/.*\.symbol = "\([a-z_]*\)".*/\1/p' "$SOURCE/host/plugin/knobs.c")
+symbols=$(sed -n 's/.*\.symbol = "\([a-z_]*\)".*/\1/p' "$SOURCE"/host/plugin/{,kit_}knobs.c)
 holds "there are controls" "$(wc -w <<<"$symbols") > 20"
 for symbol in $symbols; do
   check "docs/plugins.md has $symbol" grep -q "\`$symbol\`" "$SOURCE/docs/plugins.md"

@@ -4,8 +4,8 @@
 pedalboard_host.py BUNDLE PROGRAM
 
 Notes, controllers and pressures are on whole frames: 50 frames a tick. pedalboard puts a controller at the beginning of
-its block, so in blocks of 50 frames each is where the program has it. Of Tabor Multi it can only list the parameters: it
-gives an instrument no buffers for more than one output. So $VST3_HOST plays that.
+its block, so in blocks of 50 frames each is where the program has it. Of Tabor Multi and Tabor Kit it can only list the
+parameters: it gives an instrument no buffers for more than one output. So $VST3_HOST plays these.
 """
 
 import os
@@ -88,12 +88,12 @@ def same(what, wanted, sound):
 
 def check_parameters():
     names = pedalboard.VST3Plugin.get_plugin_names_for_file(bundle)
-    assert names == ["Tabor", "Tabor Multi"], names
-    for name, count in (("Tabor", 24), ("Tabor Multi", 17)):
+    assert names == ["Tabor", "Tabor Multi", "Tabor Kit"], names
+    for name, count in (("Tabor", 24), ("Tabor Multi", 17), ("Tabor Kit", 24)):
         plugin = load(name)
         own = [key for key in plugin.parameters if key != "midi_controller"]
         assert plugin.is_instrument and len(own) == count, own
-        assert ("room" in own) == (name == "Tabor"), own
+        assert ("room" in own) == (name != "Tabor Multi"), own
 
 
 def check_sound():
@@ -106,14 +106,24 @@ def check_sound():
             same(f"{what} in blocks of {block}", wanted, played(plugin, song, block))
 
 
+def hosted(name, wanted, block, channels):
+    """What the instrument makes of one stroke in $VST3_HOST, a row for each channel."""
+    sound = subprocess.run([os.environ["VST3_HOST"], bundle, name, "12000", str(wanted.shape[1]), block], check=True,
+                           capture_output=True).stdout
+    return numpy.frombuffer(sound, "<f4").reshape(-1, channels).T
+
+
 def check_multi():
     microphones = ["left", "right", "top", "bottom", "near", "far", "inside"]
     wanted = rendered([note(240, 100)], [word for name in microphones for word in ("--mic", name)])
     for block in ("64", "4096"):
-        sound = subprocess.run([os.environ["VST3_HOST"], bundle, "Tabor Multi", "12000", str(wanted.shape[1]), block],
-                               check=True, capture_output=True).stdout
-        sound = numpy.frombuffer(sound, "<f4").reshape(-1, len(microphones)).T
-        same(f"Tabor Multi in blocks of {block}", wanted, sound)
+        same(f"Tabor Multi in blocks of {block}", wanted, hosted("Tabor Multi", wanted, block, len(microphones)))
+
+
+def check_kit():
+    wanted = rendered([note(240, 100)], ["--kit", "standard"])
+    for block in ("64", "4096"):
+        same(f"Tabor Kit in blocks of {block}", wanted, hosted("Tabor Kit", wanted, block, 18)[:2])
 
 
 def check_state():
@@ -130,4 +140,5 @@ def check_state():
 check_parameters()
 check_sound()
 check_multi()
+check_kit()
 check_state()

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap/choice_text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define WORD_SIZE 256
+
+int choice_text(const char *choices, int number, char *text, uint32_t size) {
+  for (; number > 0 && *choices; number--) {
+    choices += strcspn(choices, "|");
+    choices += *choices == '|';
+  }
+  return snprintf(text, size, "%.*s", (int)strcspn(choices, "|"), choices);
+}
+
+bool choice_find(const char *choices, const char *text, double *value) {
+  char word[WORD_SIZE];
+  for (int number = 0; choice_text(choices, number, word, sizeof word) > 0; number++) {
+    *value = number;
+    if (strcmp(word, text) == 0) return true;
+  }
+  return false;
+}

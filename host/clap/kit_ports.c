@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* What goes in and comes out of Tabor Kit: an input of notes, whose names follow the kit, the mix, and a stereo output
+ * for each of the first drums. Render mode and tail are here, too. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clap/kit_instance.h"
+
+/* ---- sound ---------------------------------------------------------------------------------- */
+
+#define LONGEST_RING 20.0 /* [s] within which all drums and a hall have died away */
+
+static uint32_t audio_count(const clap_plugin_t *plugin, bool is_input) {
+  (void)plugin;
+  return is_input ? 0 : 1 + KIT_KNOB_DRUMS;
+}
+
+static bool get_audio(const clap_plugin_t *plugin, uint32_t index, bool is_input,
+                      clap_audio_port_info_t *info) {
+  if (index >= audio_count(plugin, is_input)) return false;
+  memset(info, 0, sizeof *info);
+  info->id = index;
+  (void)snprintf(info->name, sizeof info->name, index == 0 ? "Mix" : "Drum %u", index);
+  info->flags = index == 0 ? CLAP_AUDIO_PORT_IS_MAIN : 0;
+  info->channel_count = 2;
+  info->port_type = CLAP_PORT_STEREO;
+  info->in_place_pair = CLAP_INVALID_ID;
+  return true;
+}
+
+const clap_plugin_audio_ports_t kit_audio_ports = {.count = audio_count, .get = get_audio};
+
+static float *channel_of(const clap_process_t *block, uint32_t port, uint32_t channel) REALTIME;
+static float *channel_of(const clap_process_t *block, uint32_t port, uint32_t channel) {
+  if (port >= block->audio_outputs_count) return NULL;
+  clap_audio_buffer_t *const buffer = &block->audio_outputs[port];
+  buffer->constant_mask = 0;
+  return buffer->data32 && channel < buffer->channel_count ? buffer->data32[channel] : NULL;
+}
+
+void kit_ports_connect(const clap_process_t *block, KitPluginOutputs *outputs) {
+  for (uint32_t side = 0; side < 2; side++) {
+    outputs->mix[side] = channel_of(block, 0, side);
+    for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) {
+      outputs->drum[i][side] = channel_of(block, 1 + i, side);
+    }
+  }
+}
+
+static uint32_t get_tail(const clap_plugin_t *plugin) {
+  return (uint32_t)(LONGEST_RING * kit_instance_of(plugin)->rate);
+}
+
+const clap_plugin_tail_t kit_tail = {.get = get_tail};
+
+static bool needs_real_time(const clap_plugin_t *plugin) {
+  (void)plugin;
+  return false;
+}
+
+static bool set_mode(const clap_plugin_t *plugin, clap_plugin_render_mode mode) {
+  atomic_store(&kit_instance_of(plugin)->is_offline, mode == CLAP_RENDER_OFFLINE);
+  return mode == CLAP_RENDER_OFFLINE || mode == CLAP_RENDER_REALTIME;
+}
+
+const clap_plugin_render_t kit_render = {.has_hard_realtime_requirement = needs_real_time,
+                                         .set = set_mode};
+
+/* ---- notes ---------------------------------------------------------------------------------- */
+
+static uint32_t note_count(const clap_plugin_t *plugin, bool is_input) {
+  (void)plugin;
+  return is_input ? 1 : 0;
+}
+
+static bool get_notes(const clap_plugin_t *plugin, uint32_t index, bool is_input,
+                      clap_note_port_info_t *info) {
+  if (index >= note_count(plugin, is_input)) return false;
+  memset(info, 0, sizeof *info);
+  info->supported_dialects = CLAP_NOTE_DIALECT_CLAP | CLAP_NOTE_DIALECT_MIDI;
+  info->preferred_dialect = CLAP_NOTE_DIALECT_CLAP;
+  (void)snprintf(info->name, sizeof info->name, "Notes");
+  return true;
+}
+
+const clap_plugin_note_ports_t kit_note_ports = {.count = note_count, .get = get_notes};
+
+/* The kit of the knob; NULL if memory is short. */
+static const TaborKitDef *named_kit(KitInstance *instance) {
+  const float kit = atomic_load(&instance->values[KIT_KNOB_KIT]);
+  if (instance->named && instance->named_kit == kit) return instance->named;
+  if (!instance->named) instance->named = malloc(sizeof *instance->named);
+  instance->named_kit = kit;
+  if (instance->named) {
+    (void)tabor_kit_def_preset(instance->named, tabor_kit((uint32_t)kit)->name, NULL);
+  }
+  return instance->named;
+}
+
+static uint32_t name_count(const clap_plugin_t *plugin) {
+  const TaborKitDef *const kit = named_kit(kit_instance_of(plugin));
+  uint32_t names = 0;
+  for (uint32_t i = 0; kit && i < kit->drum_count; i++) {
+    for (int note = 0; note < TABOR_KIT_NOTES; note++) names += kit->drum[i].notes[note] != 0;
+  }
+  return names;
+}
+
+static void name_note(const TaborKitDrumDef *drum, int note, clap_note_name_t *name) {
+  static const char *const strokes[] = {"",     "",      " rimshot", " cross-stick",
+                                        " rim", " buzz", " sweep"};
+  *name = (clap_note_name_t){.port = -1, .key = (int16_t)note, .channel = -1};
+  (void)snprintf(name->name, sizeof name->name, "%s%s", drum->name, strokes[drum->notes[note]]);
+}
+
+static bool get_name(const clap_plugin_t *plugin, uint32_t index, clap_note_name_t *name) {
+  const TaborKitDef *const kit = named_kit(kit_instance_of(plugin));
+  for (uint32_t i = 0; kit && i < kit->drum_count; i++) {
+    for (int note = 0; note < TABOR_KIT_NOTES; note++) {
+      if (kit->drum[i].notes[note] == TABOR_KIT_STROKE_NONE || index-- > 0) continue;
+      name_note(&kit->drum[i], note, name);
+      return true;
+    }
+  }
+  return false;
+}
+
+const clap_plugin_note_name_t kit_note_names = {.count = name_count, .get = get_name};

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+#include "plugin/kit_knobs.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#define LEVEL(n)                                                                                   \
+  {                                                                                                \
+    .symbol = "level_" #n, .name = "Drum " #n " level", .group = "Levels", .minimum = -60,         \
+    .maximum = 24, .fallback = 0, .unit = "dB", .off = true                                        \
+  }
+#define TUNE(n)                                                                                    \
+  {                                                                                                \
+    .symbol = "tune_" #n, .name = "Drum " #n " tuning", .group = "Tuning", .minimum = -12,         \
+    .maximum = 12, .fallback = 0, .unit = "semitones", .rebuilds = true                            \
+  }
+
+const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
+  [KIT_KNOB_KIT] = {.symbol = "kit",
+                    .name = "Kit",
+                    .group = "Kit",
+                    .minimum = 0,
+                    .maximum = 3,
+                    .fallback = 0,
+                    .unit = "",
+                    .choices = "standard|jazz|marching|frame-drums",
+                    .rebuilds = true},
+  [KIT_KNOB_QUALITY] = {.symbol = "quality",
+                        .name = "Quality",
+                        .group = "Kit",
+                        .minimum = 0,
+                        .maximum = 2,
+                        .fallback = 1,
+                        .unit = "",
+                        .choices = "Draft|Live|Studio",
+                        .rebuilds = true},
+  [KIT_KNOB_ROOM] = {.symbol = "room",
+                     .name = "Room",
+                     .group = "Kit",
+                     .minimum = 0,
+                     .maximum = 4,
+                     .fallback = 0,
+                     .unit = "",
+                     .choices = "The kit's|None|Booth|Studio|Hall",
+                     .rebuilds = true},
+  [KIT_KNOB_COUPLING] = {.symbol = "coupling",
+                         .name = "Drums hear each other",
+                         .group = "Kit",
+                         .minimum = -60,
+                         .maximum = 24,
+                         .fallback = 0,
+                         .unit = "dB",
+                         .off = true,
+                         .rebuilds = true},
+  [KIT_KNOB_OVERHEADS] = {.symbol = "overheads",
+                          .name = "Overheads",
+                          .group = "Levels",
+                          .minimum = -60,
+                          .maximum = 24,
+                          .fallback = 0,
+                          .unit = "dB",
+                          .off = true,
+                          .rebuilds = true},
+  [KIT_KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
+                               .name = "Velocity curve",
+                               .group = "Kit",
+                               .minimum = 0,
+                               .maximum = 2,
+                               .fallback = 1,
+                               .unit = "",
+                               .choices = "Soft|Linear|Hard"},
+  [KIT_KNOB_VELOCITY_RANGE] = {.symbol = "velocity_range",
+                               .name = "Velocity range",
+                               .group = "Kit",
+                               .minimum = 0,
+                               .maximum = 1,
+                               .fallback = 0,
+                               .unit = "",
+                               .choices = "Normal|Full"},
+  [KIT_KNOB_GAIN] = {.symbol = "gain",
+                     .name = "Gain",
+                     .group = "Levels",
+                     .minimum = -60,
+                     .maximum = 24,
+                     .fallback = 0,
+                     .unit = "dB",
+                     .off = true},
+  [KIT_KNOB_LEVEL] = LEVEL(1),
+  LEVEL(2),
+  LEVEL(3),
+  LEVEL(4),
+  LEVEL(5),
+  LEVEL(6),
+  LEVEL(7),
+  LEVEL(8),
+  [KIT_KNOB_TUNE] = TUNE(1),
+  TUNE(2),
+  TUNE(3),
+  TUNE(4),
+  TUNE(5),
+  TUNE(6),
+  TUNE(7),
+  TUNE(8),
+};
+
+float kit_knob_clamp(KitKnobId id, double value) {
+  const KitKnob *const knob = &kit_knobs[id];
+  if (isnan(value)) return knob->fallback;
+  const double within = fmin(fmax(value, (double)knob->minimum), (double)knob->maximum);
+  return (float)(knob->choices ? trunc(within) : within);
+}
+
+double kit_knob_factor(KitKnobId id, float value) {
+  return value <= kit_knobs[id].minimum ? 0 : pow(10, (double)value / 20);
+}
+
+/* ---- the kit -------------------------------------------------------------------------------- */
+
+/* A string's and a membrane's pitch grows with the square root of the tension; a pitch that is set leads it. */
+static void tune_head(TaborHeadDef *head, double ratio) {
+  head->tension *= ratio * ratio;
+  head->pitch *= ratio;
+}
+
+static void tune_drum(TaborDrumDef *def, float semitones) {
+  if (semitones == 0.0f) return;
+  const double ratio = exp2((double)semitones / 12);
+  TaborDrumDef tuned = *def;
+  tune_head(&tuned.batter, ratio);
+  tune_head(&tuned.resonant, ratio);
+  if (tabor_drum_def_validate(&tuned, NULL) == TABOR_OK) *def = tuned;
+}
+
+static void set_coupling(float value, TaborKitDef *def) {
+  def->coupled = def->coupled && value > kit_knobs[KIT_KNOB_COUPLING].minimum;
+  def->coupling = fmin(fmax(def->coupling + (double)value, -60), 24);
+}
+
+static void set_overheads(float value, TaborKitDef *def) {
+  const bool is_off = value <= kit_knobs[KIT_KNOB_OVERHEADS].minimum;
+  def->overheads = is_off ? -120 : fmin(def->overheads + (double)value, 24);
+}
+
+TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], TaborKitDef *def,
+                             TaborError *error) {
+  const TaborKitInfo *const kit = tabor_kit((uint32_t)values[KIT_KNOB_KIT]);
+  const TaborStatus status = tabor_kit_def_preset(def, kit->name, error);
+  if (status != TABOR_OK) return status;
+  if (values[KIT_KNOB_ROOM] > 0) def->room.kind = (uint32_t)values[KIT_KNOB_ROOM] - 1u;
+  set_coupling(values[KIT_KNOB_COUPLING], def);
+  set_overheads(values[KIT_KNOB_OVERHEADS], def);
+  for (uint32_t i = 0; i < KIT_KNOB_DRUMS && i < def->drum_count; i++) {
+    tune_drum(&def->drum[i].def, values[KIT_KNOB_TUNE + i]);
+  }
+  return tabor_kit_def_validate(def, error);
+}

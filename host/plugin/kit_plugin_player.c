@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: MIT */
+#include "plugin/kit_plugin_player.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+static const double FADE = 0.03; /* [s] of a kit that leaves */
+#define PAUSE 1000000            /* [ns] for another thread that is at work already */
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+void kit_plugin_player_begin(KitPluginPlayer *player, KitWorker *worker) {
+  memset(player, 0, sizeof *player);
+  player->worker = worker;
+  player->fade_frames = (uint32_t)ceil(FADE * worker->rate);
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->values[i] = kit_knobs[i].fallback;
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
+}
+
+void kit_plugin_player_end(KitPluginPlayer *player) {
+  kit_voice_destroy(player->now);
+  kit_voice_destroy(player->leaving);
+  player->now = player->leaving = NULL;
+}
+
+/* ---- events --------------------------------------------------------------------------------- */
+
+/* Adds an event at a frame of the block. */
+static void add_event(KitPluginPlayer *player, TaborKitEvent event, uint32_t frame) REALTIME;
+static void add_event(KitPluginPlayer *player, TaborKitEvent event, uint32_t frame) {
+  if (player->event_count == KIT_PLUGIN_EVENTS) kit_plugin_player_play(player, frame);
+  if (player->event_count == KIT_PLUGIN_EVENTS) return; /* all are of this frame */
+  event.event.frame = frame;
+  player->events[player->event_count++] = event;
+}
+
+static double gain_of(const KitPluginPlayer *player, uint32_t drum) REALTIME;
+static double gain_of(const KitPluginPlayer *player, uint32_t drum) {
+  const double all = kit_knob_factor(KIT_KNOB_GAIN, player->values[KIT_KNOB_GAIN]);
+  const KitKnobId level = (KitKnobId)(KIT_KNOB_LEVEL + drum);
+  const double own = drum < KIT_KNOB_DRUMS ? kit_knob_factor(level, player->values[level]) : 1;
+  return all * own * player->midi_gain[drum];
+}
+
+static void set_gain(KitPluginPlayer *player, uint32_t drum, uint32_t frame) REALTIME;
+static void set_gain(KitPluginPlayer *player, uint32_t drum, uint32_t frame) {
+  const TaborEvent gain = {.type = TABOR_EVENT_GAIN, .value = gain_of(player, drum)};
+  add_event(player, (TaborKitEvent){.drum = drum, .event = gain}, frame);
+}
+
+static void set_gains(KitPluginPlayer *player) REALTIME;
+static void set_gains(KitPluginPlayer *player) {
+  for (uint32_t i = 0; player->now && i < player->now->drum_count; i++) {
+    set_gain(player, i, player->at);
+  }
+}
+
+/* A new kit's gains are 1. */
+static void set_first_gains(KitPluginPlayer *player) REALTIME;
+static void set_first_gains(KitPluginPlayer *player) {
+  for (uint32_t i = 0; i < player->now->drum_count; i++) {
+    if (gain_of(player, i) != 1) set_gain(player, i, player->at);
+  }
+}
+
+static void set_response(KitPluginPlayer *player) REALTIME;
+static void set_response(KitPluginPlayer *player) {
+  for (uint32_t i = 0; player->now && i < player->now->drum_count; i++) {
+    MidiResponse *const response = &player->now->midi.maps[i].response;
+    response->curve = (MidiCurve)player->values[KIT_KNOB_VELOCITY_CURVE];
+    response->range = (MidiRange)player->values[KIT_KNOB_VELOCITY_RANGE];
+  }
+}
+
+void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) {
+  if (player->values[id] == value) return;
+  player->values[id] = value;
+  if (kit_knobs[id].rebuilds) return;
+  if (id == KIT_KNOB_VELOCITY_CURVE || id == KIT_KNOB_VELOCITY_RANGE) {
+    set_response(player);
+  } else if (id == KIT_KNOB_GAIN) {
+    set_gains(player);
+  } else if (player->now && id - KIT_KNOB_LEVEL < player->now->drum_count) {
+    set_gain(player, id - KIT_KNOB_LEVEL, player->at);
+  }
+}
+
+void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message, uint32_t frame) {
+  TaborKitEvent events[TABOR_KIT_DRUMS];
+  if (!player->now) return;
+  const uint32_t count = kit_midi_take(&player->now->midi, message, events);
+  for (uint32_t i = 0; i < count; i++) {
+    if (events[i].event.type == TABOR_EVENT_GAIN) {
+      player->midi_gain[events[i].drum] = events[i].event.value;
+      set_gain(player, events[i].drum, frame);
+    } else {
+      add_event(player, events[i], frame);
+    }
+  }
+}
+
+void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) {
+  TaborKitEvent silence = {.drum = TABOR_KIT_ALL, .event = {.type = TABOR_EVENT_SILENCE}};
+  if (!player->now) return;
+  if (key >= 0) {
+    silence.drum = player->now->midi.owner[key];
+    if (silence.drum == KIT_MIDI_NOBODY) return;
+  }
+  add_event(player, silence, frame);
+}
+
+/* ---- kits that come and go ------------------------------------------------------------------ */
+
+/* Until the worker has taken the one before, it is kept. */
+static void retire(KitPluginPlayer *player) REALTIME;
+static void retire(KitPluginPlayer *player) {
+  KitVoice *expected = NULL;
+  if (!player->leaving || player->fade > 0) return;
+  if (atomic_compare_exchange_strong(&player->worker->retired, &expected, player->leaving)) {
+    player->leaving = NULL;
+  }
+}
+
+static void receive(KitPluginPlayer *player) REALTIME;
+static void receive(KitPluginPlayer *player) {
+  KitWorker *const worker = player->worker;
+  if (player->leaving || atomic_load(&worker->phase) != KIT_PHASE_ANSWERED) return;
+  if (worker->answer) {
+    player->leaving = player->now;
+    player->fade = player->now ? player->fade_frames : 0;
+    player->now = worker->answer;
+    worker->answer = NULL;
+    set_response(player);
+    set_first_gains(player);
+  } else if (!worker->failed) {
+    player->has_asked = false; /* it was cancelled: ask again */
+  }
+  atomic_store(&worker->phase, KIT_PHASE_IDLE);
+}
+
+static bool is_wanted(const KitPluginPlayer *player) REALTIME;
+static bool is_wanted(const KitPluginPlayer *player) {
+  for (uint32_t i = 0; player->has_asked && i < KIT_KNOB_COUNT; i++) {
+    if (kit_knobs[i].rebuilds && player->values[i] != player->asked[i]) return false;
+  }
+  return player->has_asked;
+}
+
+static void ask(KitPluginPlayer *player) REALTIME;
+static void ask(KitPluginPlayer *player) {
+  KitWorker *const worker = player->worker;
+  if (is_wanted(player)) return;
+  if (atomic_load(&worker->phase) != KIT_PHASE_IDLE) {
+    atomic_store(&worker->is_outdated, true);
+    return;
+  }
+  memcpy(worker->wanted, player->values, sizeof worker->wanted);
+  memcpy(player->asked, player->values, sizeof player->asked);
+  player->has_asked = true;
+  atomic_store(&worker->is_outdated, false);
+  atomic_store(&worker->phase, KIT_PHASE_ASKED);
+}
+
+void kit_plugin_player_keep_up(KitPluginPlayer *player) {
+  retire(player);
+  receive(player);
+  ask(player);
+}
+
+bool kit_plugin_player_is_settled(const KitPluginPlayer *player) {
+  return is_wanted(player) && atomic_load(&player->worker->phase) == KIT_PHASE_IDLE;
+}
+
+void kit_plugin_player_wait(KitPluginPlayer *player) {
+  const struct timespec moment = {.tv_nsec = PAUSE};
+  for (;;) {
+    const bool has_answer = atomic_load(&player->worker->phase) == KIT_PHASE_ANSWERED;
+    if (has_answer) player->fade = 0; /* of a kit that left less than a fade ago: two are enough */
+    kit_plugin_player_keep_up(player);
+    if (kit_plugin_player_is_settled(player)) return;
+    if (atomic_load(&player->worker->is_cancelled)) return;
+    kit_worker_work(player->worker);
+    if (atomic_load(&player->worker->phase) == KIT_PHASE_BUILDING) (void)nanosleep(&moment, NULL);
+  }
+}
+
+/* ---- sound ---------------------------------------------------------------------------------- */
+
+static TaborKitOutputs outputs_at(const KitPluginPlayer *player, uint32_t at) REALTIME;
+static TaborKitOutputs outputs_at(const KitPluginPlayer *player, uint32_t at) {
+  TaborKitOutputs outputs = {0};
+  for (uint32_t side = 0; side < 2; side++) {
+    float *const mix = player->outputs.mix[side];
+    if (mix) outputs.stereo[side] = mix + at;
+    for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) {
+      float *const drum = player->outputs.drum[i][side];
+      if (drum) outputs.drum[i][side] = drum + at;
+    }
+  }
+  return outputs;
+}
+
+/* A kit fills the outputs of its own drums alone. */
+static void clear(const TaborKitOutputs *outputs, uint32_t from, uint32_t frames) REALTIME;
+static void clear(const TaborKitOutputs *outputs, uint32_t from, uint32_t frames) {
+  for (uint32_t i = from; i < KIT_KNOB_DRUMS; i++) {
+    for (uint32_t side = 0; side < 2; side++) {
+      if (outputs->drum[i][side]) memset(outputs->drum[i][side], 0, frames * sizeof(float));
+    }
+  }
+}
+
+static void clear_all(const TaborKitOutputs *outputs, uint32_t frames) REALTIME;
+static void clear_all(const TaborKitOutputs *outputs, uint32_t frames) {
+  for (uint32_t side = 0; side < 2; side++) {
+    if (outputs->stereo[side]) memset(outputs->stereo[side], 0, frames * sizeof(float));
+  }
+  clear(outputs, 0, frames);
+}
+
+static void add_faded(const KitPluginPlayer *player, const float *from, float *to,
+                      uint32_t frames) REALTIME;
+static void add_faded(const KitPluginPlayer *player, const float *from, float *to,
+                      uint32_t frames) {
+  if (!to) return;
+  for (uint32_t i = 0; i < frames && i < player->fade; i++) {
+    to[i] += from[i] * ((float)(player->fade - i) / (float)player->fade_frames);
+  }
+}
+
+/* The kit that leaves, into the piece that the other one has filled. */
+static void play_leaving(KitPluginPlayer *player, const TaborKitOutputs *outputs,
+                         uint32_t frames) REALTIME;
+static void play_leaving(KitPluginPlayer *player, const TaborKitOutputs *outputs, uint32_t frames) {
+  TaborKitOutputs own = {.stereo = {player->sound[0], player->sound[1]}};
+  for (uint32_t i = 0; i < KIT_KNOB_DRUMS && i < player->leaving->drum_count; i++) {
+    own.drum[i][0] = player->sound[2 + 2 * i];
+    own.drum[i][1] = player->sound[3 + 2 * i];
+  }
+  tabor_kit_process(player->leaving->kit, NULL, 0, &own, frames);
+  for (uint32_t side = 0; side < 2; side++) {
+    add_faded(player, own.stereo[side], outputs->stereo[side], frames);
+    for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) {
+      if (own.drum[i][side]) add_faded(player, own.drum[i][side], outputs->drum[i][side], frames);
+    }
+  }
+  player->fade -= frames < player->fade ? frames : player->fade;
+}
+
+/* Events before frame `end`, counted from the frame where the piece begins. */
+static uint32_t take_events(KitPluginPlayer *player, uint32_t first, uint32_t end) REALTIME;
+static uint32_t take_events(KitPluginPlayer *player, uint32_t first, uint32_t end) {
+  uint32_t next = first;
+  while (next < player->event_count && player->events[next].event.frame < end) {
+    TaborEvent *const event = &player->events[next++].event;
+    event->frame = event->frame > player->at ? event->frame - player->at : 0;
+  }
+  return next - first;
+}
+
+/* `next` is the first event that was not played yet; returns how many were. */
+static uint32_t play_piece(KitPluginPlayer *player, uint32_t next, uint32_t frames) REALTIME;
+static uint32_t play_piece(KitPluginPlayer *player, uint32_t next, uint32_t frames) {
+  const TaborKitOutputs outputs = outputs_at(player, player->at);
+  const uint32_t count = take_events(player, next, player->at + frames);
+  if (player->now) {
+    tabor_kit_process(player->now->kit, player->events + next, count, &outputs, frames);
+    clear(&outputs, player->now->drum_count, frames);
+  } else {
+    clear_all(&outputs, frames);
+  }
+  if (player->leaving && player->fade > 0) play_leaving(player, &outputs, frames);
+  player->at += frames;
+  return count;
+}
+
+void kit_plugin_player_begin_block(KitPluginPlayer *player, const KitPluginOutputs *outputs) {
+  player->outputs = *outputs;
+  player->at = 0;
+}
+
+/* Events that stay, at the end of a block, act at the beginning of the next. */
+void kit_plugin_player_play(KitPluginPlayer *player, uint32_t end) {
+  uint32_t next = 0;
+  while (player->at < end) {
+    const uint32_t left = end - player->at;
+    next += play_piece(player, next, left < KIT_PLUGIN_PIECE ? left : KIT_PLUGIN_PIECE);
+  }
+  player->event_count -= next;
+  memmove(player->events, player->events + next, player->event_count * sizeof *player->events);
+}
+
+bool kit_plugin_player_is_silent(const KitPluginPlayer *player) {
+  return !player->leaving && player->event_count == 0 &&
+         (!player->now || tabor_kit_is_silent(player->now->kit));
+}
+
+void kit_plugin_player_rest(KitPluginPlayer *player) {
+  player->fade = 0;
+  player->event_count = 0;
+  if (player->now) tabor_kit_reset(player->now->kit);
+}

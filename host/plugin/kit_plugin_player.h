@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file kit_plugin_player.h
+ * The audio side of the plugin Tabor Kit: messages and knobs at their frames become events of the kit, whose mix and drums
+ * fill a host's block. When another kit has been built, the one before fades out beside it.
+ */
+#ifndef TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
+#define TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
+
+#include "plugin/kit_worker.h"
+
+#define KIT_PLUGIN_EVENTS 1024 /**< most events at once; further ones wait until these are played */
+#define KIT_PLUGIN_PIECE 256   /**< most frames at once */
+
+/** Where a block goes; what is NULL goes nowhere. */
+typedef struct KitPluginOutputs {
+  float *mix[2];
+  float *drum[KIT_KNOB_DRUMS][2]; /**< each drum's part of the mix, without the room */
+} KitPluginOutputs;
+
+typedef struct KitPluginPlayer {
+  KitWorker *worker;
+  KitVoice *now, *leaving;           /**< leaving: fades out */
+  uint32_t fade, fade_frames;        /**< frames that are left of it, and all */
+  float values[KIT_KNOB_COUNT];      /**< of the knobs */
+  float asked[KIT_KNOB_COUNT];       /**< of the newest request */
+  bool has_asked;                    /**< a request was answered or is under way */
+  double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */
+  TaborKitEvent events[KIT_PLUGIN_EVENTS];
+  uint32_t event_count;
+
+  KitPluginOutputs outputs;                              /**< of the block */
+  uint32_t at;                                           /**< frames of it that were played */
+  float sound[2 + 2 * KIT_KNOB_DRUMS][KIT_PLUGIN_PIECE]; /**< of the kit that leaves */
+} KitPluginPlayer;
+
+/** SET-UP. All knobs are at their defaults, and no kit is there yet. */
+void kit_plugin_player_begin(KitPluginPlayer *player, KitWorker *worker);
+/** SET-UP. Destroys its kits. */
+void kit_plugin_player_end(KitPluginPlayer *player);
+
+/* AUDIO */
+
+/** Begins a block. */
+void kit_plugin_player_begin_block(KitPluginPlayer *player,
+                                   const KitPluginOutputs *outputs) REALTIME;
+/** Turns a knob, at the next frame that is played. */
+void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) REALTIME;
+/** Takes a message at frame @p frame of the block, not before a frame that was given or played before. */
+void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
+                            uint32_t frame) REALTIME;
+/** Silences the drum that @p key plays, or with a negative key all, at frame @p frame. */
+void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) REALTIME;
+/** Plays up to frame @p end of the block. */
+void kit_plugin_player_play(KitPluginPlayer *player, uint32_t end) REALTIME;
+/** Takes what the worker has built, and asks for what the knobs want. */
+void kit_plugin_player_keep_up(KitPluginPlayer *player) REALTIME;
+/** True if the kit is the one that the knobs want, or that cannot be built. */
+bool kit_plugin_player_is_settled(const KitPluginPlayer *player) REALTIME;
+bool kit_plugin_player_is_silent(const KitPluginPlayer *player) REALTIME;
+/** Brings everything to rest at once. */
+void kit_plugin_player_rest(KitPluginPlayer *player) REALTIME;
+
+/** Not AUDIO. Builds, or waits for another thread that does, until the player is settled or the worker is cancelled. */
+void kit_plugin_player_wait(KitPluginPlayer *player);
+
+#endif

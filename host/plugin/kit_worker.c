@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT */
+#include "plugin/kit_worker.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plugin/model_cache.h"
+#include "plugin/model_worker.h"
+
+void kit_voice_destroy(KitVoice *voice) {
+  if (!voice) return;
+  tabor_kit_destroy(voice->kit);
+  for (uint32_t i = 0; i < voice->drum_count; i++) model_cache_give_back(voice->models[i]);
+  free(voice);
+}
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+void kit_worker_begin(KitWorker *worker, double rate, KitWorkerSayFn *say, void *context) {
+  memset(worker, 0, sizeof *worker);
+  worker->rate = rate;
+  worker->say = say;
+  worker->context = context;
+}
+
+static void free_retired(KitWorker *worker) {
+  kit_voice_destroy(atomic_exchange(&worker->retired, NULL));
+}
+
+void kit_worker_end(KitWorker *worker) {
+  free_retired(worker);
+  if (atomic_load(&worker->phase) == KIT_PHASE_ANSWERED) kit_voice_destroy(worker->answer);
+  atomic_store(&worker->phase, KIT_PHASE_IDLE);
+}
+
+void kit_worker_cancel(KitWorker *worker) { atomic_store(&worker->is_cancelled, true); }
+
+void kit_worker_resume(KitWorker *worker) { atomic_store(&worker->is_cancelled, false); }
+
+/* ---- building ------------------------------------------------------------------------------- */
+
+static bool goes_on(double done, void *context) {
+  const KitWorker *const worker = context;
+  (void)done;
+  return !atomic_load(&worker->is_cancelled) && !atomic_load(&worker->is_outdated);
+}
+
+static void say(const KitWorker *worker, const char *what, const TaborError *error) {
+  char line[2 * TABOR_TEXT_SIZE];
+  (void)snprintf(line, sizeof line, "%s: %s", what, error->message);
+  if (worker->say) worker->say(worker->context, line);
+}
+
+static TaborStatus out_of_memory(TaborError *error) {
+  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
+  return TABOR_ERROR_MEMORY;
+}
+
+/* At the quality that was asked for, or the highest one below it that the limits allow. */
+static TaborStatus take_model(KitWorker *worker, const TaborDrumDef *def, TaborModel **model,
+                              TaborError *error) {
+  TaborModelOptions options;
+  tabor_model_options_default(&options);
+  options.sample_rate = worker->rate;
+  options.quality = TABOR_QUALITY_DRAFT + (uint32_t)worker->wanted[KIT_KNOB_QUALITY];
+  options.most_seconds = MODEL_WORKER_MOST_SECONDS;
+  options.most_bytes = MODEL_WORKER_MOST_BYTES;
+  options.progress = goes_on;
+  options.progress_context = worker;
+  for (;; options.quality--) {
+    const TaborStatus status = model_cache_take(def, &options, model, error);
+    if (status != TABOR_ERROR_LIMIT || options.quality <= TABOR_QUALITY_DRAFT) return status;
+    say(worker, "the next lower quality plays", error);
+  }
+}
+
+static TaborStatus take_models(KitWorker *worker, const TaborKitDef *def, KitVoice *voice,
+                               TaborError *error) {
+  TaborStatus status = TABOR_OK;
+  for (uint32_t i = 0; i < def->drum_count && status == TABOR_OK; i++) {
+    TaborDrumDef placed;
+    status = tabor_kit_def_place(def, i, &placed, error);
+    if (status == TABOR_OK) status = take_model(worker, &placed, &voice->models[i], error);
+  }
+  return status;
+}
+
+static MidiResponse response_of(const float *wanted) {
+  return (MidiResponse){.curve = (MidiCurve)wanted[KIT_KNOB_VELOCITY_CURVE],
+                        .range = (MidiRange)wanted[KIT_KNOB_VELOCITY_RANGE]};
+}
+
+static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voice,
+                              TaborError *error) {
+  TaborStatus status = kit_knobs_define(worker->wanted, def, error);
+  if (status != TABOR_OK) return status;
+  voice->drum_count = def->drum_count;
+  status = take_models(worker, def, voice, error);
+  if (status == TABOR_OK) status = tabor_kit_create(def, voice->models, &voice->kit, error);
+  if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, response_of(worker->wanted), MIDI_OMNI);
+  return status;
+}
+
+static TaborStatus build(KitWorker *worker, TaborError *error) {
+  TaborKitDef *const def = malloc(sizeof *def);
+  KitVoice *const voice = calloc(1, sizeof *voice);
+  const TaborStatus status =
+    def && voice ? fill_voice(worker, def, voice, error) : out_of_memory(error);
+  free(def);
+  worker->answer = status == TABOR_OK ? voice : NULL;
+  if (status != TABOR_OK) kit_voice_destroy(voice);
+  return status;
+}
+
+void kit_worker_work(KitWorker *worker) {
+  unsigned asked = KIT_PHASE_ASKED;
+  TaborError error;
+  free_retired(worker);
+  if (!atomic_compare_exchange_strong(&worker->phase, &asked, KIT_PHASE_BUILDING)) return;
+  const TaborStatus status = build(worker, &error);
+  worker->failed = status != TABOR_OK && status != TABOR_ERROR_CANCELLED;
+  if (worker->failed) say(worker, "the kit stays as it is", &error);
+  atomic_store(&worker->phase, KIT_PHASE_ANSWERED);
+}

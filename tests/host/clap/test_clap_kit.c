@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The CLAP plugin Tabor Kit plays a MIDI file as `tabor render --kit` does, to the bit, its mix and each drum, whatever the
+ * sizes of the blocks are; knobs, states, chokes and names do what they say.
+ *
+ * test_clap_kit PROGRAM PLUGINS [brief | songs NUMBER]
+ *
+ * `songs` plays NUMBER random songs on all kits.
+ */
+#include "clap_host.h"
+#include "plugin_songs.h"
+
+#include "clap/kit_instance.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const clap_plugin_entry_t *entry;
+static bool brief;
+static unsigned random_songs = 1;
+
+static const char rendered[] = "render -o";
+
+/* Active and offline, at draft. */
+static ClapHost *open_kit(double kit) {
+  ClapHost *const host = clap_host_open(entry, ID_KIT);
+  clap_host_set_id(host, 0, KIT_KNOB_KIT, kit);
+  clap_host_set_id(host, 0, KIT_KNOB_QUALITY, 0);
+  clap_host_flush(host);
+  clap_host_render(host, true);
+  clap_host_activate(host);
+  return host;
+}
+
+/* Keeps channels `first` and the next. */
+static void play_song(ClapHost *host, uint32_t block, uint32_t first, Take *take) {
+  static uint64_t random = 7;
+  size_t next = 0;
+  for (uint32_t at = 0; at < take->frames;) {
+    uint32_t run = block > 0 ? block : (uint32_t)(midi_random(&random) % (CLAP_BLOCK + 1));
+    if (run > take->frames - at) run = take->frames - at;
+    for (; next < song.count && song.messages[next].frame < at + run; next++) {
+      clap_host_midi(host, (uint32_t)song.messages[next].frame - at, &song.messages[next].message);
+    }
+    clap_host_run(host, run);
+    for (uint32_t i = 0; i < 2; i++) {
+      memcpy(take->sound[i] + at, host->sound[first + i], run * sizeof(float));
+    }
+    at += run;
+  }
+}
+
+static void same_mix(double kit, const char *options, const uint32_t *blocks, size_t count) {
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, 2);
+  take_from(rendered, options, NULL, &expected);
+  for (size_t i = 0; i < count; i++) {
+    ClapHost *const host = open_kit(kit);
+    play_song(host, blocks[i], 0, &take);
+    take_compare(&expected, &take, blocks[i]);
+    clap_host_close(host);
+  }
+  take_close(&expected);
+  take_close(&take);
+}
+
+static void the_mix_is_that_of_render(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {0, 37, CLAP_BLOCK};
+  song_write_all();
+  same_mix(0, "--kit standard --quality draft", blocks, brief ? 1 : 3);
+}
+
+static void each_drum_is_that_of_split(void **state) {
+  (void)state;
+  static const char *const drums[] = {"kick", "snare", "high-tom"};
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, 2);
+  song_write_all();
+  take_from(rendered, "--kit standard --quality draft --split", NULL, &expected);
+  for (uint32_t i = 0; i < 3; i++) {
+    char name[64], path[256];
+    (void)snprintf(name, sizeof name, "song-%s.wav", drums[i]);
+    song_path(path, sizeof path, name);
+    take_read(path, &expected);
+    ClapHost *const host = open_kit(0);
+    play_song(host, 256, 2 + 2 * i, &take);
+    take_compare(&expected, &take, 256);
+    clap_host_close(host);
+  }
+  take_close(&expected);
+  take_close(&take);
+}
+
+static void random_songs_are_those_of_render(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {0};
+  for (uint64_t seed = 1; seed <= random_songs; seed++) {
+    char options[64];
+    const uint32_t kit = seed % tabor_kit_count();
+    print_message("seed %u, kit %s\n", (unsigned)seed, tabor_kit(kit)->name);
+    (void)snprintf(options, sizeof options, "--kit %s --quality draft", tabor_kit(kit)->name);
+    song_write_random(seed);
+    same_mix(kit, options, blocks, 1);
+  }
+}
+
+/* ---- knobs ---------------------------------------------------------------------------------- */
+
+static double peak(const ClapHost *host, uint32_t channel, uint32_t frames) {
+  double most = 0;
+  for (uint32_t i = 0; i < frames; i++) most = fmax(most, fabs((double)host->sound[channel][i]));
+  return most;
+}
+
+/* Peak of the drum's own output in the first block after a stroke on `note`. */
+static double strike(ClapHost *host, uint8_t note, uint32_t drum) {
+  clap_host_midi(host, 0, &(MidiMessage){0x99, {note, 100}});
+  clap_host_run(host, CLAP_BLOCK);
+  return peak(host, 2 + 2 * drum, CLAP_BLOCK);
+}
+
+/* Gain and level are factors of the drum's part, and "Off" is silence. */
+static void levels_are_factors(void **state) {
+  (void)state;
+  ClapHost *host = open_kit(0);
+  const double whole = strike(host, 38, 1);
+  clap_host_close(host);
+  assert_true(whole > 1e-3);
+  host = clap_host_open(entry, ID_KIT);
+  clap_host_set_id(host, 0, KIT_KNOB_QUALITY, 0);
+  clap_host_set_id(host, 0, KIT_KNOB_GAIN, -6);
+  clap_host_set_id(host, 0, KIT_KNOB_LEVEL + 1, -14);
+  clap_host_flush(host);
+  clap_host_render(host, true);
+  clap_host_activate(host);
+  clap_host_run(host, CLAP_BLOCK); /* gains glide */
+  assert_true(fabs(strike(host, 38, 1) / whole - 0.1) < 1e-4);
+  clap_host_set_id(host, 0, KIT_KNOB_LEVEL + 1, -60);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_true(strike(host, 38, 1) == 0);
+  clap_host_close(host);
+}
+
+static double rate_of_crossings(const ClapHost *host, uint32_t channel) {
+  uint32_t count = 0;
+  for (uint32_t i = 1; i < CLAP_BLOCK; i++) {
+    count += host->sound[channel][i - 1] < 0 && host->sound[channel][i] >= 0;
+  }
+  return 48000.0 * count / CLAP_BLOCK;
+}
+
+/* A tom an octave higher rings an octave higher, more or less: its air does not go along. */
+static void tuning_moves_the_pitch(void **state) {
+  (void)state;
+  double rates[2];
+  for (int i = 0; i < 2; i++) {
+    ClapHost *const host = open_kit(0);
+    clap_host_set_id(host, 0, KIT_KNOB_TUNE + 4, i == 0 ? 0 : 12);
+    (void)strike(host, 41, 4);
+    clap_host_run(host, CLAP_BLOCK);
+    rates[i] = rate_of_crossings(host, 10);
+    clap_host_close(host);
+  }
+  print_message("floor tom: %.0f Hz, tuned up %.0f Hz\n", rates[0], rates[1]);
+  assert_true(rates[1] > 1.5 * rates[0]);
+}
+
+/* A kit that is exchanged while it rings fades out: nothing jumps. */
+static void another_kit_comes_without_a_click(void **state) {
+  (void)state;
+  ClapHost *const host = open_kit(0);
+  (void)strike(host, 41, 4);
+  const float before = host->sound[0][CLAP_BLOCK - 1];
+  const double loud = peak(host, 0, CLAP_BLOCK);
+  clap_host_set_id(host, 0, KIT_KNOB_KIT, 1);
+  clap_host_run(host, CLAP_BLOCK);
+  double step = fabs((double)(host->sound[0][0] - before));
+  for (uint32_t i = 1; i < CLAP_BLOCK; i++) {
+    step = fmax(step, fabs((double)(host->sound[0][i] - host->sound[0][i - 1])));
+  }
+  print_message("peak %.3f, largest step %.4f\n", loud, step);
+  assert_true(loud > 0.01 && step < 0.05 * loud);
+  assert_true(peak(host, 0, CLAP_BLOCK) > 0);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_true(peak(host, 0, CLAP_BLOCK) == 0);
+  assert_true(host->callbacks > 0); /* notes have other names */
+  clap_host_close(host);
+}
+
+/* ---- events --------------------------------------------------------------------------------- */
+
+static void a_choke_silences_its_drum_alone(void **state) {
+  (void)state;
+  ClapHost *const host = open_kit(0);
+  (void)strike(host, 41, 4);
+  (void)strike(host, 48, 2);
+  clap_host_note(host, 0, CLAP_EVENT_NOTE_CHOKE, 41, 0);
+  clap_host_run(host, CLAP_BLOCK);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_true(peak(host, 10, CLAP_BLOCK) == 0);
+  assert_true(peak(host, 6, CLAP_BLOCK) > 0);
+  clap_host_note(host, 5, CLAP_EVENT_NOTE_ON, 41, 0.8);
+  clap_host_note(host, 5, CLAP_EVENT_NOTE_CHOKE, 41, 0);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_true(peak(host, 10, CLAP_BLOCK) == 0);
+  clap_host_note(host, 5, CLAP_EVENT_NOTE_CHOKE, -1, 0);
+  clap_host_run(host, CLAP_BLOCK);
+  clap_host_run(host, CLAP_BLOCK);
+  assert_true(peak(host, 6, CLAP_BLOCK) == 0);
+  assert_int_equal(host->ended, 3);
+  clap_host_close(host);
+}
+
+static void notes_have_names(void **state) {
+  (void)state;
+  ClapHost *const host = clap_host_open(entry, ID_KIT);
+  const clap_plugin_note_name_t *const names = clap_host_extension(host, CLAP_EXT_NOTE_NAME);
+  const uint32_t count = names->count(host->plugin);
+  clap_note_name_t name;
+  bool found = false;
+  for (uint32_t i = 0; i < count; i++) {
+    assert_true(names->get(host->plugin, i, &name));
+    if (name.key == 37) found = strcmp(name.name, "snare cross-stick") == 0;
+  }
+  assert_true(count >= 11 && found);
+  assert_false(names->get(host->plugin, count, &name));
+  clap_host_close(host);
+}
+
+/* ---- states --------------------------------------------------------------------------------- */
+
+static void states_come_back(void **state) {
+  (void)state;
+  static ClapState saved, again;
+  ClapHost *const host = open_kit(2);
+  clap_host_set_id(host, 0, KIT_KNOB_TUNE, 1.25);
+  clap_host_run(host, 64);
+  clap_host_save(host, &saved);
+  clap_host_close(host);
+  ClapHost *const other = open_kit(0);
+  assert_true(clap_host_load(other, &saved));
+  assert_int_equal(other->rescans, 1);
+  const clap_plugin_params_t *const params = clap_host_extension(other, CLAP_EXT_PARAMS);
+  double kit, tune;
+  assert_true(params->get_value(other->plugin, KIT_KNOB_KIT, &kit));
+  assert_true(params->get_value(other->plugin, KIT_KNOB_TUNE, &tune));
+  assert_true(kit == 2 && tune == 1.25);
+  clap_host_save(other, &again);
+  assert_int_equal(saved.size, again.size);
+  assert_memory_equal(saved.bytes, again.bytes, saved.size);
+  memcpy(saved.bytes, "tabor-kit-state 9", 17);
+  assert_false(clap_host_load(other, &saved));
+  assert_non_null(strstr(other->said, "this version"));
+  char *const name = strstr(again.bytes, "marching");
+  assert_non_null(name);
+  *name = 'x';
+  assert_false(clap_host_load(other, &again));
+  assert_non_null(strstr(other->said, "no such kit"));
+  clap_host_close(other);
+}
+
+/* The words of the knob are the kits, in their order. */
+static void choices_are_the_kits(void **state) {
+  (void)state;
+  ClapHost *const host = clap_host_open(entry, ID_KIT);
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  assert_true(kit_knobs[KIT_KNOB_KIT].maximum + 1 == (float)tabor_kit_count());
+  for (uint32_t i = 0; i < tabor_kit_count(); i++) {
+    char text[64];
+    double value;
+    assert_true(params->value_to_text(host->plugin, KIT_KNOB_KIT, i, text, sizeof text));
+    assert_string_equal(text, tabor_kit(i)->name);
+    assert_true(params->text_to_value(host->plugin, KIT_KNOB_KIT, text, &value));
+    assert_true(value == i);
+  }
+  clap_host_close(host);
+}
+
+int main(int argc, char **argv) {
+  if (argc < 3) return 1;
+  entry = clap_host_entry(argv[2]);
+  brief = argc == 4;
+  if (argc == 5) random_songs = (unsigned)atoi(argv[4]);
+  if (!songs_begin(argv[1], argc != 5)) return 1;
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_mix_is_that_of_render),
+    cmocka_unit_test(each_drum_is_that_of_split),
+    cmocka_unit_test(random_songs_are_those_of_render),
+    cmocka_unit_test(levels_are_factors),
+    cmocka_unit_test(tuning_moves_the_pitch),
+    cmocka_unit_test(another_kit_comes_without_a_click),
+    cmocka_unit_test(a_choke_silences_its_drum_alone),
+    cmocka_unit_test(notes_have_names),
+    cmocka_unit_test(states_come_back),
+    cmocka_unit_test(choices_are_the_kits),
+  };
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  return songs_end() ? failed : 1;
+}

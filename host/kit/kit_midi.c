@@ -11,31 +11,68 @@ _Static_assert((int)MIDI_STROKE_SWEEP == (int)TABOR_KIT_STROKE_SWEEP &&
                  (int)MIDI_STROKE_HEAD == (int)TABOR_KIT_STROKE_HEAD,
                "strokes of notes");
 
-static void map_drum(const TaborKitDrumDef *drum, MidiResponse response, int channel,
-                     MidiMap *map) {
-  midi_map_default(map);
-  map->response = response;
-  map->channel = channel;
-  map->programs = false;
-  for (int note = 0; note < MIDI_VALUES; note++) {
-    map->notes[note] =
-      (MidiNote){.stroke = (MidiStroke)drum->notes[note], .radius = NAN, .angle = NAN, .speed = 1};
+const KitMidiSetup kit_midi_setup_default = {
+  .response = {MIDI_CURVE_LINEAR, MIDI_RANGE_NORMAL},
+  .channel = MIDI_OMNI,
+  .snare_place = 16,
+  .toms_place = 18,
+};
+
+/* What an instrument's note does to a drum of the kit. */
+static MidiStroke stroke_of(const TaborKitDrumDef *drum, const KitMapNote *note) {
+  if (note->general == KIT_MAP_NOTHING) return MIDI_STROKE_NONE;
+  const MidiStroke own = (MidiStroke)drum->notes[note->general];
+  return own == MIDI_STROKE_NONE || note->stroke == MIDI_STROKE_NONE ? own : note->stroke;
+}
+
+static bool plays_any(const TaborKitDrumDef *drum, const uint8_t *notes, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    if (drum->notes[notes[i]] != TABOR_KIT_STROKE_NONE) return true;
+  }
+  return false;
+}
+
+/* A drum module says the place of a stroke on its snare pad and on its toms by a controller each. */
+static void map_places(const TaborKitDrumDef *drum, const KitMidiSetup *setup, MidiMap *map) {
+  static const uint8_t snare[] = {37, 38, 40}, toms[] = {41, 43, 45, 47, 48, 50};
+  map->controls[16].target = map->controls[17].target = MIDI_TARGET_NONE;
+  if (plays_any(drum, snare, sizeof snare)) {
+    map->controls[setup->snare_place].target = MIDI_TARGET_RADIUS;
+  }
+  if (plays_any(drum, toms, sizeof toms)) {
+    map->controls[setup->toms_place].target = MIDI_TARGET_RADIUS;
   }
 }
 
-void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, MidiResponse response, int channel) {
+static void map_drum(const TaborKitDrumDef *drum, const KitMidiSetup *setup,
+                     const KitMapNote *table, MidiMap *map) {
+  midi_map_default(map);
+  map->response = setup->response;
+  map->channel = setup->channel;
+  map->programs = false;
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    map->notes[note] =
+      (MidiNote){.stroke = stroke_of(drum, &table[note]), .radius = NAN, .angle = NAN, .speed = 1};
+  }
+  if (setup->map) map_places(drum, setup, map);
+}
+
+void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup) {
+  KitMapNote table[MIDI_VALUES];
+  kit_map_table(setup->map, table);
   memset(midi, 0, sizeof *midi);
+  for (int note = 0; note < MIDI_VALUES; note++) midi->general[note] = table[note].general;
   memset(midi->owner, KIT_MIDI_NOBODY, sizeof midi->owner);
   midi->count = kit->drum_count;
   for (uint32_t i = 0; i < kit->drum_count; i++) {
     const TaborKitDrumDef *const drum = &kit->drum[i];
     MidiBinding binding;
-    map_drum(drum, response, channel, &midi->maps[i]);
+    map_drum(drum, setup, table, &midi->maps[i]);
     midi_binding_make(&midi->maps[i], &drum->def, &binding);
     midi_to_events_begin(&midi->drums[i], &midi->maps[i], &binding);
     midi->head_radius[i] = drum->def.shell.radius;
     for (int note = 0; note < MIDI_VALUES; note++) {
-      if (drum->notes[note] != TABOR_KIT_STROKE_NONE) midi->owner[note] = (uint8_t)i;
+      if (midi->maps[i].notes[note].stroke != MIDI_STROKE_NONE) midi->owner[note] = (uint8_t)i;
     }
   }
 }
@@ -123,6 +160,32 @@ static void forget_prefix(KitMidi *midi, uint8_t channel) {
   for (uint32_t i = 0; i < midi->count; i++) midi->drums[i].prefixes[channel] = 0;
 }
 
+/* Key pressure as a module sends it when a cymbal is grabbed; 1 and 0 do not choke [RolandTD17]. */
+static bool chokes(const MidiMessage *message) {
+  return midi_kind(message) == MIDI_POLY_PRESSURE && message->data[1] > 1;
+}
+
+/* 0 to 1, with the prefix of high resolution. */
+static double strength(const KitMidi *midi, const MidiMessage *message) {
+  const uint8_t prefix = midi->drums[0].prefixes[midi_channel(message)];
+  return fmin(1, (message->data[1] + prefix / 128.0) / 127);
+}
+
+static uint32_t take_for_sample(const KitMidi *midi, const MidiMessage *message,
+                                TaborKitEvent *event) {
+  const bool choke = chokes(message);
+  const bool strikes = midi_kind(message) == MIDI_NOTE_ON && message->data[1] > 0;
+  if (!choke && !strikes) return 0;
+  *event = (TaborKitEvent){.drum = KIT_MIDI_SAMPLE + midi->general[message->data[0]]};
+  event->event.type = choke ? TABOR_EVENT_SILENCE : TABOR_EVENT_STRIKE;
+  if (strikes) event->event.velocity = strength(midi, message);
+  return 1;
+}
+
+static bool has_sample(const KitMidi *midi, uint8_t note) {
+  return midi->general[note] != KIT_MAP_NOTHING && midi->has_sample[midi->general[note]];
+}
+
 static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEvent *event) {
   const uint8_t note = message->data[0], owner = midi->owner[note];
   const int channel = midi->maps[0].channel;
@@ -131,11 +194,8 @@ static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEve
   uint32_t count = 0;
   if (owner != KIT_MIDI_NOBODY) {
     count = take_for(midi, owner, message, event);
-  } else if (strikes && midi->has_sample[note]) {
-    *event =
-      (TaborKitEvent){.drum = KIT_MIDI_SAMPLE + note,
-                      .event = {.type = TABOR_EVENT_STRIKE, .velocity = message->data[1] / 127.0}};
-    count = 1;
+  } else if (has_sample(midi, note)) {
+    count = take_for_sample(midi, message, event);
   } else if (strikes) {
     midi->unknown[note]++;
   }

@@ -4,31 +4,50 @@
  * Converts MIDI messages to events of a kit. Each drum has its own converter (midi_to_events.h) with the default map of
  * controllers and the kit's notes: a note, its end and its key pressure go to the drum that the note plays;
  * controllers, channel pressure and silences go to all drums. Program changes do nothing.
+ *
+ * With a map by name (kit_map.h) notes are those of that instrument. The controllers 16 and 17 then do not move all drums:
+ * one controller moves the strokes of drums that play General MIDI's snare notes, another one those that play its toms.
  */
 #ifndef TABOR_HOST_KIT_MIDI_H
 #define TABOR_HOST_KIT_MIDI_H
 
 #include <tabor/kit.h>
 
+#include "midi/kit_map.h"
 #include "midi/midi_to_events.h"
 
 #define KIT_MIDI_NOBODY 0xff
-/** Address of a stroke on a note with a sample (kit_samples.h): this and the note. Its velocity is the strength, 0 to 1. */
+/**
+ * Address of a note with a sample (kit_samples.h): this and the General MIDI note. The velocity of a stroke is its strength,
+ * 0 to 1; TABOR_EVENT_SILENCE chokes the sample.
+ */
 #define KIT_MIDI_SAMPLE 0x1000u
 
+/** What the options for MIDI say. */
+typedef struct KitMidiSetup {
+  MidiResponse response;
+  int channel;                     /**< 0 to 15, or MIDI_OMNI */
+  const KitMap *map;               /**< NULL: General MIDI */
+  uint8_t snare_place, toms_place; /**< controllers of a stroke's radius; of a map by name only */
+} KitMidiSetup;
+
+/** Linear curve, normal range, every channel, General MIDI; places by 16 and 18. */
+extern const KitMidiSetup kit_midi_setup_default;
+
 typedef struct KitMidi {
-  uint32_t count;                      /**< drums */
-  uint8_t owner[MIDI_VALUES];          /**< drum of each note, or KIT_MIDI_NOBODY */
-  bool has_sample[MIDI_VALUES];        /**< to be set after kit_midi_begin() */
-  uint64_t unknown[MIDI_VALUES];       /**< strokes on notes that play no drum */
+  uint32_t count;                /**< drums */
+  uint8_t owner[MIDI_VALUES];    /**< drum of each note, or KIT_MIDI_NOBODY */
+  uint8_t general[MIDI_VALUES];  /**< what each note stands for (kit_map.h) */
+  bool has_sample[MIDI_VALUES];  /**< of a General MIDI note; to be set after kit_midi_begin() */
+  uint64_t unknown[MIDI_VALUES]; /**< strokes on notes that play no drum */
   uint64_t strokes[TABOR_KIT_DRUMS];   /**< on each drum */
   double head_radius[TABOR_KIT_DRUMS]; /**< [m] */
   MidiMap maps[TABOR_KIT_DRUMS];
   MidiToEvents drums[TABOR_KIT_DRUMS];
 } KitMidi;
 
-/** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. @p channel: 0 to 15 or MIDI_OMNI. */
-void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, MidiResponse response, int channel);
+/** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. */
+void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[TABOR_KIT_DRUMS]) REALTIME;

@@ -62,8 +62,7 @@ static uint32_t gather(KitPlayer *player, uint32_t frames) {
     if (event->drum < KIT_MIDI_SAMPLE) {
       count++;
     } else {
-      kit_samples_strike(player->setup.samples, event->drum - KIT_MIDI_SAMPLE,
-                         event->event.velocity, last);
+      kit_samples_take(player->setup.samples, event->drum - KIT_MIDI_SAMPLE, &event->event, last);
     }
   }
   return count;

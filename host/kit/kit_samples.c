@@ -123,13 +123,25 @@ void kit_samples_free(KitSamples *samples) {
 
 /* ---- sound ----------------------------------------------------------------------------------- */
 
+static void fade(KitSamples *samples, KitSampleVoice *voice, uint32_t offset) {
+  if (!voice->sample || voice->fades) return;
+  voice->fades = true;
+  voice->hold = offset;
+  voice->left = samples->fade;
+}
+
 static void choke(KitSamples *samples, uint32_t group, uint32_t offset) {
   for (uint32_t i = 0; group != 0 && i < KIT_SAMPLE_VOICES; i++) {
     KitSampleVoice *const voice = &samples->voices[i];
-    if (!voice->sample || voice->sample->choke != group || voice->fades) continue;
-    voice->fades = true;
-    voice->hold = offset;
-    voice->left = samples->fade;
+    if (voice->sample && voice->sample->choke == group) fade(samples, voice, offset);
+  }
+}
+
+void kit_samples_choke(KitSamples *samples, uint32_t note, uint32_t offset) {
+  const KitSample *const sample = &samples->notes[note];
+  choke(samples, sample->choke, offset);
+  for (uint32_t i = 0; i < KIT_SAMPLE_VOICES; i++) {
+    if (samples->voices[i].sample == sample) fade(samples, &samples->voices[i], offset);
   }
 }
 
@@ -146,6 +158,15 @@ void kit_samples_strike(KitSamples *samples, uint32_t note, double strength, uin
   choke(samples, sample->choke, offset);
   *free_voice(samples) =
     (KitSampleVoice){.sample = sample, .wait = offset, .gain = (float)(strength * strength)};
+}
+
+void kit_samples_take(KitSamples *samples, uint32_t note, const TaborEvent *event,
+                      uint32_t offset) {
+  if (event->type == TABOR_EVENT_SILENCE) {
+    kit_samples_choke(samples, note, offset);
+  } else {
+    kit_samples_strike(samples, note, event->velocity, offset);
+  }
 }
 
 static float next_gain(KitSampleVoice *voice, uint32_t whole) {

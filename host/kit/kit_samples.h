@@ -8,11 +8,13 @@
  *     gain = -6           ; dB, -120 to 24
  *     choke = 1           ; 0 (none) to 15: a stroke fades others of the same group within 15 ms
  *
- * plays the file at each stroke on the note, (velocity/127)^2 as loud. Samples are added to the mix; no drum hears them, and
+ * plays the file at each stroke on the note, (velocity/127)^2 as loud, and fades it when its key is pressed. Samples are added to the mix; no drum hears them, and
  * the room does not.
  */
 #ifndef TABOR_HOST_KIT_SAMPLES_H
 #define TABOR_HOST_KIT_SAMPLES_H
+
+#include <tabor/tabor.h>
 
 #include "base/message.h"
 #include "base/realtime.h"
@@ -61,6 +63,11 @@ void kit_samples_free(KitSamples *samples);
 /** AUDIO: a stroke on @p note, which has a sample, @p offset frames into the next block; @p strength 0 to 1. */
 void kit_samples_strike(KitSamples *samples, uint32_t note, double strength,
                         uint32_t offset) REALTIME;
+/** AUDIO: fades @p note, and others of its group, from then on. */
+void kit_samples_choke(KitSamples *samples, uint32_t note, uint32_t offset) REALTIME;
+/** AUDIO: does what an event of kit_midi.h on @p note asks for: a stroke, or a choke. */
+void kit_samples_take(KitSamples *samples, uint32_t note, const TaborEvent *event,
+                      uint32_t offset) REALTIME;
 /** AUDIO: adds the next @p frames frames to both sides. */
 void kit_samples_add(KitSamples *samples, float *left, float *right, uint32_t frames) REALTIME;
 /** True if nothing sounds. */

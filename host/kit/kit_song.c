@@ -72,7 +72,7 @@ void kit_song_note(const char *name, const KitMidi *midi) {
   char text[1024] = "";
   size_t length = 0;
   for (int i = 0; i < MIDI_VALUES && length < sizeof text - 80; i++) {
-    const char *const known = kit_midi_note_name(i);
+    const char *const known = kit_midi_note_name(midi->general[i]);
     if (midi->unknown[i] == 0) continue;
     const int written =
       snprintf(text + length, sizeof text - length, "%s%d%s%s (%llu)", length > 0 ? ", " : "", i,

@@ -11,10 +11,9 @@
 #include "drums/drum_args.h"
 #include "kit/kit_args.h"
 #include "kit/kit_build.h"
+#include "kit/kit_options.h"
 #include "kit/kit_player.h"
 #include "midi/midi_input.h"
-#include "midi/midi_map_file.h"
-#include "midi/midi_options.h"
 #include "platform/clock.h"
 #include "platform/process.h"
 #include "play/backend.h"
@@ -32,8 +31,7 @@ typedef struct KitSession {
   KitSong song;
   KitSamples samples;
   Humanizer song_scatter, live_scatter;
-  MidiResponse response;
-  int channel;
+  KitMidiSetup midi;
   double gain, duration;
   bool quiet, json;
   const Backend *backend;
@@ -77,19 +75,13 @@ static Outcome read_device(const Arguments *arguments, KitSession *s) {
 static Outcome read_numbers(const Arguments *arguments, KitSession *s) {
   static const NumberField gain = {"--gain", -120, 120, false};
   static const NumberField duration = {"--duration", 0.01, 86400, false};
-  const char *const channel = arguments_value(arguments, "midi-channel");
   double gain_db = 0;
   s->quiet = arguments_has(arguments, "quiet");
   s->json = arguments_has(arguments, "json");
-  s->response = midi_response_default;
-  s->channel = MIDI_OMNI;
   Outcome outcome = arguments_number(arguments, &gain, &gain_db);
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &s->duration);
   if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0.3, &s->live_scatter);
-  if (outcome == OUTCOME_OK) outcome = midi_response_read(arguments, &s->response);
-  if (outcome == OUTCOME_OK && channel) {
-    outcome = midi_channel_read("--midi-channel", channel, &s->channel);
-  }
+  if (outcome == OUTCOME_OK) outcome = kit_midi_setup_read(arguments, &s->midi);
   if (outcome == OUTCOME_OK) {
     outcome = model_options_read(arguments, &s->def.drum[0].def, &s->model);
   }
@@ -108,8 +100,8 @@ static Outcome open_device(KitSession *s) {
 
 static Outcome read_song(const Arguments *arguments, KitSession *s) {
   const char *const name = arguments_value(arguments, "midi-file");
-  kit_midi_begin(&s->song_midi, &s->def, s->response, s->channel);
-  kit_midi_begin(&s->live_midi, &s->def, s->response, s->channel);
+  kit_midi_begin(&s->song_midi, &s->def, &s->midi);
+  kit_midi_begin(&s->live_midi, &s->def, &s->midi);
   for (int i = 0; i < MIDI_VALUES; i++) {
     s->song_midi.has_sample[i] = s->live_midi.has_sample[i] = s->samples.notes[i].path != NULL;
   }

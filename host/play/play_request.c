@@ -8,6 +8,7 @@
 #include "drums/drum_args.h"
 #include "drums/stereo_pair.h"
 #include "kit/kit_args.h"
+#include "kit/kit_options.h"
 #include "midi/midi_input.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"
@@ -33,6 +34,8 @@ const Option play_options[] = {
   OPTION_MIDI_FILE,
   OPTION_KIT,
   OPTION_MIDI_IN,
+  OPTION_MAP,
+  OPTION_PLACE_CC,
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,
   OPTION_VELOCITY_CURVE,

@@ -12,10 +12,9 @@
 #include "files/audio_file.h"
 #include "kit/kit_args.h"
 #include "kit/kit_build.h"
+#include "kit/kit_options.h"
 #include "kit/kit_song.h"
 #include "kit/kit_threads.h"
-#include "midi/midi_map_file.h"
-#include "midi/midi_options.h"
 #include "platform/clock.h"
 #include "render/render_batch.h"
 #include "render/render_options.h"
@@ -93,17 +92,12 @@ static Outcome read_numbers(const Arguments *arguments, KitRendering *r) {
 
 static Outcome read_song(const Arguments *arguments, KitRendering *r) {
   const char *const name = arguments_value(arguments, "midi-file");
-  const char *const channel_text = arguments_value(arguments, "midi-channel");
-  MidiResponse response = midi_response_default;
+  KitMidiSetup setup;
   Humanizer humanizer;
-  int channel = MIDI_OMNI;
-  Outcome outcome = midi_response_read(arguments, &response);
-  if (outcome == OUTCOME_OK && channel_text) {
-    outcome = midi_channel_read("--midi-channel", channel_text, &channel);
-  }
+  Outcome outcome = kit_midi_setup_read(arguments, &setup);
   if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0, &humanizer);
   if (outcome != OUTCOME_OK) return outcome;
-  kit_midi_begin(&r->midi, &r->def, response, channel);
+  kit_midi_begin(&r->midi, &r->def, &setup);
   for (int i = 0; i < MIDI_VALUES; i++) r->midi.has_sample[i] = r->samples.notes[i].path != NULL;
   outcome = kit_song_read(name, &r->midi, humanizer, r->model.sample_rate, &r->song);
   const bool ends = r->frames > 0 && r->song.last_frame >= r->frames;
@@ -203,8 +197,7 @@ static uint32_t take_events(KitRendering *r, size_t first, uint64_t end) {
     if (event.event.frame >= end) break;
     event.event.frame -= r->position;
     if (event.drum >= KIT_MIDI_SAMPLE) {
-      kit_samples_strike(&r->samples, event.drum - KIT_MIDI_SAMPLE, event.event.velocity,
-                         event.event.frame);
+      kit_samples_take(&r->samples, event.drum - KIT_MIDI_SAMPLE, &event.event, event.event.frame);
     } else {
       r->song.events[first + count++] = event;
     }

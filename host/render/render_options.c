@@ -10,6 +10,7 @@
 #include "drums/drum_args.h"
 #include "drums/stereo_pair.h"
 #include "kit/kit_args.h"
+#include "kit/kit_options.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
 #include "strokes/humanize_options.h"
@@ -28,6 +29,8 @@ const Option render_options[] = {
   {"replay", 0, "FILE", "play what 'tabor play --log FILE' has written, to the bit; see below"},
   OPTION_MIDI_FILE,
   OPTION_KIT,
+  OPTION_MAP,
+  OPTION_PLACE_CC,
   OPTION_MIDI_MAP,
   OPTION_MIDI_CHANNEL,
   OPTION_VELOCITY_CURVE,

@@ -34,6 +34,7 @@ completes "draft live reference studio" render --quality ""
 completes "live" render --quality = l
 completes "pcm16 pcm24" render --format pcm
 completes "hard linear soft" play --velocity-curve ""
+completes "addictive alesis roland superior yamaha" render --map ""
 completes "full normal" library --velocity-range ""
 completes "bodhran-d-string bodhran-d-string-tensioned" show bodhran-d
 completes "wires.strainer= wires.strainer_travel=" render snare-14x5.5 --set wires.strainer

@@ -15,6 +15,12 @@ same "length" 1.0 "$(json seconds)"
 holds "it is heard" "$(json peak) > 0.01"
 check "the hi-hat is named" grep -q '42 closed hi-hat (1)$' "$err"
 
+# The rim of a module's second tom.
+printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\10\0\231\57\144\0\377\57\0' >rim.mid
+run "${short[@]}" --duration 0.3 --midi-file rim.mid --map roland --json
+same "a map by name" "low-tom 1" "$(json drums.3.name) $(json drums.3.strokes)"
+refused "--map 'x': unknown; there are: roland" "${short[@]}" --map x
+
 # Ctrl-C ends it.
 "$TABOR" "${short[@]}" >"$out" 2>"$err" &
 child=$!

@@ -19,7 +19,7 @@ static int prepare(void **state) {
   kit = malloc(sizeof *kit);
   midi = malloc(sizeof *midi);
   if (tabor_kit_def_preset(kit, "standard", NULL) != TABOR_OK) return 1;
-  kit_midi_begin(midi, kit, midi_response_default, MIDI_OMNI);
+  kit_midi_begin(midi, kit, &kit_midi_setup_default);
   return 0;
 }
 
@@ -111,11 +111,148 @@ static void key_pressure_lays_a_hand_on_the_notes_drum(void **state) {
 
 static void other_channels_are_passed_over(void **state) {
   (void)state;
-  kit_midi_begin(midi, kit, midi_response_default, 9);
+  KitMidiSetup setup = kit_midi_setup_default;
+  setup.channel = 9;
+  kit_midi_begin(midi, kit, &setup);
   assert_int_equal(take(0x98, 38, 100), 0);
   assert_int_equal(take(0x98, 42, 100), 0);
   assert_int_equal(midi->unknown[42], 0);
   assert_int_equal(take(0x99, 38, 100), 1);
+}
+
+static void use_map(const char *name) {
+  KitMidiSetup setup = kit_midi_setup_default;
+  setup.map = kit_map_find(name);
+  assert_non_null(setup.map);
+  kit_midi_begin(midi, kit, &setup);
+}
+
+static void a_map_by_name_translates_notes(void **state) {
+  (void)state;
+  static const struct {
+    const char *map;
+    uint8_t note;
+    const char *drum;
+    uint32_t technique;
+  } rows[] = {{"roland", 38, "snare", TABOR_TECHNIQUE_NORMAL},
+              {"roland", 40, "snare", TABOR_TECHNIQUE_RIMSHOT},
+              {"roland", 37, "snare", TABOR_TECHNIQUE_CROSS_STICK},
+              {"roland", 47, "low-tom", TABOR_TECHNIQUE_RIMSHOT},
+              {"roland", 58, "floor-tom", TABOR_TECHNIQUE_RIMSHOT},
+              {"yamaha", 31, "snare", TABOR_TECHNIQUE_NORMAL},
+              {"alesis", 50, "high-tom", TABOR_TECHNIQUE_RIMSHOT},
+              {"superior", 75, "floor-tom", TABOR_TECHNIQUE_RIMSHOT},
+              {"addictive", 44, "snare", TABOR_TECHNIQUE_RIM},
+              {"addictive", 71, "high-tom", TABOR_TECHNIQUE_NORMAL}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    use_map(rows[i].map);
+    assert_int_equal(take(0x99, rows[i].note, 100), 1);
+    assert_int_equal(events[0].drum, tabor_kit_def_find(kit, rows[i].drum));
+    assert_int_equal(events[0].event.technique, rows[i].technique);
+    assert_int_equal(take(0x89, rows[i].note, 64), 0);
+  }
+}
+
+/* A note of the instrument plays the sample of the General MIDI note that it stands for, or is counted as it came. */
+static void a_map_by_name_finds_samples(void **state) {
+  (void)state;
+  use_map("roland");
+  midi->has_sample[46] = true;
+  assert_int_equal(take(0x99, 26, 127), 1);
+  assert_int_equal(events[0].drum, KIT_MIDI_SAMPLE + 46);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_STRIKE);
+  assert_true(events[0].event.velocity == 1);
+  assert_int_equal(take(0x99, 22, 127), 0);
+  assert_int_equal(midi->unknown[22], 1);
+  assert_int_equal(midi->general[22], 42);
+  assert_int_equal(take(0x99, 60, 127), 0);
+  assert_int_equal(midi->unknown[60], 1);
+}
+
+static double radius_after(uint8_t controller, uint8_t value, uint8_t note) {
+  assert_int_equal(take(0xB9, controller, value), 0);
+  assert_int_equal(take(0x99, note, 100), 1);
+  return events[0].event.radius;
+}
+
+/* 16 is the snare pad's place, 17 the ride cymbal's and 18 the toms'; a kick has none. */
+static void a_place_moves_its_drum_alone(void **state) {
+  (void)state;
+  use_map("roland");
+  assert_int_equal(take(0x99, 48, 100), 1);
+  const double tom = events[0].event.radius;
+  assert_int_equal(take(0x99, 36, 100), 1);
+  const double kick = events[0].event.radius;
+  assert_true(radius_after(16, 0, 38) == 0);
+  assert_true(radius_after(16, 127, 38) >
+              0.9 * kit->drum[tabor_kit_def_find(kit, "snare")].def.shell.radius);
+  assert_true(radius_after(16, 0, 48) == tom);
+  assert_true(radius_after(16, 0, 36) == kick);
+  const double angle = events[0].event.angle;
+  assert_true(radius_after(17, 127, 36) == kick);
+  assert_true(events[0].event.angle == angle);
+  assert_true(radius_after(18, 0, 48) == 0);
+  assert_true(radius_after(18, 127, 38) == 0);
+}
+
+static void the_controllers_of_places_can_be_chosen(void **state) {
+  (void)state;
+  KitMidiSetup setup = kit_midi_setup_default;
+  setup.map = kit_map_find("roland");
+  setup.snare_place = setup.toms_place = 17;
+  kit_midi_begin(midi, kit, &setup);
+  assert_true(radius_after(16, 0, 38) > 0);
+  assert_true(radius_after(17, 0, 38) == 0);
+  assert_true(radius_after(17, 0, 43) == 0);
+}
+
+/* Without a map by name, 16 is the place of all drums, as before. */
+static void without_a_map_a_place_moves_all_drums(void **state) {
+  (void)state;
+  assert_true(radius_after(16, 0, 38) == 0);
+  assert_true(radius_after(16, 0, 48) == 0);
+}
+
+static void key_pressure_chokes_on_every_note_of_a_drum(void **state) {
+  (void)state;
+  static const uint8_t notes[] = {38, 40, 37};
+  use_map("roland");
+  for (size_t i = 0; i < sizeof notes; i++) {
+    assert_int_equal(take(0xA9, notes[i], 127), 1);
+    assert_int_equal(events[0].drum, tabor_kit_def_find(kit, "snare"));
+    assert_int_equal(events[0].event.type, TABOR_EVENT_DAMP);
+    assert_int_equal(take(0xA9, notes[i], 0), 1);
+    assert_int_equal(events[0].event.type, TABOR_EVENT_RELEASE);
+  }
+}
+
+/* A cymbal is grabbed at its edge, or at its bow: note 55 and 49 of the same crash cymbal. */
+static void key_pressure_chokes_a_sample(void **state) {
+  (void)state;
+  use_map("roland");
+  midi->has_sample[49] = true;
+  for (uint8_t note = 49; note <= 55; note += 6) {
+    assert_int_equal(take(0xA9, note, 127), 1);
+    assert_int_equal(events[0].drum, KIT_MIDI_SAMPLE + 49);
+    assert_int_equal(events[0].event.type, TABOR_EVENT_SILENCE);
+    assert_int_equal(take(0xA9, note, 0), 0);
+    assert_int_equal(take(0xA9, note, 1), 0);
+    assert_int_equal(take(0x89, note, 64), 0);
+  }
+}
+
+/* (velocity + prefix/128)/127, and no more than 1. */
+static void a_velocity_prefix_reaches_samples(void **state) {
+  (void)state;
+  midi->has_sample[42] = true;
+  assert_int_equal(take(0xB9, 88, 64), 0);
+  assert_int_equal(take(0x99, 42, 100), 1);
+  assert_true(events[0].event.velocity == 100.5 / 127);
+  assert_int_equal(take(0x99, 42, 100), 1);
+  assert_true(events[0].event.velocity == 100.0 / 127);
+  assert_int_equal(take(0xB9, 88, 127), 0);
+  assert_int_equal(take(0x99, 42, 127), 1);
+  assert_true(events[0].event.velocity == 1);
 }
 
 int main(void) {
@@ -127,6 +264,14 @@ int main(void) {
     cmocka_unit_test_setup_teardown(a_velocity_prefix_is_for_one_note, prepare, clean_up),
     cmocka_unit_test_setup_teardown(key_pressure_lays_a_hand_on_the_notes_drum, prepare, clean_up),
     cmocka_unit_test_setup_teardown(other_channels_are_passed_over, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_map_by_name_translates_notes, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_map_by_name_finds_samples, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_place_moves_its_drum_alone, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(the_controllers_of_places_can_be_chosen, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(without_a_map_a_place_moves_all_drums, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(key_pressure_chokes_on_every_note_of_a_drum, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(key_pressure_chokes_a_sample, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_velocity_prefix_reaches_samples, prepare, clean_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

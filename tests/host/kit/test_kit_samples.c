@@ -76,6 +76,28 @@ static void blocks_change_nothing_and_a_stroke_chokes_its_group(void **state) {
   assert_true(whole[1][407 + FADE] == -0.5f);
 }
 
+/* A grabbed cymbal fades, with others of its group and no others, from the event's frame on. */
+static void a_choke_fades_the_sample_and_its_group(void **state) {
+  KitSamples *samples = *state;
+  const TaborEvent stroke = {.type = TABOR_EVENT_STRIKE, .velocity = 1};
+  const TaborEvent choke = {.type = TABOR_EVENT_SILENCE};
+  for (uint32_t note = 42; note <= 51; note += note == 42 ? 4 : 5) {
+    static float left[FRAMES], right[FRAMES];
+    memset(left, 0, sizeof left);
+    kit_samples_take(samples, 46, &stroke, 0);
+    kit_samples_take(samples, note, &choke, 200);
+    kit_samples_add(samples, left, right, FRAMES);
+    assert_true(left[199] == 0.5f);
+    if (note < 51) {
+      assert_true(left[201] < 0.5f && left[200 + FADE] == 0.0f);
+    } else {
+      assert_true(left[200 + FADE] == 0.5f);
+    }
+    kit_samples_add(samples, left, right, FRAMES);
+    assert_true(kit_samples_are_silent(samples));
+  }
+}
+
 static void sections_are_read_or_refused(void **state) {
   KitSamples *samples = *state;
   char message[200] = "";
@@ -101,6 +123,7 @@ int main(void) {
     cmocka_unit_test_setup_teardown(a_stroke_plays_the_sample_from_its_frame_on, prepare, clean_up),
     cmocka_unit_test_setup_teardown(blocks_change_nothing_and_a_stroke_chokes_its_group, prepare,
                                     clean_up),
+    cmocka_unit_test_setup_teardown(a_choke_fades_the_sample_and_its_group, prepare, clean_up),
     cmocka_unit_test_setup_teardown(sections_are_read_or_refused, prepare, clean_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

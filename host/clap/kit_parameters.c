@@ -20,11 +20,12 @@ bool kit_parameters_take(KitInstance *instance, const clap_event_header_t *event
 }
 
 void kit_parameters_turn(KitInstance *instance) {
-  const float before = instance->player.values[KIT_KNOB_KIT];
+  const float *const values = instance->player.values;
+  const float kit = values[KIT_KNOB_KIT], notes = values[KIT_KNOB_NOTES];
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) {
     kit_plugin_player_turn(&instance->player, (KitKnobId)i, atomic_load(&instance->values[i]));
   }
-  if (instance->player.values[KIT_KNOB_KIT] != before) {
+  if (values[KIT_KNOB_KIT] != kit || values[KIT_KNOB_NOTES] != notes) {
     instance->host->request_callback(instance->host); /* notes have other names */
   }
 }

@@ -98,32 +98,39 @@ static const TaborKitDef *named_kit(KitInstance *instance) {
   return instance->named;
 }
 
-static uint32_t name_count(const clap_plugin_t *plugin) {
-  const TaborKitDef *const kit = named_kit(kit_instance_of(plugin));
-  uint32_t names = 0;
-  for (uint32_t i = 0; kit && i < kit->drum_count; i++) {
-    for (int note = 0; note < TABOR_KIT_NOTES; note++) names += kit->drum[i].notes[note] != 0;
-  }
-  return names;
-}
-
-static void name_note(const TaborKitDrumDef *drum, int note, clap_note_name_t *name) {
+/* What each note plays, by the map of the knob; all by `names` of its notes. Returns their number. */
+static uint32_t name_notes(KitInstance *instance, clap_note_name_t names[MIDI_VALUES]) {
   static const char *const strokes[] = {"",     "",      " rimshot", " cross-stick",
                                         " rim", " buzz", " sweep"};
-  *name = (clap_note_name_t){.port = -1, .key = (int16_t)note, .channel = -1};
-  (void)snprintf(name->name, sizeof name->name, "%s%s", drum->name, strokes[drum->notes[note]]);
+  const uint32_t map = (uint32_t)atomic_load(&instance->values[KIT_KNOB_NOTES]);
+  const TaborKitDef *const kit = named_kit(instance);
+  KitMapNote table[MIDI_VALUES];
+  uint32_t count = 0;
+  kit_map_table(map > 0 ? &kit_maps[map - 1u] : NULL, table);
+  for (uint32_t note = 0; kit && note < MIDI_VALUES; note++) {
+    for (uint32_t i = 0; i < kit->drum_count; i++) {
+      const MidiStroke stroke = kit_midi_stroke(&kit->drum[i], &table[note]);
+      if (stroke == MIDI_STROKE_NONE) continue;
+      names[count] = (clap_note_name_t){.port = -1, .key = (int16_t)note, .channel = -1};
+      (void)snprintf(names[count].name, sizeof names[count].name, "%s%s", kit->drum[i].name,
+                     strokes[stroke]);
+      count++;
+      break;
+    }
+  }
+  return count;
+}
+
+static uint32_t name_count(const clap_plugin_t *plugin) {
+  clap_note_name_t names[MIDI_VALUES];
+  return name_notes(kit_instance_of(plugin), names);
 }
 
 static bool get_name(const clap_plugin_t *plugin, uint32_t index, clap_note_name_t *name) {
-  const TaborKitDef *const kit = named_kit(kit_instance_of(plugin));
-  for (uint32_t i = 0; kit && i < kit->drum_count; i++) {
-    for (int note = 0; note < TABOR_KIT_NOTES; note++) {
-      if (kit->drum[i].notes[note] == TABOR_KIT_STROKE_NONE || index-- > 0) continue;
-      name_note(&kit->drum[i], note, name);
-      return true;
-    }
-  }
-  return false;
+  clap_note_name_t names[MIDI_VALUES];
+  if (index >= name_notes(kit_instance_of(plugin), names)) return false;
+  *name = names[index];
+  return true;
 }
 
 const clap_plugin_note_name_t kit_note_names = {.count = name_count, .get = get_name};

@@ -18,8 +18,7 @@ const KitMidiSetup kit_midi_setup_default = {
   .toms_place = 18,
 };
 
-/* What an instrument's note does to a drum of the kit. */
-static MidiStroke stroke_of(const TaborKitDrumDef *drum, const KitMapNote *note) {
+MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note) {
   if (note->general == KIT_MAP_NOTHING) return MIDI_STROKE_NONE;
   const MidiStroke own = (MidiStroke)drum->notes[note->general];
   return own == MIDI_STROKE_NONE || note->stroke == MIDI_STROKE_NONE ? own : note->stroke;
@@ -51,8 +50,8 @@ static void map_drum(const TaborKitDrumDef *drum, const KitMidiSetup *setup,
   map->channel = setup->channel;
   map->programs = false;
   for (int note = 0; note < MIDI_VALUES; note++) {
-    map->notes[note] =
-      (MidiNote){.stroke = stroke_of(drum, &table[note]), .radius = NAN, .angle = NAN, .speed = 1};
+    map->notes[note] = (MidiNote){
+      .stroke = kit_midi_stroke(drum, &table[note]), .radius = NAN, .angle = NAN, .speed = 1};
   }
   if (setup->map) map_places(drum, setup, map);
 }

@@ -46,6 +46,8 @@ typedef struct KitMidi {
   MidiToEvents drums[TABOR_KIT_DRUMS];
 } KitMidi;
 
+/** SET-UP. What an instrument's note does to a drum of the kit. */
+MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note);
 /** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. */
 void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. */

@@ -84,7 +84,8 @@ static const KitMapNote alesis[] = {
   {51, 51, AS_IN_KIT}, /* ride */
 };
 
-/* [SuperiorDrummer3]. Only notes on which the lists that we read agree; 50, 54, 56, 58 and 83 mute cymbals. */
+/* [SuperiorDrummer3]: one program's list, less the notes on which another one contradicts it; 50, 54, 56, 58 and 83 mute
+ * cymbals. */
 static const KitMapNote superior[] = {
   {36, 36, AS_IN_KIT},   /* kick */
   {38, 38, AS_IN_KIT},   /* snare */
@@ -93,9 +94,7 @@ static const KitMapNote superior[] = {
   {48, 48, AS_IN_KIT},   /* rack tom 1 */
   {82, 48, RIMSHOT},     /* rack tom 1, rimshot */
   {47, 47, AS_IN_KIT},   /* rack tom 2 */
-  {80, 47, RIMSHOT},     /* rack tom 2, rimshot */
   {45, 45, AS_IN_KIT},   /* rack tom 3 */
-  {78, 45, RIMSHOT},     /* rack tom 3, rimshot */
   {43, 43, AS_IN_KIT},   /* floor tom 1 */
   {75, 43, RIMSHOT},     /* floor tom 1, rimshot */
   {41, 41, AS_IN_KIT},   /* floor tom 2 */

@@ -22,6 +22,7 @@ typedef enum KitKnobId {
   KIT_KNOB_OVERHEADS,
   KIT_KNOB_VELOCITY_CURVE,
   KIT_KNOB_VELOCITY_RANGE,
+  KIT_KNOB_NOTES,
   KIT_KNOB_GAIN,
   KIT_KNOB_LEVEL,                                  /**< of the first drum; the others follow */
   KIT_KNOB_TUNE = KIT_KNOB_LEVEL + KIT_KNOB_DRUMS, /**< likewise */

@@ -86,19 +86,24 @@ static TaborStatus take_models(KitWorker *worker, const TaborKitDef *def, KitVoi
   return status;
 }
 
-static MidiResponse response_of(const float *wanted) {
-  return (MidiResponse){.curve = (MidiCurve)wanted[KIT_KNOB_VELOCITY_CURVE],
-                        .range = (MidiRange)wanted[KIT_KNOB_VELOCITY_RANGE]};
+static KitMidiSetup setup_of(const float *wanted) {
+  const uint32_t notes = (uint32_t)wanted[KIT_KNOB_NOTES];
+  KitMidiSetup setup = kit_midi_setup_default;
+  setup.response = (MidiResponse){.curve = (MidiCurve)wanted[KIT_KNOB_VELOCITY_CURVE],
+                                  .range = (MidiRange)wanted[KIT_KNOB_VELOCITY_RANGE]};
+  setup.map = notes > 0 ? &kit_maps[notes - 1u] : NULL;
+  return setup;
 }
 
 static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voice,
                               TaborError *error) {
+  const KitMidiSetup setup = setup_of(worker->wanted);
   TaborStatus status = kit_knobs_define(worker->wanted, def, error);
   if (status != TABOR_OK) return status;
   voice->drum_count = def->drum_count;
   status = take_models(worker, def, voice, error);
   if (status == TABOR_OK) status = tabor_kit_create(def, voice->models, &voice->kit, error);
-  if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, response_of(worker->wanted), MIDI_OMNI);
+  if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, &setup);
   return status;
 }
 

@@ -221,6 +221,7 @@ static void a_choke_silences_its_drum_alone(void **state) {
   clap_host_close(host);
 }
 
+/* By General MIDI and by a drum module. */
 static void notes_have_names(void **state) {
   (void)state;
   ClapHost *const host = clap_host_open(entry, ID_KIT);
@@ -234,6 +235,13 @@ static void notes_have_names(void **state) {
   }
   assert_true(count >= 11 && found);
   assert_false(names->get(host->plugin, count, &name));
+  clap_host_set_id(host, 0, KIT_KNOB_NOTES, 1);
+  clap_host_flush(host);
+  found = false;
+  for (uint32_t i = 0; names->get(host->plugin, i, &name); i++) {
+    if (name.key == 58) found = strcmp(name.name, "floor-tom rimshot") == 0;
+  }
+  assert_true(found);
   clap_host_close(host);
 }
 
@@ -269,19 +277,27 @@ static void states_come_back(void **state) {
   clap_host_close(other);
 }
 
-/* The words of the knob are the kits, in their order. */
-static void choices_are_the_kits(void **state) {
+static void expect_word(ClapHost *host, KitKnobId id, uint32_t choice, const char *word) {
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  char text[64];
+  double value;
+  assert_true(params->value_to_text(host->plugin, id, choice, text, sizeof text));
+  assert_string_equal(text, word);
+  assert_true(params->text_to_value(host->plugin, id, text, &value));
+  assert_true(value == choice);
+}
+
+/* The words of the knobs are the kits and the maps, in their order. */
+static void choices_are_kits_and_maps(void **state) {
   (void)state;
   ClapHost *const host = clap_host_open(entry, ID_KIT);
-  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
   assert_true(kit_knobs[KIT_KNOB_KIT].maximum + 1 == (float)tabor_kit_count());
+  assert_true(kit_knobs[KIT_KNOB_NOTES].maximum == (float)kit_map_count);
   for (uint32_t i = 0; i < tabor_kit_count(); i++) {
-    char text[64];
-    double value;
-    assert_true(params->value_to_text(host->plugin, KIT_KNOB_KIT, i, text, sizeof text));
-    assert_string_equal(text, tabor_kit(i)->name);
-    assert_true(params->text_to_value(host->plugin, KIT_KNOB_KIT, text, &value));
-    assert_true(value == i);
+    expect_word(host, KIT_KNOB_KIT, i, tabor_kit(i)->name);
+  }
+  for (uint32_t i = 0; i < kit_map_count; i++) {
+    expect_word(host, KIT_KNOB_NOTES, i + 1u, kit_maps[i].name);
   }
   clap_host_close(host);
 }
@@ -302,7 +318,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(a_choke_silences_its_drum_alone),
     cmocka_unit_test(notes_have_names),
     cmocka_unit_test(states_come_back),
-    cmocka_unit_test(choices_are_the_kits),
+    cmocka_unit_test(choices_are_kits_and_maps),
   };
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   return songs_end() ? failed : 1;

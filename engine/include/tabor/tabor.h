@@ -872,8 +872,10 @@ typedef struct TaborViewStick {
   uint32_t on_hoop; /**< 1: it meets the hoop, 0: the head */
   double radius;    /**< of its place, from the centre [m] */
   double angle;     /**< of its place [deg] */
-  double height;    /**< of this point of it above the undeflected batter head [m] */
-  double force;     /**< between it and head or hoop [N] */
+  /** Of this point of it above the undeflected batter head [m], as if it did not yield: one that touches is lower
+   * than the head by what the contact is compressed, a finger by millimetres. */
+  double height;
+  double force; /**< between it and head or hoop [N] */
 } TaborViewStick;
 
 /**

@@ -13,6 +13,14 @@
 #include "tabor/tabor.h"
 
 enum { BLOCK = 128, MOST_EVENTS = 64, CHANNELS = 2 };
+enum { PICTURES = 4, WIRE_POINTS = 17, PICTURE_STICKS = 4, STICK_VALUES = 4 };
+
+/* Of a picture: two heads on 16 by 48 places, the heights of 40 wires and the forces on them, and sticks. */
+enum {
+  MOST_PLACES = 2 * 16 * 48,
+  MOST_POINTS = 2 * TABOR_MAX_WIRES * WIRE_POINTS,
+  MOST_VALUES = MOST_PLACES + MOST_POINTS + 1 + PICTURE_STICKS * STICK_VALUES
+};
 
 static const double gain_db = 12; /* of a pair of microphones, as `tabor render --stereo` has it */
 
@@ -32,6 +40,8 @@ typedef struct WebDrum {
   float sound[CHANNELS][BLOCK];
   TaborLedger ledger;
   float wet[CHANNELS][BLOCK]; /**< what the room sends to the microphones */
+  TaborView *view;
+  float pictures[PICTURES * MOST_VALUES]; /**< of the last block, one after the other */
 } WebDrum;
 
 /* Hears how far a model is, 0 to 1. */
@@ -88,6 +98,11 @@ static void choose_pair(WebDrum *web, TaborDrumDef *def) {
   }
 }
 
+static TaborStatus build_view(WebDrum *web) {
+  const TaborViewGrid grid = {.radii = 16, .angles = 48, .wire_points = WIRE_POINTS};
+  return tabor_view_create(web->model, &grid, &web->view, &web->error);
+}
+
 static TaborStatus build(WebDrum *web, const char *preset, uint32_t quality, double rate) {
   TaborDrumDef def;
   TaborError *const error = &web->error;
@@ -97,6 +112,7 @@ static TaborStatus build(WebDrum *web, const char *preset, uint32_t quality, dou
   status = build_model(web, &def, quality, rate);
   if (status == TABOR_OK) status = tabor_drum_create(web->model, &web->drum, error);
   if (status == TABOR_OK) status = tabor_room_create(&def, rate, NULL, &web->room, error);
+  if (status == TABOR_OK) status = build_view(web);
   if (status != TABOR_OK) return status;
   tabor_model_info(web->model, &web->info);
   add_gain(web);
@@ -118,6 +134,7 @@ EXPORT("drum_error") const char *web_drum_error(const WebDrum *web) {
 
 EXPORT("drum_destroy") void web_drum_destroy(WebDrum *web) {
   if (!web) return;
+  tabor_view_destroy(web->view);
   tabor_room_destroy(web->room);
   tabor_drum_destroy(web->drum);
   tabor_model_release(web->model);
@@ -145,6 +162,63 @@ EXPORT("drum_number") double web_drum_number(const WebDrum *web, const char *key
 EXPORT("drum_mode_count") uint32_t web_drum_mode_count(const WebDrum *web) {
   return web->info.mode_count + web->info.high_mode_count;
 }
+
+/* ---- pictures ------------------------------------------------------------------------------- */
+
+static uint32_t places(const WebDrum *web) { return web->view->radii * web->view->angles; }
+
+static uint32_t points(const WebDrum *web) {
+  return web->view->wire_count * web->view->wire_points;
+}
+
+/* Heads, circles, angles, wires, points of a wire; sticks at most, and the numbers of each; which head has the wires. */
+EXPORT("picture_shape") uint32_t web_picture_shape(const WebDrum *web, uint32_t index) {
+  const TaborView *view = web->view;
+  const uint32_t head = tabor_model_definition(web->model)->wires.head;
+  const uint32_t shape[] = {view->heads, view->radii,    view->angles, view->wire_count,
+                            WIRE_POINTS, PICTURE_STICKS, STICK_VALUES, head};
+  return index < sizeof shape / sizeof *shape ? shape[index] : 0;
+}
+
+/* Numbers of a picture: heights of the heads [m], heights of the wires [m], forces on them [N]; how many sticks, and
+ * of each radius [m], angle [deg], height [m] and 1 on the hoop, 0 on the head. */
+EXPORT("picture_size") uint32_t web_picture_size(const WebDrum *web) {
+  return web->view->heads * places(web) + 2 * points(web) + 1 + PICTURE_STICKS * STICK_VALUES;
+}
+
+/* Four numbers for each wire: x and y of one end, x and y of the other [m]. */
+EXPORT("wire_places") const double *web_wire_places(const WebDrum *web) {
+  return web->view->wire_place;
+}
+
+static float *put(float *to, const double *values, uint32_t count) {
+  for (uint32_t i = 0; i < count; i++) to[i] = (float)values[i];
+  return to + count;
+}
+
+static void put_sticks(float *to, const TaborView *view) {
+  const uint32_t count = view->stick_count < PICTURE_STICKS ? view->stick_count : PICTURE_STICKS;
+  *to++ = (float)count;
+  for (uint32_t i = 0; i < count; i++) {
+    const TaborViewStick *stick = &view->sticks[i];
+    const double values[STICK_VALUES] = {stick->radius, stick->angle, stick->height,
+                                         stick->on_hoop};
+    to = put(to, values, STICK_VALUES);
+  }
+}
+
+static void take_picture(WebDrum *web, float *to) {
+  if (!tabor_drum_view(web->drum, web->view)) return;
+  for (uint32_t h = 0; h < web->view->heads; h++) {
+    to = put(to, web->view->displacement[h], places(web));
+  }
+  to = put(to, web->view->wires, points(web));
+  to = put(to, web->view->wire_force, points(web));
+  put_sticks(to, web->view);
+}
+
+/* The pictures of the last block, if it was filmed. */
+EXPORT("drum_pictures") const float *web_drum_pictures(const WebDrum *web) { return web->pictures; }
 
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
@@ -181,11 +255,29 @@ static void add_room(WebDrum *web, float *const *outputs) {
   }
 }
 
-/* The next 128 frames of the left channel, then of the right one; until the next call. */
-EXPORT("drum_process") const float *web_drum_process(WebDrum *web) {
+/* The sound does not depend on the division into blocks. */
+static void process_filmed(WebDrum *web, float *const *outputs) {
+  enum { FRAMES = BLOCK / PICTURES };
+  for (uint32_t i = 0; i < PICTURES; i++) {
+    float *part[TABOR_MAX_MICS] = {NULL};
+    for (uint32_t k = 0; k < CHANNELS; k++) {
+      part[web->mics[k]] = outputs[web->mics[k]] + (size_t)i * FRAMES;
+    }
+    tabor_drum_process(web->drum, web->events, i == 0 ? web->event_count : 0, part, FRAMES);
+    take_picture(web, web->pictures + (size_t)i * web_picture_size(web));
+  }
+}
+
+/* The next 128 frames of the left channel, then of the right one, until the next call. If the block is @p filmed, there
+ * are four pictures of it, one each 32 frames. */
+EXPORT("drum_process") const float *web_drum_process(WebDrum *web, uint32_t filmed) {
   float *outputs[TABOR_MAX_MICS] = {NULL};
   for (uint32_t i = 0; i < CHANNELS; i++) outputs[web->mics[i]] = web->sound[i];
-  tabor_drum_process(web->drum, web->events, web->event_count, outputs, BLOCK);
+  if (filmed) {
+    process_filmed(web, outputs);
+  } else {
+    tabor_drum_process(web->drum, web->events, web->event_count, outputs, BLOCK);
+  }
   web->event_count = 0;
   add_room(web, outputs);
   return web->sound[0];

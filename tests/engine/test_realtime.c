@@ -84,7 +84,8 @@ static void the_counters_count(void **state) {
 }
 
 /* Plays everything of drum_script.h, with everything else that an audio thread may call in between. */
-static void perform(TaborDrum *drum, const Script *script, Take *take, void *bytes) {
+static void perform(TaborDrum *drum, TaborView *view, const Script *script, Take *take,
+                    void *bytes) {
   TaborLedger ledger;
   TaborStatistics statistics;
   TaborProbe probe;
@@ -92,6 +93,7 @@ static void perform(TaborDrum *drum, const Script *script, Take *take, void *byt
   tabor_drum_ledger(drum, &ledger);
   tabor_drum_statistics(drum, &statistics);
   tabor_drum_probe(drum, &probe);
+  (void)tabor_drum_view(drum, view);
   (void)tabor_drum_is_silent(drum);
   tabor_drum_state_save(drum, bytes);
   (void)tabor_drum_state_load(drum, bytes, tabor_drum_state_size(drum));
@@ -111,14 +113,18 @@ static void playing_allocates_and_locks_nothing(void **state) {
   script_add(&script, (TaborEvent){.frame = 4600, .type = 99});
   void *bytes = malloc(tabor_drum_state_size(drum));
   assert_non_null(bytes);
+  TaborView *view;
+  assert_int_equal(tabor_view_create(model, NULL, &view, NULL), TABOR_OK);
 
   start_counting();
-  perform(drum, &script, &take, bytes);
+  perform(drum, view, &script, &take, bytes);
   tabor_drum_reset(drum);
   assert_nothing_was_counted("playing");
 
   assert_true(take_peak(&take) > 0.0);
   assert_true(take.statistics.strikes == 1); /* since the reset */
+  assert_true(view->ledger.injected > 0.0);  /* it was looked at */
+  tabor_view_destroy(view);
   free(bytes);
   take_destroy(&take);
   tabor_drum_destroy(drum);

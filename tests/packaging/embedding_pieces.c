@@ -57,6 +57,15 @@ static void copies_go_on_alike(TaborDrum *drum, TaborModel *model) {
   tabor_drum_destroy(copy);
 }
 
+static void a_view_sees_the_head(TaborDrum *drum, TaborModel *model) {
+  TaborView *const view = prepare_view(model);
+  TaborProbe probe;
+  require(view != NULL, "a view can be made");
+  tabor_drum_probe(drum, &probe);
+  require(fabs(look_at_centre(drum, view) - probe.head) < 1e-4, "the view is near the probe");
+  tabor_view_destroy(view);
+}
+
 static void tension_is_swapped(TaborDrum *drum, TaborModel *model) {
   static float sound[FRAMES];
   float *outputs[TABOR_MAX_MICS] = {sound};
@@ -86,6 +95,7 @@ int main(void) {
   require(fabs(left_over(drum)) < rounding, "the ledger closes");
   copies_go_on_alike(drum, model);
   a_room_adds_to_its_drum(drum, model);
+  a_view_sees_the_head(drum, model);
   tension_is_swapped(drum, model);
   tabor_drum_destroy(drum);
   tabor_model_release(model);

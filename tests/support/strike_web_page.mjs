@@ -181,6 +181,55 @@ async function strikeWithoutSnares(browser) {
   await page.context().close();
 }
 
+const look = (page, canvas) => page.evaluate((id) => document.getElementById(id).toDataURL(), canvas);
+
+/** How many different pictures a canvas shows within a second. */
+async function countPictures(page, canvas) {
+  const pictures = new Set();
+  for (let i = 0; i < 20; i++) {
+    pictures.add(await look(page, canvas));
+    await page.waitForTimeout(50);
+  }
+  return pictures.size;
+}
+
+/** Slow motion of heads, wires and stick follows a stroke, from the side and from above, and can be switched off. */
+async function watchSlowMotion(browser) {
+  const page = await open(browser, {});
+  const slow = page.getByRole("checkbox", { name: "Slow motion" });
+  if (!(await slow.isChecked())) complain("slow motion is off at first");
+  if ((await countPictures(page, "motion")) !== 1) complain("a silent drum moves");
+  const atRest = await look(page, "motion");
+  await page.getByRole("combobox", { name: "How many times slower" }).selectOption("300");
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.2)));
+  await page.locator("#motion-text", { hasText: /^[1-9].* ms/ }).waitFor();
+  for (const [canvas, where] of [["motion", "the side"], ["drum", "above"]]) {
+    const count = await countPictures(page, canvas);
+    console.log(`# ${count} of 20 pictures from ${where} are different`);
+    if (count < 5) complain(`slow motion shows ${count} pictures from ${where} in a second`);
+  }
+  await page.screenshot({ fullPage: true, path: join(folder, "slow-motion.png") });
+  await page.getByRole("combobox", { name: "How many times slower" }).selectOption("20");
+  await page.locator("#motion-text", { hasText: "next stroke" }).waitFor();
+  if ((await look(page, "motion")) !== atRest) complain("the drum does not come to rest after the film");
+  await slow.press(" ");
+  await page.locator("#motion").waitFor({ state: "hidden" });
+  await page.locator("#drum").press("a");
+  await page.waitForFunction(() => document.getElementById("level").value > -40);
+  await page.waitForTimeout(300);
+  await slow.press(" ");
+  await page.locator("#motion").waitFor();
+  if ((await countPictures(page, "motion")) !== 1) complain("a stroke without slow motion was filmed");
+  await page.context().close();
+}
+
+/** Somebody who wants little motion gets none unasked. */
+async function watchLittleMotion(browser) {
+  const page = await open(browser, { reducedMotion: "reduce" });
+  if (await page.getByRole("checkbox", { name: "Slow motion" }).isChecked()) complain("reduced motion is not heeded");
+  await page.context().close();
+}
+
 /** A finger strikes at once, and the link names the drum. */
 async function touch(browser) {
   const page = await open(browser, { hasTouch: true, isMobile: true, viewport: { width: 360, height: 740 } });
@@ -201,7 +250,7 @@ async function picture(browser, colorScheme, width) {
   if (wide > width) complain(`the page is ${wide} wide on ${width}`);
   await page.mouse.click(...(await placeOf(page, 0.3, 0.4)));
   await page.waitForFunction(() => document.getElementById("level").value > -40);
-  await page.waitForTimeout(250);
+  await page.locator("#motion-text", { hasText: /^([6-9]|..)[.].* ms/ }).waitFor();
   await page.screenshot({ fullPage: true, path: join(folder, `${colorScheme}-${width}.png`) });
   await checkAccess(page, `${colorScheme} ${width}`);
   await page.context().close();
@@ -212,6 +261,8 @@ try {
   await recordDrums(browser);
   await operate(browser);
   await strikeWithoutSnares(browser);
+  await watchSlowMotion(browser);
+  await watchLittleMotion(browser);
   await touch(browser);
   for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
 } catch (error) {

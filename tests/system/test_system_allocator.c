@@ -42,14 +42,17 @@ static TaborStatus build_everything(const TaborDrumDef *def, Supply *supply) {
   TaborModel *model = NULL;
   TaborDrum *drum = NULL;
   TaborSwap *swap = NULL;
+  TaborView *view = NULL;
   TaborError error;
   TaborStatus status = tabor_model_create(def, &options, &model, &error);
   if (status == TABOR_OK) status = tabor_drum_create(model, &drum, &error);
   if (status == TABOR_OK) status = tabor_swap_create(model, model, &swap, &error);
+  if (status == TABOR_OK) status = tabor_view_create(model, NULL, &view, &error);
   if (status != TABOR_OK) {
     assert_int_equal(error.status, status);
     assert_true(error.message[0] != '\0');
   }
+  tabor_view_destroy(view);
   tabor_swap_destroy(swap);
   tabor_drum_destroy(drum);
   tabor_model_release(model);

@@ -23,6 +23,14 @@ function measureLoad(engine, drum, rate) {
   return Math.min(...loads);
 }
 
+/** What a picture of the drum consists of (glue.c). */
+function pictureOf(engine, drum) {
+  const [heads, circles, angles, wires, points, sticks, values, wiresHead] =
+    Array.from({ length: 8 }, (_, i) => engine.picture_shape(drum, i));
+  const places = Array.from(new Float64Array(engine.memory.buffer, engine.wire_places(drum), 4 * wires)); // [m]
+  return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(drum) };
+}
+
 function factsOf(engine, drum) {
   const number = (key) => withText(engine, key, (address) => engine.drum_number(drum, address));
   return {
@@ -38,6 +46,7 @@ function factsOf(engine, drum) {
     place: number("strike.radius"), // [m]
     angle: number("strike.angle"), // [deg]
     velocity: number("strike.velocity"), // [m/s]
+    picture: pictureOf(engine, drum),
     modes: engine.drum_mode_count(drum),
   };
 }

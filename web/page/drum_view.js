@@ -12,6 +12,7 @@ export class DrumView {
   #facts = { radius: 0.18, lugs: 10, wires: { count: 0 } };
   #marks = []; // { x, y, velocity, time }, x and y as shares of the radius
   #level = FLOOR;
+  #heights = null; // of the head, { circles, angles, of, most }
   #asked = false; // a picture is to come
 
   constructor(canvas) {
@@ -22,12 +23,19 @@ export class DrumView {
 
   show(facts) {
     this.#facts = facts;
+    this.#heights = null;
     this.#marks = [];
     this.#ask();
   }
 
   setSnares(on) {
     this.#facts.snaresOff = !on;
+    this.#ask();
+  }
+
+  /** Colours the head by its heights, of[circle * angles + angle], which are at most `most`; null: no more. */
+  setHeights(heights) {
+    this.#heights = heights;
     this.#ask();
   }
 
@@ -98,9 +106,30 @@ export class DrumView {
     context.arc(0, 0, 1, 0, TURN);
     context.fillStyle = color("head");
     context.fill();
+    if (this.#heights) return this.#drawHeights(context, color);
     context.globalAlpha = 0.5 * (1 - this.#level / FLOOR);
     context.fillStyle = color("glow");
     context.fill();
+    context.globalAlpha = 1;
+  }
+
+  /** One colour above the head's plane, one below; half as strong a quarter as high. */
+  #drawHeights(context, color) {
+    const { circles, angles, of, most } = this.#heights;
+    const [up, down] = [color("up"), color("down")];
+    const step = TURN / angles;
+    for (let i = 0; i < circles; i++) {
+      const [inner, outer] = [Math.max(i - 0.5, 0), Math.min(i + 0.5, circles - 1)].map((r) => r / (circles - 1));
+      for (let j = 0; j < angles; j++) {
+        const height = of[i * angles + j] / most;
+        context.globalAlpha = Math.min(Math.sqrt(Math.abs(height)), 1);
+        context.fillStyle = height > 0 ? up : down;
+        context.beginPath();
+        context.arc(0, 0, outer, -(j + 0.5) * step, -(j - 0.5) * step);
+        context.arc(0, 0, inner, -(j - 0.5) * step, -(j + 0.5) * step, true);
+        context.fill();
+      }
+    }
     context.globalAlpha = 1;
   }
 

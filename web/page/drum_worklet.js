@@ -6,9 +6,11 @@
 //   { type: "strike", velocity, radius, angle, technique }
 //   { type: "strainer", value }          1: the snares are on, 0: off
 //   { type: "record", on }
+//   { type: "film", on }                 pictures of what follows a stroke
 //
 // Messages from it: { type: "playing" } for each new drum; { type: "struck", frame, ... } for each stroke;
-// { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last }.
+// { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last };
+// { type: "filmed", pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
 import { ContinuedEngine } from "./engine.js";
 
 const BLOCK = 128; // frames
@@ -21,6 +23,8 @@ const LEDGER_LEVELS = 8; // levels between two ledgers
 const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
   "radiated", "removed", "high_band", "residual"];
 const PIECE_BLOCKS = 32; // blocks of one piece of a recording
+const FILM_BLOCKS = 15; // blocks of a film
+const BLOCK_PICTURES = 4; // of each filmed block
 
 /** A drum in an engine of its own. */
 class Voice {
@@ -45,11 +49,21 @@ class Voice {
   }
 
   /** The channels of the next block, until the next call. They stay in their place: memory grows no more. */
-  process() {
+  process(isFilmed = false) {
     const { buffer } = this.engine.memory;
-    const address = this.engine.drum_process(this.drum);
+    const address = this.engine.drum_process(this.drum, Number(isFilmed));
     this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
     return this.block;
+  }
+
+  /** The numbers of the pictures of a filmed block. */
+  get picturesSize() {
+    return BLOCK_PICTURES * this.engine.picture_size(this.drum);
+  }
+
+  /** The pictures of the last block, if it was filmed. */
+  pictures() {
+    return new Float32Array(this.engine.memory.buffer, this.engine.drum_pictures(this.drum), this.picturesSize);
   }
 
   /** The energy account [J]. */
@@ -82,6 +96,8 @@ class DrumProcessor extends AudioWorkletProcessor {
   levelBlocks = 0;
   levels = 0;
   recording = null; // { sound, blocks }
+  films = false; // a stroke begins a film
+  film = null; // { pictures, blocks }
 
   constructor() {
     super();
@@ -104,6 +120,7 @@ class DrumProcessor extends AudioWorkletProcessor {
       case "drum": return this.change(message);
       case "strike": return this.strike(message);
       case "strainer": return this.setStrainer(message.value);
+      case "film": return this.setFilms(message.on);
       case "record": return message.on ? this.beginRecording() : this.sendRecording(true);
     }
   }
@@ -124,6 +141,7 @@ class DrumProcessor extends AudioWorkletProcessor {
     this.former = this.voice;
     this.voice = this.coming;
     this.coming = null;
+    this.film = null;
     if (this.strainer !== null) this.voice.setStrainer(this.strainer);
     for (const stroke of this.waiting.splice(0)) this.strike(stroke);
     this.port.postMessage({ type: "playing" });
@@ -133,7 +151,22 @@ class DrumProcessor extends AudioWorkletProcessor {
     if (!this.voice) this.waiting.push(message);
     else if (this.voice.strike(message)) {
       this.port.postMessage({ ...message, type: "struck", frame: this.frame });
+      if (this.films) this.film ??= { pictures: new Float32Array(FILM_BLOCKS * this.voice.picturesSize), blocks: 0 };
     }
+  }
+
+  setFilms(on) {
+    this.films = on;
+    if (!on) this.film = null;
+  }
+
+  /** Adds the last block. Strokes that fall into a film are part of it. */
+  addPictures() {
+    const { film } = this;
+    film.pictures.set(this.voice.pictures(), film.blocks * this.voice.picturesSize);
+    if (++film.blocks < FILM_BLOCKS) return;
+    this.film = null;
+    this.port.postMessage({ type: "filmed", pictures: film.pictures }, [film.pictures.buffer]);
   }
 
   beginRecording() {
@@ -180,7 +213,8 @@ class DrumProcessor extends AudioWorkletProcessor {
 
   process(_, [outputs]) {
     if (this.coming) this.bringDrum();
-    if (this.voice) this.voice.process().forEach((channel, i) => outputs[i].set(channel));
+    if (this.voice) this.voice.process(!!this.film).forEach((channel, i) => outputs[i].set(channel));
+    if (this.film) this.addPictures();
     if (this.former && !this.former.addFade(outputs)) this.former = null;
     this.finishBlock(outputs);
     return true;

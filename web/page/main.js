@@ -3,6 +3,7 @@
 import { DrumView } from "./drum_view.js";
 import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
+import { FilmView } from "./film_view.js";
 import { actionOf } from "./keys.js";
 import { listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
@@ -21,6 +22,7 @@ const element = (id) => document.getElementById(id);
 const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names
 
 const view = new DrumView(element("drum"));
+const film = new FilmView(element("motion"), element("motion-text"), (heights) => view.setHeights(heights));
 const energy = new EnergyView(element("energy"));
 const spectrum = new SpectrumView(element("spectrum"));
 let presets = []; // { name, comment }
@@ -113,6 +115,7 @@ function useDrum(built) {
   showProgress(1);
   showFacts();
   view.show(facts);
+  film.show(facts);
   showSnares();
   say("Ready");
   sound.play();
@@ -129,6 +132,13 @@ function setSnares(on) {
   element("snares").checked = on;
   sound.setStrainer(on ? facts.wires.strainer || 1 : 0);
   view.setSnares(on);
+}
+
+function setSlowMotion(on) {
+  element("slow").checked = on;
+  element("slowness").disabled = !on;
+  film.setOn(on);
+  sound.film(on);
 }
 
 function stepPreset(step) {
@@ -284,6 +294,7 @@ function listen() {
     level: ({ peak }) => showLevel(peak),
     ledger: showLedger,
     recorded: addRecorded,
+    filmed: ({ pictures }) => film.play(pictures),
   };
   for (const [type, use] of Object.entries(heard)) {
     sound.addEventListener(type, ({ detail }) => use(detail));
@@ -293,6 +304,8 @@ function listen() {
   element("quality").addEventListener("change", chooseDrum);
   element("speed").addEventListener("input", showSpeed);
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
+  element("slow").addEventListener("change", (event) => setSlowMotion(event.target.checked));
+  element("slowness").addEventListener("change", (event) => film.setSlowness(Number(event.target.value)));
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
   element("midi").hidden = !navigator.requestMIDIAccess;
@@ -307,6 +320,7 @@ async function begin() {
   fillPresets();
   showSpeed();
   listen();
+  setSlowMotion(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   chooseDrum();
 }
 

@@ -15,6 +15,7 @@ export class Sound extends EventTarget {
   #analyser = null;
   #waiting = null; // the stroke that came before the audio thread
   #strainer = null; // where the snares were put before
+  #films = false;
 
   constructor(bytes) {
     super();
@@ -63,6 +64,12 @@ export class Sound extends EventTarget {
     else this.#strainer = value;
   }
 
+  /** Whether strokes are filmed: "filmed" then tells the pictures. */
+  film(on) {
+    this.#films = on;
+    if (this.#node) this.#send({ type: "film", on });
+  }
+
   /** What hears the sound: an AnalyserNode, or null before the first gesture. */
   get analyser() {
     return this.#analyser;
@@ -89,6 +96,7 @@ export class Sound extends EventTarget {
     this.#analyser = new AnalyserNode(this.#context, { fftSize: SPECTRUM_FRAMES, smoothingTimeConstant: 0.5 });
     this.#node.connect(this.#analyser);
     this.#send({ type: "engine", bytes: this.#bytes });
+    this.film(this.#films);
     this.#sendDrum();
     if (this.#strainer !== null) this.setStrainer(this.#strainer);
     if (this.#waiting) this.strike(this.#waiting);

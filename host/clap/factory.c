@@ -16,18 +16,24 @@ static const char *const stereo_features[] = {
   CLAP_PLUGIN_FEATURE_INSTRUMENT, CLAP_PLUGIN_FEATURE_DRUM, CLAP_PLUGIN_FEATURE_SYNTHESIZER,
   CLAP_PLUGIN_FEATURE_STEREO, NULL};
 
-#define PLUGIN(its_id, its_name, its_description)                                                  \
+static const char *const effect_features[] = {CLAP_PLUGIN_FEATURE_AUDIO_EFFECT,
+                                              CLAP_PLUGIN_FEATURE_STEREO, NULL};
+
+#define PLUGIN(its_id, its_name, its_features, its_description)                                    \
   {                                                                                                \
     .clap_version = CLAP_VERSION_INIT, .id = (its_id), .name = (its_name), .vendor = "Tabor",      \
     .url = "", .manual_url = "", .support_url = "", .version = VERSION_TEXT,                       \
-    .description = (its_description), .features = stereo_features                                  \
+    .description = (its_description), .features = (its_features)                                   \
   }
 
 static const clap_plugin_descriptor_t plugins[] = {
-  PLUGIN(ID_DRUM, "Tabor", "A snare drum computed from physics"),
-  PLUGIN(ID_DRUM_MULTI, "Tabor Multi",
+  PLUGIN(ID_DRUM, "Tabor", stereo_features, "A snare drum computed from physics"),
+  PLUGIN(ID_DRUM_MULTI, "Tabor Multi", stereo_features,
          "A snare drum computed from physics, an output per microphone"),
-  PLUGIN(ID_KIT, "Tabor Kit", "A drum kit computed from physics, an output per drum"),
+  PLUGIN(ID_KIT, "Tabor Kit", stereo_features,
+         "A drum kit computed from physics, an output per drum"),
+  PLUGIN(ID_EFFECT, "Tabor Rattle", effect_features,
+         "A loudspeaker plays the sound to a snare drum, whose snares rattle"),
 };
 
 #define PLUGINS (sizeof plugins / sizeof plugins[0])
@@ -51,7 +57,8 @@ static const clap_plugin_t *create(const clap_plugin_factory_t *factory, const c
   while (i < PLUGINS && strcmp(id, plugins[i].id) != 0) i++;
   if (i == PLUGINS) return NULL;
   if (strcmp(id, ID_KIT) == 0) return kit_instance_create(&plugins[i], host);
-  return instance_create(&plugins[i], host, strcmp(id, ID_DRUM) == 0);
+  if (strcmp(id, ID_EFFECT) == 0) return instance_create(&plugins[i], host, KNOBS_EFFECT);
+  return instance_create(&plugins[i], host, strcmp(id, ID_DRUM) == 0 ? KNOBS_STEREO : KNOBS_MULTI);
 }
 
 static const clap_plugin_factory_t plugin_factory = {

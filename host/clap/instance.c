@@ -151,10 +151,23 @@ static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
 static const PluginEvents run_events = {
   .turn = parameters_turn, .find = find_event, .note_knobs = note_knobs, .take = take_frame};
 
-static clap_process_status status_of(const Instance *instance) REALTIME;
-static clap_process_status status_of(const Instance *instance) {
+/* A host does not call an effect that sleeps until its input changes. */
+static bool is_fed(const PluginOutputs *outputs, uint32_t frames) REALTIME;
+static bool is_fed(const PluginOutputs *outputs, uint32_t frames) {
+  for (uint32_t side = 0; side < 2 && outputs->input[0]; side++) {
+    for (uint32_t i = 0; i < frames; i++) {
+      if (outputs->channels[side] && outputs->channels[side][i] != 0) return true;
+    }
+  }
+  return false;
+}
+
+static clap_process_status status_of(const Instance *instance,
+                                     const PluginOutputs *outputs) REALTIME;
+static clap_process_status status_of(const Instance *instance, const PluginOutputs *outputs) {
   const PluginPlayer *const player = &instance->player;
-  return plugin_player_is_settled(player) && plugin_player_is_silent(player)
+  return plugin_player_is_settled(player) && plugin_player_is_silent(player) &&
+             !is_fed(outputs, instance->list.frames)
            ? CLAP_PROCESS_SLEEP
            : CLAP_PROCESS_CONTINUE;
 }
@@ -190,7 +203,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   } else {
     (void)plugin_run_live(&run);
   }
-  return status_of(instance);
+  return status_of(instance, &outputs);
 }
 
 static void silence_rate(Instance *instance, double rate) {
@@ -272,7 +285,7 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
 static bool begin(Instance *instance) {
   if (tabor_drum_def_preset(&instance->saved.def, DEFAULT_PRESET, NULL) != TABOR_OK) return false;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    instance->ranges[i] = knob_range((KnobId)i, &instance->saved.def);
+    instance->ranges[i] = knob_range_in(instance->set, (KnobId)i, &instance->saved.def);
     instance->values[i] = instance->ranges[i].fallback;
     if (i < KNOB_KEYS) instance->saved.seen[i] = instance->ranges[i].fallback;
   }
@@ -280,11 +293,12 @@ static bool begin(Instance *instance) {
 }
 
 const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
-                                     const clap_host_t *host, bool stereo) {
+                                     const clap_host_t *host, KnobSet set) {
   Instance *const instance = calloc(1, sizeof *instance);
   if (!instance) return NULL;
   instance->host = host;
-  instance->stereo = stereo;
+  instance->set = set;
+  instance->stereo = set != KNOBS_MULTI;
   instance->plugin = (clap_plugin_t){.desc = descriptor,
                                      .plugin_data = instance,
                                      .init = init,

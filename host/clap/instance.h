@@ -19,13 +19,15 @@
 
 #define ID_DRUM "tabor.drum"             /**< the plugin with a stereo output */
 #define ID_DRUM_MULTI "tabor.drum-multi" /**< the plugin with an output per microphone */
+#define ID_EFFECT "tabor.effect"         /**< the drum before a loudspeaker */
 
 typedef struct Instance {
   clap_plugin_t plugin;
   const clap_host_t *host;
   const clap_host_log_t *log;       /**< or NULL */
   const clap_host_params_t *params; /**< or NULL */
-  bool stereo;
+  KnobSet set;
+  bool stereo; /**< a pair, not an output per microphone */
   KnobRange ranges[KNOB_COUNT];
   _Atomic float values[KNOB_COUNT];      /**< of the knobs, in their own units */
   _Atomic float modulations[KNOB_COUNT]; /**< in the units of parameters */
@@ -54,6 +56,6 @@ static inline Instance *instance_of(const clap_plugin_t *plugin) { return plugin
 
 /** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short. */
 const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
-                                     const clap_host_t *host, bool stereo);
+                                     const clap_host_t *host, KnobSet set);
 
 #endif

@@ -14,7 +14,7 @@
 static KnobId knob_of(const Instance *instance, clap_id id) REALTIME;
 static KnobId knob_of(const Instance *instance, clap_id id) {
   if (id >= KNOB_COUNT) return KNOB_COUNT;
-  return !instance->stereo && knob_is_of_stereo(knob_ports[id]) ? KNOB_COUNT : knob_ports[id];
+  return knob_is_in(instance->set, knob_ports[id]) ? knob_ports[id] : KNOB_COUNT;
 }
 
 static clap_id id_of(KnobId knob) {
@@ -88,7 +88,7 @@ static float offset_of(const Instance *instance, KnobId id, float value) {
 void parameters_turn(void *shell) {
   Instance *const instance = shell;
   KnobId id;
-  for (uint32_t i = 0; (id = knob_at(instance->stereo, i)) < KNOB_COUNT; i++) {
+  for (uint32_t i = 0; (id = knob_at(instance->set, i)) < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[id]);
     plugin_player_turn(&instance->player, id, value);
     plugin_player_modulate(&instance->player, id, offset_of(instance, id, value));
@@ -99,7 +99,7 @@ void parameters_turn(void *shell) {
 
 /* Stiffness and parts of a whole are shown as per cent of the way. */
 static bool is_per_cent(KnobId id) {
-  return id == KNOB_STRAINER || id == KNOB_HUMANIZE || id == KNOB_STICK_HARDNESS;
+  return id == KNOB_STRAINER || id == KNOB_HUMANIZE || id == KNOB_STICK_HARDNESS || id == KNOB_MIX;
 }
 
 static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double value, char *text,
@@ -143,9 +143,7 @@ static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char
 
 /* ---- description ---------------------------------------------------------------------------- */
 
-static uint32_t count(const clap_plugin_t *plugin) {
-  return knob_number(instance_of(plugin)->stereo);
-}
+static uint32_t count(const clap_plugin_t *plugin) { return knob_number(instance_of(plugin)->set); }
 
 static const char *module_of(const Knob *knob) {
   for (uint32_t i = 0; i < KNOB_GROUPS; i++) {
@@ -160,7 +158,7 @@ static double of_range(const Instance *instance, KnobId id, float value) {
 
 static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_info_t *info) {
   const Instance *const instance = instance_of(plugin);
-  const KnobId id = knob_at(instance->stereo, index);
+  const KnobId id = knob_at(instance->set, index);
   if (id == KNOB_COUNT) return false;
   const KnobRange *const range = &instance->ranges[id];
   memset(info, 0, sizeof *info);
@@ -238,7 +236,7 @@ static uint32_t page_count(const clap_plugin_t *plugin) {
 
 static bool get_page(const clap_plugin_t *plugin, uint32_t index,
                      clap_remote_controls_page_t *page) {
-  const bool stereo = instance_of(plugin)->stereo;
+  const KnobSet set = instance_of(plugin)->set;
   if (index >= page_count(plugin)) return false;
   memset(page, 0, sizeof *page);
   page->page_id = index;
@@ -246,7 +244,7 @@ static bool get_page(const clap_plugin_t *plugin, uint32_t index,
   (void)snprintf(page->page_name, sizeof page->page_name, "%s", pages[index].name);
   for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
     const KnobId id = pages[index].knobs[i];
-    const bool is_there = id != NO_KNOB && (stereo || !knob_is_of_stereo(id));
+    const bool is_there = id != NO_KNOB && knob_is_in(set, id);
     page->param_ids[i] = is_there ? id_of(id) : CLAP_INVALID_ID;
   }
   return true;

@@ -19,10 +19,11 @@ static const struct {
                {"Far", PLUGIN_FAR},
                {"Inside", PLUGIN_INSIDE}};
 
+#define INPUT_ID 100u /* of the effect's input; outputs count from 0 */
 #define SINGLES (sizeof singles / sizeof singles[0])
 
 static uint32_t audio_count(const clap_plugin_t *plugin, bool is_input) {
-  if (is_input) return 0;
+  if (is_input) return instance_of(plugin)->set == KNOBS_EFFECT;
   return instance_of(plugin)->stereo ? 1 : 1 + SINGLES;
 }
 
@@ -30,8 +31,8 @@ static bool get_audio(const clap_plugin_t *plugin, uint32_t index, bool is_input
                       clap_audio_port_info_t *info) {
   if (index >= audio_count(plugin, is_input)) return false;
   memset(info, 0, sizeof *info);
-  const char *const name = index == 0 ? "Stereo" : singles[index - 1].name;
-  info->id = index;
+  const char *const name = is_input ? "Sound in" : index == 0 ? "Stereo" : singles[index - 1].name;
+  info->id = index + (is_input ? INPUT_ID : 0);
   (void)snprintf(info->name, sizeof info->name, "%s", name);
   info->flags = index == 0 ? CLAP_AUDIO_PORT_IS_MAIN : 0;
   info->channel_count = index == 0 ? 2 : 1;
@@ -50,10 +51,21 @@ static float *channel_of(const clap_process_t *process, uint32_t port, uint32_t 
   return buffer->data32 && channel < buffer->channel_count ? buffer->data32[channel] : NULL;
 }
 
+/* A mono input plays on both sides. */
+static void connect_input(const clap_process_t *process, PluginOutputs *outputs) REALTIME;
+static void connect_input(const clap_process_t *process, PluginOutputs *outputs) {
+  if (process->audio_inputs_count == 0) return;
+  const clap_audio_buffer_t *const buffer = &process->audio_inputs[0];
+  if (!buffer->data32 || buffer->channel_count == 0) return;
+  outputs->input[0] = buffer->data32[0];
+  outputs->input[1] = buffer->data32[buffer->channel_count > 1 ? 1 : 0];
+}
+
 void ports_connect(const Instance *instance, const clap_process_t *process,
                    PluginOutputs *outputs) {
   const uint32_t left = instance->stereo ? 0 : PLUGIN_LEFT;
-  *outputs = (PluginOutputs){{NULL}};
+  memset(outputs, 0, sizeof *outputs);
+  if (instance->set == KNOBS_EFFECT) connect_input(process, outputs);
   outputs->channels[left] = channel_of(process, 0, 0);
   outputs->channels[left + 1] = channel_of(process, 0, 1);
   for (uint32_t i = 0; !instance->stereo && i < SINGLES; i++) {

@@ -207,9 +207,19 @@ static void put_port(bool stereo, uint32_t number, Port port) {
 
 /* ---- plugins -------------------------------------------------------------------------------- */
 
+/* Whether a plugin has a knob of the group. */
+static bool is_used(const KnobGroup *group) {
+  KnobId id;
+  for (uint32_t i = 0; (id = knob_at(KNOBS_STEREO, i)) < KNOB_COUNT; i++) {
+    if (strcmp(knobs[id].group, group->symbol) == 0) return true;
+  }
+  return false;
+}
+
 static void put_groups(void) {
   for (uint32_t i = 0; i < KNOB_GROUPS; i++) {
     const KnobGroup *const group = &knob_groups[i];
+    if (!is_used(group)) continue;
     put("<%s%s>\n\ta pg:InputGroup ;\n\tlv2:symbol \"%s\" ;\n\tlv2:name \"%s\" .\n\n", URI_GROUP,
         group->symbol, group->symbol, group->name);
   }

@@ -216,13 +216,29 @@ const Knob knobs[KNOB_COUNT] = {
                  .off = TABOR_ROOM_NONE,
                  .comment = "The room around the drum, which all its microphones hear. Size, "
                             "decay and level are those of the drum's definition."},
+  [KNOB_SOUND] = {.symbol = "sound_level",
+                  .name = "Loudspeaker",
+                  .group = "input",
+                  .kind = KNOB_SETTING,
+                  RANGE(60, 150),
+                  .fallback = 120,
+                  .unit = "dB SPL",
+                  .off = 60,
+                  .comment = "Pressure at the drum when the sound that comes in is at full scale."},
+  [KNOB_MIX] = {.symbol = "mix",
+                .name = "Mix",
+                .group = "input",
+                .kind = KNOB_SETTING,
+                RANGE(0, 1),
+                .fallback = 0.5,
+                .unit = "",
+                .off = NAN,
+                .comment = "0: the sound that comes in alone; 1: the drum alone."},
 };
 
-const KnobGroup knob_groups[KNOB_GROUPS] = {{"heads", "Heads"},
-                                            {"snares", "Snares"},
-                                            {"stick", "Stick"},
-                                            {"output", "Output"},
-                                            {"mics", "Microphones"}};
+const KnobGroup knob_groups[KNOB_GROUPS] = {{"heads", "Heads"},      {"snares", "Snares"},
+                                            {"stick", "Stick"},      {"output", "Output"},
+                                            {"mics", "Microphones"}, {"input", "Sound in"}};
 
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
@@ -249,6 +265,8 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_RESONANT_PITCH,
   KNOB_ROOM,
   KNOB_UNEVENNESS,
+  KNOB_SOUND,
+  KNOB_MIX,
 };
 
 static TaborStrikerDef *usual_striker(TaborDrumDef *def) {
@@ -288,6 +306,13 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
     .logarithmic = parameter && parameter->logarithmic,
     .unit = knob->unit || !parameter ? knob->unit : parameter->unit,
   };
+}
+
+KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual) {
+  KnobRange range = knob_range(id, usual);
+  if (set == KNOBS_EFFECT && id == KNOB_LEVEL_PAIR) range.fallback = LOWEST_LEVEL;
+  if (set == KNOBS_EFFECT && id == KNOB_LEVEL_BOTTOM) range.fallback = range.maximum;
+  return range;
 }
 
 double knob_factor(KnobId id, float value) {

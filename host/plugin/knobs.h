@@ -41,11 +41,20 @@ typedef enum KnobId {
   KNOB_LEVEL_FAR,
   KNOB_LEVEL_INSIDE,
   KNOB_VELOCITY_RANGE,
-  KNOB_ROOM, /**< stereo plugin only */
+  KNOB_ROOM,  /**< stereo plugin only, as the levels */
+  KNOB_SOUND, /**< of the effect only, as the next */
+  KNOB_MIX,
   KNOB_COUNT
 } KnobId;
 
 #define KNOB_KEYS (KNOB_UNEVENNESS + 1) /**< number of knobs for keys */
+
+/** Knobs of a plugin. */
+typedef enum KnobSet {
+  KNOBS_MULTI,  /**< an output per microphone */
+  KNOBS_STEREO, /**< also levels and a room */
+  KNOBS_EFFECT  /**< also sound in, and a mix with it */
+} KnobSet;
 
 /** How a knob takes effect. */
 typedef enum KnobKind {
@@ -81,7 +90,7 @@ typedef struct KnobGroup {
   const char *symbol, *name; /**< displayed name */
 } KnobGroup;
 
-enum { KNOB_GROUPS = 5 };
+enum { KNOB_GROUPS = 6 };
 
 extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
@@ -93,15 +102,16 @@ static inline bool knob_is_level(KnobId id) REALTIME {
   return id >= KNOB_LEVEL_PAIR && id <= KNOB_LEVEL_INSIDE;
 }
 
-/** True for a knob that the multi-output plugin lacks. */
-static inline bool knob_is_of_stereo(KnobId id) REALTIME {
-  return knob_is_level(id) || id == KNOB_ROOM;
+/** True for a knob that a plugin has. */
+static inline bool knob_is_in(KnobSet set, KnobId id) REALTIME {
+  if (id == KNOB_SOUND || id == KNOB_MIX) return set == KNOBS_EFFECT;
+  return set != KNOBS_MULTI || !(knob_is_level(id) || id == KNOB_ROOM);
 }
 
-/** Knob number @p place of the stereo or the multi-output plugin; KNOB_COUNT past the last. */
-static inline KnobId knob_at(bool stereo, uint32_t place) REALTIME {
+/** Knob number @p place of a plugin; KNOB_COUNT past the last. */
+static inline KnobId knob_at(KnobSet set, uint32_t place) REALTIME {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    if (!stereo && knob_is_of_stereo(knob_ports[i])) continue;
+    if (!knob_is_in(set, knob_ports[i])) continue;
     if (place-- == 0) return knob_ports[i];
   }
   return KNOB_COUNT;
@@ -113,14 +123,16 @@ static inline bool knob_is_modulated(KnobId id) REALTIME {
 }
 
 /** Number of knobs of a plugin. */
-static inline uint32_t knob_number(bool stereo) REALTIME {
+static inline uint32_t knob_number(KnobSet set) REALTIME {
   uint32_t number = 0;
-  while (knob_at(stereo, number) != KNOB_COUNT) number++;
+  while (knob_at(set, number) != KNOB_COUNT) number++;
   return number;
 }
 
 /** SET-UP. Range of a knob. @p usual is the definition of DEFAULT_PRESET. */
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
+/** SET-UP. The same in a plugin: the effect is heard under the snares unless told otherwise. */
+KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /** Converts a value of a LEVEL or GAIN knob [dB] to a factor; the lowest level gives 0. */

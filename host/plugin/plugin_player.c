@@ -25,6 +25,7 @@ static bool bind_presets(PluginPlayer *player) {
 }
 
 static void prepare_knobs(PluginPlayer *player) {
+  player->sound = player->mix = fader_at(0, player->rate);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const KnobId id = (KnobId)i;
     player->ranges[i] = knob_range(id, &player->worker->base);

@@ -58,6 +58,9 @@ typedef struct PluginPlayer {
    */
   double base_gain;
   Fader levels[KNOB_COUNT]; /**< where knob_is_level() */
+  /** Of an effect: pressure at full scale [Pa] and part of the drum in the mix, as faders; the newest block [Pa]. */
+  Fader sound, mix;
+  float pressure[DRUM_PLAYER_BLOCK];
   /** Frames until a level moves, after its microphone was switched on. */
   uint32_t waits[KNOB_COUNT];
 
@@ -80,9 +83,10 @@ typedef struct PluginPlayer {
   uint32_t first_count; /**< number of those at their front that act before MIDI */
 } PluginPlayer;
 
-/** Buffer of each output, or NULL. */
+/** Buffer of each output, or NULL; and of an effect's input, both or none. */
 typedef struct PluginOutputs {
   float *channels[PLUGIN_MICS];
+  const float *input[2];
 } PluginOutputs;
 
 /* SET-UP */

@@ -7,6 +7,8 @@
 
 #include "drums/live_headroom.h"
 
+static const double HEARING_THRESHOLD = 2e-5; /* [Pa]: 0 dB SPL */
+
 /* ---- messages ------------------------------------------------------------------------------- */
 
 /* Where there is no room, the last value counts of a parameter and of the gain. */
@@ -153,6 +155,10 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     player->request.number++;
     break;
   case KNOB_GAIN: set_gain(player, factor_of(player, id)); break;
+  case KNOB_SOUND:
+    fade_to(player, &player->sound, HEARING_THRESHOLD * knob_factor(id, value), at_once);
+    break;
+  case KNOB_MIX: fade_to(player, &player->mix, knob_decimal(value), at_once); break;
   default: turn_level(player, id, factor_of(player, id), at_once); break;
   }
 }

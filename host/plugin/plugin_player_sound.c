@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Mixes a player's sound: the microphones of its drum at their levels. */
+#include <math.h>
 #include <string.h>
 
 #include "plugin/plugin_player_internal.h"
@@ -22,6 +23,55 @@ static double next_level(PluginPlayer *player, KnobId id) {
   player->waits[id]--;
   return player->levels[id].now;
 }
+
+/* ---- sound in ------------------------------------------------------------------------------- */
+
+static const double MOST_SOUND = 100.0; /* of an input, times full scale */
+
+static double limited(float sample) REALTIME;
+static double limited(float sample) {
+  return isfinite(sample) ? fmin(fmax((double)sample, -MOST_SOUND), MOST_SOUND) : 0;
+}
+
+/* A loudspeaker plays the mean of both channels at the place of the drum's first microphone. */
+static void take_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+                       uint32_t frames) REALTIME;
+static void take_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+                       uint32_t frames) {
+  player->core.input = outputs->input[0] ? player->pressure : NULL;
+  for (uint32_t i = 0; player->core.input && i < frames; i++) {
+    const double sum = limited(outputs->input[0][at + i]) + limited(outputs->input[1][at + i]);
+    player->pressure[i] = (float)(fader_next(&player->sound) * (0.5 * sum));
+  }
+}
+
+/* The host may use the same buffers for both. */
+static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+                           uint32_t frames, const float (*dry)[DRUM_PLAYER_BLOCK]) REALTIME;
+static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+                           uint32_t frames, const float (*dry)[DRUM_PLAYER_BLOCK]) {
+  for (uint32_t i = 0; i < frames; i++) {
+    const double part = fader_next(&player->mix);
+    for (uint32_t side = 0; side < 2; side++) {
+      float *const out = outputs->channels[side];
+      if (!out) continue;
+      const double wet = (double)out[at + i];
+      out[at + i] = (float)((1 - part) * (double)dry[side][i] + part * wet);
+    }
+  }
+}
+
+static void keep_sound(const PluginOutputs *outputs, uint32_t at, uint32_t frames,
+                       float (*dry)[DRUM_PLAYER_BLOCK]) REALTIME;
+static void keep_sound(const PluginOutputs *outputs, uint32_t at, uint32_t frames,
+                       float (*dry)[DRUM_PLAYER_BLOCK]) {
+  for (uint32_t side = 0; side < 2; side++) {
+    for (uint32_t i = 0; i < frames; i++)
+      dry[side][i] = (float)limited(outputs->input[side][at + i]);
+  }
+}
+
+/* ---- microphones ---------------------------------------------------------------------------- */
 
 static void mix_stereo(PluginPlayer *player, float *const *channels, uint32_t at, uint32_t frames) {
   for (uint32_t frame = 0; frame < frames; frame++) {
@@ -54,8 +104,14 @@ uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, 
   for (uint32_t mic = 0; mic < PLUGIN_MICS; mic++) {
     if (hears(player, outputs, (PluginMic)mic)) player->core.heard |= 1u << mic;
   }
+  take_sound(player, outputs, at, frames);
   drum_player_play(&player->core, plugin_player_next, player, frames);
-  if (player->stereo) {
+  if (outputs->input[0]) {
+    float dry[2][DRUM_PLAYER_BLOCK];
+    keep_sound(outputs, at, frames, dry);
+    mix_stereo(player, outputs->channels, at, frames);
+    mix_with_sound(player, outputs, at, frames, (const float(*)[DRUM_PLAYER_BLOCK])dry);
+  } else if (player->stereo) {
     mix_stereo(player, outputs->channels, at, frames);
   } else {
     copy_multi(player, outputs->channels, at, frames);

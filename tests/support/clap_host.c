@@ -80,6 +80,7 @@ const clap_plugin_entry_t *clap_host_entry(const char *binary) {
 static void find_ports(ClapHost *host) {
   const clap_plugin_audio_ports_t *const ports = clap_host_extension(host, CLAP_EXT_AUDIO_PORTS);
   host->port_count = ports->count(host->plugin, false);
+  host->has_input = ports->count(host->plugin, true) == 1;
   assert_true(host->port_count <= CLAP_PORTS);
   for (uint32_t i = 0; i < host->port_count; i++) {
     clap_audio_port_info_t info;
@@ -241,8 +242,12 @@ void clap_host_run(ClapHost *host, uint32_t frames) {
     outputs[i] = (clap_audio_buffer_t){.data32 = &channels[next], .channel_count = host->widths[i]};
     next += host->widths[i];
   }
+  float *inputs[2] = {host->input[0], host->input[1]};
+  clap_audio_buffer_t input = {.data32 = inputs, .channel_count = 2};
   const clap_process_t block = {.steady_time = -1,
                                 .frames_count = frames,
+                                .audio_inputs = host->has_input ? &input : NULL,
+                                .audio_inputs_count = host->has_input,
                                 .audio_outputs = outputs,
                                 .audio_outputs_count = host->port_count,
                                 .in_events = &in,

@@ -33,6 +33,8 @@ typedef struct ClapHost {
   uint32_t port_count, widths[CLAP_PORTS]; /**< outputs, and channels of each */
   ClapEvent events[CLAP_EVENTS];           /**< of the next block, in order of time */
   uint32_t event_count, ended; /**< ended: number of note ends that the plugin has sent */
+  bool has_input;
+  float input[2][CLAP_BLOCK];             /**< of an effect, for the next block */
   float sound[CLAP_CHANNELS][CLAP_BLOCK]; /**< left and right first, then the other outputs */
   char said[512];                         /**< newest line of the log, or "" */
   char loaded[64],

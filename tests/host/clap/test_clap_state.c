@@ -110,7 +110,9 @@ static int leave(void **state) {
   (void)state;
   ClapHost *const host = open_changed();
   clap_host_save(host, &left);
-  for (uint32_t i = 0; i < KNOB_COUNT; i++) left_values[i] = clap_host_value(host, (KnobId)i);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (knob_is_in(KNOBS_STEREO, (KnobId)i)) left_values[i] = clap_host_value(host, (KnobId)i);
+  }
   record_anew(host, left_sound);
   clap_host_close(host);
   return 0;
@@ -155,6 +157,7 @@ static void test_values_of_parameters_come_back(void **state) {
   ClapHost *const copy = open_drum();
   assert_true(clap_host_load(copy, &left));
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (!knob_is_in(KNOBS_STEREO, (KnobId)i)) continue;
     if (left_values[i] != clap_host_value(copy, (KnobId)i)) fail_msg("%s", knobs[i].symbol);
   }
   assert_true(clap_host_value(copy, KNOB_STRIKE_RADIUS) == 0.11);

@@ -29,11 +29,11 @@ holds "it is below 4 MB" "$(stat -c %s "$binary") < 4000000"
 # ---- the description ----
 
 field() { sed -nE "s/^ *\"$1\": \"(.*)\",\$/\1/p" "$contents/Resources/moduleinfo.json"; }
-same "the plugins" $'Tabor\nTabor\nTabor Multi\nTabor Kit' "$(field Name)"
+same "the plugins" $'Tabor\nTabor\nTabor Multi\nTabor Kit\nTabor Rattle' "$(field Name)"
 version=$("$TABOR" --version | cut -d ' ' -f 2)
-same "their version" "$version"$'\n'"$version"$'\n'"$version"$'\n'"$version" "$(field Version)"
+same "their version" "$version"$'\n'"$version"$'\n'"$version"$'\n'"$version"$'\n'"$version" "$(field Version)"
 # Sessions find the plugins by these. They follow from the identities of the CLAP plugins.
-same "their identities" $'C86E4CCAD0C951CFBEC9BC84A948AAD2\n4DFA43F7834C5514AFB9115F37AC4D11\n7877BE08BB6E5A618CF6D77615924476' "$(field CID)"
+same "their identities" $'C86E4CCAD0C951CFBEC9BC84A948AAD2\n4DFA43F7834C5514AFB9115F37AC4D11\n7877BE08BB6E5A618CF6D77615924476\n6DFDBE4F31225462BABE153EE3EAE4A7' "$(field CID)"
 
 # ---- the documentation ----
 

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The CLAP plugin Tabor Rattle: a loudspeaker plays what comes in to a snare drum. The drum alone equals `tabor render
+ * --input` to the bit, whatever the sizes of the blocks are; the mix, silence and bad samples do what they should.
+ *
+ * test_clap_effect PROGRAM PLUGINS [brief]
+ */
+#include "clap_host.h"
+#include "plugin_songs.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <sndfile.h>
+
+#define FRAMES 20000u
+#define SONG_FRAMES 24000u /* of a take */
+
+static const clap_plugin_entry_t *entry;
+static const char *program;
+static float burst[FRAMES];
+
+static const double PI = 3.14159265358979323846;
+
+/* A tom-like burst: 180 Hz, dying away. */
+static void make_burst(void) {
+  for (uint32_t i = 0; i < FRAMES; i++) {
+    const double t = i / 48000.0;
+    burst[i] = (float)(0.8 * exp(-12 * t) * sin(2 * PI * 180 * t));
+  }
+}
+
+static ClapHost *open_effect(double mix) {
+  ClapHost *const host = clap_host_open(entry, ID_EFFECT);
+  clap_host_set(host, 0, KNOB_QUALITY, 0);
+  clap_host_set(host, 0, KNOB_ROOM, TABOR_ROOM_NONE);
+  clap_host_set(host, 0, KNOB_LEVEL_PAIR, 12);
+  clap_host_set(host, 0, KNOB_LEVEL_BOTTOM, -60);
+  clap_host_set(host, 0, KNOB_MIX, mix);
+  clap_host_flush(host);
+  clap_host_render(host, true);
+  clap_host_activate(host);
+  return host;
+}
+
+/* Plays the burst on both sides, in blocks of `block` frames. */
+static void play_burst(ClapHost *host, uint32_t block, Take *take) {
+  for (uint32_t at = 0; at < take->frames; at += block) {
+    const uint32_t run = block < take->frames - at ? block : take->frames - at;
+    for (uint32_t i = 0; i < run; i++) {
+      host->input[0][i] = host->input[1][i] = at + i < FRAMES ? burst[at + i] : 0.0f;
+    }
+    clap_host_run(host, run);
+    for (uint32_t side = 0; side < 2; side++) {
+      memcpy(take->sound[side] + at, host->sound[side], run * sizeof(float));
+    }
+  }
+}
+
+static void write_burst(const char *path) {
+  SF_INFO info = {.samplerate = 48000, .channels = 1, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT};
+  SNDFILE *const file = sf_open(path, SFM_WRITE, &info);
+  assert_non_null(file);
+  assert_int_equal(sf_write_float(file, burst, FRAMES), FRAMES);
+  assert_int_equal(sf_close(file), 0);
+}
+
+static void render_burst(Take *take) {
+  char in[256], out[256], command[1024];
+  song_path(in, sizeof in, "burst.wav");
+  song_path(out, sizeof out, "song.wav");
+  write_burst(in);
+  (void)snprintf(
+    command, sizeof command,
+    "'%s' render snare-14x5.5 --quality draft --input '%s' --mic left --mic right --gain "
+    "12 --set room.kind=none --duration 0.5 --format float -q -o '%s'",
+    program, in, out);
+  assert_int_equal(system(command), 0);
+  take_read(out, take);
+}
+
+static void the_drum_is_that_of_render(void **state) {
+  (void)state;
+  static const uint32_t blocks[] = {CLAP_BLOCK, 100, 1};
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, 2);
+  assert_int_equal(take.frames, SONG_FRAMES);
+  render_burst(&expected);
+  for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
+    ClapHost *const host = open_effect(1);
+    play_burst(host, blocks[i], &take);
+    take_compare(&expected, &take, blocks[i]);
+    clap_host_close(host);
+  }
+  take_close(&expected);
+  take_close(&take);
+}
+
+/* At 0 what comes in goes out; in between both add up in proportion. */
+static void the_mix_is_a_sum(void **state) {
+  (void)state;
+  Take dry, wet, half;
+  take_open(&dry, 2);
+  take_open(&wet, 2);
+  take_open(&half, 2);
+  Take *const takes[] = {&dry, &half, &wet};
+  for (int i = 0; i < 3; i++) {
+    ClapHost *const host = open_effect(0.5 * i);
+    play_burst(host, 480, takes[i]);
+    clap_host_close(host);
+  }
+  for (uint32_t at = 0; at < dry.frames; at++) {
+    const float in = at < FRAMES ? burst[at] : 0.0f;
+    assert_true(dry.sound[0][at] == in && dry.sound[1][at] == in);
+    const double sum = 0.5 * (double)in + 0.5 * (double)wet.sound[0][at];
+    assert_true(fabs((double)half.sound[0][at] - sum) < 1e-7);
+  }
+  for (int i = 0; i < 3; i++) take_close(takes[i]);
+}
+
+/* Silence in is silence out, and the plugin sleeps; sound that is not a number does not reach the drum. */
+static void silence_and_bad_samples(void **state) {
+  (void)state;
+  ClapHost *const host = open_effect(0.5);
+  clap_host_run(host, CLAP_BLOCK);
+  for (uint32_t i = 0; i < CLAP_BLOCK; i++) assert_true(host->sound[0][i] == 0);
+  assert_int_equal(host->status, CLAP_PROCESS_SLEEP);
+  for (uint32_t i = 0; i < CLAP_BLOCK; i++) host->input[i % 2][i] = i % 3 ? NAN : INFINITY;
+  clap_host_run(host, CLAP_BLOCK);
+  memset(host->input, 0, sizeof host->input);
+  for (int blocks = 0; blocks < 100 && host->status != CLAP_PROCESS_SLEEP; blocks++) {
+    clap_host_run(host, CLAP_BLOCK);
+    for (uint32_t i = 0; i < CLAP_BLOCK; i++) assert_true(isfinite(host->sound[0][i]));
+  }
+  assert_int_equal(host->status, CLAP_PROCESS_SLEEP);
+  host->input[0][0] = 0.5f;
+  clap_host_run(host, 64);
+  assert_int_equal(host->status, CLAP_PROCESS_CONTINUE);
+  clap_host_close(host);
+}
+
+/* The loudspeaker's level is one of pressure: 20 dB more is more rattle. */
+static void louder_sound_rattles_more(void **state) {
+  (void)state;
+  double energies[2] = {0};
+  Take take;
+  take_open(&take, 2);
+  for (int i = 0; i < 2; i++) {
+    ClapHost *const host = open_effect(1);
+    clap_host_set(host, 0, KNOB_SOUND, 100 + 20 * i);
+    clap_host_run(host, 480); /* it glides */
+    play_burst(host, 480, &take);
+    for (uint32_t at = 0; at < take.frames; at++) energies[i] += pow((double)take.sound[0][at], 2);
+    clap_host_close(host);
+  }
+  print_message("20 dB more: %.1f dB more\n", 10 * log10(energies[1] / energies[0]));
+  assert_true(energies[1] > 30 * energies[0]);
+  take_close(&take);
+}
+
+int main(int argc, char **argv) {
+  if (argc < 3) return 1;
+  program = argv[1];
+  entry = clap_host_entry(argv[2]);
+  if (!songs_begin(argv[1], true)) return 1;
+  make_burst();
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_drum_is_that_of_render),
+    cmocka_unit_test(the_mix_is_a_sum),
+    cmocka_unit_test(silence_and_bad_samples),
+    cmocka_unit_test(louder_sound_rattles_more),
+  };
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  return songs_end() ? failed : 1;
+}

@@ -154,6 +154,10 @@ COUNTED(wire_step, (uint64_t)wires *lanes,
         (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
          Out bend, Out next),
         (wires, lanes, c, inner, now, last, bend, next))
+COUNTED_RESULT(double, radiate, 8u * count,
+               (uint32_t count, const uint32_t *mode, In ahead, In behind, In next, In now,
+                In last),
+               (count, mode, ahead, behind, next, now, last))
 COUNTED_RESULT(double, wire_losses, (uint64_t)wires *lanes,
                (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In next, In last),
                (wires, lanes, c, next, last))
@@ -221,6 +225,7 @@ static const TbKernels counting = {
   .losses = COUNT(losses),
   .subtract = COUNT(subtract),
   .wire_step = COUNT(wire_step),
+  .radiate = COUNT(radiate),
   .wire_losses = COUNT(wire_losses),
   .gather_wires = COUNT(gather_wires),
   .touches = COUNT(touches),

@@ -3,7 +3,7 @@
  *
  * The power through a sphere around the drum is Int p^2/(rho0 c0) dS. Eight microphones stand on a meridian of the
  * sphere, at the nodes of Gauss's rule in the cosine of the polar angle. The rule is exact for waves of degree 7 and
- * less, which k R = 3 hardly exceeds. The sphere is as large as microphones may be distant: k s is 8.5 for the lowest
+ * less, which have nearly all of the power: k R = 3 hardly exceeds them. The sphere is as large as microphones may be distant: k s is 8.5 for the lowest
  * mode of the bass drum, and at least 13 for those of other drums. There p^2/(rho0 c0) exceeds the intensity by
  * 1/(k s)^2 for a dipole and 3/(k s)^2 for a quadrupole: 1.4 % for that mode, less for all others. */
 #include "model/model.h"
@@ -54,27 +54,55 @@ static double rate_of_field(const TaborModel *model, const TbHeadMode *mode) {
          SPHERE * SPHERE * around * sum;
 }
 
+typedef struct Range {
+  double lowest, highest;
+} Range;
+
+static void check_mode(const char *preset, const TaborModel *model, const TbHeadMode *mode,
+                       Range *range) {
+  const double ratio = mode->radiation_rate / rate_of_field(model, mode);
+  if (!(fabs(ratio - 1.0) < ONE_MODE)) {
+    fail_msg("%s (%u,%u), %.1f Hz: books %.3f of the power in its field", preset, mode->m, mode->n,
+             mode->omega / (2.0 * PI), ratio);
+  }
+  range->lowest = fmin(range->lowest, ratio);
+  range->highest = fmax(range->highest, ratio);
+}
+
+/* Of the shell on its stand, which sways at 20 Hz, microphones hear the near field. */
+static const double LEAST_FAR = 8.0; /* least k s */
+
+static bool is_rim(const TbHeadMode *mode, const TaborModel *model) {
+  return mode->part == TABOR_PART_RIM && mode->has_far &&
+         mode->omega * SPHERE / model->def.air.sound_speed > LEAST_FAR;
+}
+
+/* The lowest modes, and those that move mostly hoop and shell and have a far field (far_field.h). Of these the sounds of
+ * wall, hoop and heads add up or cancel. */
 static void a_mode_loses_what_its_field_carries(void **state) {
   (void)state;
   for (uint32_t p = 0; p < tabor_preset_count(); p++) {
-    TaborDrumDef def = physics_preset(tabor_preset(p)->name);
+    const char *name = tabor_preset(p)->name;
+    TaborDrumDef def = physics_preset(name);
     surround(&def, 0.0);
     TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-    double lowest = INFINITY, highest = 0.0;
-    for (uint32_t row = 0, found = 0; found < MODES; row++) {
+    Range low = {INFINITY, 0.0}, rim = {INFINITY, 0.0};
+    uint32_t lows = 0, rims = 0;
+    for (uint32_t row = 0; row < model->head.row_count; row++) {
       const TbHeadMode *mode = &model->head.modes[row];
-      if (mode->part == TABOR_PART_RIM) continue; /* heads and rim are taken to radiate apart */
-      found++;
-      const double ratio = mode->radiation_rate / rate_of_field(model, mode);
-      if (!(fabs(ratio - 1.0) < ONE_MODE)) {
-        fail_msg("%s (%u,%u), %.1f Hz: books %.3f of the power in its field", tabor_preset(p)->name,
-                 mode->m, mode->n, mode->omega / (2.0 * PI), ratio);
+      if (is_rim(mode, model)) {
+        check_mode(name, model, mode, &rim);
+        rims++;
+      } else if (mode->part != TABOR_PART_RIM && lows < MODES) {
+        check_mode(name, model, mode, &low);
+        lows++;
       }
-      lowest = fmin(lowest, ratio);
-      highest = fmax(highest, ratio);
     }
-    print_message("%-28s lowest %d modes: %.4f to %.4f of the field's power\n",
-                  tabor_preset(p)->name, MODES, lowest, highest);
+    print_message("%-28s lowest %u modes: %.4f to %.4f of the field's power", name, lows,
+                  low.lowest, low.highest);
+    if (rims > 0) print_message(", %u of the rim: %.4f to %.4f", rims, rim.lowest, rim.highest);
+    print_message("\n");
+    assert_int_equal(lows, MODES);
     tabor_model_release(model);
   }
 }
@@ -83,29 +111,12 @@ static void a_mode_loses_what_its_field_carries(void **state) {
 
 /* Meridians: the squares of waves of order 2 and less are summed exactly. */
 enum { MERIDIANS = 5, BLOCK = 64 };
-static const double RATE = 48000.0, DURATION = 0.5;
-/* All modes are two-way: the high band is heard, but its energy stands outside the ledger. */
-static const double BANDWIDTH = 2500.0;
-
-/* A mode books its own loss, as if it moved alone. But modes of one order radiate together, and their sounds add up or
- * cancel where they are not in quadrature: while a stick or a beater moves them all as one dent, and where modes die as
- * fast as they beat with each other. Hence the drums with broad modes or a slow beater differ by more, nearly all of it
- * in the first 10 ms. Of the bass drum's first 3 ms only a fifth is heard of what is booked. */
+/* Microphones make up for what finite steps take from the treble of contact forces (force_equalizer.h), and the ledger
+ * does not: 7 % of the power of the drum with the brightest wires at 48 kHz, 2 % here. */
+static const double RATE = 96000.0, DURATION = 0.5;
+/* Up to the two-way limit of `live`. What the high band radiates is heard, but stands outside the ledger. */
+static const double BANDWIDTH = 4000.0;
 static const double STROKE = 0.03;
-static const struct {
-  const char *preset;
-  double tolerance;
-} LESS_EXACT[] = {
-  {"snare-14x5.5", 0.10},   {"snare-14x5.5-off", 0.05}, {"piccolo-13x3.5", 0.10},
-  {"marching-14x12", 0.10}, {"bass-drum-22", 0.20},
-};
-
-static double tolerance_of(const char *preset) {
-  for (size_t i = 0; i < sizeof LESS_EXACT / sizeof *LESS_EXACT; i++) {
-    if (strcmp(LESS_EXACT[i].preset, preset) == 0) return LESS_EXACT[i].tolerance;
-  }
-  return STROKE;
-}
 
 /* Adds the energy that passes one meridian's share of the sphere; returns what the drum books until `DURATION`. */
 static double heard_on(const TaborDrumDef *def, double *field) {
@@ -145,7 +156,7 @@ static void a_stroke_books_what_is_heard(void **state) {
       booked = heard_on(&def, &field);
     }
     print_message("%-28s books %.4f of %.3g J through the sphere\n", name, booked / field, field);
-    assert_true(fabs(booked / field - 1.0) < tolerance_of(name));
+    assert_true(fabs(booked / field - 1.0) < STROKE);
   }
 }
 

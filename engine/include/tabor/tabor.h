@@ -824,8 +824,10 @@ typedef struct TaborLedger {
   double injected;
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
-  double stored;       /**< above the rest state, strikers in flight included */
-  double head_loss;    /**< in the heads' material */
+  double stored; /**< above the rest state, strikers in flight included */
+  /** In the heads' material; and what the low modes of a closed drum lose by their radiation resistance beyond what `radiated`
+   * has of them, a few per cent of that. */
+  double head_loss;
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
   /** In damping hands, in the dampers of pressing hands, and in hands whose sticks bend. */
@@ -833,7 +835,9 @@ typedef struct TaborLedger {
   /** In hoop and shell; and in the enclosed air, by friction, heat conduction and absorption at its
    * walls. */
   double shell_loss;
-  double radiated;  /**< as sound, by heads, hoop and shell */
+  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries far away, of others what
+   * they lose to the air. */
+  double radiated;
   double removed;   /**< energy of strikers that were taken away */
   double high_band; /**< stored in the one-way high band; not part of the balance */
   double residual;  /**< energy that the numerics lost (positive) or created (negative) */

@@ -230,20 +230,29 @@ static uint32_t mic_points(const TaborDrumDef *def, uint32_t *mics, TbAirPoint *
   return count;
 }
 
-bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell) {
-  TbAirPoint points[TABOR_MAX_MICS];
+/* The microphones, then the places far away. */
+static uint32_t outside_points(const TaborDrumDef *def, TbAirPoint *points) {
   uint32_t mics[TABOR_MAX_MICS];
   const uint32_t count = mic_points(def, mics, points);
+  tb_far_points(def->shell.depth / def->shell.radius, points + count);
+  return count;
+}
+
+bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell) {
+  TbAirPoint points[TB_SHELL_POINTS];
+  const uint32_t count = outside_points(def, points) + TB_FAR_NODES;
   return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
 }
 
 /* What a mode meets outside at one frequency. */
 typedef struct Outside {
+  double x;
   double part;          /* 1: the shell's load alone, 0: that of air.h alone */
   TbShellMotion motion; /* of the shell, if part > 0 */
   double *inertia;      /* [heads][count] what x adds to (low-frequency mass) * amplitudes */
   double resistance;    /* of both, with their weights */
-  double fields[2 * TABOR_MAX_MICS]; /* at the microphones outside */
+  bool has_far;
+  double fields[2 * TB_SHELL_POINTS]; /* at the microphones outside, then far away if has_far */
 } Outside;
 
 /* Orders above 3 + 1.5 x do not radiate, and their mass is that at low frequency. */
@@ -265,7 +274,8 @@ static const double *lower_head(const Enclosed *e, const double *upper) {
 static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper, double x,
                        Outside *outside) {
   const uint32_t size = e->drum.cavity.heads * e->air->count;
-  *outside = (Outside){.part = shell_part(e, x), .inertia = tb_arena_doubles(scratch, size)};
+  *outside =
+    (Outside){.x = x, .part = shell_part(e, x), .inertia = tb_arena_doubles(scratch, size)};
   if (scratch->failed) return false;
   if (outside->part == 0.0) return true;
   if (!tb_shell_solve(&outside->motion, scratch, &e->outside, upper, lower_head(e, upper), x)) {
@@ -280,15 +290,16 @@ static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper,
 /* Fields of the shell, and the part of load and fields that air.h gives. */
 static bool finish_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
                            Outside *outside) {
-  TbAirPoint points[TABOR_MAX_MICS];
-  uint32_t mics[TABOR_MAX_MICS];
-  const uint32_t count = mic_points(e->def, mics, points);
+  TbAirPoint points[TB_SHELL_POINTS];
+  uint32_t count = outside_points(e->def, points);
+  outside->has_far = e->air->m < TB_FAR_ORDERS && x <= TB_FAR_TOP;
+  if (outside->has_far) count += TB_FAR_NODES;
   const double part = outside->part, depth = e->def->shell.depth / e->def->shell.radius;
   if (part > 0.0 && !tb_shell_fields(&outside->motion, scratch, points, count, outside->fields)) {
     return false;
   }
   if (part == 1.0) return true;
-  double resistance, fields[2 * TABOR_MAX_MICS];
+  double resistance, fields[2 * TB_SHELL_POINTS];
   if (!tb_air_drum_load(e->air, scratch, upper, lower_head(e, upper), depth, x, points, count,
                         &resistance, fields)) {
     return false;
@@ -350,6 +361,12 @@ static void set_radiation(const Enclosed *e, const Outside *outside, double mass
     mode->fields[2 * mics[p]] = outside->fields[2 * p] / sqrt(mass);
     mode->fields[2 * mics[p] + 1] = outside->fields[2 * p + 1] / sqrt(mass);
   }
+  mode->has_far = outside->has_far;
+  if (mode->has_far) {
+    tb_far_from_fields(e->def->shell.depth / radius, outside->x, outside->fields + 2 * count,
+                       mode->far);
+    scale(mode->far, 2 * TB_FAR_NODES, 1.0 / sqrt(mass));
+  }
 }
 
 /* One pass: the load at the mode's frequency, and the frequency that follows. The first pass mixes in
@@ -399,6 +416,7 @@ static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *ca
                        const double *outward, const double *coordinates, TbHeadMode *mode) {
   if (e->def->quality.losses == 0) {
     mode->radiation_rate = 0.0;
+    mode->has_far = false;
     return;
   }
   mode->shell_rate =
@@ -439,6 +457,18 @@ static void keep_vectors(const Enclosed *e, const Parts *parts, const double *v,
   order->hoop[order->mode_count] = parts->rim.hoop;
 }
 
+/* Modes that lose less to the air than this part of what the loudest of their order does are not heard beside it: they book
+ * their own resistance. */
+static const double LEAST_FAR = 1e-3;
+
+static void drop_faint_fields(TbHeadMode *modes, uint32_t count) {
+  double largest = 0.0;
+  for (uint32_t i = 0; i < count; i++) largest = fmax(largest, modes[i].radiation_rate);
+  for (uint32_t i = 0; i < count; i++) {
+    if (modes[i].radiation_rate < LEAST_FAR * largest) modes[i].has_far = false;
+  }
+}
+
 /* Keeps what moves a head or the rim, up to `limit`. Vectors: see parts_of(). */
 static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *eigenvalues,
                               const double *vectors, TbModeLimits limit, TbHeadOrder *order,
@@ -463,6 +493,7 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
     keep_vectors(e, &parts, v, order);
     order->mode_count++;
   }
+  drop_faint_fields(modes, order->mode_count);
   return TABOR_OK;
 }
 

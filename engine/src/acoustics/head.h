@@ -23,7 +23,7 @@
 #ifndef TB_HEAD_H
 #define TB_HEAD_H
 
-#include "acoustics/air.h"
+#include "acoustics/far_field.h"
 
 #define TB_HEADS 2u
 /* Bessel functions of one angular order. Their zeros stay below 248. */
@@ -54,6 +54,8 @@ typedef struct TbHeadMode {
   double radiation_rate,
     shell_rate; /* to the air outside; at the walls of the cavity and in the rim */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
+  bool has_far;                      /* far_field.h: */
+  double far[2 * TB_FAR_NODES];      /* (re, im) of F */
 } TbHeadMode;
 
 /* How large a model may get. About z^2/4 - z/2 modes of one head lie below its Bessel zero z, sine

@@ -115,9 +115,40 @@ double tb_flange_resistance(uint32_t n, double omega, const TaborAirDef *air, do
 /* Hoop or shell with less than this part of the mass is not heard beside the heads. */
 static const double LEAST_HEARD = 1e-4;
 
+/* The field I of a part that moves by 1, at a place. */
+typedef void RimField(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
+                      double field[2]);
+
 static void add_field(TbHeadMode *mode, uint32_t mic, double amplitude, const double field[2]) {
   mode->fields[2 * mic] += amplitude * field[0];
   mode->fields[2 * mic + 1] += amplitude * field[1];
+}
+
+/* Adds `amplitude` times a part's field far away. */
+static void add_far(TbHeadMode *mode, const TaborDrumDef *def, double amplitude,
+                    RimField *field_at) {
+  const double radius = def->shell.radius, x = mode->omega * radius / def->air.sound_speed;
+  TbAirPoint points[TB_FAR_NODES];
+  double fields[2 * TB_FAR_NODES], far[2 * TB_FAR_NODES];
+  if (!mode->has_far) return;
+  tb_far_points(def->shell.depth / radius, points);
+  for (uint32_t i = 0; i < TB_FAR_NODES; i++) {
+    field_at(def, mode, radius * points[i].radius, radius * points[i].height, fields + 2 * i);
+  }
+  tb_far_from_fields(def->shell.depth / radius, x, fields, far);
+  for (uint32_t i = 0; i < 2 * TB_FAR_NODES; i++) mode->far[i] += amplitude * far[i];
+}
+
+static void wall_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
+                    double field[2]) {
+  tb_wall_field(mode->m, mode->omega / def->air.sound_speed, def->shell.radius, def->shell.depth, r,
+                z, field);
+}
+
+static void flange_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
+                      double field[2]) {
+  tb_flange_field(mode->m, mode->omega / def->air.sound_speed, def->shell.radius, def->hoop.width,
+                  r, z - def->hoop.height, field);
 }
 
 static void add_wall(const TaborDrumDef *def, double edge, TbHeadMode *mode) {
@@ -129,10 +160,10 @@ static void add_wall(const TaborDrumDef *def, double edge, TbHeadMode *mode) {
   for (uint32_t p = 0; p < count; p++) {
     const TaborMicDef *mic = &def->mic[mics[p]];
     double field[2];
-    tb_wall_field(mode->m, mode->omega / def->air.sound_speed, radius, depth, mic->radius,
-                  mic->height, field);
+    wall_at(def, mode, mic->radius, mic->height, field);
     add_field(mode, mics[p], edge, field);
   }
+  add_far(mode, def, edge, wall_at);
 }
 
 static void add_flange(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
@@ -144,10 +175,10 @@ static void add_flange(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
   for (uint32_t p = 0; p < count; p++) {
     const TaborMicDef *mic = &def->mic[mics[p]];
     double field[2];
-    tb_flange_field(mode->m, mode->omega / def->air.sound_speed, radius, width, mic->radius,
-                    mic->height - def->hoop.height, field);
+    flange_at(def, mode, mic->radius, mic->height, field);
     add_field(mode, mics[p], hoop, field);
   }
+  add_far(mode, def, hoop, flange_at);
 }
 
 void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
@@ -155,4 +186,7 @@ void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motio
   if (def->air.density == 0.0 || !(tb_rim_mass(rim, motion) > LEAST_HEARD)) return;
   if (mode->m > 0 && rim->enclosed) add_wall(def, motion.edge, mode);
   if (def->hoop.width > 0.0) add_flange(def, motion.hoop, mode);
+  if (!mode->has_far) return;
+  mode->radiation_rate =
+    tb_far_decay_rate(&def->air, def->shell.radius, mode->m, mode->omega, mode->far);
 }

@@ -44,8 +44,8 @@ void tb_flange_field(uint32_t n, double wavenumber, double radius, double width,
 double tb_flange_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
                             double width);
 
-/* Adds the rim's sound to fields and radiation of a mode of unit mass, as if heads and rim radiated
- * apart. */
+/* Adds the rim's sound to fields and radiation of a mode of unit mass. Where the mode has a far field (far_field.h), the
+ * radiation is that of the heads' and the rim's sound together; elsewhere as if they radiated apart. */
 void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
                     TbHeadMode *mode);
 

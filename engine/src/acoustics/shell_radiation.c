@@ -34,7 +34,7 @@ bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbA
                             .cap = CAP,
                             .side = 6u + (uint32_t)(0.6 * half * top),
                             .orders = ORDERS};
-  TbCircle inner[INNER], outer[TABOR_MAX_MICS];
+  TbCircle inner[INNER], outer[TB_SHELL_POINTS];
   for (uint32_t p = 0; p < INNER; p++) inner[p] = (TbCircle){INSIDE[p].r, half * INSIDE[p].z};
   for (uint32_t p = 0; p < point_count; p++) {
     outer[p] = (TbCircle){points[p].radius, points[p].height + half};

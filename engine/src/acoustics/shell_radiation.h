@@ -23,8 +23,11 @@
 #ifndef TB_SHELL_RADIATION_H
 #define TB_SHELL_RADIATION_H
 
-#include "acoustics/air.h"
+#include "acoustics/far_field.h"
 #include "acoustics/shell_mesh.h"
+
+/* Most points outside: microphones, and places far away. */
+enum { TB_SHELL_POINTS = TABOR_MAX_MICS + TB_FAR_NODES };
 
 /* One angular order. */
 typedef struct TbShellOrder {

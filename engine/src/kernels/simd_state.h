@@ -223,6 +223,18 @@ static INLINE Lanes second_difference(const double *v) {
   return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
 }
 
+static double radiate(uint32_t count, const uint32_t *mode, const double *ahead,
+                      const double *behind, const double *next, const double *now,
+                      const double *last) {
+  Lanes sum = zero();
+  for (uint64_t j = 0; j < count; j++) {
+    const double at = now[mode[j]];
+    sum = add(sum, add(scale(load(ahead + 8u * j), next[mode[j]] - at),
+                       scale(load(behind + 8u * j), last[mode[j]] - at)));
+  }
+  return join(multiply_lanes(sum, sum));
+}
+
 static void bend_wires(uint32_t n, const double *inner, const double *v, double *bend) {
   for (uint64_t i = 0; i < n; i += 8) {
     store(bend + i, multiply_lanes(load(inner + i), second_difference(v + i)));

@@ -38,6 +38,17 @@ static void realise(const TbPole *pole, double gain_re, double gain_im, double o
   *v = (bend_re * gain_im - bend_im * gain_re) / determinant;
 }
 
+void tb_pressure_weights(double turn, const TbPole *pole, double size, const double *field,
+                         double phase, double *ahead, double *behind) {
+  const double scaled = size * tb_sin(turn) / turn;
+  double sine, cosine, u, v;
+  tb_sin_cos(phase, &sine, &cosine);
+  realise(pole, scaled * (field[0] * cosine - field[1] * sine),
+          scaled * (field[0] * sine + field[1] * cosine), turn, &u, &v);
+  *ahead = u + v;
+  *behind = u - v;
+}
+
 void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const TbPole *pole,
                     uint32_t m, bool sine_copy, const double *field, double *ahead,
                     double *behind) {
@@ -45,14 +56,9 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
   const double turn = omega * model->time_step;
   const double size = -omega * omega * model->def.air.density * model->head.radius *
-                      tb_angular(m, sine_copy, sine, cosine) * tb_sin(turn) / turn;
+                      tb_angular(m, sine_copy, sine, cosine);
   const double phase = turn * (double)model->mics[index].travel;
-  double u, v;
-  tb_sin_cos(phase, &sine, &cosine);
-  realise(pole, size * (field[0] * cosine - field[1] * sine),
-          size * (field[0] * sine + field[1] * cosine), turn, &u, &v);
-  *ahead = u + v;
-  *behind = u - v;
+  tb_pressure_weights(turn, pole, size, field, phase, ahead, behind);
 }
 
 /* The weights of a source at the microphone's place, from those of the microphone. These give the pressure per

@@ -15,6 +15,11 @@ enum { TB_HALVE_STEPS = 4 };
 /* Computes weights, delays and frequency responses of all microphones, into model->mics. */
 TaborStatus tb_mics_prepare(struct TaborModel *model);
 
+/* Weights of a mode that turns by `turn` = omega k in a step for the pressure `size` field e^{i phase} per unit amplitude;
+ * the rest as for tb_mic_weights(). */
+void tb_pressure_weights(double turn, const TbPole *pole, double size, const double *field,
+                         double phase, double *ahead, double *behind);
+
 /* Weights of a mode for microphone `index`. The pressure u (q+ - 2q + q-) + v (q+ - q-) equals
  * -omega^2 rho0 R I cos or sin(m theta) per unit amplitude, I = field[0] + i field[1], advanced by
  * the microphone's delay. The weights include the factor sin(omega k)/(omega k), since the

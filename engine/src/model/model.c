@@ -179,7 +179,8 @@ static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  const TaborStatus status = tb_mics_prepare(model);
+  TaborStatus status = tb_mics_prepare(model);
+  if (status == TABOR_OK) status = tb_radiated_power_prepare(model);
   if (status != TABOR_OK) return status;
   return tb_high_band_prepare(&model->high, &model->arena, model, model->top);
 }

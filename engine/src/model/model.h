@@ -17,6 +17,7 @@
 #include "model/high_band.h"
 #include "model/mic_response.h"
 #include "model/projection.h"
+#include "model/radiated_power.h"
 #include "model/residual_modes.h"
 #include "model/stick_bending.h"
 
@@ -114,6 +115,7 @@ struct TaborModel {
   TbWires wires;
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
+  TbRadiatedPower power;
   TbHighBand high;
   TbStick stick[TABOR_MAX_STRIKERS];
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */

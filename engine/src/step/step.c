@@ -14,6 +14,7 @@
 #include "step/lug_forces.h"
 #include "step/mic_output.h"
 #include "step/modes_end.h"
+#include "step/radiated_energy.h"
 #include "step/reset.h"
 #include "step/stick_rigid.h"
 #include "step/stretch.h"
@@ -152,8 +153,9 @@ static void respond(TbView *view, bool unchanged) {
 static void book_losses(TbView *view, bool shortened) {
   const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
   TaborLedger *sums = &view->state->sums;
-  sums->head_loss += losses.head;
-  sums->radiated += losses.radiated;
+  const double carried = tb_radiated_energy(view);
+  sums->head_loss += losses.head - carried;
+  sums->radiated += losses.radiated + carried;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHandWork hands = tb_pool_hand_work(view);

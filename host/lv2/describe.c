@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lv2/describe_kit.h"
 #include "lv2/describe_parts.h"
 #include "lv2/ports.h"
 #include "lv2/turtle.h"
@@ -191,7 +192,7 @@ static void write_manifest(const char *folder, const char *binary) {
   put("@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
-  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI};
+  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
   for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
     put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
         binary);
@@ -210,6 +211,7 @@ static void write_plugins(const char *folder) {
   put_properties();
   put_plugin(true);
   put_plugin(false);
+  put_kit();
   turtle_close();
 }
 

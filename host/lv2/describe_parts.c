@@ -33,7 +33,8 @@ void put_range(double fallback, double minimum, double maximum) {
 void put_unit(const char *unit) {
   static const char *const known[][2] = {{"m", "units:m"},
                                          {"deg", "units:degree"},
-                                         {"dB", "units:db"}};
+                                         {"dB", "units:db"},
+                                         {"semitones", "units:semitone12TET"}};
   if (!*unit) return;
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
     if (strcmp(unit, known[i][0]) == 0) {

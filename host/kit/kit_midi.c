@@ -76,6 +76,13 @@ void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *s
   }
 }
 
+void kit_midi_rest(KitMidi *midi) {
+  for (uint32_t i = 0; i < midi->count; i++) {
+    const MidiBinding binding = midi->drums[i].binding;
+    midi_to_events_begin(&midi->drums[i], &midi->maps[i], &binding);
+  }
+}
+
 /* General MIDI's percussion [GeneralMIDI], from note 35 on. */
 const char *kit_midi_note_name(int note) {
   static const char *const NAMES[] = {

@@ -50,6 +50,8 @@ typedef struct KitMidi {
 MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note);
 /** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. */
 void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
+/** AUDIO. Forgets what controllers and notes have moved; counts stay. */
+void kit_midi_rest(KitMidi *midi) REALTIME;
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[TABOR_KIT_DRUMS]) REALTIME;

@@ -10,129 +10,26 @@
  */
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "lv2/describe_kit.h"
+#include "lv2/describe_parts.h"
 #include "lv2/ports.h"
+#include "lv2/turtle.h"
 #include "lv2/uris.h"
 #include "plugin/definition_text.h"
 
-static FILE *file; /* that is being written */
 static TaborDrumDef usual;
 
-/* ---- writing -------------------------------------------------------------------------------- */
-
-static void fail(const char *what) {
-  (void)fprintf(stderr, "describe: %s\n", what);
-  exit(1);
-}
-
-__attribute__((format(printf, 1, 2))) static void put(const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  if (vfprintf(file, format, arguments) < 0) fail("cannot write");
-  va_end(arguments);
-}
-
-static void put_text(const char *text) {
-  put("\"");
-  for (; *text; text++) {
-    switch (*text) {
-    case '\n': put("\\n"); break;
-    case '"': put("\\\""); break;
-    case '\\': put("\\\\"); break;
-    default: put("%c", *text);
-    }
-  }
-  put("\"");
-}
-
-/* As a decimal number: an exponent would make it one of another type. */
-static void put_number(double value) {
-  char text[64];
-  (void)snprintf(text, sizeof text, "%.6g", value);
-  if (strchr(text, 'e')) (void)snprintf(text, sizeof text, "%.1f", value);
-  put("%s%s", text, strchr(text, '.') ? "" : ".0");
-}
-
-static void open_file(const char *folder, const char *name) {
-  char path[4096];
-  (void)snprintf(path, sizeof path, "%s/%s", folder, name);
-  file = fopen(path, "w");
-  if (!file) fail(path);
-  put("# SPDX-License-Identifier: MIT\n");
-}
-
-static void close_file(void) {
-  if (fclose(file) != 0) fail("cannot write");
-}
-
-static void put_prefixes(void) {
-  put("@prefix atom: <http://lv2plug.in/ns/ext/atom#> .\n"
-      "@prefix doap: <http://usefulinc.com/ns/doap#> .\n"
-      "@prefix foaf: <http://xmlns.com/foaf/0.1/> .\n"
-      "@prefix log: <http://lv2plug.in/ns/ext/log#> .\n"
-      "@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
-      "@prefix midi: <http://lv2plug.in/ns/ext/midi#> .\n"
-      "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
-      "@prefix param: <http://lv2plug.in/ns/ext/parameters#> .\n"
-      "@prefix pg: <http://lv2plug.in/ns/ext/port-groups#> .\n"
-      "@prefix pprops: <http://lv2plug.in/ns/ext/port-props#> .\n"
-      "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
-      "@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
-      "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
-      "@prefix state: <http://lv2plug.in/ns/ext/state#> .\n"
-      "@prefix units: <http://lv2plug.in/ns/extensions/units#> .\n"
-      "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
-      "@prefix work: <http://lv2plug.in/ns/ext/worker#> .\n"
-      "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .\n\n");
-}
-
 /* ---- knobs ---------------------------------------------------------------------------------- */
-
-static void put_unit(const char *unit) {
-  static const char *const known[][2] = {
-    {"m", "units:m"}, {"deg", "units:degree"}, {"dB", "units:db"}};
-  if (!*unit) return;
-  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-    if (strcmp(unit, known[i][0]) == 0) {
-      put("\t\tunits:unit %s ;\n", known[i][1]);
-      return;
-    }
-  }
-  put("\t\tunits:unit [\n\t\t\ta units:Unit ;\n\t\t\trdfs:label \"%s\" ;\n", unit);
-  put("\t\t\tunits:symbol \"%s\" ;\n\t\t\tunits:render \"%%f %s\"\n\t\t] ;\n", unit, unit);
-}
-
-static void put_point(const char *label, int length, double value) {
-  put("\t\tlv2:scalePoint [ rdfs:label \"%.*s\" ; rdf:value ", length, label);
-  put_number(value);
-  put(" ] ;\n");
-}
-
-static void put_choices(const char *choices) {
-  put("\t\tlv2:portProperty lv2:integer , lv2:enumeration ;\n");
-  for (int value = 0; *choices; value++) {
-    const int length = (int)strcspn(choices, "|");
-    put_point(choices, length, value);
-    choices += length + (choices[length] == '|');
-  }
-}
 
 static void put_knob(KnobId id) {
   const Knob *const knob = &knobs[id];
   const KnobRange range = knob_range(id, &usual);
   put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
   put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
-  put("\t\tlv2:default ");
-  put_number(knob_decimal(range.fallback));
-  put(" ;\n\t\tlv2:minimum ");
-  put_number(knob_decimal(range.minimum));
-  put(" ;\n\t\tlv2:maximum ");
-  put_number(knob_decimal(range.maximum));
-  put(" ;\n");
+  put_range(knob_decimal(range.fallback), knob_decimal(range.minimum), knob_decimal(range.maximum));
   put_unit(range.unit);
   if (range.logarithmic) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
   if (knob->kind == KNOB_REBUILD || id == KNOB_QUALITY) {
@@ -152,12 +49,6 @@ static void put_knob(KnobId id) {
 
 /* ---- other ports ---------------------------------------------------------------------------- */
 
-static void put_events(void) {
-  put("\t\ta lv2:InputPort , atom:AtomPort ;\n\t\tatom:bufferType atom:Sequence ;\n"
-      "\t\tatom:supports midi:MidiEvent ;\n\t\tlv2:designation lv2:control ;\n"
-      "\t\tlv2:symbol \"events\" ;\n\t\tlv2:name \"MIDI\"\n");
-}
-
 static void put_output(bool stereo, uint32_t channel) {
   static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right", "Inside"};
   const uint32_t first_side = stereo ? 0 : 4;
@@ -166,30 +57,10 @@ static void put_output(bool stereo, uint32_t channel) {
   put("\t\tlv2:symbol \"out_%c%s\" ;\n", tolower(name[0]), name + 1);
   if (!stereo) put("\t\tlv2:portProperty lv2:connectionOptional ;\n");
   if (channel == first_side || channel == first_side + 1) {
-    put("\t\tlv2:designation pg:%s ;\n", channel == first_side ? "left" : "right");
+    put_side(channel - first_side);
     put("\t\tpg:group <%spair> ;\n", URI_GROUP);
   }
   put("\t\tlv2:name \"%s\"\n", name);
-}
-
-static void put_freewheel(void) {
-  put(
-    "\t\ta lv2:InputPort , lv2:ControlPort ;\n\t\tlv2:symbol \"freewheel\" ;\n"
-    "\t\tlv2:name \"Freewheel\" ;\n\t\tlv2:designation lv2:freeWheeling ;\n"
-    "\t\tlv2:default 0.0 ;\n\t\tlv2:minimum 0.0 ;\n\t\tlv2:maximum 1.0 ;\n"
-    "\t\tlv2:portProperty lv2:toggled , lv2:connectionOptional , pprops:notOnGUI ;\n"
-    "\t\trdfs:comment \"1: the host renders faster than real time, and the drum waits for what has "
-    "to be computed.\"\n");
-}
-
-static void put_ready(void) {
-  put(
-    "\t\ta lv2:OutputPort , lv2:ControlPort ;\n\t\tlv2:symbol \"ready\" ;\n"
-    "\t\tlv2:name \"Ready\" ;\n"
-    "\t\tlv2:default 0.0 ;\n\t\tlv2:minimum 0.0 ;\n\t\tlv2:maximum 1.0 ;\n"
-    "\t\tlv2:portProperty lv2:toggled , lv2:connectionOptional ;\n"
-    "\t\trdfs:comment \"0 while another drum, tuning or quality is being computed; the one before "
-    "plays on.\"\n");
 }
 
 static void put_port(bool stereo, uint32_t number, Port port) {
@@ -243,22 +114,19 @@ static void put_properties(void) {
   }
 }
 
+#define COMMENT                                                                                    \
+  "Heads that move air, wires that bounce on them, a stick that strikes: no samples. Notes 36 to " \
+  "50 are strokes; controllers 16 and 17 move the place, 20 the strainer; program changes choose " \
+  "drums."
+
+static const PluginWords words[] = {
+  {URI_DRUM, "Tabor", "A snare drum computed from physics", COMMENT},
+  {URI_DRUM_MULTI, "Tabor Multi", "A snare drum computed from physics, an output per microphone",
+   COMMENT}};
+
 static void put_plugin(bool stereo) {
-  put("<%s>\n\ta lv2:Plugin , lv2:InstrumentPlugin , doap:Project ;\n",
-      stereo ? URI_DRUM : URI_DRUM_MULTI);
-  put("\tdoap:name \"%s\" ;\n", stereo ? "Tabor" : "Tabor Multi");
-  put("\tdoap:license <https://spdx.org/licenses/MIT> ;\n"
-      "\tdoap:maintainer [ a foaf:Person ; foaf:name \"Tabor's maintainers\" ] ;\n");
-  put("\tdoap:shortdesc \"%s\" ;\n", stereo ? "A snare drum computed from physics"
-                                            : "A snare drum computed from physics, an output per "
-                                              "microphone");
-  put("\trdfs:comment \"Heads that move air, wires that bounce on them, a stick that strikes: no "
-      "samples. Notes 36 to 50 are strokes; controllers 16 and 17 move the place, 20 the strainer; "
-      "program changes choose drums.\" ;\n");
-  put("\tlv2:minorVersion %d ;\n\tlv2:microVersion %d ;\n", TABOR_VERSION_MINOR,
-      TABOR_VERSION_PATCH);
-  put("\tlv2:requiredFeature urid:map ;\n"
-      "\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
+  put_plugin_words(&words[stereo ? 0 : 1]);
+  put("\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
       "state:threadSafeRestore ;\n"
       "\tlv2:extensionData work:interface , state:interface ;\n"
       "\tpg:mainOutput <%spair> ;\n",
@@ -293,7 +161,7 @@ static void put_preset_port(TaborDrumDef *def, KnobId id, bool *first) {
 
 static void put_preset_state(TaborDrumDef *def) {
   char *const text = definition_write(def);
-  if (!text) fail("out of memory");
+  if (!text) turtle_fail("out of memory");
   put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
       STATE_VERSION, URI_STATE_DEFINITION);
   put_text(text);
@@ -311,7 +179,7 @@ static void put_preset_state(TaborDrumDef *def) {
 static void put_preset(const TaborPresetInfo *preset) {
   TaborDrumDef def;
   bool first = true;
-  if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) fail(preset->name);
+  if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) turtle_fail(preset->name);
   put_preset_header(preset);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) put_preset_port(&def, (KnobId)i, &first);
   put_preset_state(&def);
@@ -320,12 +188,12 @@ static void put_preset(const TaborPresetInfo *preset) {
 /* ---- files ---------------------------------------------------------------------------------- */
 
 static void write_manifest(const char *folder, const char *binary) {
-  open_file(folder, "manifest.ttl");
+  turtle_open(folder, "manifest.ttl");
   put("@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
-  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI};
-  for (size_t i = 0; i < 2; i++) {
+  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
+  for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
     put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
         binary);
   }
@@ -333,29 +201,30 @@ static void write_manifest(const char *folder, const char *binary) {
     put_preset_header(tabor_preset(i));
     put(" ;\n\trdfs:seeAlso <presets.ttl> .\n\n");
   }
-  close_file();
+  turtle_close();
 }
 
 static void write_plugins(const char *folder) {
-  open_file(folder, "tabor.ttl");
+  turtle_open(folder, "tabor.ttl");
   put_prefixes();
   put_groups();
   put_properties();
   put_plugin(true);
   put_plugin(false);
-  close_file();
+  put_kit();
+  turtle_close();
 }
 
 static void write_presets(const char *folder) {
-  open_file(folder, "presets.ttl");
+  turtle_open(folder, "presets.ttl");
   put_prefixes();
   for (uint32_t i = 0; i < tabor_preset_count(); i++) put_preset(tabor_preset(i));
-  close_file();
+  turtle_close();
 }
 
 int main(int argc, char **argv) {
-  if (argc != 3) fail("describe FOLDER BINARY");
-  if (tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL) != TABOR_OK) fail(DEFAULT_PRESET);
+  if (argc != 3) turtle_fail("describe FOLDER BINARY");
+  if (tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL) != TABOR_OK) turtle_fail(DEFAULT_PRESET);
   write_manifest(argv[1], argv[2]);
   write_plugins(argv[1]);
   write_presets(argv[1]);

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lv2/instrument.h"
 
-#include <lv2/core/lv2.h>
-#include <lv2/core/lv2_util.h>
 #include <lv2/midi/midi.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,9 +8,6 @@
 #include <string.h>
 
 #include "lv2/uris.h"
-
-#define LEAST_RATE 22050 /* [Hz] */
-#define MOST_RATE 192000 /* [Hz] */
 
 /* ---- beginning ------------------------------------------------------------------------------ */
 
@@ -33,18 +28,18 @@ static void map_uris(Urids *urids, LV2_URID_Map *map) {
 
 static void say(void *context, const char *line) {
   Instrument *const instrument = context;
-  (void)lv2_log_error(&instrument->logger, "Tabor: %s\n", line);
+  (void)lv2_log_error(&instrument->host.logger, "Tabor: %s\n", line);
 }
 
 static void build_models(void *worker) { model_worker_work(worker); }
 
-static bool open(Instrument *instrument, double rate, bool stereo, LV2_URID_Map *map) {
-  map_uris(&instrument->urids, map);
+static bool open(Instrument *instrument, double rate, bool stereo) {
+  map_uris(&instrument->urids, instrument->host.map);
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
-  return instrument->schedule ||
+  return instrument->host.schedule ||
          worker_thread_start(&instrument->thread, build_models, &instrument->worker);
 }
 
@@ -60,25 +55,13 @@ static void cleanup(LV2_Handle handle) {
 static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, const char *bundle,
                               const LV2_Feature *const *features) {
   (void)bundle;
-  LV2_URID_Map *map = NULL;
   Instrument *const instrument = calloc(1, sizeof *instrument);
   if (!instrument) return NULL;
-  const char *const missing =
-    lv2_features_query(features, LV2_LOG__log, &instrument->logger.log, false, LV2_URID__map, &map,
-                       true, LV2_WORKER__schedule, &instrument->schedule, false, NULL);
-  lv2_log_logger_set_map(&instrument->logger, map);
-  const bool has_rate = rate >= LEAST_RATE && rate <= MOST_RATE; /* there are models for it */
-  if (missing) {
-    (void)lv2_log_error(&instrument->logger, "Tabor: the host lacks %s\n", missing);
-  } else if (!has_rate) {
-    (void)lv2_log_error(&instrument->logger, "Tabor: a sample rate of %g Hz; allowed: %d to %d\n",
-                        rate, LEAST_RATE, MOST_RATE);
-  }
-  if (missing || !has_rate) {
+  if (!host_features_find(features, rate, "Tabor", &instrument->host)) {
     free(instrument);
     return NULL;
   }
-  if (open(instrument, rate, strcmp(descriptor->URI, URI_DRUM) == 0, map)) return instrument;
+  if (open(instrument, rate, strcmp(descriptor->URI, URI_DRUM) == 0)) return instrument;
   cleanup(instrument);
   return NULL;
 }
@@ -131,35 +114,11 @@ static void turn_knobs(void *shell) {
 
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
-/* All messages of an event that go with notes, or all others. */
-static void take_event(Instrument *instrument, const LV2_Atom_Event *event, bool notes,
-                       uint32_t ahead) {
-  const uint8_t *const bytes = (const uint8_t *)(event + 1);
-  MidiStream stream = {0};
-  MidiMessage message;
-  if (event->body.type != instrument->urids.midi) return;
-  for (uint32_t i = 0; i < event->body.size; i++) {
-    if (!midi_stream_take(&stream, bytes[i], &message)) continue;
-    if (midi_goes_with_notes(&message) == notes) {
-      plugin_player_take(&instrument->player, &message, ahead);
-    }
-  }
-}
-
-/* Its frame in a run: not past its end, not before @p at. */
-static uint32_t frame_of(const LV2_Atom_Event *event, uint32_t at, uint32_t frames) {
-  const int64_t frame = event->time.frames;
-  if (frame <= at) return at;
-  return frame < frames ? (uint32_t)frame : frames - (frames > 0);
-}
-
 static bool find_event(void *shell, uint32_t frames, uint32_t *frame) REALTIME;
 static bool find_event(void *shell, uint32_t frames, uint32_t *frame) {
-  Instrument *const instrument = shell;
-  const LV2_Atom_Event *const event = sequence_event(&instrument->sequence);
-  instrument->frames = frames;
-  if (event) *frame = frame_of(event, *frame, frames);
-  return event != NULL;
+  const Instrument *const instrument = shell;
+  (void)frames;
+  return midi_sequence_find(&instrument->messages, frame);
 }
 
 /* Knobs are ports here, which change between runs alone. */
@@ -170,27 +129,29 @@ static bool note_knobs(void *shell, uint32_t frame) {
   return false;
 }
 
-/* Controllers before notes. */
+/* A frame whose messages are taken, `ahead` of what was played. */
+typedef struct Frame {
+  PluginPlayer *player;
+  uint32_t ahead;
+} Frame;
+
+static void take_message(void *context, const MidiMessage *message) REALTIME;
+static void take_message(void *context, const MidiMessage *message) {
+  const Frame *const frame = context;
+  plugin_player_take(frame->player, message, frame->ahead);
+}
+
 static void take_frame(void *shell, uint32_t frame, uint32_t ahead) REALTIME;
 static void take_frame(void *shell, uint32_t frame, uint32_t ahead) {
   Instrument *const instrument = shell;
-  Sequence *const sequence = &instrument->sequence;
-  const Sequence first = *sequence;
-  const LV2_Atom_Event *event;
-  for (int notes = 0; notes <= 1; notes++) {
-    *sequence = first;
-    while ((event = sequence_event(sequence)) &&
-           frame_of(event, frame, instrument->frames) == frame) {
-      take_event(instrument, event, notes == 1, ahead);
-      sequence_step(sequence);
-    }
-  }
+  Frame taken = {.player = &instrument->player, .ahead = ahead};
+  midi_sequence_take(&instrument->messages, frame, take_message, &taken);
 }
 
 /* ---- runs ----------------------------------------------------------------------------------- */
 
 static void call_worker(Instrument *instrument) {
-  const LV2_Worker_Schedule *const schedule = instrument->schedule;
+  const LV2_Worker_Schedule *const schedule = instrument->host.schedule;
   if (!schedule || !instrument->asks) return;
   const uint32_t nothing = 0;
   instrument->asks =
@@ -207,7 +168,10 @@ static void run(LV2_Handle handle, uint32_t frames) {
                    .shell = instrument,
                    .frames = frames,
                    .waits = instrument->freewheel && *instrument->freewheel > 0};
-  instrument->sequence = sequence_begin(instrument->events, instrument->urids.sequence);
+  instrument->messages =
+    (MidiSequence){.sequence = sequence_begin(instrument->events, instrument->urids.sequence),
+                   .midi = instrument->urids.midi,
+                   .frames = frames};
   if (run.waits) {
     plugin_run_waiting(&run);
   } else if (plugin_run_live(&run)) {
@@ -246,12 +210,11 @@ static const void *extension_data(const char *uri) {
   return strcmp(uri, LV2_STATE__interface) == 0 ? &instrument_state : NULL;
 }
 
-LV2_SYMBOL_EXPORT const LV2_Descriptor *lv2_descriptor(uint32_t index) {
 #define PLUGIN(uri)                                                                                \
   {                                                                                                \
     .URI = (uri), .instantiate = instantiate, .connect_port = connect_port, .activate = activate,  \
     .run = run, .deactivate = deactivate, .cleanup = cleanup, .extension_data = extension_data     \
   }
-  static const LV2_Descriptor plugins[] = {PLUGIN(URI_DRUM), PLUGIN(URI_DRUM_MULTI)};
-  return index < sizeof plugins / sizeof plugins[0] ? &plugins[index] : NULL;
-}
+
+const LV2_Descriptor instrument_stereo = PLUGIN(URI_DRUM);
+const LV2_Descriptor instrument_multi = PLUGIN(URI_DRUM_MULTI);

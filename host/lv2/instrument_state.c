@@ -59,7 +59,8 @@ typedef struct Source {
 } Source;
 
 static LV2_State_Status refuse(const Source *source, LV2_State_Status status, const char *why) {
-  (void)lv2_log_error(&source->instrument->logger, "Tabor: the state is not restored: %s\n", why);
+  (void)lv2_log_error(&source->instrument->host.logger, "Tabor: the state is not restored: %s\n",
+                      why);
   return status;
 }
 

@@ -8,9 +8,11 @@
 
 #define URI_DRUM "urn:tabor:drum"             /**< the plugin with a stereo output */
 #define URI_DRUM_MULTI "urn:tabor:drum-multi" /**< the plugin with an output per microphone */
+#define URI_KIT "urn:tabor:kit"               /**< the plugin that plays drum kits */
 
-#define URI_PRESET "urn:tabor:preset:" /**< a factory preset, with its name */
-#define URI_GROUP "urn:tabor:group:"   /**< a group of ports, with its symbol */
+#define URI_PRESET "urn:tabor:preset:"       /**< a factory preset, with its name */
+#define URI_GROUP "urn:tabor:group:"         /**< a group of ports, with its symbol */
+#define URI_KIT_GROUP "urn:tabor:group:kit:" /**< the same of Tabor Kit */
 
 #define URI_STATE_VERSION "urn:tabor:state:version"       /**< atom:Int, STATE_VERSION */
 #define URI_STATE_DEFINITION "urn:tabor:state:definition" /**< atom:String, see definition_text.h */

@@ -296,8 +296,13 @@ bool kit_plugin_player_is_silent(const KitPluginPlayer *player) {
          (!player->now || tabor_kit_is_silent(player->now->kit));
 }
 
+/* The kit's gains are 1 again, and knobs set them; controllers begin anew. */
 void kit_plugin_player_rest(KitPluginPlayer *player) {
   player->fade = 0;
-  player->event_count = 0;
-  if (player->now) tabor_kit_reset(player->now->kit);
+  player->at = player->event_count = 0;
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
+  if (!player->now) return;
+  tabor_kit_reset(player->now->kit);
+  kit_midi_rest(&player->now->midi);
+  set_first_gains(player);
 }

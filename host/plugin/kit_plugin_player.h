@@ -58,7 +58,7 @@ void kit_plugin_player_keep_up(KitPluginPlayer *player) REALTIME;
 /** True if the kit is the one that the knobs want, or that cannot be built. */
 bool kit_plugin_player_is_settled(const KitPluginPlayer *player) REALTIME;
 bool kit_plugin_player_is_silent(const KitPluginPlayer *player) REALTIME;
-/** Brings everything to rest at once. */
+/** Brings everything to rest at once, and forgets what controllers have moved. Knobs stay. */
 void kit_plugin_player_rest(KitPluginPlayer *player) REALTIME;
 
 /** Not AUDIO. Builds, or waits for another thread that does, until the player is settled or the worker is cancelled. */

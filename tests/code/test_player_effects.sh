@@ -39,7 +39,7 @@ effects() {
 plugins="plugin/knobs plugin/model_worker plugin/plugin_run plugin/plugin_player plugin/plugin_player_input
   plugin/plugin_player_model plugin/plugin_player_sound"
 if pkg-config --exists lv2; then
-  plugins+=" lv2/instrument lv2/sequence"
+  plugins+=" lv2/instrument lv2/kit_instrument lv2/midi_sequence lv2/sequence"
 else
   skip_part "the LV2 plugins: needs lv2-dev"
 fi

@@ -118,16 +118,24 @@ static int say_all(LV2_Log_Handle handle, LV2_URID type, const char *format, ...
 
 /* ---- an instance ---------------------------------------------------------------------------- */
 
+Port host_port(const PluginHost *host, uint32_t number) {
+  return host->is_kit ? kit_port_at(number) : port_at(host->stereo, number);
+}
+
+static float *knob_of(PluginHost *host, uint32_t id) {
+  return host->is_kit ? &host->kit_knobs[id] : &host->knobs[id];
+}
+
 static void connect_ports(PluginHost *host) {
   Port port;
-  for (uint32_t i = 0; (port = port_at(host->stereo, i)).kind != PORT_NONE; i++) {
+  for (uint32_t i = 0; (port = host_port(host, i)).kind != PORT_NONE; i++) {
     void *data = NULL;
     switch (port.kind) {
     case PORT_EVENTS: data = &host->events; break;
     case PORT_OUTPUT: data = host->sound[port.index]; break;
     case PORT_FREEWHEEL: data = &host->freewheel; break;
     case PORT_READY: data = &host->ready; break;
-    case PORT_KNOB: data = &host->knobs[port.index]; break;
+    case PORT_KNOB: data = knob_of(host, port.index); break;
     case PORT_NONE: break;
     }
     host->descriptor->connect_port(host->handle, i, data);
@@ -139,20 +147,26 @@ void host_clear(PluginHost *host) {
     .atom = {.size = sizeof(LV2_Atom_Sequence_Body), .type = host_map(LV2_ATOM__Sequence)}};
 }
 
-PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
-  PluginHost *const host = calloc(1, sizeof *host);
+static void set_knobs(PluginHost *host) {
   TaborDrumDef usual;
-  assert_non_null(host);
   assert_int_equal(tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL), TABOR_OK);
-  host->descriptor = descriptor;
-  host->stereo = strcmp(descriptor->URI, URI_DRUM) == 0;
-  host->outputs = port_outputs(host->stereo);
-  host->worker = worker;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     host->knobs[i] = knob_range((KnobId)i, &usual).fallback;
   }
   host->knobs[KNOB_ROOM] = TABOR_ROOM_NONE;
   host->knobs[KNOB_LEVEL_PAIR] = 0;
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) host->kit_knobs[i] = kit_knobs[i].fallback;
+}
+
+PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
+  PluginHost *const host = calloc(1, sizeof *host);
+  assert_non_null(host);
+  host->descriptor = descriptor;
+  host->stereo = strcmp(descriptor->URI, URI_DRUM) == 0;
+  host->is_kit = strcmp(descriptor->URI, URI_KIT) == 0;
+  host->outputs = host->is_kit ? KIT_PORT_OUTPUTS : port_outputs(host->stereo);
+  host->worker = worker;
+  set_knobs(host);
   host->urids = (LV2_URID_Map){NULL, host_map_feature};
   host->scheduler = (LV2_Worker_Schedule){host, schedule};
   host->log = (LV2_Log_Log){host, say_all, say};

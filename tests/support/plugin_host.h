@@ -16,12 +16,12 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "lv2/ports.h"
+#include "lv2/kit_ports.h"
 #include "plugin/knobs.h"
 #include "plugin_songs.h"
 
 #define HOST_BLOCK 8192 /**< most frames of a run */
-#define HOST_OUTPUTS 7
+#define HOST_OUTPUTS KIT_PORT_OUTPUTS
 #define HOST_ROOM 65536 /**< buffer for the events of a run [bytes] */
 #define HOST_PROPERTIES 64
 
@@ -49,10 +49,11 @@ typedef struct HostState {
 typedef struct PluginHost {
   const LV2_Descriptor *descriptor;
   LV2_Handle handle;
-  bool stereo;
+  bool stereo, is_kit;
   HostWorker worker;
   uint32_t outputs;
   float knobs[KNOB_COUNT], freewheel, ready;
+  float kit_knobs[KIT_KNOB_COUNT]; /**< in place of knobs, of Tabor Kit */
   float sound[HOST_OUTPUTS][HOST_BLOCK];
   union {
     LV2_Atom_Sequence sequence;
@@ -75,6 +76,8 @@ LV2_URID host_map_feature(LV2_URID_Map_Handle handle, const char *uri);
 /** Loads the plugin @p uri from the file @p binary. */
 const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 
+/** Port number @p number of the plugin. */
+Port host_port(const PluginHost *host, uint32_t number);
 /** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults, but in free air and with
  * the stereo pair at 0 dB, as `tabor render --mic left --mic right` hears a preset. */
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);

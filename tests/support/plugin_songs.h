@@ -16,7 +16,7 @@
 #define DIVISION 480 /**< ticks of a quarter, which is half a second */
 #define MOST_FRAMES 48000
 #define MOST_MESSAGES 512
-#define TAKE_CHANNELS 7
+#define TAKE_CHANNELS 18
 
 /** A MIDI message at its frame. */
 typedef struct HostMessage {

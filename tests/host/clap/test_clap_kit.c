@@ -151,6 +151,27 @@ static void levels_are_factors(void **state) {
   clap_host_close(host);
 }
 
+/* A new beginning forgets controllers, not knobs. */
+static void knobs_outlive_a_reset(void **state) {
+  (void)state;
+  ClapHost *const host = open_kit(0);
+  double peaks[3];
+  clap_host_set_id(host, 0, KIT_KNOB_GAIN, -6);
+  clap_host_set_id(host, 0, KIT_KNOB_LEVEL + 1, -14);
+  clap_host_run(host, CLAP_BLOCK);
+  for (int i = 0; i < 3; i++) {
+    peaks[i] = strike(host, 38, 1);
+    clap_host_midi(host, 0, &(MidiMessage){0xB9, {7, 20}});
+    clap_host_run(host, CLAP_BLOCK);
+    if (i == 0) host->plugin->reset(host->plugin);
+    if (i > 0) clap_host_deactivate(host);
+    if (i == 1) clap_host_activate(host);
+  }
+  print_message("peaks %g %g %g\n", peaks[0], peaks[1], peaks[2]);
+  assert_true(peaks[0] > 1e-4 && peaks[1] == peaks[0] && peaks[2] == peaks[0]);
+  clap_host_close(host);
+}
+
 static double rate_of_crossings(const ClapHost *host, uint32_t channel) {
   uint32_t count = 0;
   for (uint32_t i = 1; i < CLAP_BLOCK; i++) {
@@ -313,6 +334,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(each_drum_is_that_of_split),
     cmocka_unit_test(random_songs_are_those_of_render),
     cmocka_unit_test(levels_are_factors),
+    cmocka_unit_test(knobs_outlive_a_reset),
     cmocka_unit_test(tuning_moves_the_pitch),
     cmocka_unit_test(another_kit_comes_without_a_click),
     cmocka_unit_test(a_choke_silences_its_drum_alone),

@@ -22,13 +22,15 @@
 #  include <lv2/presets/presets.h>
 
 #  include "lv2/uris.h"
+#  include "midi/kit_map.h"
 #  include "plugin/definition_text.h"
 
 static const char *bundle;
 static LilvWorld *world;
 static TaborDrumDef usual;
 
-static const char *const plugin_uris[] = {URI_DRUM, URI_DRUM_MULTI};
+static const char *const plugin_uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
+enum { DRUMS = 2, PLUGINS }; /* the first two have presets and states */
 
 static LilvNode *uri(const char *text) { return lilv_new_uri(world, text); }
 
@@ -82,26 +84,32 @@ static bool port_has(const LilvPlugin *plugin, const LilvPort *port, const char 
 
 /* ---- the plugins ---------------------------------------------------------------------------- */
 
-static uint32_t port_count(bool stereo) {
+/* Port number `number` of plugin_uris[plugin]. */
+static Port binary_port(size_t plugin, uint32_t number) {
+  return plugin < DRUMS ? port_at(plugin == 0, number) : kit_port_at(number);
+}
+
+static uint32_t port_count(size_t plugin) {
   uint32_t count = 0;
-  while (port_at(stereo, count).kind != PORT_NONE) count++;
+  while (binary_port(plugin, count).kind != PORT_NONE) count++;
   return count;
 }
 
 /* As many ports are described as have an index of their own: lilv keeps one of each index. */
 static void test_ports_are_those_of_the_binary(void **state) {
   (void)state;
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
-    const uint32_t count = port_count(i == 0);
+    const uint32_t count = port_count(i);
     assert_int_equal(lilv_plugin_get_num_ports(plugin), count);
     assert_int_equal(count_values(plugin, LV2_CORE__port), count);
     assert_true(lilv_plugin_verify(plugin));
     const char *const binary =
       lilv_file_uri_parse(lilv_node_as_uri(lilv_plugin_get_library_uri(plugin)), NULL);
     const LV2_Descriptor *const descriptor = host_descriptor(binary, plugin_uris[i]);
-    assert_non_null(descriptor->extension_data(LV2_STATE__interface));
-    assert_non_null(descriptor->extension_data(LV2_WORKER__interface));
+    assert_int_equal(descriptor->extension_data(LV2_STATE__interface) != NULL, i < DRUMS);
+    assert_int_equal(descriptor->extension_data(LV2_WORKER__interface) != NULL, i < DRUMS);
+    assert_int_equal(count_values(plugin, LV2_CORE__extensionData), i < DRUMS ? 2 : 0);
     assert_null(descriptor->extension_data("urn:tabor:nothing"));
     lilv_free((void *)binary);
   }
@@ -110,7 +118,8 @@ static void test_ports_are_those_of_the_binary(void **state) {
 static void check_symbol(const LilvPlugin *plugin, uint32_t index) {
   const char *const symbol =
     lilv_node_as_string(lilv_port_get_symbol(plugin, lilv_plugin_get_port_by_index(plugin, index)));
-  assert_int_equal(strspn(symbol, "abcdefghijklmnopqrstuvwxyz_"), strlen(symbol));
+  assert_int_equal(strspn(symbol, "abcdefghijklmnopqrstuvwxyz_12345678"), strlen(symbol));
+  assert_null(strchr("12345678", symbol[0]));
   for (uint32_t other = 0; other < index; other++) {
     const LilvPort *const port = lilv_plugin_get_port_by_index(plugin, other);
     assert_string_not_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), symbol);
@@ -119,9 +128,9 @@ static void check_symbol(const LilvPlugin *plugin, uint32_t index) {
 
 static void test_symbols_are_unique(void **state) {
   (void)state;
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
-    for (uint32_t index = 0; index < port_count(i == 0); index++) check_symbol(plugin, index);
+    for (uint32_t index = 0; index < port_count(i); index++) check_symbol(plugin, index);
   }
 }
 
@@ -151,8 +160,21 @@ static void test_symbols_do_not_change(void **state) {
     "events",         "out_top",    "out_bottom",   "out_near",       "out_far",
     "out_left",       "out_right",  "freewheel",    "ready",          SHARED_KNOBS,
     "velocity_range", "out_inside", "batter_pitch", "resonant_pitch", "wires_unevenness"};
+  static const char *const kit[] = {"events",      "out_left",   "out_right",      "out_1_left",
+                                    "out_1_right", "out_2_left", "out_2_right",    "out_3_left",
+                                    "out_3_right", "out_4_left", "out_4_right",    "out_5_left",
+                                    "out_5_right", "out_6_left", "out_6_right",    "out_7_left",
+                                    "out_7_right", "out_8_left", "out_8_right",    "freewheel",
+                                    "ready",       "kit",        "quality",        "room",
+                                    "coupling",    "overheads",  "velocity_curve", "velocity_range",
+                                    "notes",       "gain",       "level_1",        "level_2",
+                                    "level_3",     "level_4",    "level_5",        "level_6",
+                                    "level_7",     "level_8",    "tune_1",         "tune_2",
+                                    "tune_3",      "tune_4",     "tune_5",         "tune_6",
+                                    "tune_7",      "tune_8"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
+  check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }
 
 static void check_comment(const LilvPlugin *plugin, const LilvPort *port) {
@@ -164,27 +186,31 @@ static void check_comment(const LilvPlugin *plugin, const LilvPort *port) {
   lilv_node_free(predicate);
 }
 
-static void check_knob(const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
-  const KnobRange range = knob_range(id, &usual);
+static void check_range(const LilvPlugin *plugin, const LilvPort *port, const KnobRange *range) {
   LilvNode *fallback, *minimum, *maximum;
-  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
   assert_true(port_is(plugin, port, LV2_CORE__InputPort));
   assert_true(port_is(plugin, port, LV2_CORE__ControlPort));
   lilv_port_get_range(plugin, port, &fallback, &minimum, &maximum);
   assert_true(lilv_node_is_float(fallback) && lilv_node_is_float(minimum) &&
               lilv_node_is_float(maximum));
-  assert_true(lilv_node_as_float(fallback) == range.fallback);
-  assert_true(lilv_node_as_float(minimum) == range.minimum);
-  assert_true(lilv_node_as_float(maximum) == range.maximum);
-  assert_true(range.minimum <= range.fallback && range.fallback <= range.maximum);
-  assert_true(range.minimum < range.maximum);
+  assert_true(lilv_node_as_float(fallback) == range->fallback);
+  assert_true(lilv_node_as_float(minimum) == range->minimum);
+  assert_true(lilv_node_as_float(maximum) == range->maximum);
+  assert_true(range->minimum <= range->fallback && range->fallback <= range->maximum);
+  assert_true(range->minimum < range->maximum);
+  lilv_node_free(fallback);
+  lilv_node_free(minimum);
+  lilv_node_free(maximum);
+}
+
+static void check_knob(const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
+  const KnobRange range = knob_range(id, &usual);
+  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
+  check_range(plugin, port, &range);
   const bool ratios = port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#logarithmic");
   assert_int_equal(ratios, range.logarithmic);
   if (ratios) assert_true(range.minimum > 0);
   check_comment(plugin, port);
-  lilv_node_free(fallback);
-  lilv_node_free(minimum);
-  lilv_node_free(maximum);
 }
 
 /* The engine allows whatever a knob can be turned to. */
@@ -199,7 +225,7 @@ static void check_key(KnobId id) {
 
 static void test_knobs(void **state) {
   (void)state;
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < DRUMS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
     Port port;
     for (uint32_t index = 0; (port = port_at(i == 0, index)).kind != PORT_NONE; index++) {
@@ -210,12 +236,74 @@ static void test_knobs(void **state) {
   }
 }
 
-static void check_designation(const LilvPlugin *plugin, const char *designation, PortKind kind) {
+/* The value of a scale point by its name; a NaN if there is none. */
+static float point_of(const LilvPlugin *plugin, const LilvPort *port, const char *label) {
+  LilvScalePoints *const points = lilv_port_get_scale_points(plugin, port);
+  float value = NAN;
+  LILV_FOREACH(scale_points, at, points) {
+    const LilvScalePoint *const point = lilv_scale_points_get(points, at);
+    if (strcmp(lilv_node_as_string(lilv_scale_point_get_label(point)), label) == 0) {
+      value = lilv_node_as_float(lilv_scale_point_get_value(point));
+    }
+  }
+  lilv_scale_points_free(points);
+  return value;
+}
+
+static void check_kit_knob(const LilvPlugin *plugin, const LilvPort *port, const KitKnob *knob) {
+  const KnobRange range = {
+    .minimum = knob->minimum, .maximum = knob->maximum, .fallback = knob->fallback};
+  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knob->symbol);
+  LilvNode *const name = lilv_port_get_name(plugin, port);
+  assert_string_equal(lilv_node_as_string(name), knob->name);
+  lilv_node_free(name);
+  check_range(plugin, port, &range);
+  assert_int_equal(port_has(plugin, port, LV2_CORE__enumeration), knob->choices != NULL);
+  assert_int_equal(port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#expensive"),
+                   knob->rebuilds);
+  if (knob->off) assert_true(point_of(plugin, port, "Off") == knob->minimum);
+}
+
+static void test_knobs_of_the_kit(void **state) {
+  (void)state;
+  const LilvPlugin *const plugin = find_plugin(URI_KIT);
+  Port port;
+  for (uint32_t index = 0; (port = kit_port_at(index)).kind != PORT_NONE; index++) {
+    if (port.kind != PORT_KNOB) continue;
+    check_kit_knob(plugin, lilv_plugin_get_port_by_index(plugin, index), &kit_knobs[port.index]);
+  }
+}
+
+static void check_point(const LilvPlugin *plugin, KitKnobId id, const char *label, float value) {
+  LilvNode *const symbol = lilv_new_string(world, kit_knobs[id].symbol);
+  const LilvPort *const port = lilv_plugin_get_port_by_symbol(plugin, symbol);
+  if (point_of(plugin, port, label) != value) fail_msg("'%s' is another value", label);
+  lilv_node_free(symbol);
+}
+
+/* Numbers for ever: sessions of users have them. They are the engine's kits, and the maps. */
+static void test_choices_of_the_kit_do_not_change(void **state) {
+  (void)state;
+  static const char *const kits[] = {"standard", "jazz", "marching", "frame-drums"};
+  static const char *const maps[] = {"General MIDI", "roland",   "yamaha",
+                                     "alesis",       "superior", "addictive"};
+  const LilvPlugin *const plugin = find_plugin(URI_KIT);
+  for (uint32_t i = 0; i < sizeof kits / sizeof kits[0]; i++) {
+    check_point(plugin, KIT_KNOB_KIT, kits[i], (float)i);
+    assert_string_equal(tabor_kit(i)->name, kits[i]);
+  }
+  for (uint32_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
+    check_point(plugin, KIT_KNOB_NOTES, maps[i], (float)i);
+    if (i > 0) assert_string_equal(kit_maps[i - 1].name, maps[i]);
+  }
+}
+
+static void check_designation(size_t number, const char *designation, PortKind kind) {
   LilvNode *const node = uri(designation);
+  const LilvPlugin *const plugin = find_plugin(plugin_uris[number]);
   const LilvPort *const port = lilv_plugin_get_port_by_designation(plugin, NULL, node);
   assert_non_null(port);
-  const bool stereo = lilv_plugin_get_num_ports(plugin) == port_count(true);
-  assert_int_equal(port_at(stereo, lilv_port_get_index(plugin, port)).kind, kind);
+  assert_int_equal(binary_port(number, lilv_port_get_index(plugin, port)).kind, kind);
   lilv_node_free(node);
 }
 
@@ -232,7 +320,7 @@ static bool is_instrument(const LilvPlugin *plugin) {
 
 static void test_what_hosts_look_for(void **state) {
   (void)state;
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
     LilvNodes *const required = lilv_plugin_get_required_features(plugin);
     assert_int_equal(lilv_nodes_size(required), 1);
@@ -242,10 +330,10 @@ static void test_what_hosts_look_for(void **state) {
     assert_true(lilv_plugin_has_feature(plugin, hard));
     lilv_node_free(hard);
     assert_false(lilv_plugin_has_latency(plugin));
-    check_designation(plugin, LV2_CORE__freeWheeling, PORT_FREEWHEEL);
-    check_designation(plugin, LV2_CORE__control, PORT_EVENTS);
-    check_designation(plugin, "http://lv2plug.in/ns/ext/port-groups#left", PORT_OUTPUT);
-    check_designation(plugin, "http://lv2plug.in/ns/ext/port-groups#right", PORT_OUTPUT);
+    check_designation(i, LV2_CORE__freeWheeling, PORT_FREEWHEEL);
+    check_designation(i, LV2_CORE__control, PORT_EVENTS);
+    check_designation(i, "http://lv2plug.in/ns/ext/port-groups#left", PORT_OUTPUT);
+    check_designation(i, "http://lv2plug.in/ns/ext/port-groups#right", PORT_OUTPUT);
     assert_true(is_instrument(plugin));
   }
 }
@@ -309,11 +397,11 @@ static void test_presets_are_the_built_in_ones(void **state) {
   (void)state;
   LilvNode *const class = uri(LV2_PRESETS__Preset);
   LV2_URID_Map urids = {NULL, host_map_feature};
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
     LilvNodes *const presets = lilv_plugin_get_related(plugin, class);
     uint32_t seen = 0;
-    assert_int_equal(lilv_nodes_size(presets), tabor_preset_count());
+    assert_int_equal(lilv_nodes_size(presets), i < DRUMS ? tabor_preset_count() : 0);
     LILV_FOREACH(nodes, at, presets) {
       const LilvNode *const node = lilv_nodes_get(presets, at);
       assert_true(lilv_world_load_resource(world, node) >= 0);
@@ -322,7 +410,7 @@ static void test_presets_are_the_built_in_ones(void **state) {
       check_preset(plugin, preset, &seen);
       lilv_state_free(preset);
     }
-    assert_int_equal(seen, (1u << tabor_preset_count()) - 1);
+    assert_int_equal(seen, i < DRUMS ? (1u << tabor_preset_count()) - 1 : 0);
     lilv_nodes_free(presets);
   }
   lilv_node_free(class);
@@ -336,6 +424,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_symbols_are_unique),
     cmocka_unit_test(test_symbols_do_not_change),
     cmocka_unit_test(test_knobs),
+    cmocka_unit_test(test_knobs_of_the_kit),
+    cmocka_unit_test(test_choices_of_the_kit_do_not_change),
     cmocka_unit_test(test_what_hosts_look_for),
     cmocka_unit_test(test_presets_are_the_built_in_ones),
   };

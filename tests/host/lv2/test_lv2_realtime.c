@@ -124,12 +124,44 @@ static void nor_without_a_worker(void **state) {
   play_random(URI_DRUM_MULTI, HOST_WITHOUT_WORKER, 2);
 }
 
+/* Now and then another kit, room or tuning; levels and notes all the time. */
+static void send_to_kit(PluginHost *host, uint64_t *random, bool change) {
+  static const KitKnobId rebuilt[] = {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_TUNE};
+  const float value = (float)host_random(random);
+  if (change) host->kit_knobs[rebuilt[(uint32_t)(3 * host_random(random))]] = 3 * value;
+  host->kit_knobs[KIT_KNOB_LEVEL + (uint32_t)(8 * host_random(random))] = -20 * value;
+  host->kit_knobs[KIT_KNOB_VELOCITY_CURVE] = 2 * value;
+}
+
+static void nor_those_of_a_kit(void **state) {
+  (void)state;
+  const struct timespec moment = {.tv_nsec = 1000000};
+  uint64_t random = 3;
+  uint32_t changes = 0;
+  PluginHost *const host = host_open(plugin(URI_KIT), HOST_WITHOUT_WORKER);
+  host->kit_knobs[KIT_KNOB_QUALITY] = 0;
+  host_wait(host);
+  while (host->position < (uint64_t)(12000 * seconds) || changes < 3) { /* five drums at once */
+    const bool change = host->ready == 1 && host_random(&random) < 0.1;
+    const uint32_t frames = (uint32_t)(1500 * host_random(&random));
+    send_to_kit(host, &random, change);
+    send_random(host, &random, frames);
+    counted_run(host, frames);
+    changes += change;
+    if (host->ready < 1) (void)nanosleep(&moment, NULL);
+  }
+  printf("%.0f s, %u changes of the kit\n", (double)host->position / 48000, (unsigned)changes);
+  host_close(host);
+  assert_int_equal(model_cache_count(), 0);
+}
+
 int main(int argc, char **argv) {
   if (argc > 1) seconds = atof(argv[1]);
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_counters_count),
     cmocka_unit_test(runs_call_nothing_that_waits),
     cmocka_unit_test(nor_without_a_worker),
+    cmocka_unit_test(nor_those_of_a_kit),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

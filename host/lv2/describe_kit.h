@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file describe_kit.h
+ * The description of Tabor Kit, from its tables.
+ */
+#ifndef TABOR_LV2_DESCRIBE_KIT_H
+#define TABOR_LV2_DESCRIBE_KIT_H
+
+/** The plugin and the groups of its ports. */
+void put_kit(void);
+
+#endif

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+#include "lv2/kit_instrument.h"
+
+#include <lv2/midi/midi.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "lv2/host_features.h"
+#include "lv2/kit_ports.h"
+#include "lv2/midi_sequence.h"
+#include "lv2/uris.h"
+#include "plugin/kit_plugin_player.h"
+#include "plugin/worker_thread.h"
+
+typedef struct KitInstrument {
+  HostFeatures host;
+  LV2_URID sequence, midi; /**< numbers that the host has mapped URIs to */
+
+  const LV2_Atom_Sequence *events;
+  KitPluginOutputs outputs;
+  const float *freewheel;
+  float *ready;
+  const float *knob_ports[KIT_KNOB_COUNT];
+
+  KitWorker worker;
+  WorkerThread thread;
+  KitPluginPlayer player;
+} KitInstrument;
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+static void say(void *context, const char *line) {
+  KitInstrument *const kit = context;
+  (void)lv2_log_error(&kit->host.logger, "Tabor Kit: %s\n", line);
+}
+
+static void work(void *worker) { kit_worker_work(worker); }
+
+static bool open(KitInstrument *kit, double rate) {
+  LV2_URID_Map *const map = kit->host.map;
+  kit->sequence = map->map(map->handle, LV2_ATOM__Sequence);
+  kit->midi = map->map(map->handle, LV2_MIDI__MidiEvent);
+  kit_worker_begin(&kit->worker, rate, say, kit);
+  kit_plugin_player_begin(&kit->player, &kit->worker);
+  return worker_thread_start(&kit->thread, work, &kit->worker);
+}
+
+static void cleanup(LV2_Handle handle) {
+  KitInstrument *const kit = handle;
+  kit_worker_cancel(&kit->worker);
+  worker_thread_stop(&kit->thread);
+  kit_plugin_player_end(&kit->player);
+  kit_worker_end(&kit->worker);
+  free(kit);
+}
+
+static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, const char *bundle,
+                              const LV2_Feature *const *features) {
+  (void)descriptor;
+  (void)bundle;
+  KitInstrument *const kit = calloc(1, sizeof *kit);
+  if (!kit) return NULL;
+  if (!host_features_find(features, rate, "Tabor Kit", &kit->host)) {
+    free(kit);
+    return NULL;
+  }
+  if (open(kit, rate)) return kit;
+  cleanup(kit);
+  return NULL;
+}
+
+static void connect_output(KitPluginOutputs *outputs, uint32_t channel, float *data) {
+  const uint32_t pair = channel / 2, side = channel % 2;
+  if (pair == 0) {
+    outputs->mix[side] = data;
+  } else {
+    outputs->drum[pair - 1][side] = data;
+  }
+}
+
+static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
+  KitInstrument *const kit = handle;
+  const Port port = kit_port_at(number);
+  switch (port.kind) {
+  case PORT_EVENTS: kit->events = data; break;
+  case PORT_OUTPUT: connect_output(&kit->outputs, port.index, data); break;
+  case PORT_FREEWHEEL: kit->freewheel = data; break;
+  case PORT_READY: kit->ready = data; break;
+  case PORT_KNOB: kit->knob_ports[port.index] = data; break;
+  case PORT_NONE: break;
+  }
+}
+
+static void activate(LV2_Handle handle) {
+  KitInstrument *const kit = handle;
+  kit_worker_resume(&kit->worker);
+  kit_plugin_player_rest(&kit->player);
+}
+
+static void deactivate(LV2_Handle handle) {
+  KitInstrument *const kit = handle;
+  kit_worker_cancel(&kit->worker);
+}
+
+/* ---- runs ----------------------------------------------------------------------------------- */
+
+/* What is no number leaves the knob where it is: at first at its default. */
+static void turn_knobs(KitInstrument *kit) REALTIME;
+static void turn_knobs(KitInstrument *kit) {
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) {
+    const KitKnobId id = (KitKnobId)i;
+    const float *const port = kit->knob_ports[i];
+    if (!port || !isfinite(*port)) continue;
+    kit_plugin_player_turn(&kit->player, id, kit_knob_clamp(id, (double)*port));
+  }
+}
+
+/* A frame whose messages are taken. */
+typedef struct Frame {
+  KitPluginPlayer *player;
+  uint32_t at;
+} Frame;
+
+static void take_message(void *context, const MidiMessage *message) REALTIME;
+static void take_message(void *context, const MidiMessage *message) {
+  const Frame *const frame = context;
+  kit_plugin_player_take(frame->player, message, frame->at);
+}
+
+static void play(KitInstrument *kit, uint32_t frames) REALTIME;
+static void play(KitInstrument *kit, uint32_t frames) {
+  Frame frame = {.player = &kit->player};
+  MidiSequence messages = {
+    .sequence = sequence_begin(kit->events, kit->sequence), .midi = kit->midi, .frames = frames};
+  while (midi_sequence_find(&messages, &frame.at)) {
+    midi_sequence_take(&messages, frame.at, take_message, &frame);
+  }
+  kit_plugin_player_play(&kit->player, frames);
+}
+
+/* Knobs are ports, which change between runs alone. */
+static void run(LV2_Handle handle, uint32_t frames) {
+  KitInstrument *const kit = handle;
+  kit_plugin_player_begin_block(&kit->player, &kit->outputs);
+  turn_knobs(kit);
+  if (kit->freewheel && *kit->freewheel > 0) kit_plugin_player_wait(&kit->player);
+  kit_plugin_player_keep_up(&kit->player);
+  play(kit, frames);
+  if (kit->ready) *kit->ready = kit_plugin_player_is_settled(&kit->player) ? 1 : 0;
+}
+
+static const void *extension_data(const char *uri) {
+  (void)uri;
+  return NULL;
+}
+
+const LV2_Descriptor kit_instrument = {.URI = URI_KIT,
+                                       .instantiate = instantiate,
+                                       .connect_port = connect_port,
+                                       .activate = activate,
+                                       .run = run,
+                                       .deactivate = deactivate,
+                                       .cleanup = cleanup,
+                                       .extension_data = extension_data};

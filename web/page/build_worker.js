@@ -12,8 +12,8 @@ const BLOCK = 128; // frames
 function trial(engine, drum, rate) {
   const blocks = Math.ceil((TRIAL_LENGTH * rate) / BLOCK);
   const began = performance.now();
-  engine.drum_strike(drum, TRIAL_SPEED, 0, 0, 0);
-  for (let i = 0; i < blocks; i++) engine.drum_process(drum);
+  engine.drum_strike(drum, 0, TRIAL_SPEED, 0, 0, 0, -1);
+  for (let i = 0; i < blocks; i++) engine.drum_process(drum, 0);
   engine.drum_reset(drum);
   return (performance.now() - began) / 1000 / ((blocks * BLOCK) / rate);
 }
@@ -54,9 +54,11 @@ function factsOf(engine, drum) {
 async function build({ bytes, preset, quality, rate }) {
   const engine = await startEngine(bytes, (progress) => postMessage({ progress }));
   const began = performance.now();
-  const drum = withText(engine, preset, (name) => engine.drum_create(name, quality, rate));
-  const error = drum ? textAt(engine, engine.drum_error(drum)) : "there is not enough memory";
+  const drum = withText(engine, preset, engine.drum_create);
+  if (!drum) return { error: "there is not enough memory" };
+  const error = textAt(engine, engine.drum_error(drum));
   if (error) return { error };
+  if (!engine.drum_build(drum, quality, rate)) return { error: textAt(engine, engine.drum_error(drum)) };
   const facts = { ...factsOf(engine, drum), seconds: (performance.now() - began) / 1000 };
   facts.load = measureLoad(engine, drum, rate);
   return { drum, facts, memory: engine.memory.buffer.slice(0) };

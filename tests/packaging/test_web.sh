@@ -5,6 +5,8 @@
 # PICTURES=FOLDER keeps pictures of the page.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
+# shellcheck source=tests/support/serve_folder.sh
+. "$SOURCE/tests/support/serve_folder.sh"
 
 most_bytes=300000 # of the page, compressed
 web_tools=$SOURCE/build/web-tools
@@ -15,25 +17,14 @@ for tool in emcc node "$CHROMIUM"; do
 done
 [ -e "$web_tools/node_modules/playwright-core" ] || skip "there is no playwright-core: tools/setup --web brings it"
 
-server=
-trap '[ -z "$server" ] || kill "$server" 2>/dev/null || true; wait; rm -rf "$scratch"' EXIT
-
 quietly "$SOURCE/tools/web" --build
 bytes=$(tar -C "$SOURCE/build/web/page" -cf - . | gzip -9 | wc -c)
 echo "The page: $bytes bytes compressed"
 [ "$bytes" -le $most_bytes ] || complain "the page has more than $most_bytes bytes"
 
-# Any free port, which it prints.
-node "$SOURCE/web/serve.mjs" "$SOURCE/build/web/page" 0 >address 2>&1 &
-server=$!
-for ((i = 0; i < 100; i++)); do
-  if [ -s address ]; then break; fi
-  sleep 0.1
-done
-[[ $(cat address) == http://127.0.0.1:* ]] || complain "the server says: $(cat address)"
-
+serve_folder "$SOURCE/build/web/page"
 mkdir takes
-node "$SOURCE/tests/support/strike_web_page.mjs" "$(cat address)" "$web_tools" takes >log || { cat log; complain "the page"; }
+node "$SOURCE/tests/support/strike_web_page.mjs" "$address" "$web_tools" takes >log || { cat log; complain "the page"; }
 grep '^#' log
 if [ -n "${PICTURES-}" ]; then cp takes/*.png "$PICTURES"; fi
 

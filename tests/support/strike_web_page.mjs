@@ -5,8 +5,8 @@
 //     strike_web_page.mjs ADDRESS TOOLS FOLDER
 //
 // TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv of each recording and
-// pictures of the page. Prints a line "NAME PRESET QUALITY SECONDS" for each recording, and what was measured as
-// "# ..." lines. Status 1 if something is wrong.
+// pictures of the page. Prints a line "NAME SECONDS COMMAND" for each recording, with the command that the page shows for
+// it, and what was measured as "# ..." lines. Status 1 if something is wrong.
 import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
@@ -24,6 +24,7 @@ const flags = [
 const drums = [["tom-12", "live"], ["snare-14x5.5", "live"], ["snare-14x5.5", "draft"], ["bass-drum-22", "live"]];
 
 let wrong = 0;
+let takes = 0;
 function complain(text) {
   console.error(`FAILED: ${text}`);
   wrong++;
@@ -80,6 +81,7 @@ async function choose(page, preset, quality) {
 
 /** The place at a share of the head's radius to the right of and above the centre. */
 async function placeOf(page, right, up) {
+  await page.locator("#drum").scrollIntoViewIfNeeded();
   const box = await page.locator("#drum").boundingBox();
   const radius = (0.86 * box.width) / 2;
   return [box.x + box.width / 2 + right * radius, box.y + box.height / 2 - up * radius];
@@ -114,8 +116,7 @@ async function save(page, link, file) {
 /** Length of a recording in stereo: its header has 58 bytes. */
 const secondsOf = (file) => (statSync(file).size - 58) / 8 / 48000;
 
-async function record(page, name, preset, quality) {
-  await choose(page, preset, quality);
+async function record(page, name) {
   await page.getByRole("button", { name: "Record" }).click();
   await play(page);
   await page.getByRole("button", { name: "Stop" }).click();
@@ -123,8 +124,9 @@ async function record(page, name, preset, quality) {
   await save(page, "Sound (WAV)", `${name}.wav`);
   await save(page, "Strokes (CSV)", `${name}.csv`);
   const strokes = readFileSync(join(folder, `${name}.csv`), "utf8").trim().split("\n").length - 1;
-  if (strokes !== STROKES) complain(`${preset}: ${strokes} of ${STROKES} strokes`);
-  console.log(`${name} ${preset} ${quality} ${secondsOf(join(folder, `${name}.wav`))}`);
+  if (strokes !== STROKES) complain(`${name}: ${strokes} of ${STROKES} strokes`);
+  const command = await page.locator("#command-text").innerText();
+  console.log(`${name} ${secondsOf(join(folder, `${name}.wav`))} ${command}`);
 }
 
 /** Looks for what people with assistive technology miss. */
@@ -134,14 +136,77 @@ async function checkAccess(page, where) {
   for (const { id, help, nodes } of violations) complain(`${where}: ${id}: ${help}: ${nodes[0].html}`);
 }
 
-async function recordDrums(browser) {
-  const page = await open(browser, { acceptDownloads: true });
+async function prepareToRecord(page) {
   await page.getByRole("heading").click(); // a gesture without a stroke
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
   await page.getByRole("button", { name: "MIDI" }).click();
   await status(page, "1 MIDI input");
-  let count = 0;
-  for (const [preset, quality] of drums) await record(page, `take${++count}`, preset, quality);
+}
+
+async function recordDrums(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await prepareToRecord(page);
+  for (const [preset, quality] of drums) {
+    await choose(page, preset, quality);
+    await record(page, `take${++takes}`);
+  }
+  await page.context().close();
+}
+
+/** What all controls of the drum show. */
+async function controlsOf(page) {
+  const texts = await page.locator("#drum-controls output").allTextContents();
+  const stick = await page.getByRole("combobox", { name: "Stick" }).inputValue();
+  return [...texts, stick, await page.getByRole("checkbox", { name: "Snares on" }).isChecked()].join("; ");
+}
+
+/** Moves a control by keys, and waits for the drum. */
+async function move(page, role, name, keys) {
+  const before = await controlsOf(page);
+  for (const key of keys) await page.getByRole(role, { name }).press(key);
+  await status(page, "Ready");
+  if ((await controlsOf(page)) === before) complain(`${keys} do not move ${name}`);
+}
+
+/** Every control is moved by keys; the link then gives the same drum, and what is recorded is what its command makes. */
+async function tune(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await prepareToRecord(page);
+  await choose(page, "snare-14x5.5", "draft");
+  const own = await controlsOf(page);
+  await move(page, "slider", /^Batter head/, ["PageDown", "ArrowLeft"]);
+  await move(page, "slider", /^Resonant head/, ["ArrowRight", "PageUp"]);
+  await move(page, "slider", /^Muffling of the batter/, ["PageUp", "PageUp"]);
+  await move(page, "slider", /^Muffling of the resonant/, ["ArrowRight", "ArrowRight"]);
+  await move(page, "combobox", "Stick", ["ArrowDown"]);
+  await page.waitForTimeout(300); // the former drum fades
+  await record(page, `take${++takes}`);
+  await page.getByRole("checkbox", { name: "Snares on" }).press(" ");
+  const moved = await controlsOf(page);
+  console.log(`# the controls: ${moved}; the link: ${page.url().replace(address, "")}`);
+  await page.reload();
+  await status(page, "Ready");
+  if ((await controlsOf(page)) !== moved) complain(`the link restores ${await controlsOf(page)} and not ${moved}`);
+  await prepareToRecord(page);
+  await page.waitForTimeout(300);
+  await record(page, `take${++takes}`);
+  await checkAccess(page, "controls");
+  await page.getByRole("button", { name: "As it came" }).press("Enter");
+  await status(page, "Ready");
+  if ((await controlsOf(page)) !== own) complain(`as it came, the drum has ${await controlsOf(page)}`);
+  if (new URL(page.url()).hash.includes(".pitch")) complain(`as it came, the link is ${page.url()}`);
+  await page.context().close();
+}
+
+/** A drum with one head has no resonant one to tune; a wrong link says why, and gives the drum as it comes. */
+async function followLinks(browser) {
+  const page = await open(browser, {});
+  await page.goto(`${address}#drum=frame-drum&quality=draft&batter.pitch=F%233-20`);
+  await page.locator("#batter-pitch-text", { hasText: "F#3 −20 cents" }).waitFor();
+  if (await page.locator("#resonant-pitch").isVisible()) complain("a frame drum has a resonant head to tune");
+  await page.goto(`${address}#drum=tom-12&quality=draft&batter.pitch=H3`);
+  await status(page, /Ready, but not as the address says: batter.pitch.*H3/);
+  await page.locator("#batter-pitch-text", { hasText: "Hz" }).waitFor();
   await page.context().close();
 }
 
@@ -259,6 +324,8 @@ async function picture(browser, colorScheme, width) {
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
 try {
   await recordDrums(browser);
+  await tune(browser);
+  await followLinks(browser);
   await operate(browser);
   await strikeWithoutSnares(browser);
   await watchSlowMotion(browser);

@@ -11,17 +11,15 @@
 // Messages from it: { type: "playing" } for each new drum; { type: "struck", frame, ... } for each stroke;
 // { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last };
 // { type: "filmed", pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
-import { ContinuedEngine } from "./engine.js";
+import { ContinuedEngine, LEDGER } from "./engine.js";
 
 const BLOCK = 128; // frames
 const CHANNELS = 2;
+const PRESETS_OWN = -1; // the striker
 const FADE = 0.03; // of the drum that another one replaces [s]
 const COPIED = 1 << 20; // of the memory of a new drum, in the time of a block [bytes]
 const LEVEL_BLOCKS = 8; // blocks of one level
 const LEDGER_LEVELS = 8; // levels between two ledgers
-// Of TaborLedger, in its order.
-const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
-  "radiated", "removed", "high_band", "residual"];
 const PIECE_BLOCKS = 32; // blocks of one piece of a recording
 const FILM_BLOCKS = 15; // blocks of a film
 const BLOCK_PICTURES = 4; // of each filmed block
@@ -41,7 +39,7 @@ class Voice {
   }
 
   strike({ velocity, radius, angle, technique }) {
-    return this.engine.drum_strike(this.drum, velocity, radius, angle, technique);
+    return this.engine.drum_strike(this.drum, 0, velocity, radius, angle, technique, PRESETS_OWN);
   }
 
   setStrainer(value) {

@@ -5,6 +5,10 @@
 const PAGE_SIZE = 65536; // of WebAssembly's memory [bytes]
 const NOT_SUPPORTED = 52; // of WASI
 
+/** Of TaborLedger, in its order. */
+export const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
+  "radiated", "removed", "high_band", "residual"];
+
 /** What the engine imports. It asks for no clock while it plays. */
 function importsOf(progress) {
   return {
@@ -14,9 +18,10 @@ function importsOf(progress) {
   };
 }
 
-/** An engine that begins from nothing. `progress` hears how far a model is, 0 to 1. */
-export async function startEngine(bytes, progress = () => {}) {
-  const { instance } = await WebAssembly.instantiate(bytes, importsOf(progress));
+/** An engine that begins from nothing, of a module or its bytes. `progress` hears how far a model is, 0 to 1. */
+export async function startEngine(source, progress = () => {}) {
+  const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const instance = await WebAssembly.instantiate(module, importsOf(progress));
   instance.exports._initialize();
   return instance.exports;
 }

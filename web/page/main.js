@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: what is chosen, struck, shown and recorded.
+import { DrumControls } from "./drum_controls.js";
 import { DrumView } from "./drum_view.js";
 import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
@@ -19,16 +20,19 @@ const RIM_WIDTH = 1.12; // a pointer out to here strikes the rim
 const FLOOR = -60; // [dBFS]
 
 const element = (id) => document.getElementById(id);
-const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names
+const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names, and what was changed of it
 
 const view = new DrumView(element("drum"));
 const film = new FilmView(element("motion"), element("motion-text"), (heights) => view.setHeights(heights));
 const energy = new EnergyView(element("energy"));
 const spectrum = new SpectrumView(element("spectrum"));
+const controls = new DrumControls(element("drum-controls"), link, changeDrum);
 let presets = []; // { name, comment }
 let sound = null;
 let facts = null; // of the drum that sounds
 let tried = null; // the quality that is being built
+let hasMoved = false; // it was changed while it sounded
+let refused = ""; // why the drum is not as the link says
 let recorder = null;
 let last = { share: 0, angle: 0, speed: 1 }; // the last stroke
 
@@ -90,15 +94,39 @@ function buildDrum(quality) {
   tried = quality;
   say(`Building ${element("preset").value}, ${quality}`);
   showProgress(0);
-  sound.build(element("preset").value, quality);
+  sound.build(element("preset").value, controls.settings, quality);
 }
 
-function chooseDrum() {
-  const quality = element("quality").value;
+function showLink() {
   link.set("drum", element("preset").value);
-  link.set("quality", quality);
+  link.set("quality", element("quality").value);
   history.replaceState(null, "", `#${link}`);
+}
+
+function chooseQuality() {
+  showLink();
+  const quality = element("quality").value;
   buildDrum(quality === "automatic" ? "live" : quality);
+}
+
+/* Another drum is as it came. */
+function chooseDrum() {
+  controls.clear();
+  controls.wait();
+  chooseQuality();
+}
+
+/* A control was moved. */
+function changeDrum() {
+  showLink();
+  buildDrum(tried);
+}
+
+/* The former drum plays on. At first there is none: the link is wrong. */
+function failBuild(reason) {
+  if (facts || !controls.clear()) return fail(reason);
+  refused = reason;
+  changeDrum();
 }
 
 /* A machine that cannot play `live` gets `draft`, if the quality is left to the page. */
@@ -110,27 +138,43 @@ function useDrum(built) {
   }
   const isFirst = !facts;
   facts = built;
+  hasMoved = false;
   last.angle = facts.angle;
   if (isFirst) setSpeed(facts.velocity);
   showProgress(1);
   showFacts();
   view.show(facts);
   film.show(facts);
-  showSnares();
-  say("Ready");
+  controls.show(facts);
+  say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
+  refused = "";
   sound.play();
+  showSnares();
 }
 
+/* They may have been switched while the drum was built. */
 function showSnares() {
   const hasSnares = facts.wires.count > 0;
+  const strainer = Number(link.get("wires.strainer") ?? facts.preset.strainer);
   element("snares").disabled = !hasSnares;
-  element("snares").checked = hasSnares && facts.wires.strainer > 0;
+  element("snares").checked = hasSnares && strainer > 0;
   view.setSnares(element("snares").checked);
+  if (strainer !== facts.wires.strainer) moveStrainer(strainer);
+}
+
+function moveStrainer(value) {
+  hasMoved = true;
+  sound.setStrainer(value);
 }
 
 function setSnares(on) {
+  const own = facts.preset.strainer;
+  const strainer = on ? own || 1 : 0;
+  if (strainer === own) link.delete("wires.strainer");
+  else link.set("wires.strainer", strainer);
+  showLink();
   element("snares").checked = on;
-  sound.setStrainer(on ? facts.wires.strainer || 1 : 0);
+  moveStrainer(strainer);
   view.setSnares(on);
 }
 
@@ -231,8 +275,16 @@ function toggleRecording() {
   const begins = !recorder;
   element("record").setAttribute("aria-pressed", String(begins));
   element("record").textContent = begins ? "Stop recording" : "Record";
-  if (begins) recorder = new Recorder(CHANNELS, RATE);
+  if (begins) recorder = new Recorder(CHANNELS, RATE, command());
   sound.record(begins);
+}
+
+/* What makes the drum's sound again, until it is changed; "" if nothing does. */
+function command() {
+  if (hasMoved) return "";
+  const settings = controls.settings.map(([key, value]) => ` --set ${key}=${value}`).join("");
+  return `tabor render ${element("preset").value} --quality ${tried} --stereo${settings} --format float ` +
+    "--events strokes.csv -o again.wav";
 }
 
 function offer(anchor, blob) {
@@ -251,6 +303,8 @@ function finishRecording() {
   offer(element("sound-file"), recorder.sound());
   offer(element("strokes-file"), recorder.strokes());
   element("files").hidden = false;
+  element("command").hidden = recorder.command === "" || recorder.command !== command();
+  element("command-text").textContent = recorder.command;
   say(`Recorded ${recorder.seconds.toFixed(1)} s`);
   recorder = null;
 }
@@ -285,7 +339,7 @@ function listen() {
   const heard = {
     progress: showProgress,
     built: useDrum,
-    failed: fail,
+    failed: failBuild,
     started: () => { element("record").disabled = false; },
     struck: (stroke) => {
       view.mark(stroke.radius / facts.radius, stroke.angle, stroke.velocity);
@@ -301,7 +355,7 @@ function listen() {
   }
   element("drum").addEventListener("pointerdown", strikeAt);
   element("preset").addEventListener("change", chooseDrum);
-  element("quality").addEventListener("change", chooseDrum);
+  element("quality").addEventListener("change", chooseQuality);
   element("speed").addEventListener("input", showSpeed);
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
   element("slow").addEventListener("change", (event) => setSlowMotion(event.target.checked));
@@ -310,6 +364,7 @@ function listen() {
   element("midi").addEventListener("click", connectMidi);
   element("midi").hidden = !navigator.requestMIDIAccess;
   addEventListener("keydown", pressKey);
+  addEventListener("hashchange", () => location.reload()); // somebody has put in another link
   addEventListener("pointerup", () => { if (facts) sound.start(); }); // when a touch allows sound
 }
 
@@ -321,7 +376,7 @@ async function begin() {
   showSpeed();
   listen();
   setSlowMotion(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-  chooseDrum();
+  chooseQuality();
 }
 
 begin().catch((error) => fail(error.message));

@@ -13,7 +13,9 @@ export class Recorder {
   #start = null; // frame of the first sample
   #frames = 0;
 
-  constructor(channels, rate) {
+  /** `command` is what makes the same sound again of the strokes. */
+  constructor(channels, rate, command) {
+    this.command = command;
     this.#channels = channels;
     this.#rate = rate;
   }

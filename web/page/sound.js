@@ -23,12 +23,12 @@ export class Sound extends EventTarget {
   }
 
   /** Builds a drum beside the one that sounds. Events: "progress", then "built" or "failed". */
-  build(preset, quality) {
+  build(preset, settings, quality) {
     this.#worker?.terminate();
     this.#worker = new Worker(new URL("build_worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#hear(data);
     const number = QUALITIES.indexOf(quality);
-    this.#worker.postMessage({ bytes: this.#bytes, preset, quality: number, rate: RATE });
+    this.#worker.postMessage({ bytes: this.#bytes, preset, settings, quality: number, rate: RATE });
   }
 
   /** Plays the drum that was built last. */

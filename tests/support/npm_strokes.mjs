@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// A project that uses the package for npm: plays drums into NAME.wav and NAME.csv of the folder in its argument, and
+// looks at what is refused. Prints a line "NAME OPTIONS" for each sound, with what `tabor render` is told
+// for the same, and "version VERSION". Status 1 if something is wrong. For test_npm.sh.
+import { readFile, writeFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { floatWav } from "./float_wav.mjs";
+import { Drum, TaborError, presets, render, version } from "tabor";
+
+const folder = process.argv[2];
+const RATE = 48000;
+const package_ = dirname(createRequire(import.meta.url).resolve("tabor/tabor.wasm"));
+let wrong = 0;
+
+function complain(text) {
+  console.error(`FAILED: ${text}`);
+  wrong++;
+}
+
+function table(strokes) {
+  const rows = strokes.map(({ time, velocity, radius, angle, technique = "normal", striker }) =>
+    [time, velocity, radius, angle, technique, striker].join(","));
+  return ["time,velocity,radius,angle,technique,striker", ...rows, ""].join("\n");
+}
+
+let takes = 0;
+async function keep(channels, options, strokes, rate = RATE) {
+  const name = `take${++takes}`;
+  await writeFile(join(folder, `${name}.wav`), floatWav(channels, rate));
+  if (strokes) await writeFile(join(folder, `${name}.csv`), table(strokes));
+  console.log(`${name} ${options}`);
+}
+
+const strokes = [
+  { time: 0, velocity: 3, radius: 0.05, angle: 0, striker: "stick" },
+  { time: 0.1037, velocity: 8, radius: 0.02, angle: 90, technique: "rimshot", striker: "stick" },
+  { time: 0.3, velocity: 2, radius: 0.1, angle: 45, technique: "cross-stick", striker: "stick" },
+  { time: 0.3011, velocity: 5, radius: 0.08, angle: -120, striker: "mallet" },
+  { time: 0.5, velocity: 4, radius: 0.1, angle: 200, technique: "rim", striker: "stick" },
+];
+
+/* ---- sounds ---- */
+
+await keep(await render("snare-14x5.5", strokes, { duration: 0.8 }), "snare-14x5.5 --stereo --duration 0.8", strokes);
+await keep(await render("tom-12"), "tom-12 --stereo"); // until it has died away
+await keep(await render("frame-drum", [{}], { mics: ["top"], sampleRate: 44100, quality: "studio", duration: 0.3 }),
+  "frame-drum --mic top --rate 44100 --quality studio --duration 0.3", null, 44100);
+
+// Blocks of all lengths, strokes given in another order, and one while it plays.
+const tuned = { set: { "batter.pitch": "A3", "wires.tension": 8, "room.kind": "booth" }, quality: "draft" };
+const drum = await Drum.create("snare-14x5.5", tuned);
+const give = ({ time, ...stroke }) => drum.strike({ ...stroke, frame: Math.round(time * RATE) });
+strokes.slice(0, -1).reverse().forEach(give);
+const parts = [1, 127, 128, 129, 5000, 0, 9999].map((frames) => drum.process(frames));
+give(strokes.at(-1));
+parts.push(drum.process(0.6 * RATE - drum.frame));
+const channels = [0, 1].map((i) => Float32Array.from(parts.flatMap((part) => [...part[i]])));
+await keep(channels, "snare-14x5.5 --stereo --quality draft --set batter.pitch=A3 --set wires.tension=8 --set room.kind=booth " +
+  "--duration 0.6", strokes);
+
+// After a reset all is as before. Microphones in a room that hears others.
+drum.change("wires.strainer", 0);
+drum.process(100);
+drum.reset();
+strokes.forEach(give);
+const again = drum.process(0.6 * RATE);
+if (!again.every((channel, i) => Buffer.compare(Buffer.from(channel.buffer), Buffer.from(channels[i].buffer)) === 0)) {
+  complain("a reset drum sounds different");
+}
+const hall = { set: { "room.kind": "hall" }, mics: ["top", "right"], duration: 0.4 };
+await keep(await render("tom-12", [{}], hall), "tom-12 --set room.kind=hall --mic top --mic right --duration 0.4");
+
+// A browser's entry: no files, the engine by its address.
+const browsers = await import(pathToFileURL(join(package_, "index.js")));
+await browsers.load(await readFile(join(package_, "tabor.wasm")));
+await keep(await browsers.render("piccolo-13x3.5", [{}], { duration: 0.2 }), "piccolo-13x3.5 --stereo --duration 0.2");
+
+/* ---- facts ---- */
+
+console.log(`version ${await version()}`);
+const list = await presets();
+if (!list.some(({ name, comment }) => name === "tom-12" && comment.length > 10)) complain("presets() lacks tom-12");
+if (Math.abs(drum.pitch() - 220) > 0.5) complain(`A3 is ${drum.pitch()} Hz`);
+if (!drum.keys.includes("wires.tension") || drum.get("wires.tension") !== "8") complain("get() and keys");
+if (String(drum.mics) !== "left,right" || !drum.strikers.includes("mallet")) complain("mics or strikers");
+const { injected, residual } = drum.ledger();
+if (!(injected > 0.1 && Math.abs(residual) < 1e-6 * injected)) complain(`the ledger has ${injected}, ${residual}`);
+
+/* ---- what is refused ---- */
+
+async function refused(what, text, facts = {}) {
+  try {
+    await what();
+    complain(`accepted: ${what}`);
+  } catch (error) {
+    if (!(error instanceof TaborError)) complain(`${what}: ${error.stack}`);
+    if (!text.test(error.message)) complain(`${what}: ${error.message}`);
+    for (const [name, value] of Object.entries(facts)) {
+      if (error[name] !== value) complain(`${what}: ${name} is ${error[name]}`);
+    }
+  }
+}
+
+const create = (set, options) => () => Drum.create("snare-14x5.5", { set, ...options });
+await refused(create({ "batter.tension": 5 }), /batter\.tension.*5.*100.*20000/,
+  { key: "batter.tension", value: "5", minimum: 100, maximum: 20000 });
+await refused(create({ "batter.tention": 3000 }), /batter\.tention.*batter\.tension/, { key: "batter.tention" });
+await refused(create({ "batter.pitch": "H3" }), /batter\.pitch.*H3/, { key: "batter.pitch", value: "H3" });
+await refused(create({ "batter.pitch": "A8" }), /batter\.pitch/, { key: "batter.pitch" });
+await refused(create({}, { sampleRate: 1000 }), /1000/);
+await refused(create({}, { quality: "best" }), /quality.*best.*draft, live/);
+await refused(create({}, { mics: ["topp"] }), /mics.*topp.*top/);
+await refused(create({}, { mics: ["top", "top"] }), /twice/);
+await refused(() => Drum.create("snare"), /snare/);
+await refused(() => render("tom-12", [{ time: -1 }]), /time = -1.*0 to 3600/, { key: "time", minimum: 0 });
+await refused(() => render("tom-12", [{}], { duration: 0 }), /duration = 0/);
+await refused(() => drum.strike({ velocity: 50 }), /velocity = 50: allowed: 0\.01 to 30 m\/s/, { maximum: 30 });
+await refused(() => drum.strike({ velocity: NaN }), /velocity = NaN/);
+await refused(() => drum.strike({ radius: 1 }), /radius = 1: allowed: 0 to 0\.1778/);
+await refused(() => drum.strike({ technique: "flam" }), /technique = 'flam': allowed: normal, rimshot/);
+await refused(() => drum.strike({ striker: "spoon" }), /striker = 'spoon': allowed: stick, mallet/);
+await refused(() => drum.strike({ frame: 0 }), /frame = 0/);
+await refused(() => drum.process(1.5), /frames = 1\.5: allowed: whole/);
+await refused(() => drum.change("batter.tension", 3000), /batter\.tension.*while the drum rings/);
+await refused(() => drum.change("wires.strainer", 2), /wires\.strainer = 2: allowed: 0 to 1/);
+await refused(() => drum.get("wires.number"), /wires\.number/);
+
+process.exitCode = wrong > 0 ? 1 : 0;

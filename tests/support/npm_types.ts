@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What users of the package for npm write, as TypeScript sees it. For test_npm.sh.
+import { Drum, TaborError, load, presets, render, version, type DrumOptions, type Ledger, type Stroke } from "tabor";
+
+const options: DrumOptions = { quality: "live", sampleRate: 48000, set: { "batter.pitch": "A3", "wires.tension": 8 } };
+const stroke: Stroke = { velocity: 3, radius: 0.05, angle: 90, technique: "rimshot", striker: "stick" };
+
+export async function play(): Promise<[Float32Array[], Ledger]> {
+  await load(new Uint8Array());
+  const name: string = (await presets())[0].name + (await version());
+  const drum: Drum = await Drum.create(name, { ...options, mics: ["top"], progress: (done: number) => done });
+  drum.strike({ ...stroke, frame: drum.frame + 10 });
+  drum.change("wires.strainer", 0);
+  drum.strike();
+  const channels: Float32Array[] = [...drum.process(128), ...(await render(name, [{ ...stroke, time: 1 }], { duration: 2 }))];
+  drum.reset();
+  return [channels, drum.ledger()];
+}
+
+export const told = (error: unknown): string => (error instanceof TaborError ? `${error.key} ${error.minimum}` : "");
+
+// @ts-expect-error there is no such quality
+export const wrong: DrumOptions = { quality: "best" };
+// @ts-expect-error Drum.create() makes drums
+new Drum();
+// @ts-expect-error a frame is the drum's own business
+(await Drum.create("tom-12")).frame = 3;

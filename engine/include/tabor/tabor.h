@@ -825,8 +825,8 @@ typedef struct TaborLedger {
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
   double stored; /**< above the rest state, strikers in flight included */
-  /** In the heads' material; and what the low modes of a closed drum lose by their radiation resistance beyond what `radiated`
-   * has of them, a few per cent of that. */
+  /** In the heads' material; and what the low modes of a closed drum lose to the air beyond what `radiated` has of them,
+   * a few per cent of that, or what they lose less. */
   double head_loss;
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
@@ -835,8 +835,8 @@ typedef struct TaborLedger {
   /** In hoop and shell; and in the enclosed air, by friction, heat conduction and absorption at its
    * walls. */
   double shell_loss;
-  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries far away, of others what
-   * they lose to the air. */
+  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries far away, of others, and
+   * while sound from outside drives the drum, what modes lose to the air. */
   double radiated;
   double removed;   /**< energy of strikers that were taken away */
   double high_band; /**< stored in the one-way high band; not part of the balance */

@@ -137,6 +137,7 @@ static void silence(TaborDrum *drum, const TaborEvent *event) {
 /* A drum at rest has only its counters and its gain to set back. */
 static void forget(TbState *state) {
   state->sums = (TaborLedger){0};
+  state->radiated_beyond = 0.0;
   state->statistics = (TaborStatistics){0};
   state->output = (TbLiveParam){.now = 1.0, .target = 1.0};
 }

@@ -25,6 +25,7 @@ static void rest(const TbView *from, TbState *state) {
   tb_state_reset(state, from->model);
   TbView to = tb_view(state, from->model);
   state->sums = from->state->sums;
+  state->radiated_beyond = from->state->radiated_beyond;
   state->sums.control -= tb_energy_stored(from, &from->now, &from->last);
   state->statistics = from->state->statistics;
   state->output = from->state->output;

@@ -374,6 +374,7 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   TbView from = tb_view(drum->state, drum->model);
   TbView to = tb_view(swap->tail->state, swap->new_model);
   to.state->sums = from.state->sums;
+  to.state->radiated_beyond = from.state->radiated_beyond;
   to.state->statistics = from.state->statistics;
   to.state->event_debt = from.state->event_debt;
   const double before = tb_energy_stored(&from, &from.now, &from.last);

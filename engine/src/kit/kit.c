@@ -112,8 +112,9 @@ static void say(TaborKit *kit, TbKitVoice *voice, const float *said, uint32_t fr
 static bool air_is_passive(const TaborKit *kit) {
   double radiated = 0.0, work = 0.0;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
-    radiated += kit->voices[i].drum->state->sums.radiated;
-    work += kit->voices[i].drum->state->sound_work;
+    const TbState *const state = kit->voices[i].drum->state;
+    radiated += state->sums.radiated - state->radiated_beyond;
+    work += state->sound_work;
   }
   return work <= TB_KIT_CAUGHT * radiated;
 }

@@ -234,7 +234,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
     modes->g[i] = pole.g;
     modes->pull[i] = -side * pole.g;
     modes->stiffness[i] = pole.stiffness;
-    modes->loss_air[i] = mode->has_far ? 0.0 : each * mode->radiation_rate;
+    modes->loss_air[i] = each * mode->radiation_rate;
     modes->loss_shell[i] = each * mode->shell_rate;
     modes->loss_head[i] = pole.loss - modes->loss_air[i] - modes->loss_shell[i];
     modes->walls = modes->walls || mode->shell_rate > 0.0;

@@ -34,10 +34,9 @@ typedef struct TbModes {
   double *a, *b, *g;              /* [padded], as are all arrays below */
   double *stiffness;              /* K' */
   double *loss_head;              /* tanh(sk)/(2k^2): the part of the heads */
-  /* the parts of sound, which for a mode with a far field is in loss_head (radiated_power.h), and of the cavity's walls */
-  double *loss_air, *loss_shell;
-  bool walls;   /* some loss_shell is not 0 */
-  double *pull; /* -side g: a mode's response to a wire's contact force */
+  double *loss_air, *loss_shell;  /* the parts of sound and of the cavity's walls */
+  bool walls;                     /* some loss_shell is not 0 */
+  double *pull;                   /* -side g: a mode's response to a wire's contact force */
 } TbModes;
 
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */

@@ -34,6 +34,7 @@ TaborStatus tb_radiated_power_prepare(TaborModel *model) {
   uint32_t count = 0, next = 0;
   for (uint32_t i = 0; i < model->modes.padded; i++) count += far_mode(model, i) != NULL;
   power->mode = tb_arena_take(&model->arena, count + 1u, sizeof *power->mode);
+  power->loss = tb_arena_doubles(&model->arena, count + 1u);
   power->ahead = tb_arena_doubles(&model->arena, (count + 1u) * TB_FAR_NODES);
   power->behind = tb_arena_doubles(&model->arena, (count + 1u) * TB_FAR_NODES);
   if (model->arena.failed) return TABOR_ERROR_MEMORY;
@@ -44,6 +45,7 @@ TaborStatus tb_radiated_power_prepare(TaborModel *model) {
       if (!mode || group_of(mode, model->modes.sine[i]) != group) continue;
       const size_t at = (size_t)next * TB_FAR_NODES;
       weigh(model, mode, power->ahead + at, power->behind + at);
+      power->loss[next] = TB_FAR_STEPS * model->modes.loss_air[i];
       power->mode[next++] = i;
     }
   }

@@ -4,8 +4,9 @@
  * A mode's resistance is what it would lose if it moved alone at its own frequency. A stick or a beater moves all modes as
  * one dent, at other frequencies than theirs, and the sounds of modes of one order add up or cancel. So the ledger books
  * what the far field carries: in each direction, order and copy the pressure of all modes, weighed as microphones weigh
- * them (mics.h), squared. What the modes' resistances take beyond that stays with the heads' loss. Modes of higher
- * orders, or above k R = TB_FAR_TOP, book their own resistance. Set-up only. */
+ * them (mics.h), squared. What the modes' resistances take beyond that is booked as loss of the heads. Modes of higher
+ * orders, or above k R = TB_FAR_TOP, book their own resistance; so do all while sound from outside pushes, since much of
+ * their field then is that sound, scattered. Set-up only. */
 #ifndef TB_RADIATED_POWER_H
 #define TB_RADIATED_POWER_H
 
@@ -20,10 +21,12 @@ enum { TB_FAR_GROUPS = 2 * TB_FAR_ORDERS - 1 };
 
 /* With d+ = q+ - q, d- = q- - q of the modes of a group,
  *   Sum_i (Sum_j ahead[j][i] d+_j + behind[j][i] d-_j)^2
- * is the energy [J] that the group sends out in TB_FAR_STEPS steps. */
+ * is the energy [J] that the group sends out in TB_FAR_STEPS steps, and Sum_j loss[j] (d+_j - d-_j)^2 what its modes
+ * lose to the air meanwhile. */
 typedef struct TbRadiatedPower {
   uint32_t group[TB_FAR_GROUPS + 1]; /* first entry of each group */
   uint32_t *mode;                    /* [entries] */
+  double *loss;                      /* [entries] [kg/s^2] */
   double *ahead, *behind;            /* [entries][TB_FAR_NODES] */
 } TbRadiatedPower;
 

@@ -5,8 +5,8 @@
 
 #include "step/state.h"
 
-/* Energy [J] that goes on in the TB_FAR_STEPS steps from this one on, of which view->next, now and last are the motion; 0 at
- * the other steps. */
-double tb_radiated_energy(const TbView *view);
+/* Energy [J] that goes on in the TB_FAR_STEPS steps from this one on, of which view->next, now and last are the motion, less
+ * what these modes lose to the air; 0 at the other steps. */
+double tb_radiated_beyond(const TbView *view);
 
 #endif

@@ -112,6 +112,8 @@ typedef struct TbState {
   uint32_t event_debt; /* see event_budget.h */
   double incident;     /* sound from outside at the last frame [Pa] */
   double sound_work;   /* that it has done since the last reset [J] */
+  double
+    radiated_beyond; /* part of sums.radiated that the modes did not lose to the air (radiated_power.h) [J] */
   uint64_t serial;
   uint32_t delay_at[TABOR_MAX_MICS];
   double treble[TABOR_MAX_MICS][3]; /* last input, last two outputs: see force_equalizer.h */

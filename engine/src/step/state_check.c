@@ -153,9 +153,9 @@ static bool microphones(const TaborModel *model, const TbState *state) {
 
 static bool numbers(const TbState *state) {
   return within(state->incident, MOST) && within(state->sound_work, MOST) &&
-         all_within(NUMBERS(state->wires), MOST) && all_within(NUMBERS(state->shift), MOST) &&
-         all_within(NUMBERS(state->z), MOST) && all_within(NUMBERS(state->missing), MOST) &&
-         all_within(NUMBERS(state->bow), MOST) &&
+         within(state->radiated_beyond, MOST) && all_within(NUMBERS(state->wires), MOST) &&
+         all_within(NUMBERS(state->shift), MOST) && all_within(NUMBERS(state->z), MOST) &&
+         all_within(NUMBERS(state->missing), MOST) && all_within(NUMBERS(state->bow), MOST) &&
          all_within((const double *)&state->contacts, 3, MOST) &&
          all_within((const double *)&state->sums, sizeof state->sums / sizeof(double), INFINITY);
 }

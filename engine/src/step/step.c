@@ -153,9 +153,10 @@ static void respond(TbView *view, bool unchanged) {
 static void book_losses(TbView *view, bool shortened) {
   const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
   TaborLedger *sums = &view->state->sums;
-  const double carried = tb_radiated_energy(view);
-  sums->head_loss += losses.head - carried;
-  sums->radiated += losses.radiated + carried;
+  const double beyond = tb_radiated_beyond(view);
+  view->state->radiated_beyond += beyond;
+  sums->head_loss += losses.head - beyond;
+  sums->radiated += losses.radiated + beyond;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHandWork hands = tb_pool_hand_work(view);

@@ -154,6 +154,7 @@ COUNTED(wire_step, (uint64_t)wires *lanes,
         (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
          Out bend, Out next),
         (wires, lanes, c, inner, now, last, bend, next))
+COUNTED(mix, 8u * mixing->count, (const TbMixing *mixing, In q, Out out), (mixing, q, out))
 COUNTED_RESULT(double, radiate, 8u * count,
                (uint32_t count, const uint32_t *mode, In ahead, In behind, In next, In now,
                 In last),
@@ -225,6 +226,7 @@ static const TbKernels counting = {
   .losses = COUNT(losses),
   .subtract = COUNT(subtract),
   .wire_step = COUNT(wire_step),
+  .mix = COUNT(mix),
   .radiate = COUNT(radiate),
   .wire_losses = COUNT(wire_losses),
   .gather_wires = COUNT(gather_wires),

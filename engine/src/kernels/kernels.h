@@ -24,16 +24,32 @@ typedef struct TbPair {
 } TbPair;
 
 /* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads whose bits are set in
- * heads[i], 1, 2 or 3. */
+ * heads[i], 1, 2 or 3. The first mixed[i] of them, a multiple of 8, may mix with others. */
 typedef struct TbParts {
-  uint32_t count, from[7], size[7], heads[7];
+  uint32_t count, from[7], size[7], mixed[7], heads[7];
 } TbParts;
+
+/* Modes of one order and copy that mix on one head (model/stretch_mixing.h). */
+typedef struct TbMixingBlock {
+  uint32_t count;
+  const uint32_t *mode; /* [count] */
+  const double *matrix; /* [count/8 rounded up][count][8]: 8 rows side by side, the diagonal 0 */
+} TbMixingBlock;
+
+/* Most modes of a block. */
+enum { TB_MIXING_MOST = 256 };
+
+typedef struct TbMixing {
+  uint32_t count;
+  TbMixingBlock *block;
+} TbMixing;
 
 /* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the other's pull alone. */
 typedef struct TbStretching {
   uint32_t modes;
   const double *a, *b;                  /* [modes], as all arrays: of the two-step recursion */
   const double *gain[2], *g, *q, *last; /* q at the present instant */
+  const double *mixed[2];               /* G q off G's diagonal */
   double *next;                         /* read, or written: see the kernels */
   double *pull[2];                      /* out */
   double along[2], own[2][2];           /* out */

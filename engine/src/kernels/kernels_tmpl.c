@@ -65,6 +65,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .losses = losses,
   .subtract = subtract_arrays,
   .wire_step = wire_step,
+  .mix = mix,
   .radiate = radiate,
   .wire_losses = wire_losses,
   .gather_wires = gather_wires,

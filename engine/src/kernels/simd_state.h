@@ -17,7 +17,7 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
 
 /* ---- heads that stretch ----------------------------------------------------------------------- */
 
-/* In the functions of this part, `steps` is a constant at every call: whether next is computed or read. They read a copy of the
+/* In the functions of this part, `steps` and `mixed` are constants at every call. `steps`: whether next is computed or read. They read a copy of the
  * struct, or the compiler would have to assume that a store changes it. */
 static INLINE Lanes next_of(bool steps, const TbStretching *s, uint64_t i, Lanes q, Lanes last) {
   if (!steps) return load(s->next + i);
@@ -27,16 +27,23 @@ static INLINE Lanes next_of(bool steps, const TbStretching *s, uint64_t i, Lanes
   return next;
 }
 
+/* G q, `mixed`: of modes that mix with others. */
+static INLINE Lanes stretch_of(bool mixed, const TbStretching *s, uint32_t head, uint64_t i,
+                               Lanes q) {
+  const Lanes own = multiply_lanes(load(s->gain[head] + i), q);
+  return mixed ? add(own, load(s->mixed[head] + i)) : own;
+}
+
 /* Modes that stretch both heads. */
-static INLINE void stretch_both(bool steps, uint64_t from, uint64_t end, const TbStretching *out,
-                                Lanes along[2], Lanes own[3]) {
+static INLINE void stretch_both(bool steps, bool mixed, uint64_t from, uint64_t end,
+                                const TbStretching *out, Lanes along[2], Lanes own[3]) {
   const TbStretching s = *out;
   Lanes a0 = along[0], a1 = along[1], o0 = own[0], o1 = own[1], cross = own[2];
   for (uint64_t i = from; i < end; i += 8) {
     const Lanes q = load(s.q + i), g = load(s.g + i), last = load(s.last + i);
     const Lanes moved = add(next_of(steps, &s, i, q, last), last);
-    const Lanes y0 = multiply_lanes(load(s.gain[0] + i), q), pull0 = multiply_lanes(g, y0);
-    const Lanes y1 = multiply_lanes(load(s.gain[1] + i), q), pull1 = multiply_lanes(g, y1);
+    const Lanes y0 = stretch_of(mixed, &s, 0, i, q), pull0 = multiply_lanes(g, y0);
+    const Lanes y1 = stretch_of(mixed, &s, 1, i, q), pull1 = multiply_lanes(g, y1);
     store(s.pull[0] + i, pull0);
     store(s.pull[1] + i, pull1);
     a0 = add(a0, multiply_lanes(y0, moved));
@@ -49,16 +56,15 @@ static INLINE void stretch_both(bool steps, uint64_t from, uint64_t end, const T
 }
 
 /* Modes that stretch one head. */
-static INLINE void stretch_one(bool steps, uint64_t from, uint64_t end, const TbStretching *out,
-                               uint32_t head, Lanes *along, Lanes *own) {
+static INLINE void stretch_one(bool steps, bool mixed, uint64_t from, uint64_t end,
+                               const TbStretching *out, uint32_t head, Lanes *along, Lanes *own) {
   const TbStretching s = *out;
-  const double *const gain = s.gain[head];
   double *const to = s.pull[head];
   Lanes a = *along, o = *own;
   for (uint64_t i = from; i < end; i += 8) {
     const Lanes q = load(s.q + i), last = load(s.last + i);
     const Lanes moved = add(next_of(steps, &s, i, q, last), last);
-    const Lanes y = multiply_lanes(load(gain + i), q);
+    const Lanes y = stretch_of(mixed, &s, head, i, q);
     const Lanes pull = multiply_lanes(load(s.g + i), y);
     store(to + i, pull);
     a = add(a, multiply_lanes(y, moved));
@@ -79,12 +85,15 @@ static INLINE void stretch_parts(bool steps, const TbParts *parts, TbStretching 
   uint64_t done = 0;
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
+    const uint64_t middle = from + parts->mixed[part];
     stretch_none(steps, done, from, s);
     if (parts->heads[part] == 3) {
-      stretch_both(steps, from, end, s, along, own);
+      stretch_both(steps, true, from, middle, s, along, own);
+      stretch_both(steps, false, middle, end, s, along, own);
     } else {
       const uint32_t head = parts->heads[part] - 1u;
-      stretch_one(steps, from, end, s, head, &along[head], &own[head]);
+      stretch_one(steps, true, from, middle, s, head, &along[head], &own[head]);
+      stretch_one(steps, false, middle, end, s, head, &along[head], &own[head]);
     }
     done = end;
   }
@@ -221,6 +230,16 @@ static void subtract_arrays(uint32_t n, const double *x, const double *y, double
 static INLINE Lanes second_difference(const double *v) {
   const Lanes middle = load(v);
   return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
+}
+
+static void mix(const TbMixing *mixing, const double *q, double *out) {
+  _Alignas(64) double x[TB_MIXING_MOST], y[TB_MIXING_MOST];
+  for (uint32_t b = 0; b < mixing->count; b++) {
+    const TbMixingBlock block = mixing->block[b];
+    for (uint64_t i = 0; i < block.count; i++) x[i] = q[block.mode[i]];
+    multiply_all(false, (block.count + 7u) / 8u, block.count, y, block.matrix, x);
+    for (uint64_t i = 0; i < block.count; i++) out[block.mode[i]] = y[i];
+  }
 }
 
 static double radiate(uint32_t count, const uint32_t *mode, const double *ahead,

@@ -20,6 +20,7 @@
 #include "model/radiated_power.h"
 #include "model/residual_modes.h"
 #include "model/stick_bending.h"
+#include "model/stretch_mixing.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
@@ -66,6 +67,7 @@ typedef struct TbStretch {
   TbParts parts;    /* the modes that stretch, of each group first (modes.h) */
   double *gain[2];  /* [padded] G, diagonal, of each head [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
+  TbMixing mixing[2];
 } TbStretch;
 
 /* Uneven lugs couple at most this many modes, copies and padding counted. */
@@ -88,7 +90,7 @@ typedef struct TbLayout {
   size_t grid, change;                               /* by points of the grid */
   size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
   size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
-    stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
+    stretch_mixed[2], stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
     delay[TABOR_MAX_MICS];
   size_t total;
 } TbLayout;

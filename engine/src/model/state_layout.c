@@ -48,6 +48,7 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
   layout->modal = place(&total, modes);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     layout->stretch_pull[h] = place(&total, modes);
+    layout->stretch_mixed[h] = place(&total, modes);
     layout->stretch_grid[h] = place(&total, wire_grid->size);
   }
   layout->stretch_carry = place(&total, wire_grid->size + TB_SLOTS);

@@ -8,13 +8,21 @@ static const double PI = 3.14159265358979323846;
 static const double TOP = 96.0;
 
 /* Appends the modes from `from` to `end` that count: of a run that is sorted by frequency, the first. */
-static void add_part(TaborModel *model, double top, uint32_t from, uint32_t end, uint32_t heads) {
-  TbParts *parts = &model->stretch.parts;
+static uint32_t below(const TaborModel *model, double top, uint32_t from, uint32_t end) {
   const uint32_t *row = model->modes.row;
   uint32_t i = from;
   while (i < end && row[i] != TB_NO_MODE && model->head.modes[row[i]].omega < top) i++;
+  return tb_pad(i - from);
+}
+
+static void add_part(TaborModel *model, double top, double top_mixed, uint32_t from, uint32_t end,
+                     uint32_t heads) {
+  TbParts *parts = &model->stretch.parts;
+  const uint32_t size = below(model, top, from, end);
+  const uint32_t mixed = below(model, top_mixed, from, end);
   parts->from[parts->count] = from;
-  parts->size[parts->count] = tb_pad(i - from);
+  parts->size[parts->count] = size;
+  parts->mixed[parts->count] = mixed < size ? mixed : size;
   parts->heads[parts->count++] = heads;
 }
 
@@ -29,17 +37,18 @@ static uint32_t stretching(const TaborModel *model, bool batter, bool resonant) 
 }
 
 /* The groups that wires feel, then the runs of the others. */
-static void prepare_parts(TaborModel *model, double top) {
+static void prepare_parts(TaborModel *model, TbStretchExtent extent) {
+  const double top = extent.times * tb_head_lowest(&model->head), mixed = extent.mixing.top;
   const TbModes *modes = &model->modes;
   const uint32_t all = stretching(model, true, true);
   const uint32_t heads[TB_MODE_RUNS] = {all, stretching(model, true, false),
                                         stretching(model, false, true)};
   model->stretch.parts.count = 0;
   for (uint32_t group = 0; group < modes->groups; group++) {
-    add_part(model, top, modes->group[group], modes->group[group + 1], all);
+    add_part(model, top, mixed, modes->group[group], modes->group[group + 1], all);
   }
   for (uint32_t run = 0; run < TB_MODE_RUNS; run++) {
-    if (heads[run]) add_part(model, top, modes->run[run], modes->run[run + 1], heads[run]);
+    if (heads[run]) add_part(model, top, mixed, modes->run[run], modes->run[run + 1], heads[run]);
   }
 }
 
@@ -56,9 +65,12 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
   }
 }
 
-TaborStatus tb_stretch_prepare(TaborModel *model) { return tb_stretch_prepare_to(model, TOP); }
+TaborStatus tb_stretch_prepare(TaborModel *model) {
+  const TbStretchExtent usual = {TOP, tb_mixing_limits};
+  return tb_stretch_prepare_to(model, usual);
+}
 
-TaborStatus tb_stretch_prepare_to(TaborModel *model, double times) {
+TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   const double area = PI * model->head.radius * model->head.radius;
   TbStretch *stretch = &model->stretch;
@@ -68,11 +80,11 @@ TaborStatus tb_stretch_prepare_to(TaborModel *model, double times) {
     stretch->head[stretch->count] = h;
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
-  prepare_parts(model, times * tb_head_lowest(&model->head));
+  prepare_parts(model, extent);
   for (uint32_t i = 0; i < stretch->count; i++) {
     stretch->gain[i] = tb_arena_doubles(&model->arena, model->modes.padded);
     if (!stretch->gain[i]) return TABOR_ERROR_MEMORY;
     fill_gain(model, i, stretch->gain[i]);
   }
-  return TABOR_OK;
+  return tb_stretch_mixing_prepare(model, extent.mixing);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* G of step/stretch.h: for each head that stretches, the diagonal of Int |grad w|^2 dA over the
- * modes. Set-up only. */
+ * modes, and beside it what stretch_mixing.h has. Set-up only. */
 #ifndef TB_STRETCH_GAIN_H
 #define TB_STRETCH_GAIN_H
 
@@ -8,7 +8,13 @@
 
 /* Fills model->stretch. */
 TaborStatus tb_stretch_prepare(TaborModel *model);
-/* The same with the modes up to `times` the lowest frequency, for tests of what the others do. */
-TaborStatus tb_stretch_prepare_to(TaborModel *model, double times);
+/* Which modes count: those up to `times` the lowest frequency; and which mix (stretch_mixing.h). */
+typedef struct TbStretchExtent {
+  double times;
+  TbMixingLimits mixing;
+} TbStretchExtent;
+
+/* The same to another extent, for tests of what it leaves out. */
+TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent);
 
 #endif

@@ -140,6 +140,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   view.stretch_carry = at(state, l->stretch_carry);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
     view.stretch_pull[h] = at(state, l->stretch_pull[h]);
+    view.stretch_mixed[h] = at(state, l->stretch_mixed[h]);
     view.solve.in.stretch_grid[h] = at(state, l->stretch_grid[h]);
   }
   view_phases(&view);

@@ -166,6 +166,7 @@ typedef struct TbView {
   float *high_force,
     *modalf[2]; /* [high padded]; [modes padded] where contacts are of single precision */
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
+  double *stretch_mixed[2];                 /* [padded] G q off G's diagonal */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
   TbStretching stretching;                  /* the sums of this sample, if `stretched` */
   bool stretched;

@@ -53,6 +53,26 @@ static void prepare_grid(TbView *view) {
   }
 }
 
+static void mix(const TbView *view, const double *q) {
+  const TbStretch *stretch = &view->model->stretch;
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    view->model->kernels->mix(&stretch->mixing[h], q, view->stretch_mixed[h]);
+  }
+}
+
+/* next^T G now of head h off the diagonal, after mix() of now. */
+static double mixed_square(const TbView *view, uint32_t h, const double *next) {
+  const TbMixing *mixing = &view->model->stretch.mixing[h];
+  double sum = 0.0;
+  for (uint32_t b = 0; b < mixing->count; b++) {
+    const TbMixingBlock *block = &mixing->block[b];
+    for (uint32_t i = 0; i < block->count; i++) {
+      sum += next[block->mode[i]] * view->stretch_mixed[h][block->mode[i]];
+    }
+  }
+  return sum;
+}
+
 static TbStretching stretching_of(const TbView *view) {
   const TbModes *modes = &view->model->modes;
   const TbStretch *stretch = &view->model->stretch;
@@ -63,6 +83,7 @@ static TbStretching stretching_of(const TbView *view) {
                         .g = modes->g,
                         .q = view->now.q,
                         .last = view->last.q,
+                        .mixed = {view->stretch_mixed[0], view->stretch_mixed[1]},
                         .next = view->next.q,
                         .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
 }
@@ -71,6 +92,7 @@ static TbStretching stretching_of(const TbView *view) {
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
+  mix(view, view->now.q);
   view->stretched = model->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
   if (view->stretched) {
     view->stretching = stretching_of(view);
@@ -167,8 +189,9 @@ double tb_stretch_energy(const TbView *view, const double *next, const double *n
   const TbStretch *stretch = &view->model->stretch;
   const TbParts *parts = &stretch->parts;
   double sum = 0.0;
+  mix(view, now);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    double square = 0.0;
+    double square = mixed_square(view, h, next);
     for (uint32_t part = 0; part < parts->count; part++) {
       const uint32_t from = parts->from[part], to = from + parts->size[part];
       for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];

@@ -4,8 +4,8 @@
  * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by S/(2A) Int
  * |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
- * S [N/m] the sheet's stretching stiffness, A its area. Only the diagonal of G_h is kept: the exact
- * G_h also couples modes of one order, which changes glides by less than a tenth. Modes up to 96 times the lowest
+ * S [N/m] the sheet's stretching stiffness, A its area. G_h couples modes of one order; model/stretch_mixing.h says which of
+ * its terms off the diagonal are kept. Modes up to 96 times the lowest
  * frequency count: a hard stroke leaves as much of q^T G q in every kilohertz that it excites, so that few modes are
  * several dB off on a bass drum. q counts from rest: the sag under gravity is some 0.1 mm.
  *

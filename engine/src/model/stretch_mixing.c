@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/stretch_mixing.h"
+
+#include <math.h>
+
+#include "math/bessel.h"
+#include "model/model.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* 2300 Hz. Third octaves of hard strokes are then within 0.8 dB of those of the whole matrix up to 2 kHz, where they are within
+ * 25 dB of the loudest (test_system_stretch). Three times the part, or 1500 Hz, leaves 3 to 9 dB. */
+const TbMixingLimits tb_mixing_limits = {.least = 0.02, .top = 14451.0};
+
+/* The heads' terms of one order. */
+typedef struct Order {
+  const TaborModel *model;
+  const TbHeadOrder *order;
+  uint32_t *at[2];        /* index of each mode's copies, or TB_NO_MODE */
+  double *stretch;        /* [zero_count] a_m R^2 K^2 J^2/2 */
+  double least[TB_HEADS]; /* of |G_ij|/(omega_i omega_j) */
+  uint32_t count;         /* of modes below the limit */
+} Order;
+
+static double omega_of(const Order *o, uint32_t place) {
+  return o->model->head.modes[o->order->rows[place]].omega;
+}
+
+/* Whether both copies of a mode stretch the head, by the part of the modes where they stand. */
+static bool stretches(const Order *o, uint32_t h, uint32_t place) {
+  const TbParts *parts = &o->model->stretch.parts;
+  const uint32_t last = o->order->m ? 1 : 0;
+  bool found[2] = {false, false};
+  for (uint32_t part = 0; part < parts->count; part++) {
+    for (uint32_t copy = 0; copy <= last; copy++) {
+      const uint32_t at = o->at[copy][place] - parts->from[part];
+      if (at < parts->size[part] && parts->heads[part] >> h & 1u) found[copy] = true;
+    }
+  }
+  return found[0] && found[last];
+}
+
+/* G_ij on stretching head h. */
+static double term(const Order *o, uint32_t h, uint32_t i, uint32_t j) {
+  const TbHeadOrder *order = o->order;
+  const double *vectors = order->vectors[o->model->stretch.head[h]];
+  const double *v = vectors + (size_t)i * order->zero_count;
+  const double *w = vectors + (size_t)j * order->zero_count;
+  const double azimuth = order->m ? PI : 2.0 * PI;
+  double sum = 0.0;
+  for (uint32_t k = 0; k < order->zero_count; k++) sum += v[k] * w[k] * o->stretch[k];
+  return sum + (order->edge ? azimuth * order->m * order->edge[i] * order->edge[j] : 0.0);
+}
+
+/* Lists the modes that mix with another one on head h, the lowest at most; returns how many. */
+static uint32_t find_mixed(const Order *o, uint32_t h, uint32_t places[TB_MIXING_MOST]) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < o->count && count < TB_MIXING_MOST; i++) {
+    bool mixes = false;
+    for (uint32_t j = 0; stretches(o, h, i) && j < o->count && !mixes; j++) {
+      const double least = o->least[h] * omega_of(o, i) * omega_of(o, j);
+      mixes = i != j && fabs(term(o, h, i, j)) > least && stretches(o, h, j);
+    }
+    if (mixes) places[count++] = i;
+  }
+  return count;
+}
+
+static double *fill_matrix(const Order *o, TbArena *arena, uint32_t h, const uint32_t *places,
+                           uint32_t count) {
+  double *matrix = tb_arena_doubles(arena, (size_t)tb_pad(count) * count);
+  for (uint32_t i = 0; matrix && i < count; i++) {
+    for (uint32_t j = 0; j < count; j++) {
+      const size_t at = ((size_t)(i / 8u) * count + j) * 8u + i % 8u;
+      matrix[at] = i == j ? 0.0 : term(o, h, places[i], places[j]);
+    }
+  }
+  return matrix;
+}
+
+/* The blocks of an order on head h, one for each copy. */
+static bool add_blocks(const Order *o, TbArena *arena, uint32_t h, TbMixing *mixing) {
+  uint32_t places[TB_MIXING_MOST];
+  const uint32_t count = find_mixed(o, h, places), copies = o->order->m ? 2 : 1;
+  if (count == 0) return true;
+  const double *matrix = fill_matrix(o, arena, h, places, count);
+  for (uint32_t copy = 0; matrix && copy < copies; copy++) {
+    uint32_t *mode = tb_arena_take(arena, count, sizeof *mode);
+    for (uint32_t i = 0; mode && i < count; i++) mode[i] = o->at[copy][places[i]];
+    mixing->block[mixing->count++] = (TbMixingBlock){count, mode, matrix};
+  }
+  return !arena->failed;
+}
+
+static void find_copies(Order *o) {
+  const TbModes *modes = &o->model->modes;
+  for (uint32_t i = 0; i < o->order->mode_count; i++) o->at[0][i] = o->at[1][i] = TB_NO_MODE;
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    if (modes->row[i] == TB_NO_MODE) continue;
+    const TbHeadMode *mode = &o->model->head.modes[modes->row[i]];
+    if (mode->m == o->order->m) o->at[modes->sine[i]][mode->place] = i;
+  }
+}
+
+/* Modes of an order are sorted by frequency but for what the air outside changes: up to the first that is too high, or
+ * whose copies the model has not. */
+static void count_modes(Order *o, double top) {
+  const uint32_t last = o->order->m ? 1 : 0;
+  while (o->count < o->order->mode_count && omega_of(o, o->count) < top &&
+         o->at[0][o->count] != TB_NO_MODE && o->at[last][o->count] != TB_NO_MODE) {
+    o->count++;
+  }
+}
+
+static bool prepare_order(Order *o, TbArena *scratch, double top) {
+  const TbHeadOrder *order = o->order;
+  const double azimuth = order->m ? PI : 2.0 * PI;
+  for (int copy = 0; copy < 2; copy++) {
+    o->at[copy] = tb_arena_take(scratch, order->mode_count + 1u, sizeof *o->at[copy]);
+  }
+  o->stretch = tb_arena_doubles(scratch, order->zero_count);
+  if (scratch->failed) return false;
+  for (uint32_t k = 0; k < order->zero_count; k++) {
+    const double slope = order->zeros[k] * tb_bessel_j(order->m + 1, order->zeros[k]);
+    o->stretch[k] = 0.5 * azimuth * slope * slope;
+  }
+  find_copies(o);
+  count_modes(o, top);
+  return true;
+}
+
+/* The largest G_ii/omega_i^2. */
+static double softest(const TaborModel *model, const double *gain) {
+  double most = 0.0;
+  for (uint32_t i = 0; i < model->modes.padded; i++) {
+    if (model->modes.row[i] == TB_NO_MODE) continue;
+    const double omega = model->head.modes[model->modes.row[i]].omega;
+    most = fmax(most, gain[i] / (omega * omega));
+  }
+  return most;
+}
+
+static bool prepare_orders(const TaborModel *model, TbArena *scratch, TbMixingLimits limits,
+                           Order *orders) {
+  const TbStretch *stretch = &model->stretch;
+  double least[TB_HEADS] = {0.0};
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    least[h] = limits.least * softest(model, stretch->gain[h]);
+  }
+  for (uint32_t m = 0; m < model->head.order_count; m++) {
+    orders[m] =
+      (Order){.model = model, .order = &model->head.orders[m], .least = {least[0], least[1]}};
+    if (!prepare_order(&orders[m], scratch, limits.top)) return false;
+  }
+  return true;
+}
+
+static bool fill(TaborModel *model, const Order *orders) {
+  const uint32_t count = model->head.order_count;
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    TbMixing *mixing = &model->stretch.mixing[h];
+    mixing->count = 0;
+    mixing->block = tb_arena_take(&model->arena, 2u * count + 1u, sizeof *mixing->block);
+    for (uint32_t m = 0; mixing->block && m < count; m++) {
+      if (!add_blocks(&orders[m], &model->arena, h, mixing)) return false;
+    }
+  }
+  return !model->arena.failed;
+}
+
+TaborStatus tb_stretch_mixing_prepare(TaborModel *model, TbMixingLimits limits) {
+  TbArena scratch;
+  tb_arena_beside(&scratch, &model->arena);
+  Order *orders = tb_arena_take(&scratch, model->head.order_count + 1u, sizeof *orders);
+  const bool done =
+    orders && prepare_orders(model, &scratch, limits, orders) && fill(model, orders);
+  tb_arena_release(&scratch);
+  return done ? TABOR_OK : TABOR_ERROR_MEMORY;
+}

@@ -83,11 +83,19 @@ static int measure(void **state) {
   return 0;
 }
 
+/* Or as loud as full scale allows: on a soft head that stretches, strokes grow by more than their speed. */
+static bool fills_full_scale(const Levels *preset) {
+  const double hardest =
+    fmax(preset->hardest.peak, brief ? -HUGE_VAL : preset->studio_hardest.peak);
+  return hardest > -0.5;
+}
+
 static void the_default_stroke_is_a_firm_one(void **state) {
   (void)state;
   for (uint32_t i = 0; i < presets; i++) {
     assert_true(fabs(levels[i].def.strike.velocity - FIRM) < 1e-9);
-    assert_true(levels[i].firm.peak >= -12.0 && levels[i].firm.peak <= -8.0);
+    assert_true(levels[i].firm.peak <= -8.0);
+    assert_true(levels[i].firm.peak >= -12.0 || fills_full_scale(&levels[i]));
   }
 }
 

@@ -24,6 +24,8 @@ static TaborDrumDef usual;
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
+static void put_word(const char *word, double value) { put_point(word, (int)strlen(word), value); }
+
 static void put_knob(KnobId id) {
   const Knob *const knob = &knobs[id];
   const KnobRange range = knob_range(id, &usual);
@@ -36,11 +38,8 @@ static void put_knob(KnobId id) {
     put("\t\tlv2:portProperty pprops:expensive ;\n");
   }
   if (knob->choices) put_choices(knob->choices);
-  if (!isnan(knob->off)) put_point("Off", 3, knob->off);
-  if (id == KNOB_STRAINER) {
-    put_point("Off", 3, 0);
-    put_point("On", 2, 1);
-  }
+  if (!isnan(knob->off)) put_word(knob_off_word(knob), knob->off);
+  if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
   if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
   put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
   put_text(knob->comment);

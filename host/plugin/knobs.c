@@ -13,6 +13,7 @@
 #define ENGINE_RANGE .minimum = NAN, .maximum = NAN
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
 #define FROM_PRESET .fallback = NAN, .off = NAN
+#define OFF_AT_0(word) .fallback = NAN, .off = 0, .off_word = (word)
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
   .off = LOWEST_LEVEL, .group = "mics"
@@ -43,7 +44,8 @@ const Knob knobs[KNOB_COUNT] = {
                             .group = "heads",
                             .kind = KNOB_LIVE,
                             ENGINE_RANGE,
-                            FROM_PRESET,
+                            OFF_AT_0("Open"),
+                            .scale = KNOB_IN_ROOTS,
                             .comment = "How hard a damper brakes the struck head; 0 is none."},
   [KNOB_RESONANT_MUFFLING] = {.symbol = "resonant_muffle_strength",
                               .name = "Resonant head muffling",
@@ -51,7 +53,8 @@ const Knob knobs[KNOB_COUNT] = {
                               .group = "heads",
                               .kind = KNOB_LIVE,
                               ENGINE_RANGE,
-                              FROM_PRESET,
+                              OFF_AT_0("Open"),
+                              .scale = KNOB_IN_ROOTS,
                               .comment = "How hard a damper brakes the lower head; 0 is none."},
   [KNOB_STRAINER] = {.symbol = "wires_strainer",
                      .name = "Strainer",
@@ -59,7 +62,9 @@ const Knob knobs[KNOB_COUNT] = {
                      .group = "snares",
                      .kind = KNOB_LIVE,
                      ENGINE_RANGE,
-                     FROM_PRESET,
+                     OFF_AT_0("Off"),
+                     .top_word = "On",
+                     .scale = KNOB_IN_PER_CENT,
                      .comment = "1: the snares lie on the head; 0: they are thrown off."},
   [KNOB_WIRE_TENSION] = {.symbol = "wires_tension",
                          .name = "Wire tension",
@@ -76,6 +81,7 @@ const Knob knobs[KNOB_COUNT] = {
                            .kind = KNOB_REBUILD,
                            RANGE(1e5, 1e9),
                            FROM_PRESET,
+                           .scale = KNOB_IN_PER_CENT,
                            .comment = "How hard the tip of the drum's usual stick or mallet is."},
   [KNOB_STRIKE_RADIUS] = {.symbol = "strike_radius",
                           .name = "Strike place",
@@ -101,8 +107,8 @@ const Knob knobs[KNOB_COUNT] = {
                          .group = "heads",
                          .kind = KNOB_REBUILD,
                          RANGE(0, HIGHEST_PITCH),
-                         .fallback = NAN,
-                         .off = 0,
+                         OFF_AT_0("Off"),
+                         .scale = KNOB_IN_NOTES,
                          .comment =
                            "What a tuner reads at a lug of the struck head; 0: as the "
                            "tension says. A pitch that the head cannot reach has no effect."},
@@ -112,8 +118,8 @@ const Knob knobs[KNOB_COUNT] = {
                            .group = "heads",
                            .kind = KNOB_REBUILD,
                            RANGE(0, HIGHEST_PITCH),
-                           .fallback = NAN,
-                           .off = 0,
+                           OFF_AT_0("Off"),
+                           .scale = KNOB_IN_NOTES,
                            .comment = "What a tuner reads at a lug of the lower head; 0: as the "
                                       "tension says. No effect on drums with one head."},
   [KNOB_UNEVENNESS] = {.symbol = "wires_unevenness",
@@ -122,7 +128,8 @@ const Knob knobs[KNOB_COUNT] = {
                        .group = "snares",
                        .kind = KNOB_REBUILD,
                        ENGINE_RANGE,
-                       FROM_PRESET,
+                       OFF_AT_0("Straight"),
+                       .scale = KNOB_IN_PER_CENT,
                        .comment =
                          "How unevenly the snares lie and how far they are bent, times what "
                          "the drum says; 0: straight wires side by side."},
@@ -143,6 +150,7 @@ const Knob knobs[KNOB_COUNT] = {
                      RANGE(0, 1),
                      .fallback = 0,
                      .unit = "",
+                     .scale = KNOB_IN_PER_CENT,
                      .off = NAN,
                      .comment =
                        "Scatters the place of strokes by up to 15 mm and their speed by up to "
@@ -232,6 +240,7 @@ const Knob knobs[KNOB_COUNT] = {
                 RANGE(0, 1),
                 .fallback = 0.5,
                 .unit = "",
+                .scale = KNOB_IN_PER_CENT,
                 .off = NAN,
                 .comment = "0: the sound that comes in alone; 1: the drum alone."},
 };

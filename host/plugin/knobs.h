@@ -64,6 +64,14 @@ typedef enum KnobKind {
   KNOB_SETTING  /**< in the plugin, outside the drum */
 } KnobKind;
 
+/** How a knob's value is shown, see knob_text.h. */
+typedef enum KnobScale {
+  KNOB_IN_UNITS,    /**< the number and its unit */
+  KNOB_IN_NOTES,    /**< a frequency as a note and cents */
+  KNOB_IN_PER_CENT, /**< of the value 1 or, on a logarithmic scale, of the way */
+  KNOB_IN_ROOTS     /**< per cent of the way, with a quarter of the range in the lower half */
+} KnobScale;
+
 typedef struct Knob {
   const char *symbol; /**< symbol of the port */
   const char *name;   /**< displayed name */
@@ -75,6 +83,9 @@ typedef struct Knob {
   const char *unit;        /**< unit; NULL: the engine's */
   const char *choices;     /**< words separated by '|', for 0, 1, ...; or NULL */
   double off;              /**< value that switches the knob off, or NaN */
+  const char *off_word;    /**< its name; NULL: "Off" */
+  const char *top_word;    /**< name of the maximum, or NULL */
+  KnobScale scale;
   const char *comment;
 } Knob;
 
@@ -96,6 +107,11 @@ extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
 /** All knobs, in the order of the ports. */
 extern const KnobId knob_ports[KNOB_COUNT];
+
+/** Name of the value that switches a knob off. */
+static inline const char *knob_off_word(const Knob *knob) {
+  return knob->off_word ? knob->off_word : "Off";
+}
 
 /** True for the level of a microphone. */
 static inline bool knob_is_level(KnobId id) REALTIME {

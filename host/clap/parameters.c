@@ -186,24 +186,29 @@ const clap_plugin_params_t instance_params = {.count = count,
 
 #define NO_KNOB KNOB_COUNT
 
-/* The first page has what players turn most. */
+/* The first page has what players turn most, the second the physics behind it. Ids of pages never change. */
 static const struct {
+  clap_id id;
   const char *section, *name;
   KnobId knobs[CLAP_REMOTE_CONTROLS_COUNT];
 } pages[] = {
-  {"Drum",
+  {0,
+   "Drum",
    "Tuning",
    {KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
     KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN}},
-  {"Drum",
+  {2,
+   "Drum",
+   "Physics",
+   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_UNEVENNESS,
+    KNOB_STICK_HARDNESS, KNOB_QUALITY, NO_KNOB, NO_KNOB}},
+  {1,
+   "Drum",
    "Stick",
    {KNOB_STICK_HARDNESS, KNOB_STRIKE_RADIUS, KNOB_STRIKE_ANGLE, KNOB_VELOCITY_CURVE,
     KNOB_VELOCITY_RANGE, KNOB_HUMANIZE, NO_KNOB, NO_KNOB}},
-  {"Drum",
-   "Tensions",
-   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_STRAINER, KNOB_QUALITY,
-    KNOB_UNEVENNESS, NO_KNOB, NO_KNOB}},
-  {"Microphones",
+  {3,
+   "Microphones",
    "Levels",
    {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR,
     KNOB_LEVEL_INSIDE, KNOB_ROOM, KNOB_GAIN}},
@@ -219,7 +224,7 @@ static bool get_page(const clap_plugin_t *plugin, uint32_t index,
   const KnobSet set = instance_of(plugin)->set;
   if (index >= page_count(plugin)) return false;
   memset(page, 0, sizeof *page);
-  page->page_id = index;
+  page->page_id = pages[index].id;
   (void)snprintf(page->section_name, sizeof page->section_name, "%s", pages[index].section);
   (void)snprintf(page->page_name, sizeof page->page_name, "%s", pages[index].name);
   for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {

@@ -22,22 +22,21 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_BATTER_TENSION] = {.symbol = "batter_tension",
                            .name = "Batter head tension",
                            .key = "batter.tension",
-                           .group = "heads",
+                           .group = "physics",
                            .kind = KNOB_REBUILD,
                            ENGINE_RANGE,
                            FROM_PRESET,
-                           .comment =
-                             "How tight the struck head is. The drum goes on ringing while "
-                             "it is retuned, which takes some tenths of a second."},
-  [KNOB_RESONANT_TENSION] = {.symbol = "resonant_tension",
-                             .name = "Resonant head tension",
-                             .key = "resonant.tension",
-                             .group = "heads",
-                             .kind = KNOB_REBUILD,
-                             ENGINE_RANGE,
-                             FROM_PRESET,
-                             .comment = "How tight the lower head is. No effect on drums with one "
-                                        "head. Retuning takes some tenths of a second."},
+                           .comment = "How tight the struck head is, unless its pitch says."},
+  [KNOB_RESONANT_TENSION] =
+    {.symbol = "resonant_tension",
+     .name = "Resonant head tension",
+     .key = "resonant.tension",
+     .group = "physics",
+     .kind = KNOB_REBUILD,
+     ENGINE_RANGE,
+     FROM_PRESET,
+     .comment =
+       "How tight the lower head is, unless its pitch says. No effect on drums with one head."},
   [KNOB_BATTER_MUFFLING] = {.symbol = "batter_muffle_strength",
                             .name = "Batter head muffling",
                             .key = "batter.muffle_strength",
@@ -69,7 +68,7 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_WIRE_TENSION] = {.symbol = "wires_tension",
                          .name = "Wire tension",
                          .key = "wires.tension",
-                         .group = "snares",
+                         .group = "physics",
                          .kind = KNOB_LIVE,
                          ENGINE_RANGE,
                          FROM_PRESET,
@@ -101,17 +100,18 @@ const Knob knobs[KNOB_COUNT] = {
                          FROM_PRESET,
                          .comment = "In which direction from the centre strokes fall, until MIDI "
                                     "controller 17 says."},
-  [KNOB_BATTER_PITCH] = {.symbol = "batter_pitch",
-                         .name = "Batter head pitch",
-                         .key = "batter.pitch",
-                         .group = "heads",
-                         .kind = KNOB_REBUILD,
-                         RANGE(0, HIGHEST_PITCH),
-                         OFF_AT_0("Off"),
-                         .scale = KNOB_IN_NOTES,
-                         .comment =
-                           "What a tuner reads at a lug of the struck head; 0: as the "
-                           "tension says. A pitch that the head cannot reach has no effect."},
+  [KNOB_BATTER_PITCH] =
+    {.symbol = "batter_pitch",
+     .name = "Batter head pitch",
+     .key = "batter.pitch",
+     .group = "heads",
+     .kind = KNOB_REBUILD,
+     RANGE(0, HIGHEST_PITCH),
+     OFF_AT_0("Off"),
+     .scale = KNOB_IN_NOTES,
+     .comment = "What a tuner reads at a lug of the struck head. Turning it moves the tension; the "
+                "drum goes on ringing while it is retuned, which takes some tenths of a second. 0: "
+                "the tension leads. A pitch that the head cannot reach has no effect."},
   [KNOB_RESONANT_PITCH] = {.symbol = "resonant_pitch",
                            .name = "Resonant head pitch",
                            .key = "resonant.pitch",
@@ -120,8 +120,9 @@ const Knob knobs[KNOB_COUNT] = {
                            RANGE(0, HIGHEST_PITCH),
                            OFF_AT_0("Off"),
                            .scale = KNOB_IN_NOTES,
-                           .comment = "What a tuner reads at a lug of the lower head; 0: as the "
-                                      "tension says. No effect on drums with one head."},
+                           .comment =
+                             "What a tuner reads at a lug of the lower head. Turning it moves the "
+                             "tension. 0: the tension leads. No effect on drums with one head."},
   [KNOB_UNEVENNESS] = {.symbol = "wires_unevenness",
                        .name = "Wire unevenness",
                        .key = "wires.unevenness",
@@ -245,9 +246,9 @@ const Knob knobs[KNOB_COUNT] = {
                 .comment = "0: the sound that comes in alone; 1: the drum alone."},
 };
 
-const KnobGroup knob_groups[KNOB_GROUPS] = {{"heads", "Heads"},      {"snares", "Snares"},
-                                            {"stick", "Stick"},      {"output", "Output"},
-                                            {"mics", "Microphones"}, {"input", "Sound in"}};
+const KnobGroup knob_groups[KNOB_GROUPS] = {
+  {"heads", "Heads"},      {"snares", "Snares"},  {"stick", "Stick"},    {"output", "Output"},
+  {"mics", "Microphones"}, {"input", "Sound in"}, {"physics", "Physics"}};
 
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
@@ -301,17 +302,31 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   }
 }
 
+/* As a port has it: a host that sets the port to its default does not turn the knob. */
+static double pitch_of(const TaborDrumDef *def, TaborHead head) {
+  double pitch;
+  if (tabor_drum_def_pitch(def, head, &pitch, NULL) != TABOR_OK) return 0;
+  return knob_decimal((float)fmin(pitch, HIGHEST_PITCH));
+}
+
+double knob_shown(const TaborDrumDef *def, KnobId id) {
+  TaborDrumDef copy = *def;
+  const double *const field = knob_field(&copy, id);
+  if (!field) return NAN;
+  if (id == KNOB_BATTER_PITCH) return pitch_of(def, TABOR_HEAD_BATTER);
+  return id == KNOB_RESONANT_PITCH ? pitch_of(def, TABOR_HEAD_RESONANT) : *field;
+}
+
 static double choose(double own, double other) { return isnan(own) ? other : own; }
 
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
   const Knob *const knob = &knobs[id];
   const TaborParameter *const parameter = knob->key ? tabor_parameter_find(knob->key) : NULL;
-  TaborDrumDef def = *usual;
-  const double *const field = knob->key ? knob_field(&def, id) : NULL;
+  const double shown = isnan(knob->fallback) ? knob_shown(usual, id) : NAN;
   return (KnobRange){
     .minimum = (float)choose(knob->minimum, parameter ? parameter->minimum : 0),
     .maximum = (float)choose(knob->maximum, parameter ? parameter->maximum : 0),
-    .fallback = (float)choose(knob->fallback, field ? *field : 0),
+    .fallback = (float)choose(knob->fallback, isnan(shown) ? 0 : shown),
     .logarithmic = parameter && parameter->logarithmic,
     .unit = knob->unit || !parameter ? knob->unit : parameter->unit,
   };

@@ -5,7 +5,8 @@
  *
  * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and its range
  * from the engine's parameter; the table may narrow the range. Its default comes from the preset
- * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
+ * DEFAULT_PRESET: of a pitch, the one that the preset's tension gives. The drum keeps its tension, to the bit, until
+ * the pitch is turned. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
  * new knobs go to the end of knob_ports.
  */
 #ifndef TABOR_PLUGIN_KNOBS_H
@@ -101,7 +102,7 @@ typedef struct KnobGroup {
   const char *symbol, *name; /**< displayed name */
 } KnobGroup;
 
-enum { KNOB_GROUPS = 6 };
+enum { KNOB_GROUPS = 7 };
 
 extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
@@ -151,6 +152,11 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
 KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
+/**
+ * SET-UP. The value at which a knob with a key shows the drum @p def; NaN if the drum has no such part. It is the
+ * field's, but a head without a pitch shows the one that its tension gives. This takes some hundredths of a second.
+ */
+double knob_shown(const TaborDrumDef *def, KnobId id);
 /** Converts a value of a LEVEL or GAIN knob [dB] to a factor; the lowest level gives 0. */
 double knob_factor(KnobId id, float value) REALTIME;
 /**

@@ -14,6 +14,10 @@
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
 #define FROM_PRESET .fallback = NAN, .off = NAN
 #define OFF_AT_0(word) .fallback = NAN, .off = 0, .off_word = (word)
+/* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an instance. A test
+   compares them with knob_shown(). */
+#define BATTER_PITCH 286.559
+#define RESONANT_PITCH 330.333
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
   .off = LOWEST_LEVEL, .group = "mics"
@@ -107,7 +111,8 @@ const Knob knobs[KNOB_COUNT] = {
      .group = "heads",
      .kind = KNOB_REBUILD,
      RANGE(0, HIGHEST_PITCH),
-     OFF_AT_0("Off"),
+     .fallback = BATTER_PITCH,
+     .off = 0,
      .scale = KNOB_IN_NOTES,
      .comment = "What a tuner reads at a lug of the struck head. Turning it moves the tension; the "
                 "drum goes on ringing while it is retuned, which takes some tenths of a second. 0: "
@@ -118,7 +123,8 @@ const Knob knobs[KNOB_COUNT] = {
                            .group = "heads",
                            .kind = KNOB_REBUILD,
                            RANGE(0, HIGHEST_PITCH),
-                           OFF_AT_0("Off"),
+                           .fallback = RESONANT_PITCH,
+                           .off = 0,
                            .scale = KNOB_IN_NOTES,
                            .comment =
                              "What a tuner reads at a lug of the lower head. Turning it moves the "
@@ -306,7 +312,7 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
 static double pitch_of(const TaborDrumDef *def, TaborHead head) {
   double pitch;
   if (tabor_drum_def_pitch(def, head, &pitch, NULL) != TABOR_OK) return 0;
-  return knob_decimal((float)fmin(pitch, HIGHEST_PITCH));
+  return knob_decimal((float)pitch);
 }
 
 double knob_shown(const TaborDrumDef *def, KnobId id) {
@@ -322,11 +328,12 @@ static double choose(double own, double other) { return isnan(own) ? other : own
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
   const Knob *const knob = &knobs[id];
   const TaborParameter *const parameter = knob->key ? tabor_parameter_find(knob->key) : NULL;
-  const double shown = isnan(knob->fallback) ? knob_shown(usual, id) : NAN;
+  TaborDrumDef def = *usual;
+  const double *const field = knob->key ? knob_field(&def, id) : NULL;
   return (KnobRange){
     .minimum = (float)choose(knob->minimum, parameter ? parameter->minimum : 0),
     .maximum = (float)choose(knob->maximum, parameter ? parameter->maximum : 0),
-    .fallback = (float)choose(knob->fallback, isnan(shown) ? 0 : shown),
+    .fallback = (float)choose(knob->fallback, field ? *field : 0),
     .logarithmic = parameter && parameter->logarithmic,
     .unit = knob->unit || !parameter ? knob->unit : parameter->unit,
   };

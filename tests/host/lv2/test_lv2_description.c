@@ -241,6 +241,8 @@ static void check_key(KnobId id) {
   assert_true((double)range.minimum >= (double)(float)parameter->minimum);
   assert_true((double)range.maximum <= (double)(float)parameter->maximum);
   assert_int_equal(knobs[id].kind == KNOB_LIVE, parameter->live);
+  const double shown = knob_shown(&usual, id); /* the table has the pitches as numbers */
+  if ((float)shown != range.fallback) fail_msg("%s: %.6g", knobs[id].symbol, shown);
 }
 
 static void test_knobs(void **state) {

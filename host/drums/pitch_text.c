@@ -13,17 +13,18 @@
 
 static const double A4 = 440; /* [Hz], 57 semitones above C0 */
 
+const char *const pitch_names[12] = {"C",  "C#", "D",  "Eb", "E",  "F",
+                                     "F#", "G",  "Ab", "A",  "Bb", "B"};
+
 int pitch_text(double frequency, char *text, size_t size) {
-  static const char *const names[] = {"C",  "C#", "D",  "D#", "E",  "F",
-                                      "F#", "G",  "G#", "A",  "A#", "B"};
   const double above = floor(1200 * log2(frequency / A4) + 5700 + 0.5); /* cents above C0 */
   const double semitones = floor((above + 50) / 100);
   if (!(semitones >= 0 && semitones <= HIGHEST_NOTE)) {
     return snprintf(text, size, "%.6g Hz", frequency);
   }
   const int note = (int)semitones, cents = (int)(above - 100 * semitones);
-  if (cents == 0) return snprintf(text, size, "%s%d", names[note % 12], note / 12);
-  return snprintf(text, size, "%s%d %+d ct", names[note % 12], note / 12, cents);
+  if (cents == 0) return snprintf(text, size, "%s%d", pitch_names[note % 12], note / 12);
+  return snprintf(text, size, "%s%d %+d ct", pitch_names[note % 12], note / 12, cents);
 }
 
 /* Copies @p text without blanks and without @p unit at its end. */

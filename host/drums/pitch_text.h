@@ -11,6 +11,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/** Names of notes, from C on, as they are written everywhere. */
+extern const char *const pitch_names[12];
+
 /**
  * Writes the note nearest to @p frequency [Hz] and the whole cents to it, -50 to 49, which are left out where they are
  * 0: "A3 +12 ct", "F#2". Below C0 and above B9 it is "9.5 Hz". Returns the length as snprintf() does.

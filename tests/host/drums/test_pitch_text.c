@@ -31,7 +31,7 @@ static void test_notes_are_named(void **state) {
   says(220 * pow(2, 12 / 1200.0), "A3 +12 ct");
   says(220 * pow(2, -5 / 1200.0), "A3 -5 ct");
   says(220 * pow(2, 49.4 / 1200), "A3 +49 ct");
-  says(220 * pow(2, 49.6 / 1200), "A#3 -50 ct");
+  says(220 * pow(2, 49.6 / 1200), "Bb3 -50 ct");
   says(9.5, "9.5 Hz");
   says(0, "0 Hz");
   says(20000, "20000 Hz");

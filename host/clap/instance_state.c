@@ -87,12 +87,19 @@ static char *read_knobs(char *text, KnobValues *read) {
   return text + strlen(DEFINITION);
 }
 
+/* What a state does not say. Without a pitch in it, the tension leads. */
+static void use_fallbacks(const Instance *instance, KnobValues *read) {
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    const bool is_pitch = i == KNOB_BATTER_PITCH || i == KNOB_RESONANT_PITCH;
+    read->values[i] = read->seen[i] = is_pitch ? 0 : instance->ranges[i].fallback;
+  }
+}
+
 static bool read_state(Instance *instance, char *text) {
   KnobValues read;
   SavedState saved;
   TaborError error;
-  for (uint32_t i = 0; i < KNOB_COUNT; i++)
-    read.values[i] = read.seen[i] = instance->ranges[i].fallback;
+  use_fallbacks(instance, &read);
   if (strncmp(text, FIRST_LINE, strlen(FIRST_LINE)) != 0)
     return refuse(instance, "it is not one of this version of Tabor");
   char *const definition = read_knobs(text + strlen(FIRST_LINE), &read);

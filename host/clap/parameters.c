@@ -4,10 +4,10 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "clap/choice_text.h"
+#include "plugin/knob_text.h"
 
 /* ---- ids ------------------------------------------------------------------------------------ */
 
@@ -97,46 +97,26 @@ void parameters_turn(void *shell) {
 
 /* ---- texts ---------------------------------------------------------------------------------- */
 
-/* Stiffness and parts of a whole are shown as per cent of the way. */
-static bool is_per_cent(KnobId id) {
-  return id == KNOB_STRAINER || id == KNOB_HUMANIZE || id == KNOB_STICK_HARDNESS || id == KNOB_MIX;
-}
-
 static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double value, char *text,
                           uint32_t size) {
   const Instance *const instance = instance_of(plugin);
   const KnobId id = knob_of(instance, param);
   if (id == KNOB_COUNT || size == 0) return false;
-  const Knob *const knob = &knobs[id];
   const KnobRange *const range = &instance->ranges[id];
-  const double most = knob_decimal(range->maximum), least = knob_decimal(range->minimum);
-  const double plain = fmin(fmax(knob_decimal(single(to_knob(instance, id, value))), least), most);
-  if (knob->choices) return choice_text(knob->choices, (int)plain, text, size) > 0;
-  if (plain == knob->off) return snprintf(text, size, "Off") > 0;
-  if (is_per_cent(id)) return snprintf(text, size, "%.2f %%", 100 * value) > 0;
-  const char *const unit = range->unit;
-  return snprintf(text, size, "%.6g%s%s", plain, *unit ? " " : "", unit) > 0;
+  const double plain = knob_decimal(single(to_knob(instance, id, value)));
+  if (!knobs[id].choices) return knob_text(id, range, plain, text, size) > 0;
+  const double kept = fmin(fmax(plain, knob_decimal(range->minimum)), knob_decimal(range->maximum));
+  return choice_text(knobs[id].choices, (int)kept, text, size) > 0;
 }
 
 static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char *text,
                           double *value) {
   const Instance *const instance = instance_of(plugin);
   const KnobId id = knob_of(instance, param);
-  char *end = NULL;
+  double plain;
   if (id == KNOB_COUNT) return false;
   if (knobs[id].choices) return choice_find(knobs[id].choices, text, value);
-  double plain = strtod(text, &end);
-  if (end == text && strcmp(text, "Off") == 0 && !isnan(knobs[id].off)) {
-    plain = knobs[id].off;
-  } else if (end == text || !isfinite(plain)) {
-    return false;
-  }
-  const KnobRange *const range = &instance->ranges[id];
-  if (is_per_cent(id)) {
-    *value = fmin(fmax(plain / 100, 0), 1);
-    return true;
-  }
-  plain = fmin(fmax(plain, knob_decimal(range->minimum)), knob_decimal(range->maximum));
+  if (!knob_text_read(id, &instance->ranges[id], text, &plain)) return false;
   *value = to_parameter(instance, id, plain);
   return true;
 }
@@ -206,24 +186,29 @@ const clap_plugin_params_t instance_params = {.count = count,
 
 #define NO_KNOB KNOB_COUNT
 
-/* The first page has what players turn most. */
+/* The first page has what players turn most, the second the physics behind it. Ids of pages never change. */
 static const struct {
+  clap_id id;
   const char *section, *name;
   KnobId knobs[CLAP_REMOTE_CONTROLS_COUNT];
 } pages[] = {
-  {"Drum",
+  {0,
+   "Drum",
    "Tuning",
    {KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
     KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN}},
-  {"Drum",
+  {2,
+   "Drum",
+   "Physics",
+   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_UNEVENNESS,
+    KNOB_STICK_HARDNESS, KNOB_QUALITY, NO_KNOB, NO_KNOB}},
+  {1,
+   "Drum",
    "Stick",
    {KNOB_STICK_HARDNESS, KNOB_STRIKE_RADIUS, KNOB_STRIKE_ANGLE, KNOB_VELOCITY_CURVE,
     KNOB_VELOCITY_RANGE, KNOB_HUMANIZE, NO_KNOB, NO_KNOB}},
-  {"Drum",
-   "Tensions",
-   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_STRAINER, KNOB_QUALITY,
-    KNOB_UNEVENNESS, NO_KNOB, NO_KNOB}},
-  {"Microphones",
+  {3,
+   "Microphones",
    "Levels",
    {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR,
     KNOB_LEVEL_INSIDE, KNOB_ROOM, KNOB_GAIN}},
@@ -239,7 +224,7 @@ static bool get_page(const clap_plugin_t *plugin, uint32_t index,
   const KnobSet set = instance_of(plugin)->set;
   if (index >= page_count(plugin)) return false;
   memset(page, 0, sizeof *page);
-  page->page_id = index;
+  page->page_id = pages[index].id;
   (void)snprintf(page->section_name, sizeof page->section_name, "%s", pages[index].section);
   (void)snprintf(page->page_name, sizeof page->page_name, "%s", pages[index].name);
   for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {

@@ -21,8 +21,7 @@ static const clap_host_preset_load_t *loader_of(const Instance *instance) {
 static void load_drum(Instance *instance, const TaborDrumDef *def) {
   SavedState saved = {.def = *def};
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    const double *const field = knob_field(&saved.def, (KnobId)i);
-    if (field) parameters_set(instance, (KnobId)i, *field);
+    parameters_set(instance, (KnobId)i, knob_shown(def, (KnobId)i)); /* a NaN does nothing */
     saved.seen[i] = atomic_load(&instance->values[i]);
   }
   instance_restore(instance, &saved);

@@ -11,6 +11,7 @@
 #include "base/json_output.h"
 #include "drums/drum_args.h"
 #include "drums/model_build.h"
+#include "drums/pitch_text.h"
 
 /* Time in which the amplitude falls by 60 dB [s]; infinite without losses. */
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
@@ -41,13 +42,11 @@ static Outcome find_pitches(const TaborDrumDef *def, Pitches *pitches) {
 
 /* The nearest note with the cents that are missing, as "C#4-14". */
 static void write_note(double frequency, char *text, size_t size) {
-  static const char *const names[] = {"C",  "C#", "D",  "Eb", "E",  "F",
-                                      "F#", "G",  "Ab", "A",  "Bb", "B"};
   const double semitones = 57 + 12 * log2(frequency / 440); /* above C0 */
   const int nearest = (int)lround(semitones);
   const long cents = lround(100 * (semitones - nearest));
-  (void)snprintf(text, size, "%s%d%+ld", names[(nearest + 120) % 12], (nearest + 120) / 12 - 10,
-                 cents);
+  (void)snprintf(text, size, "%s%d%+ld", pitch_names[(nearest + 120) % 12],
+                 (nearest + 120) / 12 - 10, cents);
 }
 
 static void print_pitches(const Pitches *pitches) {

@@ -24,6 +24,8 @@ static TaborDrumDef usual;
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
+static void put_word(const char *word, double value) { put_point(word, (int)strlen(word), value); }
+
 static void put_knob(KnobId id) {
   const Knob *const knob = &knobs[id];
   const KnobRange range = knob_range(id, &usual);
@@ -36,11 +38,8 @@ static void put_knob(KnobId id) {
     put("\t\tlv2:portProperty pprops:expensive ;\n");
   }
   if (knob->choices) put_choices(knob->choices);
-  if (!isnan(knob->off)) put_point("Off", 3, knob->off);
-  if (id == KNOB_STRAINER) {
-    put_point("Off", 3, 0);
-    put_point("On", 2, 1);
-  }
+  if (!isnan(knob->off)) put_word(knob_off_word(knob), knob->off);
+  if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
   if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
   put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
   put_text(knob->comment);
@@ -149,27 +148,25 @@ static void put_preset_header(const TaborPresetInfo *preset) {
 }
 
 /* Of a drum that is without the part, nothing. */
-static void put_preset_port(TaborDrumDef *def, KnobId id, bool *first) {
-  const double *const field = knob_field(def, id);
-  if (!field) return;
+static void put_preset_port(KnobId id, double value, bool *first) {
+  if (isnan(value)) return;
   put("%s[ lv2:symbol \"%s\" ; pset:value ", *first ? " ;\n\tlv2:port " : " ,\n\t\t",
       knobs[id].symbol);
-  put_number(*field);
+  put_number(value);
   put(" ]");
   *first = false;
 }
 
-static void put_preset_state(TaborDrumDef *def) {
+static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_KEYS]) {
   char *const text = definition_write(def);
   if (!text) turtle_fail("out of memory");
   put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
       STATE_VERSION, URI_STATE_DEFINITION);
   put_text(text);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    const double *const field = knob_field(def, (KnobId)i);
-    if (!field) continue;
+    if (isnan(values[i])) continue;
     put(" ;\n\t\t<%s%s> \"", URI_STATE_CONTROL, knobs[i].symbol);
-    put_number(*field);
+    put_number(values[i]);
     put("\"^^xsd:float");
   }
   put("\n\t] .\n\n");
@@ -178,11 +175,15 @@ static void put_preset_state(TaborDrumDef *def) {
 
 static void put_preset(const TaborPresetInfo *preset) {
   TaborDrumDef def;
+  double values[KNOB_KEYS];
   bool first = true;
   if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) turtle_fail(preset->name);
   put_preset_header(preset);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) put_preset_port(&def, (KnobId)i, &first);
-  put_preset_state(&def);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    values[i] = knob_shown(&def, (KnobId)i);
+    put_preset_port((KnobId)i, values[i], &first);
+  }
+  put_preset_state(&def, values);
 }
 
 /* ---- files ---------------------------------------------------------------------------------- */

@@ -33,6 +33,7 @@ void put_range(double fallback, double minimum, double maximum) {
 void put_unit(const char *unit) {
   static const char *const known[][2] = {{"m", "units:m"},
                                          {"deg", "units:degree"},
+                                         {"Hz", "units:hz"},
                                          {"dB", "units:db"},
                                          {"semitones", "units:semitone12TET"}};
   if (!*unit) return;

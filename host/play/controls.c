@@ -8,6 +8,7 @@
 
 #include "base/number.h"
 #include "drums/preset_text.h"
+#include "play/player_words.h"
 #include "ui/command_words.h"
 
 #define LEAST_GAIN (-60.0)
@@ -280,6 +281,21 @@ Controls controls_begin(Player *player, ModelBuilder *builder, double rate, doub
 
 /* ---- commands ---- */
 
+/* The message has the value as it was typed, with its unit or in other words. */
+static void set_words(Controls *controls, double time, const char *key, const char *typed) {
+  TaborDrumDef def;
+  char room[PLAYER_WORD_SIZE], words[128];
+  model_builder_definition(controls->builder, &def);
+  const char *const value = player_words_read(&def, key, typed, room);
+  if (change(controls, time, key, value) != OUTCOME_OK) return;
+  model_builder_definition(controls->builder, &def);
+  player_words_write(&def, key, words, sizeof words);
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  const bool is_word = (*value >= 'A' && *value <= 'Z') || (*value >= 'a' && *value <= 'z');
+  const char *const unit = parameter && !is_word ? parameter->unit : "";
+  tell(controls, "%s = %s%s%s%s", key, value, *unit ? " " : "", unit, words);
+}
+
 static void run_set(Controls *controls, const char *text, double time) {
   const size_t length = strcspn(text, " =");
   char key[CONTROLS_TEXT_SIZE];
@@ -292,10 +308,7 @@ static void run_set(Controls *controls, const char *text, double time) {
     (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
     return;
   }
-  if (change(controls, time, key, value) != OUTCOME_OK) return;
-  const TaborParameter *const parameter = tabor_parameter_find(key);
-  const bool is_word = (*value >= 'A' && *value <= 'Z') || (*value >= 'a' && *value <= 'z');
-  tell(controls, "%s = %s %s", key, value, parameter && !is_word ? parameter->unit : "");
+  set_words(controls, time, key, value);
 }
 
 static void run_undo(Controls *controls, const char *text, double time) {

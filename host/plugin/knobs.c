@@ -13,6 +13,11 @@
 #define ENGINE_RANGE .minimum = NAN, .maximum = NAN
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
 #define FROM_PRESET .fallback = NAN, .off = NAN
+#define OFF_AT_0(word) .fallback = NAN, .off = 0, .off_word = (word)
+/* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an instance. A test
+   compares them with knob_shown(). */
+#define BATTER_PITCH 286.559
+#define RESONANT_PITCH 330.333
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
   .off = LOWEST_LEVEL, .group = "mics"
@@ -21,29 +26,29 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_BATTER_TENSION] = {.symbol = "batter_tension",
                            .name = "Batter head tension",
                            .key = "batter.tension",
-                           .group = "heads",
+                           .group = "physics",
                            .kind = KNOB_REBUILD,
                            ENGINE_RANGE,
                            FROM_PRESET,
-                           .comment =
-                             "How tight the struck head is. The drum goes on ringing while "
-                             "it is retuned, which takes some tenths of a second."},
-  [KNOB_RESONANT_TENSION] = {.symbol = "resonant_tension",
-                             .name = "Resonant head tension",
-                             .key = "resonant.tension",
-                             .group = "heads",
-                             .kind = KNOB_REBUILD,
-                             ENGINE_RANGE,
-                             FROM_PRESET,
-                             .comment = "How tight the lower head is. No effect on drums with one "
-                                        "head. Retuning takes some tenths of a second."},
+                           .comment = "How tight the struck head is, unless its pitch says."},
+  [KNOB_RESONANT_TENSION] =
+    {.symbol = "resonant_tension",
+     .name = "Resonant head tension",
+     .key = "resonant.tension",
+     .group = "physics",
+     .kind = KNOB_REBUILD,
+     ENGINE_RANGE,
+     FROM_PRESET,
+     .comment =
+       "How tight the lower head is, unless its pitch says. No effect on drums with one head."},
   [KNOB_BATTER_MUFFLING] = {.symbol = "batter_muffle_strength",
                             .name = "Batter head muffling",
                             .key = "batter.muffle_strength",
                             .group = "heads",
                             .kind = KNOB_LIVE,
                             ENGINE_RANGE,
-                            FROM_PRESET,
+                            OFF_AT_0("Open"),
+                            .scale = KNOB_IN_ROOTS,
                             .comment = "How hard a damper brakes the struck head; 0 is none."},
   [KNOB_RESONANT_MUFFLING] = {.symbol = "resonant_muffle_strength",
                               .name = "Resonant head muffling",
@@ -51,7 +56,8 @@ const Knob knobs[KNOB_COUNT] = {
                               .group = "heads",
                               .kind = KNOB_LIVE,
                               ENGINE_RANGE,
-                              FROM_PRESET,
+                              OFF_AT_0("Open"),
+                              .scale = KNOB_IN_ROOTS,
                               .comment = "How hard a damper brakes the lower head; 0 is none."},
   [KNOB_STRAINER] = {.symbol = "wires_strainer",
                      .name = "Strainer",
@@ -59,12 +65,14 @@ const Knob knobs[KNOB_COUNT] = {
                      .group = "snares",
                      .kind = KNOB_LIVE,
                      ENGINE_RANGE,
-                     FROM_PRESET,
+                     OFF_AT_0("Off"),
+                     .top_word = "On",
+                     .scale = KNOB_IN_PER_CENT,
                      .comment = "1: the snares lie on the head; 0: they are thrown off."},
   [KNOB_WIRE_TENSION] = {.symbol = "wires_tension",
                          .name = "Wire tension",
                          .key = "wires.tension",
-                         .group = "snares",
+                         .group = "physics",
                          .kind = KNOB_LIVE,
                          ENGINE_RANGE,
                          FROM_PRESET,
@@ -76,6 +84,7 @@ const Knob knobs[KNOB_COUNT] = {
                            .kind = KNOB_REBUILD,
                            RANGE(1e5, 1e9),
                            FROM_PRESET,
+                           .scale = KNOB_IN_PER_CENT,
                            .comment = "How hard the tip of the drum's usual stick or mallet is."},
   [KNOB_STRIKE_RADIUS] = {.symbol = "strike_radius",
                           .name = "Strike place",
@@ -95,34 +104,39 @@ const Knob knobs[KNOB_COUNT] = {
                          FROM_PRESET,
                          .comment = "In which direction from the centre strokes fall, until MIDI "
                                     "controller 17 says."},
-  [KNOB_BATTER_PITCH] = {.symbol = "batter_pitch",
-                         .name = "Batter head pitch",
-                         .key = "batter.pitch",
-                         .group = "heads",
-                         .kind = KNOB_REBUILD,
-                         RANGE(0, HIGHEST_PITCH),
-                         .fallback = NAN,
-                         .off = 0,
-                         .comment =
-                           "What a tuner reads at a lug of the struck head; 0: as the "
-                           "tension says. A pitch that the head cannot reach has no effect."},
+  [KNOB_BATTER_PITCH] =
+    {.symbol = "batter_pitch",
+     .name = "Batter head pitch",
+     .key = "batter.pitch",
+     .group = "heads",
+     .kind = KNOB_REBUILD,
+     RANGE(0, HIGHEST_PITCH),
+     .fallback = BATTER_PITCH,
+     .off = 0,
+     .scale = KNOB_IN_NOTES,
+     .comment = "What a tuner reads at a lug of the struck head. Turning it moves the tension; the "
+                "drum goes on ringing while it is retuned, which takes some tenths of a second. 0: "
+                "the tension leads. A pitch that the head cannot reach has no effect."},
   [KNOB_RESONANT_PITCH] = {.symbol = "resonant_pitch",
                            .name = "Resonant head pitch",
                            .key = "resonant.pitch",
                            .group = "heads",
                            .kind = KNOB_REBUILD,
                            RANGE(0, HIGHEST_PITCH),
-                           .fallback = NAN,
+                           .fallback = RESONANT_PITCH,
                            .off = 0,
-                           .comment = "What a tuner reads at a lug of the lower head; 0: as the "
-                                      "tension says. No effect on drums with one head."},
+                           .scale = KNOB_IN_NOTES,
+                           .comment =
+                             "What a tuner reads at a lug of the lower head. Turning it moves the "
+                             "tension. 0: the tension leads. No effect on drums with one head."},
   [KNOB_UNEVENNESS] = {.symbol = "wires_unevenness",
                        .name = "Wire unevenness",
                        .key = "wires.unevenness",
                        .group = "snares",
                        .kind = KNOB_REBUILD,
                        ENGINE_RANGE,
-                       FROM_PRESET,
+                       OFF_AT_0("Straight"),
+                       .scale = KNOB_IN_PER_CENT,
                        .comment =
                          "How unevenly the snares lie and how far they are bent, times what "
                          "the drum says; 0: straight wires side by side."},
@@ -143,6 +157,7 @@ const Knob knobs[KNOB_COUNT] = {
                      RANGE(0, 1),
                      .fallback = 0,
                      .unit = "",
+                     .scale = KNOB_IN_PER_CENT,
                      .off = NAN,
                      .comment =
                        "Scatters the place of strokes by up to 15 mm and their speed by up to "
@@ -232,13 +247,14 @@ const Knob knobs[KNOB_COUNT] = {
                 RANGE(0, 1),
                 .fallback = 0.5,
                 .unit = "",
+                .scale = KNOB_IN_PER_CENT,
                 .off = NAN,
                 .comment = "0: the sound that comes in alone; 1: the drum alone."},
 };
 
-const KnobGroup knob_groups[KNOB_GROUPS] = {{"heads", "Heads"},      {"snares", "Snares"},
-                                            {"stick", "Stick"},      {"output", "Output"},
-                                            {"mics", "Microphones"}, {"input", "Sound in"}};
+const KnobGroup knob_groups[KNOB_GROUPS] = {
+  {"heads", "Heads"},      {"snares", "Snares"},  {"stick", "Stick"},    {"output", "Output"},
+  {"mics", "Microphones"}, {"input", "Sound in"}, {"physics", "Physics"}};
 
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
@@ -290,6 +306,21 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   case KNOB_UNEVENNESS: return def->wires.count > 0 ? &def->wires.unevenness : NULL;
   default: return NULL;
   }
+}
+
+/* As a port has it: a host that sets the port to its default does not turn the knob. */
+static double pitch_of(const TaborDrumDef *def, TaborHead head) {
+  double pitch;
+  if (tabor_drum_def_pitch(def, head, &pitch, NULL) != TABOR_OK) return 0;
+  return knob_decimal((float)pitch);
+}
+
+double knob_shown(const TaborDrumDef *def, KnobId id) {
+  TaborDrumDef copy = *def;
+  const double *const field = knob_field(&copy, id);
+  if (!field) return NAN;
+  if (id == KNOB_BATTER_PITCH) return pitch_of(def, TABOR_HEAD_BATTER);
+  return id == KNOB_RESONANT_PITCH ? pitch_of(def, TABOR_HEAD_RESONANT) : *field;
 }
 
 static double choose(double own, double other) { return isnan(own) ? other : own; }

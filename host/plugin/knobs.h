@@ -5,7 +5,8 @@
  *
  * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and its range
  * from the engine's parameter; the table may narrow the range. Its default comes from the preset
- * DEFAULT_PRESET. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
+ * DEFAULT_PRESET: of a pitch, the one that the preset's tension gives. The drum keeps its tension, to the bit, until
+ * the pitch is turned. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
  * new knobs go to the end of knob_ports.
  */
 #ifndef TABOR_PLUGIN_KNOBS_H
@@ -64,6 +65,14 @@ typedef enum KnobKind {
   KNOB_SETTING  /**< in the plugin, outside the drum */
 } KnobKind;
 
+/** How a knob's value is shown, see knob_text.h. */
+typedef enum KnobScale {
+  KNOB_IN_UNITS,    /**< the number and its unit */
+  KNOB_IN_NOTES,    /**< a frequency as a note and cents */
+  KNOB_IN_PER_CENT, /**< of the value 1 or, on a logarithmic scale, of the way */
+  KNOB_IN_ROOTS     /**< per cent of the way, with a quarter of the range in the lower half */
+} KnobScale;
+
 typedef struct Knob {
   const char *symbol; /**< symbol of the port */
   const char *name;   /**< displayed name */
@@ -75,6 +84,9 @@ typedef struct Knob {
   const char *unit;        /**< unit; NULL: the engine's */
   const char *choices;     /**< words separated by '|', for 0, 1, ...; or NULL */
   double off;              /**< value that switches the knob off, or NaN */
+  const char *off_word;    /**< its name; NULL: "Off" */
+  const char *top_word;    /**< name of the maximum, or NULL */
+  KnobScale scale;
   const char *comment;
 } Knob;
 
@@ -90,12 +102,17 @@ typedef struct KnobGroup {
   const char *symbol, *name; /**< displayed name */
 } KnobGroup;
 
-enum { KNOB_GROUPS = 6 };
+enum { KNOB_GROUPS = 7 };
 
 extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
 /** All knobs, in the order of the ports. */
 extern const KnobId knob_ports[KNOB_COUNT];
+
+/** Name of the value that switches a knob off. */
+static inline const char *knob_off_word(const Knob *knob) {
+  return knob->off_word ? knob->off_word : "Off";
+}
 
 /** True for the level of a microphone. */
 static inline bool knob_is_level(KnobId id) REALTIME {
@@ -135,6 +152,11 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
 KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
+/**
+ * SET-UP. The value at which a knob with a key shows the drum @p def; NaN if the drum has no such part. It is the
+ * field's, but a head without a pitch shows the one that its tension gives. This takes some hundredths of a second.
+ */
+double knob_shown(const TaborDrumDef *def, KnobId id);
 /** Converts a value of a LEVEL or GAIN knob [dB] to a factor; the lowest level gives 0. */
 double knob_factor(KnobId id, float value) REALTIME;
 /**

@@ -95,7 +95,11 @@ same "no strokes while typing" 0 "$(strokes)"
 types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e[A' \
   'wait :set batter.tension 9000' 'type \x7f\x7f\x7f\x7f1\r' 'wait is outside 100 to 20000 N/m' \
   'type :set batter.pitch C6\r' 'wait batter.pitch = 1046.5 is outside' \
-  'type :set batter.pitch A3\r' 'wait batter.pitch = A3' \
+  'type :set batter.pitch A3\r' 'wait batter.pitch = A3 (Batter head pitch A3)' \
+  'type :set batter.pitch A3 +12 ct\r' 'wait Hz (Batter head pitch A3 +12 ct)' \
+  'type :set batter.muffle_strength 50 %\r' 'wait batter.muffle_strength = 7.5 N s/m (Batter head muffling 50 %)' \
+  'type :set batter.muffle_strength open\r' 'wait (Batter head muffling Open)' \
+  'type :set batter.muffle_strength wide\r' "wait 'wide'" \
   'type :set wires.tenson 3\r' 'wait did you mean' 'type :foo\r' "wait unknown command 'foo'" \
   'type :preset nodrum\r' "wait nodrum" 'type :preset tom-21\r' "wait did you mean 'tom-12'" 'type :gain 3\r' 'wait gain +3.0 dB' 'type ++-' \
   'wait gain +4.0 dB' 'type :gain 99\r' 'wait allowed: -60 to 24' 'type :speed 4\r' 'wait 4.00 m/s' \

@@ -287,12 +287,18 @@ static bool load_shell(const Enclosed *e, TbArena *scratch, const double *upper,
   return true;
 }
 
+/* The mesh for the pitch of a head alone has no places outside. */
+static bool reaches_far(const Enclosed *e, uint32_t mic_count) {
+  const TbShellMesh *const mesh = e->outside.mesh;
+  return !mesh || mesh->targets - mesh->solved >= mic_count + TB_FAR_NODES;
+}
+
 /* Fields of the shell, and the part of load and fields that air.h gives. */
 static bool finish_outside(const Enclosed *e, TbArena *scratch, const double *upper, double x,
                            Outside *outside) {
   TbAirPoint points[TB_SHELL_POINTS];
   uint32_t count = outside_points(e->def, points);
-  outside->has_far = e->air->m < TB_FAR_ORDERS && x <= TB_FAR_TOP;
+  outside->has_far = e->air->m < TB_FAR_ORDERS && x <= TB_FAR_TOP && reaches_far(e, count);
   if (outside->has_far) count += TB_FAR_NODES;
   const double part = outside->part, depth = e->def->shell.depth / e->def->shell.radius;
   if (part > 0.0 && !tb_shell_fields(&outside->motion, scratch, points, count, outside->fields)) {

@@ -16,7 +16,10 @@
 
 #include <cmocka.h>
 
-#define TEXT_TOLERANCE 1e-5 /* of the range: texts have six digits */
+/* Of the range: texts have six digits, per cent have four, and notes have whole cents. */
+#define TEXT_TOLERANCE 1e-5
+#define PER_CENT_TOLERANCE 1e-4 /* of the root of a value: half of 0.01 %, twice for the square */
+#define NOTE_TOLERANCE 2.9e-4   /* half a cent */
 
 static const clap_plugin_entry_t *entry;
 
@@ -170,8 +173,17 @@ static void test_texts_have_units(void **state) {
   says(host, KNOB_BATTER_TENSION, 0.5, "1414.21 N/m");
   says(host, KNOB_BATTER_TENSION, 1, "20000 N/m");
   says(host, KNOB_BATTER_PITCH, 0, "Off");
-  says(host, KNOB_BATTER_PITCH, 220, "220 Hz");
-  says(host, KNOB_STRAINER, 0.25, "25.00 %");
+  says(host, KNOB_BATTER_PITCH, 220, "A3");
+  says(host, KNOB_BATTER_PITCH, 221.53, "A3 +12 ct");
+  says(host, KNOB_BATTER_MUFFLING, 0, "Open");
+  says(host, KNOB_BATTER_MUFFLING, 7.5, "50 %"); /* a quarter of the range */
+  says(host, KNOB_STRAINER, 0, "Off");
+  says(host, KNOB_STRAINER, 0.25, "25 %");
+  says(host, KNOB_STRAINER, 0.99999, "On");
+  says(host, KNOB_STRAINER, 1, "On");
+  says(host, KNOB_STICK_HARDNESS, 0.75, "75 %");
+  says(host, KNOB_UNEVENNESS, 0, "Straight");
+  says(host, KNOB_UNEVENNESS, 1.5, "150 %");
   says(host, KNOB_GAIN, -60, "Off");
   says(host, KNOB_GAIN, -3, "-3 dB");
   says(host, KNOB_QUALITY, 1, "Live");
@@ -182,19 +194,27 @@ static void test_texts_have_units(void **state) {
   clap_host_close(host);
 }
 
+static double tolerance_of(KnobId id, double value, double range) {
+  if (knobs[id].scale == KNOB_IN_NOTES) return NOTE_TOLERANCE * value;
+  if (knobs[id].scale == KNOB_IN_ROOTS) return PER_CENT_TOLERANCE * sqrt(value * range);
+  return TEXT_TOLERANCE * range;
+}
+
 static void come_back(const ClapHost *host, const clap_param_info_t *info, double part) {
   const bool is_stepped = (info->flags & CLAP_PARAM_IS_STEPPED) != 0;
   const double range = info->max_value - info->min_value;
   const double exact = info->min_value + part * range, value = is_stepped ? trunc(exact) : exact;
-  char text[64];
+  char text[64], again[64];
   double read = NAN;
   text_of(host, info->id, value, text);
   if (!params_of(host)->text_to_value(host->plugin, info->id, text, &read)) fail_msg("%s", text);
-  if (!(fabs(read - value) <= TEXT_TOLERANCE * range))
+  if (!(fabs(read - value) <= tolerance_of(knob_ports[info->id], value, range)))
     fail_msg("%s: %.9g, not %.9g", text, read, value);
+  text_of(host, info->id, read, again);
+  assert_string_equal(text, again);
 }
 
-/* Two digits of per cent are coarser, so these parts have no more. */
+/* The text is the same again. Per cent are coarser than six digits, so these parts have no more. */
 static void test_texts_are_read_back(void **state) {
   (void)state;
   static const double parts[] = {0, 0.01, 0.1234, 0.5, 0.8, 0.99, 1};
@@ -203,6 +223,31 @@ static void test_texts_are_read_back(void **state) {
     const clap_param_info_t info = info_of(host, i);
     for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++) come_back(host, &info, parts[k]);
   }
+  clap_host_close(host);
+}
+
+static void reads(const ClapHost *host, KnobId knob, const char *text, double expected) {
+  double value = NAN;
+  if (!params_of(host)->text_to_value(host->plugin, clap_host_id(knob), text, &value))
+    fail_msg("%s", text);
+  if (!(fabs(value - expected) <= 1e-9 * fabs(expected))) fail_msg("%s: %.9g", text, value);
+}
+
+static void test_texts_of_players_are_read(void **state) {
+  (void)state;
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  reads(host, KNOB_BATTER_PITCH, "A3", 220);
+  reads(host, KNOB_BATTER_PITCH, "A#3 -5", 220 * pow(2, 95 / 1200.0));
+  reads(host, KNOB_BATTER_PITCH, "220 Hz", 220);
+  reads(host, KNOB_BATTER_PITCH, "off", 0);
+  reads(host, KNOB_BATTER_PITCH, "2000", 900); /* the highest */
+  reads(host, KNOB_BATTER_MUFFLING, "open", 0);
+  reads(host, KNOB_BATTER_MUFFLING, "50 %", 7.5);
+  reads(host, KNOB_BATTER_MUFFLING, "-50", 0);
+  reads(host, KNOB_BATTER_MUFFLING, "2 N s/m", 2);
+  reads(host, KNOB_STRAINER, "on", 1);
+  reads(host, KNOB_STRAINER, "50", 0.5);
+  reads(host, KNOB_GAIN, "-3", -3);
   clap_host_close(host);
 }
 
@@ -270,6 +315,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_values_stay_in_range),
     cmocka_unit_test(test_texts_have_units),
     cmocka_unit_test(test_texts_are_read_back),
+    cmocka_unit_test(test_texts_of_players_are_read),
     cmocka_unit_test(test_other_texts_are_refused),
     cmocka_unit_test(test_what_is_live_can_be_modulated),
     cmocka_unit_test(test_modulation_moves_no_value),

@@ -19,6 +19,7 @@
 
 #define MOST 64 /* presets */
 #define FRAMES 4000
+#define SIX_DIGITS 5e-6 /* relative: to which values of parameters are rounded */
 
 static const clap_plugin_entry_t *entry;
 
@@ -143,6 +144,16 @@ static void record(ClapHost *host, int program, float *sound) {
   memcpy(sound, host->sound[0], FRAMES * sizeof *sound);
 }
 
+/* A drum that has no such head leaves the parameter where it is. */
+static void shows_pitch(const ClapHost *host, KnobId id, const TaborDrumDef *def, TaborHead head) {
+  double pitch;
+  const bool is_there = tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK;
+  const double shown = clap_host_value(host, id);
+  if (is_there && fabs(shown - pitch) > SIX_DIGITS * pitch) {
+    fail_msg("%s: %g, not %g Hz", knobs[id].symbol, shown, pitch);
+  }
+}
+
 /* Every preset is loaded; its parameters stand where the drum does. */
 static void test_parameters_show_the_drum(void **state) {
   (void)state;
@@ -157,6 +168,8 @@ static void test_parameters_show_the_drum(void **state) {
     const double muffling = clap_host_value(host, KNOB_BATTER_MUFFLING);
     const double *const field = knob_field(&def, KNOB_BATTER_MUFFLING);
     if (field && fabs(muffling - *field) > 1e-6 * fabs(*field)) fail_msg("%s: %g", name, muffling);
+    shows_pitch(host, KNOB_BATTER_PITCH, &def, TABOR_HEAD_BATTER);
+    shows_pitch(host, KNOB_RESONANT_PITCH, &def, TABOR_HEAD_RESONANT);
   }
   clap_host_close(host);
 }
@@ -207,6 +220,14 @@ static bool has_parameter(const ClapHost *host, clap_id id) {
   return false;
 }
 
+/* Tensions come second. A host knows a page by its id. */
+static void check_page(uint32_t index, const clap_remote_controls_page_t *page) {
+  static const clap_id ids[] = {0, 2, 1, 3};
+  assert_int_equal(page->page_id, ids[index]);
+  if (index == 0) assert_int_equal(page->param_ids[0], clap_host_id(KNOB_BATTER_PITCH));
+  if (index == 1) assert_int_equal(page->param_ids[0], clap_host_id(KNOB_BATTER_TENSION));
+}
+
 static void check_pages(const char *plugin, uint32_t expected) {
   ClapHost *const host = clap_host_open(entry, plugin);
   const clap_plugin_remote_controls_t *const pages =
@@ -220,7 +241,7 @@ static void check_pages(const char *plugin, uint32_t expected) {
       if (page.param_ids[k] == CLAP_INVALID_ID) continue;
       assert_true(has_parameter(host, page.param_ids[k]));
     }
-    if (i == 0) assert_int_equal(page.param_ids[0], clap_host_id(KNOB_BATTER_PITCH));
+    check_page(i, &page);
   }
   assert_false(pages->get(host->plugin, expected, &page));
   clap_host_close(host);

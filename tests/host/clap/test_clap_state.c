@@ -211,16 +211,19 @@ static void set_state(ClapState *state, const char *text) {
   memcpy(state->bytes, text, state->size + 1);
 }
 
-/* The state of the instance that was left, with @p other in place of the first @p part. */
-static void replace(const char *part, const char *other) {
+/* The state @p from with @p other in place of the first @p part. */
+static void replace_in(ClapState *from, const char *part, const char *other) {
   static char text[CLAP_STATE];
-  left.bytes[left.size] = '\0';
-  const char *const at = strstr(left.bytes, part);
+  from->bytes[from->size] = '\0';
+  const char *const at = strstr(from->bytes, part);
   if (!at) fail_msg("the state has no '%s'", part);
-  (void)snprintf(text, sizeof text, "%.*s%s%s", (int)(at - left.bytes), left.bytes, other,
+  (void)snprintf(text, sizeof text, "%.*s%s%s", (int)(at - from->bytes), from->bytes, other,
                  at + strlen(part));
   set_state(&again, text);
 }
+
+/* The same with the state of the instance that was left. */
+static void replace(const char *part, const char *other) { replace_in(&left, part, other); }
 
 static void refused(ClapHost *host, const char *said) {
   host->said[0] = '\0';
@@ -272,6 +275,67 @@ static void test_unknown_lines_are_passed_over(void **state) {
   record_anew(copy, second);
   assert_same(left_sound, second);
   clap_host_close(copy);
+}
+
+/* ---- pitches -------------------------------------------------------------------------------- */
+
+static void sounds_as_left_without_pitch(void) {
+  ClapHost *const copy = open_drum();
+  assert_true(clap_host_load(copy, &again));
+  assert_string_equal(copy->said, "");
+  assert_true(clap_host_value(copy, KNOB_BATTER_PITCH) == 0);
+  assert_true(clap_host_value(copy, KNOB_RESONANT_PITCH) == 0);
+  record_anew(copy, second);
+  assert_same(left_sound, second);
+  clap_host_close(copy);
+}
+
+/* Where pitches began at 0, sessions saved it: the tension leads. The name of the line is changed, so that it is passed
+ * over, and an old one is put before it. Still older sessions have no pitch. */
+static void test_old_sessions_have_no_pitch(void **state) {
+  (void)state;
+  replace("batter_pitch ", "batter_pitch 00000000 00000000\ncolour ");
+  replace_in(&again, "resonant_pitch ", "resonant_pitch 00000000 00000000\ncolour ");
+  sounds_as_left_without_pitch();
+  replace("batter_pitch ", "colour ");
+  replace_in(&again, "resonant_pitch ", "colour ");
+  sounds_as_left_without_pitch();
+}
+
+/* As a host sets parameters to the values that they have, with the rounding of its own scale. */
+static void test_values_that_stay_change_no_bit(void **state) {
+  (void)state;
+  static const double rounding = 1e-12;
+  ClapHost *const one = open_active(), *const other = open_active();
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    const KnobId id = (KnobId)i;
+    if (!knob_is_in(KNOBS_STEREO, id)) continue;
+    clap_host_set(other, 0, id, clap_host_value(other, id) * (1 + rounding));
+  }
+  clap_host_run(other, 100);
+  clap_host_run(one, 100);
+  record(one, first, false);
+  record(other, second, false);
+  assert_same(first, second);
+  clap_host_close(one);
+  clap_host_close(other);
+}
+
+/* The tension is that of the pitch, until the pitch is off. */
+static void test_a_pitch_leads_the_tension(void **state) {
+  (void)state;
+  ClapHost *const host = open_active();
+  record_anew(host, first);
+  set(host, KNOB_BATTER_PITCH, 250);
+  record_anew(host, second);
+  assert_false(is_same(first, second));
+  set(host, KNOB_BATTER_TENSION, 0.9);
+  record_anew(host, first);
+  assert_same(first, second);
+  set(host, KNOB_BATTER_PITCH, 0);
+  record_anew(host, first);
+  assert_false(is_same(first, second));
+  clap_host_close(host);
 }
 
 /* A value outside of a parameter's range, from a version whose range was wider, is brought into it. */
@@ -326,6 +390,9 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_both_plugins_read_each_others_states),
     cmocka_unit_test(test_wrong_states_change_nothing),
     cmocka_unit_test(test_unknown_lines_are_passed_over),
+    cmocka_unit_test(test_old_sessions_have_no_pitch),
+    cmocka_unit_test(test_values_that_stay_change_no_bit),
+    cmocka_unit_test(test_a_pitch_leads_the_tension),
     cmocka_unit_test(test_values_are_in_range),
     cmocka_unit_test(test_the_drum_outlives_a_change_of_rate),
   };

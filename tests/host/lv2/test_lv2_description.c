@@ -203,6 +203,20 @@ static void check_range(const LilvPlugin *plugin, const LilvPort *port, const Kn
   lilv_node_free(maximum);
 }
 
+/* The value of a scale point by its name; a NaN if there is none. */
+static float point_of(const LilvPlugin *plugin, const LilvPort *port, const char *label) {
+  LilvScalePoints *const points = lilv_port_get_scale_points(plugin, port);
+  float value = NAN;
+  LILV_FOREACH(scale_points, at, points) {
+    const LilvScalePoint *const point = lilv_scale_points_get(points, at);
+    if (strcmp(lilv_node_as_string(lilv_scale_point_get_label(point)), label) == 0) {
+      value = lilv_node_as_float(lilv_scale_point_get_value(point));
+    }
+  }
+  lilv_scale_points_free(points);
+  return value;
+}
+
 static void check_knob(const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
   const KnobRange range = knob_range(id, &usual);
   assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
@@ -210,6 +224,12 @@ static void check_knob(const LilvPlugin *plugin, const LilvPort *port, KnobId id
   const bool ratios = port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#logarithmic");
   assert_int_equal(ratios, range.logarithmic);
   if (ratios) assert_true(range.minimum > 0);
+  if (!isnan(knobs[id].off)) {
+    assert_true(point_of(plugin, port, knob_off_word(&knobs[id])) == (float)knobs[id].off);
+  }
+  if (knobs[id].top_word) {
+    assert_true(point_of(plugin, port, knobs[id].top_word) == range.maximum);
+  }
   check_comment(plugin, port);
 }
 
@@ -221,6 +241,8 @@ static void check_key(KnobId id) {
   assert_true((double)range.minimum >= (double)(float)parameter->minimum);
   assert_true((double)range.maximum <= (double)(float)parameter->maximum);
   assert_int_equal(knobs[id].kind == KNOB_LIVE, parameter->live);
+  const double shown = knob_shown(&usual, id); /* the table has the pitches as numbers */
+  if ((float)shown != range.fallback) fail_msg("%s: %.6g", knobs[id].symbol, shown);
 }
 
 static void test_knobs(void **state) {
@@ -234,20 +256,6 @@ static void test_knobs(void **state) {
       if (port.index < KNOB_KEYS) check_key((KnobId)port.index);
     }
   }
-}
-
-/* The value of a scale point by its name; a NaN if there is none. */
-static float point_of(const LilvPlugin *plugin, const LilvPort *port, const char *label) {
-  LilvScalePoints *const points = lilv_port_get_scale_points(plugin, port);
-  float value = NAN;
-  LILV_FOREACH(scale_points, at, points) {
-    const LilvScalePoint *const point = lilv_scale_points_get(points, at);
-    if (strcmp(lilv_node_as_string(lilv_scale_point_get_label(point)), label) == 0) {
-      value = lilv_node_as_float(lilv_scale_point_get_value(point));
-    }
-  }
-  lilv_scale_points_free(points);
-  return value;
 }
 
 static void check_kit_knob(const LilvPlugin *plugin, const LilvPort *port, const KitKnob *knob) {

@@ -149,6 +149,32 @@ static void test_live_knobs_are_found_as_they_were_left(void **state) {
   host_close(copy);
 }
 
+/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. */
+static void test_old_sessions_have_no_pitch(void **state) {
+  (void)state;
+  static const float none = 0;
+  PluginHost *const host = open_changed();
+  HostState saved;
+  host_save(host, &saved);
+  host_set_property(&saved, URI_STATE_CONTROL "batter_pitch", LV2_ATOM__Float, &none, sizeof none);
+  host_set_property(&saved, URI_STATE_CONTROL "resonant_pitch", LV2_ATOM__Float, &none,
+                    sizeof none);
+  restart(host);
+  record(host, first, 0, NULL);
+  for (int knobs_first = 0; knobs_first <= 1; knobs_first++) {
+    PluginHost *const copy = open_drum();
+    memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
+    copy->knobs[KNOB_BATTER_PITCH] = copy->knobs[KNOB_RESONANT_PITCH] = none;
+    if (knobs_first) host_run(copy, 10);
+    assert_int_equal(host_restore(copy, &saved), LV2_STATE_SUCCESS);
+    record(copy, second, 0, NULL);
+    assert_same(first, second);
+    host_close(copy);
+  }
+  host_state_free(&saved);
+  host_close(host);
+}
+
 /* Chosen, and not built yet. */
 static void test_a_preset_that_is_on_its_way_is_saved(void **state) {
   (void)state;
@@ -313,6 +339,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_restoring_a_ringing_drum_changes_no_bit),
     cmocka_unit_test(test_an_instance_is_found_as_it_was_left),
     cmocka_unit_test(test_live_knobs_are_found_as_they_were_left),
+    cmocka_unit_test(test_old_sessions_have_no_pitch),
     cmocka_unit_test(test_a_preset_that_is_on_its_way_is_saved),
     cmocka_unit_test(test_what_was_restored_is_saved_before_it_is_built),
     cmocka_unit_test(test_a_knob_acts_on_a_restored_drum),

@@ -66,7 +66,7 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
 }
 
 TaborStatus tb_stretch_prepare(TaborModel *model) {
-  const TbStretchExtent usual = {TOP, tb_mixing_limits};
+  const TbStretchExtent usual = {TOP, tb_mixing_limits(model)};
   return tb_stretch_prepare_to(model, usual);
 }
 

@@ -23,9 +23,10 @@ typedef struct TbMixingLimits {
   double top; /* highest frequency of a mode [rad/s] */
 } TbMixingLimits;
 
-extern const TbMixingLimits tb_mixing_limits;
-
 struct TaborModel;
+
+/* Those of a quality: draft and live have single precision, studio and reference double. */
+TbMixingLimits tb_mixing_limits(const struct TaborModel *model);
 
 /* Fills model->stretch.mixing, after model->stretch.gain. */
 TaborStatus tb_stretch_mixing_prepare(struct TaborModel *model, TbMixingLimits limits);

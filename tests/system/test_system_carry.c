@@ -523,6 +523,7 @@ static void assert_at_rest_like_new(const TaborDrum *drum, TaborModel *model) {
   assert_non_null(state);
   memcpy(state, drum->state, size);
   state->sums = fresh->state->sums;
+  state->radiated_beyond = fresh->state->radiated_beyond;
   state->statistics = fresh->state->statistics;
   state->output = fresh->state->output;
   state->event_debt = fresh->state->event_debt;

@@ -59,9 +59,10 @@ static double term(const Order *o, uint32_t h, uint32_t i, uint32_t j) {
 }
 
 /* Lists the modes that mix with another one on head h, the lowest at most; returns how many. */
-static uint32_t find_mixed(const Order *o, uint32_t h, uint32_t places[TB_MIXING_MOST]) {
+static uint32_t find_mixed(const Order *o, TbArena *arena, uint32_t h,
+                           uint32_t places[TB_MIXING_MOST]) {
   uint32_t count = 0;
-  for (uint32_t i = 0; i < o->count && count < TB_MIXING_MOST; i++) {
+  for (uint32_t i = 0; i < o->count && count < TB_MIXING_MOST && tb_arena_go_on(arena); i++) {
     bool mixes = false;
     for (uint32_t j = 0; stretches(o, h, i) && j < o->count && !mixes; j++) {
       const double least = o->least[h] * omega_of(o, i) * omega_of(o, j);
@@ -75,7 +76,7 @@ static uint32_t find_mixed(const Order *o, uint32_t h, uint32_t places[TB_MIXING
 static double *fill_matrix(const Order *o, TbArena *arena, uint32_t h, const uint32_t *places,
                            uint32_t count) {
   double *matrix = tb_arena_doubles(arena, (size_t)tb_pad(count) * count);
-  for (uint32_t i = 0; matrix && i < count; i++) {
+  for (uint32_t i = 0; matrix && i < count && tb_arena_go_on(arena); i++) {
     for (uint32_t j = 0; j < count; j++) {
       const size_t at = ((size_t)(i / 8u) * count + j) * 8u + i % 8u;
       matrix[at] = i == j ? 0.0 : term(o, h, places[i], places[j]);
@@ -87,8 +88,8 @@ static double *fill_matrix(const Order *o, TbArena *arena, uint32_t h, const uin
 /* The blocks of an order on head h, one for each copy. */
 static bool add_blocks(const Order *o, TbArena *arena, uint32_t h, TbMixing *mixing) {
   uint32_t places[TB_MIXING_MOST];
-  const uint32_t count = find_mixed(o, h, places), copies = o->order->m ? 2 : 1;
-  if (count == 0) return true;
+  const uint32_t count = find_mixed(o, arena, h, places), copies = o->order->m ? 2 : 1;
+  if (count == 0) return !arena->failed;
   const double *matrix = fill_matrix(o, arena, h, places, count);
   for (uint32_t copy = 0; matrix && copy < copies; copy++) {
     uint32_t *mode = tb_arena_take(arena, count, sizeof *mode);

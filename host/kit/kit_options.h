@@ -11,7 +11,10 @@
 
 /** Rows of the option tables for the options of kits that kit_midi_setup_read() reads. */
 #define OPTION_MAP                                                                                 \
-  { "map", 0, "MAP", "roland, yamaha, alesis, superior or addictive (default GM): notes of --kit" }
+  {                                                                                                \
+    "map", 0, "MAP",                                                                               \
+      "roland, yamaha, alesis, superior or addictive (default: General MIDI's): notes of --kit"    \
+  }
 #define OPTION_PLACE_CC                                                                            \
   {                                                                                                \
     "place-cc", 0, "LIST",                                                                         \

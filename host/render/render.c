@@ -70,7 +70,7 @@ static const char notes[] =
   "the performance. --mic and --split give other microphones of it, --duration another length.\n"
   "The log of a performance that was killed, take.part.log, is played as far as it goes.\n"
   "\n"
-  "--input lets a loudspeaker play a sound to the drum: the first channel of FILE, at its rate. It "
+  "--input lets a loudspeaker play a sound to the drum: the first channel of FILE, whose rate is --rate. It "
   "stands\n"
   "where microphone --input-mic is, turned up to --input-level at the drum; no stroke is played "
   "unless asked\n"

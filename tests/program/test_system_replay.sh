@@ -76,9 +76,9 @@ for field in '"expression"' '"event":"parameter"' '"event":"silence"'; do
 done
 
 # Other sounds of a log: other microphones, another length.
-done_quietly render -q --replay take.log -o split.wav --split
+done_quietly render -q --replay take.log --format float -o split.wav --split # other microphones may be louder
 check "--split gives a file for each microphone" test -s split-top.wav
-done_quietly render -q --replay take.log -o top.wav --mic top
+done_quietly render -q --replay take.log --format float -o top.wav --mic top
 check "which is what --mic gives" cmp split-top.wav top.wav
 done_quietly render -q --replay take.log -o half.wav --duration 0.25
 same "--duration" 12000 "$("$INSPECT" sound half.wav | cut -d' ' -f5)"

@@ -12,7 +12,7 @@ endif()
 set(TABOR_CLAP_LIBRARIES tabor-clap-archive tabor-host-core ${CMAKE_DL_LIBS})
 
 foreach(name IN ITEMS test_clap_effect test_clap_kit test_clap_render)
-  set(${name}_SOURCES support/clap_host.c support/plugin_songs.c support/midi_writer.c support/said.c)
+  set(${name}_SOURCES support/clap_host.c support/clap_songs.c support/plugin_songs.c support/midi_writer.c support/said.c)
   set(${name}_LIBRARIES ${TABOR_CLAP_LIBRARIES} tabor-host)
   set(${name}_NEEDS tabor-program tabor-clap)
   if(TABOR_BUILD_PROGRAM)

@@ -5,15 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/extensions.h"
 #include "clap/instance_drum.h"
 #include "clap/instance_state.h"
 #include "clap/note_events.h"
 #include "clap/parameters.h"
 #include "clap/ports.h"
 #include "clap/presets.h"
-
-#define LEAST_RATE 22050 /* [Hz] */
-#define MOST_RATE 192000 /* [Hz] */
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
@@ -209,14 +207,14 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
 static void silence_rate(Instance *instance, double rate) {
   char line[96];
   (void)snprintf(line, sizeof line, "silent at a sample rate of %g Hz; from %d to %d Hz it sounds",
-                 rate, LEAST_RATE, MOST_RATE);
+                 rate, MODEL_WORKER_LEAST_RATE, MODEL_WORKER_MOST_RATE);
   instance_say(instance, line);
 }
 
 static bool begin_rate(Instance *instance, double rate) {
   close(instance);
   instance->rate = rate;
-  if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+  if (!(rate >= MODEL_WORKER_LEAST_RATE && rate <= MODEL_WORKER_MOST_RATE)) {
     silence_rate(instance, rate);
     return true;
   }
@@ -262,24 +260,18 @@ static void on_main_thread(const clap_plugin_t *plugin) { (void)plugin; }
 
 static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
   (void)plugin;
-  const struct {
-    const char *id;
-    const void *extension;
-  } all[] = {{CLAP_EXT_PARAMS, &instance_params},
-             {CLAP_EXT_STATE, &instance_state},
-             {CLAP_EXT_AUDIO_PORTS, &instance_audio_ports},
-             {CLAP_EXT_NOTE_PORTS, &instance_note_ports},
-             {CLAP_EXT_LATENCY, &instance_latency},
-             {CLAP_EXT_TAIL, &instance_tail},
-             {CLAP_EXT_RENDER, &instance_render},
-             {CLAP_EXT_PRESET_LOAD, &instance_preset_load},
-             {CLAP_EXT_PRESET_LOAD_COMPAT, &instance_preset_load},
-             {CLAP_EXT_REMOTE_CONTROLS, &instance_remote_controls},
-             {CLAP_EXT_REMOTE_CONTROLS_COMPAT, &instance_remote_controls}};
-  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-    if (strcmp(id, all[i].id) == 0) return all[i].extension;
-  }
-  return NULL;
+  static const Extension all[] = {{CLAP_EXT_PARAMS, &instance_params},
+                                  {CLAP_EXT_STATE, &instance_state},
+                                  {CLAP_EXT_AUDIO_PORTS, &instance_audio_ports},
+                                  {CLAP_EXT_NOTE_PORTS, &extension_note_input},
+                                  {CLAP_EXT_LATENCY, &instance_latency},
+                                  {CLAP_EXT_TAIL, &instance_tail},
+                                  {CLAP_EXT_RENDER, &instance_render},
+                                  {CLAP_EXT_PRESET_LOAD, &instance_preset_load},
+                                  {CLAP_EXT_PRESET_LOAD_COMPAT, &instance_preset_load},
+                                  {CLAP_EXT_REMOTE_CONTROLS, &instance_remote_controls},
+                                  {CLAP_EXT_REMOTE_CONTROLS_COMPAT, &instance_remote_controls}};
+  return extension_find(all, sizeof all / sizeof all[0], id);
 }
 
 static bool begin(Instance *instance) {

@@ -5,10 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/extensions.h"
 #include "clap/note_events.h"
-
-#define LEAST_RATE 22050 /* [Hz] */
-#define MOST_RATE 192000 /* [Hz] */
+#include "plugin/model_worker.h"
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
@@ -52,9 +51,10 @@ static bool begin_rate(KitInstance *instance, double rate) {
   char line[96];
   close(instance);
   instance->rate = rate;
-  if (rate >= LEAST_RATE && rate <= MOST_RATE) return open(instance, rate);
+  if (rate >= MODEL_WORKER_LEAST_RATE && rate <= MODEL_WORKER_MOST_RATE)
+    return open(instance, rate);
   (void)snprintf(line, sizeof line, "silent at a sample rate of %g Hz; from %d to %d Hz it sounds",
-                 rate, LEAST_RATE, MOST_RATE);
+                 rate, MODEL_WORKER_LEAST_RATE, MODEL_WORKER_MOST_RATE);
   kit_instance_say(instance, line);
   return true;
 }
@@ -229,20 +229,14 @@ static void on_main_thread(const clap_plugin_t *plugin) {
 
 static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
   (void)plugin;
-  const struct {
-    const char *id;
-    const void *extension;
-  } all[] = {{CLAP_EXT_PARAMS, &kit_params},
-             {CLAP_EXT_STATE, &kit_state},
-             {CLAP_EXT_AUDIO_PORTS, &kit_audio_ports},
-             {CLAP_EXT_NOTE_PORTS, &kit_note_ports},
-             {CLAP_EXT_NOTE_NAME, &kit_note_names},
-             {CLAP_EXT_TAIL, &kit_tail},
-             {CLAP_EXT_RENDER, &kit_render}};
-  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-    if (strcmp(id, all[i].id) == 0) return all[i].extension;
-  }
-  return NULL;
+  static const Extension all[] = {{CLAP_EXT_PARAMS, &kit_params},
+                                  {CLAP_EXT_STATE, &kit_state},
+                                  {CLAP_EXT_AUDIO_PORTS, &kit_audio_ports},
+                                  {CLAP_EXT_NOTE_PORTS, &extension_note_input},
+                                  {CLAP_EXT_NOTE_NAME, &kit_note_names},
+                                  {CLAP_EXT_TAIL, &kit_tail},
+                                  {CLAP_EXT_RENDER, &kit_render}};
+  return extension_find(all, sizeof all / sizeof all[0], id);
 }
 
 const clap_plugin_t *kit_instance_create(const clap_plugin_descriptor_t *descriptor,

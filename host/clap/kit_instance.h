@@ -52,7 +52,6 @@ const clap_plugin_t *kit_instance_create(const clap_plugin_descriptor_t *descrip
                                          const clap_host_t *host);
 extern const clap_plugin_params_t kit_params;
 extern const clap_plugin_audio_ports_t kit_audio_ports;
-extern const clap_plugin_note_ports_t kit_note_ports;
 extern const clap_plugin_note_name_t kit_note_names;
 extern const clap_plugin_render_t kit_render;
 extern const clap_plugin_tail_t kit_tail;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clap/extensions.h"
 #include "clap/kit_instance.h"
 
 /* ---- sound ---------------------------------------------------------------------------------- */
@@ -31,19 +32,11 @@ static bool get_audio(const clap_plugin_t *plugin, uint32_t index, bool is_input
 
 const clap_plugin_audio_ports_t kit_audio_ports = {.count = audio_count, .get = get_audio};
 
-static float *channel_of(const clap_process_t *block, uint32_t port, uint32_t channel) REALTIME;
-static float *channel_of(const clap_process_t *block, uint32_t port, uint32_t channel) {
-  if (port >= block->audio_outputs_count) return NULL;
-  clap_audio_buffer_t *const buffer = &block->audio_outputs[port];
-  buffer->constant_mask = 0;
-  return buffer->data32 && channel < buffer->channel_count ? buffer->data32[channel] : NULL;
-}
-
 void kit_ports_connect(const clap_process_t *block, KitPluginOutputs *outputs) {
   for (uint32_t side = 0; side < 2; side++) {
-    outputs->mix[side] = channel_of(block, 0, side);
+    outputs->mix[side] = extension_channel(block, 0, side);
     for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) {
-      outputs->drum[i][side] = channel_of(block, 1 + i, side);
+      outputs->drum[i][side] = extension_channel(block, 1 + i, side);
     }
   }
 }
@@ -54,37 +47,15 @@ static uint32_t get_tail(const clap_plugin_t *plugin) {
 
 const clap_plugin_tail_t kit_tail = {.get = get_tail};
 
-static bool needs_real_time(const clap_plugin_t *plugin) {
-  (void)plugin;
-  return false;
-}
-
 static bool set_mode(const clap_plugin_t *plugin, clap_plugin_render_mode mode) {
   atomic_store(&kit_instance_of(plugin)->is_offline, mode == CLAP_RENDER_OFFLINE);
   return mode == CLAP_RENDER_OFFLINE || mode == CLAP_RENDER_REALTIME;
 }
 
-const clap_plugin_render_t kit_render = {.has_hard_realtime_requirement = needs_real_time,
+const clap_plugin_render_t kit_render = {.has_hard_realtime_requirement = extension_has_deadline,
                                          .set = set_mode};
 
 /* ---- notes ---------------------------------------------------------------------------------- */
-
-static uint32_t note_count(const clap_plugin_t *plugin, bool is_input) {
-  (void)plugin;
-  return is_input ? 1 : 0;
-}
-
-static bool get_notes(const clap_plugin_t *plugin, uint32_t index, bool is_input,
-                      clap_note_port_info_t *info) {
-  if (index >= note_count(plugin, is_input)) return false;
-  memset(info, 0, sizeof *info);
-  info->supported_dialects = CLAP_NOTE_DIALECT_CLAP | CLAP_NOTE_DIALECT_MIDI;
-  info->preferred_dialect = CLAP_NOTE_DIALECT_CLAP;
-  (void)snprintf(info->name, sizeof info->name, "Notes");
-  return true;
-}
-
-const clap_plugin_note_ports_t kit_note_ports = {.count = note_count, .get = get_notes};
 
 /* The kit of the knob; NULL if memory is short. */
 static const TaborKitDef *named_kit(KitInstance *instance) {

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "clap/extensions.h"
+
 /* ---- sound ---------------------------------------------------------------------------------- */
 
 #define LONGEST_RING 12.0 /* [s] within which a drum has died away */
@@ -43,14 +45,6 @@ static bool get_audio(const clap_plugin_t *plugin, uint32_t index, bool is_input
 
 const clap_plugin_audio_ports_t instance_audio_ports = {.count = audio_count, .get = get_audio};
 
-static float *channel_of(const clap_process_t *process, uint32_t port, uint32_t channel) REALTIME;
-static float *channel_of(const clap_process_t *process, uint32_t port, uint32_t channel) {
-  if (port >= process->audio_outputs_count) return NULL;
-  clap_audio_buffer_t *const buffer = &process->audio_outputs[port];
-  buffer->constant_mask = 0;
-  return buffer->data32 && channel < buffer->channel_count ? buffer->data32[channel] : NULL;
-}
-
 /* A mono input plays on both sides. */
 static void connect_input(const clap_process_t *process, PluginOutputs *outputs) REALTIME;
 static void connect_input(const clap_process_t *process, PluginOutputs *outputs) {
@@ -66,10 +60,10 @@ void ports_connect(const Instance *instance, const clap_process_t *process,
   const uint32_t left = instance->stereo ? 0 : PLUGIN_LEFT;
   memset(outputs, 0, sizeof *outputs);
   if (instance->set == KNOBS_EFFECT) connect_input(process, outputs);
-  outputs->channels[left] = channel_of(process, 0, 0);
-  outputs->channels[left + 1] = channel_of(process, 0, 1);
+  outputs->channels[left] = extension_channel(process, 0, 0);
+  outputs->channels[left + 1] = extension_channel(process, 0, 1);
   for (uint32_t i = 0; !instance->stereo && i < SINGLES; i++) {
-    outputs->channels[singles[i].mic] = channel_of(process, i + 1, 0);
+    outputs->channels[singles[i].mic] = extension_channel(process, i + 1, 0);
   }
 }
 
@@ -91,34 +85,10 @@ static uint32_t get_tail(const clap_plugin_t *plugin) {
 
 const clap_plugin_tail_t instance_tail = {.get = get_tail};
 
-static bool needs_real_time(const clap_plugin_t *plugin) {
-  (void)plugin;
-  return false;
-}
-
 static bool set_mode(const clap_plugin_t *plugin, clap_plugin_render_mode mode) {
   atomic_store(&instance_of(plugin)->is_offline, mode == CLAP_RENDER_OFFLINE);
   return mode == CLAP_RENDER_OFFLINE || mode == CLAP_RENDER_REALTIME;
 }
 
-const clap_plugin_render_t instance_render = {.has_hard_realtime_requirement = needs_real_time,
-                                              .set = set_mode};
-
-/* ---- notes ---------------------------------------------------------------------------------- */
-
-static uint32_t note_count(const clap_plugin_t *plugin, bool is_input) {
-  (void)plugin;
-  return is_input ? 1 : 0;
-}
-
-static bool get_notes(const clap_plugin_t *plugin, uint32_t index, bool is_input,
-                      clap_note_port_info_t *info) {
-  if (index >= note_count(plugin, is_input)) return false;
-  memset(info, 0, sizeof *info);
-  info->supported_dialects = CLAP_NOTE_DIALECT_CLAP | CLAP_NOTE_DIALECT_MIDI;
-  info->preferred_dialect = CLAP_NOTE_DIALECT_CLAP;
-  (void)snprintf(info->name, sizeof info->name, "Notes");
-  return true;
-}
-
-const clap_plugin_note_ports_t instance_note_ports = {.count = note_count, .get = get_notes};
+const clap_plugin_render_t instance_render = {
+  .has_hard_realtime_requirement = extension_has_deadline, .set = set_mode};

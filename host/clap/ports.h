@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ports.h
- * What goes in and comes out of the CLAP plugins. Both have one input of notes, and as first output the stereo pair;
- * in the plugin with an output per microphone those of the others follow. Latency, tail and render mode are here, too.
+ * Sound that goes in and comes out of the CLAP plugins of one drum. Their first output is the stereo pair; in the plugin
+ * with an output per microphone those of the others follow. Latency, tail and render mode are here, too.
  */
 #ifndef TABOR_CLAP_PORTS_H
 #define TABOR_CLAP_PORTS_H
@@ -10,7 +10,6 @@
 #include "clap/instance.h"
 
 extern const clap_plugin_audio_ports_t instance_audio_ports;
-extern const clap_plugin_note_ports_t instance_note_ports;
 extern const clap_plugin_latency_t instance_latency;
 extern const clap_plugin_tail_t instance_tail;
 extern const clap_plugin_render_t instance_render;

@@ -33,6 +33,25 @@ jack=         # process of the server; empty if none is to run
 jack_watcher= # process that measures whether the machine keeps time
 exec {jack_report}>&1 # where skips are reported, though a command's output may go elsewhere
 
+# JACK's clients can wait for ever for a server that has dropped them or that ends while they close, so none of its
+# tools runs, and none of the processes is waited for, without a limit [s]. What they do here takes 2 s.
+jack_patience=60
+jack_lsp() { timeout --kill-after=5 $jack_patience jack_lsp "$@"; }
+jack_connect() { timeout --kill-after=5 $jack_patience jack_connect "$@"; }
+jack_rec() { timeout --kill-after=5 $jack_patience jack_rec "$@"; }
+
+# end_process PROCESS [SIGNAL]: sends the signal and waits for the end; kills what does not end. Its status.
+end_process() {
+  local i
+  kill -"${2:-TERM}" "$1" 2>/dev/null || true
+  for ((i = 0; i < 10 * jack_patience; i++)); do
+    kill -0 "$1" 2>/dev/null || break
+    sleep 0.1
+  done
+  kill -KILL "$1" 2>/dev/null || true
+  wait "$1" 2>/dev/null
+}
+
 # Skips the test: a failure is none of Tabor's if JACK's own tools do not reach the server, or if the machine stood
 # still for as long as JACK waits for a client, half a second.
 excuse() {
@@ -46,7 +65,7 @@ excuse() {
     skip "the machine stood still for $stalled s; JACK gives clients up after 0.5 s" >&"$jack_report"
   fi
 }
-jack_answers() { kill -0 "$jack" 2>/dev/null && timeout 20 jack_lsp >/dev/null 2>&1; }
+jack_answers() { kill -0 "$jack" 2>/dev/null && jack_lsp >/dev/null 2>&1; }
 
 # start_jack: starts the server; skips the test if that fails.
 start_jack() {
@@ -69,8 +88,7 @@ start_jack() {
 # stop_jack [SIGNAL]: the server ends. What a killed one leaves is removed if nobody else can use it.
 stop_jack() {
   if [ -z "$jack" ]; then return; fi
-  kill -"${1:-TERM}" "$jack" 2>/dev/null || true
-  wait "$jack" 2>/dev/null || true
+  end_process "$jack" "${1:-TERM}" || true
   jack=
   if jack_is_alone && [ "${1-}" = KILL ]; then rm -rf /dev/shm/jack*; fi
 }

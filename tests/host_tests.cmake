@@ -32,6 +32,9 @@ if(TARGET tabor-program)
   endfunction()
 
   set(test_system_kit_render_ARGUMENTS "${PROJECT_SOURCE_DIR}/examples/kit-groove.mid")
+  if(TABOR_SANITIZE)
+    list(APPEND test_system_kit_render_ARGUMENTS brief)
+  endif()
   foreach(name IN ITEMS test_library_sampler test_system_analyze test_system_bench test_system_completion
                         test_system_events_file
                         test_system_files test_system_humanize test_system_jobs test_system_keys test_system_kit_play test_system_kit_render test_system_library

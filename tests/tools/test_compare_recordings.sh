@@ -61,8 +61,17 @@ check "says what the strict gate misses" grep -qE '^strict: snare-14x5.5, snare/
 compare --check --strict --quality draft --program ./spoilt
 same "the strict gate without snares" 1 "$status"
 
+# Its page is made of any sounds: a tom stands for the snare drums, whose strokes cost several times as much.
+cat >quick <<END
+#!/bin/sh
+case \$2 in
+snare-* | piccolo-* | marching-*) shift 2; exec "$work/program" render tom-12 "\$@" ;;
+esac
+exec "$work/program" "\$@"
+END
+chmod +x quick
 mkdir docs
-compare --docs docs --quality draft --before ./spoilt
+compare --docs docs --quality draft --program ./quick --before ./spoilt
 same "writes its page" 0 "$status"
 for part in recordings.md recordings/figures.json recordings/snare-14x5.5-bottom.png; do
   check "$part" test -s "docs/$part"

@@ -12,9 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tabor/tabor.h"
+#include "glue.h"
 
-enum { BLOCK = 128, MOST_EVENTS = 64 };
 enum { PICTURES = 4, WIRE_POINTS = 17, PICTURE_STICKS = 4, STICK_VALUES = 4 };
 
 /* Of a picture: two heads on 16 by 48 places, the heights of 40 wires and the forces on them, and sticks. */
@@ -25,9 +24,6 @@ enum {
 };
 
 static const double gain_db = 12; /* of a pair of microphones, as `tabor render --stereo` has it */
-
-#define EXPORT(name) __attribute__((export_name(name)))
-#define IMPORT(name) __attribute__((import_module("tabor"), import_name(name)))
 
 /** A drum in a room, heard by its microphones left and right, as `tabor render --stereo` plays it, or by chosen ones,
  * as with --mic. */
@@ -52,9 +48,6 @@ typedef struct WebDrum {
   TaborView *view;
   float pictures[PICTURES * MOST_VALUES]; /**< of the last block, one after the other */
 } WebDrum;
-
-/* Hears how far a model is, 0 to 1. */
-IMPORT("progress") void report_progress(double done);
 
 /* ---- presets -------------------------------------------------------------------------------- */
 

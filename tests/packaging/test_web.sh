@@ -29,15 +29,17 @@ grep '^#' log
 if [ -n "${PICTURES-}" ]; then cp takes/*.png "$PICTURES"; fi
 
 count=0
-# The command is the one that the page shows: tabor render ... --events strokes.csv -o again.wav
+# The command is the one that the page shows: tabor render ... --events strokes.csv ... -o again.wav, and of a kit
+# --midi-file strokes.mid.
 while read -r name seconds command; do
   [[ $command == "tabor render "* ]] || complain "$name: the page shows the command '$command'"
   read -ra words <<<"$command"
-  cp "takes/$name.csv" strokes.csv
-  rm -f again.wav
+  rm -f again.wav strokes.*
+  cp "takes/$name."[cm]* strokes.csv
+  cp strokes.csv strokes.mid
   quietly "$TABOR" "${words[@]:1}" -q --duration "$seconds"
   [ "$("$INSPECT" peak again.wav)" != 0 ] || complain "$command: there is no sound"
   "$INSPECT" equal "takes/$name.wav" again.wav || complain "$command: the page has other bits"
   count=$((count + 1))
 done < <(grep '^take' log)
-[ $count -eq 6 ] || complain "$count recordings"
+[ $count -eq 7 ] || complain "$count recordings"

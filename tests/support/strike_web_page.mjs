@@ -4,8 +4,8 @@
 //
 //     strike_web_page.mjs ADDRESS TOOLS FOLDER
 //
-// TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv of each recording and
-// pictures of the page. Prints a line "NAME SECONDS COMMAND" for each recording, with the command that the page shows for
+// TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv, of a kit NAME.mid, of each
+// recording and pictures of the page. Prints a line "NAME SECONDS COMMAND" for each recording, with the command that the page shows for
 // it, and what was measured as "# ..." lines. Status 1 if something is wrong.
 import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -116,17 +116,23 @@ async function save(page, link, file) {
 /** Length of a recording in stereo: its header has 58 bytes. */
 const secondsOf = (file) => (statSync(file).size - 58) / 8 / 48000;
 
-async function record(page, name) {
+/** Records what `play` plays, and prints how the program makes it again. */
+async function recordTake(page, name, play, strokes, extension) {
   await page.getByRole("button", { name: "Record" }).click();
   await play(page);
   await page.getByRole("button", { name: "Stop" }).click();
   await status(page, "Recorded");
   await save(page, "Sound (WAV)", `${name}.wav`);
-  await save(page, "Strokes (CSV)", `${name}.csv`);
-  const strokes = readFileSync(join(folder, `${name}.csv`), "utf8").trim().split("\n").length - 1;
-  if (strokes !== STROKES) complain(`${name}: ${strokes} of ${STROKES} strokes`);
+  await save(page, strokes, `${name}.${extension}`);
   const command = await page.locator("#command-text").innerText();
   console.log(`${name} ${secondsOf(join(folder, `${name}.wav`))} ${command}`);
+  return join(folder, `${name}.${extension}`);
+}
+
+async function record(page) {
+  const table = await recordTake(page, `take${++takes}`, play, "Strokes (CSV)", "csv");
+  const strokes = readFileSync(table, "utf8").trim().split("\n").length - 1;
+  if (strokes !== STROKES) complain(`${table}: ${strokes} of ${STROKES} strokes`);
 }
 
 /** Looks for what people with assistive technology miss. */
@@ -148,8 +154,43 @@ async function recordDrums(browser) {
   await prepareToRecord(page);
   for (const [preset, quality] of drums) {
     await choose(page, preset, quality);
-    await record(page, `take${++takes}`);
+    await record(page);
   }
+  await page.context().close();
+}
+
+/** Notes of all drums of a kit, among them a rimshot, a cross-stick and one that no drum has. */
+async function playNotes(page) {
+  for (const [note, velocity] of [[36, 100], [38, 90], [42, 80], [48, 70], [45, 127], [41, 64], [40, 100], [37, 64], [36, 20]]) {
+    await sendMidi(page, 0x99, note, velocity);
+    await page.waitForTimeout(70);
+  }
+  await page.waitForTimeout(800);
+}
+
+/** A kit is played by notes, by keys and by the mouse; each drum is struck where it stands. */
+async function playKit(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await prepareToRecord(page);
+  await choose(page, "kit:standard", "draft");
+  await recordTake(page, `take${++takes}`, playNotes, "Strokes (MIDI)", "mid");
+  if (await page.getByRole("checkbox", { name: "Slow motion" }).isEnabled()) complain("a kit has slow motion");
+  const byHand = async () => {
+    for (const key of ["a", "s", "d", "f", "g", "w", "z"]) await page.keyboard.press(key);
+    await page.mouse.click(...(await placeOf(page, -0.63, -0.35))); // the snare drum
+    await page.mouse.click(...(await placeOf(page, -1.1, 1.1))); // the floor
+    await page.waitForTimeout(500);
+  };
+  const notes = readFileSync(await recordTake(page, "by-hand", byHand, "Strokes (MIDI)", "mid"));
+  const struck = [...notes.keys()].filter((i) => notes[i] === 0x99 && notes[i + 2] > 0).map((i) => notes[i + 1]);
+  const expected = [35, 38, 48, 45, 41, 38, 40, 38];
+  if (struck.join() !== expected.join()) complain(`keys and the mouse play the notes ${struck}, not ${expected}`);
+  await page.screenshot({ fullPage: true, path: join(folder, "kit.png") });
+  await checkAccess(page, "kit");
+  await page.reload();
+  await status(page, "Ready");
+  const kit = await page.getByRole("combobox", { name: "Drum" }).inputValue();
+  if (kit !== "kit:standard") complain(`the link restores ${kit}`);
   await page.context().close();
 }
 
@@ -180,7 +221,7 @@ async function tune(browser) {
   await move(page, "slider", /^Muffling of the resonant/, ["ArrowRight", "ArrowRight"]);
   await move(page, "combobox", "Stick", ["ArrowDown"]);
   await page.waitForTimeout(300); // the former drum fades
-  await record(page, `take${++takes}`);
+  await record(page);
   await page.getByRole("checkbox", { name: "Snares on" }).press(" ");
   const moved = await controlsOf(page);
   console.log(`# the controls: ${moved}; the link: ${page.url().replace(address, "")}`);
@@ -189,7 +230,7 @@ async function tune(browser) {
   if ((await controlsOf(page)) !== moved) complain(`the link restores ${await controlsOf(page)} and not ${moved}`);
   await prepareToRecord(page);
   await page.waitForTimeout(300);
-  await record(page, `take${++takes}`);
+  await record(page);
   await checkAccess(page, "controls");
   await page.getByRole("button", { name: "As it came" }).press("Enter");
   await status(page, "Ready");
@@ -324,6 +365,7 @@ async function picture(browser, colorScheme, width) {
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
 try {
   await recordDrums(browser);
+  await playKit(browser);
   await tune(browser);
   await followLinks(browser);
   await operate(browser);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Builds drums beside the page. A message { bytes, preset, settings, quality, rate } is answered by { progress }s and then by
 // { drum, memory, facts } or { error }. `memory` holds the drum, at the address `drum`.
-// `settings` are keys and values as [["batter.pitch", "A3"]].
+// `settings` are keys and values as [["batter.pitch", "A3"]]. A preset may be a kit (kits.js); its facts have `drums`.
 import { startEngine, textAt, withText } from "./engine.js";
+import { kitOf } from "./kits.js";
 
 const TRIALS = 2; // the first is dearer: the engine is still being compiled
 const TRIAL_LENGTH = 0.15; // [s]
@@ -10,17 +11,17 @@ const TRIAL_SPEED = 4.5; // [m/s]
 const BLOCK = 128; // frames
 
 /** Plays a stroke; returns the computing time as a share of its duration. */
-function trial(engine, drum, rate) {
+function trial({ strike, process, reset }, rate) {
   const blocks = Math.ceil((TRIAL_LENGTH * rate) / BLOCK);
   const began = performance.now();
-  engine.drum_strike(drum, 0, TRIAL_SPEED, 0, 0, 0, -1);
-  for (let i = 0; i < blocks; i++) engine.drum_process(drum, 0);
-  engine.drum_reset(drum);
+  strike(TRIAL_SPEED);
+  for (let i = 0; i < blocks; i++) process();
+  reset();
   return (performance.now() - began) / 1000 / ((blocks * BLOCK) / rate);
 }
 
-function measureLoad(engine, drum, rate) {
-  const loads = Array.from({ length: TRIALS }, () => trial(engine, drum, rate));
+function measureLoad(instrument, rate) {
+  const loads = Array.from({ length: TRIALS }, () => trial(instrument, rate));
   return Math.min(...loads);
 }
 
@@ -55,8 +56,8 @@ function controlsOf(engine, drum) {
   };
 }
 
-function factsOf(engine, drum) {
-  const number = (key) => numberOf(engine, drum, key);
+/** What a drum looks like and where it is struck; `number` gives a number of its definition. */
+function looksOf(number) {
   return {
     radius: number("shell.radius"), // [m]
     lugs: number("batter.lug_count"),
@@ -70,29 +71,80 @@ function factsOf(engine, drum) {
     place: number("strike.radius"), // [m]
     angle: number("strike.angle"), // [deg]
     velocity: number("strike.velocity"), // [m/s]
-    picture: pictureOf(engine, drum),
-    modes: engine.drum_mode_count(drum),
   };
 }
 
-/** Changes the definition; false with an error. */
-function set(engine, drum, [key, value]) {
-  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => engine.drum_set(drum, keyAt, valueAt)));
+/* ---- a drum ---- */
+
+function factsOf(engine, drum) {
+  const looks = looksOf((key) => numberOf(engine, drum, key));
+  return { ...looks, picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
 }
 
-async function build({ bytes, preset, settings, quality, rate }) {
-  const engine = await startEngine(bytes, (progress) => postMessage({ progress }));
-  const began = performance.now();
+/** Changes the definition by `set` of the engine; false with an error. */
+function change(engine, set, instrument, [key, value]) {
+  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
+}
+
+function buildDrum(engine, { preset, settings, quality, rate }) {
   const drum = withText(engine, preset, engine.drum_create);
   if (!drum) return { error: "there is not enough memory" };
   const error = () => textAt(engine, engine.drum_error(drum));
   if (error()) return { error: error() };
   const own = controlsOf(engine, drum);
-  for (const setting of settings) if (!set(engine, drum, setting)) return { error: error() };
+  for (const setting of settings) if (!change(engine, engine.drum_set, drum, setting)) return { error: error() };
   const now = settings.length > 0 ? controlsOf(engine, drum) : own;
   if (!engine.drum_build(drum, quality, rate)) return { error: error() };
-  const facts = { ...factsOf(engine, drum), preset: own, now, seconds: (performance.now() - began) / 1000 };
-  facts.load = measureLoad(engine, drum, rate);
+  const instrument = {
+    strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),
+    process: () => engine.drum_process(drum, 0),
+    reset: () => engine.drum_reset(drum),
+  };
+  return { drum, facts: { ...factsOf(engine, drum), preset: own, now }, instrument };
+}
+
+/* ---- a kit ---- */
+
+const NOTES = 128;
+
+function drumOfKit(engine, kit, drum) {
+  const [x, y, height] = [0, 1, 2].map((axis) => engine.kit_drum_place(kit, drum, axis)); // [m]
+  return {
+    ...looksOf((key) => withText(engine, key, (address) => engine.kit_drum_number(kit, drum, address))),
+    name: textAt(engine, engine.kit_drum_name(kit, drum)),
+    x, y, height,
+    strokes: Array.from({ length: NOTES }, (_, note) => engine.kit_stroke(kit, drum, note)),
+  };
+}
+
+function buildKit(engine, name, { settings, quality, rate }) {
+  const kit = withText(engine, name, engine.kit_create);
+  if (!kit) return { error: "there is not enough memory" };
+  const error = () => textAt(engine, engine.kit_error(kit));
+  if (error()) return { error: error() };
+  for (const setting of settings) if (!change(engine, engine.kit_set, kit, setting)) return { error: error() };
+  if (!engine.kit_build(kit, quality, rate)) return { error: error() };
+  const drums = Array.from({ length: engine.kit_drum_count(kit) }, (_, i) => drumOfKit(engine, kit, i));
+  const instrument = {
+    strike: (speed) => drums.forEach((_, i) => engine.kit_strike(kit, i, speed, 0, 0, 0)), // all at once
+    process: () => engine.kit_process(kit),
+    reset: () => engine.kit_reset(kit),
+  };
+  const snares = drums.find(({ wires }) => wires.count > 0)?.wires ?? { count: 0, strainer: 0 };
+  const facts = { drums, wires: snares, preset: { strainer: snares.strainer }, velocity: drums[0].velocity,
+    modes: engine.kit_mode_count(kit) };
+  return { drum: kit, facts, instrument };
+}
+
+async function build(request) {
+  const engine = await startEngine(request.bytes, (progress) => postMessage({ progress }));
+  const began = performance.now();
+  const kit = kitOf(request.preset);
+  const { error, drum, facts, instrument } =
+    kit === null ? buildDrum(engine, request) : buildKit(engine, kit, request);
+  if (error) return { error };
+  facts.seconds = (performance.now() - began) / 1000;
+  facts.load = measureLoad(instrument, request.rate);
   return { drum, facts, memory: engine.memory.buffer.slice(0) };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The drum from above: head, hoop, lugs and wires to scale, and where it was struck.
+// Drums from above: heads, hoops, lugs and wires to scale, and where they were struck. Of a kit the higher drums hide the
+// lower ones. A bass drum's head is shown as if it lay.
 
 const HEAD_SHARE = 0.86; // the head's radius in the half width of the picture
 const MARK_TIME = 900; // how long a stroke stays visible [ms]
@@ -7,10 +8,30 @@ const FLOOR = -60; // level that no longer lights the head [dBFS]
 const TURN = 2 * Math.PI;
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
+const SINGLE = { x: 0, y: 0, size: 1 }; // of what HEAD_SHARE is a share of
+const HOOP = 1.12; // what a drum takes, in radii
+
+/** Places of a kit's drums: { x, y, size }, which fill the square from -1 to 1. */
+function placesOf(drums) {
+  const sides = (low, high) => {
+    const from = Math.min(...drums.map((drum) => low(drum) - HOOP * drum.radius));
+    const to = Math.max(...drums.map((drum) => high(drum) + HOOP * drum.radius));
+    return { middle: (from + to) / 2, half: (to - from) / 2 };
+  };
+  const across = sides(({ x }) => x, ({ x }) => x);
+  const along = sides(({ y }) => y, ({ y }) => y);
+  const scale = 1 / Math.max(across.half, along.half) / HEAD_SHARE;
+  return drums.map(({ x, y, radius }) => (
+    { x: (x - across.middle) * scale, y: (y - along.middle) * scale, size: radius * scale }));
+}
+
 export class DrumView {
   #canvas;
-  #facts = { radius: 0.18, lugs: 10, wires: { count: 0 } };
-  #marks = []; // { x, y, velocity, time }, x and y as shares of the radius
+  #drums = [{ radius: 0.18, lugs: 10, wires: { count: 0 } }];
+  #places = [SINGLE];
+  #order = [0]; // from the lowest drum to the highest
+  #snaresOff = false;
+  #marks = []; // { drum, x, y, velocity, time }, x and y as shares of the radius
   #level = FLOOR;
   #heights = null; // of the head, { circles, angles, of, most }
   #asked = false; // a picture is to come
@@ -21,15 +42,18 @@ export class DrumView {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#ask());
   }
 
-  show(facts) {
-    this.#facts = facts;
+  /** Shows the drums of a kit, or the only one. */
+  show(drums) {
+    this.#drums = drums;
+    this.#places = drums.length > 1 ? placesOf(drums) : [SINGLE];
+    this.#order = [...drums.keys()].sort((i, j) => drums[i].height - drums[j].height);
     this.#heights = null;
     this.#marks = [];
     this.#ask();
   }
 
   setSnares(on) {
-    this.#facts.snaresOff = !on;
+    this.#snaresOff = !on;
     this.#ask();
   }
 
@@ -45,20 +69,27 @@ export class DrumView {
     this.#ask();
   }
 
-  /** Marks a stroke at a share of the radius and an angle [deg]. */
-  mark(share, angle, velocity) {
+  /** Marks a stroke on a drum at a share of its radius and an angle [deg]. */
+  mark(drum, share, angle, velocity) {
     const [x, y] = [share * Math.cos(radians(angle)), -share * Math.sin(radians(angle))];
-    this.#marks.push({ x, y, velocity, time: performance.now() });
+    this.#marks.push({ drum, x, y, velocity, time: performance.now() });
     this.#ask();
   }
 
-  /** The place under a pointer: { share of the radius, angle [deg] }; the angle runs counter-clockwise. */
+  /** The place under a pointer: { drum, share of its radius, angle [deg] }; the angle runs counter-clockwise. Of an only drum
+   * the share may be beyond the hoop; null where no drum of a kit is. */
   placeAt({ clientX, clientY }) {
     const box = this.#canvas.getBoundingClientRect();
-    const radius = (HEAD_SHARE * box.width) / 2;
-    const x = (clientX - box.left - box.width / 2) / radius;
-    const y = (box.top + box.height / 2 - clientY) / radius;
-    return { share: Math.hypot(x, y), angle: (Math.atan2(y, x) * 180) / Math.PI };
+    const half = (HEAD_SHARE * box.width) / 2;
+    const x = (clientX - box.left - box.width / 2) / half;
+    const y = (box.top + box.height / 2 - clientY) / half;
+    for (const drum of this.#order.toReversed()) {
+      const at = this.#places[drum];
+      const [right, up] = [(x - at.x) / at.size, (y - at.y) / at.size];
+      const share = Math.hypot(right, up);
+      if (share <= HOOP || this.#drums.length === 1) return { drum, share, angle: (Math.atan2(up, right) * 180) / Math.PI };
+    }
+    return null;
   }
 
   #ask() {
@@ -73,22 +104,29 @@ export class DrumView {
     const size = Math.round(canvas.clientWidth * devicePixelRatio);
     if (canvas.width !== size) canvas.width = canvas.height = size;
     const context = canvas.getContext("2d");
-    const radius = (HEAD_SHARE * size) / 2;
+    const half = (HEAD_SHARE * size) / 2;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, size, size);
-    context.setTransform(radius, 0, 0, radius, size / 2, size / 2); // the head has the radius 1
     const style = getComputedStyle(canvas);
     const color = (name) => style.getPropertyValue(`--${name}`);
-    this.#drawHoop(context, color);
-    this.#drawHead(context, color);
-    this.#drawWires(context, color);
-    this.#drawMarks(context, color);
+    const now = performance.now();
+    this.#marks = this.#marks.filter((mark) => now - mark.time < MARK_TIME);
+    for (const i of this.#order) {
+      const { x, y, size: share } = this.#places[i];
+      const radius = half * share;
+      context.setTransform(radius, 0, 0, radius, size / 2 + half * x, size / 2 - half * y); // the head has the radius 1
+      this.#drawHoop(context, color, this.#drums[i]);
+      this.#drawHead(context, color);
+      this.#drawWires(context, color, this.#drums[i]);
+      this.#drawMarks(context, color, i, now);
+    }
+    if (this.#marks.length > 0) this.#ask();
   }
 
-  #drawHoop(context, color) {
+  #drawHoop(context, color, { lugs }) {
     context.fillStyle = color("lug");
-    for (let j = 0; j < this.#facts.lugs; j++) {
-      const angle = ((j + 0.5) * TURN) / this.#facts.lugs;
+    for (let j = 0; j < lugs; j++) {
+      const angle = ((j + 0.5) * TURN) / lugs;
       context.beginPath();
       context.arc(1.08 * Math.cos(angle), -1.08 * Math.sin(angle), 0.035, 0, TURN);
       context.fill();
@@ -133,13 +171,12 @@ export class DrumView {
     context.globalAlpha = 1;
   }
 
-  #drawWires(context, color) {
-    const { radius, wires, snaresOff } = this.#facts;
+  #drawWires(context, color, { radius, wires }) {
     context.save();
     context.rotate(-radians(wires.angle ?? 0));
     context.strokeStyle = color("wire");
     context.lineWidth = 0.004;
-    context.globalAlpha = snaresOff ? 0.25 : 1;
+    context.globalAlpha = this.#snaresOff ? 0.25 : 1;
     for (let i = 0; i < wires.count; i++) {
       const y = ((i - (wires.count - 1) / 2) * wires.spacing) / radius;
       const half = Math.min(wires.length / 2 / radius, Math.sqrt(1 - y * y));
@@ -151,17 +188,14 @@ export class DrumView {
     context.restore();
   }
 
-  #drawMarks(context, color) {
-    const now = performance.now();
-    this.#marks = this.#marks.filter((mark) => now - mark.time < MARK_TIME);
+  #drawMarks(context, color, drum, now) {
     context.fillStyle = color("mark");
-    for (const { x, y, velocity, time } of this.#marks) {
+    for (const { x, y, velocity, time } of this.#marks.filter((mark) => mark.drum === drum)) {
       context.globalAlpha = 1 - (now - time) / MARK_TIME;
       context.beginPath();
       context.arc(x, y, 0.02 + 0.012 * Math.sqrt(velocity), 0, TURN);
       context.fill();
     }
     context.globalAlpha = 1;
-    if (this.#marks.length > 0) this.#ask();
   }
 }

@@ -2,8 +2,8 @@
 // Plays the drum, on the audio thread. Messages to it:
 //
 //   { type: "engine", bytes }            the engine; before everything else
-//   { type: "drum", drum, memory }       another drum, as build_worker.js makes it; the former fades out
-//   { type: "strike", velocity, radius, angle, technique }
+//   { type: "drum", drum, memory, isKit }    another drum or kit, as build_worker.js makes it; the former fades out
+//   { type: "strike", drum, velocity, radius, angle, technique }    drum: of a kit
 //   { type: "strainer", value }          1: the snares are on, 0: off
 //   { type: "record", on }
 //   { type: "film", on }                 pictures of what follows a stroke
@@ -46,10 +46,20 @@ class Voice {
     this.engine.drum_set_strainer(this.drum, value);
   }
 
+  /** The address of the next block. */
+  compute(isFilmed) {
+    return this.engine.drum_process(this.drum, Number(isFilmed));
+  }
+
+  /** The address of the energy account. */
+  account() {
+    return this.engine.drum_ledger(this.drum);
+  }
+
   /** The channels of the next block, until the next call. They stay in their place: memory grows no more. */
   process(isFilmed = false) {
     const { buffer } = this.engine.memory;
-    const address = this.engine.drum_process(this.drum, Number(isFilmed));
+    const address = this.compute(isFilmed);
     this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
     return this.block;
   }
@@ -66,8 +76,7 @@ class Voice {
 
   /** The energy account [J]. */
   ledger() {
-    const address = this.engine.drum_ledger(this.drum);
-    const values = new Float64Array(this.engine.memory.buffer, address, LEDGER.length);
+    const values = new Float64Array(this.engine.memory.buffer, this.account(), LEDGER.length);
     return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
   }
 
@@ -79,6 +88,29 @@ class Voice {
       for (let i = 0; i < CHANNELS; i++) outputs[i][n] += (block[i][n] * this.left) / whole;
     }
     return this.left > 0;
+  }
+}
+
+/** A kit in an engine of its own. It is not filmed. */
+class KitVoice extends Voice {
+  strike({ drum, velocity, radius, angle, technique }) {
+    return this.engine.kit_strike(this.drum, drum, velocity, radius, angle, technique);
+  }
+
+  setStrainer(value) {
+    this.engine.kit_set_strainer(this.drum, value);
+  }
+
+  compute() {
+    return this.engine.kit_process(this.drum);
+  }
+
+  account() {
+    return this.engine.kit_ledger(this.drum);
+  }
+
+  get picturesSize() {
+    return 0;
   }
 }
 
@@ -124,7 +156,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   }
 
   change(message) {
-    this.coming = new Voice(this.module, message);
+    this.coming = new (message.isKit ? KitVoice : Voice)(this.module, message);
     this.strainer = null;
   }
 
@@ -149,7 +181,8 @@ class DrumProcessor extends AudioWorkletProcessor {
     if (!this.voice) this.waiting.push(message);
     else if (this.voice.strike(message)) {
       this.port.postMessage({ ...message, type: "struck", frame: this.frame });
-      if (this.films) this.film ??= { pictures: new Float32Array(FILM_BLOCKS * this.voice.picturesSize), blocks: 0 };
+      const size = this.films ? this.voice.picturesSize : 0;
+      if (size > 0) this.film ??= { pictures: new Float32Array(FILM_BLOCKS * size), blocks: 0 };
     }
   }
 

@@ -8,12 +8,15 @@ const TECHNIQUES = { z: 2, x: 3, c: 4 }; // rimshot, cross-stick, rim, by the en
 
 const zone = (i) => (OUTERMOST * Math.min(i, ZONES - 1)) / (ZONES - 1);
 
-/** What a key does: { stroke: share of the radius }, { ghost }, { technique }, { speed }, { preset } and so on. */
+/** A stroke of a row's keys: the number of the key, and the place, as a share of the radius. */
+const strokeOf = (i) => ({ zone: i, share: zone(i) });
+
+/** What a key does: { stroke: { zone, share } }, { ghost }, { technique }, { speed }, { preset } and so on. */
 export function actionOf(key) {
   const stroke = "asdfghjkl".indexOf(key);
-  if (stroke >= 0) return { stroke: zone(stroke) };
+  if (stroke >= 0) return { stroke: strokeOf(stroke) };
   const ghost = "qwertyuiop".indexOf(key);
-  if (ghost >= 0) return { ghost: zone(ghost) };
+  if (ghost >= 0) return { ghost: strokeOf(ghost) };
   if (key in TECHNIQUES) return { technique: TECHNIQUES[key] };
   if (key >= "1" && key <= "9") return { speed: SPEEDS[key - 1] };
   if (key === "[" || key === "]") return { preset: key === "[" ? -1 : 1 };

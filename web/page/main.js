@@ -6,6 +6,7 @@ import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
 import { FilmView } from "./film_view.js";
 import { actionOf } from "./keys.js";
+import { kitOf, listedKit, settingsOfKit, strokeOf } from "./kits.js";
 import { listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
@@ -27,14 +28,14 @@ const film = new FilmView(element("motion"), element("motion-text"), (heights) =
 const energy = new EnergyView(element("energy"));
 const spectrum = new SpectrumView(element("spectrum"));
 const controls = new DrumControls(element("drum-controls"), link, changeDrum);
-let presets = []; // { name, comment }
+let presets = []; // { name, comment }, kits with a name of the list
 let sound = null;
-let facts = null; // of the drum that sounds
+let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
 let hasMoved = false; // it was changed while it sounded
 let refused = ""; // why the drum is not as the link says
 let recorder = null;
-let last = { share: 0, angle: 0, speed: 1 }; // the last stroke
+let last = { drum: 0, share: 0, angle: 0, speed: 1 }; // the last stroke
 
 /* ---- what is shown ---- */
 
@@ -77,6 +78,12 @@ function showLedger(ledger) {
 
 /* ---- the drum ---- */
 
+const preset = () => element("preset").value;
+const isKit = () => kitOf(preset()) !== null;
+const settings = () => (isKit() ? settingsOfKit(controls.settings) : controls.settings);
+/** What stands there: a kit's drums, or the only one. */
+const drums = () => facts.drums ?? [facts];
+
 const speed = () => 2 ** Number(element("speed").value); // [m/s]
 
 function setSpeed(velocity) {
@@ -92,13 +99,13 @@ function showSpeed() {
 
 function buildDrum(quality) {
   tried = quality;
-  say(`Building ${element("preset").value}, ${quality}`);
+  say(`Building ${preset()}, ${quality}`);
   showProgress(0);
-  sound.build(element("preset").value, controls.settings, quality);
+  sound.build(preset(), settings(), quality);
 }
 
 function showLink() {
-  link.set("drum", element("preset").value);
+  link.set("drum", preset());
   link.set("quality", element("quality").value);
   history.replaceState(null, "", `#${link}`);
 }
@@ -106,7 +113,8 @@ function showLink() {
 function chooseQuality() {
   showLink();
   const quality = element("quality").value;
-  buildDrum(quality === "automatic" ? "live" : quality);
+  const automatic = isKit() ? "draft" : "live"; // no machine plays all drums of a kit at `live` in a browser
+  buildDrum(quality === "automatic" ? automatic : quality);
 }
 
 /* Another drum is as it came. */
@@ -139,13 +147,16 @@ function useDrum(built) {
   const isFirst = !facts;
   facts = built;
   hasMoved = false;
-  last.angle = facts.angle;
+  last = { drum: 0, share: 0, angle: drums()[0].angle };
   if (isFirst) setSpeed(facts.velocity);
   showProgress(1);
   showFacts();
-  view.show(facts);
-  film.show(facts);
-  controls.show(facts);
+  view.show(drums());
+  if (facts.picture) film.show(facts);
+  showSlowMotion();
+  element("drum").classList.toggle("kit", isKit());
+  element("drum-controls").hidden = isKit();
+  if (!isKit()) controls.show(facts);
   say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
   refused = "";
   sound.play();
@@ -178,8 +189,10 @@ function setSnares(on) {
   view.setSnares(on);
 }
 
-function setSlowMotion(on) {
-  element("slow").checked = on;
+/* Of a kit there is none. */
+function showSlowMotion() {
+  const on = element("slow").checked && !isKit();
+  element("slow").disabled = isKit();
   element("slowness").disabled = !on;
   film.setOn(on);
   sound.film(on);
@@ -195,12 +208,19 @@ function stepPreset(step) {
 /* ---- strokes ---- */
 
 /* A place is a share of the radius, so that it is the same on every drum. */
-function strike({ share, angle, velocity, technique = 0 }) {
+function strike({ drum = 0, share, angle, velocity, technique = 0 }) {
   sound.start();
   if (!facts) return;
-  const radius = Math.min(share, 1) * facts.radius;
-  last = { share: Math.min(share, 1), angle, velocity };
-  sound.strike({ velocity, radius, angle, technique });
+  const radius = Math.min(share, 1) * drums()[drum].radius;
+  last = { drum, share: Math.min(share, 1), angle, velocity };
+  sound.strike({ drum, velocity, radius, angle, technique });
+}
+
+/* Where the drum's own stroke goes. */
+function strikeDrum(drum, velocity, technique = 0, isCentre = false) {
+  const { radius, place, angle } = drums()[drum];
+  const share = technique === CROSS_STICK ? CROSS_STICK_PLACE : place / radius;
+  strike({ drum, share: isCentre ? 0 : share, angle, velocity, technique });
 }
 
 function strikeWith(technique) {
@@ -219,20 +239,22 @@ function strikeAt(event) {
   if (event.button !== 0) return;
   event.preventDefault();
   element("drum").focus({ focusVisible: false });
-  const { share, angle } = view.placeAt(event);
-  if (share > RIM_WIDTH) return;
-  strike({ share, angle, velocity: velocityOf(event), technique: share > 1 ? RIM : 0 });
+  const place = view.placeAt(event);
+  if (!place || place.share > RIM_WIDTH) return;
+  strike({ ...place, velocity: velocityOf(event), technique: place.share > 1 ? RIM : 0 });
 }
 
-/* Notes strike where the preset's own stroke does. */
-function actByMidi({ velocity, technique, isCentre, snares }) {
+/* Notes strike where the drum's own stroke does. */
+function actByMidi({ note, velocity, technique, isCentre, snares }) {
   if (!facts) return;
   if (snares !== undefined) {
     if (!element("snares").disabled) setSnares(snares);
-    return;
+  } else if (isKit()) {
+    const stroke = strokeOf(facts.drums, note);
+    if (stroke) strikeDrum(stroke.drum, velocity, stroke.technique);
+  } else if (technique !== null) {
+    strikeDrum(0, velocity, technique, isCentre);
   }
-  const place = technique === CROSS_STICK ? CROSS_STICK_PLACE : facts.place / facts.radius;
-  strike({ share: isCentre ? 0 : place, angle: facts.angle, velocity, technique });
 }
 
 function connectMidi() {
@@ -243,10 +265,18 @@ function connectMidi() {
 
 /* ---- keys ---- */
 
+/* The keys that strike a drum from the centre to the rim are one for each drum of a kit. */
+function strikeByKey({ zone, share }, velocity) {
+  if (facts && isKit()) {
+    if (zone < facts.drums.length) strikeDrum(zone, velocity);
+  } else {
+    strike({ share, angle: facts?.angle ?? 0, velocity });
+  }
+}
+
 function act(action) {
-  const angle = facts?.angle ?? 0;
-  if ("stroke" in action) strike({ share: action.stroke, angle, velocity: speed() });
-  if ("ghost" in action) strike({ share: action.ghost, angle, velocity: GHOST * speed() });
+  if (action.stroke) strikeByKey(action.stroke, speed());
+  if (action.ghost) strikeByKey(action.ghost, GHOST * speed());
   if (action.technique) strikeWith(action.technique);
   if (action.repeat) strike({ ...last, velocity: last.velocity ?? speed() });
   if (action.speed) setSpeed(action.speed);
@@ -275,16 +305,17 @@ function toggleRecording() {
   const begins = !recorder;
   element("record").setAttribute("aria-pressed", String(begins));
   element("record").textContent = begins ? "Stop recording" : "Record";
-  if (begins) recorder = new Recorder(CHANNELS, RATE, command());
+  if (begins) recorder = new Recorder(CHANNELS, RATE, command(), facts.drums);
   sound.record(begins);
 }
 
 /* What makes the drum's sound again, until it is changed; "" if nothing does. */
 function command() {
   if (hasMoved) return "";
-  const settings = controls.settings.map(([key, value]) => ` --set ${key}=${value}`).join("");
-  return `tabor render ${element("preset").value} --quality ${tried} --stereo${settings} --format float ` +
-    "--events strokes.csv -o again.wav";
+  const changes = settings().map(([key, value]) => ` --set ${key}=${value}`).join("");
+  const sounds = `--quality ${tried}${changes} --format float -o again.wav`;
+  return isKit() ? `tabor render --kit ${kitOf(preset())} --midi-file strokes.mid ${sounds}`
+    : `tabor render ${preset()} --stereo --events strokes.csv ${sounds}`;
 }
 
 function offer(anchor, blob) {
@@ -302,6 +333,8 @@ function addRecorded(piece) {
 function finishRecording() {
   offer(element("sound-file"), recorder.sound());
   offer(element("strokes-file"), recorder.strokes());
+  element("strokes-file").download = `strokes.${recorder.isOfKit ? "mid" : "csv"}`;
+  element("strokes-file").textContent = recorder.isOfKit ? "Strokes (MIDI)" : "Strokes (CSV)";
   element("files").hidden = false;
   element("command").hidden = recorder.command === "" || recorder.command !== command();
   element("command-text").textContent = recorder.command;
@@ -319,15 +352,20 @@ async function load(file) {
 
 async function listPresets(bytes) {
   const engine = await startEngine(bytes);
-  return Array.from({ length: engine.preset_count() }, (_, i) => ({
-    name: textAt(engine, engine.preset_name(i)),
-    comment: textAt(engine, engine.preset_comment(i)),
-  }));
+  const list = (count, name, comment) =>
+    Array.from({ length: count }, (_, i) => ({ name: textAt(engine, name(i)), comment: textAt(engine, comment(i)) }));
+  const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment);
+  return [
+    ...list(engine.preset_count(), engine.preset_name, engine.preset_comment),
+    ...kits.map(({ name, comment }) => ({ name: listedKit(name), comment })),
+  ];
 }
 
 function fillPresets() {
   const select = element("preset");
-  for (const { name } of presets) select.add(new Option(name));
+  const groups = ["Drums", "Kits"].map((label) => Object.assign(document.createElement("optgroup"), { label }));
+  for (const { name } of presets) groups[Number(kitOf(name) !== null)].append(new Option(kitOf(name) ?? name, name));
+  select.append(...groups);
   const wanted = presets.some(({ name }) => name === link.get("drum"));
   select.value = wanted ? link.get("drum") : "snare-14x5.5";
   const quality = element("quality");
@@ -342,7 +380,8 @@ function listen() {
     failed: failBuild,
     started: () => { element("record").disabled = false; },
     struck: (stroke) => {
-      view.mark(stroke.radius / facts.radius, stroke.angle, stroke.velocity);
+      const drum = drums()[stroke.drum];
+      if (drum) view.mark(stroke.drum, stroke.radius / drum.radius, stroke.angle, stroke.velocity);
       recorder?.addStroke(stroke);
     },
     level: ({ peak }) => showLevel(peak),
@@ -358,7 +397,7 @@ function listen() {
   element("quality").addEventListener("change", chooseQuality);
   element("speed").addEventListener("input", showSpeed);
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
-  element("slow").addEventListener("change", (event) => setSlowMotion(event.target.checked));
+  element("slow").addEventListener("change", showSlowMotion);
   element("slowness").addEventListener("change", (event) => film.setSlowness(Number(event.target.value)));
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
@@ -375,7 +414,8 @@ async function begin() {
   fillPresets();
   showSpeed();
   listen();
-  setSlowMotion(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  element("slow").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  showSlowMotion();
   chooseQuality();
 }
 

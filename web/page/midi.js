@@ -15,14 +15,21 @@ function speedOf(velocity) {
   return span.slowest * (span.fastest / span.slowest) ** x;
 }
 
-/** What a message does: { velocity, technique, isCentre }, { snares }, or null. */
+/** Velocity of a speed [m/s], rounded and within what MIDI has. */
+export function velocityOf(speed) {
+  const span = speed < NORMAL.slowest ? GHOST : NORMAL;
+  const x = Math.log(speed / span.slowest) / Math.log(span.fastest / span.slowest);
+  return Math.min(Math.max(Math.round(span.from + x * (span.to - span.from)), 1), 127);
+}
+
+/** What a message does: { note, velocity, technique, isCentre }, { snares }, or null. A technique of null: no note of a drum
+ * that plays alone. */
 export function actionOf([status, number, value]) {
   const kind = status & 0xf0;
   if (kind === 0xb0 && number === STRAINER) return { snares: value >= 64 };
   if (kind !== 0x90 || value === 0) return null;
-  const technique = TECHNIQUES[number] ?? 0;
-  if (!technique && !HEAD_NOTES.includes(number)) return null;
-  return { velocity: speedOf(value), technique, isCentre: number === CENTRE_NOTE };
+  const technique = TECHNIQUES[number] ?? (HEAD_NOTES.includes(number) ? 0 : null);
+  return { note: number, velocity: speedOf(value), technique, isCentre: number === CENTRE_NOTE };
 }
 
 /** Hears all inputs, also those that come later. `tell` gets their number whenever it changes. */

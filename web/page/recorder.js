@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A recording under way: its sound, and its strokes for `tabor render --events`.
+// A recording under way: its sound, and its strokes for `tabor render`: of a drum for --events, of a kit for --midi-file.
+import { noteOf } from "./kits.js";
+import { velocityOf } from "./midi.js";
+import { midiFile } from "./midi_file.js";
 import { wavFile } from "./wav.js";
 
 const MOST_SECONDS = 600;
@@ -12,10 +15,12 @@ export class Recorder {
   #strokes = [];
   #start = null; // frame of the first sample
   #frames = 0;
+  #drums; // of a kit
 
-  /** `command` is what makes the same sound again of the strokes. */
-  constructor(channels, rate, command) {
+  /** `command` is what makes the same sound again of the strokes; `drums` are those of a kit. */
+  constructor(channels, rate, command, drums = null) {
     this.command = command;
+    this.#drums = drums;
     this.#channels = channels;
     this.#rate = rate;
   }
@@ -28,6 +33,10 @@ export class Recorder {
 
   addStroke(stroke) {
     this.#strokes.push(stroke);
+  }
+
+  get isOfKit() {
+    return this.#drums !== null;
   }
 
   get isFull() {
@@ -47,12 +56,23 @@ export class Recorder {
     return [time, velocity, radius, angle, TECHNIQUE_NAMES[technique]].join(",");
   }
 
-  /** The strokes as a table, or null if there was none. */
+  /** Their notes strike where the drums' own strokes do, at the nearest velocity. A stroke without a note is left out. */
+  #midiOf(strokes) {
+    const notes = strokes.map((stroke) => (
+      { frame: stroke.frame - this.#start, note: noteOf(this.#drums, stroke), velocity: velocityOf(stroke.velocity) }));
+    return midiFile(notes.filter(({ note }) => note >= 0), this.#rate);
+  }
+
+  #tableOf(strokes) {
+    const rows = strokes.map((stroke) => this.#row(stroke));
+    const text = ["time,velocity,radius,angle,technique", ...rows, ""].join("\n");
+    return new Blob([text], { type: "text/csv" });
+  }
+
+  /** The strokes as a file, or null if there was none. */
   strokes() {
     const heard = this.#strokes.filter(({ frame }) => frame >= this.#start);
     if (heard.length === 0) return null;
-    const rows = heard.map((stroke) => this.#row(stroke));
-    const text = ["time,velocity,radius,angle,technique", ...rows, ""].join("\n");
-    return new Blob([text], { type: "text/csv" });
+    return this.isOfKit ? this.#midiOf(heard) : this.#tableOf(heard);
   }
 }

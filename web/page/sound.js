@@ -39,9 +39,9 @@ export class Sound extends EventTarget {
 
   #sendDrum() {
     if (!this.#node || !this.#built) return;
-    const { drum, memory } = this.#built;
+    const { drum, memory, facts } = this.#built;
     this.#built = null;
-    this.#send({ type: "drum", drum, memory }, [memory]);
+    this.#send({ type: "drum", drum, memory, isKit: "drums" in facts }, [memory]);
   }
 
   /** Call in a gesture: browsers refuse sound before one. */

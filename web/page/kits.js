@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Kits among drums: in the list and in links a kit has the name "kit:standard".
+
+const PREFIX = "kit:";
+const STROKES = [1, null, 2, 3, 4]; // what a note does in a kit, by the technique of a stroke; both by the engine's numbers
+
+/** The name in the list for a kit. */
+export const listedKit = (name) => PREFIX + name;
+
+/** The kit's own name, or null for a drum. */
+export const kitOf = (listed) => (listed.startsWith(PREFIX) ? listed.slice(PREFIX.length) : null);
+
+/** Keys and values that a kit takes; snares are switched while it plays. */
+export const settingsOfKit = (settings) => settings.filter(([key]) => !key.startsWith("wires."));
+
+/** What a note plays: { drum, technique }, or null. */
+export function strokeOf(drums, note) {
+  for (const [drum, { strokes }] of drums.entries()) {
+    const technique = STROKES.indexOf(strokes[note]);
+    if (technique >= 0) return { drum, technique };
+  }
+  return null;
+}
+
+/** A note that plays a drum so, or -1. */
+export const noteOf = (drums, { drum, technique }) => drums[drum].strokes.indexOf(STROKES[technique]);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The page of tools/web in headless Chromium: strokes by mouse, touch and keys on drums as they come and with every
 # control moved, recorded there, have the same bits as the command that the page shows makes; no error, no request to anybody else, nothing that axe objects to, at most 300 KB compressed.
-# PICTURES=FOLDER keeps pictures of the page.
+# PICTURES=FOLDER keeps pictures of the page. PLAY_SECONDS=60 also plays for so long, and prints how many gaps the sound had.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
 # shellcheck source=tests/support/serve_folder.sh
@@ -24,7 +24,7 @@ echo "The page: $bytes bytes compressed"
 
 serve_folder "$SOURCE/build/web/page"
 mkdir takes
-node "$SOURCE/tests/support/strike_web_page.mjs" "$address" "$web_tools" takes >log || { cat log; complain "the page"; }
+node "$SOURCE/tests/support/strike_web_page.mjs" "$address" "$web_tools" takes ${PLAY_SECONDS:+"$PLAY_SECONDS"} >log || { cat log; complain "the page"; }
 grep '^#' log
 if [ -n "${PICTURES-}" ]; then cp takes/*.png "$PICTURES"; fi
 

@@ -2,8 +2,9 @@
 // Somebody at the page of tools/web, in headless Chromium: strikes drums with mouse, touch, keys and MIDI, records them, and
 // looks whether the page asks anybody else for anything. For test_web.sh.
 //
-//     strike_web_page.mjs ADDRESS TOOLS FOLDER
+//     strike_web_page.mjs ADDRESS TOOLS FOLDER [SECONDS]
 //
+// With SECONDS it also plays some drums and a kit for so long each, and prints how many gaps the sound had.
 // TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv, of a kit NAME.mid, of each
 // recording and pictures of the page. Prints a line "NAME SECONDS COMMAND" for each recording, with the command that the page shows for
 // it, and what was measured as "# ..." lines. Status 1 if something is wrong.
@@ -11,7 +12,7 @@ import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
-const [address, tools, folder] = process.argv.slice(2);
+const [address, tools, folder, seconds] = process.argv.slice(2);
 const require = createRequire(resolve(tools, "package.json"));
 const { chromium } = require("playwright-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
@@ -194,6 +195,27 @@ async function playKit(browser) {
   await page.context().close();
 }
 
+/** Plays for long, four strokes a second; the machine may be too slow, so gaps are no failure. */
+async function playLong(browser) {
+  for (const [preset, quality] of [["tom-12", "live"], ["bass-drum-22", "live"], ["snare-14x5.5", "draft"], ["kit:standard", "draft"]]) {
+    const page = await open(browser, {});
+    await page.getByRole("heading").click();
+    await choose(page, preset, quality);
+    const gaps = async () => parseInt((await page.locator("#gaps").textContent()).replace(/^\D*/, "") || "0", 10);
+    await page.locator("#drum").press("a");
+    await page.waitForTimeout(2000); // the page counts from time to time
+    const before = await gaps();
+    const keys = preset.startsWith("kit:") ? ["a", "d", "s", "f", "a", "a", "s", "g"] : ["d", "f"];
+    for (let i = 0; i < 4 * Number(seconds); i++) {
+      await page.keyboard.press(keys[i % keys.length]);
+      await page.waitForTimeout(250);
+    }
+    await page.waitForTimeout(1000);
+    console.log(`# ${preset}, ${quality}: ${(await gaps()) - before} gaps in ${seconds} s`);
+    await page.context().close();
+  }
+}
+
 /** What all controls of the drum show. */
 async function controlsOf(page) {
   const texts = await page.locator("#drum-controls output").allTextContents();
@@ -373,6 +395,7 @@ try {
   await watchSlowMotion(browser);
   await watchLittleMotion(browser);
   await touch(browser);
+  if (seconds) await playLong(browser);
   for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);
 } catch (error) {
   complain(error.message);

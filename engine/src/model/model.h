@@ -67,6 +67,8 @@ typedef struct TbStretch {
   TbParts parts;    /* the modes that stretch, of each group first (modes.h) */
   double *gain[2];  /* [padded] G, diagonal, of each head [1/kg] */
   double factor[2]; /* S/2A [N/m3] */
+  double least[2];  /* rise of tension that counts [N/m] */
+  uint32_t hold;    /* steps without such a rise after which heads are linear; UINT32_MAX: never */
   TbMixing mixing[2];
 } TbStretch;
 

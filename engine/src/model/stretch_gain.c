@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/stretch_gain.h"
 
+#include <math.h>
+
 static const double PI = 3.14159265358979323846;
 
 /* Modes up to this many times the lowest frequency count, at every quality: at live these are all of a drum's two-way
@@ -65,6 +67,24 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
   }
 }
 
+/* A tension that is higher by this part raises the pitch by 0.04 cents. */
+static const double LEAST_RISE = 5e-5;
+static const double HOLD[] = {
+  [TB_IN_DOUBLE] = INFINITY,
+  [TB_IN_FLOAT] =
+    0.02, /* [s]: more than half a period of any head, within which its rise vanishes once */
+};
+
+static void prepare_hold(TaborModel *model) {
+  TbStretch *stretch = &model->stretch;
+  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const double steps = HOLD[model->precision] * model->step_rate;
+  stretch->hold = steps < UINT32_MAX ? (uint32_t)steps : UINT32_MAX;
+  for (uint32_t i = 0; i < stretch->count; i++) {
+    stretch->least[i] = LEAST_RISE * heads[stretch->head[i]]->tension;
+  }
+}
+
 TaborStatus tb_stretch_prepare(TaborModel *model) {
   const TbStretchExtent usual = {TOP, tb_mixing_limits(model)};
   return tb_stretch_prepare_to(model, usual);
@@ -81,6 +101,7 @@ TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
   prepare_parts(model, extent);
+  prepare_hold(model);
   for (uint32_t i = 0; i < stretch->count; i++) {
     stretch->gain[i] = tb_arena_doubles(&model->arena, model->modes.padded);
     if (!stretch->gain[i]) return TABOR_ERROR_MEMORY;

@@ -17,5 +17,5 @@ void tb_modes_end(TbView *view, uint32_t mic) {
                       .stretch = {end->stretch[0], end->stretch[1]},
                       .next = view->next.q};
   view->ear = heard ? mic : TB_NO_EAR;
-  model->kernels->end_modes(model->stretch.count > 0 ? &model->stretch.parts : &none, end);
+  model->kernels->end_modes(view->stretch_count > 0 ? &model->stretch.parts : &none, end);
 }

@@ -108,6 +108,7 @@ typedef struct TbState {
   uint32_t held;           /* wires hold the high band's modes: `high_held` */
   uint32_t hold_steps;     /* samples since `high_held` was renewed */
   TbWireContacts contacts; /* sums over these samples */
+  uint32_t unstretched;    /* steps since heads' tensions last rose: see stretch.h */
   uint32_t airborne;   /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint32_t event_debt; /* see event_budget.h */
   double incident;     /* sound from outside at the last frame [Pa] */
@@ -168,7 +169,8 @@ typedef struct TbView {
   double *stretch_pull[2];                  /* [padded]: see stretch.h */
   double *stretch_mixed[2];                 /* [padded] G q off G's diagonal */
   double stretch_along[2], stretch_rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
-  TbStretching stretching;                  /* the sums of this sample, if `stretched` */
+  uint32_t stretch_count;  /* heads that stretch in this step: all that can, or none */
+  TbStretching stretching; /* the sums of this sample, if `stretched` */
   bool stretched;
   TbModesEnd end;        /* see modes_end.h */
   uint32_t ear;          /* the microphone that is heard there, or TB_NO_EAR */

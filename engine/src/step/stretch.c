@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/stretch.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "step/incident_sound.h"
@@ -73,6 +74,67 @@ static double mixed_square(const TbView *view, uint32_t h, const double *next) {
   return sum;
 }
 
+/* q^T G q of head h between two instants, after mix() of now. */
+static double square_of(const TbView *view, uint32_t h, const double *next, const double *now) {
+  const TbStretch *stretch = &view->model->stretch;
+  const TbParts *parts = &stretch->parts;
+  double square = mixed_square(view, h, next);
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t from = parts->from[part], to = from + parts->size[part];
+    for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];
+  }
+  return square;
+}
+
+/* ---- whether heads stretch ------------------------------------------------------------------ */
+
+/* 114 dB. Less lifts a head by 0.03 mm between two looks of has_risen(), which is about what `least` is. */
+static const double LOUD_AIR = 10.0; /* [Pa] */
+
+/* A stick, or loud sound from outside, raises the tension within a few steps. */
+static bool is_driven(const TbView *view) {
+  const TbState *state = view->state;
+  if (fabs(view->incident.now) > LOUD_AIR) return true;
+  for (uint32_t slot = 0; state->slot_mask >> slot; slot++) {
+    if (state->slots[slot].kind == TB_SLOT_STRIKER) return true;
+  }
+  return false;
+}
+
+/* Soft sound from outside, and wires, may make a head move without a stick: a look now and then. */
+static bool has_risen(const TbView *view) {
+  enum { STEPS = 64 };
+  const TbStretch *stretch = &view->model->stretch;
+  if (view->state->clock % STEPS > 0) return false;
+  mix(view, view->now.q);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    const double square = square_of(view, h, view->now.q, view->now.q);
+    if (stretch->factor[h] * square > stretch->least[h]) return true;
+  }
+  return false;
+}
+
+static uint32_t count_stretching(const TbView *view) {
+  TbState *state = view->state;
+  const TbStretch *stretch = &view->model->stretch;
+  if (state->unstretched < stretch->hold) return stretch->count;
+  if (is_driven(view) || has_risen(view)) state->unstretched = 0;
+  return state->unstretched < stretch->hold ? stretch->count : 0;
+}
+
+/* Call after the tension's rises are known. */
+static void count_unstretched(TbView *view) {
+  TbState *state = view->state;
+  const TbStretch *stretch = &view->model->stretch;
+  const uint32_t most = stretch->hold < UINT32_MAX ? stretch->hold + 1u : 0u;
+  if (state->unstretched < most) state->unstretched++;
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    if (fabs(view->end.stretch[h]) > stretch->least[h]) state->unstretched = 0;
+  }
+}
+
+/* ---- the step ------------------------------------------------------------------------------- */
+
 static TbStretching stretching_of(const TbView *view) {
   const TbModes *modes = &view->model->modes;
   const TbStretch *stretch = &view->model->stretch;
@@ -92,8 +154,9 @@ static TbStretching stretching_of(const TbView *view) {
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
-  mix(view, view->now.q);
-  view->stretched = model->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
+  view->stretch_count = count_stretching(view);
+  if (view->stretch_count > 0) mix(view, view->now.q);
+  view->stretched = view->stretch_count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
   if (view->stretched) {
     view->stretching = stretching_of(view);
     model->kernels->step_and_stretch(&model->stretch.parts, &view->stretching);
@@ -106,8 +169,8 @@ void tb_stretch_move(TbView *view) {
 void tb_stretch_free(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  view->solve.in.stretch_count = stretch->count;
-  if (stretch->count == 0) return;
+  view->solve.in.stretch_count = view->stretch_count;
+  if (view->stretch_count == 0) return;
   if (!view->stretched) {
     view->stretching = stretching_of(view);
     model->kernels->stretch(&stretch->parts, &view->stretching);
@@ -125,10 +188,10 @@ void tb_stretch_yield(TbView *view, double *slots) {
   const TaborModel *model = view->model;
   double along[2] = {0.0};
   for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
     along[h] = view->stretch_along[h] + view->stretch_rest[h];
   }
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
     const double pull = -tension(view, h, along);
     model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
                                view->solve.in.stretch_slots[h]);
@@ -140,7 +203,8 @@ void tb_stretch_yield(TbView *view, double *slots) {
 
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
-  if (solve->in.stretch_count == 0 || view->state->airborne) return;
+  if (view->model->stretch.count == 0 || view->state->airborne) return;
+  if (view->stretch_count == 0 && view->state->unstretched > view->model->stretch.hold) return;
   const uint32_t size = solve->in.wire_grid->size, stride = solve->in.stride;
   double *carry = view->stretch_carry;
   tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
@@ -161,16 +225,14 @@ static double pushed_along(const TbView *view, uint32_t h) {
 
 void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
-  const TbStretch *stretch = &model->stretch;
-  if (stretch->count == 0) return;
   double pushed[2] = {0.0}, along[2] = {0.0};
-  for (uint32_t h = 0; h < stretch->count; h++) {
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
     pushed[h] = pushed_along(view, h);
     along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
   }
   tb_stretch_clear(view);
   const uint32_t size = model->projection.wire_grid.size;
-  for (uint32_t h = 0; h < stretch->count; h++) {
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
     view->end.stretch[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
     model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.in.stretch_grid[h]);
@@ -178,6 +240,7 @@ void tb_stretch_respond(TbView *view) {
                                view->solve.in.stretch_slots[h]);
   }
   view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
+  count_unstretched(view);
 }
 
 void tb_stretch_clear(TbView *view) {
@@ -187,15 +250,10 @@ void tb_stretch_clear(TbView *view) {
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {
   const TbStretch *stretch = &view->model->stretch;
-  const TbParts *parts = &stretch->parts;
   double sum = 0.0;
   mix(view, now);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    double square = mixed_square(view, h, next);
-    for (uint32_t part = 0; part < parts->count; part++) {
-      const uint32_t from = parts->from[part], to = from + parts->size[part];
-      for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];
-    }
+    const double square = square_of(view, h, next, now);
     sum += 0.25 * stretch->factor[h] * square * square;
   }
   return sum;

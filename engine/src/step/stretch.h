@@ -22,6 +22,12 @@
 
 #include "step/state.h"
 
+/* Draft and live (TbStretch.hold): a head whose tension has not risen by a 20 000th for 20 ms, while no stick is in play
+ * and no loud sound comes from outside, moves as a linear one until one of these comes or, every 64th step, its tension is
+ * found to have risen. The pitch is then 0.04 cents too low at most. The energy stored counts the stretch all the same, so
+ * the ledger's residual has what the linear motion makes of it: at most S/(8A) (q^T G q)^2 = (A/2S) dT^2, some 1e-9 J where dT
+ * is a 20 000th. */
+
 /* The modes' free motion, into view->next. */
 void tb_stretch_move(TbView *view);
 /* Computes Y^T (x + q-), r and W. Call after the modes' free motion and before the contacts.

@@ -20,6 +20,7 @@ typedef struct WebKit {
   TaborKitEvent events[MOST_EVENTS];
   float sound[2][BLOCK];
   TaborLedger ledger;
+  char text[TABOR_TEXT_SIZE]; /**< for JavaScript, until the next call */
 } WebKit;
 
 /* ---- built-in kits -------------------------------------------------------------------------- */
@@ -66,6 +67,29 @@ double web_kit_drum_number(const WebKit *web, uint32_t drum, const char *key) {
   char text[TABOR_TEXT_SIZE] = "";
   (void)tabor_drum_def_get(&web->def.drum[drum].def, key, text, sizeof text, NULL);
   return strtod(text, NULL);
+}
+
+/* The same as text; it stays until the next call. */
+EXPORT("kit_drum_text")
+const char *web_kit_drum_text(WebKit *web, uint32_t drum, const char *key) {
+  web->text[0] = '\0';
+  (void)tabor_drum_def_get(&web->def.drum[drum].def, key, web->text, sizeof web->text, NULL);
+  return web->text;
+}
+
+/* What a tuner reads at a lug of a head, a TaborHead [Hz]; 0 if the drum has no such head. */
+EXPORT("kit_drum_pitch")
+double web_kit_drum_pitch(const WebKit *web, uint32_t drum, uint32_t head) {
+  double pitch = 0;
+  const TaborDrumDef *const def = &web->def.drum[drum].def;
+  return tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK ? pitch : 0;
+}
+
+/* NULL past the last. */
+EXPORT("kit_striker_name")
+const char *web_kit_striker_name(const WebKit *web, uint32_t drum, uint32_t index) {
+  const TaborDrumDef *const def = &web->def.drum[drum].def;
+  return index < def->striker_count ? def->striker[index].name : NULL;
 }
 
 /* Where a drum stands [m]: 0, to the player's right; 1, away from the player; 2, above the floor. */

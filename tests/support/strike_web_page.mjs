@@ -186,12 +186,22 @@ async function playKit(browser) {
   const struck = [...notes.keys()].filter((i) => notes[i] === 0x99 && notes[i + 2] > 0).map((i) => notes[i + 1]);
   const expected = [35, 38, 48, 45, 41, 38, 40, 38];
   if (struck.join() !== expected.join()) complain(`keys and the mouse play the notes ${struck}, not ${expected}`);
+  await page.keyboard.press("d");
+  await page.getByRole("group", { name: "Tuning: high-tom" }).waitFor();
+  await move(page, "slider", /^Batter head/, ["PageDown", "ArrowLeft"]);
+  const moved = await controlsOf(page);
+  if (!page.url().includes("drum.high-tom.batter.pitch=")) complain(`a tuned tom's link is ${page.url()}`);
+  await page.locator("#drum").press("g");
+  await page.getByRole("group", { name: "Tuning: floor-tom" }).waitFor();
+  if ((await controlsOf(page)) === moved) complain("the floor tom has the high tom's controls");
   await page.screenshot({ fullPage: true, path: join(folder, "kit.png") });
   await checkAccess(page, "kit");
   await page.reload();
   await status(page, "Ready");
   const kit = await page.getByRole("combobox", { name: "Drum" }).inputValue();
   if (kit !== "kit:standard") complain(`the link restores ${kit}`);
+  await page.locator("#drum").press("d");
+  if ((await controlsOf(page)) !== moved) complain(`the link restores ${await controlsOf(page)} and not ${moved}`);
   await page.context().close();
 }
 

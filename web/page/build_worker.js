@@ -33,31 +33,52 @@ function pictureOf(engine, drum) {
   return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(drum) };
 }
 
-const numberOf = (engine, drum, key) => withText(engine, key, (address) => engine.drum_number(drum, address));
+/** What is known of a drum's definition: a number or a text by its key, the pitch of a head, the name of a striker or "". */
+function definitionOf(engine, drum) {
+  const ask = (use) => (key) => withText(engine, key, (address) => use(drum, address));
+  return {
+    number: ask(engine.drum_number),
+    text: (key) => textAt(engine, ask(engine.drum_text)(key)),
+    pitch: (head) => engine.drum_pitch(drum, head),
+    striker: (i) => nameAt(engine, engine.striker_name(drum, i)),
+  };
+}
 
-function strikersOf(engine, drum) {
+/** The same of a kit's drum. */
+function definitionInKit(engine, kit, drum) {
+  const ask = (use) => (key) => withText(engine, key, (address) => use(kit, drum, address));
+  return {
+    number: ask(engine.kit_drum_number),
+    text: (key) => textAt(engine, ask(engine.kit_drum_text)(key)),
+    pitch: (head) => engine.kit_drum_pitch(kit, drum, head),
+    striker: (i) => nameAt(engine, engine.kit_striker_name(kit, drum, i)),
+  };
+}
+
+const nameAt = (engine, address) => (address ? textAt(engine, address) : "");
+
+function strikersOf({ striker }) {
   const names = [];
-  for (let address; (address = engine.striker_name(drum, names.length)); ) names.push(textAt(engine, address));
+  for (let name; (name = striker(names.length)); ) names.push(name);
   return names;
 }
 
 /** What the controls are about. Of two heads the batter is the first; what a head lacks is 0. */
-function controlsOf(engine, drum) {
-  const ofHeads = (key) => ["batter", "resonant"].map((head) => numberOf(engine, drum, `${head}.${key}`));
-  const strikers = strikersOf(engine, drum);
-  const striker = textAt(engine, withText(engine, "strike.striker", (key) => engine.drum_text(drum, key)));
+function controlsOf(definition) {
+  const ofHeads = (key) => ["batter", "resonant"].map((head) => definition.number(`${head}.${key}`));
+  const strikers = strikersOf(definition);
   return {
-    pitch: [0, 1].map((head) => engine.drum_pitch(drum, head)), // [Hz]
+    pitch: [0, 1].map(definition.pitch), // [Hz]
     tension: ofHeads("tension"), // [N/m]
     muffling: ofHeads("muffle_strength"), // [N s/m]
     strikers,
-    striker: striker || strikers[0],
-    strainer: numberOf(engine, drum, "wires.strainer"),
+    striker: definition.text("strike.striker") || strikers[0],
+    strainer: definition.number("wires.strainer"),
   };
 }
 
-/** What a drum looks like and where it is struck; `number` gives a number of its definition. */
-function looksOf(number) {
+/** What a drum looks like and where it is struck. */
+function looksOf({ number }) {
   return {
     radius: number("shell.radius"), // [m]
     lugs: number("batter.lug_count"),
@@ -77,8 +98,7 @@ function looksOf(number) {
 /* ---- a drum ---- */
 
 function factsOf(engine, drum) {
-  const looks = looksOf((key) => numberOf(engine, drum, key));
-  return { ...looks, picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
+  return { ...looksOf(definitionOf(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
 }
 
 /** Changes the definition by `set` of the engine; false with an error. */
@@ -91,9 +111,9 @@ function buildDrum(engine, { preset, settings, quality, rate }) {
   if (!drum) return { error: "there is not enough memory" };
   const error = () => textAt(engine, engine.drum_error(drum));
   if (error()) return { error: error() };
-  const own = controlsOf(engine, drum);
+  const own = controlsOf(definitionOf(engine, drum));
   for (const setting of settings) if (!change(engine, engine.drum_set, drum, setting)) return { error: error() };
-  const now = settings.length > 0 ? controlsOf(engine, drum) : own;
+  const now = settings.length > 0 ? controlsOf(definitionOf(engine, drum)) : own;
   if (!engine.drum_build(drum, quality, rate)) return { error: error() };
   const instrument = {
     strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),
@@ -107,10 +127,12 @@ function buildDrum(engine, { preset, settings, quality, rate }) {
 
 const NOTES = 128;
 
-function drumOfKit(engine, kit, drum) {
+function drumOfKit(engine, kit, preset, drum) {
+  const definition = definitionInKit(engine, kit, drum);
   const [x, y, height] = [0, 1, 2].map((axis) => engine.kit_drum_place(kit, drum, axis)); // [m]
   return {
-    ...looksOf((key) => withText(engine, key, (address) => engine.kit_drum_number(kit, drum, address))),
+    ...looksOf(definition),
+    preset, now: controlsOf(definition),
     name: textAt(engine, engine.kit_drum_name(kit, drum)),
     x, y, height,
     strokes: Array.from({ length: NOTES }, (_, note) => engine.kit_stroke(kit, drum, note)),
@@ -122,9 +144,11 @@ function buildKit(engine, name, { settings, quality, rate }) {
   if (!kit) return { error: "there is not enough memory" };
   const error = () => textAt(engine, engine.kit_error(kit));
   if (error()) return { error: error() };
+  const count = engine.kit_drum_count(kit);
+  const own = Array.from({ length: count }, (_, i) => controlsOf(definitionInKit(engine, kit, i)));
   for (const setting of settings) if (!change(engine, engine.kit_set, kit, setting)) return { error: error() };
   if (!engine.kit_build(kit, quality, rate)) return { error: error() };
-  const drums = Array.from({ length: engine.kit_drum_count(kit) }, (_, i) => drumOfKit(engine, kit, i));
+  const drums = own.map((preset, i) => drumOfKit(engine, kit, preset, i));
   const instrument = {
     strike: (speed) => drums.forEach((_, i) => engine.kit_strike(kit, i, speed, 0, 0, 0)), // all at once
     process: () => engine.kit_process(kit),

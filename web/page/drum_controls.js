@@ -27,6 +27,7 @@ export class DrumControls {
   #fields;
   #settings;
   #preset = null; // what the drum has without settings
+  #prefix = ""; // of its keys: of a kit's drum "drum.NAME."
   #radius = 0; // [m]
 
   /** `settings` is a URLSearchParams; `change` is called when one of them was moved. */
@@ -63,9 +64,13 @@ export class DrumControls {
     this.#fields.disabled = true;
   }
 
-  /** A drum that was built. Controls that wait for none are where somebody has put them, and stay there. */
-  show({ preset, now, radius }) {
-    if (this.#preset) return;
+  /** A drum that was built, of a kit with its name. Controls that wait for none are where somebody has put them, and stay
+   * there. */
+  show({ preset, now, radius, name }) {
+    const prefix = name ? `drum.${name}.` : "";
+    if (this.#preset && prefix === this.#prefix) return;
+    this.#prefix = prefix;
+    this.#element("tuned").textContent = name ? `Tuning: ${name}` : "Tuning";
     this.#preset = preset;
     this.#radius = radius;
     this.#fields.disabled = false;
@@ -83,10 +88,15 @@ export class DrumControls {
     this.#place(now);
   }
 
+  /** Another drum of the kit that was built, unless another kit is on its way. */
+  select(drum) {
+    if (this.#preset) this.show(drum);
+  }
+
   /** Remembers a value, unless it is the preset's own. */
   #put(key, value, own) {
-    if (value === own) this.#settings.delete(key);
-    else this.#settings.set(key, value);
+    if (value === own) this.#settings.delete(this.#prefix + key);
+    else this.#settings.set(this.#prefix + key, value);
   }
 
   /** Puts all controls where a drum has them. */
@@ -106,9 +116,8 @@ export class DrumControls {
   }
 
   #setPitch(head) {
-    const key = `${HEADS[head]}.pitch`;
-    if (Number(this.#pitch(head).value) === 0) this.#settings.delete(key);
-    else this.#settings.set(key, noteText(this.#pitchAt(head)));
+    const isOwn = Number(this.#pitch(head).value) === 0;
+    this.#put(`${HEADS[head]}.pitch`, isOwn ? null : noteText(this.#pitchAt(head)), null);
   }
 
   #showPitch(head, pitch = this.#pitchAt(head)) {

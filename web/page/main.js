@@ -147,7 +147,8 @@ function useDrum(built) {
   const isFirst = !facts;
   facts = built;
   hasMoved = false;
-  last = { drum: 0, share: 0, angle: drums()[0].angle };
+  if (!drums()[last.drum]) last.drum = 0;
+  last = { drum: last.drum, share: 0, angle: drums()[last.drum].angle };
   if (isFirst) setSpeed(facts.velocity);
   showProgress(1);
   showFacts();
@@ -155,8 +156,7 @@ function useDrum(built) {
   if (facts.picture) film.show(facts);
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
-  element("drum-controls").hidden = isKit();
-  if (!isKit()) controls.show(facts);
+  controls.show(drums()[last.drum]);
   say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
   refused = "";
   sound.play();
@@ -213,6 +213,7 @@ function strike({ drum = 0, share, angle, velocity, technique = 0 }) {
   if (!facts) return;
   const radius = Math.min(share, 1) * drums()[drum].radius;
   last = { drum, share: Math.min(share, 1), angle, velocity };
+  if (facts.drums) controls.select(facts.drums[drum]); // the drum that was struck last is the one to tune
   sound.strike({ drum, velocity, radius, angle, technique });
 }
 
@@ -249,7 +250,7 @@ function actByMidi({ note, velocity, technique, isCentre, snares }) {
   if (!facts) return;
   if (snares !== undefined) {
     if (!element("snares").disabled) setSnares(snares);
-  } else if (isKit()) {
+  } else if (facts.drums) {
     const stroke = strokeOf(facts.drums, note);
     if (stroke) strikeDrum(stroke.drum, velocity, stroke.technique);
   } else if (technique !== null) {
@@ -267,7 +268,7 @@ function connectMidi() {
 
 /* The keys that strike a drum from the centre to the rim are one for each drum of a kit. */
 function strikeByKey({ zone, share }, velocity) {
-  if (facts && isKit()) {
+  if (facts?.drums) {
     if (zone < facts.drums.length) strikeDrum(zone, velocity);
   } else {
     strike({ share, angle: facts?.angle ?? 0, velocity });

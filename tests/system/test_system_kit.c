@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Kits: the sum of their drums, and drums that hear each other. */
+#include "kit/kit.h"
 #include "physics.h"
-#include "tabor/kit.h"
 
 enum { RATE = 48000, LENGTH = 9600 };
 
@@ -222,6 +222,23 @@ static void sound_falls_with_the_distance_and_takes_its_time(void **state) {
   assert_true(fabs((double)(far_frames - near_frames) - way) <= 2.0);
 }
 
+/* Heads that all but touch, and that are far apart. */
+static void the_shortest_way_takes_a_third_of_a_millisecond(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12", "floor-tom-16"};
+  static const char *const PLACES[] = {"0.05", "2"};
+  for (int i = 0; i < 2; i++) {
+    TaborKitDef *def = kit_of(2, PRESETS);
+    set(def, "drum.d1.x", PLACES[i]);
+    TaborKit *kit = new_kit(def);
+    const uint32_t delay = kit->voices[0].delay[1];
+    assert_true(i == 0 ? delay == RATE / 3000 : delay > RATE * 1.5 / 343.0);
+    assert_int_equal(kit->piece, i == 0 ? RATE / 3000 : TB_KIT_PIECE);
+    tabor_kit_destroy(kit);
+    free(def);
+  }
+}
+
 static void a_tom_makes_the_snares_sound_and_wakes_no_tom(void **state) {
   (void)state;
   static const char *const PRESETS[] = {"tom-12", "snare-14x5.5", "floor-tom-16"};
@@ -296,6 +313,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(blocks_and_saved_states_change_no_bit),
     cmocka_unit_test(a_stroke_chokes_its_group),
     cmocka_unit_test(sound_falls_with_the_distance_and_takes_its_time),
+    cmocka_unit_test(the_shortest_way_takes_a_third_of_a_millisecond),
     cmocka_unit_test(a_tom_makes_the_snares_sound_and_wakes_no_tom),
     cmocka_unit_test(loud_air_stays_bounded),
   };

@@ -23,8 +23,8 @@
  * p_A what a microphone at the large distance d hears of drum A in the direction of the kit's middle, and c the
  * coupling. Drum B is pushed by the same weights by which it is heard there (tabor_drum_process_sound()), so that two
  * drums act on each other by the same numbers. The work is booked as injected. Limits: of a drum only the one direction
- * is taken; drums closer than their own size have no near field; the modes up to the two-way bandwidth
- * hear and are heard through their head's own motion, not hoops and stands.
+ * is taken; drums closer than their own size have no near field, and their sound takes a third of a millisecond at least; the
+ * modes up to the two-way bandwidth hear and are heard through their head's own motion, not hoops and stands.
  *
  * A drum that sleeps is woken by the others' sound only if it has wires and the pressure reaches `wake`, that is, if the
  * wires may be lifted off their head. So a stroke on one drum does not make all others cost processor time.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between two drums, so that
+/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between two drums (kit_create.c), so that
  * the drums of a piece do not depend on each other. tabor/kit.h has the equations.
  *
  * Low-pass. A mode's weight in the air is that at its own frequency. Far above it the weights of all modes do not add up

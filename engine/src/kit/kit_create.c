@@ -35,6 +35,10 @@ static double head_start(const TbKitVoice *voice) {
   return way * model->sample_rate - (double)model->mics[voice->air].travel / model->steps;
 }
 
+/* The shortest way between heads [s], 11 cm: what is nearer is heard this much late, so that the drums of a kit are computed
+ * many samples at once, and seldom wait for each other on several threads. */
+static const double LEAST_WAY = 1.0 / 3000.0;
+
 /* At the distance of the kit's microphone a drum's pressure is what it says; it falls with the distance. */
 static void prepare_way(TaborKit *kit, uint32_t to, uint32_t from) {
   TbKitVoice *const voice = &kit->voices[to];
@@ -43,7 +47,8 @@ static void prepare_way(TaborKit *kit, uint32_t to, uint32_t from) {
     tb_kit_distance(tb_kit_drum_place(&kit->def.drum[to]), tb_kit_drum_place(&kit->def.drum[from]));
   const double frames = distance / def->air.sound_speed * voice->model->sample_rate -
                         head_start(voice) - head_start(&kit->voices[from]);
-  voice->delay[from] = frames < 1.0 ? 1u : (uint32_t)frames;
+  const double least = ceil(LEAST_WAY * voice->model->sample_rate);
+  voice->delay[from] = (uint32_t)(frames < least ? least : frames);
   if (kit->voices[from].air == TB_NO_MIC || voice->air == TB_NO_MIC) return;
   const TaborMicDef *const mic = &def->mic[kit->voices[from].air];
   const double near = distance > 0.05 ? distance : 0.05; /* [m] */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between two drums (kit_create.c), so that
- * the drums of a piece do not depend on each other. tabor/kit.h has the equations.
+/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between two drums
+ * (kit_create.c), so that the drums of a piece do not depend on each other. tabor/kit.h has the equations.
  *
  * Low-pass. A mode's weight in the air is that at its own frequency. Far above it the weights of all modes do not add up
  * to what a drum radiates there, which directivity keeps small, but rise with the square of the frequency. So drums

@@ -69,11 +69,8 @@ static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
 
 /* A tension that is higher by this part raises the pitch by 0.04 cents. */
 static const double LEAST_RISE = 5e-5;
-static const double HOLD[] = {
-  [TB_IN_DOUBLE] = INFINITY,
-  [TB_IN_FLOAT] =
-    0.02, /* [s]: more than half a period of any head, within which its rise vanishes once */
-};
+/* More than half a period of any head, within which its rise vanishes once [s]. */
+static const double HOLD[] = {[TB_IN_DOUBLE] = INFINITY, [TB_IN_FLOAT] = 0.02};
 
 static void prepare_hold(TaborModel *model) {
   TbStretch *stretch = &model->stretch;

@@ -7,6 +7,7 @@
 #include "drum/drum.h"
 #include "physics.h"
 #include "step/energy.h"
+#include "step/incident_sound.h"
 #include "step/striker_pool.h"
 
 enum { SCENES = 3 };
@@ -189,6 +190,31 @@ static void an_honest_step_stays_as_it_is(void **state) {
   }
 }
 
+/* The work of loud sound from outside is no creation, and what it takes is missing. */
+static void sound_from_outside_brings_what_it_works(void **state) {
+  (void)state;
+  enum { FRAMES = 64 };
+  int brought = 0, taken = 0;
+  float air[FRAMES];
+  for (int i = 0; i < FRAMES; i++) air[i] = (float)(2000.0 * sin(0.2 * i));
+  play_scene(0);
+  for (uint32_t frames = 2; frames <= FRAMES; frames++) {
+    const TaborSound sound = {.mic = 0, .pressure = air};
+    go_back();
+    tabor_drum_process_sound(drum, NULL, 0, &sound, NULL, frames);
+    TbView view = view_of_step();
+    view.incident =
+      (TbIncident){.mic = 0, .now = (double)air[frames - 1], .before = (double)air[frames - 2]};
+    const double work = tb_incident_work(&view);
+    brought += work > 1e-9;
+    taken += work < -1e-9;
+    assert_true(created(&view) - work < 1e-12); /* the step is an honest one */
+    assert_true(created(&view) - work > -1e-12 || !tb_energy_guard(&view));
+  }
+  print_message("work is done in %d of %d steps, and taken in %d\n", brought, FRAMES - 1, taken);
+  assert_true(brought > 10 && taken > 10);
+}
+
 /* Neither is one in which nothing moves. */
 static void rest_is_no_creation(void **state) {
   (void)state;
@@ -299,6 +325,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(it_acts_from_where_energy_is_created),
     cmocka_unit_test(an_honest_step_stays_as_it_is),
+    cmocka_unit_test(sound_from_outside_brings_what_it_works),
     cmocka_unit_test(rest_is_no_creation),
     cmocka_unit_test(a_stretched_step_is_shortened),
     cmocka_unit_test(a_step_without_bound_is_undone),

@@ -191,6 +191,12 @@ async function playKit(browser) {
   await move(page, "slider", /^Batter head/, ["PageDown", "ArrowLeft"]);
   const moved = await controlsOf(page);
   if (!page.url().includes("drum.high-tom.batter.pitch=")) complain(`a tuned tom's link is ${page.url()}`);
+  await page.locator("#drum").press("s");
+  const snare = await controlsOf(page);
+  await page.getByRole("slider", { name: /^Batter head/ }).press("End"); // more than its tension may be
+  await status(page, "This does not work");
+  if ((await controlsOf(page)) !== snare) complain(`what cannot be built stays: ${await controlsOf(page)}`);
+  if (page.url().includes("drum.snare.")) complain(`what cannot be built stays in the link: ${page.url()}`);
   await page.locator("#drum").press("g");
   await page.getByRole("group", { name: "Tuning: floor-tom" }).waitFor();
   if ((await controlsOf(page)) === moved) complain("the floor tom has the high tom's controls");
@@ -280,6 +286,12 @@ async function followLinks(browser) {
   await page.goto(`${address}#drum=tom-12&quality=draft&batter.pitch=H3`);
   await status(page, /Ready, but not as the address says: batter.pitch.*H3/);
   await page.locator("#batter-pitch-text", { hasText: "Hz" }).waitFor();
+  for (const [wrong, reason] of [["drum=kit:nonesuch", "kit:nonesuch"], ["drum=tom-12&quality=bogus", "bogus"],
+    ["drum=kit:frame-drums&drum.nobody.batter.pitch=A3", "nobody"]]) {
+    await page.goto("about:blank");
+    await page.goto(`${address}#${wrong}`);
+    await status(page, new RegExp(`Ready, but not as the address says: .*${reason}`));
+  }
   await page.context().close();
 }
 

@@ -147,6 +147,9 @@ function buildKit(engine, name, { settings, quality, rate }) {
   const count = engine.kit_drum_count(kit);
   const own = Array.from({ length: count }, (_, i) => controlsOf(definitionInKit(engine, kit, i)));
   for (const setting of settings) if (!change(engine, engine.kit_set, kit, setting)) return { error: error() };
+  if (engine.kit_drum_count(kit) > count) {
+    return { error: `the kit has no drum '${textAt(engine, engine.kit_drum_name(kit, count))}'` };
+  }
   if (!engine.kit_build(kit, quality, rate)) return { error: error() };
   const drums = own.map((preset, i) => drumOfKit(engine, kit, preset, i));
   const instrument = {

@@ -28,6 +28,7 @@ export class DrumControls {
   #settings;
   #preset = null; // what the drum has without settings
   #prefix = ""; // of its keys: of a kit's drum "drum.NAME."
+  #kept = []; // settings of what was built last
   #radius = 0; // [m]
 
   /** `settings` is a URLSearchParams; `change` is called when one of them was moved. */
@@ -40,7 +41,7 @@ export class DrumControls {
     }
     this.#listen(this.#stick, () => {}, () => this.#put("strike.striker", this.#stick.value, this.#preset.striker), change);
     this.#element("as-preset").addEventListener("click", () => {
-      this.clear();
+      for (const [key] of this.settings) if (key.startsWith(this.#prefix)) this.#settings.delete(key);
       this.#place(this.#preset);
       change();
     });
@@ -56,6 +57,19 @@ export class DrumControls {
     const keys = this.settings.map(([key]) => key);
     for (const key of keys) this.#settings.delete(key);
     return keys.length > 0;
+  }
+
+  /** What was chosen has been built. */
+  keep() {
+    this.#kept = this.settings;
+  }
+
+  /** What was chosen cannot be built: back to what was built last, which has `now`. */
+  revert(now) {
+    if (!this.#preset) return; // another drum was on its way
+    this.clear();
+    for (const [key, value] of this.#kept) this.#settings.set(key, value);
+    this.#place(now);
   }
 
   /** Another drum is on its way: there is nothing to move until show(). */

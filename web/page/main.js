@@ -34,6 +34,7 @@ let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
 let hasMoved = false; // it was changed while it sounded
 let refused = ""; // why the drum is not as the link says
+let gapsBefore = 0; // in the sound of other drums
 let recorder = null;
 let last = { drum: 0, share: 0, angle: 0, speed: 1 }; // the last stroke
 
@@ -71,9 +72,10 @@ function showLevel(peak) {
 
 function showLedger(ledger) {
   energy.show(ledger);
-  const { gaps } = sound;
-  element("gaps").hidden = gaps === undefined;
-  element("gaps").textContent = gaps > 0 ? `Gaps in the sound: ${gaps}. A lower quality helps.` : "No gaps in the sound";
+  const gaps = sound.gaps - gapsBefore;
+  const help = tried !== "draft" ? "A lower quality helps." : isKit() ? "A drum alone takes less." : "";
+  element("gaps").hidden = sound.gaps === undefined;
+  element("gaps").textContent = gaps > 0 ? `Gaps in the sound: ${gaps}. ${help}` : "No gaps in the sound";
 }
 
 /* ---- the drum ---- */
@@ -132,7 +134,12 @@ function changeDrum() {
 
 /* The former drum plays on. At first there is none: the link is wrong. */
 function failBuild(reason) {
-  if (facts || !controls.clear()) return fail(reason);
+  if (facts) {
+    controls.revert(drums()[last.drum].now);
+    showLink();
+    return fail(reason);
+  }
+  if (!controls.clear()) return fail(reason);
   refused = reason;
   changeDrum();
 }
@@ -157,9 +164,11 @@ function useDrum(built) {
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
   controls.show(drums()[last.drum]);
+  controls.keep();
   say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
   refused = "";
   sound.play();
+  gapsBefore = sound.gaps ?? 0;
   showSnares();
 }
 
@@ -339,6 +348,9 @@ function finishRecording() {
   element("files").hidden = false;
   element("command").hidden = recorder.command === "" || recorder.command !== command();
   element("command-text").textContent = recorder.command;
+  element("command-label").textContent = recorder.isOfKit
+    ? "The same, of strokes that came by MIDI, and nearly the same of others, if the kit was silent at first:"
+    : "The same, if the drum was silent at first:";
   say(`Recorded ${recorder.seconds.toFixed(1)} s`);
   recorder = null;
 }
@@ -369,9 +381,12 @@ function fillPresets() {
   select.append(...groups);
   const wanted = presets.some(({ name }) => name === link.get("drum"));
   select.value = wanted ? link.get("drum") : "snare-14x5.5";
+  if (!wanted && link.has("drum")) refused = `there is no drum '${link.get("drum")}'`;
   const quality = element("quality");
   quality.value = link.get("quality") ?? "automatic";
-  if (quality.selectedIndex < 0) quality.value = "automatic";
+  if (quality.selectedIndex >= 0) return;
+  refused ||= `there is no quality '${link.get("quality")}'`;
+  quality.value = "automatic";
 }
 
 function listen() {

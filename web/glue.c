@@ -127,23 +127,9 @@ EXPORT("drum_text") const char *web_drum_text(WebDrum *web, const char *key) {
   return web->text;
 }
 
-/* A number of the definition, such as "shell.radius"; 0 if the drum has no such part. */
-EXPORT("drum_number") double web_drum_number(const WebDrum *web, const char *key) {
-  char text[TABOR_TEXT_SIZE] = "";
-  (void)tabor_drum_def_get(definition(web), key, text, sizeof text, NULL);
-  return strtod(text, NULL);
-}
-
-/* What a tuner reads at a lug of a head, a TaborHead [Hz]; 0 if the drum has no such head. */
-EXPORT("drum_pitch") double web_drum_pitch(const WebDrum *web, uint32_t head) {
-  double pitch = 0;
-  const TaborStatus status = tabor_drum_def_pitch(definition(web), head, &pitch, NULL);
-  return status == TABOR_OK ? pitch : 0;
-}
-
-/* NULL past the last. */
-EXPORT("striker_name") const char *web_striker_name(const WebDrum *web, uint32_t index) {
-  return index < web->def.striker_count ? web->def.striker[index].name : NULL;
+/* For the functions of definition_glue.c; another one once it is built. */
+EXPORT("drum_definition") const TaborDrumDef *web_drum_definition(const WebDrum *web) {
+  return definition(web);
 }
 
 /* NULL past the last. */
@@ -306,11 +292,10 @@ EXPORT("drum_pictures") const float *web_drum_pictures(const WebDrum *web) { ret
 EXPORT("drum_strike")
 bool web_drum_strike(WebDrum *web, uint32_t frame, double velocity, double radius, double angle,
                      uint32_t technique, int32_t striker) {
-  const TaborDrumDef *const def = definition(web);
-  if (striker < 0) striker = tabor_drum_def_find_striker(def, def->strike.striker);
+  const uint32_t own = web_definition_own_striker(definition(web));
   const TaborEvent event = {.type = TABOR_EVENT_STRIKE,
                             .frame = frame,
-                            .striker = striker < 0 ? 0 : (uint32_t)striker,
+                            .striker = striker < 0 ? own : (uint32_t)striker,
                             .technique = technique,
                             .velocity = velocity,
                             .radius = radius,

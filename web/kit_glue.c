@@ -20,7 +20,6 @@ typedef struct WebKit {
   TaborKitEvent events[MOST_EVENTS];
   float sound[2][BLOCK];
   TaborLedger ledger;
-  char text[TABOR_TEXT_SIZE]; /**< for JavaScript, until the next call */
 } WebKit;
 
 /* ---- built-in kits -------------------------------------------------------------------------- */
@@ -61,35 +60,9 @@ EXPORT("kit_drum_name") const char *web_kit_drum_name(const WebKit *web, uint32_
   return web->def.drum[drum].name;
 }
 
-/* A number of a drum's definition, such as "shell.radius"; 0 if it has no such part. */
-EXPORT("kit_drum_number")
-double web_kit_drum_number(const WebKit *web, uint32_t drum, const char *key) {
-  char text[TABOR_TEXT_SIZE] = "";
-  (void)tabor_drum_def_get(&web->def.drum[drum].def, key, text, sizeof text, NULL);
-  return strtod(text, NULL);
-}
-
-/* The same as text; it stays until the next call. */
-EXPORT("kit_drum_text")
-const char *web_kit_drum_text(WebKit *web, uint32_t drum, const char *key) {
-  web->text[0] = '\0';
-  (void)tabor_drum_def_get(&web->def.drum[drum].def, key, web->text, sizeof web->text, NULL);
-  return web->text;
-}
-
-/* What a tuner reads at a lug of a head, a TaborHead [Hz]; 0 if the drum has no such head. */
-EXPORT("kit_drum_pitch")
-double web_kit_drum_pitch(const WebKit *web, uint32_t drum, uint32_t head) {
-  double pitch = 0;
-  const TaborDrumDef *const def = &web->def.drum[drum].def;
-  return tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK ? pitch : 0;
-}
-
-/* NULL past the last. */
-EXPORT("kit_striker_name")
-const char *web_kit_striker_name(const WebKit *web, uint32_t drum, uint32_t index) {
-  const TaborDrumDef *const def = &web->def.drum[drum].def;
-  return index < def->striker_count ? def->striker[index].name : NULL;
+/* For the functions of definition_glue.c. */
+EXPORT("kit_definition") const TaborDrumDef *web_kit_definition(const WebKit *web, uint32_t drum) {
+  return &web->def.drum[drum].def;
 }
 
 /* Where a drum stands [m]: 0, to the player's right; 1, away from the player; 2, above the floor. */
@@ -165,10 +138,8 @@ EXPORT("kit_strike")
 bool web_kit_strike(WebKit *web, uint32_t drum, double velocity, double radius, double angle,
                     uint32_t technique) {
   if (drum >= web->def.drum_count) return false;
-  const TaborDrumDef *const def = &web->def.drum[drum].def;
-  const int striker = tabor_drum_def_find_striker(def, def->strike.striker);
   const TaborEvent event = {.type = TABOR_EVENT_STRIKE,
-                            .striker = striker < 0 ? 0 : (uint32_t)striker,
+                            .striker = web_definition_own_striker(&web->def.drum[drum].def),
                             .technique = technique,
                             .velocity = velocity,
                             .radius = radius,

@@ -62,7 +62,7 @@ export class Drum {
     this.#drum = withText(engine, String(preset), engine.drum_create);
     if (!this.#drum) throw new Error("there is not enough memory");
     this.#check();
-    this.strikers = this.#names(engine.striker_name);
+    this.strikers = this.#names((drum, i) => engine.definition_striker(engine.drum_definition(drum), i));
   }
 
   /* ---- before it is built ---- */
@@ -126,7 +126,8 @@ export class Drum {
   }
 
   pitch(head = "batter") {
-    return this.#engine.drum_pitch(this.#drum, oneOf("head", head, ["batter", "resonant"]) === "batter" ? 0 : 1);
+    const index = oneOf("head", head, ["batter", "resonant"]) === "batter" ? 0 : 1;
+    return this.#engine.definition_pitch(this.#engine.drum_definition(this.#drum), index);
   }
 
   ledger() {

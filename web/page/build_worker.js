@@ -33,46 +33,33 @@ function pictureOf(engine, drum) {
   return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(drum) };
 }
 
-/** What is known of a drum's definition: a number or a text by its key, the pitch of a head, the name of a striker or "". */
-function definitionOf(engine, drum) {
-  const ask = (use) => (key) => withText(engine, key, (address) => use(drum, address));
+/** Asks a definition, of drum_definition() or kit_definition(), for numbers, pitches of heads and names of strikers. */
+function definitionOf(engine, definition) {
   return {
-    number: ask(engine.drum_number),
-    text: (key) => textAt(engine, ask(engine.drum_text)(key)),
-    pitch: (head) => engine.drum_pitch(drum, head),
-    striker: (i) => nameAt(engine, engine.striker_name(drum, i)),
+    number: (key) => withText(engine, key, (address) => engine.definition_number(definition, address)),
+    pitch: (head) => engine.definition_pitch(definition, head), // [Hz]
+    strikers: () => {
+      const names = [];
+      for (let name; (name = engine.definition_striker(definition, names.length)); ) names.push(textAt(engine, name));
+      return names;
+    },
+    ownStriker: () => engine.definition_own_striker(definition),
   };
 }
 
-/** The same of a kit's drum. */
-function definitionInKit(engine, kit, drum) {
-  const ask = (use) => (key) => withText(engine, key, (address) => use(kit, drum, address));
-  return {
-    number: ask(engine.kit_drum_number),
-    text: (key) => textAt(engine, ask(engine.kit_drum_text)(key)),
-    pitch: (head) => engine.kit_drum_pitch(kit, drum, head),
-    striker: (i) => nameAt(engine, engine.kit_striker_name(kit, drum, i)),
-  };
-}
-
-const nameAt = (engine, address) => (address ? textAt(engine, address) : "");
-
-function strikersOf({ striker }) {
-  const names = [];
-  for (let name; (name = striker(names.length)); ) names.push(name);
-  return names;
-}
+const definitionOfDrum = (engine, drum) => definitionOf(engine, engine.drum_definition(drum));
+const definitionInKit = (engine, kit, drum) => definitionOf(engine, engine.kit_definition(kit, drum));
 
 /** What the controls are about. Of two heads the batter is the first; what a head lacks is 0. */
 function controlsOf(definition) {
   const ofHeads = (key) => ["batter", "resonant"].map((head) => definition.number(`${head}.${key}`));
-  const strikers = strikersOf(definition);
+  const strikers = definition.strikers();
   return {
     pitch: [0, 1].map(definition.pitch), // [Hz]
     tension: ofHeads("tension"), // [N/m]
     muffling: ofHeads("muffle_strength"), // [N s/m]
     strikers,
-    striker: definition.text("strike.striker") || strikers[0],
+    striker: strikers[definition.ownStriker()],
     strainer: definition.number("wires.strainer"),
   };
 }
@@ -98,7 +85,7 @@ function looksOf({ number }) {
 /* ---- a drum ---- */
 
 function factsOf(engine, drum) {
-  return { ...looksOf(definitionOf(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
+  return { ...looksOf(definitionOfDrum(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
 }
 
 /** Changes the definition by `set` of the engine; false with an error. */
@@ -111,9 +98,9 @@ function buildDrum(engine, { preset, settings, quality, rate }) {
   if (!drum) return { error: "there is not enough memory" };
   const error = () => textAt(engine, engine.drum_error(drum));
   if (error()) return { error: error() };
-  const own = controlsOf(definitionOf(engine, drum));
+  const own = controlsOf(definitionOfDrum(engine, drum));
   for (const setting of settings) if (!change(engine, engine.drum_set, drum, setting)) return { error: error() };
-  const now = settings.length > 0 ? controlsOf(definitionOf(engine, drum)) : own;
+  const now = settings.length > 0 ? controlsOf(definitionOfDrum(engine, drum)) : own;
   if (!engine.drum_build(drum, quality, rate)) return { error: error() };
   const instrument = {
     strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),

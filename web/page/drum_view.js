@@ -9,17 +9,17 @@ const TURN = 2 * Math.PI;
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
 const SINGLE = { x: 0, y: 0, size: 1 }; // of what HEAD_SHARE is a share of
-const HOOP = 1.12; // what a drum takes, in radii
+const HOOP = 1.12; // what a drum takes, in radii: a pointer out to here strikes its rim
 
 /** Places of a kit's drums: { x, y, size }, which fill the square from -1 to 1. */
 function placesOf(drums) {
-  const sides = (low, high) => {
-    const from = Math.min(...drums.map((drum) => low(drum) - HOOP * drum.radius));
-    const to = Math.max(...drums.map((drum) => high(drum) + HOOP * drum.radius));
+  const sides = (middleOf) => {
+    const from = Math.min(...drums.map((drum) => middleOf(drum) - HOOP * drum.radius));
+    const to = Math.max(...drums.map((drum) => middleOf(drum) + HOOP * drum.radius));
     return { middle: (from + to) / 2, half: (to - from) / 2 };
   };
-  const across = sides(({ x }) => x, ({ x }) => x);
-  const along = sides(({ y }) => y, ({ y }) => y);
+  const across = sides(({ x }) => x);
+  const along = sides(({ y }) => y);
   const scale = 1 / Math.max(across.half, along.half) / HEAD_SHARE;
   return drums.map(({ x, y, radius }) => (
     { x: (x - across.middle) * scale, y: (y - along.middle) * scale, size: radius * scale }));
@@ -76,8 +76,8 @@ export class DrumView {
     this.#ask();
   }
 
-  /** The place under a pointer: { drum, share of its radius, angle [deg] }; the angle runs counter-clockwise. Of an only drum
-   * the share may be beyond the hoop; null where no drum of a kit is. */
+  /** The place under a pointer: { drum, share of its radius, angle [deg] }; the angle runs counter-clockwise. null where
+   * no drum is. */
   placeAt({ clientX, clientY }) {
     const box = this.#canvas.getBoundingClientRect();
     const half = (HEAD_SHARE * box.width) / 2;
@@ -87,7 +87,7 @@ export class DrumView {
       const at = this.#places[drum];
       const [right, up] = [(x - at.x) / at.size, (y - at.y) / at.size];
       const share = Math.hypot(right, up);
-      if (share <= HOOP || this.#drums.length === 1) return { drum, share, angle: (Math.atan2(up, right) * 180) / Math.PI };
+      if (share <= HOOP) return { drum, share, angle: (Math.atan2(up, right) * 180) / Math.PI };
     }
     return null;
   }

@@ -17,7 +17,6 @@ const GHOST = 1 / 3; // speed of a ghost note, as a share
 const CROSS_STICK = 3; // the engine's number of this technique
 const CROSS_STICK_PLACE = 0.6; // where its tip lies, as a share of the radius
 const RIM = 4; // the engine's number of this technique
-const RIM_WIDTH = 1.12; // a pointer out to here strikes the rim
 const FLOOR = -60; // [dBFS]
 
 const element = (id) => document.getElementById(id);
@@ -250,7 +249,7 @@ function strikeAt(event) {
   event.preventDefault();
   element("drum").focus({ focusVisible: false });
   const place = view.placeAt(event);
-  if (!place || place.share > RIM_WIDTH) return;
+  if (!place) return;
   strike({ ...place, velocity: velocityOf(event), technique: place.share > 1 ? RIM : 0 });
 }
 

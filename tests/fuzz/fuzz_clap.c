@@ -67,7 +67,7 @@ static void make_small(ClapHost *host) {
 static ClapHost *open_plugin(const char *id) {
   ClapHost *const host = clap_host_open(&clap_entry, id);
   make_small(host);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_flush(host);
   clap_host_activate(host);
   return host;
@@ -78,7 +78,7 @@ static void fill_value(clap_event_param_value_t *value, FuzzInput *input) {
   value->note_id = value->port_index = value->channel = value->key = -1;
   value->value = fuzz_number(input) * (fuzz_byte(input) % 2 ? 1 : 100);
   /* Models of the other qualities take seconds. */
-  if (value->param_id == clap_host_id(KNOB_QUALITY)) value->value = TABOR_QUALITY_DRAFT;
+  if (value->param_id == clap_host_id(KNOB_QUALITY)) value->value = CLAP_QUALITY(TABOR_QUALITY_DRAFT);
 }
 
 static void fill_note(clap_event_note_t *note, FuzzInput *input) {

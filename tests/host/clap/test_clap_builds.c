@@ -36,26 +36,27 @@ static void wait_seconds(double seconds) {
 
 static ClapHost *open_draft(void) {
   ClapHost *const host = clap_host_open(entry, ID_DRUM);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_flush(host);
   clap_host_activate(host);
   clap_host_run(host, FRAMES);
   return host;
 }
 
-/* Asks for a model at studio that no other instance has; `offline`: and waits for it. */
-static void ask_for_studio(ClapHost *host, double tension, bool offline) {
+/* Asks for a model at studio that no other instance has, with the tension knob at this place, 0 to 1;
+ * `offline`: and waits for it. */
+static void ask_for_studio(ClapHost *host, double place, bool offline) {
   clap_host_render(host, offline);
-  clap_host_set(host, 0, KNOB_BATTER_TENSION, tension);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_STUDIO);
+  clap_host_set(host, 0, KNOB_BATTER_TENSION, place);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_STUDIO));
   clap_host_run(host, FRAMES);
 }
 
 /* Seconds that such a model takes. */
-static double whole_build(double tension) {
+static double whole_build(double place) {
   ClapHost *const host = open_draft();
   const double start = now();
-  ask_for_studio(host, tension, true);
+  ask_for_studio(host, place, true);
   const double seconds = now() - start;
   clap_host_close(host);
   return seconds;
@@ -63,9 +64,9 @@ static double whole_build(double tension) {
 
 static void closing_ends_a_build(void **state) {
   (void)state;
-  whole = whole_build(3001.0);
+  whole = whole_build(0.61);
   ClapHost *const host = open_draft();
-  ask_for_studio(host, 3002.0, false);
+  ask_for_studio(host, 0.62, false);
   wait_seconds(0.05);
   const double start = now();
   clap_host_close(host);
@@ -87,13 +88,13 @@ static void a_cancelled_drum_comes_later(void **state) {
   (void)state;
   static float cancelled[FRAMES], straight[FRAMES];
   ClapHost *const one = open_draft();
-  ask_for_studio(one, 3003.0, false);
+  ask_for_studio(one, 0.63, false);
   wait_seconds(0.05);
   clap_host_deactivate(one);
   clap_host_activate(one);
   record(one, cancelled);
   ClapHost *const other = open_draft();
-  ask_for_studio(other, 3003.0, true);
+  ask_for_studio(other, 0.63, true);
   clap_host_deactivate(other);
   clap_host_activate(other);
   record(other, straight);
@@ -106,10 +107,10 @@ static void a_cancelled_drum_comes_later(void **state) {
 static void a_newer_wish_ends_a_build(void **state) {
   (void)state;
   ClapHost *const host = open_draft();
-  ask_for_studio(host, 3005.0, false);
+  ask_for_studio(host, 0.65, false);
   wait_seconds(0.05);
   const double start = now();
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_run(host, FRAMES);
   clap_host_render(host, true);
   clap_host_run(host, FRAMES); /* waits for the draft */
@@ -142,7 +143,7 @@ static void closing_ends_the_build_of_the_largest_drum(void **state) {
   (void)state;
   ClapHost *const host = open_draft();
   change_drum(host, LARGEST);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_STUDIO);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_STUDIO));
   clap_host_run(host, FRAMES);
   wait_seconds(0.2);
   const double start = now();
@@ -158,7 +159,7 @@ static void what_takes_too_long_plays_at_a_lower_quality(void **state) {
   ClapHost *const host = open_draft();
   change_drum(host, "wires.count = 30\n");
   clap_host_render(host, true);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_REFERENCE);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_REFERENCE));
   clap_host_run(host, FRAMES);
   assert_non_null(strstr(host->said, "lower"));
   print_message("%s\n", host->said);

@@ -127,7 +127,7 @@ static bool load(ClapHost *host, uint32_t kind, const char *location, const char
 /* In free air. */
 static ClapHost *open_drum(void) {
   ClapHost *const host = clap_host_open(entry, ID_DRUM);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_set(host, 0, KNOB_ROOM, TABOR_ROOM_NONE);
   clap_host_flush(host);
   clap_host_render(host, true);

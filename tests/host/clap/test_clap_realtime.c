@@ -96,7 +96,7 @@ static void change_model(ClapHost *host, uint64_t *random) {
 
 static ClapHost *open_plugin(const char *id) {
   ClapHost *const host = clap_host_open(&clap_entry, id);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_flush(host);
   clap_host_activate(host);
   return host;

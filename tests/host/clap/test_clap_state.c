@@ -32,7 +32,7 @@ static float left_sound[FRAMES];
 /* Not active. Its quality is set, and is saved with the rest. */
 static ClapHost *open_drum(void) {
   ClapHost *const host = clap_host_open(entry, ID_DRUM);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_flush(host);
   clap_host_render(host, true);
   return host;

@@ -30,7 +30,7 @@ static atomic_int playing;
 
 static ClapHost *open_plugin(const char *id) {
   ClapHost *const host = clap_host_open(&clap_entry, id);
-  clap_host_set(host, 0, KNOB_QUALITY, TABOR_QUALITY_DRAFT);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_flush(host);
   return host;
 }

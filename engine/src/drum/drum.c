@@ -13,7 +13,6 @@
 #include "step/energy.h"
 #include "step/event_budget.h"
 #include "step/live_params.h"
-#include "step/reset.h"
 #include "step/state_check.h"
 #include "step/stick_rigid.h"
 #include "step/strokes.h"

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "definition/error.h"
-#include "step/reset.h"
 
 static TaborStatus memory_error(TaborError *error, const char *what) {
   return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,

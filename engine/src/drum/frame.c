@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "step/incident_sound.h"
+#include "step/sleep.h"
 #include "step/step.h"
 
 static const uint64_t HOUSEKEEPING = 64; /* steps */
@@ -73,5 +74,5 @@ void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure) {
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;
   }
-  if (state->clock % HOUSEKEEPING < view->model->steps) tb_step_housekeeping(view);
+  if (state->clock % HOUSEKEEPING < view->model->steps) tb_sleep_check(view);
 }

@@ -8,7 +8,6 @@
 #include "drum/drum.h"
 #include "step/energy.h"
 #include "step/live_params.h"
-#include "step/reset.h"
 #include "step/strokes.h"
 
 static const double FADE = 0.015;      /* [s] */

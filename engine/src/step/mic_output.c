@@ -120,7 +120,7 @@ static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase
   return sums;
 }
 
-/* The same at the end of the step, where modes_end.h knows one microphone's. */
+/* The same at the end of the step, where end_modes() of step.c knows one microphone's. */
 static TbPair sums_at_end(const TbView *view, uint32_t mic, TbPair high) {
   if (mic != view->ear) return sums_at(view, mic, &view->next, high);
   return (TbPair){view->end.heard.first + high.first, view->end.heard.second + high.second};

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/state.h"
 
+#include <string.h>
+
 #include "model/state_layout.h"
+#include "step/live_params.h"
 
 /* Where the arrays begin, whose places the model's layout tells. */
 static const size_t HEADER = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
@@ -154,4 +157,19 @@ void tb_view_rotate(TbView *view) {
   view->now = view->next;
   view->next = oldest;
   view->solve.in.y = view->last.eta;
+}
+
+void tb_state_reset(TbState *state, const TaborModel *model) {
+  memset(state, 0, tb_state_bytes(model));
+  state->fingerprint = model->fingerprint;
+  state->asleep = 1;
+  TbView view = tb_view(state, model);
+  const TbWires *wires = &model->wires;
+  for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {
+    const bool real = row < wires->stride;
+    const double eta = real ? model->rest.eta[row] : TB_NOTHING;
+    view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
+    view.solve.warm.force[row] = real ? model->rest.force[row] : 0.0;
+  }
+  tb_live_params_reset(&view);
 }

@@ -172,7 +172,7 @@ typedef struct TbView {
   uint32_t stretch_count;  /* heads that stretch in this step: all that can, or none */
   TbStretching stretching; /* the sums of this sample, if `stretched` */
   bool stretched;
-  TbModesEnd end;        /* see modes_end.h */
+  TbModesEnd end;        /* of the last pass over the modes: see step.c */
   uint32_t ear;          /* the microphone that is heard there, or TB_NO_EAR */
   double *stretch_carry; /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
   double *coupling, *slot_coupling, *shape, *drive, *radial;
@@ -188,6 +188,8 @@ size_t tb_state_bytes(const TaborModel *model);
 size_t tb_state_head_bytes(void);
 
 TbView tb_view(TbState *state, const TaborModel *model);
+/* Puts `state` (tb_state_bytes() large) to rest; statistics and ledger restart. */
+void tb_state_reset(TbState *state, const TaborModel *model);
 /* Makes `next` the newest instant. Call after `next` was filled. */
 void tb_view_rotate(TbView *view);
 

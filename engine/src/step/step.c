@@ -13,9 +13,7 @@
 #include "step/live_params.h"
 #include "step/lug_forces.h"
 #include "step/mic_output.h"
-#include "step/modes_end.h"
 #include "step/radiated_energy.h"
-#include "step/reset.h"
 #include "step/stick_rigid.h"
 #include "step/stretch.h"
 #include "step/striker_pool.h"
@@ -149,7 +147,28 @@ static void respond(TbView *view, bool unchanged) {
   }
 }
 
-/* With the modes' losses of modes_end.h, unless the step was shortened after them. */
+/* The last pass over the modes: adds what stretching heads do to view->next, and finds what the modes lost in the step and
+ * what microphone `mic` hears of them. All of it needs only the finished displacements, so one pass reads them once. */
+static void end_modes(TbView *view, uint32_t mic) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbParts none = {.count = 0};
+  TbModesEnd *end = &view->end;
+  const bool heard = mic < model->def.mic_count;
+  *end = (TbModesEnd){.modes = modes->padded,
+                      .origins = modes->walls ? 3 : 2,
+                      .pull = {view->stretch_pull[0], view->stretch_pull[1]},
+                      .last = view->last.q,
+                      .loss = {modes->loss_head, modes->loss_air, modes->loss_shell},
+                      .ahead = heard ? model->mics[mic].ahead : modes->loss_air,
+                      .behind = heard ? model->mics[mic].behind : modes->loss_air,
+                      .stretch = {end->stretch[0], end->stretch[1]},
+                      .next = view->next.q};
+  view->ear = heard ? mic : TB_NO_EAR;
+  model->kernels->end_modes(view->stretch_count > 0 ? &model->stretch.parts : &none, end);
+}
+
+/* With the modes' losses of end_modes(), unless the step was shortened after them. */
 static void book_losses(TbView *view, bool shortened) {
   const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
   TaborLedger *sums = &view->state->sums;
@@ -178,155 +197,56 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
   if (outcome->touching > statistics->contact_max) statistics->contact_max = outcome->touching;
 }
 
-void tb_step(TbView *view, uint32_t heard, double *pressure) {
-  tb_live_params_step(view);
-  TB_STAGE(STRIKERS);
-  tb_brush_step(view);
-  free_motion(view);
-  tb_incident_push(view);
-  tb_lug_forces_pull(view);
-  TB_STAGE(STRETCH);
-  tb_stretch_free(view);
-  free_penetration(view);
-  TB_STAGE(STRETCH);
-  tb_stretch_renew(view);
-  TB_STAGE(LAWS);
-  const TbSolveOutcome outcome = tb_solve(&view->solve);
-  count(&view->state->statistics, &outcome);
-  const bool unchanged = !outcome.contact && view->state->airborne;
-  respond(view, unchanged);
-  TB_STAGE(STRETCH);
-  tb_stretch_respond(view);
-  tb_modes_end(view, tb_first_heard(heard));
-  TB_STAGE(LEDGER);
-  const bool shortened = outcome.excess > 0.0 && tb_energy_guard(view);
+/* The forces that the solve found could not be balanced, and the step was shortened: nothing of them is to be kept. */
+static void forget_forces(TbView *view) {
+  tb_solve_forget(&view->solve);
+  tb_stretch_clear(view);
+  view->ear = TB_NO_EAR;
+}
+
+/* Energy that the contacts took, and the losses of all parts. Where the forces would create energy, the guard shortens the
+ * step first. */
+static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
+  const bool shortened = outcome->excess > 0.0 && tb_energy_guard(view);
   if (shortened) {
-    tb_solve_forget(&view->solve);
-    tb_stretch_clear(view);
-    view->ear = TB_NO_EAR;
+    forget_forces(view);
   } else {
-    view->state->sums.contact_loss += outcome.contact_loss;
-    view->state->sums.damper_loss += outcome.damper_loss;
+    view->state->sums.contact_loss += outcome->contact_loss;
+    view->state->sums.damper_loss += outcome->damper_loss;
   }
   book_losses(view, shortened);
-  tb_mic_output(view, heard, unchanged, pressure);
+}
+
+/* Everything is first moved without contact forces; the solve finds the forces; then they move everything. Each line says
+ * what it reads -> what it writes, beside model and state: q of modes, v of wires, z of strikers and eta, the penetrations of
+ * rows, are those of the instants next, now and last; b, s and f = solve.warm.force are rows of the solve (solve.h). */
+void tb_step(TbView *view, uint32_t heard, double *pressure) {
+  tb_live_params_step(view); /* live values -> wires' coefficients, grips, mufflers, gains */
+  TB_STAGE(STRIKERS);
+  tb_brush_step(view); /* brushes -> places and heights of their slots */
+  free_motion(view); /* now, last -> next: q, v, bow */
+  tb_incident_push(view); /* sound from outside -> next.q */
+  tb_lug_forces_pull(view); /* now.q -> next.q */
+  TB_STAGE(STRETCH);
+  tb_stretch_free(view); /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
+  free_penetration(view); /* next, r, W -> b, next.missing, and last.eta as the laws want it */
+  TB_STAGE(STRETCH);
+  tb_stretch_renew(view); /* f, r, W -> M f, from which the solve starts */
+  TB_STAGE(LAWS);
+  const TbSolveOutcome outcome = tb_solve(&view->solve); /* b, last.eta, M f -> f, s */
+  count(&view->state->statistics, &outcome);
+  const bool unchanged = !outcome.contact && view->state->airborne;
+  respond(view, unchanged); /* f, s -> next: q, v, z, eta, missing, bow */
+  TB_STAGE(STRETCH);
+  tb_stretch_respond(view); /* f, r, W -> force of the stretch */
+  end_modes(view, tb_first_heard(heard)); /* that force -> next.q; next.q, last.q -> losses, sums of a microphone */
+  TB_STAGE(LEDGER);
+  close_ledger(view, &outcome); /* next, now, last -> ledger; next, if it is shortened */
+  tb_mic_output(view, heard, unchanged, pressure); /* f, s, next.q -> next.high, delay lines, pressure */
   TB_STAGE(OTHER);
   view->state->airborne = !outcome.contact;
   view->state->clock++;
-  tb_view_rotate(view);
-  tb_pool_retire(view);
-  tb_wire_clearance_follow(view);
-}
-
-/* ---- housekeeping --------------------------------------------------------------------------- */
-
-/* Far below anything audible: a medium stroke brings some 1e-2 J. */
-static const double SILENT_ENERGY[] = {
-  [TB_IN_DOUBLE] = 1e-18, /* [J] */
-  /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires. */
-  [TB_IN_FLOAT] = 1e-15,
-};
-static const uint32_t SILENT_CHECKS = 16;
-static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
-
-/* Without branches: the compiler takes several at once. */
-static void clear_small(uint32_t n, double *now, double *last) {
-  for (uint32_t i = 0; i < n; i++) {
-    const bool gone = (fabs(now[i]) < VANISHED) & (fabs(last[i]) < VANISHED);
-    now[i] = gone ? 0.0 : now[i];
-    last[i] = gone ? 0.0 : last[i];
-  }
-}
-
-static void clear_vanished(TbView *view) {
-  tb_high_band_step_of(view)->clear_small(view);
-  clear_small(view->model->modes.padded, view->now.q, view->last.q);
-  clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
-  clear_small(TB_SLOTS * TB_BENDS, view->now.bow[0], view->last.bow[0]);
-}
-
-static void clear_high(TbView *view) {
-  const size_t bytes = view->model->high.padded * sizeof(double);
-  memset(view->now.high, 0, bytes);
-  memset(view->last.high, 0, bytes);
-  view->state->held = view->state->hold_steps = 0;
-  view->state->contacts = (TbWireContacts){0.0, 0.0, 0.0};
-}
-
-static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }
-
-/* Stops all motion; a drum within rounding of its rest returns to it exactly. */
-static void fall_asleep(TbView *view) {
-  const TaborModel *model = view->model;
-  const bool at_rest =
-    fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * silent_energy(model);
-  const uint32_t rows = model->wires.stride + TB_SLOTS;
-  if (at_rest) {
-    memset(view->now.q, 0, model->modes.padded * sizeof(double));
-    memset(view->now.missing, 0, sizeof view->state->missing[0]);
-    memset(view->state->bow, 0, sizeof view->state->bow);
-    memset(view->now.v, 0, model->wires.node_count * sizeof(double));
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
-      view->solve.warm.force[row] = model->rest.force[row];
-    }
-    for (uint32_t i = 0; i < TB_SLOTS; i++) {
-      if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
-    }
-    tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
-                     view->solve.warm.product);
-    tb_stretch_clear(view);
-  }
-  memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
-  memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
-  memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
-  memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
-  memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
-  memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
-  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
-  }
-  memset(view->state->treble, 0, sizeof view->state->treble);
-  memset(view->state->halved, 0, sizeof view->state->halved);
-  memset(view->state->response, 0, sizeof view->state->response);
-  clear_high(view);
-  view->state->heard = 0;
-  view->state->asleep = 1;
-}
-
-static bool striker_in_flight(const TbView *view) {
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &view->state->slots[i];
-    if (slot->palm || (slot->kind == TB_SLOT_STRIKER && !slot->held)) return true;
-  }
-  return false;
-}
-
-static bool parameter_moves(const TbState *state) {
-  for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-    if (state->live[i].left) return true;
-  }
-  return false;
-}
-
-void tb_step_housekeeping(TbView *view) {
-  TbState *state = view->state;
-  const double motion = tb_energy_motion(view, &view->now, &view->last);
-  if (!isfinite(motion)) {
-    const TaborStatistics statistics = state->statistics;
-    const TbLiveParam output = state->output;
-    tb_state_reset(state, view->model);
-    state->statistics = statistics;
-    state->output = output;
-    state->statistics.recovered++;
-    *view = tb_view(state, view->model);
-    return;
-  }
-  clear_vanished(view);
-  tb_wire_clearance_begin(view);
-  tb_wire_motion_of(view)->settle(view);
-  const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
-                     !parameter_moves(state) && !tb_brush_moves(state);
-  state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
-  if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
+  tb_view_rotate(view); /* next becomes now */
+  tb_pool_retire(view); /* now -> slots that are done are free */
+  tb_wire_clearance_follow(view); /* now.q -> whether the wires are out of its reach */
 }

@@ -9,8 +9,4 @@
  * signals of the microphones whose bit is set in `heard`, and 0 for the others. */
 void tb_step(TbView *view, uint32_t heard, double *pressure);
 
-/* Housekeeping, to be called every 64 samples: puts a drum that has died away to sleep, clears
- * vanished modes, and recovers from a state that is not finite. */
-void tb_step_housekeeping(TbView *view);
-
 #endif

@@ -40,7 +40,7 @@ void tb_stretch_yield(TbView *view, double *slots);
 /* Replaces the last sample's stretch by this sample's in M f, the response to the last forces. Call
  * before the solve, which starts from M f and moves along it. */
 void tb_stretch_renew(TbView *view);
-/* Finds the stretch force, which modes_end.h adds. Call after the contacts have moved the modes. They changed Y^T q+ by
+/* Finds the stretch force, which the last pass over the modes adds (step.c). Call after the contacts have moved the modes. They changed Y^T q+ by
  * -r f, so theta is known. */
 void tb_stretch_respond(TbView *view);
 /* Call after `product` was recomputed without any stretch. */

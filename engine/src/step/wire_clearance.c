@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "step/coupling.h"
-#include "step/penetration.h"
+#include "step/wire_motion.h"
 
 static const double LEAST_GAP = 3e-3; /* [m] */
 static const double STILL = 1e-12;    /* [m], a deviation that is none */

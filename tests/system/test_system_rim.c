@@ -116,7 +116,7 @@ static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
   static float rim[SOUND];
   TaborDrumDef def = snares_off();
   def.shell.loss = def.hoop.tie_loss = 0.003;
-  def.batter.damping_0 = def.resonant.damping_0 = 25.0;
+  def.batter.damping_0 = def.resonant.damping_0 = 60.0; /* at 25, heads a quarter of a tone beside hide 3 to 4 dB */
   TaborLedger ledger;
   play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIM, 0.05, rim, &ledger);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
@@ -126,7 +126,7 @@ static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
     if (mode.part != TABOR_PART_RIM || mode.m < 2) continue;
     print_message("%.0f Hz stands out by %.1f dB\n", mode.frequency,
                   stands_out(rim, mode.frequency));
-    assert_true(stands_out(rim, mode.frequency) > 3.0);
+    assert_true(stands_out(rim, mode.frequency) > 6.0);
     heard++;
   }
   assert_int_equal(heard, 2);

@@ -16,7 +16,7 @@ static const double POINT_TOLERANCE = 0.5;
 /* Outputs are rounded to float, before the sections here and after the drum's. */
 static const double ROUNDING = 1e-6;
 
-enum { KINDS = 4, BANDS = 30, FRAMES = 4800 };
+enum { KINDS = 5, BANDS = 30, FRAMES = 4800 };
 
 static bool brief; /* under sanitizers: at draft alone */
 
@@ -37,7 +37,11 @@ static const double CURVES[KINDS][BANDS] = {
   [TABOR_RESPONSE_CONDENSER] = {-3.95, -3.02, -2.15, -1.42, -0.91, -0.55, -0.32, -0.19,
                                 -0.12, -0.07, -0.04, -0.02, -0.01, -0.01, 0.00,  0.00,
                                 0.00,  0.00,  0.00,  0.00,  0.01,  0.02,  0.06,  0.17,
-                                0.42,  1.00,  2.02,  2.67,  2.19,  -0.60}};
+                                0.42,  1.00,  2.02,  2.67,  2.19,  -0.60},
+  [TABOR_RESPONSE_EVEN_DYNAMIC] = {-22.89, -19.74, -16.73, -14.00, -11.88, -10.07, -8.50, -7.12,
+                                   -5.71,  -4.06,  -2.58,  -1.32,  -0.45,  -0.02,  0.10,  0.09,
+                                   0.04,   0.00,   -0.03,  -0.04,  -0.03,  -0.01,  0.03,  0.05,
+                                   0.03,   -0.15,  -0.90,  -3.49,  -9.56,  -18.42}};
 
 /* Points that the curves were to meet [Hz], [dB]. */
 static const struct {
@@ -50,7 +54,9 @@ static const struct {
   {TABOR_RESPONSE_LARGE_DYNAMIC, 80.0, 5.0}, {TABOR_RESPONSE_LARGE_DYNAMIC, 400.0, -4.1},
   {TABOR_RESPONSE_LARGE_DYNAMIC, 4e3, 7.4},  {TABOR_RESPONSE_LARGE_DYNAMIC, 16e3, -10.0},
   {TABOR_RESPONSE_CONDENSER, 40.0, -1.4},    {TABOR_RESPONSE_CONDENSER, 3000.0, 0.0},
-  {TABOR_RESPONSE_CONDENSER, 10000.0, 2.7},  {TABOR_RESPONSE_CONDENSER, 16000.0, -0.6}};
+  {TABOR_RESPONSE_CONDENSER, 10000.0, 2.7},  {TABOR_RESPONSE_CONDENSER, 16000.0, -0.6},
+  {TABOR_RESPONSE_EVEN_DYNAMIC, 150.0, -4.5}, {TABOR_RESPONSE_EVEN_DYNAMIC, 6e3, 0.0},
+  {TABOR_RESPONSE_EVEN_DYNAMIC, 10e3, -3.5},  {TABOR_RESPONSE_EVEN_DYNAMIC, 16e3, -18.5}};
 
 /* [dB] */
 static double level_at(const TbMicResponse *response, double frequency, double rate) {
@@ -247,7 +253,7 @@ static void a_definition_names_the_response(void **state) {
   char text[32];
   tabor_drum_def_default(&def);
   assert_int_equal(def.mic[0].response, TABOR_RESPONSE_FLAT);
-  const char *const words[KINDS] = {"flat", "dynamic", "large-dynamic", "condenser"};
+  const char *const words[KINDS] = {"flat", "dynamic", "large-dynamic", "condenser", "even-dynamic"};
   for (uint32_t kind = 0; kind < KINDS; kind++) {
     assert_int_equal(tabor_drum_def_set(&def, "mic.top.response", words[kind], NULL), TABOR_OK);
     assert_int_equal(def.mic[0].response, kind);

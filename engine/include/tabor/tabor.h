@@ -371,7 +371,8 @@ typedef enum TaborMicResponse {
   TABOR_RESPONSE_FLAT,    /**< the sound pressure itself */
   TABOR_RESPONSE_DYNAMIC, /**< a cardioid dynamic microphone, as is put close to a snare drum */
   TABOR_RESPONSE_LARGE_DYNAMIC, /**< a dynamic microphone for bass drums */
-  TABOR_RESPONSE_CONDENSER      /**< a condenser microphone with a small diaphragm */
+  TABOR_RESPONSE_CONDENSER,     /**< a condenser microphone with a small diaphragm */
+  TABOR_RESPONSE_EVEN_DYNAMIC   /**< a dynamic microphone without a rise in the treble */
 } TaborMicResponse;
 
 /** A microphone. It records the sound pressure at its place. */

@@ -28,7 +28,11 @@ typedef struct Shape {
  * our choice: +5 dB at 80 Hz, -4 at 400 Hz, +7.4 at 4 kHz, -10 at 16 kHz.
  *
  * Condenser: very even [MicData2]. The sizes are our choice: -4 dB at 20 Hz, 0 from 0.1 to 3 kHz, +2.7 at
- * 10 kHz, -4 at 20 kHz. */
+ * 10 kHz, -4 at 20 kHz.
+ *
+ * Even dynamic: a dynamic microphone without a rise in the treble, its bass cut against the drum's lowest notes. The
+ * sizes are what snare drums recorded from below ask for: -14 dB at 40 Hz, -4.5 at 150 Hz, 0 from 0.4 to 6 kHz, -3.5 at
+ * 10 kHz, -10 at 12.7 kHz, -18.5 at 16 kHz. */
 static const Shape SHAPES[][TB_RESPONSE_SECTIONS] = {
   [TABOR_RESPONSE_DYNAMIC] = {{49.74, 1.5, 142.0, 0.99},
                               {631.1, 0.8293, 581.2, 0.8989},
@@ -42,6 +46,10 @@ static const Shape SHAPES[][TB_RESPONSE_SECTIONS] = {
                                 {12290.0, 0.2782, 12750.0, 0.25},
                                 {8697.0, 0.6411, 10080.0, 0.3986},
                                 {INFINITY, 0.0, 14810.0, 0.99}},
+  [TABOR_RESPONSE_EVEN_DYNAMIC] = {{5.315, 0.941, 44.34, 0.899},
+                                   {165.2, 0.997, 267.7, 0.748},
+                                   {INFINITY, 0.0, 8000.0, 0.802},
+                                   {INFINITY, 0.0, 10150.0, 0.358}},
 };
 
 static double square(double x) { return x * x; }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "clap/extensions.h"
+#include "clap/gui.h"
 #include "clap/instance_drum.h"
 #include "clap/instance_state.h"
 #include "clap/note_events.h"
@@ -61,7 +62,9 @@ static bool open(Instance *instance, double rate) {
 
 static void destroy(const clap_plugin_t *plugin) {
   Instance *const instance = instance_of(plugin);
+  gui_end(instance);
   close(instance);
+  gui_link_end(&instance->link);
   free(instance);
 }
 
@@ -189,7 +192,9 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   ports_connect(instance, block, &outputs);
   instance->list = event_list_of(block);
   instance->event = 0;
+  gui_link_report(&instance->link, block->out_events);
   if (!instance->is_open) return play_silence(instance, &outputs);
+  gui_link_play(&instance->link, &instance->player);
   PluginRun run = {.player = &instance->player,
                    .outputs = &outputs,
                    .events = &run_events,
@@ -201,6 +206,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   } else {
     (void)plugin_run_live(&run);
   }
+  gui_link_show(&instance->link, &instance->player, &outputs, block->frames_count);
   return status_of(instance, &outputs);
 }
 
@@ -271,7 +277,8 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
                                   {CLAP_EXT_PRESET_LOAD_COMPAT, &instance_preset_load},
                                   {CLAP_EXT_REMOTE_CONTROLS, &instance_remote_controls},
                                   {CLAP_EXT_REMOTE_CONTROLS_COMPAT, &instance_remote_controls}};
-  return extension_find(all, sizeof all / sizeof all[0], id);
+  const void *const window = gui_extension(id);
+  return window ? window : extension_find(all, sizeof all / sizeof all[0], id);
 }
 
 static bool begin(Instance *instance) {
@@ -303,7 +310,8 @@ const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
                                      .process = process,
                                      .get_extension = get_extension,
                                      .on_main_thread = on_main_thread};
-  if (begin(instance)) return &instance->plugin;
+  if (begin(instance) && gui_link_begin(&instance->link)) return &instance->plugin;
+  gui_link_end(&instance->link);
   free(instance);
   return NULL;
 }

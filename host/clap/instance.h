@@ -14,6 +14,7 @@
 #include <clap/clap.h>
 
 #include "clap/event_list.h"
+#include "clap/gui_link.h"
 #include "plugin/plugin_run.h"
 #include "plugin/worker_thread.h"
 
@@ -39,6 +40,7 @@ typedef struct Instance {
   bool is_saved;    /**< it is not the default one */
   bool is_open;     /**< changes only while no block is played */
   double rate;
+  GuiLink link; /**< its window */
 
   /* while it is open */
   ModelWorker worker;

@@ -17,7 +17,7 @@ static KnobId knob_of(const Instance *instance, clap_id id) {
   return knob_is_in(instance->set, knob_ports[id]) ? knob_ports[id] : KNOB_COUNT;
 }
 
-static clap_id id_of(KnobId knob) {
+clap_id parameters_id(KnobId knob) {
   clap_id id = 0;
   while (knob_ports[id] != knob) id++;
   return id;
@@ -142,7 +142,7 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   if (id == KNOB_COUNT) return false;
   const KnobRange *const range = &instance->ranges[id];
   memset(info, 0, sizeof *info);
-  info->id = id_of(id);
+  info->id = parameters_id(id);
   info->flags = CLAP_PARAM_IS_AUTOMATABLE;
   if (knobs[id].choices) info->flags |= CLAP_PARAM_IS_STEPPED | CLAP_PARAM_IS_ENUM;
   if (knob_is_modulated(id)) info->flags |= CLAP_PARAM_IS_MODULATABLE;
@@ -154,11 +154,15 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   return true;
 }
 
+double parameters_value(const Instance *instance, KnobId id) {
+  return of_range(instance, id, atomic_load(&instance->values[id]));
+}
+
 static bool get_value(const clap_plugin_t *plugin, clap_id param, double *value) {
   const Instance *const instance = instance_of(plugin);
   const KnobId id = knob_of(instance, param);
   if (id == KNOB_COUNT) return false;
-  *value = of_range(instance, id, atomic_load(&instance->values[id]));
+  *value = parameters_value(instance, id);
   return true;
 }
 
@@ -167,7 +171,7 @@ static void flush(const clap_plugin_t *plugin, const clap_input_events_t *in,
                   const clap_output_events_t *out) {
   Instance *const instance = instance_of(plugin);
   bool any = false;
-  (void)out;
+  gui_link_report(&instance->link, out);
   for (uint32_t i = 0; i < in->size(in); i++) {
     const clap_event_header_t *const event = in->get(in, i);
     if (event && parameters_take(instance, event)) any = true;
@@ -230,10 +234,41 @@ static bool get_page(const clap_plugin_t *plugin, uint32_t index,
   for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
     const KnobId id = pages[index].knobs[i];
     const bool is_there = id != NO_KNOB && knob_is_in(set, id);
-    page->param_ids[i] = is_there ? id_of(id) : CLAP_INVALID_ID;
+    page->param_ids[i] = is_there ? parameters_id(id) : CLAP_INVALID_ID;
   }
   return true;
 }
 
 const clap_plugin_remote_controls_t instance_remote_controls = {.count = page_count,
                                                                 .get = get_page};
+
+/* ---- for the window ------------------------------------------------------------------------- */
+
+KnobId parameters_first_page(const Instance *instance, uint32_t place) {
+  for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
+    const KnobId id = pages[0].knobs[i];
+    if (id == NO_KNOB || !knob_is_in(instance->set, id)) continue;
+    if (place-- == 0) return id;
+  }
+  return KNOB_COUNT;
+}
+
+double parameters_position(const Instance *instance, KnobId id) {
+  const KnobRange *const range = &instance->ranges[id];
+  const double least = of_range(instance, id, range->minimum);
+  const double most = of_range(instance, id, range->maximum);
+  return (parameters_value(instance, id) - least) / (most - least);
+}
+
+void parameters_set_position(Instance *instance, KnobId id, double position) {
+  const KnobRange *const range = &instance->ranges[id];
+  const double least = of_range(instance, id, range->minimum);
+  const double most = of_range(instance, id, range->maximum);
+  const double value = least + fmin(fmax(position, 0), 1) * (most - least);
+  parameters_set(instance, id, to_knob(instance, id, knobs[id].choices ? round(value) : value));
+}
+
+void parameters_text(const Instance *instance, KnobId id, char *text, uint32_t size) {
+  const double value = parameters_value(instance, id);
+  if (!value_to_text(&instance->plugin, parameters_id(id), value, text, size)) text[0] = '\0';
+}

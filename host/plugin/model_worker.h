@@ -106,6 +106,7 @@ typedef struct ModelWorker {
   float composed_seen[KNOB_KEYS];
   uint32_t composed_restoration;
   int32_t composed_program;
+  TaborModel *newest; /**< of the newest reply, with a reference of its own */
 
   /* worker thread */
   TaborModel *model;                        /**< of the newest reply, from the cache */
@@ -136,6 +137,9 @@ void model_worker_cancel(ModelWorker *worker);
 void model_worker_resume(ModelWorker *worker);
 /** Saves the state. Any time, in parallel with all other functions. */
 void model_worker_save(ModelWorker *worker, SavedState *saved);
+/** The model that was built last, to be released by the caller; NULL if there is none. Any time, in parallel with all
+ * other functions. */
+TaborModel *model_worker_model(ModelWorker *worker);
 
 /* WORKERS: any thread but the audio thread, several at once */
 

@@ -111,6 +111,9 @@ void plugin_player_modulate(PluginPlayer *player, KnobId id, float offset) REALT
 void plugin_player_begin_frame(PluginPlayer *player) REALTIME;
 /** Takes a complete MIDI message for a frame that is @p ahead frames from now. */
 void plugin_player_take(PluginPlayer *player, const MidiMessage *message, uint32_t ahead) REALTIME;
+/** Strikes the drum now, beside what MIDI asks for: @p radius a part of the head's. */
+void plugin_player_strike(PluginPlayer *player, double velocity, double radius,
+                          double angle) REALTIME;
 /** True if messages since plugin_player_begin_frame() choose another preset. */
 bool plugin_player_has_choice(const PluginPlayer *player) REALTIME;
 /** Requests that preset; call when all frames before have been played. */

@@ -259,6 +259,15 @@ void plugin_player_choose(PluginPlayer *player) {
   atomic_store(&player->worker->program, player->chosen);
 }
 
+void plugin_player_strike(PluginPlayer *player, double velocity, double radius, double angle) {
+  const PlayerMessage message = {.type = PLAYER_EVENT,
+                                 .event = {.type = TABOR_EVENT_STRIKE,
+                                           .velocity = velocity,
+                                           .radius = radius * player->midi.binding.head_radius,
+                                           .angle = angle}};
+  if (player->core.drum && player->count < PLUGIN_MESSAGES) plugin_player_act_now(player, &message);
+}
+
 bool plugin_player_is_full(const PluginPlayer *player) {
   return player->count > PLUGIN_MESSAGES / 2;
 }

@@ -56,13 +56,29 @@ static void note_preset(const clap_host_t *host, uint32_t kind, const char *loca
   (void)snprintf(own->loaded, sizeof own->loaded, "%s", key);
 }
 
+static bool start_timer(const clap_host_t *host, uint32_t period, clap_id *id) {
+  ClapHost *const own = host->host_data;
+  assert_in_range(period, 1, 100);
+  *id = own->timers++;
+  return true;
+}
+
+static bool stop_timer(const clap_host_t *host, clap_id id) {
+  ClapHost *const own = host->host_data;
+  assert_true(id < own->timers);
+  own->timers--;
+  return true;
+}
+
 static const void *extension(const clap_host_t *host, const char *id) {
+  static const clap_host_timer_support_t timers = {start_timer, stop_timer};
   static const clap_host_log_t log = {.log = say};
   static const clap_host_params_t params = {rescan, clear, request};
   static const clap_host_preset_load_t presets = {refuse, note_preset};
   (void)host;
   if (strcmp(id, CLAP_EXT_LOG) == 0) return &log;
   if (strcmp(id, CLAP_EXT_PARAMS) == 0) return &params;
+  if (strcmp(id, CLAP_EXT_TIMER_SUPPORT) == 0) return &timers;
   return strcmp(id, CLAP_EXT_PRESET_LOAD) == 0 ? &presets : NULL;
 }
 
@@ -211,6 +227,13 @@ static const clap_event_header_t *get_event(const clap_input_events_t *list, uin
 static bool push_event(const clap_output_events_t *list, const clap_event_header_t *event) {
   ClapHost *const host = list->ctx;
   host->ended += event->type == CLAP_EVENT_NOTE_END;
+  host->gestures += event->type == CLAP_EVENT_PARAM_GESTURE_BEGIN;
+  if (event->type == CLAP_EVENT_PARAM_VALUE) {
+    const clap_event_param_value_t *const value = (const clap_event_param_value_t *)event;
+    host->turns++;
+    host->turned = value->param_id;
+    host->turned_to = value->value;
+  }
   return true;
 }
 

@@ -42,6 +42,10 @@ typedef struct ClapHost {
   uint32_t rescans, requests,
     callbacks; /**< of the values of all parameters; for blocks; for the main thread */
   clap_process_status status; /**< of the newest block */
+  uint32_t timers;            /**< that run */
+  uint32_t turns, gestures;   /**< values and begins of gestures that the plugin has told of */
+  clap_id turned;             /**< the newest of these parameters, and its value */
+  double turned_to;
 } ClapHost;
 
 typedef struct ClapState {

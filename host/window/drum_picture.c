@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: MIT */
+#include "window/drum_picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- places, at scale 1 --------------------------------------------------------------------- */
+
+typedef struct Box {
+  double x, y, width, height;
+} Box;
+
+static const double MIDDLE[2] = {205, 215}, RADIUS = 175, HOOP = 10;
+static const Box BEFORE = {420, 20, 28, 28}, NEXT = {668, 20, 28, 28};
+static const Box COMPARE = {420, 396, 76, 26}, UNDO = {504, 396, 76, 26};
+static const Box METER = {600, 396, 96, 10};
+static const double METER_STEP = 16;
+static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
+static const double LOWEST_LEVEL = -60;                         /* [dB] of a meter */
+static const double DEPTH = 5e-4; /* [m] of a head that is as bright or dark as can be */
+
+static bool is_in(const Box *box, double x, double y) {
+  return x >= box->x && x < box->x + box->width && y >= box->y && y < box->y + box->height;
+}
+
+double drum_picture_scale(uint32_t width, uint32_t height) {
+  return fmax(0.1, fmin((double)width / DRUM_WINDOW_WIDTH, (double)height / DRUM_WINDOW_HEIGHT));
+}
+
+double drum_picture_position(double scale, double x) {
+  return fmin(fmax((x / scale - LEFT) / WIDE, 0), 1);
+}
+
+DrumPlace drum_picture_place(double scale, double x, double y) {
+  const double at = x / scale, down = y / scale;
+  DrumPlace place = {.part = DRUM_PART_NONE,
+                     .x = (at - MIDDLE[0]) / RADIUS,
+                     .y = (MIDDLE[1] - down) / RADIUS};
+  if (hypot(place.x, place.y) <= 1) {
+    place.part = DRUM_PART_HEAD;
+  } else if (is_in(&BEFORE, at, down)) {
+    place.part = DRUM_PART_BEFORE;
+  } else if (is_in(&NEXT, at, down)) {
+    place.part = DRUM_PART_NEXT;
+  } else if (is_in(&COMPARE, at, down)) {
+    place.part = DRUM_PART_COMPARE;
+  } else if (is_in(&UNDO, at, down)) {
+    place.part = DRUM_PART_UNDO;
+  } else if (is_in(&(Box){LEFT, TOP, WIDE, DRUM_WINDOW_CONTROLS * ROW}, at, down)) {
+    place.part = DRUM_PART_CONTROL;
+    place.control = (uint32_t)((down - TOP) / ROW);
+    place.x = drum_picture_position(scale, x);
+  }
+  return place;
+}
+
+/* ---- colours and texts ---------------------------------------------------------------------- */
+
+static void use(cairo_t *cairo, double red, double green, double blue) {
+  cairo_set_source_rgb(cairo, red, green, blue);
+}
+static void paper(cairo_t *cairo) { use(cairo, 0.13, 0.14, 0.16); }
+static void field(cairo_t *cairo) { use(cairo, 0.22, 0.24, 0.27); }
+static void ink(cairo_t *cairo) { use(cairo, 0.90, 0.91, 0.92); }
+static void pale(cairo_t *cairo) { use(cairo, 0.62, 0.65, 0.68); }
+static void accent(cairo_t *cairo) { use(cairo, 0.95, 0.62, 0.20); }
+
+typedef enum Align { AT_LEFT, AT_MIDDLE, AT_RIGHT } Align;
+
+static void write(cairo_t *cairo, double x, double y, Align align, const char *text) {
+  cairo_text_extents_t size;
+  cairo_text_extents(cairo, text, &size);
+  cairo_move_to(cairo, x - 0.5 * align * size.x_advance, y);
+  cairo_show_text(cairo, text);
+}
+
+static void fill_box(cairo_t *cairo, const Box *box) {
+  cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
+  cairo_fill(cairo);
+}
+
+static void button(cairo_t *cairo, const Box *box, const char *text, bool lit) {
+  field(cairo);
+  fill_box(cairo, box);
+  if (lit) {
+    ink(cairo);
+  } else {
+    pale(cairo);
+  }
+  write(cairo, box->x + 0.5 * box->width, box->y + 0.5 * box->height + 5, AT_MIDDLE, text);
+}
+
+/* ---- the drum ------------------------------------------------------------------------------- */
+
+static void circle(cairo_t *cairo, double radius) {
+  cairo_new_path(cairo);
+  cairo_arc(cairo, MIDDLE[0], MIDDLE[1], radius, 0, 2 * PI);
+}
+
+/* Cells of the grid between two circles and two angles, as bright as the head is high there. */
+static void draw_head(cairo_t *cairo, const TaborView *view) {
+  const double ring = RADIUS / (view->radii - 1u), step = 2 * PI / view->angles;
+  for (uint32_t i = 0; i + 1 < view->radii; i++) {
+    for (uint32_t j = 0; j < view->angles; j++) {
+      const double height = view->displacement[0][i * view->angles + j];
+      const double light = 0.74 + 0.22 * tanh(height / DEPTH);
+      use(cairo, light, 0.98 * light, 0.93 * light);
+      cairo_new_path(cairo);
+      cairo_arc_negative(cairo, MIDDLE[0], MIDDLE[1], (i + 1) * ring, -(j - 0.5) * step,
+                         -(j + 0.5) * step);
+      cairo_arc(cairo, MIDDLE[0], MIDDLE[1], i * ring, -(j + 0.5) * step, -(j - 0.5) * step);
+      cairo_fill(cairo);
+    }
+  }
+}
+
+/* Seen through the head, by what they press. */
+static void draw_wires(cairo_t *cairo, const TaborView *view) {
+  const double scale = RADIUS / view->radius;
+  cairo_set_line_width(cairo, 1.5);
+  for (uint32_t w = 0; w < view->wire_count; w++) {
+    const double *const place = view->wire_place + 4 * w;
+    double force = 0;
+    for (uint32_t p = 0; p < view->wire_points; p++)
+      force += view->wire_force[w * view->wire_points + p];
+    cairo_set_source_rgba(cairo, 0.35, 0.20, 0.05, 0.25 + 0.75 * tanh(force));
+    cairo_move_to(cairo, MIDDLE[0] + scale * place[0], MIDDLE[1] - scale * place[1]);
+    cairo_line_to(cairo, MIDDLE[0] + scale * place[2], MIDDLE[1] - scale * place[3]);
+    cairo_stroke(cairo);
+  }
+}
+
+static void draw_stroke(cairo_t *cairo, const DrumPicture *picture) {
+  cairo_set_source_rgba(cairo, 0.95, 0.45, 0.10, picture->glow);
+  cairo_new_path(cairo);
+  cairo_arc(cairo, MIDDLE[0] + RADIUS * picture->struck[0],
+            MIDDLE[1] - RADIUS * picture->struck[1], 4 + 14 * (1 - picture->glow), 0, 2 * PI);
+  cairo_set_line_width(cairo, 3);
+  cairo_stroke(cairo);
+}
+
+static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
+  char text[DRUM_WINDOW_TEXT];
+  use(cairo, 0.70, 0.72, 0.75);
+  circle(cairo, RADIUS + HOOP);
+  cairo_fill(cairo);
+  use(cairo, 0.74, 0.725, 0.69);
+  circle(cairo, RADIUS);
+  cairo_fill(cairo);
+  if (picture->scene.view) {
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+    draw_head(cairo, picture->scene.view);
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
+    draw_wires(cairo, picture->scene.view);
+  }
+  if (picture->glow > 0.02) draw_stroke(cairo, picture);
+  (void)snprintf(text, sizeof text, "click to strike at %.1f m/s; the wheel changes it",
+                 picture->speed);
+  pale(cairo);
+  write(cairo, MIDDLE[0], 422, AT_MIDDLE, text);
+}
+
+/* ---- controls and meters -------------------------------------------------------------------- */
+
+static void draw_control(cairo_t *cairo, uint32_t row, const DrumControl *control) {
+  const double y = TOP + ROW * row;
+  const Box way = {LEFT, y + 22, WIDE, 8}, done = {LEFT, y + 22, control->position * WIDE, 8};
+  pale(cairo);
+  write(cairo, LEFT, y + 15, AT_LEFT, control->name);
+  ink(cairo);
+  write(cairo, LEFT + WIDE, y + 15, AT_RIGHT, control->value);
+  field(cairo);
+  fill_box(cairo, &way);
+  accent(cairo);
+  fill_box(cairo, &done);
+}
+
+static double level_of(double peak) {
+  const double level = 20 * log10(fmax(peak, 1e-9));
+  return fmin(fmax(1 - level / LOWEST_LEVEL, 0), 1);
+}
+
+static void draw_meter(cairo_t *cairo, uint32_t side, double peak) {
+  Box meter = METER;
+  meter.y += METER_STEP * side;
+  field(cairo);
+  fill_box(cairo, &meter);
+  meter.width *= level_of(peak);
+  if (peak > 1) {
+    use(cairo, 0.90, 0.25, 0.20);
+  } else {
+    use(cairo, 0.35, 0.75, 0.45);
+  }
+  fill_box(cairo, &meter);
+}
+
+void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale) {
+  const DrumWindowScene *const scene = &picture->scene;
+  paper(cairo);
+  cairo_paint(cairo);
+  cairo_scale(cairo, scale, scale);
+  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, 13);
+  draw_drum(cairo, picture);
+  button(cairo, &BEFORE, "<", true);
+  button(cairo, &NEXT, ">", true);
+  button(cairo, &COMPARE, scene->is_second ? "A / [B]" : "[A] / B", true);
+  button(cairo, &UNDO, "Undo", scene->can_undo);
+  for (uint32_t i = 0; i < picture->controls; i++) draw_control(cairo, i, &picture->control[i]);
+  for (uint32_t side = 0; side < 2; side++) draw_meter(cairo, side, picture->meters[side]);
+  cairo_set_font_size(cairo, 16);
+  ink(cairo);
+  write(cairo, LEFT + 0.5 * WIDE, 40, AT_MIDDLE, scene->title);
+}

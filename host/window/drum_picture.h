@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file drum_picture.h
+ * What a drum's window shows, drawn by cairo, and what lies at a place of it.
+ */
+#ifndef TABOR_WINDOW_DRUM_PICTURE_H
+#define TABOR_WINDOW_DRUM_PICTURE_H
+
+#include <cairo.h>
+
+#include "window/drum_window.h"
+
+typedef enum DrumPart {
+  DRUM_PART_NONE,
+  DRUM_PART_HEAD,
+  DRUM_PART_BEFORE, /**< the preset before, and the next one */
+  DRUM_PART_NEXT,
+  DRUM_PART_COMPARE,
+  DRUM_PART_UNDO,
+  DRUM_PART_CONTROL
+} DrumPart;
+
+/** What lies at a place. */
+typedef struct DrumPlace {
+  DrumPart part;
+  uint32_t control;
+  double x, y; /**< on the head in parts of its radius, y away from the player; x of a control: the position */
+} DrumPlace;
+
+typedef struct DrumControl {
+  char name[DRUM_WINDOW_TEXT], value[DRUM_WINDOW_TEXT];
+  double position;
+} DrumControl;
+
+typedef struct DrumPicture {
+  DrumWindowScene scene;
+  uint32_t controls;
+  DrumControl control[DRUM_WINDOW_CONTROLS];
+  double meters[2];
+  double speed;     /**< of strokes [m/s] */
+  double struck[2]; /**< place of the newest stroke, as on the head */
+  double glow;      /**< 1 when it falls, then less */
+} DrumPicture;
+
+/** Scale at which the picture fills a window of this size [pixels]. */
+double drum_picture_scale(uint32_t width, uint32_t height);
+void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale);
+/** What lies at a pixel. */
+DrumPlace drum_picture_place(double scale, double x, double y);
+/** The position of a control that is held at this pixel. */
+double drum_picture_position(double scale, double x);
+
+#endif

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+#include "window/drum_window.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "window/drum_picture.h"
+#include "window/x11_window.h"
+
+static const double LEAST_SPEED = 0.5, MOST_SPEED = 12.0, FIRST_SPEED = 4.5; /* [m/s] */
+static const double SPEED_STEP = 1.1892;                                   /* 1.5 dB a notch */
+static const double METER_FALL = 0.85;                                     /* a frame */
+static const double WHEEL_STEP = 0.02;                                     /* of a control's way */
+static const double DEGREE = 57.29577951308232;
+
+struct DrumWindow {
+  DrumWindowShell shell;
+  X11Window *outside;
+  DrumPicture picture;
+  uint32_t width, height;
+  bool is_dragging;
+  uint32_t dragged; /* a control */
+};
+
+/* ---- what was done -------------------------------------------------------------------------- */
+
+static DrumPlace place_at(const DrumWindow *window, double x, double y) {
+  return drum_picture_place(drum_picture_scale(window->width, window->height), x, y);
+}
+
+static void strike(DrumWindow *window, const DrumPlace *place) {
+  DrumPicture *const picture = &window->picture;
+  picture->struck[0] = place->x;
+  picture->struck[1] = place->y;
+  picture->glow = 1.0;
+  window->shell.strike(window->shell.context, picture->speed, hypot(place->x, place->y),
+                       DEGREE * atan2(place->y, place->x));
+}
+
+static void press(void *context, double x, double y) {
+  DrumWindow *const window = context;
+  void *const shell = window->shell.context;
+  const DrumPlace place = place_at(window, x, y);
+  switch (place.part) {
+  case DRUM_PART_HEAD: strike(window, &place); break;
+  case DRUM_PART_BEFORE: window->shell.step_preset(shell, -1); break;
+  case DRUM_PART_NEXT: window->shell.step_preset(shell, 1); break;
+  case DRUM_PART_COMPARE: window->shell.compare(shell); break;
+  case DRUM_PART_UNDO: window->shell.undo(shell); break;
+  case DRUM_PART_CONTROL:
+    if (place.control >= window->picture.controls) break;
+    window->is_dragging = true;
+    window->dragged = place.control;
+    window->shell.begin(shell, place.control);
+    window->shell.move(shell, place.control, place.x);
+    break;
+  default: break;
+  }
+}
+
+static void drag(void *context, double x, double y) {
+  DrumWindow *const window = context;
+  if (!window->is_dragging) return;
+  const double position =
+    drum_picture_position(drum_picture_scale(window->width, window->height), x);
+  (void)y;
+  window->shell.move(window->shell.context, window->dragged, position);
+}
+
+static void release(void *context) {
+  DrumWindow *const window = context;
+  if (window->is_dragging) window->shell.end(window->shell.context, window->dragged);
+  window->is_dragging = false;
+}
+
+static void turn(DrumWindow *window, uint32_t control, int steps) {
+  void *const shell = window->shell.context;
+  if (control >= window->picture.controls || window->is_dragging) return;
+  const double position = window->picture.control[control].position + WHEEL_STEP * steps;
+  window->shell.begin(shell, control);
+  window->shell.move(shell, control, fmin(fmax(position, 0), 1));
+  window->shell.end(shell, control);
+}
+
+/* Over the head it changes how fast the next strokes are. */
+static void scroll(void *context, double x, double y, int steps) {
+  DrumWindow *const window = context;
+  const DrumPlace place = place_at(window, x, y);
+  double *const speed = &window->picture.speed;
+  if (place.part == DRUM_PART_HEAD)
+    *speed = fmin(fmax(*speed * (steps > 0 ? SPEED_STEP : 1 / SPEED_STEP), LEAST_SPEED), MOST_SPEED);
+  if (place.part == DRUM_PART_CONTROL) turn(window, place.control, steps);
+}
+
+/* ---- what is shown -------------------------------------------------------------------------- */
+
+static void look(DrumWindow *window) {
+  DrumPicture *const picture = &window->picture;
+  void *const shell = window->shell.context;
+  picture->scene.view = NULL;
+  window->shell.scene(shell, &picture->scene);
+  for (uint32_t i = 0; i < 2; i++) {
+    picture->meters[i] = fmax(METER_FALL * picture->meters[i], (double)picture->scene.peaks[i]);
+  }
+  picture->glow *= METER_FALL;
+  picture->controls = 0;
+  for (uint32_t i = 0; i < DRUM_WINDOW_CONTROLS; i++) {
+    DrumControl *const control = &picture->control[i];
+    if (!window->shell.control(shell, i, control->name, control->value, &control->position)) break;
+    picture->controls++;
+  }
+}
+
+static void draw(void *context, cairo_t *cairo, uint32_t width, uint32_t height) {
+  DrumWindow *const window = context;
+  drum_picture_draw(&window->picture, cairo, drum_picture_scale(width, height));
+}
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+DrumWindow *drum_window_create(unsigned long parent, double scale, const DrumWindowShell *shell) {
+  DrumWindow *const window = calloc(1, sizeof *window);
+  if (!window) return NULL;
+  window->shell = *shell;
+  window->picture.speed = FIRST_SPEED;
+  window->width = (uint32_t)lround(scale * DRUM_WINDOW_WIDTH);
+  window->height = (uint32_t)lround(scale * DRUM_WINDOW_HEIGHT);
+  const X11Handler handler = {.context = window,
+                              .draw = draw,
+                              .press = press,
+                              .drag = drag,
+                              .release = release,
+                              .scroll = scroll};
+  window->outside = x11_window_create(parent, window->width, window->height, &handler);
+  if (window->outside) {
+    look(window);
+    return window;
+  }
+  free(window);
+  return NULL;
+}
+
+void drum_window_destroy(DrumWindow *window) {
+  if (!window) return;
+  release(window);
+  x11_window_destroy(window->outside);
+  free(window);
+}
+
+void drum_window_show(DrumWindow *window, bool shown) { x11_window_show(window->outside, shown); }
+
+void drum_window_resize(DrumWindow *window, uint32_t width, uint32_t height) {
+  window->width = width;
+  window->height = height;
+  x11_window_resize(window->outside, width, height);
+}
+
+void drum_window_update(DrumWindow *window) {
+  x11_window_take_events(window->outside);
+  look(window);
+  x11_window_draw(window->outside);
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file drum_window.h
+ * The window of a plugin with one drum: the drum from above, which is struck where it is clicked, head and wires as they
+ * move, the first page of controls, presets, two drums to compare, undo and meters.
+ *
+ * It knows nothing of plugin formats: a shell tells it what to show, and is told what was done. All functions are for the
+ * main thread.
+ */
+#ifndef TABOR_WINDOW_DRUM_WINDOW_H
+#define TABOR_WINDOW_DRUM_WINDOW_H
+
+#include <tabor/tabor.h>
+
+#define DRUM_WINDOW_WIDTH 720 /**< [pixels] at scale 1 */
+#define DRUM_WINDOW_HEIGHT 440
+#define DRUM_WINDOW_CONTROLS 8 /**< most controls */
+#define DRUM_WINDOW_TEXT 64    /**< bytes of a text, its end included */
+
+/** What a shell has to show at one moment. */
+typedef struct DrumWindowScene {
+  char title[DRUM_WINDOW_TEXT]; /**< name of the drum */
+  bool is_second;               /**< of the two drums to compare the second plays */
+  bool can_undo;
+  float peaks[2];        /**< largest sample of each side since the last scene, 1: full scale */
+  const TaborView *view; /**< NULL: the head and the wires are not seen */
+} DrumWindowScene;
+
+/** The shell. A position is a part of a control's way, 0 to 1. */
+typedef struct DrumWindowShell {
+  void *context;
+  void (*scene)(void *context, DrumWindowScene *scene);
+  /** Name and value of a control as texts, and its position. False: there is no such control. */
+  bool (*control)(void *context, uint32_t control, char *name, char *value, double *position);
+  void (*begin)(void *context, uint32_t control); /**< a hand takes the control */
+  void (*move)(void *context, uint32_t control, double position);
+  void (*end)(void *context, uint32_t control);
+  /** @p velocity [m/s], @p radius a part of the head's, @p angle [deg]. */
+  void (*strike)(void *context, double velocity, double radius, double angle);
+  void (*step_preset)(void *context, int steps); /**< to the next one, 1, or the one before, -1 */
+  void (*compare)(void *context);                /**< the other of two drums plays */
+  void (*undo)(void *context);
+} DrumWindowShell;
+
+typedef struct DrumWindow DrumWindow;
+
+/** Creates a hidden window inside @p parent, an id of X11. NULL if there is no server, or memory is short. */
+DrumWindow *drum_window_create(unsigned long parent, double scale, const DrumWindowShell *shell);
+/** Ignores NULL. */
+void drum_window_destroy(DrumWindow *window);
+void drum_window_show(DrumWindow *window, bool shown);
+/** The picture fills the window, in its own proportions. */
+void drum_window_resize(DrumWindow *window, uint32_t width, uint32_t height);
+/** Takes what the mouse has done, and draws. To be called some 30 times a second. */
+void drum_window_update(DrumWindow *window);
+
+#endif

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "window/x11_window.h"
+
+#include <cairo-xcb.h>
+#include <stdlib.h>
+
+enum { LEFT = 1, UP = 4, DOWN = 5 }; /* buttons of X11 */
+
+struct X11Window {
+  X11Handler handler;
+  xcb_connection_t *connection;
+  xcb_window_t id;
+  cairo_surface_t *surface;
+  uint32_t width, height;
+  bool shown, held;
+};
+
+static xcb_screen_t *first_screen(xcb_connection_t *connection, int number) {
+  xcb_screen_iterator_t at = xcb_setup_roots_iterator(xcb_get_setup(connection));
+  while (number-- > 0 && at.rem > 1) xcb_screen_next(&at);
+  return at.rem > 0 ? at.data : NULL;
+}
+
+static xcb_visualtype_t *visual_of(xcb_screen_t *screen) {
+  xcb_depth_iterator_t depth = xcb_screen_allowed_depths_iterator(screen);
+  for (; depth.rem > 0; xcb_depth_next(&depth)) {
+    xcb_visualtype_iterator_t visual = xcb_depth_visuals_iterator(depth.data);
+    for (; visual.rem > 0; xcb_visualtype_next(&visual)) {
+      if (visual.data->visual_id == screen->root_visual) return visual.data;
+    }
+  }
+  return NULL;
+}
+
+/* With the root's depth and visual, whatever the outer window has; so it needs a border pixel of its own. */
+static bool open_window(X11Window *window, unsigned long parent) {
+  int number = 0;
+  window->connection = xcb_connect(NULL, &number);
+  if (xcb_connection_has_error(window->connection)) return false;
+  xcb_screen_t *const screen = first_screen(window->connection, number);
+  xcb_visualtype_t *const visual = screen ? visual_of(screen) : NULL;
+  if (!visual) return false;
+  const uint32_t colors = xcb_generate_id(window->connection);
+  xcb_create_colormap(window->connection, XCB_COLORMAP_ALLOC_NONE, colors, screen->root,
+                      visual->visual_id);
+  const uint32_t values[] = {0,
+                             XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE |
+                               XCB_EVENT_MASK_BUTTON_MOTION,
+                             colors};
+  window->id = xcb_generate_id(window->connection);
+  const xcb_void_cookie_t made = xcb_create_window_checked(
+    window->connection, screen->root_depth, window->id, (xcb_window_t)parent, 0, 0,
+    (uint16_t)window->width, (uint16_t)window->height, 0, XCB_WINDOW_CLASS_INPUT_OUTPUT,
+    visual->visual_id, XCB_CW_BORDER_PIXEL | XCB_CW_EVENT_MASK | XCB_CW_COLORMAP, values);
+  xcb_generic_error_t *const error = xcb_request_check(window->connection, made);
+  const bool is_made = error == NULL; /* not without such an outer window */
+  free(error);
+  if (!is_made) return false;
+  window->surface = cairo_xcb_surface_create(window->connection, window->id, visual,
+                                             (int)window->width, (int)window->height);
+  xcb_flush(window->connection);
+  return cairo_surface_status(window->surface) == CAIRO_STATUS_SUCCESS;
+}
+
+X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t height,
+                             const X11Handler *handler) {
+  X11Window *const window = calloc(1, sizeof *window);
+  if (!window) return NULL;
+  window->handler = *handler;
+  window->width = width;
+  window->height = height;
+  if (open_window(window, parent)) return window;
+  x11_window_destroy(window);
+  return NULL;
+}
+
+void x11_window_destroy(X11Window *window) {
+  if (!window) return;
+  if (window->surface) {
+    cairo_device_t *const device = cairo_device_reference(cairo_surface_get_device(window->surface));
+    cairo_surface_finish(window->surface);
+    cairo_surface_destroy(window->surface);
+    cairo_device_finish(device); /* or cairo takes the next connection at this address for this one */
+    cairo_device_destroy(device);
+    xcb_destroy_window(window->connection, window->id);
+  }
+  xcb_disconnect(window->connection);
+  free(window);
+}
+
+void x11_window_show(X11Window *window, bool shown) {
+  window->shown = shown;
+  if (shown) {
+    xcb_map_window(window->connection, window->id);
+  } else {
+    xcb_unmap_window(window->connection, window->id);
+  }
+  xcb_flush(window->connection);
+}
+
+void x11_window_resize(X11Window *window, uint32_t width, uint32_t height) {
+  const uint32_t size[] = {width, height};
+  window->width = width;
+  window->height = height;
+  xcb_configure_window(window->connection, window->id,
+                       XCB_CONFIG_WINDOW_WIDTH | XCB_CONFIG_WINDOW_HEIGHT, size);
+  cairo_xcb_surface_set_size(window->surface, (int)width, (int)height);
+  xcb_flush(window->connection);
+}
+
+static void take_press(X11Window *window, const xcb_button_press_event_t *event) {
+  const X11Handler *const handler = &window->handler;
+  const double x = event->event_x, y = event->event_y;
+  if (event->detail == UP || event->detail == DOWN) {
+    handler->scroll(handler->context, x, y, event->detail == UP ? 1 : -1);
+  } else if (event->detail == LEFT) {
+    window->held = true;
+    handler->press(handler->context, x, y);
+  }
+}
+
+static void take_event(X11Window *window, const xcb_generic_event_t *event) {
+  const X11Handler *const handler = &window->handler;
+  switch (event->response_type & 0x7f) {
+  case XCB_BUTTON_PRESS: take_press(window, (const xcb_button_press_event_t *)event); break;
+  case XCB_BUTTON_RELEASE:
+    if (((const xcb_button_release_event_t *)event)->detail == LEFT && window->held) {
+      window->held = false;
+      handler->release(handler->context);
+    }
+    break;
+  case XCB_MOTION_NOTIFY:
+    if (window->held) {
+      const xcb_motion_notify_event_t *const moved = (const xcb_motion_notify_event_t *)event;
+      handler->drag(handler->context, moved->event_x, moved->event_y);
+    }
+    break;
+  default: break;
+  }
+}
+
+void x11_window_take_events(X11Window *window) {
+  xcb_generic_event_t *event;
+  while ((event = xcb_poll_for_event(window->connection)) != NULL) {
+    take_event(window, event);
+    free(event);
+  }
+}
+
+/* In one piece, so that nothing flickers. */
+void x11_window_draw(X11Window *window) {
+  if (!window->shown || xcb_connection_has_error(window->connection)) return;
+  cairo_t *const cairo = cairo_create(window->surface);
+  cairo_push_group(cairo);
+  window->handler.draw(window->handler.context, cairo, window->width, window->height);
+  cairo_pop_group_to_source(cairo);
+  cairo_paint(cairo);
+  cairo_destroy(cairo);
+  cairo_surface_flush(window->surface);
+  xcb_flush(window->connection);
+}

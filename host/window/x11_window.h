@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file x11_window.h
+ * A window inside another program's window, on X11, drawn by cairo. It has its own connection to the server, through
+ * XCB: an error of the server, as when the outer window is gone already, comes as an event and does no harm.
+ *
+ * All functions are for one thread.
+ */
+#ifndef TABOR_WINDOW_X11_WINDOW_H
+#define TABOR_WINDOW_X11_WINDOW_H
+
+#include <cairo.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/** What happens in a window. Places are in pixels of the window, from its upper left corner. */
+typedef struct X11Handler {
+  void *context;
+  void (*draw)(void *context, cairo_t *cairo, uint32_t width, uint32_t height);
+  void (*press)(void *context, double x, double y);
+  void (*drag)(void *context, double x, double y); /**< while the button is held */
+  void (*release)(void *context);
+  void (*scroll)(void *context, double x, double y, int steps); /**< up: 1, down: -1 */
+} X11Handler;
+
+typedef struct X11Window X11Window;
+
+/** Creates a hidden window inside @p parent, an id of X11. NULL if there is no server, or memory is short. */
+X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t height,
+                             const X11Handler *handler);
+/** Ignores NULL. */
+void x11_window_destroy(X11Window *window);
+void x11_window_show(X11Window *window, bool shown);
+void x11_window_resize(X11Window *window, uint32_t width, uint32_t height);
+/** Tells the handler what has happened since the last call. */
+void x11_window_take_events(X11Window *window);
+/** Draws the window if it is shown. */
+void x11_window_draw(X11Window *window);
+
+#endif

@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The window of the CLAP plugins on an X server of its own: what is clicked is struck, controls turn and are told to the
+ * host, presets, undo and comparison, sizes, and that nothing stays of a window that is closed.
+ *
+ * test_clap_window PLUGINS
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "clap_host.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "x11_server.h"
+
+enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
+enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
+enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
+enum { BESIDE_X = MIDDLE_X + 30 }; /* beside the ring that marks the newest stroke */
+enum { FRAMES = 4800 };
+
+static const clap_plugin_entry_t *entry;
+static X11Server server;
+
+/* ---- a host with a window ------------------------------------------------------------------- */
+
+typedef struct Opened {
+  ClapHost *host;
+  const clap_plugin_gui_t *gui;
+  xcb_window_t outer, inner;
+} Opened;
+
+static void open_window(Opened *opened, double scale) {
+  const clap_plugin_t *const plugin = opened->host->plugin;
+  uint32_t width = 0, height = 0;
+  opened->gui = clap_host_extension(opened->host, CLAP_EXT_GUI);
+  assert_true(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, false));
+  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, true));
+  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_WIN32, false));
+  assert_true(opened->gui->create(plugin, CLAP_WINDOW_API_X11, false));
+  assert_true(opened->gui->set_scale(plugin, scale));
+  assert_true(opened->gui->get_size(plugin, &width, &height));
+  assert_int_equal(width, lround(scale * WIDTH));
+  assert_int_equal(height, lround(scale * HEIGHT));
+  opened->outer = x11_server_window(&server, (uint16_t)width, (uint16_t)height);
+  const clap_window_t parent = {.api = CLAP_WINDOW_API_X11, .x11 = opened->outer};
+  assert_true(opened->gui->set_parent(plugin, &parent));
+  assert_true(opened->gui->show(plugin));
+  assert_int_equal(opened->host->timers, 1);
+  opened->inner = x11_server_inner(&server, opened->outer);
+  assert_true(opened->inner != 0);
+}
+
+static void close_window(Opened *opened) {
+  opened->gui->destroy(opened->host->plugin);
+  assert_int_equal(opened->host->timers, 0);
+  x11_server_close(&server, opened->outer);
+}
+
+static Opened open_host(const char *id, double scale) {
+  Opened opened = {.host = clap_host_open(entry, id)};
+  clap_host_set(opened.host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
+  clap_host_flush(opened.host);
+  clap_host_activate(opened.host);
+  clap_host_render(opened.host, true);
+  clap_host_run(opened.host, FRAMES);
+  open_window(&opened, scale);
+  return opened;
+}
+
+static void close_host(Opened *opened) {
+  close_window(opened);
+  clap_host_close(opened->host);
+}
+
+/* A look of the window at what has happened, as the host's timer brings it. */
+static void tick(const Opened *opened) {
+  const clap_plugin_timer_support_t *const timer =
+    clap_host_extension(opened->host, CLAP_EXT_TIMER_SUPPORT);
+  timer->on_timer(opened->host->plugin, 0);
+}
+
+static void click(const Opened *opened, int x, int y) {
+  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
+  tick(opened);
+}
+
+static double peak_of(const ClapHost *host) {
+  double peak = 0;
+  for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)host->sound[0][i]));
+  return peak;
+}
+
+/* For a person: the window as it is, in the folder $PICTURES. */
+static void keep_picture(const Opened *opened, const char *name) {
+  char command[256];
+  const char *const folder = getenv("PICTURES");
+  if (!folder) return;
+  (void)snprintf(command, sizeof command, "import -window 0x%x %s/%s.png", (unsigned)opened->outer,
+                 folder, name);
+  if (system(command) != 0) print_message("no picture of %s\n", name);
+}
+
+/* ---- strokes -------------------------------------------------------------------------------- */
+
+/* The same stroke from a note, whose place the knobs say. */
+static void a_click_is_a_stroke_at_its_place(void **state) {
+  (void)state;
+  static float clicked[FRAMES];
+  Opened opened = open_host(ID_DRUM, 1);
+  click(&opened, MIDDLE_X + R / 2, MIDDLE_Y);
+  clap_host_run(opened.host, FRAMES);
+  assert_true(peak_of(opened.host) > 1e-3);
+  memcpy(clicked, opened.host->sound[0], sizeof clicked);
+  close_host(&opened);
+
+  /* 87.5 pixels are half of the radius, 87 are where the click was */
+  const double radius = 0.1778 * (R / 2) / R;
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
+  clap_host_set(host, 0, KNOB_STRIKE_RADIUS, radius);
+  clap_host_set(host, 0, KNOB_STRIKE_ANGLE, 0);
+  clap_host_flush(host);
+  clap_host_activate(host);
+  clap_host_render(host, true);
+  clap_host_run(host, FRAMES);
+  double nearest = INFINITY;
+  for (int velocity = 60; velocity < 128; velocity++) { /* one is near 4.5 m/s */
+    double difference = 0, energy = 0;
+    host->plugin->reset(host->plugin);
+    clap_host_midi(host, 0, &(MidiMessage){0x99, {38, (uint8_t)velocity}});
+    clap_host_run(host, FRAMES);
+    for (uint32_t i = 0; i < FRAMES; i++) {
+      const double off = (double)(host->sound[0][i] - clicked[i]);
+      difference += off * off;
+      energy += (double)clicked[i] * (double)clicked[i];
+    }
+    nearest = fmin(nearest, difference / energy);
+  }
+  print_message("a click and a note at its place differ by %.4f of their energy\n", nearest);
+  assert_true(nearest < 0.02);
+  clap_host_close(host);
+}
+
+static void the_wheel_changes_how_fast_strokes_are(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  click(&opened, MIDDLE_X, MIDDLE_Y);
+  clap_host_run(opened.host, FRAMES);
+  const double before = peak_of(opened.host);
+  opened.host->plugin->reset(opened.host->plugin);
+  for (int i = 0; i < 4; i++)
+    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, MIDDLE_X, MIDDLE_Y);
+  click(&opened, MIDDLE_X, MIDDLE_Y);
+  clap_host_run(opened.host, FRAMES);
+  print_message("four notches down: %.1f dB\n", 20 * log10(peak_of(opened.host) / before));
+  assert_true(peak_of(opened.host) < 0.7 * before && peak_of(opened.host) > 0.2 * before);
+  close_host(&opened);
+}
+
+/* The corner beside the head, and a plugin that is not active. */
+static void what_is_no_head_is_not_struck(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  click(&opened, 5, 5);
+  click(&opened, MIDDLE_X + R + 15, MIDDLE_Y);
+  clap_host_run(opened.host, FRAMES);
+  assert_true(peak_of(opened.host) == 0);
+  close_host(&opened);
+  opened = (Opened){.host = clap_host_open(entry, ID_DRUM)};
+  open_window(&opened, 1);
+  click(&opened, MIDDLE_X, MIDDLE_Y);
+  close_host(&opened);
+}
+
+/* ---- what is seen --------------------------------------------------------------------------- */
+
+static void the_head_is_seen_to_move(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  clap_host_render(opened.host, false);
+  tick(&opened); /* asks for a look */
+  clap_host_run(opened.host, 64);
+  tick(&opened);
+  const uint32_t still = x11_server_pixel(&server, opened.inner, BESIDE_X, MIDDLE_Y);
+  click(&opened, MIDDLE_X, MIDDLE_Y);
+  clap_host_run(opened.host, 64);
+  tick(&opened);
+  keep_picture(&opened, "struck");
+  const uint32_t moved = x11_server_pixel(&server, opened.inner, BESIDE_X, MIDDLE_Y);
+  print_message("at rest %06x, struck %06x\n", still, moved);
+  assert_true((moved >> 8 & 255) + 20 < (still >> 8 & 255)); /* darker: it is pressed down */
+  close_host(&opened);
+}
+
+/* Another model: the view follows. */
+static void it_is_seen_on_another_drum(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  click(&opened, 434, 34); /* the preset before */
+  assert_true(opened.host->rescans > 0 && opened.host->loaded[0] != '\0');
+  print_message("%s\n", opened.host->loaded);
+  for (int i = 0; i < 4; i++) { /* the model comes, the old view is given up, a new one asked for */
+    clap_host_run(opened.host, FRAMES);
+    tick(&opened);
+  }
+  click(&opened, MIDDLE_X, MIDDLE_Y);
+  clap_host_run(opened.host, 64);
+  tick(&opened);
+  keep_picture(&opened, "other-drum");
+  const uint32_t color = x11_server_pixel(&server, opened.inner, BESIDE_X, MIDDLE_Y);
+  print_message("struck %06x\n", color);
+  assert_true((color >> 8 & 255) < 150);
+  close_host(&opened);
+}
+
+/* ---- controls ------------------------------------------------------------------------------- */
+
+static void a_control_turns_and_the_host_is_told(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  ClapHost *const host = opened.host;
+  const int y = CONTROL_Y + 4 * CONTROL_ROW + 26; /* the strainer */
+  const double before = clap_host_value(host, KNOB_STRAINER);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 1, CONTROL_X + CONTROL_WIDTH / 2, y);
+  x11_server_point(&server, opened.inner, XCB_MOTION_NOTIFY, 0, CONTROL_X + CONTROL_WIDTH / 4, y);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_RELEASE, 1, CONTROL_X + CONTROL_WIDTH / 4, y);
+  tick(&opened);
+  assert_true(fabs(clap_host_value(host, KNOB_STRAINER) - 0.25) < 0.01);
+  clap_host_run(host, 64);
+  assert_int_equal(host->gestures, 1);
+  assert_int_equal(host->turns, 2);
+  assert_int_equal(host->turned, clap_host_id(KNOB_STRAINER));
+  assert_true(fabs(host->turned_to - 0.25) < 0.01);
+  keep_picture(&opened, "turned");
+  click(&opened, 540, 410); /* undo */
+  assert_true(clap_host_value(host, KNOB_STRAINER) == before);
+  close_host(&opened);
+}
+
+static void two_drums_are_compared(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  ClapHost *const host = opened.host;
+  const int y = CONTROL_Y + 4 * CONTROL_ROW + 26;
+  click(&opened, 458, 410); /* B, as A is */
+  click(&opened, CONTROL_X + CONTROL_WIDTH / 2, y);
+  const double b = clap_host_value(host, KNOB_STRAINER);
+  click(&opened, 458, 410);
+  const double a = clap_host_value(host, KNOB_STRAINER);
+  click(&opened, 458, 410);
+  print_message("strainer of A %.2f, of B %.2f\n", a, b);
+  assert_true(a == 1 && fabs(b - 0.5) < 0.01);
+  assert_true(clap_host_value(host, KNOB_STRAINER) == b);
+  close_host(&opened);
+}
+
+/* ---- sizes and ends ------------------------------------------------------------------------- */
+
+static void it_has_any_size(void **state) {
+  (void)state;
+  static const double SCALES[] = {0.5, 1.5, 2};
+  for (size_t i = 0; i < sizeof SCALES / sizeof *SCALES; i++) {
+    Opened opened = open_host(ID_DRUM_MULTI, SCALES[i]);
+    const int x = (int)(SCALES[i] * MIDDLE_X), y = (int)(SCALES[i] * MIDDLE_Y);
+    char name[32];
+    click(&opened, x, y);
+    clap_host_run(opened.host, FRAMES);
+    assert_true(peak_of(opened.host) > 1e-3);
+    (void)snprintf(name, sizeof name, "scale-%g", SCALES[i]);
+    tick(&opened);
+    keep_picture(&opened, name);
+    uint32_t width = 1000, height = 440;
+    assert_true(opened.gui->adjust_size(opened.host->plugin, &width, &height));
+    assert_true(width == WIDTH && height == HEIGHT);
+    assert_true(opened.gui->set_size(opened.host->plugin, width, height));
+    click(&opened, MIDDLE_X, MIDDLE_Y);
+    close_host(&opened);
+  }
+}
+
+static long open_files(void) {
+  long count = 0;
+  for (int i = 0; i < 1024; i++) count += lseek(i, 0, SEEK_CUR) != -1 || dup2(i, i) == i;
+  return count;
+}
+
+/* Connections to the server are files. Whoever destroys the outer window first does no harm. */
+static void nothing_stays_of_a_window(void **state) {
+  (void)state;
+  const int openings = getenv("OPENINGS") ? atoi(getenv("OPENINGS")) : 50;
+  Opened opened = {.host = clap_host_open(entry, ID_DRUM)};
+  clap_host_set(opened.host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
+  clap_host_flush(opened.host);
+  clap_host_activate(opened.host);
+  const long before = open_files();
+  for (int i = 0; i < openings; i++) {
+    open_window(&opened, 1);
+    tick(&opened);
+    if (i % 2 == 0) clap_host_run(opened.host, 64);
+    tick(&opened);
+    if (i % 5 == 0) x11_server_close(&server, opened.outer);
+    close_window(&opened);
+  }
+  print_message("%d windows: %ld files open before, %ld after\n", openings, before, open_files());
+  assert_int_equal(open_files(), before);
+  open_window(&opened, 1); /* and one that is open when its plugin ends */
+  clap_host_close(opened.host);
+}
+
+int main(int argc, char **argv) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_click_is_a_stroke_at_its_place),
+    cmocka_unit_test(the_wheel_changes_how_fast_strokes_are),
+    cmocka_unit_test(what_is_no_head_is_not_struck),
+    cmocka_unit_test(the_head_is_seen_to_move),
+    cmocka_unit_test(it_is_seen_on_another_drum),
+    cmocka_unit_test(a_control_turns_and_the_host_is_told),
+    cmocka_unit_test(two_drums_are_compared),
+    cmocka_unit_test(it_has_any_size),
+    cmocka_unit_test(nothing_stays_of_a_window),
+  };
+  if (argc != 2) return 2;
+  if (!x11_server_start(&server)) {
+    print_message("SKIPPED: no X server: needs xvfb\n");
+    return 0;
+  }
+  entry = clap_host_entry(argv[1]);
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  x11_server_stop(&server);
+  return failed;
+}

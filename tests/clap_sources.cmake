@@ -27,23 +27,20 @@ foreach(name IN ITEMS test_clap_builds test_clap_parameters test_clap_presets te
   set(${name}_ARGUMENTS "$<TARGET_FILE:tabor-clap>")
 endforeach()
 
-if(TABOR_WINDOW_FOUND)
-  set(test_clap_window_SOURCES support/clap_host.c support/x11_server.c)
-  set(test_clap_window_LIBRARIES ${TABOR_CLAP_LIBRARIES} PkgConfig::TABOR_WINDOW)
-  set(test_clap_window_NEEDS tabor-clap)
-  set(test_clap_window_ARGUMENTS "$<TARGET_FILE:tabor-clap>")
-else()
-  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_window")
-  tabor_add_skipped_test(test_clap_window "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
-endif()
-
 # Tests that look inside have the plugins in themselves.
-foreach(name IN ITEMS test_clap_realtime test_clap_threads)
+foreach(name IN ITEMS test_clap_realtime test_clap_threads test_clap_window)
   set(${name}_SOURCES support/clap_host.c)
   set(${name}_LIBRARIES ${TABOR_CLAP_LIBRARIES})
 endforeach()
 list(APPEND test_clap_realtime_SOURCES support/counted_calls.c support/midi_writer.c)
 set(test_clap_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+if(TABOR_WINDOW_FOUND)
+  list(APPEND test_clap_window_SOURCES support/counted_calls.c support/x11_server.c)
+  set(test_clap_window_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+else()
+  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_window")
+  tabor_add_skipped_test(test_clap_window "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+endif()
 
 # Under sanitizers, and counting coverage, everything takes ten times as long.
 if(TABOR_SANITIZE OR TABOR_COVERAGE)

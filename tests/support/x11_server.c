@@ -51,9 +51,14 @@ void x11_server_stop(X11Server *server) {
   (void)waitpid(server->process, NULL, 0);
 }
 
-/* Everything that was asked for has been done. */
-static void settle(X11Server *server) {
+static void ask(X11Server *server) {
   free(xcb_get_input_focus_reply(server->connection, xcb_get_input_focus(server->connection), NULL));
+}
+
+/* Everything that was asked for has been done and, by the second answer, told to other clients. */
+static void settle(X11Server *server) {
+  ask(server);
+  ask(server);
 }
 
 xcb_window_t x11_server_window(X11Server *server, uint16_t width, uint16_t height) {

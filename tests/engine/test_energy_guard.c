@@ -96,7 +96,7 @@ static void list(const TbView *view, Quantity *all) {
   all[1] = (Quantity){x->v, y->v, z->v, view->model->wires.node_count, "a wire's node"};
   all[2] = (Quantity){x->eta, y->eta, z->eta, rows, "a penetration"};
   all[3] = (Quantity){x->z, y->z, z->z, TB_SLOTS, "a striker"};
-  all[4] = (Quantity){x->missing[0], y->missing[0], z->missing[0], TB_SLOTS * TB_MISSING,
+  all[4] = (Quantity){x->truncated[0], y->truncated[0], z->truncated[0], TB_SLOTS * TB_TRUNCATED,
                       "a missing mode"};
   all[5] = (Quantity){x->bow[0], y->bow[0], z->bow[0], TB_SLOTS * TB_BENDS, "a bent stick"};
 }

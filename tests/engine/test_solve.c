@@ -66,7 +66,7 @@ static TbContacts contacts(Problem *p, uint32_t cap, double tolerance) {
                       .inner_tolerance = tolerance > 0.0 ? 0.3 * tolerance : 1e-7,
                       .coupling = p->coupling,
                       .slot_coupling = p->slot_coupling,
-                      .own = p->own,
+                      .contact_compliance = p->own,
                       .wire_laws = p->laws,
                       .slot_laws = p->slot_laws,
                       .b = p->b,

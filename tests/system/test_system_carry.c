@@ -197,7 +197,7 @@ static void assert_scene(const TaborDrum *drum, int which) {
 static void keep_what_counts(TbState *state) {
   const uint32_t scratch = (state->newest + 1) % 3;
   memset(state->z[scratch], 0, sizeof state->z[scratch]);
-  memset(state->missing[scratch], 0, sizeof state->missing[scratch]);
+  memset(state->truncated[scratch], 0, sizeof state->truncated[scratch]);
   memset(state->bow[scratch], 0, sizeof state->bow[scratch]);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (state->slots[i].kind == TB_SLOT_HAND) state->slots[i].rest_height = 0.0;
@@ -206,7 +206,7 @@ static void keep_what_counts(TbState *state) {
     memset(&state->slot_laws[i], 0, sizeof state->slot_laws[i]);
     for (int instant = 0; instant < 3; instant++) {
       state->z[instant][i] = 0.0;
-      memset(state->missing[instant][i], 0, sizeof state->missing[instant][i]);
+      memset(state->truncated[instant][i], 0, sizeof state->truncated[instant][i]);
       memset(state->bow[instant][i], 0, sizeof state->bow[instant][i]);
     }
   }
@@ -301,9 +301,9 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
       if (x->kind != TB_SLOT_STRIKER) continue;
       assert_true(is_near(a.now.z[i], b.now.z[i], 1e-4));
       assert_true(is_near(a.now.z[i] - a.last.z[i], b.now.z[i] - b.last.z[i], 1e-3));
-      for (uint32_t n = 0; n < TB_MISSING; n++) {
-        assert_true(fabs(a.now.missing[i][n] - b.now.missing[i][n]) <=
-                    1e-3 * fabs(b.now.missing[i][n]) + 1e-12);
+      for (uint32_t n = 0; n < TB_TRUNCATED; n++) {
+        assert_true(fabs(a.now.truncated[i][n] - b.now.truncated[i][n]) <=
+                    1e-3 * fabs(b.now.truncated[i][n]) + 1e-12);
       }
     }
     play(drum, brief ? 500 : AFTER, NULL);

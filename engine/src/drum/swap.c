@@ -98,7 +98,7 @@ bool tb_swap_map(TaborSwap *swap) {
   }
   if (swap->arena.failed) return false;
   for (uint32_t i = 0; i < n; i++) {
-    map->mode[i] = same ? i : TB_NO_MODE; /* those that stand for missing modes, see wire_yield.h */
+    map->mode[i] = same ? i : TB_NO_MODE; /* those that stand for truncated modes, see wire_yield.h */
     if (to->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
@@ -191,11 +191,11 @@ static void carry_contacts(const TbView *from, TbView *to) {
   tb_penetrations_from_displacements(to, &to->last);
 }
 
-static void carry_missing(const TbView *from, TbView *to, uint32_t slot, double ratio) {
-  double *now = to->now.missing[slot], *last = to->last.missing[slot];
-  memcpy(now, from->now.missing[slot], sizeof from->now.missing[slot]);
-  memcpy(last, from->last.missing[slot], sizeof from->last.missing[slot]);
-  tb_residual_modes_carry(tb_slot_missing(from, slot), tb_slot_missing(to, slot), ratio, now, last);
+static void carry_truncated(const TbView *from, TbView *to, uint32_t slot, double ratio) {
+  double *now = to->now.truncated[slot], *last = to->last.truncated[slot];
+  memcpy(now, from->now.truncated[slot], sizeof from->now.truncated[slot]);
+  memcpy(last, from->last.truncated[slot], sizeof from->last.truncated[slot]);
+  tb_truncated_modes_carry(tb_slot_truncated(from, slot), tb_slot_truncated(to, slot), ratio, now, last);
 }
 
 static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {
@@ -247,7 +247,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
     to->state->slot_mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = tb_step_ago(from->now.z[i], from->last.z[i], ratio);
-    carry_missing(from, to, i, ratio);
+    carry_truncated(from, to, i, ratio);
     carry_bending(from, to, i, ratio);
   }
   tb_pool_muffle(to);

@@ -32,9 +32,9 @@ typedef struct TB_TYPE(TbStart) {
   const double *from_b, *from_p, *from_y, *from_f;
   TB_REAL *p, *f, *s;
 #if TB_REAL_IS_FLOAT
-  const double *from_own;
+  const double *from_contact_compliance;
   const TB_REAL *head;                 /* the head's compliance at a row */
-  TB_REAL *b, *y, *root, *own, *yield; /* copies, sqrt(y) or 0, and own + head */
+  TB_REAL *b, *y, *root, *contact_compliance, *yield; /* copies, sqrt(y) or 0, and its sum with `head` */
   TB_REAL force;                       /* the largest |f| */
 #endif
   TB_REAL change, depth;
@@ -222,8 +222,8 @@ typedef struct TB_TYPE(TbKernels) {
   void (*penetrate)(uint32_t wires, uint32_t lanes, double side, const double *shift,
                     const double *w, const double *v, const double *rest, const double *last,
                     const double *load, double *b);
-  /* v += own (f - rest), eta = last + s */
-  void (*move)(uint32_t n, const double *own, const double *f, const double *rest,
+  /* v += contact_compliance (f - rest), eta = last + s */
+  void (*move)(uint32_t n, const double *contact_compliance, const double *f, const double *rest,
                const double *last, const double *s, double *v, double *eta);
 #endif
 } TB_TYPE(TbKernels);

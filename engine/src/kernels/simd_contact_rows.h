@@ -31,13 +31,13 @@ static INLINE StartBlock start_block(const Start *at, uint64_t i, StartSizes *si
                      .y = load_double(at->from_y + i),
                      .f = load_double(at->from_f + i)};
 #ifdef TB_FLOAT
-  const Lanes own = load_double(at->from_own + i);
+  const Lanes compliance = load_double(at->from_contact_compliance + i);
   rows.root = root(larger(rows.y, zero()));
-  rows.yield = add(own, load(at->head + i));
+  rows.yield = add(compliance, load(at->head + i));
   store(at->b + i, b);
   store(at->y + i, rows.y);
   store(at->root + i, rows.root);
-  store(at->own + i, own);
+  store(at->contact_compliance + i, compliance);
   store(at->yield + i, rows.yield);
   sizes->force = larger(size_of(rows.f), sizes->force);
 #endif

@@ -333,11 +333,11 @@ static void penetrate(uint32_t wires, uint32_t lanes, double side, const double 
   }
 }
 
-static void move(uint32_t n, const double *own, const double *f, const double *rest,
+static void move(uint32_t n, const double *contact_compliance, const double *f, const double *rest,
                  const double *last, const double *s, double *v, double *eta) {
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes change = subtract(load(f + i), load(rest + i));
-    store(v + i, add(load(v + i), multiply_lanes(load(own + i), change)));
+    store(v + i, add(load(v + i), multiply_lanes(load(contact_compliance + i), change)));
     store(eta + i, add(load(last + i), load(s + i)));
   }
 }

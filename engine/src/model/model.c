@@ -219,12 +219,12 @@ static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
 }
 
 /* A head whose modes are all heard and felt has no others: a bandwidth that ends there says so. */
-static TaborStatus prepare_missing(TaborModel *model, TbArena *scratch) {
+static TaborStatus prepare_truncated(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   const double bandwidth = model->def.quality.bandwidth;
   if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
-    tb_residual_modes_prepare(&model->missing[i], &model->def, model->head.bandwidth,
+    tb_truncated_modes_prepare(&model->truncated[i], &model->def, model->head.bandwidth,
                               model->def.striker[i].contact_radius, model->time_step);
   }
   return TABOR_OK;
@@ -257,7 +257,7 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->wires.stride, sizeof model->wires.stride);
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
-  hash = hash_bytes(hash, model->missing, sizeof model->missing);
+  hash = hash_bytes(hash, model->truncated, sizeof model->truncated);
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
     for (uint32_t grip = 0; grip < TB_GRIPS;
          grip++) { /* the shapes follow from what precedes them */
@@ -362,7 +362,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                           {prepare_sticks, 0.0},
                           {prepare_patches, 0.0},
                           {prepare_places, 0.0},
-                          {prepare_missing, 0.0},
+                          {prepare_truncated, 0.0},
                           {allocate_rest, 0.0},
                           {tb_rest_prepare, 0.4 * cost->contacts},
                           {tb_high_band_rest, 0.0}};

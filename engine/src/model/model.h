@@ -18,7 +18,7 @@
 #include "model/mic_response.h"
 #include "model/projection.h"
 #include "model/radiated_power.h"
-#include "model/residual_modes.h"
+#include "model/truncated_modes.h"
 #include "model/stick_bending.h"
 #include "model/stretch_mixing.h"
 
@@ -88,7 +88,7 @@ typedef struct TbLugs {
 /* Offsets of the arrays of a drum's state, in bytes from the first array (state_layout.h). */
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
-  size_t head, rest_load, own, b, s, force, product; /* by rows */
+  size_t head, rest_load, contact_compliance, b, s, force, product; /* by rows */
   size_t grid, change;                               /* by points of the grid */
   size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
   size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
@@ -135,7 +135,7 @@ struct TaborModel {
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *palm_patch;
-  TbResidualModes missing[TABOR_MAX_STRIKERS + 1]; /* likewise; zero for a hand */
+  TbTruncatedModes truncated[TABOR_MAX_STRIKERS + 1]; /* likewise; zero for a hand */
   double *center; /* [padded]: shape at the centre of the wires' head */
   TbLayout layout;
   uint64_t fingerprint; /* hash of all that a saved state depends on */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve of solve.h in one precision; contact_solve_tmpl.c is compiled for each.
+/* The contact solve of solve.h in one precision; contact_solve.c and contact_solvef.c have one each.
  *
  * Single precision (`draft` and `live`) solves the same equations with twice as many numbers per
  * register, half as many bytes to move, and all wires taking part. A Newton step does not begin at

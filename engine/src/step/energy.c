@@ -68,7 +68,7 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
   return 0.5 * sum;
 }
 
-/* Of strikers, their contacts, and what the head yields to them by its missing modes. */
+/* Of strikers, their contacts, and what the head yields to them by its truncated modes. */
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
@@ -77,8 +77,8 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
     sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
            2.0 * tb_pool_contact_energy(view, i, next, now) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
-           2.0 * tb_residual_modes_energy(tb_slot_missing(view, i), view->model->step_rate,
-                                          next->missing[i], now->missing[i]);
+           2.0 * tb_truncated_modes_energy(tb_slot_truncated(view, i), view->model->step_rate,
+                                          next->truncated[i], now->truncated[i]);
   }
   return 0.5 * sum;
 }
@@ -135,8 +135,8 @@ TbLosses tb_losses_with(const TbView *view, const double by[3]) {
   TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
-    losses.head += tb_residual_modes_loss(tb_slot_missing(view, i), view->next.missing[i],
-                                          view->last.missing[i]);
+    losses.head += tb_truncated_modes_loss(tb_slot_truncated(view, i), view->next.truncated[i],
+                                          view->last.truncated[i]);
   }
   if (!view->state->lifted) {
     losses.wires =

@@ -32,7 +32,7 @@ static void clear_small(uint32_t n, double *now, double *last) {
 static void clear_vanished(TbView *view) {
   tb_high_band_step_of(view)->clear_small(view);
   clear_small(view->model->modes.padded, view->now.q, view->last.q);
-  clear_small(TB_SLOTS * TB_MISSING, view->now.missing[0], view->last.missing[0]);
+  clear_small(TB_SLOTS * TB_TRUNCATED, view->now.truncated[0], view->last.truncated[0]);
   clear_small(TB_SLOTS * TB_BENDS, view->now.bow[0], view->last.bow[0]);
 }
 
@@ -54,7 +54,7 @@ static void fall_asleep(TbView *view) {
   const uint32_t rows = model->wires.stride + TB_SLOTS;
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
-    memset(view->now.missing, 0, sizeof view->state->missing[0]);
+    memset(view->now.truncated, 0, sizeof view->state->truncated[0]);
     memset(view->state->bow, 0, sizeof view->state->bow);
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
@@ -72,7 +72,7 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
-  memcpy(view->last.missing, view->now.missing, sizeof view->state->missing[0]);
+  memcpy(view->last.truncated, view->now.truncated, sizeof view->state->truncated[0]);
   memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));

@@ -53,7 +53,7 @@ typedef struct TbContacts {
   double tolerance, inner_tolerance;
   const double *coupling;      /* [TB_SLOTS][grid size]: head's compliance, grid to slot */
   const double *slot_coupling; /* [TB_SLOTS][TB_SLOTS] */
-  const double *own;           /* [stride + TB_SLOTS]: compliance of wires and strikers */
+  const double *contact_compliance;           /* [stride + TB_SLOTS]: compliance of wires and strikers */
   const TbContactLaw *wire_laws, *slot_laws;
   /* Stretching heads reduce M to M - r^T W r (stretch.h). r on the grid and at the slots. */
   uint32_t stretch_count;

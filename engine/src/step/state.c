@@ -23,7 +23,7 @@ static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) 
                    at(state, layout->eta[index]),
                    state->z[index],
                    at(state, layout->high[index]),
-                   state->missing[index],
+                   state->truncated[index],
                    state->bow[index]};
 }
 
@@ -67,7 +67,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
     &work.s,         &work.force,  &work.product, &work.force_last, &work.product_last,
     &work.law,       &work.slope,  &work.mean,    &work.weight,     &work.residual,
     &work.direction, &work.turned, &work.moved,   &work.solution,   &work.b,
-    &work.y,         &work.root,   &work.own,     &work.yield,      &work.before};
+    &work.y,         &work.root,   &work.contact_compliance,     &work.yield,      &work.before};
   float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
                                          &work.answer, &work.stretch[0], &work.stretch[1]};
   for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
@@ -94,7 +94,7 @@ static TbContacts contacts_at(TbState *state, const TaborModel *model) {
                       .inner_tolerance = model->inner_tolerance,
                       .coupling = at(state, l->coupling),
                       .slot_coupling = at(state, l->slot_coupling),
-                      .own = at(state, l->own),
+                      .contact_compliance = at(state, l->contact_compliance),
                       .wire_laws = model->wires.laws,
                       .slot_laws = state->slot_laws,
                       .b = at(state, l->b)};
@@ -121,7 +121,7 @@ TbView tb_view(TbState *state, const TaborModel *model) {
                  .bend = at(state, l->bend),
                  .head = at(state, l->head),
                  .rest_load = at(state, l->rest_load),
-                 .own = at(state, l->own),
+                 .contact_compliance = at(state, l->contact_compliance),
                  .b = at(state, l->b),
                  .s = at(state, l->s),
                  .change = at(state, l->change),

@@ -44,7 +44,7 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 
 /* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
  * height at its place. Penetration eta = w + d - z (a hand: eta = w); d is the displacement of the
- * missing modes. On the hoop, w is the hoop's displacement. A stick that touches both head and hoop
+ * truncated modes. On the hoop, w is the hoop's displacement. A stick that touches both head and hoop
  * has a slot for each: see stick_rigid.h. */
 typedef struct TbSlot {
   uint32_t kind, id;
@@ -130,19 +130,19 @@ typedef struct TbState {
   TbContactLaw slot_laws[TB_SLOTS];
   TbBrush brushes[TB_BRUSHES];
   double z[3][TB_SLOTS];
-  double missing[3][TB_SLOTS][TB_MISSING];
+  double truncated[3][TB_SLOTS][TB_TRUNCATED];
   double bow[3][TB_SLOTS][TB_BENDS]; /* bending of sticks; of a pair, the tip has it */
   TaborLedger sums;                  /* stored and residual are not kept */
   TaborStatistics statistics;
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows (a row is one contact),
- * heights of strikers, modes of the high band, the head's missing modes under each striker, and
+ * heights of strikers, modes of the high band, the head's truncated modes under each striker, and
  * bending of sticks. */
 typedef struct TbPhase {
   double *q, *v, *eta, *z;
   void *high; /* in the high band's precision */
-  double (*missing)[TB_MISSING], (*bow)[TB_BENDS];
+  double (*truncated)[TB_TRUNCATED], (*bow)[TB_BENDS];
 } TbPhase;
 
 /* Sound from outside: pressure [Pa] at this step and at the one before, from the place of a microphone. */
@@ -159,7 +159,7 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *bend, *head, *rest_load, *own, *b, *s;
+  double *bend, *head, *rest_load, *contact_compliance, *b, *s;
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   void *high_drive;       /* [TB_SLOTS][high padded], in its precision */
   double *high_scratch;
@@ -207,10 +207,10 @@ static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
 static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
   return view->drive + (size_t)slot * view->model->modes.padded;
 }
-static inline const TbResidualModes *tb_slot_missing(const TbView *view, uint32_t slot) {
+static inline const TbTruncatedModes *tb_slot_truncated(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   const bool on_head = s->kind == TB_SLOT_STRIKER && !s->on_hoop;
-  return &view->model->missing[on_head ? s->definition : TABOR_MAX_STRIKERS];
+  return &view->model->truncated[on_head ? s->definition : TABOR_MAX_STRIKERS];
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
   return view->coupling + (size_t)slot * view->model->projection.wire_grid.size;

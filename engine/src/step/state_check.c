@@ -155,7 +155,7 @@ static bool numbers(const TbState *state) {
   return within(state->incident, MOST) && within(state->sound_work, MOST) &&
          within(state->radiated_beyond, MOST) && all_within(NUMBERS(state->wires), MOST) &&
          all_within(NUMBERS(state->shift), MOST) && all_within(NUMBERS(state->z), MOST) &&
-         all_within(NUMBERS(state->missing), MOST) && all_within(NUMBERS(state->bow), MOST) &&
+         all_within(NUMBERS(state->truncated), MOST) && all_within(NUMBERS(state->bow), MOST) &&
          all_within((const double *)&state->contacts, 3, MOST) &&
          all_within((const double *)&state->sums, sizeof state->sums / sizeof(double), INFINITY);
 }

@@ -86,10 +86,10 @@ static void free_penetration(TbView *view) {
     const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
     double eta = head;
     if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
-      const TbResidualModes *missing = tb_slot_missing(view, i);
-      tb_residual_modes_step(missing, view->next.missing[i], view->now.missing[i],
-                             view->last.missing[i]);
-      eta += tb_residual_modes_displacement(missing, view->next.missing[i]) -
+      const TbTruncatedModes *truncated = tb_slot_truncated(view, i);
+      tb_truncated_modes_step(truncated, view->next.truncated[i], view->now.truncated[i],
+                             view->last.truncated[i]);
+      eta += tb_truncated_modes_displacement(truncated, view->next.truncated[i]) -
              (tb_pool_free_height(view, i) - view->state->slots[i].coat);
       if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
@@ -115,7 +115,7 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.warm.force;
   TB_STAGE(WIRES);
-  kernels->move(stride, view->own, force, model->rest.force, view->last.eta, view->s,
+  kernels->move(stride, view->contact_compliance, force, model->rest.force, view->last.eta, view->s,
                 view->next.v + TB_WIRE_FRONT, view->next.eta);
   TB_STAGE(PROJECTION);
   if (!unchanged) force_modes(view);
@@ -137,9 +137,9 @@ static void respond(TbView *view, bool unchanged) {
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
       kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
-      tb_residual_modes_press(tb_slot_missing(view, i), force[row], view->next.missing[i]);
+      tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
-    view->next.z[i] = tb_pool_free_height(view, i) + view->own[row] * force[row];
+    view->next.z[i] = tb_pool_free_height(view, i) + view->contact_compliance[row] * force[row];
     if (view->state->slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
     if (view->state->slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
     view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
@@ -229,14 +229,14 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_lug_forces_pull(view); /* now.q -> next.q */
   TB_STAGE(STRETCH);
   tb_stretch_free(view); /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
-  free_penetration(view); /* next, r, W -> b, next.missing, and last.eta as the laws want it */
+  free_penetration(view); /* next, r, W -> b, next.truncated, and last.eta as the laws want it */
   TB_STAGE(STRETCH);
   tb_stretch_renew(view); /* f, r, W -> M f, from which the solve starts */
   TB_STAGE(LAWS);
   const TbSolveOutcome outcome = tb_solve(&view->solve); /* b, last.eta, M f -> f, s */
   count(&view->state->statistics, &outcome);
   const bool unchanged = !outcome.contact && view->state->airborne;
-  respond(view, unchanged); /* f, s -> next: q, v, z, eta, missing, bow */
+  respond(view, unchanged); /* f, s -> next: q, v, z, eta, truncated, bow */
   TB_STAGE(STRETCH);
   tb_stretch_respond(view); /* f, r, W -> force of the stretch */
   end_modes(view, tb_first_heard(heard)); /* that force -> next.q; next.q, last.q -> losses, sums of a microphone */

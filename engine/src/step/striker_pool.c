@@ -56,7 +56,7 @@ static void couple(TbView *view, uint32_t slot) {
     view->slot_coupling[slot * TB_SLOTS + other] = value;
     view->slot_coupling[other * TB_SLOTS + slot] = value;
   }
-  view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_missing(view, slot)->compliance;
+  view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
 }
 
 /* What a hand does at the tip of the stick that it presses. */
@@ -84,7 +84,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   TbContactLaw *law = &view->state->slot_laws[slot];
   const uint32_t row = model->wires.stride + slot;
   if (s->kind == TB_SLOT_HAND) {
-    view->own[row] = 0.0;
+    view->contact_compliance[row] = 0.0;
     tb_contact_law_damper(law, s->strength, model->time_step);
     return;
   }
@@ -94,7 +94,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
     s->on_hoop && def->kind == TABOR_STRIKER_STICK; /* soft ones yield more than a hoop */
   const double k = model->time_step, compliance = own_compliance(view, s);
   const double loss = hard ? hoop->contact_loss : def->contact_loss;
-  view->own[row] = compliance;
+  view->contact_compliance[row] = compliance;
   tb_contact_law_prepare_sum(
     law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
     hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
@@ -108,7 +108,7 @@ static double head_at(const TbView *view, uint32_t slot, const double *q) {
 /* Of a striker: its tip is in the head by this much. */
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return head_at(view, slot, phase->q) +
-         tb_residual_modes_displacement(tb_slot_missing(view, slot), phase->missing[slot]) -
+         tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
          (phase->z[slot] - view->state->slots[slot].coat) -
          (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
 }
@@ -198,7 +198,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   TbPhase *const phases[3] = {&view->next, &view->now, &view->last};
   for (int i = 0; i < 3; i++) {
     phases[i]->z[slot] = 0.0;
-    memset(phases[i]->missing[slot], 0, sizeof phases[i]->missing[slot]);
+    memset(phases[i]->truncated[slot], 0, sizeof phases[i]->truncated[slot]);
     memset(phases[i]->bow[slot], 0, sizeof phases[i]->bow[slot]);
     phases[i]->eta[row] = TB_NOTHING;
   }
@@ -206,7 +206,7 @@ static void clear_row(TbView *view, uint32_t slot) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
   }
-  view->own[row] = view->b[row] = view->solve.warm.force[row] = 0.0;
+  view->contact_compliance[row] = view->b[row] = view->solve.warm.force[row] = 0.0;
 }
 
 static void book_removed(TbView *view, uint32_t slot) {
@@ -217,8 +217,8 @@ static void book_removed(TbView *view, uint32_t slot) {
                            contact_energy(view, slot);
     state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
     state->sums.removed +=
-      tb_residual_modes_energy(tb_slot_missing(view, slot), view->model->step_rate,
-                               view->now.missing[slot], view->last.missing[slot]);
+      tb_truncated_modes_energy(tb_slot_truncated(view, slot), view->model->step_rate,
+                               view->now.truncated[slot], view->last.truncated[slot]);
   }
 }
 
@@ -338,7 +338,7 @@ void tb_pool_hold(TbView *view, uint32_t slot, double force) {
   if (!s->held) s->anchor = view->now.z[slot];
   s->held = 1;
   s->press = force;
-  view->own[view->model->wires.stride + slot] = own_compliance(view, s);
+  view->contact_compliance[view->model->wires.stride + slot] = own_compliance(view, s);
   tb_coupling_renew(view);
 }
 
@@ -379,7 +379,7 @@ void tb_pool_regrip(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->slots[i];
     if (!s->held) continue;
-    view->own[view->model->wires.stride + i] = own_compliance(view, s);
+    view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, s);
     found = true;
   }
   if (found) tb_coupling_renew(view);

@@ -12,10 +12,10 @@
  * more than the two-way modes do. The mobility of this part is purely springy below omega_c and has
  * the real part omega B^2/(4 T) above (D = 0, no air).
  *
- * The integral is cut into TB_MISSING cells, each an oscillator of unit mass that the force drives
+ * The integral is cut into TB_TRUNCATED cells, each an oscillator of unit mass that the force drives
  * by phi:
  *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
- * Together the cells yield as the missing modes do, at low and at high frequencies. Each decays by
+ * Together the cells yield as the truncated modes do, at low and at high frequencies. Each decays by
  * half its cell's width in frequency. Side by side, such resonances are as smooth as the continuum
  * (within 2 exp(-pi)), but half an octave above omega_c they are a fifth short of it, because their
  * tails reach below omega_c. Their losses are the head's, in waves; without losses the cells keep
@@ -27,51 +27,51 @@
  *
  * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0. For omega_c ->
  * infinity or a -> infinity, nothing is missing. A point, a = 0, would yield without bound: it has
- * no missing modes here. */
-#ifndef TB_RESIDUAL_MODES_H
-#define TB_RESIDUAL_MODES_H
+ * no truncated modes here. */
+#ifndef TB_TRUNCATED_MODES_H
+#define TB_TRUNCATED_MODES_H
 
 #include "definition/params.h"
 
-#define TB_MISSING 8u
+#define TB_TRUNCATED 8u
 
-/* Missing modes of one striker on one head; all 0: none. */
-typedef struct TbResidualModes {
-  double a[TB_MISSING], b[TB_MISSING]; /* the recursion: see modes.h */
-  double stiffness[TB_MISSING];        /* K' [1/s2] */
-  double loss[TB_MISSING];             /* tanh(sk)/(2k^2) [1/s2] */
-  double shape[TB_MISSING];            /* phi [kg^-1/2] */
-  double drive[TB_MISSING];            /* g phi */
+/* Truncated modes of one striker on one head; all 0: none. */
+typedef struct TbTruncatedModes {
+  double a[TB_TRUNCATED], b[TB_TRUNCATED]; /* the recursion: see modes.h */
+  double stiffness[TB_TRUNCATED];        /* K' [1/s2] */
+  double loss[TB_TRUNCATED];             /* tanh(sk)/(2k^2) [1/s2] */
+  double shape[TB_TRUNCATED];            /* phi [kg^-1/2] */
+  double drive[TB_TRUNCATED];            /* g phi */
   double compliance;                   /* Sum g phi^2: over one step [m/N] */
-} TbResidualModes;
+} TbTruncatedModes;
 
-/* Prepares the missing modes of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a
+/* Prepares the truncated modes of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a
  * patch of `patch_radius` [m]. Set-up only. */
-void tb_residual_modes_prepare(TbResidualModes *mobility, const TaborDrumDef *def, double bandwidth,
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def, double bandwidth,
                                double patch_radius, double time_step);
 
 /* Static compliance C and inverse mass [1/kg] of the modes with wavenumbers `from` to `to` [1/m].
  * Set-up only. */
-void tb_residual_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
+void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
                                double *compliance, double *inverse_mass);
 
-/* All below is audio-safe; arrays are [TB_MISSING]. */
+/* All below is audio-safe; arrays are [TB_TRUNCATED]. */
 
 /* Computes `next` without a force. */
-void tb_residual_modes_step(const TbResidualModes *mobility, double *next, const double *now,
+void tb_truncated_modes_step(const TbTruncatedModes *mobility, double *next, const double *now,
                             const double *last);
 /* Adds the effect of a force f > 0 that presses the head down to `next`. */
-void tb_residual_modes_press(const TbResidualModes *mobility, double force, double *next);
-/* Upward displacement of the head by the missing modes [m]. */
-double tb_residual_modes_displacement(const TbResidualModes *mobility, const double *x);
+void tb_truncated_modes_press(const TbTruncatedModes *mobility, double force, double *next);
+/* Upward displacement of the head by the truncated modes [m]. */
+double tb_truncated_modes_displacement(const TbTruncatedModes *mobility, const double *x);
 /* Energy stored between two instants, and energy lost in a step [J]. */
-double tb_residual_modes_energy(const TbResidualModes *mobility, double rate, const double *next,
+double tb_truncated_modes_energy(const TbTruncatedModes *mobility, double rate, const double *next,
                                 const double *now);
-double tb_residual_modes_loss(const TbResidualModes *mobility, const double *next,
+double tb_truncated_modes_loss(const TbTruncatedModes *mobility, const double *next,
                               const double *last);
 /* Converts the two instants of a motion from the coefficients of `from` to those of `to`, keeping
  * phase and action (swap.c). */
-void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double ratio,
+void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to, double ratio,
                              double *now, double *last);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/residual_modes.h"
+#include "model/truncated_modes.h"
 
 #include <math.h>
 
@@ -46,7 +46,7 @@ static double wavenumber_at(const TaborDrumDef *def, double omega) {
   return lo;
 }
 
-void tb_residual_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
+void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
                                double *compliance, double *inverse_mass) {
   *compliance = *inverse_mass = 0.0;
   const double top = fmin(to, FINEST / patch_radius);
@@ -63,7 +63,7 @@ void tb_residual_modes_between(const TaborDrumDef *def, double patch_radius, dou
 }
 
 /* One cell as an oscillator; what is faster than the rate can follow only keeps its compliance. */
-static void add_cell(TbResidualModes *m, uint32_t i, double compliance, double inverse_mass,
+static void add_cell(TbTruncatedModes *m, uint32_t i, double compliance, double inverse_mass,
                      double decay_rate, double time_step) {
   if (compliance <= 0.0) return;
   const double omega = sqrt(inverse_mass / compliance), fastest = 2.0 * PI * FASTEST / time_step;
@@ -78,20 +78,20 @@ static void add_cell(TbResidualModes *m, uint32_t i, double compliance, double i
   m->compliance += m->drive[i] * m->shape[i];
 }
 
-void tb_residual_modes_prepare(TbResidualModes *mobility, const TaborDrumDef *def, double bandwidth,
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def, double bandwidth,
                                double patch_radius, double time_step) {
-  *mobility = (TbResidualModes){0};
+  *mobility = (TbTruncatedModes){0};
   if (patch_radius <= 0.0) return;
   const double bottom = 2.0 * PI * bandwidth;
   const double silent = fmax(LEAST_RATIO * bottom, omega_at(def, FIRST_ZERO / patch_radius));
   const double top = fmin(silent, 2.0 * PI * TOP_OF_RATE / time_step);
-  const double ratio = tb_exp(tb_log(top / bottom) / (TB_MISSING - 1u));
+  const double ratio = tb_exp(tb_log(top / bottom) / (TB_TRUNCATED - 1u));
   double lower = bottom;
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     const double upper = lower * ratio;
-    const bool last = i + 1 == TB_MISSING;
+    const bool last = i + 1 == TB_TRUNCATED;
     double compliance, inverse_mass;
-    tb_residual_modes_between(def, patch_radius, wavenumber_at(def, lower),
+    tb_truncated_modes_between(def, patch_radius, wavenumber_at(def, lower),
                               last ? INFINITY : wavenumber_at(def, upper), &compliance,
                               &inverse_mass);
     add_cell(mobility, i, compliance, inverse_mass,
@@ -102,43 +102,43 @@ void tb_residual_modes_prepare(TbResidualModes *mobility, const TaborDrumDef *de
 
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
-void tb_residual_modes_step(const TbResidualModes *m, double *next, const double *now,
+void tb_truncated_modes_step(const TbTruncatedModes *m, double *next, const double *now,
                             const double *last) {
-  for (uint32_t i = 0; i < TB_MISSING; i++) next[i] = m->a[i] * now[i] - m->b[i] * last[i];
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) next[i] = m->a[i] * now[i] - m->b[i] * last[i];
 }
 
-void tb_residual_modes_press(const TbResidualModes *m, double force, double *next) {
-  for (uint32_t i = 0; i < TB_MISSING; i++) next[i] -= force * m->drive[i];
+void tb_truncated_modes_press(const TbTruncatedModes *m, double force, double *next) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) next[i] -= force * m->drive[i];
 }
 
-double tb_residual_modes_displacement(const TbResidualModes *m, const double *x) {
+double tb_truncated_modes_displacement(const TbTruncatedModes *m, const double *x) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < TB_MISSING; i++) sum += m->shape[i] * x[i];
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) sum += m->shape[i] * x[i];
   return sum;
 }
 
-double tb_residual_modes_energy(const TbResidualModes *m, double rate, const double *next,
+double tb_truncated_modes_energy(const TbTruncatedModes *m, double rate, const double *next,
                                 const double *now) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     const double velocity = (next[i] - now[i]) * rate;
     sum += velocity * velocity + m->stiffness[i] * next[i] * now[i];
   }
   return 0.5 * sum;
 }
 
-double tb_residual_modes_loss(const TbResidualModes *m, const double *next, const double *last) {
+double tb_truncated_modes_loss(const TbTruncatedModes *m, const double *next, const double *last) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     const double moved = next[i] - last[i];
     sum += m->loss[i] * moved * moved;
   }
   return sum;
 }
 
-void tb_residual_modes_carry(const TbResidualModes *from, const TbResidualModes *to, double ratio,
+void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to, double ratio,
                              double *now, double *last) {
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], ratio, &now[i], &last[i]);
   }
 }

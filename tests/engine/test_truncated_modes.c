@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What stands for the head's missing modes under a striker: against the modes themselves, in its limits, and as
+/* What stands for the head's truncated modes under a striker: against the modes themselves, in its limits, and as
  * a part of the drum's state and energy. */
 #include "physics.h"
 
 #include "math/bessel.h"
-#include "model/residual_modes.h"
+#include "model/truncated_modes.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 48000.0;
@@ -23,7 +23,7 @@ static void compliance_is_the_integral(void **state) {
   for (int i = 0; i < 3; i++) {
     const double a = 0.006, expected = INTEGRAL[i] / (2.0 * PI * def.batter.tension);
     double compliance, inverse_mass;
-    tb_residual_modes_between(&def, a, FROM[i] / a, INFINITY, &compliance, &inverse_mass);
+    tb_truncated_modes_between(&def, a, FROM[i] / a, INFINITY, &compliance, &inverse_mass);
     print_message("from K a = %.1f: %.6g m/N, %.6g expected\n", FROM[i], compliance, expected);
     assert_true(fabs(compliance / expected - 1.0) < 1e-3);
   }
@@ -56,7 +56,7 @@ static void compliance_is_that_of_the_missing_modes(void **state) {
     double mean = 0.0, compliance, inverse_mass;
     for (int i = 0; i < 6; i++)
       mean += modal_compliance(&def, a, (0.2 + 0.1 * i) * radius, bottom) / 6;
-    tb_residual_modes_between(&def, a, bottom / radius, INFINITY, &compliance, &inverse_mass);
+    tb_truncated_modes_between(&def, a, bottom / radius, INFINITY, &compliance, &inverse_mass);
     print_message("modes from z = %.0f: %.4g m/N, %.4g as an infinite membrane\n", bottom, mean,
                   compliance);
     assert_true(fabs(compliance / mean - 1.0) < 0.1);
@@ -64,9 +64,9 @@ static void compliance_is_that_of_the_missing_modes(void **state) {
 }
 
 /* d/f of the oscillators at omega, as they are in time (not in steps). */
-static void response(const TbResidualModes *m, double omega, double *re, double *im) {
+static void response(const TbTruncatedModes *m, double omega, double *re, double *im) {
   *re = *im = 0.0;
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     const double decay = -0.5 * log(m->b[i]) * RATE;
     const double turn = acos(0.5 * m->a[i] / sqrt(m->b[i])) * RATE;
     const double x = turn * turn + decay * decay - omega * omega, y = 2.0 * decay * omega;
@@ -86,8 +86,8 @@ static void oscillators_answer_like_the_membrane(void **state) {
   const TaborDrumDef def = physics_membrane();
   const double a = 0.006, limit = 2.0 * PI * 4000.0;
   const double speed = sqrt(def.batter.tension / def.batter.surface_density);
-  TbResidualModes m;
-  tb_residual_modes_prepare(&m, &def, 4000.0, a, 1.0 / RATE);
+  TbTruncatedModes m;
+  tb_truncated_modes_prepare(&m, &def, 4000.0, a, 1.0 / RATE);
   double re, im, worst = 0.0;
   for (double omega = 1.25 * limit; omega < 2.0 * limit; omega *= 1.02) {
     response(&m, omega, &re, &im);
@@ -96,7 +96,7 @@ static void oscillators_answer_like_the_membrane(void **state) {
     worst = fmax(worst, fabs(omega * im / expected - 1.0));
   }
   double compliance, inverse_mass;
-  tb_residual_modes_between(&def, a, limit / speed, INFINITY, &compliance, &inverse_mass);
+  tb_truncated_modes_between(&def, a, limit / speed, INFINITY, &compliance, &inverse_mass);
   response(&m, 0.1 * limit, &re, &im);
   print_message("mobility above the limit within %.1f %%; below it %.3f of the static compliance\n",
                 100.0 * worst, re / compliance);
@@ -105,9 +105,9 @@ static void oscillators_answer_like_the_membrane(void **state) {
   assert_true(im < 0.03 * re);
 }
 
-static double static_compliance(const TbResidualModes *m) {
+static double static_compliance(const TbTruncatedModes *m) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < TB_MISSING; i++) {
+  for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     if (m->stiffness[i] > 0.0) sum += m->shape[i] * m->shape[i] / m->stiffness[i];
   }
   return sum;
@@ -116,18 +116,18 @@ static double static_compliance(const TbResidualModes *m) {
 static void nothing_is_left_in_the_limits(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
-  TbResidualModes m;
+  TbTruncatedModes m;
   double last = INFINITY;
   for (double limit = 500.0; limit <= 8000.0; limit *= 2.0) {
-    tb_residual_modes_prepare(&m, &def, limit, 0.006, 1.0 / RATE);
+    tb_truncated_modes_prepare(&m, &def, limit, 0.006, 1.0 / RATE);
     const double compliance = static_compliance(&m);
     assert_true(compliance > 0.0 && compliance < 0.7 * last);
     last = compliance;
   }
-  const TbResidualModes none = {0};
-  tb_residual_modes_prepare(&m, &def, 9000.0, 0.05, 1.0 / RATE);
+  const TbTruncatedModes none = {0};
+  tb_truncated_modes_prepare(&m, &def, 9000.0, 0.05, 1.0 / RATE);
   assert_true(static_compliance(&m) < 1e-2 * last);
-  tb_residual_modes_prepare(&m, &def, 4000.0, 0.0, 1.0 / RATE);
+  tb_truncated_modes_prepare(&m, &def, 4000.0, 0.0, 1.0 / RATE);
   assert_memory_equal(&m, &none, sizeof m);
 }
 
@@ -186,7 +186,7 @@ static void a_stick_finds_the_head_as_soft_as_it_is(void **state) {
   const double whole = force_level(&all, 4000.0);
   const double with = force_level(&some, 4000.0) - whole;
   const double without = force_level(&bare, 4000.0) - whole;
-  print_message("force around 4 kHz: %+.1f dB, %+.1f dB without the missing modes\n", with,
+  print_message("force around 4 kHz: %+.1f dB, %+.1f dB without the truncated modes\n", with,
                 without);
   /* Where mobility limits the force, it is wrong by as much as this: 2.0 dB at any rate. */
   assert_true(fabs(with) < -20.0 * log10(1.0 - SMEARED));
@@ -199,7 +199,7 @@ static TaborLedger ledger_of(const TaborDrum *drum) {
   return ledger;
 }
 
-/* A stick taken away in mid-contact takes along what the missing modes hold. */
+/* A stick taken away in mid-contact takes along what the truncated modes hold. */
 static void a_retired_striker_leaves_no_energy_behind(void **state) {
   (void)state;
   for (int losses = 0; losses < 2; losses++) {
@@ -229,7 +229,7 @@ static TaborSwap *exchange(TaborDrum *drum, TaborModel *from, TaborModel *to) {
   return swap;
 }
 
-/* In mid-contact: what the new model makes of the missing modes is work of the player's. */
+/* In mid-contact: what the new model makes of the truncated modes is work of the player's. */
 static void a_swap_in_contact_is_accounted_for(void **state) {
   (void)state;
   TaborDrumDef def = bodhran(3000.0), other = bodhran(4000.0);

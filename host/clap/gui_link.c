@@ -30,7 +30,7 @@ static float peak_of(const float *samples, uint32_t frames, float peak) {
 }
 
 void gui_link_show(GuiLink *link, const PluginPlayer *player, const PluginOutputs *outputs,
-              uint32_t frames) {
+                   uint32_t frames) {
   if (!atomic_load(&link->is_shown)) return;
   for (uint32_t side = 0; side < 2; side++) {
     const float *const channel = outputs->channels[side];

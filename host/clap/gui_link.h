@@ -31,7 +31,8 @@ typedef struct GuiTurn {
 typedef struct GuiLink {
   struct Gui *gui;   /**< main thread; NULL until a window is opened */
   SpscQueue strokes; /**< to the audio thread */
-  SpscQueue turns;   /**< to the host: by the audio thread, or by params.flush() while there is none */
+  SpscQueue
+    turns; /**< to the host: by the audio thread, or by params.flush() while there is none */
   _Atomic(TaborView *) asked, seen;
   atomic_bool is_shown;
   atomic_bool is_stale; /**< the view is of another model than the drum */

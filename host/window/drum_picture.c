@@ -36,9 +36,8 @@ double drum_picture_position(double scale, double x) {
 
 DrumPlace drum_picture_place(double scale, double x, double y) {
   const double at = x / scale, down = y / scale;
-  DrumPlace place = {.part = DRUM_PART_NONE,
-                     .x = (at - MIDDLE[0]) / RADIUS,
-                     .y = (MIDDLE[1] - down) / RADIUS};
+  DrumPlace place = {
+    .part = DRUM_PART_NONE, .x = (at - MIDDLE[0]) / RADIUS, .y = (MIDDLE[1] - down) / RADIUS};
   if (hypot(place.x, place.y) <= 1) {
     place.part = DRUM_PART_HEAD;
   } else if (is_in(&BEFORE, at, down)) {
@@ -136,8 +135,8 @@ static void draw_wires(cairo_t *cairo, const TaborView *view) {
 static void draw_stroke(cairo_t *cairo, const DrumPicture *picture) {
   cairo_set_source_rgba(cairo, 0.95, 0.45, 0.10, picture->glow);
   cairo_new_path(cairo);
-  cairo_arc(cairo, MIDDLE[0] + RADIUS * picture->struck[0],
-            MIDDLE[1] - RADIUS * picture->struck[1], 4 + 14 * (1 - picture->glow), 0, 2 * PI);
+  cairo_arc(cairo, MIDDLE[0] + RADIUS * picture->struck[0], MIDDLE[1] - RADIUS * picture->struck[1],
+            4 + 14 * (1 - picture->glow), 0, 2 * PI);
   cairo_set_line_width(cairo, 3);
   cairo_stroke(cairo);
 }

@@ -24,7 +24,8 @@ typedef enum DrumPart {
 typedef struct DrumPlace {
   DrumPart part;
   uint32_t control;
-  double x, y; /**< on the head in parts of its radius, y away from the player; x of a control: the position */
+  double x,
+    y; /**< on the head in parts of its radius, y away from the player; x of a control: the position */
 } DrumPlace;
 
 typedef struct DrumControl {

@@ -9,9 +9,9 @@
 #include "window/x11_window.h"
 
 static const double LEAST_SPEED = 0.5, MOST_SPEED = 12.0, FIRST_SPEED = 4.5; /* [m/s] */
-static const double SPEED_STEP = 1.1892;                                   /* 1.5 dB a notch */
-static const double METER_FALL = 0.85;                                     /* a frame */
-static const double WHEEL_STEP = 0.02;                                     /* of a control's way */
+static const double SPEED_STEP = 1.1892;                                     /* 1.5 dB a notch */
+static const double METER_FALL = 0.85;                                       /* a frame */
+static const double WHEEL_STEP = 0.02; /* of a control's way */
 static const double DEGREE = 57.29577951308232;
 
 struct DrumWindow {
@@ -89,7 +89,8 @@ static void scroll(void *context, double x, double y, int steps) {
   const DrumPlace place = place_at(window, x, y);
   double *const speed = &window->picture.speed;
   if (place.part == DRUM_PART_HEAD)
-    *speed = fmin(fmax(*speed * (steps > 0 ? SPEED_STEP : 1 / SPEED_STEP), LEAST_SPEED), MOST_SPEED);
+    *speed =
+      fmin(fmax(*speed * (steps > 0 ? SPEED_STEP : 1 / SPEED_STEP), LEAST_SPEED), MOST_SPEED);
   if (place.part == DRUM_PART_CONTROL) turn(window, place.control, steps);
 }
 

@@ -43,10 +43,9 @@ static bool open_window(X11Window *window, unsigned long parent) {
   const uint32_t colors = xcb_generate_id(window->connection);
   xcb_create_colormap(window->connection, XCB_COLORMAP_ALLOC_NONE, colors, screen->root,
                       visual->visual_id);
-  const uint32_t values[] = {0,
-                             XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE |
-                               XCB_EVENT_MASK_BUTTON_MOTION,
-                             colors};
+  const uint32_t values[] = {
+    0, XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE | XCB_EVENT_MASK_BUTTON_MOTION,
+    colors};
   window->id = xcb_generate_id(window->connection);
   const xcb_void_cookie_t made = xcb_create_window_checked(
     window->connection, screen->root_depth, window->id, (xcb_window_t)parent, 0, 0,
@@ -77,10 +76,12 @@ X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t heig
 void x11_window_destroy(X11Window *window) {
   if (!window) return;
   if (window->surface) {
-    cairo_device_t *const device = cairo_device_reference(cairo_surface_get_device(window->surface));
+    cairo_device_t *const device =
+      cairo_device_reference(cairo_surface_get_device(window->surface));
     cairo_surface_finish(window->surface);
     cairo_surface_destroy(window->surface);
-    cairo_device_finish(device); /* or cairo takes the next connection at this address for this one */
+    cairo_device_finish(
+      device); /* or cairo takes the next connection at this address for this one */
     cairo_device_destroy(device);
     xcb_destroy_window(window->connection, window->id);
   }

@@ -48,13 +48,13 @@ static const struct {
   uint32_t kind;
   double frequency, level;
 } POINTS[] = {
-  {TABOR_RESPONSE_DYNAMIC, 100.0, -4.0},     {TABOR_RESPONSE_DYNAMIC, 300.0, 0.0},
-  {TABOR_RESPONSE_DYNAMIC, 4000.0, 3.0},     {TABOR_RESPONSE_DYNAMIC, 6000.0, 6.0},
-  {TABOR_RESPONSE_DYNAMIC, 12000.0, 0.0},    {TABOR_RESPONSE_DYNAMIC, 16000.0, -10.0},
-  {TABOR_RESPONSE_LARGE_DYNAMIC, 80.0, 5.0}, {TABOR_RESPONSE_LARGE_DYNAMIC, 400.0, -4.1},
-  {TABOR_RESPONSE_LARGE_DYNAMIC, 4e3, 7.4},  {TABOR_RESPONSE_LARGE_DYNAMIC, 16e3, -10.0},
-  {TABOR_RESPONSE_CONDENSER, 40.0, -1.4},    {TABOR_RESPONSE_CONDENSER, 3000.0, 0.0},
-  {TABOR_RESPONSE_CONDENSER, 10000.0, 2.7},  {TABOR_RESPONSE_CONDENSER, 16000.0, -0.6},
+  {TABOR_RESPONSE_DYNAMIC, 100.0, -4.0},      {TABOR_RESPONSE_DYNAMIC, 300.0, 0.0},
+  {TABOR_RESPONSE_DYNAMIC, 4000.0, 3.0},      {TABOR_RESPONSE_DYNAMIC, 6000.0, 6.0},
+  {TABOR_RESPONSE_DYNAMIC, 12000.0, 0.0},     {TABOR_RESPONSE_DYNAMIC, 16000.0, -10.0},
+  {TABOR_RESPONSE_LARGE_DYNAMIC, 80.0, 5.0},  {TABOR_RESPONSE_LARGE_DYNAMIC, 400.0, -4.1},
+  {TABOR_RESPONSE_LARGE_DYNAMIC, 4e3, 7.4},   {TABOR_RESPONSE_LARGE_DYNAMIC, 16e3, -10.0},
+  {TABOR_RESPONSE_CONDENSER, 40.0, -1.4},     {TABOR_RESPONSE_CONDENSER, 3000.0, 0.0},
+  {TABOR_RESPONSE_CONDENSER, 10000.0, 2.7},   {TABOR_RESPONSE_CONDENSER, 16000.0, -0.6},
   {TABOR_RESPONSE_EVEN_DYNAMIC, 150.0, -4.5}, {TABOR_RESPONSE_EVEN_DYNAMIC, 6e3, 0.0},
   {TABOR_RESPONSE_EVEN_DYNAMIC, 10e3, -3.5},  {TABOR_RESPONSE_EVEN_DYNAMIC, 16e3, -18.5}};
 
@@ -253,7 +253,8 @@ static void a_definition_names_the_response(void **state) {
   char text[32];
   tabor_drum_def_default(&def);
   assert_int_equal(def.mic[0].response, TABOR_RESPONSE_FLAT);
-  const char *const words[KINDS] = {"flat", "dynamic", "large-dynamic", "condenser", "even-dynamic"};
+  const char *const words[KINDS] = {"flat", "dynamic", "large-dynamic", "condenser",
+                                    "even-dynamic"};
   for (uint32_t kind = 0; kind < KINDS; kind++) {
     assert_int_equal(tabor_drum_def_set(&def, "mic.top.response", words[kind], NULL), TABOR_OK);
     assert_int_equal(def.mic[0].response, kind);

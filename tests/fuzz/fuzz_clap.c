@@ -78,7 +78,8 @@ static void fill_value(clap_event_param_value_t *value, FuzzInput *input) {
   value->note_id = value->port_index = value->channel = value->key = -1;
   value->value = fuzz_number(input) * (fuzz_byte(input) % 2 ? 1 : 100);
   /* Models of the other qualities take seconds. */
-  if (value->param_id == clap_host_id(KNOB_QUALITY)) value->value = CLAP_QUALITY(TABOR_QUALITY_DRAFT);
+  if (value->param_id == clap_host_id(KNOB_QUALITY))
+    value->value = CLAP_QUALITY(TABOR_QUALITY_DRAFT);
 }
 
 static void fill_note(clap_event_note_t *note, FuzzInput *input) {

@@ -70,7 +70,7 @@ clap_id clap_host_id(KnobId knob);
 void clap_host_set_id(ClapHost *host, uint32_t time, clap_id id, double value);
 void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value);
 /** Value of the quality knob, whose first place is draft, for a TaborQuality. */
-#define CLAP_QUALITY(quality) ((quality) - TABOR_QUALITY_DRAFT)
+#define CLAP_QUALITY(quality) ((quality)-TABOR_QUALITY_DRAFT)
 void clap_host_modulate(ClapHost *host, uint32_t time, KnobId knob, double amount);
 void clap_host_midi(ClapHost *host, uint32_t time, const MidiMessage *message);
 void clap_host_note(ClapHost *host, uint32_t time, uint16_t type, int16_t key, double velocity);

@@ -52,7 +52,8 @@ void x11_server_stop(X11Server *server) {
 }
 
 static void ask(X11Server *server) {
-  free(xcb_get_input_focus_reply(server->connection, xcb_get_input_focus(server->connection), NULL));
+  free(
+    xcb_get_input_focus_reply(server->connection, xcb_get_input_focus(server->connection), NULL));
 }
 
 /* Everything that was asked for has been done and, by the second answer, told to other clients. */
@@ -103,11 +104,11 @@ void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint
 }
 
 uint32_t x11_server_pixel(X11Server *server, xcb_window_t window, int x, int y) {
-  xcb_get_image_reply_t *const image = xcb_get_image_reply(
-    server->connection,
-    xcb_get_image(server->connection, XCB_IMAGE_FORMAT_Z_PIXMAP, window, (int16_t)x, (int16_t)y, 1,
-                  1, UINT32_MAX),
-    NULL);
+  xcb_get_image_reply_t *const image =
+    xcb_get_image_reply(server->connection,
+                        xcb_get_image(server->connection, XCB_IMAGE_FORMAT_Z_PIXMAP, window,
+                                      (int16_t)x, (int16_t)y, 1, 1, UINT32_MAX),
+                        NULL);
   assert_non_null(image);
   const uint8_t *const bytes = xcb_get_image_data(image);
   const uint32_t color = (uint32_t)bytes[2] << 16 | (uint32_t)bytes[1] << 8 | bytes[0];

@@ -116,7 +116,8 @@ static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
   static float rim[SOUND];
   TaborDrumDef def = snares_off();
   def.shell.loss = def.hoop.tie_loss = 0.003;
-  def.batter.damping_0 = def.resonant.damping_0 = 60.0; /* at 25, heads a quarter of a tone beside hide 3 to 4 dB */
+  def.batter.damping_0 = def.resonant.damping_0 =
+    60.0; /* at 25, heads a quarter of a tone beside hide 3 to 4 dB */
   TaborLedger ledger;
   play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_RIM, 0.05, rim, &ledger);
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);

@@ -401,7 +401,8 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_MIC_GAIN, "mic.", "gain", "", "factor on its signal", NUMBER(0, 100, 1), LIVE),
    IN_MIC(gain)},
   {ROW(TB_PARAM_MIC_RESPONSE, "mic.", "response", "",
-       "frequency response; dynamic: close to a snare; even-dynamic: below it; large-dynamic: for bass drums",
+       "frequency response; dynamic: close to a snare; even-dynamic: below it; large-dynamic: for "
+       "bass drums",
        CHOICE("flat|dynamic|large-dynamic|condenser|even-dynamic", TABOR_RESPONSE_FLAT)),
    IN_MIC(response)},
 

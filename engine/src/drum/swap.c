@@ -98,7 +98,8 @@ bool tb_swap_map(TaborSwap *swap) {
   }
   if (swap->arena.failed) return false;
   for (uint32_t i = 0; i < n; i++) {
-    map->mode[i] = same ? i : TB_NO_MODE; /* those that stand for truncated modes, see wire_yield.h */
+    map->mode[i] =
+      same ? i : TB_NO_MODE; /* those that stand for truncated modes, see wire_yield.h */
     if (to->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
@@ -195,7 +196,8 @@ static void carry_truncated(const TbView *from, TbView *to, uint32_t slot, doubl
   double *now = to->now.truncated[slot], *last = to->last.truncated[slot];
   memcpy(now, from->now.truncated[slot], sizeof from->now.truncated[slot]);
   memcpy(last, from->last.truncated[slot], sizeof from->last.truncated[slot]);
-  tb_truncated_modes_carry(tb_slot_truncated(from, slot), tb_slot_truncated(to, slot), ratio, now, last);
+  tb_truncated_modes_carry(tb_slot_truncated(from, slot), tb_slot_truncated(to, slot), ratio, now,
+                           last);
 }
 
 static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {

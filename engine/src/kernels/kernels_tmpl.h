@@ -33,9 +33,10 @@ typedef struct TB_TYPE(TbStart) {
   TB_REAL *p, *f, *s;
 #if TB_REAL_IS_FLOAT
   const double *from_contact_compliance;
-  const TB_REAL *head;                 /* the head's compliance at a row */
-  TB_REAL *b, *y, *root, *contact_compliance, *yield; /* copies, sqrt(y) or 0, and its sum with `head` */
-  TB_REAL force;                       /* the largest |f| */
+  const TB_REAL *head; /* the head's compliance at a row */
+  TB_REAL *b, *y, *root, *contact_compliance,
+    *yield;      /* copies, sqrt(y) or 0, and its sum with `head` */
+  TB_REAL force; /* the largest |f| */
 #endif
   TB_REAL change, depth;
 } TB_TYPE(TbStart);

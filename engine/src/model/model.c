@@ -225,7 +225,7 @@ static TaborStatus prepare_truncated(TaborModel *model, TbArena *scratch) {
   if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
     tb_truncated_modes_prepare(&model->truncated[i], &model->def, model->head.bandwidth,
-                              model->def.striker[i].contact_radius, model->time_step);
+                               model->def.striker[i].contact_radius, model->time_step);
   }
   return TABOR_OK;
 }

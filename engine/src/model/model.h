@@ -18,9 +18,9 @@
 #include "model/mic_response.h"
 #include "model/projection.h"
 #include "model/radiated_power.h"
-#include "model/truncated_modes.h"
 #include "model/stick_bending.h"
 #include "model/stretch_mixing.h"
+#include "model/truncated_modes.h"
 
 /* Patch over which a damping hand spreads its force [m]. */
 #define TB_HAND_RADIUS 0.018
@@ -89,7 +89,7 @@ typedef struct TbLugs {
 typedef struct TbLayout {
   size_t q[3], v[3], eta[3], bend;
   size_t head, rest_load, contact_compliance, b, s, force, product; /* by rows */
-  size_t grid, change;                               /* by points of the grid */
+  size_t grid, change;                                              /* by points of the grid */
   size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
   size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
     stretch_mixed[2], stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,

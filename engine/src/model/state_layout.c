@@ -30,8 +30,9 @@ void tb_layout_prepare(TbLayout *layout, const TaborModel *model) {
     layout->eta[phase] = place(&total, rows);
   }
   layout->bend = place(&total, nodes);
-  size_t *const row_arrays[] = {&layout->head, &layout->rest_load, &layout->contact_compliance, &layout->b,
-                                &layout->s,    &layout->force,     &layout->product};
+  size_t *const row_arrays[] = {&layout->head,   &layout->rest_load, &layout->contact_compliance,
+                                &layout->b,      &layout->s,         &layout->force,
+                                &layout->product};
   for (size_t i = 0; i < sizeof row_arrays / sizeof *row_arrays; i++) {
     *row_arrays[i] = place(&total, rows);
   }

@@ -46,8 +46,8 @@ static double wavenumber_at(const TaborDrumDef *def, double omega) {
   return lo;
 }
 
-void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
-                               double *compliance, double *inverse_mass) {
+void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from,
+                                double to, double *compliance, double *inverse_mass) {
   *compliance = *inverse_mass = 0.0;
   const double top = fmin(to, FINEST / patch_radius);
   if (top <= from) return;
@@ -78,8 +78,8 @@ static void add_cell(TbTruncatedModes *m, uint32_t i, double compliance, double 
   m->compliance += m->drive[i] * m->shape[i];
 }
 
-void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def, double bandwidth,
-                               double patch_radius, double time_step) {
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def,
+                                double bandwidth, double patch_radius, double time_step) {
   *mobility = (TbTruncatedModes){0};
   if (patch_radius <= 0.0) return;
   const double bottom = 2.0 * PI * bandwidth;
@@ -92,8 +92,8 @@ void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *
     const bool last = i + 1 == TB_TRUNCATED;
     double compliance, inverse_mass;
     tb_truncated_modes_between(def, patch_radius, wavenumber_at(def, lower),
-                              last ? INFINITY : wavenumber_at(def, upper), &compliance,
-                              &inverse_mass);
+                               last ? INFINITY : wavenumber_at(def, upper), &compliance,
+                               &inverse_mass);
     add_cell(mobility, i, compliance, inverse_mass,
              def->quality.losses ? 0.5 * (upper - lower) : 0.0, time_step);
     lower = upper;
@@ -103,7 +103,7 @@ void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
 void tb_truncated_modes_step(const TbTruncatedModes *m, double *next, const double *now,
-                            const double *last) {
+                             const double *last) {
   for (uint32_t i = 0; i < TB_TRUNCATED; i++) next[i] = m->a[i] * now[i] - m->b[i] * last[i];
 }
 
@@ -118,7 +118,7 @@ double tb_truncated_modes_displacement(const TbTruncatedModes *m, const double *
 }
 
 double tb_truncated_modes_energy(const TbTruncatedModes *m, double rate, const double *next,
-                                const double *now) {
+                                 const double *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     const double velocity = (next[i] - now[i]) * rate;
@@ -136,8 +136,8 @@ double tb_truncated_modes_loss(const TbTruncatedModes *m, const double *next, co
   return sum;
 }
 
-void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to, double ratio,
-                             double *now, double *last) {
+void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to,
+                              double ratio, double *now, double *last) {
   for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
     tb_pole_carry(from->a[i], from->b[i], to->a[i], to->b[i], ratio, &now[i], &last[i]);
   }

@@ -38,40 +38,40 @@
 /* Truncated modes of one striker on one head; all 0: none. */
 typedef struct TbTruncatedModes {
   double a[TB_TRUNCATED], b[TB_TRUNCATED]; /* the recursion: see modes.h */
-  double stiffness[TB_TRUNCATED];        /* K' [1/s2] */
-  double loss[TB_TRUNCATED];             /* tanh(sk)/(2k^2) [1/s2] */
-  double shape[TB_TRUNCATED];            /* phi [kg^-1/2] */
-  double drive[TB_TRUNCATED];            /* g phi */
-  double compliance;                   /* Sum g phi^2: over one step [m/N] */
+  double stiffness[TB_TRUNCATED];          /* K' [1/s2] */
+  double loss[TB_TRUNCATED];               /* tanh(sk)/(2k^2) [1/s2] */
+  double shape[TB_TRUNCATED];              /* phi [kg^-1/2] */
+  double drive[TB_TRUNCATED];              /* g phi */
+  double compliance;                       /* Sum g phi^2: over one step [m/N] */
 } TbTruncatedModes;
 
 /* Prepares the truncated modes of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a
  * patch of `patch_radius` [m]. Set-up only. */
-void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def, double bandwidth,
-                               double patch_radius, double time_step);
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def,
+                                double bandwidth, double patch_radius, double time_step);
 
 /* Static compliance C and inverse mass [1/kg] of the modes with wavenumbers `from` to `to` [1/m].
  * Set-up only. */
-void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from, double to,
-                               double *compliance, double *inverse_mass);
+void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from,
+                                double to, double *compliance, double *inverse_mass);
 
 /* All below is audio-safe; arrays are [TB_TRUNCATED]. */
 
 /* Computes `next` without a force. */
 void tb_truncated_modes_step(const TbTruncatedModes *mobility, double *next, const double *now,
-                            const double *last);
+                             const double *last);
 /* Adds the effect of a force f > 0 that presses the head down to `next`. */
 void tb_truncated_modes_press(const TbTruncatedModes *mobility, double force, double *next);
 /* Upward displacement of the head by the truncated modes [m]. */
 double tb_truncated_modes_displacement(const TbTruncatedModes *mobility, const double *x);
 /* Energy stored between two instants, and energy lost in a step [J]. */
 double tb_truncated_modes_energy(const TbTruncatedModes *mobility, double rate, const double *next,
-                                const double *now);
+                                 const double *now);
 double tb_truncated_modes_loss(const TbTruncatedModes *mobility, const double *next,
-                              const double *last);
+                               const double *last);
 /* Converts the two instants of a motion from the coefficients of `from` to those of `to`, keeping
  * phase and action (swap.c). */
-void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to, double ratio,
-                             double *now, double *last);
+void tb_truncated_modes_carry(const TbTruncatedModes *from, const TbTruncatedModes *to,
+                              double ratio, double *now, double *last);
 
 #endif

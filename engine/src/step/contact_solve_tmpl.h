@@ -135,7 +135,6 @@ static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real enough) 
   }
 }
 
-
 /* ---- the balance ---------------------------------------------------------------------------- */
 
 /* `yield` is NULL where the largest miss is not asked for. */

@@ -78,7 +78,7 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
            2.0 * tb_pool_contact_energy(view, i, next, now) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
            2.0 * tb_truncated_modes_energy(tb_slot_truncated(view, i), view->model->step_rate,
-                                          next->truncated[i], now->truncated[i]);
+                                           next->truncated[i], now->truncated[i]);
   }
   return 0.5 * sum;
 }
@@ -136,7 +136,7 @@ TbLosses tb_losses_with(const TbView *view, const double by[3]) {
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
     losses.head += tb_truncated_modes_loss(tb_slot_truncated(view, i), view->next.truncated[i],
-                                          view->last.truncated[i]);
+                                           view->last.truncated[i]);
   }
   if (!view->state->lifted) {
     losses.wires =

@@ -62,7 +62,8 @@ void tb_live_params_apply(TbView *view) {
   const TbWires *wires = &view->model->wires;
   for (uint32_t w = 0; w < wires->count; w++) apply_wire(view, w);
   for (uint32_t row = 0; row < wires->stride; row++) {
-    view->contact_compliance[row] = wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
+    view->contact_compliance[row] =
+      wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
   }
   tb_coupling_renew(view);
 }

@@ -51,9 +51,9 @@ typedef struct TbContacts {
   bool lifted; /* no wire point can be touched: s and M x are 0 there */
   uint32_t cap, inner_cap;
   double tolerance, inner_tolerance;
-  const double *coupling;      /* [TB_SLOTS][grid size]: head's compliance, grid to slot */
-  const double *slot_coupling; /* [TB_SLOTS][TB_SLOTS] */
-  const double *contact_compliance;           /* [stride + TB_SLOTS]: compliance of wires and strikers */
+  const double *coupling;           /* [TB_SLOTS][grid size]: head's compliance, grid to slot */
+  const double *slot_coupling;      /* [TB_SLOTS][TB_SLOTS] */
+  const double *contact_compliance; /* [stride + TB_SLOTS]: compliance of wires and strikers */
   const TbContactLaw *wire_laws, *slot_laws;
   /* Stretching heads reduce M to M - r^T W r (stretch.h). r on the grid and at the slots. */
   uint32_t stretch_count;

@@ -64,10 +64,13 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
   TbSolveWorkF work = {.s = NULL};
   float *next = (float *)(void *)at(state, model->layout.workf);
   float **const rows[TB_WORKF_ROWS] = {
-    &work.s,         &work.force,  &work.product, &work.force_last, &work.product_last,
-    &work.law,       &work.slope,  &work.mean,    &work.weight,     &work.residual,
-    &work.direction, &work.turned, &work.moved,   &work.solution,   &work.b,
-    &work.y,         &work.root,   &work.contact_compliance,     &work.yield,      &work.before};
+    &work.s,          &work.force,        &work.product,
+    &work.force_last, &work.product_last, &work.law,
+    &work.slope,      &work.mean,         &work.weight,
+    &work.residual,   &work.direction,    &work.turned,
+    &work.moved,      &work.solution,     &work.b,
+    &work.y,          &work.root,         &work.contact_compliance,
+    &work.yield,      &work.before};
   float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
                                          &work.answer, &work.stretch[0], &work.stretch[1]};
   for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;

@@ -88,7 +88,7 @@ static void free_penetration(TbView *view) {
     if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
       const TbTruncatedModes *truncated = tb_slot_truncated(view, i);
       tb_truncated_modes_step(truncated, view->next.truncated[i], view->now.truncated[i],
-                             view->last.truncated[i]);
+                              view->last.truncated[i]);
       eta += tb_truncated_modes_displacement(truncated, view->next.truncated[i]) -
              (tb_pool_free_height(view, i) - view->state->slots[i].coat);
       if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
@@ -223,12 +223,12 @@ static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_live_params_step(view); /* live values -> wires' coefficients, grips, mufflers, gains */
   TB_STAGE(STRIKERS);
-  tb_brush_step(view); /* brushes -> places and heights of their slots */
-  free_motion(view); /* now, last -> next: q, v, bow */
-  tb_incident_push(view); /* sound from outside -> next.q */
+  tb_brush_step(view);      /* brushes -> places and heights of their slots */
+  free_motion(view);        /* now, last -> next: q, v, bow */
+  tb_incident_push(view);   /* sound from outside -> next.q */
   tb_lug_forces_pull(view); /* now.q -> next.q */
   TB_STAGE(STRETCH);
-  tb_stretch_free(view); /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
+  tb_stretch_free(view);  /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
   free_penetration(view); /* next, r, W -> b, next.truncated, and last.eta as the laws want it */
   TB_STAGE(STRETCH);
   tb_stretch_renew(view); /* f, r, W -> M f, from which the solve starts */
@@ -239,14 +239,17 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   respond(view, unchanged); /* f, s -> next: q, v, z, eta, truncated, bow */
   TB_STAGE(STRETCH);
   tb_stretch_respond(view); /* f, r, W -> force of the stretch */
-  end_modes(view, tb_first_heard(heard)); /* that force -> next.q; next.q, last.q -> losses, sums of a microphone */
+  end_modes(view,
+            tb_first_heard(
+              heard)); /* that force -> next.q; next.q, last.q -> losses, sums of a microphone */
   TB_STAGE(LEDGER);
   close_ledger(view, &outcome); /* next, now, last -> ledger; next, if it is shortened */
-  tb_mic_output(view, heard, unchanged, pressure); /* f, s, next.q -> next.high, delay lines, pressure */
+  tb_mic_output(view, heard, unchanged,
+                pressure); /* f, s, next.q -> next.high, delay lines, pressure */
   TB_STAGE(OTHER);
   view->state->airborne = !outcome.contact;
   view->state->clock++;
-  tb_view_rotate(view); /* next becomes now */
-  tb_pool_retire(view); /* now -> slots that are done are free */
+  tb_view_rotate(view);           /* next becomes now */
+  tb_pool_retire(view);           /* now -> slots that are done are free */
   tb_wire_clearance_follow(view); /* now.q -> whether the wires are out of its reach */
 }

@@ -218,7 +218,7 @@ static void book_removed(TbView *view, uint32_t slot) {
     state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
     state->sums.removed +=
       tb_truncated_modes_energy(tb_slot_truncated(view, slot), view->model->step_rate,
-                               view->now.truncated[slot], view->last.truncated[slot]);
+                                view->now.truncated[slot], view->last.truncated[slot]);
   }
 }
 

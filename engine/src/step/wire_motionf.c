@@ -2,7 +2,6 @@
 /* The wires' motion (wire_motion.h) in single precision. */
 #include "step/wire_motion.h"
 
-
 /* So few points that a block of eight is not worth while for them. */
 static const uint32_t FEW = 2;
 

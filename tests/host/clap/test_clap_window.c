@@ -27,7 +27,10 @@
 enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
 enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
 enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
-enum { BESIDE_X = MIDDLE_X + 20, BESIDE_Y = MIDDLE_Y - 45 }; /* beside wires and the mark of the newest stroke */
+enum {
+  BESIDE_X = MIDDLE_X + 20,
+  BESIDE_Y = MIDDLE_Y - 45
+}; /* beside wires and the mark of the newest stroke */
 enum { FRAMES = 2400 };
 
 extern const clap_plugin_entry_t clap_entry;

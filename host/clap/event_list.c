@@ -23,6 +23,10 @@ uint32_t event_list_frame(const EventList *list, const clap_event_header_t *even
   return event->time < list->frames ? event->time : list->frames - (list->frames > 0);
 }
 
+bool event_list_tell(const clap_output_events_t *answers, const clap_event_header_t *event) {
+  return ((PushEventFn *)answers->try_push)(answers, event);
+}
+
 void event_list_end_note(const EventList *list, const clap_event_header_t *event) {
   const bool ends = event->space_id == CLAP_CORE_EVENT_SPACE_ID &&
                     (event->type == CLAP_EVENT_NOTE_OFF || event->type == CLAP_EVENT_NOTE_CHOKE);
@@ -31,5 +35,5 @@ void event_list_end_note(const EventList *list, const clap_event_header_t *event
   end.header.size = sizeof end;
   end.header.type = CLAP_EVENT_NOTE_END;
   end.header.flags = 0;
-  (void)((PushEventFn *)list->answers->try_push)(list->answers, &end.header);
+  (void)event_list_tell(list->answers, &end.header);
 }

@@ -23,6 +23,9 @@ const clap_event_header_t *event_list_at(const EventList *list, uint32_t number)
 /** The frame at which an event acts, @p at or later; one past the end is at the last frame. */
 uint32_t event_list_frame(const EventList *list, const clap_event_header_t *event,
                           uint32_t at) REALTIME;
+/** Tells the host of @p event. False: it takes no more. */
+bool event_list_tell(const clap_output_events_t *answers,
+                     const clap_event_header_t *event) REALTIME;
 /** Tells the host that it need not keep a voice for a note that @p event lets go. */
 void event_list_end_note(const EventList *list, const clap_event_header_t *event) REALTIME;
 

@@ -24,7 +24,6 @@ typedef struct Snapshot {
 typedef struct Gui {
   const clap_host_timer_support_t *timers;
   clap_id timer;
-  double scale;
   uint32_t width, height;
   DrumWindow *window; /* NULL until there is a parent */
   TaborView *view;    /* NULL while the audio thread may have it */
@@ -212,10 +211,10 @@ static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, boo
   return true;
 }
 
-static void use_scale(Gui *gui, double scale) {
-  gui->scale = fmin(fmax(scale, LEAST_SCALE), MOST_SCALE);
-  gui->width = (uint32_t)lround(gui->scale * DRUM_WINDOW_WIDTH);
-  gui->height = (uint32_t)lround(gui->scale * DRUM_WINDOW_HEIGHT);
+static void use_scale(double scale, uint32_t *width, uint32_t *height) {
+  const double kept = fmin(fmax(scale, LEAST_SCALE), MOST_SCALE);
+  *width = (uint32_t)lround(kept * DRUM_WINDOW_WIDTH);
+  *height = (uint32_t)lround(kept * DRUM_WINDOW_HEIGHT);
 }
 
 /* What was undone and compared stays from one window to the next. */
@@ -227,7 +226,7 @@ static bool create(const clap_plugin_t *plugin, const char *api, bool floating) 
   if (!link->gui) return false;
   link->gui->timers = timers_of(plugin);
   link->gui->timer = CLAP_INVALID_ID;
-  use_scale(link->gui, 1);
+  use_scale(1, &link->gui->width, &link->gui->height);
   tell_title(instance, link->gui);
   return true;
 }
@@ -248,7 +247,7 @@ static void destroy(const clap_plugin_t *plugin) { close_window(instance_of(plug
 static bool set_scale(const clap_plugin_t *plugin, double scale) {
   Gui *const gui = gui_of(plugin);
   if (!gui || !(scale > 0)) return false;
-  use_scale(gui, scale);
+  use_scale(scale, &gui->width, &gui->height);
   if (gui->window) drum_window_resize(gui->window, gui->width, gui->height);
   return true;
 }
@@ -281,9 +280,7 @@ static bool adjust_size(const clap_plugin_t *plugin, uint32_t *width, uint32_t *
   (void)plugin;
   const double scale =
     fmin((double)*width / DRUM_WINDOW_WIDTH, (double)*height / DRUM_WINDOW_HEIGHT);
-  const double kept = fmin(fmax(scale, LEAST_SCALE), MOST_SCALE);
-  *width = (uint32_t)lround(kept * DRUM_WINDOW_WIDTH);
-  *height = (uint32_t)lround(kept * DRUM_WINDOW_HEIGHT);
+  use_scale(scale, width, height);
   return true;
 }
 
@@ -310,9 +307,8 @@ static bool set_parent(const clap_plugin_t *plugin, const clap_window_t *parent)
                                  .compare = compare,
                                  .undo = undo};
   if (!gui || gui->window || strcmp(parent->api, CLAP_WINDOW_API_X11) != 0) return false;
-  gui->window = drum_window_create(parent->x11, gui->scale, &shell);
+  gui->window = drum_window_create(parent->x11, gui->width, gui->height, &shell);
   if (!gui->window) return false;
-  drum_window_resize(gui->window, gui->width, gui->height);
   if (!gui->timers->register_timer(instance->host, PERIOD, &gui->timer)) {
     close_window(instance);
     return false;

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "clap/event_list.h"
+
 enum { MESSAGES = 256 };
 
 bool gui_link_begin(GuiLink *link) {
@@ -45,11 +47,8 @@ void gui_link_show(GuiLink *link, const PluginPlayer *player, const PluginOutput
   atomic_store(&link->seen, view);
 }
 
-typedef bool PushFn(const clap_output_events_t *, const clap_event_header_t *) REALTIME;
-
 static bool report_turn(const GuiTurn *turn, const clap_output_events_t *events) REALTIME;
 static bool report_turn(const GuiTurn *turn, const clap_output_events_t *events) {
-  PushFn *const push = (PushFn *)events->try_push;
   const clap_event_header_t header = {.space_id = CLAP_CORE_EVENT_SPACE_ID, .type = turn->type};
   if (turn->type == CLAP_EVENT_PARAM_VALUE) {
     clap_event_param_value_t value = {.header = header,
@@ -60,11 +59,11 @@ static bool report_turn(const GuiTurn *turn, const clap_output_events_t *events)
                                       .key = -1,
                                       .value = turn->value};
     value.header.size = sizeof value;
-    return push(events, &value.header);
+    return event_list_tell(events, &value.header);
   }
   clap_event_param_gesture_t gesture = {.header = header, .param_id = turn->id};
   gesture.header.size = sizeof gesture;
-  return push(events, &gesture.header);
+  return event_list_tell(events, &gesture.header);
 }
 
 void gui_link_report(GuiLink *link, const clap_output_events_t *events) {

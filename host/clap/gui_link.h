@@ -5,7 +5,7 @@
  *
  * Strokes and turns of controls go through queues, and the look of the drum through one TaborView that both threads pass to
  * and fro: the window lays it into `asked`, the audio thread fills it after its block and lays it into `seen`. So the
- * audio thread neither waits nor allocates, and a window that is closed costs it two loads.
+ * audio thread neither waits nor allocates, and a window that is closed costs it some loads.
  */
 #ifndef TABOR_CLAP_GUI_LINK_H
 #define TABOR_CLAP_GUI_LINK_H

@@ -71,7 +71,6 @@ void model_worker_end(ModelWorker *worker) {
   for (uint32_t i = 0; i < worker->swap_count; i++) tabor_swap_destroy(worker->swaps[i]);
   free(worker->swaps);
   model_cache_give_back(worker->model);
-  tabor_model_release(worker->newest);
   (void)pthread_mutex_destroy(&worker->lock);
 }
 
@@ -315,17 +314,15 @@ static TaborStatus take_model(ModelWorker *worker, const TaborDrumDef *def, Tabo
   }
 }
 
-static void note_newest(ModelWorker *worker, TaborModel *model) {
+static void set_model(ModelWorker *worker, TaborModel *model) {
   (void)pthread_mutex_lock(&worker->lock);
-  TaborModel *const before = worker->newest;
-  worker->newest = tabor_model_retain(model);
+  worker->model = model;
   (void)pthread_mutex_unlock(&worker->lock);
-  tabor_model_release(before);
 }
 
 TaborModel *model_worker_model(ModelWorker *worker) {
   (void)pthread_mutex_lock(&worker->lock);
-  TaborModel *const model = worker->newest ? tabor_model_retain(worker->newest) : NULL;
+  TaborModel *const model = worker->model ? tabor_model_retain(worker->model) : NULL;
   (void)pthread_mutex_unlock(&worker->lock);
   return model;
 }
@@ -338,8 +335,7 @@ static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
   status = prepare(worker, model, reply, error);
   TaborModel *const unused = status == TABOR_OK ? worker->model : model;
   if (status == TABOR_OK) {
-    worker->model = model;
-    note_newest(worker, model);
+    set_model(worker, model);
     worker->built_restoration = reply->restoration;
     worker->built_choice = worker->request.choice;
   }

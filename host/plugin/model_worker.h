@@ -106,10 +106,9 @@ typedef struct ModelWorker {
   float composed_seen[KNOB_KEYS];
   uint32_t composed_restoration;
   int32_t composed_program;
-  TaborModel *newest; /**< of the newest reply, with a reference of its own */
 
   /* worker thread */
-  TaborModel *model;                        /**< of the newest reply, from the cache */
+  TaborModel *model; /**< of the newest reply, from the cache; changes under lock */
   uint32_t built_restoration, built_choice; /**< of that model */
   TaborSwap **swaps;                        /**< swaps that the drum may still need */
   uint32_t swap_count, swap_room;

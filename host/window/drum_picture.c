@@ -16,6 +16,13 @@ typedef struct Box {
 static const double MIDDLE[2] = {205, 215}, RADIUS = 175, HOOP = 10;
 static const Box BEFORE = {420, 20, 28, 28}, NEXT = {668, 20, 28, 28};
 static const Box COMPARE = {420, 396, 76, 26}, UNDO = {504, 396, 76, 26};
+static const struct {
+  DrumPart part;
+  const Box *box;
+} BUTTONS[] = {{DRUM_PART_BEFORE, &BEFORE},
+               {DRUM_PART_NEXT, &NEXT},
+               {DRUM_PART_COMPARE, &COMPARE},
+               {DRUM_PART_UNDO, &UNDO}};
 static const Box METER = {600, 396, 96, 10};
 static const double METER_STEP = 16;
 static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
@@ -38,16 +45,11 @@ DrumPlace drum_picture_place(double scale, double x, double y) {
   const double at = x / scale, down = y / scale;
   DrumPlace place = {
     .part = DRUM_PART_NONE, .x = (at - MIDDLE[0]) / RADIUS, .y = (MIDDLE[1] - down) / RADIUS};
+  for (size_t i = 0; i < sizeof BUTTONS / sizeof *BUTTONS; i++) {
+    if (is_in(BUTTONS[i].box, at, down)) place.part = BUTTONS[i].part;
+  }
   if (hypot(place.x, place.y) <= 1) {
     place.part = DRUM_PART_HEAD;
-  } else if (is_in(&BEFORE, at, down)) {
-    place.part = DRUM_PART_BEFORE;
-  } else if (is_in(&NEXT, at, down)) {
-    place.part = DRUM_PART_NEXT;
-  } else if (is_in(&COMPARE, at, down)) {
-    place.part = DRUM_PART_COMPARE;
-  } else if (is_in(&UNDO, at, down)) {
-    place.part = DRUM_PART_UNDO;
   } else if (is_in(&(Box){LEFT, TOP, WIDE, DRUM_WINDOW_CONTROLS * ROW}, at, down)) {
     place.part = DRUM_PART_CONTROL;
     place.control = (uint32_t)((down - TOP) / ROW);

@@ -120,20 +120,21 @@ static void draw(void *context, cairo_t *cairo, uint32_t width, uint32_t height)
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-DrumWindow *drum_window_create(unsigned long parent, double scale, const DrumWindowShell *shell) {
+DrumWindow *drum_window_create(unsigned long parent, uint32_t width, uint32_t height,
+                               const DrumWindowShell *shell) {
   DrumWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
   window->picture.speed = FIRST_SPEED;
-  window->width = (uint32_t)lround(scale * DRUM_WINDOW_WIDTH);
-  window->height = (uint32_t)lround(scale * DRUM_WINDOW_HEIGHT);
+  window->width = width;
+  window->height = height;
   const X11Handler handler = {.context = window,
                               .draw = draw,
                               .press = press,
                               .drag = drag,
                               .release = release,
                               .scroll = scroll};
-  window->outside = x11_window_create(parent, window->width, window->height, &handler);
+  window->outside = x11_window_create(parent, width, height, &handler);
   if (window->outside) {
     look(window);
     return window;

@@ -44,8 +44,10 @@ typedef struct DrumWindowShell {
 
 typedef struct DrumWindow DrumWindow;
 
-/** Creates a hidden window inside @p parent, an id of X11. NULL if there is no server, or memory is short. */
-DrumWindow *drum_window_create(unsigned long parent, double scale, const DrumWindowShell *shell);
+/** Creates a hidden window of @p width by @p height pixels inside @p parent, an id of X11. NULL if there is no server, or
+ * memory is short. */
+DrumWindow *drum_window_create(unsigned long parent, uint32_t width, uint32_t height,
+                               const DrumWindowShell *shell);
 /** Ignores NULL. */
 void drum_window_destroy(DrumWindow *window);
 void drum_window_show(DrumWindow *window, bool shown);

@@ -239,13 +239,12 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   respond(view, unchanged); /* f, s -> next: q, v, z, eta, truncated, bow */
   TB_STAGE(STRETCH);
   tb_stretch_respond(view); /* f, r, W -> force of the stretch */
-  end_modes(view,
-            tb_first_heard(
-              heard)); /* that force -> next.q; next.q, last.q -> losses, sums of a microphone */
+  /* that force -> next.q; next.q, last.q -> losses, and what the first microphone hears */
+  end_modes(view, tb_first_heard(heard));
   TB_STAGE(LEDGER);
   close_ledger(view, &outcome); /* next, now, last -> ledger; next, if it is shortened */
-  tb_mic_output(view, heard, unchanged,
-                pressure); /* f, s, next.q -> next.high, delay lines, pressure */
+  /* f, s, next.q -> next.high, delay lines, pressure */
+  tb_mic_output(view, heard, unchanged, pressure);
   TB_STAGE(OTHER);
   view->state->airborne = !outcome.contact;
   view->state->clock++;

@@ -45,6 +45,8 @@ COUNTED(multiply, 8ull * blocks * n,
         (blocks, n, out, m, x))
 COUNTED(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part, (const TB_TYPE(TbGather) * g),
         (g))
+COUNTED(mix, terms_of(mixing), (const TbMixing *mixing, const double *q, double *const out[2]),
+        (mixing, q, out))
 COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
                (r))
 COUNTED(contract,
@@ -154,7 +156,6 @@ COUNTED(wire_step, (uint64_t)wires *lanes,
         (uint32_t wires, uint32_t lanes, const TbWireCoefficients *c, In inner, In now, In last,
          Out bend, Out next),
         (wires, lanes, c, inner, now, last, bend, next))
-COUNTED(mix, 8u * mixing->count, (const TbMixing *mixing, In q, Out out), (mixing, q, out))
 COUNTED_RESULT(double, radiate, 8u * count,
                (uint32_t count, const uint32_t *mode, In ahead, In behind, In next, In now,
                 In last),
@@ -187,6 +188,7 @@ static const TbKernels counting = {
   .extrapolate = COUNT(extrapolate),
   .multiply = COUNT(multiply),
   .gather = COUNT(gather),
+  .mix = COUNT(mix),
   .ring = COUNT(ring),
   .contract = COUNT(contract),
   .expand = COUNT(expand),
@@ -226,7 +228,6 @@ static const TbKernels counting = {
   .losses = COUNT(losses),
   .subtract = COUNT(subtract),
   .wire_step = COUNT(wire_step),
-  .mix = COUNT(mix),
   .radiate = COUNT(radiate),
   .wire_losses = COUNT(wire_losses),
   .gather_wires = COUNT(gather_wires),

@@ -19,6 +19,14 @@ static uint64_t modes_of(const TbParts *parts) {
   return sum;
 }
 
+static uint64_t terms_of(const TbMixing *mixing) {
+  uint64_t sum = 0;
+  for (uint32_t b = 0; b < mixing->count; b++) {
+    sum += (uint64_t)mixing->block[b].count * mixing->block[b].count;
+  }
+  return mixing->heads * sum;
+}
+
 #define TB_TEMPLATE "counted_singles.h"
 #include "kernels/both.h"
 

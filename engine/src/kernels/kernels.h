@@ -29,18 +29,20 @@ typedef struct TbParts {
   uint32_t count, from[7], size[7], mixed[7], heads[7];
 } TbParts;
 
-/* Modes of one order and copy that mix on one head (model/stretch_mixing.h). */
+/* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows stand 8 side by side, those
+ * of the second head behind those of the first, each padded. */
 typedef struct TbMixingBlock {
   uint32_t count;
   const uint32_t *mode; /* [count] */
-  const double *matrix; /* [count/8 rounded up][count][8]: 8 rows side by side, the diagonal 0 */
+  const double *matrix; /* [heads][count/8 rounded up][count][8], the diagonals 0 */
+  const float *rounded; /* the same for the kernels in single precision; one of both is NULL */
 } TbMixingBlock;
 
 /* Most modes of a block. */
 enum { TB_MIXING_MOST = 256 };
 
 typedef struct TbMixing {
-  uint32_t count;
+  uint32_t heads, count; /* of blocks */
   TbMixingBlock *block;
 } TbMixing;
 

@@ -96,6 +96,8 @@ typedef struct TB_TYPE(TbKernels) {
                    const TB_REAL *x);
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
   void (*gather)(const TB_TYPE(TbGather) * gather);
+  /* out[h] = G q of head h off the diagonal, at the modes of the blocks. */
+  void (*mix)(const TbMixing *mixing, const double *q, double *const out[2]);
   /* next = a now - b last + push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);
@@ -195,8 +197,6 @@ typedef struct TB_TYPE(TbKernels) {
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */
   void (*losses)(uint32_t n, uint32_t count, const double *const w[3], const double *next,
                  const double *last, double sums[3]);
-  /* out = G q off the diagonal, at the modes of the blocks. */
-  void (*mix)(const TbMixing *mixing, const double *q, double *out);
   /* Sum over 8 lanes i of (Sum_j ahead[j][i] (next - now) + behind[j][i] (last - now))^2, with next, now and last at
    * mode[j], for `count` modes. */
   double (*radiate)(uint32_t count, const uint32_t *mode, const double *ahead, const double *behind,

@@ -232,16 +232,6 @@ static INLINE Lanes second_difference(const double *v) {
   return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
 }
 
-static void mix(const TbMixing *mixing, const double *q, double *out) {
-  _Alignas(64) double x[TB_MIXING_MOST], y[TB_MIXING_MOST];
-  for (uint32_t b = 0; b < mixing->count; b++) {
-    const TbMixingBlock block = mixing->block[b];
-    for (uint64_t i = 0; i < block.count; i++) x[i] = q[block.mode[i]];
-    multiply_all(false, (block.count + 7u) / 8u, block.count, y, block.matrix, x);
-    for (uint64_t i = 0; i < block.count; i++) out[block.mode[i]] = y[i];
-  }
-}
-
 static double radiate(uint32_t count, const uint32_t *mode, const double *ahead,
                       const double *behind, const double *next, const double *now,
                       const double *last) {

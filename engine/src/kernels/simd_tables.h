@@ -9,6 +9,15 @@
 
 /* ---- one vector ----------------------------------------------------------------------------- */
 
+/* Most blocks of rows at once: what fits the registers beside a table's entry. */
+enum { MOST_SUMS = SINGLE ? 8 : 6 };
+
+/* Number of blocks to take at once, of `left` and at most `most`: about equal shares, since a small one is dear. */
+static INLINE uint32_t share_of(uint32_t left, uint32_t most) {
+  const uint32_t turns = (left + most - 1u) / most;
+  return (left + turns - 1u) / turns;
+}
+
 /* `count` blocks of rows side by side, a constant at every call. `rounded`: the table holds
  * floats. */
 static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Real *out,
@@ -16,39 +25,40 @@ static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Rea
   const uint64_t stride = 8u * (uint64_t)n, from = stride * block;
   const Real *matrix = table;
   const float *floats = table;
-  Lanes sum[6];
-  UNROLL(6)
+  Lanes sum[MOST_SUMS];
+  UNROLL(8)
   for (uint32_t b = 0; b < count; b++) sum[b] = zero();
+  UNROLL(2)
   for (uint32_t i = 0; i < n; i++) {
     const uint64_t at = from + 8u * (uint64_t)i;
-    UNROLL(6)
+    UNROLL(8)
     for (uint32_t b = 0; b < count; b++) {
       const Lanes m =
         rounded ? load_float(floats + at + b * stride) : load(matrix + at + b * stride);
       sum[b] = add(sum[b], scale(m, x[i]));
     }
   }
-  UNROLL(6)
+  UNROLL(8)
   for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
-}
-
-/* Number of blocks, of `left`, to take at once: enough to hide the latency of an addition. */
-static INLINE uint32_t blocks_at_once(uint32_t left) {
-  if (left == 7) return 4;
-  return left < 6 ? left : 6;
 }
 
 static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, Real *out,
                                 const void *table, const Real *x) {
   for (uint32_t b = 0, take; b < blocks; b += take) {
-    take = blocks_at_once(blocks - b);
+    take = share_of(blocks - b, MOST_SUMS);
     switch (take) { /* one copy of the code for each */
     case 1: multiply_blocks(rounded, 1, n, out, table, b, x); break;
     case 2: multiply_blocks(rounded, 2, n, out, table, b, x); break;
     case 3: multiply_blocks(rounded, 3, n, out, table, b, x); break;
     case 4: multiply_blocks(rounded, 4, n, out, table, b, x); break;
     case 5: multiply_blocks(rounded, 5, n, out, table, b, x); break;
-    default: multiply_blocks(rounded, 6, n, out, table, b, x); break;
+    case 6: multiply_blocks(rounded, 6, n, out, table, b, x); break;
+    case 7:
+      if (MOST_SUMS >= 7) multiply_blocks(rounded, 7, n, out, table, b, x);
+      break;
+    default:
+      if (MOST_SUMS >= 8) multiply_blocks(rounded, 8, n, out, table, b, x);
+      break;
     }
   }
 }
@@ -69,12 +79,6 @@ enum { GATHER_SUMS = SINGLE ? 6 : 4, GATHER_COLUMNS = SINGLE ? 4 : 1 };
 static INLINE uint32_t ways_of(uint32_t sums) {
   if (!SINGLE || sums >= 4) return 1;
   return sums == 1 ? 4 : 2;
-}
-
-/* Number of blocks to take at once, of `left` and at most `most`: about equal shares, since a small one is dear. */
-static INLINE uint32_t share_of(uint32_t left, uint32_t most) {
-  const uint32_t turns = (left + most - 1u) / most;
-  return (left + turns - 1u) / turns;
 }
 
 static INLINE Lanes entry(bool rounded, const Gather *g, uint64_t at) {
@@ -160,6 +164,26 @@ static void gather(const Gather *g) {
   for (uint32_t row = 0; row < g->rest; row++) {
     for (uint32_t v = 0; v < g->vectors; v++) {
       g->out[v][8u * g->blocks + row] = (double)rest_of(g, row, g->x[v]);
+    }
+  }
+}
+
+/* ---- modes that mix --------------------------------------------------------------------------- */
+
+static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
+  _Alignas(64) Real x[TB_MIXING_MOST], y[2 * TB_MIXING_MOST];
+  for (uint32_t b = 0; b < mixing->count; b++) {
+    const TbMixingBlock block = mixing->block[b];
+    const uint32_t rows = (block.count + 7u) / 8u;
+    const void *table = SINGLE ? (const void *)block.rounded : block.matrix;
+    UNROLL(8)
+    for (uint64_t i = 0; i < block.count; i++) x[i] = (Real)q[block.mode[i]];
+    multiply_all(false, mixing->heads * rows, block.count, y, table, x);
+    for (uint64_t h = 0; h < mixing->heads; h++) {
+      double *const to = out[h];
+      const Real *from = y + 8u * h * rows;
+      UNROLL(8)
+      for (uint64_t i = 0; i < block.count; i++) to[block.mode[i]] = (double)from[i];
     }
   }
 }

@@ -54,6 +54,22 @@ static void prepare_parts(TaborModel *model, TbStretchExtent extent) {
   }
 }
 
+/* Leaves out what lies in the run of the other head alone. */
+static void list_felt(TbStretch *stretch, const TbModes *modes, uint32_t head) {
+  const TbParts *all = &stretch->parts;
+  const uint32_t other = head == 0 ? 2 : 1;
+  TbParts *felt = &stretch->felt[head];
+  felt->count = 0;
+  for (uint32_t part = 0; part < all->count; part++) {
+    const uint32_t from = all->from[part];
+    if (from >= modes->run[other] && from < modes->run[other + 1u]) continue;
+    felt->from[felt->count] = from;
+    felt->size[felt->count] = all->size[part];
+    felt->mixed[felt->count] = all->mixed[part];
+    felt->heads[felt->count++] = all->heads[part];
+  }
+}
+
 static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
   const TbStretch *stretch = &model->stretch;
   for (uint32_t part = 0; part < stretch->parts.count; part++) {
@@ -98,6 +114,7 @@ TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
   }
   prepare_parts(model, extent);
+  for (uint32_t h = 0; h < TB_HEADS; h++) list_felt(stretch, &model->modes, h);
   prepare_hold(model);
   for (uint32_t i = 0; i < stretch->count; i++) {
     stretch->gain[i] = tb_arena_doubles(&model->arena, model->modes.padded);

@@ -58,43 +58,77 @@ static double term(const Order *o, uint32_t h, uint32_t i, uint32_t j) {
   return sum + (order->edge ? azimuth * order->m * order->edge[i] * order->edge[j] : 0.0);
 }
 
-/* Lists the modes that mix with another one on head h, the lowest at most; returns how many. */
-static uint32_t find_mixed(const Order *o, TbArena *arena, uint32_t h,
-                           uint32_t places[TB_MIXING_MOST]) {
+/* Whether a mode mixes with another one on head h. */
+static bool mixes(const Order *o, uint32_t h, uint32_t i) {
+  if (!stretches(o, h, i)) return false;
+  for (uint32_t j = 0; j < o->count; j++) {
+    const double least = o->least[h] * omega_of(o, i) * omega_of(o, j);
+    if (i != j && fabs(term(o, h, i, j)) > least && stretches(o, h, j)) return true;
+  }
+  return false;
+}
+
+/* Lists the modes that mix on some head, the lowest at most; returns how many. */
+static uint32_t find_mixed(const Order *o, TbArena *arena, uint32_t places[TB_MIXING_MOST]) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < o->count && count < TB_MIXING_MOST && tb_arena_go_on(arena); i++) {
-    bool mixes = false;
-    for (uint32_t j = 0; stretches(o, h, i) && j < o->count && !mixes; j++) {
-      const double least = o->least[h] * omega_of(o, i) * omega_of(o, j);
-      mixes = i != j && fabs(term(o, h, i, j)) > least && stretches(o, h, j);
-    }
-    if (mixes) places[count++] = i;
+    bool found = false;
+    for (uint32_t h = 0; h < o->model->stretch.count; h++) found = found || mixes(o, h, i);
+    if (found) places[count++] = i;
   }
   return count;
 }
 
-static double *fill_matrix(const Order *o, TbArena *arena, uint32_t h, const uint32_t *places,
-                           uint32_t count) {
-  double *matrix = tb_arena_doubles(arena, (size_t)tb_pad(count) * count);
-  for (uint32_t i = 0; matrix && i < count && tb_arena_go_on(arena); i++) {
+/* The terms of head h. */
+static void fill_rows(const Order *o, uint32_t h, const uint32_t *places, uint32_t count,
+                      double *rows) {
+  for (uint32_t i = 0; i < count; i++) {
     for (uint32_t j = 0; j < count; j++) {
       const size_t at = ((size_t)(i / 8u) * count + j) * 8u + i % 8u;
-      matrix[at] = i == j ? 0.0 : term(o, h, places[i], places[j]);
+      const bool both = i != j && stretches(o, h, places[i]) && stretches(o, h, places[j]);
+      rows[at] = both ? term(o, h, places[i], places[j]) : 0.0;
     }
   }
-  return matrix;
 }
 
-/* The blocks of an order on head h, one for each copy. */
-static bool add_blocks(const Order *o, TbArena *arena, uint32_t h, TbMixing *mixing) {
+static float *round_off(TbArena *arena, const double *x, size_t count) {
+  float *rounded = tb_arena_take(arena, count, sizeof *rounded);
+  for (size_t i = 0; rounded && i < count; i++) rounded[i] = (float)x[i];
+  return rounded;
+}
+
+/* Fills the block's matrix, in the precision of the model: G is symmetric in either. */
+static bool fill_matrix(const Order *o, TbArena *arena, const uint32_t *places,
+                        TbMixingBlock *block) {
+  const size_t each = (size_t)tb_pad(block->count) * block->count;
+  const size_t all = each * o->model->stretch.count;
+  TbArena scratch;
+  tb_arena_beside(&scratch, arena);
+  const bool single = o->model->precision == TB_IN_FLOAT;
+  double *matrix = tb_arena_doubles(single ? &scratch : arena, all);
+  for (uint32_t h = 0; matrix && h < o->model->stretch.count; h++) {
+    if (tb_arena_go_on(arena)) fill_rows(o, h, places, block->count, matrix + h * each);
+  }
+  if (single && matrix) {
+    block->rounded = round_off(arena, matrix, all);
+  } else {
+    block->matrix = matrix;
+  }
+  tb_arena_release(&scratch);
+  return !arena->failed && matrix;
+}
+
+/* The blocks of an order, one for each copy. */
+static bool add_blocks(const Order *o, TbArena *arena, TbMixing *mixing) {
   uint32_t places[TB_MIXING_MOST];
-  const uint32_t count = find_mixed(o, arena, h, places), copies = o->order->m ? 2 : 1;
-  if (count == 0) return !arena->failed;
-  const double *matrix = fill_matrix(o, arena, h, places, count);
-  for (uint32_t copy = 0; matrix && copy < copies; copy++) {
-    uint32_t *mode = tb_arena_take(arena, count, sizeof *mode);
-    for (uint32_t i = 0; mode && i < count; i++) mode[i] = o->at[copy][places[i]];
-    mixing->block[mixing->count++] = (TbMixingBlock){count, mode, matrix};
+  TbMixingBlock block = {.count = find_mixed(o, arena, places)};
+  if (block.count == 0) return !arena->failed;
+  if (!fill_matrix(o, arena, places, &block)) return false;
+  for (uint32_t copy = 0; copy < (o->order->m ? 2u : 1u); copy++) {
+    uint32_t *mode = tb_arena_take(arena, block.count, sizeof *mode);
+    for (uint32_t i = 0; mode && i < block.count; i++) mode[i] = o->at[copy][places[i]];
+    block.mode = mode;
+    mixing->block[mixing->count++] = block;
   }
   return !arena->failed;
 }
@@ -164,13 +198,11 @@ static bool prepare_orders(const TaborModel *model, TbArena *scratch, TbMixingLi
 
 static bool fill(TaborModel *model, const Order *orders) {
   const uint32_t count = model->head.order_count;
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    TbMixing *mixing = &model->stretch.mixing[h];
-    mixing->count = 0;
-    mixing->block = tb_arena_take(&model->arena, 2u * count + 1u, sizeof *mixing->block);
-    for (uint32_t m = 0; mixing->block && m < count; m++) {
-      if (!add_blocks(&orders[m], &model->arena, h, mixing)) return false;
-    }
+  TbMixing *mixing = &model->stretch.mixing;
+  *mixing = (TbMixing){.heads = model->stretch.count};
+  mixing->block = tb_arena_take(&model->arena, 2u * count + 1u, sizeof *mixing->block);
+  for (uint32_t m = 0; mixing->block && m < count && mixing->heads > 0; m++) {
+    if (!add_blocks(&orders[m], &model->arena, mixing)) return false;
   }
   return !model->arena.failed;
 }

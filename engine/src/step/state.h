@@ -207,6 +207,12 @@ static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
 static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
   return view->drive + (size_t)slot * view->model->modes.padded;
 }
+/* The modes that a slot in play can move; its shape is 0 at the others. */
+static inline TbModeRanges tb_slot_modes(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return s->on_hoop ? tb_modes_all(&view->model->modes)
+                    : tb_modes_of_head(&view->model->modes, s->head);
+}
 static inline const TbTruncatedModes *tb_slot_truncated(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->slots[slot];
   const bool on_head = s->kind == TB_SLOT_STRIKER && !s->on_hoop;

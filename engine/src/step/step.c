@@ -72,7 +72,6 @@ static double law_of_sum(const TbView *view, uint32_t slot) {
 /* ... and of all. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
-  const TbKernels *kernels = model->kernels;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
   if (view->state->lifted) {
     tb_stretch_yield(view, slots);
@@ -83,7 +82,7 @@ static void free_penetration(TbView *view) {
   for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
-    const double head = kernels->dot(model->modes.padded, tb_slot_shape(view, i), view->next.q);
+    const double head = tb_pool_displacement(view, i, view->next.q);
     double eta = head;
     if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
       const TbTruncatedModes *truncated = tb_slot_truncated(view, i);
@@ -126,8 +125,6 @@ static void respond_to_wires(TbView *view, bool unchanged) {
 /* ... and of all. */
 static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
-  const TbModes *modes = &model->modes;
-  const TbKernels *kernels = model->kernels;
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.warm.force;
   if (!view->state->lifted) respond_to_wires(view, unchanged);
@@ -136,7 +133,7 @@ static void respond(TbView *view, bool unchanged) {
     if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
-      kernels->add_scaled(modes->padded, view->next.q, -force[row], tb_slot_drive(view, i));
+      tb_pool_push(view, i, -force[row], view->next.q);
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
     view->next.z[i] = tb_pool_free_height(view, i) + view->contact_compliance[row] * force[row];

@@ -36,7 +36,9 @@ static void prepare_slots(TbView *view) {
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
     if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-    const TbPair r = model->kernels->stretch_dots(&stretch->parts, pull, tb_slot_shape(view, slot));
+    const TbSlot *s = &view->state->slots[slot];
+    const TbParts *felt = s->on_hoop ? &stretch->parts : &stretch->felt[s->head];
+    const TbPair r = model->kernels->stretch_dots(felt, pull, tb_slot_shape(view, slot));
     view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
     if (stretch->count == 2) view->solve.in.stretch_slots[1][slot] = model->wires.side * r.second;
   }
@@ -54,16 +56,19 @@ static void prepare_grid(TbView *view) {
   }
 }
 
+/* With single precision, G off its diagonal loses or creates energy as rounding has it: some 1e-8 of what it stores. */
 static void mix(const TbView *view, const double *q) {
-  const TbStretch *stretch = &view->model->stretch;
-  for (uint32_t h = 0; h < stretch->count; h++) {
-    view->model->kernels->mix(&stretch->mixing[h], q, view->stretch_mixed[h]);
+  const TaborModel *model = view->model;
+  if (model->precision == TB_IN_FLOAT) {
+    model->kernelsf->mix(&model->stretch.mixing, q, view->stretch_mixed);
+  } else {
+    model->kernels->mix(&model->stretch.mixing, q, view->stretch_mixed);
   }
 }
 
 /* next^T G now of head h off the diagonal, after mix() of now. */
 static double mixed_square(const TbView *view, uint32_t h, const double *next) {
-  const TbMixing *mixing = &view->model->stretch.mixing[h];
+  const TbMixing *mixing = &view->model->stretch.mixing;
   double sum = 0.0;
   for (uint32_t b = 0; b < mixing->count; b++) {
     const TbMixingBlock *block = &mixing->block[b];

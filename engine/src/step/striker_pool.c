@@ -101,16 +101,37 @@ static void prepare_law(TbView *view, uint32_t slot) {
     TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
 }
 
-static double head_at(const TbView *view, uint32_t slot, const double *q) {
-  return view->model->kernels->dot(view->model->modes.padded, tb_slot_shape(view, slot), q);
+double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) {
+  const TbKernels *kernels = view->model->kernels;
+  const TbModeRanges modes = tb_slot_modes(view, slot);
+  const double *shape = tb_slot_shape(view, slot);
+  const double sum = kernels->dot(modes.first, shape, q);
+  if (modes.size == 0) return sum;
+  return sum + kernels->dot(modes.size, shape + modes.from, q + modes.from);
+}
+
+void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
+  const TbKernels *kernels = view->model->kernels;
+  const TbModeRanges modes = tb_slot_modes(view, slot);
+  const double *drive = tb_slot_drive(view, slot);
+  kernels->add_scaled(modes.first, q, force, drive);
+  if (modes.size > 0) {
+    kernels->add_scaled(modes.size, q + modes.from, force, drive + modes.from);
+  }
 }
 
 /* Of a striker: its tip is in the head by this much. */
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
-  return head_at(view, slot, phase->q) +
+  return tb_pool_displacement(view, slot, phase->q) +
          tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
          (phase->z[slot] - view->state->slots[slot].coat) -
          (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+}
+
+static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape) {
+  for (uint32_t i = kept.first; i < modes->padded; i++) {
+    if (i - kept.from >= kept.size) shape[i] = 0.0;
+  }
 }
 
 static void find_place_on_head(TbView *view, uint32_t slot) {
@@ -127,8 +148,9 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
     if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
   }
+  clear_others(&model->modes, tb_slot_modes(view, slot), shape);
   if (!hand) tb_high_band_step_of(view)->keep_drive(view, slot, drive);
-  s->rest_height = head_at(view, slot, model->rest.q);
+  s->rest_height = tb_pool_displacement(view, slot, model->rest.q);
 }
 
 static void find_place_on_hoop(TbView *view, uint32_t slot) {

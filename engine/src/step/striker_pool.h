@@ -29,6 +29,9 @@ typedef struct TbStroke {
   double pressure; /* of a buzz or a sweep, 0 to 1 */
 } TbStroke;
 
+/* Of head or hoop at a slot's place with the modes at q [m], and what a force there [N] does to q in one step. */
+double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q);
+void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q);
 /* Height of a striker at the next instant without contact force. */
 double tb_pool_free_height(const TbView *view, uint32_t slot);
 /* Work of the hands on pressed strikers in the step from view->last to view->next [J]. */

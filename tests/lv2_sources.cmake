@@ -45,6 +45,15 @@ endforeach()
 list(APPEND test_lv2_realtime_SOURCES support/counted_calls.c)
 set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
+if(TABOR_WINDOW_FOUND)
+  set(test_lv2_window_SOURCES support/plugin_host.c support/counted_calls.c support/x11_server.c)
+  set(test_lv2_window_LIBRARIES tabor-lv2-ui-archive ${TABOR_LV2_LIBRARIES})
+  set(test_lv2_window_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+else()
+  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_window")
+  tabor_add_skipped_test(test_lv2_window "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+endif()
+
 # Under sanitizers, and counting coverage, everything takes ten times as long.
 if(TABOR_SANITIZE OR TABOR_COVERAGE)
   list(APPEND test_lv2_kit_ARGUMENTS brief)

@@ -1,50 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap/gui_link.h"
 
-#include <math.h>
-
 #include "clap/event_list.h"
 
-enum { MESSAGES = 256 };
+enum { TURNS = 256 };
 
 bool gui_link_begin(GuiLink *link) {
-  return spsc_queue_create(&link->strokes, sizeof(GuiStroke), MESSAGES) &&
-         spsc_queue_create(&link->turns, sizeof(GuiTurn), MESSAGES);
+  return window_link_begin(&link->window) &&
+         spsc_queue_create(&link->turns, sizeof(GuiTurn), TURNS);
 }
 
 void gui_link_end(GuiLink *link) {
-  spsc_queue_destroy(&link->strokes);
+  window_link_end(&link->window);
   spsc_queue_destroy(&link->turns);
-}
-
-void gui_link_play(GuiLink *link, PluginPlayer *player) {
-  const GuiStroke *stroke;
-  while ((stroke = spsc_queue_peek(&link->strokes)) != NULL) {
-    plugin_player_strike(player, stroke->velocity, stroke->radius, stroke->angle);
-    spsc_queue_pop(&link->strokes);
-  }
-}
-
-static float peak_of(const float *samples, uint32_t frames, float peak) REALTIME;
-static float peak_of(const float *samples, uint32_t frames, float peak) {
-  for (uint32_t i = 0; i < frames; i++) peak = fmaxf(peak, fabsf(samples[i]));
-  return peak;
-}
-
-void gui_link_show(GuiLink *link, const PluginPlayer *player, const PluginOutputs *outputs,
-                   uint32_t frames) {
-  if (!atomic_load(&link->is_shown)) return;
-  for (uint32_t side = 0; side < 2; side++) {
-    const float *const channel = outputs->channels[side];
-    if (!channel) continue;
-    const float before = atomic_load(&link->peaks[side]);
-    atomic_store(&link->peaks[side], peak_of(channel, frames, before));
-  }
-  TaborView *const view = atomic_exchange(&link->asked, NULL);
-  if (!view) return;
-  const TaborDrum *const drum = player->core.drum;
-  if (!drum || !tabor_drum_view(drum, view)) atomic_store(&link->is_stale, true);
-  atomic_store(&link->seen, view);
 }
 
 static bool report_turn(const GuiTurn *turn, const clap_output_events_t *events) REALTIME;

@@ -194,7 +194,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   instance->event = 0;
   gui_link_report(&instance->link, block->out_events);
   if (!instance->is_open) return play_silence(instance, &outputs);
-  gui_link_play(&instance->link, &instance->player);
+  window_link_play(&instance->link.window, &instance->player);
   PluginRun run = {.player = &instance->player,
                    .outputs = &outputs,
                    .events = &run_events,
@@ -206,7 +206,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   } else {
     (void)plugin_run_live(&run);
   }
-  gui_link_show(&instance->link, &instance->player, &outputs, block->frames_count);
+  window_link_show(&instance->link.window, &instance->player, &outputs, block->frames_count);
   return status_of(instance, &outputs);
 }
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clap/choice_text.h"
 #include "clap/kit_instance.h"
+#include "plugin/choice_text.h"
 
 bool kit_parameters_take(KitInstance *instance, const clap_event_header_t *event) {
   if (event->space_id != CLAP_CORE_EVENT_SPACE_ID || event->type != CLAP_EVENT_PARAM_VALUE) {

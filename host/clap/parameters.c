@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "clap/choice_text.h"
+#include "plugin/choice_text.h"
 #include "plugin/knob_text.h"
 
 /* ---- ids ------------------------------------------------------------------------------------ */
@@ -102,11 +102,8 @@ static bool value_to_text(const clap_plugin_t *plugin, clap_id param, double val
   const Instance *const instance = instance_of(plugin);
   const KnobId id = knob_of(instance, param);
   if (id == KNOB_COUNT || size == 0) return false;
-  const KnobRange *const range = &instance->ranges[id];
   const double plain = knob_decimal(single(to_knob(instance, id, value)));
-  if (!knobs[id].choices) return knob_text(id, range, plain, text, size) > 0;
-  const double kept = fmin(fmax(plain, knob_decimal(range->minimum)), knob_decimal(range->maximum));
-  return choice_text(knobs[id].choices, (int)kept, text, size) > 0;
+  return knob_label(id, &instance->ranges[id], plain, text, size) > 0;
 }
 
 static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char *text,
@@ -196,11 +193,7 @@ static const struct {
   const char *section, *name;
   KnobId knobs[CLAP_REMOTE_CONTROLS_COUNT];
 } pages[] = {
-  {0,
-   "Drum",
-   "Tuning",
-   {KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
-    KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN}},
+  {0, "Drum", "Tuning", KNOB_FIRST_PAGE},
   {2,
    "Drum",
    "Physics",
@@ -241,34 +234,3 @@ static bool get_page(const clap_plugin_t *plugin, uint32_t index,
 
 const clap_plugin_remote_controls_t instance_remote_controls = {.count = page_count,
                                                                 .get = get_page};
-
-/* ---- for the window ------------------------------------------------------------------------- */
-
-KnobId parameters_first_page(const Instance *instance, uint32_t place) {
-  for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
-    const KnobId id = pages[0].knobs[i];
-    if (id == NO_KNOB || !knob_is_in(instance->set, id)) continue;
-    if (place-- == 0) return id;
-  }
-  return KNOB_COUNT;
-}
-
-double parameters_position(const Instance *instance, KnobId id) {
-  const KnobRange *const range = &instance->ranges[id];
-  const double least = of_range(instance, id, range->minimum);
-  const double most = of_range(instance, id, range->maximum);
-  return (parameters_value(instance, id) - least) / (most - least);
-}
-
-void parameters_set_position(Instance *instance, KnobId id, double position) {
-  const KnobRange *const range = &instance->ranges[id];
-  const double least = of_range(instance, id, range->minimum);
-  const double most = of_range(instance, id, range->maximum);
-  const double value = least + fmin(fmax(position, 0), 1) * (most - least);
-  parameters_set(instance, id, to_knob(instance, id, knobs[id].choices ? round(value) : value));
-}
-
-void parameters_text(const Instance *instance, KnobId id, char *text, uint32_t size) {
-  const double value = parameters_value(instance, id);
-  if (!value_to_text(&instance->plugin, parameters_id(id), value, text, size)) text[0] = '\0';
-}

@@ -19,15 +19,8 @@ void parameters_turn(void *shell) REALTIME;
 /** Sets a knob to @p value, within its range; what is no number does nothing. */
 void parameters_set(Instance *instance, KnobId id, double value) REALTIME;
 
-/** Knob number @p place of the first page; KNOB_COUNT past the last. */
-KnobId parameters_first_page(const Instance *instance, uint32_t place);
 /** The id of a knob's parameter, and its value as the host sees it. */
 clap_id parameters_id(KnobId id);
 double parameters_value(const Instance *instance, KnobId id);
-/** Where a knob stands on its way, 0 to 1. */
-double parameters_position(const Instance *instance, KnobId id);
-void parameters_set_position(Instance *instance, KnobId id, double position);
-/** The value as the host shows it, at most @p size bytes with its end. */
-void parameters_text(const Instance *instance, KnobId id, char *text, uint32_t size);
 
 #endif

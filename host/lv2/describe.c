@@ -3,12 +3,13 @@
  * @file describe.c
  * Writes the plugins' description in Turtle, from the plugins' own tables and the presets.
  *
- *     describe FOLDER BINARY
+ *     describe FOLDER BINARY [WINDOW]
  *
  * It writes manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets) to FOLDER. BINARY is the
- * name of the plugins' binary in FOLDER. The exit status is 1 on failure.
+ * name of the plugins' binary in FOLDER, WINDOW that of their window. The exit status is 1 on failure.
  */
 #include <ctype.h>
+#include <lv2/instance-access/instance-access.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -123,8 +124,9 @@ static const PluginWords words[] = {
   {URI_DRUM_MULTI, "Tabor Multi", "A snare drum computed from physics, an output per microphone",
    COMMENT}};
 
-static void put_plugin(bool stereo) {
+static void put_plugin(bool stereo, bool has_window) {
   put_plugin_words(&words[stereo ? 0 : 1]);
+  if (has_window) put("\tui:ui <%s> ;\n", URI_WINDOW);
   put("\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
       "state:threadSafeRestore ;\n"
       "\tlv2:extensionData work:interface , state:interface ;\n"
@@ -188,9 +190,21 @@ static void put_preset(const TaborPresetInfo *preset) {
 
 /* ---- files ---------------------------------------------------------------------------------- */
 
-static void write_manifest(const char *folder, const char *binary) {
+/* It looks into the instance (ui.c), so both have to be in one process. */
+static void put_window(const char *binary) {
+  put("<%s>\n\ta ui:X11UI ;\n\tlv2:binary <%s> ;\n"
+      "\tlv2:requiredFeature ui:parent , ui:idleInterface , <%s> ;\n"
+      "\tlv2:optionalFeature ui:resize , ui:touch , urid:map , opts:options ;\n"
+      "\tlv2:extensionData ui:idleInterface , ui:resize .\n\n",
+      URI_WINDOW, binary, LV2_INSTANCE_ACCESS_URI);
+}
+
+static void write_manifest(const char *folder, const char *binary, const char *window) {
   turtle_open(folder, "manifest.ttl");
   put("@prefix lv2: <http://lv2plug.in/ns/lv2core#> .\n"
+      "@prefix opts: <http://lv2plug.in/ns/ext/options#> .\n"
+      "@prefix ui: <http://lv2plug.in/ns/extensions/ui#> .\n"
+      "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
   const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
@@ -198,6 +212,7 @@ static void write_manifest(const char *folder, const char *binary) {
     put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
         binary);
   }
+  if (window) put_window(window);
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     put_preset_header(tabor_preset(i));
     put(" ;\n\trdfs:seeAlso <presets.ttl> .\n\n");
@@ -205,13 +220,13 @@ static void write_manifest(const char *folder, const char *binary) {
   turtle_close();
 }
 
-static void write_plugins(const char *folder) {
+static void write_plugins(const char *folder, bool has_window) {
   turtle_open(folder, "tabor.ttl");
   put_prefixes();
   put_groups();
   put_properties();
-  put_plugin(true);
-  put_plugin(false);
+  put_plugin(true, has_window);
+  put_plugin(false, has_window);
   put_kit();
   turtle_close();
 }
@@ -224,10 +239,10 @@ static void write_presets(const char *folder) {
 }
 
 int main(int argc, char **argv) {
-  if (argc != 3) turtle_fail("describe FOLDER BINARY");
+  if (argc != 3 && argc != 4) turtle_fail("describe FOLDER BINARY [WINDOW]");
   if (tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL) != TABOR_OK) turtle_fail(DEFAULT_PRESET);
-  write_manifest(argv[1], argv[2]);
-  write_plugins(argv[1]);
+  write_manifest(argv[1], argv[2], argv[3]);
+  write_plugins(argv[1], argc == 4);
   write_presets(argv[1]);
   return 0;
 }

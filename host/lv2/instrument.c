@@ -34,11 +34,14 @@ static void say(void *context, const char *line) {
 static void build_models(void *worker) { model_worker_work(worker); }
 
 static bool open(Instrument *instrument, double rate, bool stereo) {
+  instrument->size = sizeof *instrument;
+  instrument->version = tabor_version();
   map_uris(&instrument->urids, instrument->host.map);
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
+  if (!window_link_begin(&instrument->window)) return false;
   return instrument->host.schedule ||
          worker_thread_start(&instrument->thread, build_models, &instrument->worker);
 }
@@ -47,6 +50,7 @@ static void cleanup(LV2_Handle handle) {
   Instrument *const instrument = handle;
   model_worker_cancel(&instrument->worker);
   worker_thread_stop(&instrument->thread);
+  window_link_end(&instrument->window);
   plugin_player_end(&instrument->player);
   model_worker_end(&instrument->worker);
   free(instrument);
@@ -172,11 +176,13 @@ static void run(LV2_Handle handle, uint32_t frames) {
     (MidiSequence){.sequence = sequence_begin(instrument->events, instrument->urids.sequence),
                    .midi = instrument->urids.midi,
                    .frames = frames};
+  window_link_play(&instrument->window, &instrument->player);
   if (run.waits) {
     plugin_run_waiting(&run);
   } else if (plugin_run_live(&run)) {
     instrument->asks = true;
   }
+  window_link_show(&instrument->window, &instrument->player, &instrument->outputs, frames);
   call_worker(instrument);
   if (!instrument->ready) return;
   *instrument->ready = plugin_player_is_ready(&instrument->player) ? 1 : 0;

@@ -13,6 +13,7 @@
 #include "lv2/midi_sequence.h"
 #include "lv2/ports.h"
 #include "plugin/plugin_run.h"
+#include "plugin/window_link.h"
 #include "plugin/worker_thread.h"
 
 /** The numbers that the host has mapped the URIs to. */
@@ -23,6 +24,8 @@ typedef struct Urids {
 } Urids;
 
 typedef struct Instrument {
+  size_t size;         /**< of this struct, and */
+  const char *version; /**< of Tabor: by both the window knows whether it is of the same build */
   Urids urids;
   HostFeatures host;
   WorkerThread thread; /**< if the host has no schedule */
@@ -37,6 +40,7 @@ typedef struct Instrument {
 
   ModelWorker worker;
   PluginPlayer player;
+  WindowLink window;
 } Instrument;
 
 extern const LV2_Descriptor instrument_stereo, instrument_multi;

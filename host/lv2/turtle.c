@@ -67,6 +67,7 @@ void put_prefixes(void) {
       "@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
       "@prefix state: <http://lv2plug.in/ns/ext/state#> .\n"
+      "@prefix ui: <http://lv2plug.in/ns/extensions/ui#> .\n"
       "@prefix units: <http://lv2plug.in/ns/extensions/units#> .\n"
       "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
       "@prefix work: <http://lv2plug.in/ns/ext/worker#> .\n"

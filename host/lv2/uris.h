@@ -10,6 +10,8 @@
 #define URI_DRUM_MULTI "urn:tabor:drum-multi" /**< the plugin with an output per microphone */
 #define URI_KIT "urn:tabor:kit"               /**< the plugin that plays drum kits */
 
+#define URI_WINDOW "urn:tabor:drum:window" /**< of the first two */
+
 #define URI_PRESET "urn:tabor:preset:"       /**< a factory preset, with its name */
 #define URI_GROUP "urn:tabor:group:"         /**< a group of ports, with its symbol */
 #define URI_KIT_GROUP "urn:tabor:group:kit:" /**< the same of Tabor Kit */

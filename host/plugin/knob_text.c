@@ -8,6 +8,7 @@
 #include <strings.h>
 
 #include "drums/pitch_text.h"
+#include "plugin/choice_text.h"
 
 /* What four digits of per cent would round up to the whole. */
 static const double NEARLY = 1 - 5e-5;
@@ -77,6 +78,12 @@ static bool read_word(const Knob *knob, const KnobRange *range, const char *text
   if (!knob->top_word || strcasecmp(text, knob->top_word) != 0) return false;
   *value = most_of(range);
   return true;
+}
+
+int knob_label(KnobId id, const KnobRange *range, double value, char *text, size_t size) {
+  if (!knobs[id].choices) return knob_text(id, range, value, text, size);
+  const double kept = fmin(fmax(value, knob_decimal(range->minimum)), knob_decimal(range->maximum));
+  return choice_text(knobs[id].choices, (int)kept, text, (uint32_t)size);
 }
 
 bool knob_text_read(KnobId id, const KnobRange *range, const char *text, double *value) {

@@ -13,6 +13,8 @@
 
 /** Writes @p value, limited to @p range, of knob @p id to @p text. Returns the length as snprintf() does. */
 int knob_text(KnobId id, const KnobRange *range, double value, char *text, size_t size);
+/** The same, or the word of a knob with choices. */
+int knob_label(KnobId id, const KnobRange *range, double value, char *text, size_t size);
 /**
  * Reads such a text. Words may be in capitals or not, a unit may be missing, and the value is limited to @p range.
  * False, with @p value unchanged, if @p text is something else.

@@ -346,6 +346,26 @@ KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual) {
   return range;
 }
 
+KnobId knob_on_first_page(KnobSet set, uint32_t place) {
+  static const KnobId page[KNOB_PAGE] = KNOB_FIRST_PAGE;
+  for (uint32_t i = 0; i < KNOB_PAGE; i++) {
+    if (knob_is_in(set, page[i]) && place-- == 0) return page[i];
+  }
+  return KNOB_COUNT;
+}
+
+double knob_position(const KnobRange *range, double value) {
+  const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
+  if (range->logarithmic) return log(value / least) / log(most / least);
+  return (value - least) / (most - least);
+}
+
+double knob_at_position(const KnobRange *range, double position) {
+  const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
+  const double way = fmin(fmax(position, 0), 1);
+  return range->logarithmic ? least * pow(most / least, way) : least + way * (most - least);
+}
+
 double knob_factor(KnobId id, float value) {
   return (double)value <= knobs[id].off ? 0 : pow(10, knob_decimal(value) / 20);
 }

@@ -104,6 +104,14 @@ typedef struct KnobGroup {
 
 enum { KNOB_GROUPS = 7 };
 
+/** What players turn most: the first page of controls. */
+enum { KNOB_PAGE = 8 };
+#define KNOB_FIRST_PAGE                                                                            \
+  {                                                                                                \
+    KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,          \
+      KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN                                      \
+  }
+
 extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
 /** All knobs, in the order of the ports. */
@@ -134,6 +142,9 @@ static inline KnobId knob_at(KnobSet set, uint32_t place) REALTIME {
   return KNOB_COUNT;
 }
 
+/** Knob number @p place of the first page, of those that a plugin has; KNOB_COUNT past the last. */
+KnobId knob_on_first_page(KnobSet set, uint32_t place);
+
 /** True for a knob that hosts may modulate: it is live, and a gain or a level. */
 static inline bool knob_is_modulated(KnobId id) REALTIME {
   return knob_is_level(id) || id == KNOB_GAIN || (id < KNOB_KEYS && knobs[id].kind == KNOB_LIVE);
@@ -150,6 +161,9 @@ static inline uint32_t knob_number(KnobSet set) REALTIME {
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
 /** SET-UP. The same in a plugin: the effect is heard under the snares unless told otherwise. */
 KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
+/** Where @p value stands on the knob's way, 0 to 1 within its range; and the value there. */
+double knob_position(const KnobRange *range, double value);
+double knob_at_position(const KnobRange *range, double position);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /**

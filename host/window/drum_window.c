@@ -150,6 +150,8 @@ void drum_window_destroy(DrumWindow *window) {
   free(window);
 }
 
+unsigned long drum_window_id(const DrumWindow *window) { return x11_window_id(window->outside); }
+
 void drum_window_show(DrumWindow *window, bool shown) { x11_window_show(window->outside, shown); }
 
 void drum_window_resize(DrumWindow *window, uint32_t width, uint32_t height) {

@@ -53,6 +53,8 @@ void drum_window_destroy(DrumWindow *window);
 void drum_window_show(DrumWindow *window, bool shown);
 /** The picture fills the window, in its own proportions. */
 void drum_window_resize(DrumWindow *window, uint32_t width, uint32_t height);
+/** Its id on X11. */
+unsigned long drum_window_id(const DrumWindow *window);
 /** Takes what the mouse has done, and draws. To be called some 30 times a second. */
 void drum_window_update(DrumWindow *window);
 

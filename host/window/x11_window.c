@@ -89,6 +89,8 @@ void x11_window_destroy(X11Window *window) {
   free(window);
 }
 
+unsigned long x11_window_id(const X11Window *window) { return window->id; }
+
 void x11_window_show(X11Window *window, bool shown) {
   window->shown = shown;
   if (shown) {

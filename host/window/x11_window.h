@@ -30,6 +30,7 @@ X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t heig
                              const X11Handler *handler);
 /** Ignores NULL. */
 void x11_window_destroy(X11Window *window);
+unsigned long x11_window_id(const X11Window *window);
 void x11_window_show(X11Window *window, bool shown);
 void x11_window_resize(X11Window *window, uint32_t width, uint32_t height);
 /** Tells the handler what has happened since the last call. */

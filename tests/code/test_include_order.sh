@@ -10,7 +10,7 @@ source=$1
 shift
 
 engine="math definition acoustics kernels model step drum room kit"
-host="platform base drums midi strokes files sound kit plugin lv2 window clap render library ui play inspect"
+host="platform base drums midi strokes files sound kit plugin window lv2 clap render library ui play inspect"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

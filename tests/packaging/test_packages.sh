@@ -49,7 +49,10 @@ has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completi
 bundle=/usr/lib/lv2/tabor.lv2 contents=/usr/lib/vst3/Tabor\\.vst3/Contents
 for package in "${names[@]}"; do
   case $package in
-    tabor-lv2) has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl ;;
+    tabor-lv2)
+      has tabor-lv2 $bundle/tabor.so $bundle/manifest.ttl $bundle/tabor.ttl $bundle/presets.ttl
+      if [ -e "$SHARED_BUILD/lv2/tabor.lv2/tabor_ui.so" ]; then has tabor-lv2 $bundle/tabor_ui.so; fi
+      ;;
     tabor-clap) has tabor-clap /usr/lib/clap/tabor.clap ;;
     tabor-vst3)
       has tabor-vst3 "$contents/[^/]*-linux/Tabor\.so" "$contents/Resources/moduleinfo\.json" \

@@ -3,8 +3,8 @@
  * @file choice_text.h
  * Words of a knob's choices, which are separated by '|', for the values 0, 1, ...
  */
-#ifndef TABOR_CLAP_CHOICE_TEXT_H
-#define TABOR_CLAP_CHOICE_TEXT_H
+#ifndef TABOR_PLUGIN_CHOICE_TEXT_H
+#define TABOR_PLUGIN_CHOICE_TEXT_H
 
 #include <stdbool.h>
 #include <stdint.h>

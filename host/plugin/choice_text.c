@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "clap/choice_text.h"
+#include "plugin/choice_text.h"
 
 #include <stdio.h>
 #include <string.h>

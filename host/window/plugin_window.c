@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: MIT */
+#include "window/plugin_window.h"
+
+#include <math.h>
+#include <sched.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plugin/knob_text.h"
+#include "window/drum_window.h"
+
+enum { UNDOS = 16 };
+static const double LEAST_SCALE = 0.5, MOST_SCALE = 4;
+
+struct PluginWindow {
+  PluginWindowShell shell;
+  uint32_t width, height;
+  DrumWindow *drum; /* NULL while it is closed */
+  TaborView *view;  /* NULL while the audio thread may have it */
+  bool has_view;    /* here or there */
+  char title[DRUM_WINDOW_TEXT];
+  PluginDrum undos[UNDOS]; /* the newest last */
+  uint32_t undo_count;
+  PluginDrum other; /* of two drums to compare, the one that does not play */
+  bool has_other, is_second;
+};
+
+/* ---- the view ------------------------------------------------------------------------------- */
+
+/* False: the audio thread fills it at this moment. */
+static bool take_view_back(PluginWindow *window) {
+  WindowLink *const link = window->shell.link;
+  if (!window->has_view || window->view) return true;
+  window->view = atomic_exchange(&link->seen, NULL);
+  if (!window->view) window->view = atomic_exchange(&link->asked, NULL);
+  return window->view != NULL;
+}
+
+static void drop_view(PluginWindow *window) {
+  while (!take_view_back(window)) (void)sched_yield();
+  tabor_view_destroy(window->view);
+  window->view = NULL;
+  window->has_view = false;
+}
+
+/* Of the model that the worker has built last, which the drum soon plays on. */
+static void make_view(PluginWindow *window) {
+  ModelWorker *const worker = window->shell.worker(window->shell.instance);
+  TaborModel *const model = worker ? model_worker_model(worker) : NULL;
+  if (!model) return;
+  window->has_view = tabor_view_create(model, NULL, &window->view, NULL) == TABOR_OK;
+  tabor_model_release(model);
+}
+
+/* ---- drums ---------------------------------------------------------------------------------- */
+
+static void note_drum(const PluginWindow *window, PluginDrum *drum) {
+  const PluginWindowShell *const shell = &window->shell;
+  shell->save(shell->instance, &drum->saved);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    drum->values[i] = shell->value(shell->instance, (KnobId)i);
+    if (i < KNOB_KEYS && isnan(drum->saved.seen[i])) drum->saved.seen[i] = drum->values[i];
+  }
+}
+
+static void tell_title(PluginWindow *window) {
+  SavedState saved;
+  window->shell.save(window->shell.instance, &saved);
+  _Static_assert(sizeof window->title >= sizeof saved.def.name, "a name is a title");
+  memcpy(window->title, saved.def.name, sizeof saved.def.name);
+}
+
+static void use_drum(PluginWindow *window, const PluginDrum *drum) {
+  window->shell.use(window->shell.instance, drum);
+  tell_title(window);
+}
+
+/* The oldest is forgotten. */
+static void note_undo(PluginWindow *window) {
+  if (window->undo_count == UNDOS) {
+    window->undo_count--;
+    memmove(window->undos, window->undos + 1, window->undo_count * sizeof *window->undos);
+  }
+  note_drum(window, &window->undos[window->undo_count++]);
+}
+
+/* ---- what the window shows and does --------------------------------------------------------- */
+
+static void scene(void *context, DrumWindowScene *shown) {
+  const PluginWindow *const window = context;
+  memcpy(shown->title, window->title, sizeof shown->title);
+  shown->is_second = window->is_second;
+  shown->can_undo = window->undo_count > 0;
+  for (uint32_t side = 0; side < 2; side++)
+    shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
+  shown->view = window->view;
+}
+
+static bool control(void *context, uint32_t number, char *name, char *value, double *position) {
+  const PluginWindow *const window = context;
+  const KnobId id = knob_on_first_page(window->shell.set, number);
+  if (id == KNOB_COUNT) return false;
+  const KnobRange *const range = &window->shell.ranges[id];
+  const double now = knob_decimal(window->shell.value(window->shell.instance, id));
+  (void)snprintf(name, DRUM_WINDOW_TEXT, "%s", knobs[id].name);
+  (void)knob_label(id, range, now, value, DRUM_WINDOW_TEXT);
+  *position = knob_position(range, now);
+  return true;
+}
+
+static void begin(void *context, uint32_t number) {
+  PluginWindow *const window = context;
+  note_undo(window);
+  window->shell.begin(window->shell.instance, knob_on_first_page(window->shell.set, number));
+}
+
+static void move(void *context, uint32_t number, double position) {
+  PluginWindow *const window = context;
+  const KnobId id = knob_on_first_page(window->shell.set, number);
+  const double value = knob_at_position(&window->shell.ranges[id], position);
+  window->shell.turn(window->shell.instance, id, knobs[id].choices ? round(value) : value);
+}
+
+static void end(void *context, uint32_t number) {
+  PluginWindow *const window = context;
+  window->shell.end(window->shell.instance, knob_on_first_page(window->shell.set, number));
+}
+
+static void strike(void *context, double velocity, double radius, double angle) {
+  PluginWindow *const window = context;
+  const WindowStroke stroke = {velocity, radius, angle};
+  if (!window->shell.worker(window->shell.instance)) return;
+  (void)spsc_queue_push(&window->shell.link->strokes, &stroke);
+  window->shell.play(window->shell.instance);
+}
+
+/* From a drum that is no preset, the first or the last one. */
+static void step_preset(void *context, int steps) {
+  PluginWindow *const window = context;
+  const uint32_t count = tabor_preset_count();
+  uint32_t at = 0;
+  while (at < count && strcmp(tabor_preset(at)->name, window->title) != 0) at++;
+  if (at == count) at = steps > 0 ? count - 1 : 0;
+  note_undo(window);
+  const char *const name = tabor_preset((at + count + (uint32_t)steps) % count)->name;
+  window->shell.choose(window->shell.instance, name);
+  tell_title(window);
+}
+
+/* At first both are the same. */
+static void compare(void *context) {
+  PluginWindow *const window = context;
+  PluginDrum now;
+  note_drum(window, &now);
+  if (window->has_other) use_drum(window, &window->other);
+  window->other = now;
+  window->has_other = true;
+  window->is_second = !window->is_second;
+}
+
+static void undo(void *context) {
+  PluginWindow *const window = context;
+  if (window->undo_count > 0) use_drum(window, &window->undos[--window->undo_count]);
+}
+
+/* ---- sizes ---------------------------------------------------------------------------------- */
+
+static void use_scale(double scale, uint32_t *width, uint32_t *height) {
+  const double kept = fmin(fmax(scale, LEAST_SCALE), MOST_SCALE);
+  *width = (uint32_t)lround(kept * DRUM_WINDOW_WIDTH);
+  *height = (uint32_t)lround(kept * DRUM_WINDOW_HEIGHT);
+}
+
+void plugin_window_fit(uint32_t *width, uint32_t *height) {
+  use_scale(fmin((double)*width / DRUM_WINDOW_WIDTH, (double)*height / DRUM_WINDOW_HEIGHT), width,
+            height);
+}
+
+void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height) {
+  window->width = width;
+  window->height = height;
+  if (window->drum) drum_window_resize(window->drum, width, height);
+}
+
+void plugin_window_scale(PluginWindow *window, double scale) {
+  uint32_t width, height;
+  use_scale(scale, &width, &height);
+  plugin_window_resize(window, width, height);
+}
+
+void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height) {
+  *width = window->width;
+  *height = window->height;
+}
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
+  PluginWindow *const window = calloc(1, sizeof *window);
+  if (!window) return NULL;
+  window->shell = *shell;
+  use_scale(1, &window->width, &window->height);
+  tell_title(window);
+  return window;
+}
+
+bool plugin_window_open(PluginWindow *window, unsigned long parent) {
+  const DrumWindowShell shell = {.context = window,
+                                 .scene = scene,
+                                 .control = control,
+                                 .begin = begin,
+                                 .move = move,
+                                 .end = end,
+                                 .strike = strike,
+                                 .step_preset = step_preset,
+                                 .compare = compare,
+                                 .undo = undo};
+  if (window->drum) return false;
+  tell_title(window);
+  window->drum = drum_window_create(parent, window->width, window->height, &shell);
+  return window->drum != NULL;
+}
+
+bool plugin_window_is_open(const PluginWindow *window) { return window->drum != NULL; }
+
+void plugin_window_close(PluginWindow *window) {
+  if (!window->drum) return;
+  atomic_store(&window->shell.link->is_shown, false);
+  drop_view(window);
+  drum_window_destroy(window->drum);
+  window->drum = NULL;
+}
+
+void plugin_window_destroy(PluginWindow *window) {
+  if (!window) return;
+  plugin_window_close(window);
+  free(window);
+}
+
+void plugin_window_show(PluginWindow *window, bool shown) {
+  atomic_store(&window->shell.link->is_shown, shown);
+  drum_window_show(window->drum, shown);
+}
+
+unsigned long plugin_window_id(const PluginWindow *window) { return drum_window_id(window->drum); }
+
+/* The name of the drum changes with a program change, too, of which nobody tells. */
+void plugin_window_update(PluginWindow *window) {
+  WindowLink *const link = window->shell.link;
+  if (!window->drum || !take_view_back(window)) return;
+  if (window->has_view && atomic_exchange(&link->is_stale, false)) {
+    drop_view(window);
+    tell_title(window);
+  }
+  if (!window->has_view) make_view(window);
+  drum_window_update(window->drum);
+  if (!window->has_view || !atomic_load(&link->is_shown)) return;
+  atomic_store(&link->asked, window->view);
+  window->view = NULL;
+}

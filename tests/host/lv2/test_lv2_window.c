@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The window of the LV2 plugins on an X server of its own: what is clicked is struck, controls are ports of the host, presets,
+ * undo and comparison, that runs wait for nothing while it is open, and that nothing stays of a window that is closed. What
+ * is drawn is the same as in the CLAP plugins: test_clap_window.
+ *
+ * test_lv2_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "plugin_host.h"
+
+#include <fcntl.h>
+#include <lv2/instance-access/instance-access.h>
+#include <lv2/options/options.h>
+#include <lv2/ui/ui.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "counted_calls.h"
+#include "lv2/instrument.h"
+#include "lv2/uris.h"
+#include "x11_server.h"
+
+enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
+enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
+enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
+enum { STRAINER_Y = CONTROL_Y + 4 * CONTROL_ROW + 26, GAIN_Y = CONTROL_Y + 7 * CONTROL_ROW + 26 };
+enum { FRAMES = 2400 };
+
+static X11Server server;
+
+/* Fontconfig keeps what it knows of fonts until the program ends, and it is the same for every window. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
+
+/* ---- a host with a window ------------------------------------------------------------------- */
+
+typedef struct Opened {
+  PluginHost *host;
+  const LV2UI_Descriptor *descriptor;
+  LV2UI_Handle ui;
+  xcb_window_t outer, inner;
+  uint32_t writes, grabs, releases;
+  int width, height; /* that the window has asked for */
+  LV2UI_Touch touch;
+  LV2UI_Resize resize;
+} Opened;
+
+/* A control port changes before the next run, as hosts do it. */
+static void write_port(LV2UI_Controller controller, uint32_t port, uint32_t size, uint32_t format,
+                       const void *buffer) {
+  Opened *const opened = controller;
+  const Port to = host_port(opened->host, port);
+  assert_int_equal(format, 0);
+  assert_int_equal(size, sizeof(float));
+  assert_int_equal(to.kind, PORT_KNOB);
+  memcpy(&opened->host->knobs[to.index], buffer, size);
+  opened->writes++;
+}
+
+static void touch(LV2UI_Feature_Handle handle, uint32_t port, bool grabbed) {
+  Opened *const opened = handle;
+  (void)port;
+  *(grabbed ? &opened->grabs : &opened->releases) += 1;
+}
+
+static int ask_size(LV2UI_Feature_Handle handle, int width, int height) {
+  Opened *const opened = handle;
+  opened->width = width;
+  opened->height = height;
+  return 0;
+}
+
+static void tell_ports(const Opened *opened) {
+  Port port;
+  for (uint32_t i = 0; (port = host_port(opened->host, i)).kind != PORT_NONE; i++) {
+    if (port.kind != PORT_KNOB) continue;
+    opened->descriptor->port_event(opened->ui, i, sizeof(float), 0,
+                                   &opened->host->knobs[port.index]);
+  }
+}
+
+static void open_window(Opened *opened, float scale) {
+  LV2_URID_Map map = {NULL, host_map_feature};
+  const LV2_Options_Option options[] = {{LV2_OPTIONS_INSTANCE, 0, host_map(LV2_UI__scaleFactor),
+                                         sizeof scale, host_map(LV2_ATOM__Float), &scale},
+                                        {0}};
+  LV2UI_Widget widget = NULL;
+  opened->outer = x11_server_window(&server, (uint16_t)(scale * WIDTH), (uint16_t)(scale * HEIGHT));
+  const LV2_Feature features[] = {{LV2_UI__parent, (void *)(uintptr_t)opened->outer},
+                                  {LV2_INSTANCE_ACCESS_URI, opened->host->handle},
+                                  {LV2_UI__touch, &opened->touch},
+                                  {LV2_UI__resize, &opened->resize},
+                                  {LV2_URID__map, &map},
+                                  {LV2_OPTIONS__options, (void *)(uintptr_t)options}};
+  const LV2_Feature *list[sizeof features / sizeof *features + 1] = {NULL};
+  for (size_t i = 0; i < sizeof features / sizeof *features; i++) list[i] = &features[i];
+  opened->descriptor = lv2ui_descriptor(0);
+  opened->touch = (LV2UI_Touch){opened, touch};
+  opened->resize = (LV2UI_Resize){opened, ask_size};
+  opened->ui = opened->descriptor->instantiate(opened->descriptor, opened->host->descriptor->URI,
+                                               "", write_port, opened, &widget, list);
+  assert_non_null(opened->ui);
+  opened->inner = (xcb_window_t)(uintptr_t)widget;
+  assert_int_equal(opened->inner, x11_server_inner(&server, opened->outer));
+  tell_ports(opened);
+}
+
+static void close_window(const Opened *opened) {
+  opened->descriptor->cleanup(opened->ui);
+  x11_server_close(&server, opened->outer);
+}
+
+static PluginHost *open_plugin(const char *uri) {
+  const LV2_Descriptor *descriptor = NULL;
+  for (uint32_t i = 0; !descriptor || strcmp(descriptor->URI, uri) != 0; i++) {
+    descriptor = lv2_descriptor(i);
+    assert_non_null(descriptor);
+  }
+  PluginHost *const host = host_open(descriptor, HOST_WITHOUT_WORKER);
+  host->knobs[KNOB_QUALITY] = 0; /* draft */
+  host_wait(host);
+  return host;
+}
+
+static void open_host(Opened *opened, const char *uri, float scale) {
+  *opened = (Opened){.host = open_plugin(uri)};
+  open_window(opened, scale);
+}
+
+static void close_host(const Opened *opened) {
+  close_window(opened);
+  host_close(opened->host);
+}
+
+static void tick(const Opened *opened) {
+  const LV2UI_Idle_Interface *const idles =
+    opened->descriptor->extension_data(LV2_UI__idleInterface);
+  assert_int_equal(idles->idle(opened->ui), 0);
+}
+
+static void click(const Opened *opened, int x, int y) {
+  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
+  tick(opened);
+}
+
+static double peak_of(const PluginHost *host) { return host_peak(host->sound[0], FRAMES); }
+
+static const char *name_of(const Opened *opened) {
+  static SavedState saved;
+  Instrument *const instrument = opened->host->handle;
+  model_worker_save(&instrument->worker, &saved);
+  return saved.def.name;
+}
+
+/* For a person: the window as it is, in the folder $PICTURES. */
+static void keep_picture(const Opened *opened, const char *name) {
+  char command[256];
+  const char *const folder = getenv("PICTURES");
+  if (!folder) return;
+  (void)snprintf(command, sizeof command, "import -window 0x%x %s/%s.png", (unsigned)opened->outer,
+                 folder, name);
+  if (system(command) != 0) print_message("no picture of %s\n", name);
+}
+
+/* ---- strokes -------------------------------------------------------------------------------- */
+
+static void a_click_is_a_stroke(void **state) {
+  (void)state;
+  static const float SCALES[] = {1, 2};
+  for (size_t i = 0; i < 2; i++) {
+    Opened opened;
+    const int scale = (int)SCALES[i];
+    open_host(&opened, i == 0 ? URI_DRUM : URI_DRUM_MULTI, SCALES[i]);
+    assert_int_equal(opened.width, scale * WIDTH);
+    assert_int_equal(opened.height, scale * HEIGHT);
+    host_run(opened.host, FRAMES);
+    assert_true(peak_of(opened.host) == 0);
+    click(&opened, scale * 5, scale * 5);
+    host_run(opened.host, FRAMES);
+    assert_true(peak_of(opened.host) == 0); /* beside the head */
+    click(&opened, scale * (MIDDLE_X + R / 2), scale * MIDDLE_Y);
+    host_run(opened.host, FRAMES);
+    print_message("a click sounds to %.3f\n", peak_of(opened.host));
+    assert_true(peak_of(opened.host) > 1e-3);
+    tick(&opened);
+    keep_picture(&opened, i == 0 ? "lv2" : "lv2-twice");
+    close_host(&opened);
+  }
+}
+
+/* ---- controls and drums --------------------------------------------------------------------- */
+
+static void a_control_is_a_port_of_the_host(void **state) {
+  (void)state;
+  Opened opened;
+  open_host(&opened, URI_DRUM, 1);
+  const float before = opened.host->knobs[KNOB_STRAINER];
+  const int x = CONTROL_X + CONTROL_WIDTH / 2;
+  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 1, x, STRAINER_Y);
+  x11_server_point(&server, opened.inner, XCB_MOTION_NOTIFY, 0, x - CONTROL_WIDTH / 4, STRAINER_Y);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_RELEASE, 1, x - CONTROL_WIDTH / 4, STRAINER_Y);
+  tick(&opened);
+  assert_true(fabsf(opened.host->knobs[KNOB_STRAINER] - 0.25f) < 0.01f);
+  assert_true(opened.writes == 2 && opened.grabs == 1 && opened.releases == 1);
+  host_run(opened.host, 64);
+  click(&opened, 540, 410); /* undo */
+  assert_true(opened.host->knobs[KNOB_STRAINER] == before);
+  close_host(&opened);
+}
+
+/* Ports stand where the drum is, and the drum is the preset to the bit: no knob has been turned. */
+static void a_preset_comes_with_its_knobs(void **state) {
+  (void)state;
+  Opened opened;
+  TaborDrumDef def;
+  SavedState saved;
+  open_host(&opened, URI_DRUM, 1);
+  Instrument *const instrument = opened.host->handle;
+  assert_string_equal(name_of(&opened), DEFAULT_PRESET);
+  click(&opened, 682, 34); /* the next preset */
+  host_wait(opened.host);
+  assert_string_not_equal(name_of(&opened), DEFAULT_PRESET);
+  print_message("%s\n", name_of(&opened));
+  assert_int_equal(tabor_drum_def_preset(&def, name_of(&opened), NULL), TABOR_OK);
+  model_worker_save(&instrument->worker, &saved);
+  assert_true(saved.def.batter.tension == def.batter.tension);
+  assert_true(fabs((double)opened.host->knobs[KNOB_BATTER_TENSION] / def.batter.tension - 1) <
+              1e-6);
+  click(&opened, 540, 410); /* undo */
+  host_wait(opened.host);
+  assert_string_equal(name_of(&opened), DEFAULT_PRESET);
+  close_host(&opened);
+}
+
+static void two_drums_are_compared(void **state) {
+  (void)state;
+  Opened opened;
+  open_host(&opened, URI_DRUM, 1);
+  click(&opened, 458, 410); /* B, as A is */
+  click(&opened, CONTROL_X + CONTROL_WIDTH / 2, STRAINER_Y);
+  const float b = opened.host->knobs[KNOB_STRAINER];
+  click(&opened, 458, 410);
+  const float a = opened.host->knobs[KNOB_STRAINER];
+  click(&opened, 458, 410);
+  assert_true(a == 1 && fabsf(b - 0.5f) < 0.01f);
+  assert_true(opened.host->knobs[KNOB_STRAINER] == b);
+  close_host(&opened);
+}
+
+/* What the host turns is shown: the window turns on from there. */
+static void the_host_turns_a_control(void **state) {
+  (void)state;
+  Opened opened;
+  open_host(&opened, URI_DRUM, 1);
+  opened.host->knobs[KNOB_STRAINER] = 0.5f;
+  tell_ports(&opened);
+  tick(&opened);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 4, CONTROL_X + 50,
+                   STRAINER_Y); /* wheel */
+  tick(&opened);
+  assert_true(fabsf(opened.host->knobs[KNOB_STRAINER] - 0.52f) < 0.001f);
+  close_host(&opened);
+}
+
+/* ---- the audio thread ----------------------------------------------------------------------- */
+
+static void runs_wait_for_nothing_while_it_is_open(void **state) {
+  (void)state;
+  Opened opened;
+  open_host(&opened, URI_DRUM, 1);
+  for (int i = 0; i < 60; i++) {
+    click(&opened, MIDDLE_X - R / 2 + 3 * i, MIDDLE_Y);
+    if (i % 5 == 0) click(&opened, CONTROL_X + 4 * i, GAIN_Y);
+    if (i % 20 == 19) click(&opened, 682, 34); /* the next preset */
+    count_calls_begin();
+    opened.host->descriptor->run(opened.host->handle, 512);
+    const long calls = count_calls_end();
+    if (calls > 0) fail_msg("%ld calls", calls);
+  }
+  assert_true(opened.writes > 0 && host_peak(opened.host->sound[0], 512) > 0);
+  close_host(&opened);
+}
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+static LV2UI_Handle open_with(const LV2_Feature *const *features, const char *plugin) {
+  LV2UI_Widget widget;
+  const LV2UI_Descriptor *const descriptor = lv2ui_descriptor(0);
+  return descriptor->instantiate(descriptor, plugin, "", write_port, NULL, &widget, features);
+}
+
+static void it_opens_for_its_own_instances_alone(void **state) {
+  (void)state;
+  PluginHost *const host = open_plugin(URI_DRUM);
+  Instrument *const instrument = host->handle;
+  const xcb_window_t outer = x11_server_window(&server, WIDTH, HEIGHT);
+  const LV2_Feature parent = {LV2_UI__parent, (void *)(uintptr_t)outer},
+                    access = {LV2_INSTANCE_ACCESS_URI, host->handle};
+  assert_null(open_with((const LV2_Feature *const[]){&parent, NULL}, URI_DRUM));
+  assert_null(open_with((const LV2_Feature *const[]){&access, NULL}, URI_DRUM));
+  const LV2_Feature *const both[] = {&parent, &access, NULL};
+  assert_null(open_with(both, URI_KIT));
+  instrument->version = "0.0.0";
+  assert_null(open_with(both, URI_DRUM));
+  instrument->version = tabor_version();
+  const LV2UI_Handle ui = open_with(both, URI_DRUM);
+  assert_non_null(ui);
+  lv2ui_descriptor(0)->cleanup(ui);
+  assert_null(lv2ui_descriptor(1));
+  x11_server_close(&server, outer);
+  host_close(host);
+}
+
+static long open_files(void) {
+  long count = 0;
+  for (int i = 0; i < 1024; i++) count += fcntl(i, F_GETFD) != -1;
+  return count;
+}
+
+/* Connections to the server are files. Whoever destroys the outer window first does no harm. */
+static void nothing_stays_of_a_window(void **state) {
+  (void)state;
+  const int openings = getenv("OPENINGS") ? atoi(getenv("OPENINGS")) : 50;
+  Opened opened = {.host = open_plugin(URI_DRUM)};
+  const long before = open_files();
+  for (int i = 0; i < openings; i++) {
+    open_window(&opened, 1);
+    tick(&opened);
+    if (i % 2 == 0) host_run(opened.host, 64);
+    tick(&opened);
+    if (i % 5 == 0) x11_server_close(&server, opened.outer);
+    close_window(&opened);
+  }
+  print_message("%d windows: %ld files open before, %ld after\n", openings, before, open_files());
+  assert_int_equal(open_files(), before);
+  host_close(opened.host);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_counters_count),
+    cmocka_unit_test(a_click_is_a_stroke),
+    cmocka_unit_test(a_control_is_a_port_of_the_host),
+    cmocka_unit_test(a_preset_comes_with_its_knobs),
+    cmocka_unit_test(two_drums_are_compared),
+    cmocka_unit_test(the_host_turns_a_control),
+    cmocka_unit_test(runs_wait_for_nothing_while_it_is_open),
+    cmocka_unit_test(it_opens_for_its_own_instances_alone),
+    cmocka_unit_test(nothing_stays_of_a_window),
+  };
+  if (!x11_server_start(&server)) {
+    print_message("SKIPPED: no X server: needs xvfb\n");
+    return 0;
+  }
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  x11_server_stop(&server);
+  return failed;
+}

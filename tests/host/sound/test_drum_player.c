@@ -173,6 +173,25 @@ static void silences_at_each_frame_of_a_block(void **state) {
   }
 }
 
+/* What sounds in the room fades, too, but for its answer to the drum while that fades. A hall that went on ringing behind a
+ * silenced drum would leave twice the limit. */
+static void a_silence_ends_what_rings_in_the_room(void **state) {
+  (void)state;
+  enum { AT = 1500, UNTIL = 3000 };
+  Stage *const silenced = open_stage(TABOR_ROOM_HALL), *const rings = open_stage(TABOR_ROOM_HALL);
+  strike(silenced, 0, 0);
+  strike(rings, 0, 0);
+  silence(silenced, AT);
+  play(silenced, UNTIL, 64);
+  play(rings, UNTIL, 64);
+  const double left = peak(silenced, 0, AT + FADE + 1, UNTIL);
+  const double else_left = peak(rings, 0, AT + FADE + 1, UNTIL);
+  print_message("after a silence %.2g, without one %.2g\n", left, else_left);
+  assert_true(left < 0.04 * else_left);
+  close_stage(silenced);
+  close_stage(rings);
+}
+
 /* The room behind a drum answers it, and does not without strokes. */
 static void a_room_answers(void **state) {
   (void)state;
@@ -505,6 +524,7 @@ static int tear_down(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(silences_at_each_frame_of_a_block),
+    cmocka_unit_test(a_silence_ends_what_rings_in_the_room),
     cmocka_unit_test(a_room_answers),
     cmocka_unit_test(a_room_follows_another),
     cmocka_unit_test(a_room_too_many_is_cut),

@@ -5,7 +5,7 @@ if(NOT TABOR_BUILD_PROGRAM OR TABOR_SANITIZE OR TABOR_COVERAGE)
   return()
 endif()
 if(TABOR_VST3_MISSING)
-  foreach(name IN ITEMS test_vst3_bundle test_vst3_pedalboard)
+  foreach(name IN ITEMS test_vst3_bundle test_vst3_dawdreamer test_vst3_pedalboard)
     tabor_add_skipped_test(${name} "there are no sources of the VST3 plugins: tools/setup --plugins brings them")
   endforeach()
 endif()
@@ -16,7 +16,7 @@ endif()
 add_executable(vst3_host support/vst3_host.cpp)
 target_link_libraries(vst3_host PRIVATE vst3-hosting vst3-sdk)
 
-foreach(name IN ITEMS test_vst3_bundle test_vst3_pedalboard)
+foreach(name IN ITEMS test_vst3_bundle test_vst3_dawdreamer test_vst3_pedalboard)
   tabor_add_host_test(${name})
   set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "BUNDLE=${PROJECT_BINARY_DIR}/vst3/Tabor.vst3"
                                             "VST3_HOST=$<TARGET_FILE:vst3_host>"

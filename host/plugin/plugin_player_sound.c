@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Mixes a player's sound: the microphones of its drum at their levels. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -23,6 +24,10 @@ static double next_level(PluginPlayer *player, KnobId id) {
   player->waits[id]--;
   return player->levels[id].now;
 }
+
+/* A sum as a sample: what is fainter than any float with all its digits is none, since subnormal numbers make hosts slow. */
+static float to_sample(double sum) REALTIME;
+static float to_sample(double sum) { return fabs(sum) >= (double)FLT_MIN ? (float)sum : 0.0f; }
 
 /* ---- sound in ------------------------------------------------------------------------------- */
 
@@ -56,7 +61,7 @@ static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, u
       float *const out = outputs->channels[side];
       if (!out) continue;
       const double wet = (double)out[at + i];
-      out[at + i] = (float)((1 - part) * (double)dry[side][i] + part * wet);
+      out[at + i] = to_sample((1 - part) * (double)dry[side][i] + part * wet);
     }
   }
 }
@@ -85,8 +90,8 @@ static void mix_stereo(PluginPlayer *player, float *const *channels, uint32_t at
       left += sample;
       right += sample;
     }
-    if (channels[0]) channels[0][at + frame] = (float)left;
-    if (channels[1]) channels[1][at + frame] = (float)right;
+    if (channels[0]) channels[0][at + frame] = to_sample(left);
+    if (channels[1]) channels[1][at + frame] = to_sample(right);
   }
 }
 

@@ -57,7 +57,7 @@ Outcome model_build(const TaborDrumDef *def, const TaborModelOptions *options, T
   if (status != TABOR_OK || estimate.seconds < LONG) {
     return model_build_quietly(def, options, model);
   }
-  note("tabor: building '%s' takes some %.0f s and %.1f GB of memory; %s costs the most", def->name,
-       estimate.seconds, 1e-9 * (double)estimate.bytes, estimate.key);
+  note("tabor: building '%s' takes some %.0f s and %.0f MB of memory; %s costs the most", def->name,
+       estimate.seconds, 1e-6 * (double)estimate.bytes, estimate.key);
   return build_shown(def, options, model);
 }

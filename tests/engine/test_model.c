@@ -156,6 +156,15 @@ static void the_dearest_parameter_is_named(void **state) {
   assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < many_points.seconds);
 }
 
+/* A bass drum has no wires, and at reference as many modes as a model may have, at half the bandwidth, too. */
+static void what_saves_nothing_is_not_named(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("bass-drum-22");
+  const TaborModelEstimate most = estimate_of(&def, TABOR_QUALITY_REFERENCE);
+  assert_string_equal(most.key, "quality.level");
+  assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < 0.5 * most.seconds);
+}
+
 static void a_limit_refuses_what_takes_more(void **state) {
   (void)state;
   const TaborDrumDef def = largest_drum();
@@ -230,6 +239,7 @@ int main(void) {
     cmocka_unit_test(what_is_null_is_named),
     cmocka_unit_test(memory_is_estimated_within_a_factor_of_3),
     cmocka_unit_test(the_dearest_parameter_is_named),
+    cmocka_unit_test(what_saves_nothing_is_not_named),
     cmocka_unit_test(a_limit_refuses_what_takes_more),
     cmocka_unit_test(a_build_can_be_cancelled_anywhere),
   };

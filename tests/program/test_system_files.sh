@@ -208,7 +208,7 @@ mics=$(mics_of tabor)
 largest=(--set wires.count=40 --set quality.wire_points=400 --set shell.radius=0.6 --quality reference --rate 192000)
 "$TABOR" render "${largest[@]}" -o largest.wav >"$out" 2>"$err" &
 builder=$!
-check "a long build is announced" wait_for grep -q "takes some [0-9]* s and .* GB of memory; wires.count costs the most" "$err"
+check "a long build is announced" wait_for grep -q "takes some [0-9]* s and .* MB of memory; wires.count costs the most" "$err"
 kill -INT $builder
 wait $builder
 same "status of a build after SIGINT" 130 $?

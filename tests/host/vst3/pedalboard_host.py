@@ -11,6 +11,7 @@ parameters: it gives an instrument no buffers for more than one output. So $VST3
 import os
 import subprocess
 import sys
+import threading
 import time
 
 import mido
@@ -126,6 +127,26 @@ def check_kit():
         same(f"Tabor Kit in blocks of {block}", wanted, hosted("Tabor Kit", wanted, block, 18)[:2])
 
 
+def check_threads():
+    """Two instances at once, each in a thread, where pedalboard does not reset them; a third one by itself."""
+    plugins, sounds = [load("Tabor") for _ in range(3)], {}
+    for plugin in plugins:
+        played(plugin, NOTES, 1000)
+
+    def play(number):
+        messages = [message.copy(time=tick * TICK) for tick, message in NOTES]
+        sounds[number] = plugins[number](messages, duration=SECONDS, sample_rate=RATE, buffer_size=64, reset=False)
+
+    threads = [threading.Thread(target=play, args=(number,)) for number in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    play(2)
+    for number in range(2):
+        same(f"instance {number} of two", sounds[2], sounds[number])
+
+
 def check_state():
     plugin, other = load("Tabor"), load("Tabor")
     plugin.room, plugin.gain, plugin.quality = "None", "-6 dB", "Draft"
@@ -141,4 +162,5 @@ check_parameters()
 check_sound()
 check_multi()
 check_kit()
+check_threads()
 check_state()

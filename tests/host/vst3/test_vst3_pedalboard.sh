@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The VST3 plugins in a host of others, pedalboard, which needs no display: parameters, sound to the bit, states.
+# The VST3 plugins in a host of others, pedalboard, which needs no display: parameters, sound to the bit, threads, states.
 #
 # It gets $BUNDLE, $TABOR, $SOURCE, and $VST3_HOST, which plays what pedalboard cannot.
 . "$(dirname "$0")/../../support/host_checks.sh"

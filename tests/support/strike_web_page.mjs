@@ -287,6 +287,7 @@ async function followLinks(browser) {
   await status(page, /Ready, but not as the address says: batter.pitch.*H3/);
   await page.locator("#batter-pitch-text", { hasText: "Hz" }).waitFor();
   for (const [wrong, reason] of [["drum=kit:nonesuch", "kit:nonesuch"], ["drum=tom-12&quality=bogus", "bogus"],
+    ["drum=tom-12&nonesuch=1", "nonesuch"], ["drum=tom-12&quality.level=studio", "quality.level"],
     ["drum=kit:frame-drums&drum.nobody.batter.pitch=A3", "nobody"]]) {
     await page.goto("about:blank");
     await page.goto(`${address}#${wrong}`);

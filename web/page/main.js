@@ -373,7 +373,17 @@ async function listPresets(bytes) {
   ];
 }
 
+/** Takes from the link what it cannot say; the first reason is told. */
+function checkLink() {
+  for (const key of [...link.keys()]) {
+    if (key === "drum" || key === "quality" || (key.includes(".") && key !== "quality.level")) continue;
+    refused ||= key === "quality.level" ? "quality.level is said by quality=" : `there is no '${key}'`;
+    link.delete(key);
+  }
+}
+
 function fillPresets() {
+  checkLink();
   const select = element("preset");
   const groups = ["Drums", "Kits"].map((label) => Object.assign(document.createElement("optgroup"), { label }));
   for (const { name } of presets) groups[Number(kitOf(name) !== null)].append(new Option(kitOf(name) ?? name, name));

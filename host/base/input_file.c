@@ -7,12 +7,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/part_name.h"
 #include "platform/files.h"
 
 #define FIRST_CAPACITY 65536
 #define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
 
+/* A program that was killed has left what it wrote under another name. */
+static Outcome fail_missing(const char *name) {
+  const char *const reason = strerror(ENOENT);
+  char *const part = part_name(name, 1);
+  const Outcome outcome =
+    part && file_exists(part)
+      ? fail("cannot read " INPUT ": %s; there is '%.200s', which was not completed",
+             INPUT_OF(name), reason, part)
+      : fail("cannot read " INPUT ": %s", INPUT_OF(name), reason);
+  free(part);
+  return outcome;
+}
+
 static Outcome fail_reading(const char *name) {
+  if (errno == ENOENT) return fail_missing(name);
   if (errno == EISDIR) return fail("cannot read " INPUT ": it is a folder", INPUT_OF(name));
   return fail("cannot read " INPUT ": %s", INPUT_OF(name), strerror(errno));
 }

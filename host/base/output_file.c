@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/interrupt.h"
+#include "base/part_name.h"
 #include "platform/paths.h"
 
 #define MOST_PARTS 999 /* numbers of temporary names that a person finds */
@@ -105,17 +106,6 @@ bool output_overwrites(const OutputFile *file, const char *path) {
 static int create_hidden(OutputFile *file) {
   file->temporary = join(file->target, path_folder_length(file->target), ".tabor-XXXXXX");
   return file->temporary ? file_create_unique(file->temporary) : -1;
-}
-
-/* "FOLDER/take.part.wav" of "FOLDER/take.wav"; "take.part-2.wav" with the number 2. NULL if memory is short. */
-static char *part_name(const char *target, unsigned number) {
-  const char *const base = path_base(target), *const dot = strrchr(base, '.');
-  const size_t stem = dot && dot > base ? (size_t)(dot - target) : strlen(target);
-  const size_t size = strlen(target) + sizeof ".part-4294967295";
-  char *const name = malloc(size), count[16] = "";
-  if (number > 1) (void)snprintf(count, sizeof count, "-%u", number);
-  if (name) (void)snprintf(name, size, "%.*s.part%s%s", (int)stem, target, count, target + stem);
-  return name;
 }
 
 /* What a program that was killed has left keeps its name. */

@@ -99,6 +99,12 @@ for ((take = 1; take <= takes; take++)); do
   esac
 done
 
+# ---- who asks for a killed take's log is told where it is ----
+
+run render -q --replay take.log
+same "status" 1 "$status"
+check "the log's name" grep -qx "tabor: cannot read 'take.log': No such file or directory; there is 'take.part.log', which was not completed" "$err"
+
 # ---- what is left of a killed take stays ----
 
 rm -f take*

@@ -30,11 +30,11 @@ typedef struct TbParts {
 } TbParts;
 
 /* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows stand 8 side by side, those
- * of the second head behind those of the first, each padded. */
+ * of the second head right behind those of the first. */
 typedef struct TbMixingBlock {
   uint32_t count;
   const uint32_t *mode; /* [count] */
-  const double *matrix; /* [heads][count/8 rounded up][count][8], the diagonals 0 */
+  const double *matrix; /* [heads count/8 rounded up][count][8], the diagonals 0 */
   const float *rounded; /* the same for the kernels in single precision; one of both is NULL */
 } TbMixingBlock;
 

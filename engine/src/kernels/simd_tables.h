@@ -174,14 +174,14 @@ static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
   _Alignas(64) Real x[TB_MIXING_MOST], y[2 * TB_MIXING_MOST];
   for (uint32_t b = 0; b < mixing->count; b++) {
     const TbMixingBlock block = mixing->block[b];
-    const uint32_t rows = (block.count + 7u) / 8u;
+    const uint32_t rows = (mixing->heads * block.count + 7u) / 8u;
     const void *table = SINGLE ? (const void *)block.rounded : block.matrix;
     UNROLL(8)
     for (uint64_t i = 0; i < block.count; i++) x[i] = (Real)q[block.mode[i]];
-    multiply_all(false, mixing->heads * rows, block.count, y, table, x);
+    multiply_all(false, rows, block.count, y, table, x);
     for (uint64_t h = 0; h < mixing->heads; h++) {
       double *const to = out[h];
-      const Real *from = y + 8u * h * rows;
+      const Real *from = y + h * block.count;
       UNROLL(8)
       for (uint64_t i = 0; i < block.count; i++) to[block.mode[i]] = (double)from[i];
     }

@@ -81,12 +81,13 @@ static uint32_t find_mixed(const Order *o, TbArena *arena, uint32_t places[TB_MI
 
 /* The terms of head h. */
 static void fill_rows(const Order *o, uint32_t h, const uint32_t *places, uint32_t count,
-                      double *rows) {
+                      double *matrix) {
   for (uint32_t i = 0; i < count; i++) {
+    const uint32_t row = h * count + i;
     for (uint32_t j = 0; j < count; j++) {
-      const size_t at = ((size_t)(i / 8u) * count + j) * 8u + i % 8u;
+      const size_t at = ((size_t)(row / 8u) * count + j) * 8u + row % 8u;
       const bool both = i != j && stretches(o, h, places[i]) && stretches(o, h, places[j]);
-      rows[at] = both ? term(o, h, places[i], places[j]) : 0.0;
+      matrix[at] = both ? term(o, h, places[i], places[j]) : 0.0;
     }
   }
 }
@@ -100,14 +101,14 @@ static float *round_off(TbArena *arena, const double *x, size_t count) {
 /* Fills the block's matrix, in the precision of the model: G is symmetric in either. */
 static bool fill_matrix(const Order *o, TbArena *arena, const uint32_t *places,
                         TbMixingBlock *block) {
-  const size_t each = (size_t)tb_pad(block->count) * block->count;
-  const size_t all = each * o->model->stretch.count;
+  const uint32_t heads = o->model->stretch.count;
+  const size_t all = (size_t)tb_pad(heads * block->count) * block->count;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
   const bool single = o->model->precision == TB_IN_FLOAT;
   double *matrix = tb_arena_doubles(single ? &scratch : arena, all);
-  for (uint32_t h = 0; matrix && h < o->model->stretch.count; h++) {
-    if (tb_arena_go_on(arena)) fill_rows(o, h, places, block->count, matrix + h * each);
+  for (uint32_t h = 0; matrix && h < heads && tb_arena_go_on(arena); h++) {
+    fill_rows(o, h, places, block->count, matrix);
   }
   if (single && matrix) {
     block->rounded = round_off(arena, matrix, all);

@@ -8,8 +8,9 @@
  * off the diagonal the batter's tension rises by half of what it should, and the other head's rises, too. On the bass drum
  * that is 9 to 12 dB in third octaves of a hard stroke, on toms 4 to 7 dB.
  *
- * Of each order the modes up to a limit take part that stretch the head together with another one by more than a part of what
- * the softest mode does alone, at equal energies: all terms between these are kept. Both copies have the same. Set-up only. */
+ * Of each order the modes up to a limit take part that stretch one of the heads together with another mode by more than a part
+ * of what the head's softest mode does alone, at equal energies: all terms between these are kept, on both heads. Both copies
+ * have the same. Set-up only. */
 #ifndef TB_STRETCH_MIXING_H
 #define TB_STRETCH_MIXING_H
 

@@ -128,6 +128,7 @@ static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *p
          (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
 }
 
+/* What the ranges leave out does not move at this place. */
 static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape) {
   for (uint32_t i = kept.first; i < modes->padded; i++) {
     if (i - kept.from >= kept.size) shape[i] = 0.0;

@@ -27,9 +27,9 @@ static TaborDrumDef usual;
 
 static void put_word(const char *word, double value) { put_point(word, (int)strlen(word), value); }
 
-static void put_knob(KnobId id) {
+static void put_knob(KnobSet set, KnobId id) {
   const Knob *const knob = &knobs[id];
-  const KnobRange range = knob_range(id, &usual);
+  const KnobRange range = knob_range_in(set, id, &usual);
   put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
   put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
   put_range(knob_decimal(range.fallback), knob_decimal(range.minimum), knob_decimal(range.maximum));
@@ -49,6 +49,14 @@ static void put_knob(KnobId id) {
 
 /* ---- other ports ---------------------------------------------------------------------------- */
 
+static void put_input(uint32_t side) {
+  static const char *const names[] = {"Left", "Right"};
+  put("\t\ta lv2:InputPort , lv2:AudioPort ;\n");
+  put("\t\tlv2:symbol \"in_%c%s\" ;\n", tolower(names[side][0]), names[side] + 1);
+  put_side(side);
+  put("\t\tlv2:name \"Sound %s\"\n", names[side]);
+}
+
 static void put_output(bool stereo, uint32_t channel) {
   static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right", "Inside"};
   const uint32_t first_side = stereo ? 0 : 4;
@@ -63,14 +71,15 @@ static void put_output(bool stereo, uint32_t channel) {
   put("\t\tlv2:name \"%s\"\n", name);
 }
 
-static void put_port(bool stereo, uint32_t number, Port port) {
+static void put_port(KnobSet set, uint32_t number, Port port) {
   put("%s[\n\t\tlv2:index %u ;\n", number > 0 ? " , " : "\tlv2:port ", (unsigned)number);
   switch (port.kind) {
   case PORT_EVENTS: put_events(); break;
-  case PORT_OUTPUT: put_output(stereo, port.index); break;
+  case PORT_INPUT: put_input(port.index); break;
+  case PORT_OUTPUT: put_output(set != KNOBS_MULTI, port.index); break;
   case PORT_FREEWHEEL: put_freewheel(); break;
   case PORT_READY: put_ready(); break;
-  case PORT_KNOB: put_knob((KnobId)port.index); break;
+  case PORT_KNOB: put_knob(set, (KnobId)port.index); break;
   case PORT_NONE: break;
   }
   put("\t]");
@@ -81,7 +90,7 @@ static void put_port(bool stereo, uint32_t number, Port port) {
 /* Whether a plugin has a knob of the group. */
 static bool is_used(const KnobGroup *group) {
   KnobId id;
-  for (uint32_t i = 0; (id = knob_at(KNOBS_STEREO, i)) < KNOB_COUNT; i++) {
+  for (uint32_t i = 0; (id = knob_at(KNOBS_EFFECT, i)) < KNOB_COUNT; i++) {
     if (strcmp(knobs[id].group, group->symbol) == 0) return true;
   }
   return false;
@@ -120,12 +129,17 @@ static void put_properties(void) {
   "drums."
 
 static const PluginWords words[] = {
-  {URI_DRUM, "Tabor", "A snare drum computed from physics", COMMENT},
-  {URI_DRUM_MULTI, "Tabor Multi", "A snare drum computed from physics, an output per microphone",
-   COMMENT}};
+  [KNOBS_STEREO] = {URI_DRUM, "Tabor", "InstrumentPlugin", "A snare drum computed from physics",
+                    COMMENT},
+  [KNOBS_MULTI] = {URI_DRUM_MULTI, "Tabor Multi", "InstrumentPlugin",
+                   "A snare drum computed from physics, an output per microphone", COMMENT},
+  [KNOBS_EFFECT] = {
+    URI_EFFECT, "Tabor Rattle", "SimulatorPlugin",
+    "A loudspeaker plays the sound to a snare drum, whose snares rattle",
+    "What comes in drives the heads as sound does, the snares with them. " COMMENT}};
 
-static void put_plugin(bool stereo, bool has_window) {
-  put_plugin_words(&words[stereo ? 0 : 1]);
+static void put_plugin(KnobSet set, bool has_window) {
+  put_plugin_words(&words[set]);
   if (has_window) put("\tui:ui <%s> ;\n", URI_WINDOW);
   put("\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
       "state:threadSafeRestore ;\n"
@@ -133,8 +147,8 @@ static void put_plugin(bool stereo, bool has_window) {
       "\tpg:mainOutput <%spair> ;\n",
       URI_GROUP);
   Port port;
-  for (uint32_t number = 0; (port = port_at(stereo, number)).kind != PORT_NONE; number++) {
-    put_port(stereo, number, port);
+  for (uint32_t number = 0; (port = port_at(set, number)).kind != PORT_NONE; number++) {
+    put_port(set, number, port);
   }
   put(" .\n\n");
 }
@@ -207,7 +221,7 @@ static void write_manifest(const char *folder, const char *binary, const char *w
       "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
-  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
+  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT, URI_EFFECT};
   for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
     put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
         binary);
@@ -225,8 +239,9 @@ static void write_plugins(const char *folder, bool has_window) {
   put_prefixes();
   put_groups();
   put_properties();
-  put_plugin(true, has_window);
-  put_plugin(false, has_window);
+  put_plugin(KNOBS_STEREO, has_window);
+  put_plugin(KNOBS_MULTI, has_window);
+  put_plugin(KNOBS_EFFECT, has_window);
   put_kit();
   turtle_close();
 }

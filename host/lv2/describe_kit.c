@@ -87,6 +87,7 @@ static void put_port(uint32_t number, Port port) {
   case PORT_FREEWHEEL: put_freewheel(); break;
   case PORT_READY: put_ready(); break;
   case PORT_KNOB: put_knob(&kit_knobs[port.index]); break;
+  case PORT_INPUT: /* the kit has none */
   case PORT_NONE: break;
   }
   put("\t]");
@@ -97,6 +98,7 @@ static void put_port(uint32_t number, Port port) {
 static const PluginWords words = {
   .uri = URI_KIT,
   .name = "Tabor Kit",
+  .kind = "InstrumentPlugin",
   .brief = "A drum kit computed from physics, an output per drum",
   .comment = "Drums that stand in one room and hear each other: no samples. Notes are those of "
              "General MIDI or of a drum module; each drum has an output, a level and a tuning."};

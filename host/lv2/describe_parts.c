@@ -7,7 +7,7 @@
 #include "lv2/turtle.h"
 
 void put_plugin_words(const PluginWords *words) {
-  put("<%s>\n\ta lv2:Plugin , lv2:InstrumentPlugin , doap:Project ;\n", words->uri);
+  put("<%s>\n\ta lv2:Plugin , lv2:%s , doap:Project ;\n", words->uri, words->kind);
   put("\tdoap:name \"%s\" ;\n", words->name);
   put("\tdoap:license <https://spdx.org/licenses/MIT> ;\n"
       "\tdoap:maintainer [ a foaf:Person ; foaf:name \"Tabor's maintainers\" ] ;\n");

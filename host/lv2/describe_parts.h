@@ -8,6 +8,7 @@
 
 typedef struct PluginWords {
   const char *uri, *name;
+  const char *kind; /**< class of plugins that LV2 sorts it among */
   const char *brief, *comment;
 } PluginWords;
 

@@ -33,13 +33,21 @@ static void say(void *context, const char *line) {
 
 static void build_models(void *worker) { model_worker_work(worker); }
 
-static bool open(Instrument *instrument, double rate, bool stereo) {
+static void find_ranges(Instrument *instrument) {
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    instrument->ranges[i] = knob_range_in(instrument->set, (KnobId)i, &instrument->worker.base);
+  }
+}
+
+static bool open(Instrument *instrument, double rate) {
+  const bool stereo = instrument->set != KNOBS_MULTI;
   instrument->size = sizeof *instrument;
   instrument->version = tabor_version();
   map_uris(&instrument->urids, instrument->host.map);
   instrument->worker.say = say;
   instrument->worker.context = instrument;
   if (!model_worker_begin(&instrument->worker, rate, stereo)) return false;
+  find_ranges(instrument);
   if (!plugin_player_begin(&instrument->player, &instrument->worker, rate, stereo)) return false;
   if (!window_link_begin(&instrument->window)) return false;
   return instrument->host.schedule ||
@@ -56,6 +64,11 @@ static void cleanup(LV2_Handle handle) {
   free(instrument);
 }
 
+static KnobSet set_of(const LV2_Descriptor *descriptor) {
+  if (descriptor == &instrument_effect) return KNOBS_EFFECT;
+  return descriptor == &instrument_stereo ? KNOBS_STEREO : KNOBS_MULTI;
+}
+
 static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, const char *bundle,
                               const LV2_Feature *const *features) {
   (void)bundle;
@@ -65,16 +78,18 @@ static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, con
     free(instrument);
     return NULL;
   }
-  if (open(instrument, rate, strcmp(descriptor->URI, URI_DRUM) == 0)) return instrument;
+  instrument->set = set_of(descriptor);
+  if (open(instrument, rate)) return instrument;
   cleanup(instrument);
   return NULL;
 }
 
 static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
   Instrument *const instrument = handle;
-  const Port port = port_at(instrument->player.stereo, number);
+  const Port port = port_at(instrument->set, number);
   switch (port.kind) {
   case PORT_EVENTS: instrument->events = data; break;
+  case PORT_INPUT: instrument->outputs.input[port.index] = data; break;
   case PORT_OUTPUT: instrument->outputs.channels[port.index] = data; break;
   case PORT_FREEWHEEL: instrument->freewheel = data; break;
   case PORT_READY: instrument->ready = data; break;
@@ -101,15 +116,15 @@ static float knob_value(const Instrument *instrument, uint32_t id) {
   const float *const port = instrument->knob_ports[id];
   const float last = instrument->player.seen[id];
   if (port && isfinite(*port)) return *port;
-  return port && !isnan(last) ? last : instrument->player.ranges[id].fallback;
+  return port && !isnan(last) ? last : instrument->ranges[id].fallback;
 }
 
 static void turn_knobs(void *shell) REALTIME;
 static void turn_knobs(void *shell) {
   Instrument *const instrument = shell;
   KnobId id;
-  for (uint32_t i = 0; (id = knob_at(instrument->player.stereo, i)) < KNOB_COUNT; i++) {
-    const KnobRange *const range = &instrument->player.ranges[id];
+  for (uint32_t i = 0; (id = knob_at(instrument->set, i)) < KNOB_COUNT; i++) {
+    const KnobRange *const range = &instrument->ranges[id];
     const float value = knob_value(instrument, id);
     plugin_player_turn(&instrument->player, id,
                        fminf(fmaxf(value, range->minimum), range->maximum));
@@ -224,3 +239,4 @@ static const void *extension_data(const char *uri) {
 
 const LV2_Descriptor instrument_stereo = PLUGIN(URI_DRUM);
 const LV2_Descriptor instrument_multi = PLUGIN(URI_DRUM_MULTI);
+const LV2_Descriptor instrument_effect = PLUGIN(URI_EFFECT);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file instrument.h
- * An instance of Tabor or Tabor Multi. instrument.c creates, runs and destroys it; instrument_state.c saves and restores it.
+ * An instance of Tabor, Tabor Multi or Tabor Rattle. instrument.c creates, runs and destroys it; instrument_state.c saves and restores it.
  */
 #ifndef TABOR_LV2_INSTRUMENT_H
 #define TABOR_LV2_INSTRUMENT_H
@@ -26,6 +26,8 @@ typedef struct Urids {
 typedef struct Instrument {
   size_t size;         /**< of this struct, and */
   const char *version; /**< of Tabor: by both the window knows whether it is of the same build */
+  KnobSet set;
+  KnobRange ranges[KNOB_COUNT];
   Urids urids;
   HostFeatures host;
   WorkerThread thread; /**< if the host has no schedule */
@@ -43,7 +45,7 @@ typedef struct Instrument {
   WindowLink window;
 } Instrument;
 
-extern const LV2_Descriptor instrument_stereo, instrument_multi;
+extern const LV2_Descriptor instrument_stereo, instrument_multi, instrument_effect;
 extern const LV2_State_Interface instrument_state;
 
 #endif

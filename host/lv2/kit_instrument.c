@@ -87,6 +87,7 @@ static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
   case PORT_FREEWHEEL: kit->freewheel = data; break;
   case PORT_READY: kit->ready = data; break;
   case PORT_KNOB: kit->knob_ports[port.index] = data; break;
+  case PORT_INPUT: /* the kit has none */
   case PORT_NONE: break;
   }
 }

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ports.h
- * The ports of the two plugins.
+ * The ports of the plugins with one drum.
  *
  *     0                 MIDI
- *     1 ...             outputs: left and right, or one per microphone
+ *     1, 2              inputs of the effect
+ *     then              outputs: left and right, or one per microphone
  *     then              freewheel, ready
  *     then              knobs, in the order of knob_ports; in the multi-output plugin the output of the
  *                       microphone inside stands among them, at PORT_INSIDE, where it was the last port once
@@ -20,6 +21,7 @@
 
 typedef enum PortKind {
   PORT_EVENTS,
+  PORT_INPUT,  /**< audio; index: the side */
   PORT_OUTPUT, /**< audio; index: the channel */
   PORT_FREEWHEEL,
   PORT_READY,
@@ -34,19 +36,23 @@ typedef struct Port {
 
 #define PORT_INSIDE 14 /**< knobs of the multi-output plugin before the output inside */
 
-/** Number of audio outputs of a plugin. */
-static inline uint32_t port_outputs(bool stereo) { return stereo ? 2 : 7; }
+/** Number of audio inputs and outputs of a plugin. */
+static inline uint32_t port_inputs(KnobSet set) REALTIME { return set == KNOBS_EFFECT ? 2 : 0; }
+static inline uint32_t port_outputs(KnobSet set) { return set == KNOBS_MULTI ? 7 : 2; }
 
-/** Port number @p number of the stereo or the multi-output plugin. */
-static inline Port port_at(bool stereo, uint32_t number) REALTIME {
-  const uint32_t outputs = stereo ? 2 : 6; /* in one row */
+/** Port number @p number of a plugin. */
+static inline Port port_at(KnobSet set, uint32_t number) REALTIME {
+  const bool multi = set == KNOBS_MULTI;
+  const uint32_t inputs = port_inputs(set), outputs = multi ? 6 : 2; /* in one row */
   if (number == 0) return (Port){PORT_EVENTS, 0};
-  if (number <= outputs) return (Port){PORT_OUTPUT, number - 1};
-  if (number == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
-  if (number == outputs + 2) return (Port){PORT_READY, 0};
-  const uint32_t place = number - outputs - 3;
-  if (!stereo && place == PORT_INSIDE) return (Port){PORT_OUTPUT, outputs};
-  const KnobId knob = knob_at(stereo, place - (!stereo && place > PORT_INSIDE));
+  if (number <= inputs) return (Port){PORT_INPUT, number - 1};
+  const uint32_t behind = number - inputs;
+  if (behind <= outputs) return (Port){PORT_OUTPUT, behind - 1};
+  if (behind == outputs + 1) return (Port){PORT_FREEWHEEL, 0};
+  if (behind == outputs + 2) return (Port){PORT_READY, 0};
+  const uint32_t place = behind - outputs - 3;
+  if (multi && place == PORT_INSIDE) return (Port){PORT_OUTPUT, outputs};
+  const KnobId knob = knob_at(set, place - (multi && place > PORT_INSIDE));
   return (Port){knob < KNOB_COUNT ? PORT_KNOB : PORT_NONE, knob};
 }
 

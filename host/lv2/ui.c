@@ -18,7 +18,6 @@ typedef struct Ui {
   LV2UI_Write_Function write;
   LV2UI_Controller controller;
   const LV2UI_Touch *touch; /* or NULL */
-  KnobSet set;
   uint32_t ports[KNOB_COUNT];
   float values[KNOB_COUNT]; /* of the ports */
   PluginWindow *window;
@@ -49,7 +48,7 @@ static void end(void *instance, KnobId id) { grab(instance, id, false); }
 
 static void turn(void *instance, KnobId id, double to) {
   Ui *const ui = instance;
-  const KnobRange *const range = &ui->instrument->player.ranges[id];
+  const KnobRange *const range = &ui->instrument->ranges[id];
   ui->values[id] = fminf(fmaxf((float)knob_decimal((float)to), range->minimum), range->maximum);
   ui->write(ui->controller, ui->ports[id], sizeof ui->values[id], 0, &ui->values[id]);
 }
@@ -60,7 +59,7 @@ static void save(void *instance, SavedState *saved) { model_worker_save(worker(i
 static void use(void *instance, const PluginDrum *drum) {
   Ui *const ui = instance;
   KnobId id;
-  for (uint32_t i = 0; (id = knob_at(ui->set, i)) < KNOB_COUNT; i++) {
+  for (uint32_t i = 0; (id = knob_at(ui->instrument->set, i)) < KNOB_COUNT; i++) {
     turn(ui, id, (double)drum->values[id]);
   }
   model_worker_restore(worker(ui), &drum->saved);
@@ -117,18 +116,17 @@ static double scale_of(const Features *features) {
 
 static void find_ports(Ui *ui) {
   Port port;
-  for (uint32_t i = 0; (port = port_at(ui->set, i)).kind != PORT_NONE; i++) {
+  for (uint32_t i = 0; (port = port_at(ui->instrument->set, i)).kind != PORT_NONE; i++) {
     if (port.kind == PORT_KNOB) ui->ports[port.index] = i;
   }
-  for (uint32_t i = 0; i < KNOB_COUNT; i++)
-    ui->values[i] = ui->instrument->player.ranges[i].fallback;
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) ui->values[i] = ui->instrument->ranges[i].fallback;
 }
 
 static bool open(Ui *ui, const Features *features, LV2UI_Widget *widget) {
   const PluginWindowShell shell = {.instance = ui,
                                    .link = &ui->instrument->window,
-                                   .set = ui->set,
-                                   .ranges = ui->instrument->player.ranges,
+                                   .set = ui->instrument->set,
+                                   .ranges = ui->instrument->ranges,
                                    .worker = worker,
                                    .value = value,
                                    .begin = begin,
@@ -168,9 +166,8 @@ static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *
                                 const LV2_Feature *const *list) {
   (void)descriptor;
   (void)bundle;
-  const bool stereo = strcmp(plugin, URI_DRUM) == 0;
   const Features features = find_features(list);
-  if (!stereo && strcmp(plugin, URI_DRUM_MULTI) != 0) return NULL;
+  if (strcmp(plugin, URI_KIT) == 0) return NULL;
   if (!features.parent || !features.instrument || !is_of_this_build(features.instrument)) {
     return NULL;
   }
@@ -180,7 +177,6 @@ static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *
   ui->write = write;
   ui->controller = controller;
   ui->touch = features.touch;
-  ui->set = stereo ? KNOBS_STEREO : KNOBS_MULTI;
   find_ports(ui);
   if (open(ui, &features, widget)) return ui;
   cleanup(ui);
@@ -192,7 +188,7 @@ static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *
 static void port_event(LV2UI_Handle handle, uint32_t number, uint32_t size, uint32_t format,
                        const void *buffer) {
   Ui *const ui = handle;
-  const Port port = port_at(ui->set, number);
+  const Port port = port_at(ui->instrument->set, number);
   float to;
   if (format != 0 || size != sizeof to || port.kind != PORT_KNOB) return;
   memcpy(&to, buffer, sizeof to);

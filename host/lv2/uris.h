@@ -8,9 +8,10 @@
 
 #define URI_DRUM "urn:tabor:drum"             /**< the plugin with a stereo output */
 #define URI_DRUM_MULTI "urn:tabor:drum-multi" /**< the plugin with an output per microphone */
+#define URI_EFFECT "urn:tabor:effect"         /**< the drum before a loudspeaker */
 #define URI_KIT "urn:tabor:kit"               /**< the plugin that plays drum kits */
 
-#define URI_WINDOW "urn:tabor:drum:window" /**< of the first two */
+#define URI_WINDOW "urn:tabor:drum:window" /**< of the first three */
 
 #define URI_PRESET "urn:tabor:preset:"       /**< a factory preset, with its name */
 #define URI_GROUP "urn:tabor:group:"         /**< a group of ports, with its symbol */

@@ -119,7 +119,7 @@ static int say_all(LV2_Log_Handle handle, LV2_URID type, const char *format, ...
 /* ---- an instance ---------------------------------------------------------------------------- */
 
 Port host_port(const PluginHost *host, uint32_t number) {
-  return host->is_kit ? kit_port_at(number) : port_at(host->stereo, number);
+  return host->is_kit ? kit_port_at(number) : port_at(host->set, number);
 }
 
 static float *knob_of(PluginHost *host, uint32_t id) {
@@ -132,6 +132,7 @@ static void connect_ports(PluginHost *host) {
     void *data = NULL;
     switch (port.kind) {
     case PORT_EVENTS: data = &host->events; break;
+    case PORT_INPUT: data = host->input[port.index]; break;
     case PORT_OUTPUT: data = host->sound[port.index]; break;
     case PORT_FREEWHEEL: data = &host->freewheel; break;
     case PORT_READY: data = &host->ready; break;
@@ -158,13 +159,18 @@ static void set_knobs(PluginHost *host) {
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) host->kit_knobs[i] = kit_knobs[i].fallback;
 }
 
+static KnobSet set_of(const char *uri) {
+  if (strcmp(uri, URI_EFFECT) == 0) return KNOBS_EFFECT;
+  return strcmp(uri, URI_DRUM_MULTI) == 0 ? KNOBS_MULTI : KNOBS_STEREO;
+}
+
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
   PluginHost *const host = calloc(1, sizeof *host);
   assert_non_null(host);
   host->descriptor = descriptor;
-  host->stereo = strcmp(descriptor->URI, URI_DRUM) == 0;
+  host->set = set_of(descriptor->URI);
   host->is_kit = strcmp(descriptor->URI, URI_KIT) == 0;
-  host->outputs = host->is_kit ? KIT_PORT_OUTPUTS : port_outputs(host->stereo);
+  host->outputs = host->is_kit ? KIT_PORT_OUTPUTS : port_outputs(host->set);
   host->worker = worker;
   set_knobs(host);
   host->urids = (LV2_URID_Map){NULL, host_map_feature};

@@ -49,12 +49,14 @@ typedef struct HostState {
 typedef struct PluginHost {
   const LV2_Descriptor *descriptor;
   LV2_Handle handle;
-  bool stereo, is_kit;
+  KnobSet set;
+  bool is_kit;
   HostWorker worker;
   uint32_t outputs;
   float knobs[KNOB_COUNT], freewheel, ready;
   float kit_knobs[KIT_KNOB_COUNT]; /**< in place of knobs, of Tabor Kit */
   float sound[HOST_OUTPUTS][HOST_BLOCK];
+  float input[2][HOST_BLOCK]; /**< of the effect, for the next run */
   union {
     LV2_Atom_Sequence sequence;
     uint64_t room[HOST_ROOM / 8];

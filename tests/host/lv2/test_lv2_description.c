@@ -19,6 +19,7 @@
 
 #ifdef TABOR_HAVE_LILV
 #  include <lilv/lilv.h>
+#  include <lv2/port-groups/port-groups.h>
 #  include <lv2/presets/presets.h>
 
 #  include "lv2/uris.h"
@@ -29,8 +30,9 @@ static const char *bundle;
 static LilvWorld *world;
 static TaborDrumDef usual;
 
-static const char *const plugin_uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT};
-enum { DRUMS = 2, PLUGINS }; /* the first two have presets and states */
+static const char *const plugin_uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_EFFECT, URI_KIT};
+static const KnobSet sets[] = {KNOBS_STEREO, KNOBS_MULTI, KNOBS_EFFECT};
+enum { DRUMS = 2, SHELLS, PLUGINS }; /* the first two have presets, the first three a state */
 
 static LilvNode *uri(const char *text) { return lilv_new_uri(world, text); }
 
@@ -86,7 +88,7 @@ static bool port_has(const LilvPlugin *plugin, const LilvPort *port, const char 
 
 /* Port number `number` of plugin_uris[plugin]. */
 static Port binary_port(size_t plugin, uint32_t number) {
-  return plugin < DRUMS ? port_at(plugin == 0, number) : kit_port_at(number);
+  return plugin < SHELLS ? port_at(sets[plugin], number) : kit_port_at(number);
 }
 
 static uint32_t port_count(size_t plugin) {
@@ -107,9 +109,9 @@ static void test_ports_are_those_of_the_binary(void **state) {
     const char *const binary =
       lilv_file_uri_parse(lilv_node_as_uri(lilv_plugin_get_library_uri(plugin)), NULL);
     const LV2_Descriptor *const descriptor = host_descriptor(binary, plugin_uris[i]);
-    assert_int_equal(descriptor->extension_data(LV2_STATE__interface) != NULL, i < DRUMS);
-    assert_int_equal(descriptor->extension_data(LV2_WORKER__interface) != NULL, i < DRUMS);
-    assert_int_equal(count_values(plugin, LV2_CORE__extensionData), i < DRUMS ? 2 : 0);
+    assert_int_equal(descriptor->extension_data(LV2_STATE__interface) != NULL, i < SHELLS);
+    assert_int_equal(descriptor->extension_data(LV2_WORKER__interface) != NULL, i < SHELLS);
+    assert_int_equal(count_values(plugin, LV2_CORE__extensionData), i < SHELLS ? 2 : 0);
     assert_null(descriptor->extension_data("urn:tabor:nothing"));
     lilv_free((void *)binary);
   }
@@ -174,6 +176,13 @@ static void test_symbols_do_not_change(void **state) {
                                     "tune_7",      "tune_8"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
+  static const char *const effect[] = {
+    "events",       "in_left",        "in_right",   "out_left",         "out_right",
+    "freewheel",    "ready",          SHARED_KNOBS, "level_pair",       "level_top",
+    "level_bottom", "level_near",     "level_far",  "velocity_range",   "level_inside",
+    "batter_pitch", "resonant_pitch", "room",       "wires_unevenness", "sound_level",
+    "mix"};
+  check_symbols(URI_EFFECT, effect, sizeof effect / sizeof effect[0]);
   check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }
 
@@ -217,8 +226,8 @@ static float point_of(const LilvPlugin *plugin, const LilvPort *port, const char
   return value;
 }
 
-static void check_knob(const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
-  const KnobRange range = knob_range(id, &usual);
+static void check_knob(KnobSet set, const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
+  const KnobRange range = knob_range_in(set, id, &usual);
   assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
   check_range(plugin, port, &range);
   const bool ratios = port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#logarithmic");
@@ -247,12 +256,12 @@ static void check_key(KnobId id) {
 
 static void test_knobs(void **state) {
   (void)state;
-  for (size_t i = 0; i < DRUMS; i++) {
+  for (size_t i = 0; i < SHELLS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
     Port port;
-    for (uint32_t index = 0; (port = port_at(i == 0, index)).kind != PORT_NONE; index++) {
+    for (uint32_t index = 0; (port = port_at(sets[i], index)).kind != PORT_NONE; index++) {
       if (port.kind != PORT_KNOB) continue;
-      check_knob(plugin, lilv_plugin_get_port_by_index(plugin, index), (KnobId)port.index);
+      check_knob(sets[i], plugin, lilv_plugin_get_port_by_index(plugin, index), (KnobId)port.index);
       if (port.index < KNOB_KEYS) check_key((KnobId)port.index);
     }
   }
@@ -306,12 +315,15 @@ static void test_choices_of_the_kit_do_not_change(void **state) {
   }
 }
 
-static void check_designation(size_t number, const char *designation, PortKind kind) {
-  LilvNode *const node = uri(designation);
+/* A port of the class `direction`. */
+static void check_designation(size_t number, const char *direction, const char *designation,
+                              PortKind kind) {
+  LilvNode *const node = uri(designation), *const class = uri(direction);
   const LilvPlugin *const plugin = find_plugin(plugin_uris[number]);
-  const LilvPort *const port = lilv_plugin_get_port_by_designation(plugin, NULL, node);
+  const LilvPort *const port = lilv_plugin_get_port_by_designation(plugin, class, node);
   assert_non_null(port);
   assert_int_equal(binary_port(number, lilv_port_get_index(plugin, port)).kind, kind);
+  lilv_node_free(class);
   lilv_node_free(node);
 }
 
@@ -338,11 +350,14 @@ static void test_what_hosts_look_for(void **state) {
     assert_true(lilv_plugin_has_feature(plugin, hard));
     lilv_node_free(hard);
     assert_false(lilv_plugin_has_latency(plugin));
-    check_designation(i, LV2_CORE__freeWheeling, PORT_FREEWHEEL);
-    check_designation(i, LV2_CORE__control, PORT_EVENTS);
-    check_designation(i, "http://lv2plug.in/ns/ext/port-groups#left", PORT_OUTPUT);
-    check_designation(i, "http://lv2plug.in/ns/ext/port-groups#right", PORT_OUTPUT);
-    assert_true(is_instrument(plugin));
+    const bool is_effect = strcmp(plugin_uris[i], URI_EFFECT) == 0;
+    check_designation(i, LV2_CORE__InputPort, LV2_CORE__freeWheeling, PORT_FREEWHEEL);
+    check_designation(i, LV2_CORE__InputPort, LV2_CORE__control, PORT_EVENTS);
+    check_designation(i, LV2_CORE__OutputPort, LV2_PORT_GROUPS__left, PORT_OUTPUT);
+    check_designation(i, LV2_CORE__OutputPort, LV2_PORT_GROUPS__right, PORT_OUTPUT);
+    if (is_effect) check_designation(i, LV2_CORE__InputPort, LV2_PORT_GROUPS__left, PORT_INPUT);
+    if (is_effect) check_designation(i, LV2_CORE__InputPort, LV2_PORT_GROUPS__right, PORT_INPUT);
+    assert_int_equal(is_instrument(plugin), !is_effect);
   }
 }
 

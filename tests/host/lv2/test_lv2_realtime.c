@@ -124,6 +124,11 @@ static void nor_without_a_worker(void **state) {
   play_random(URI_DRUM_MULTI, HOST_WITHOUT_WORKER, 2);
 }
 
+static void nor_in_the_effect(void **state) {
+  (void)state;
+  play_random(URI_EFFECT, HOST_WORKER_THREAD, 3);
+}
+
 /* Now and then another kit, room or tuning; levels and notes all the time. */
 static void send_to_kit(PluginHost *host, uint64_t *random, bool change) {
   static const KitKnobId rebuilt[] = {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_TUNE};
@@ -158,9 +163,8 @@ static void nor_those_of_a_kit(void **state) {
 int main(int argc, char **argv) {
   if (argc > 1) seconds = atof(argv[1]);
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(the_counters_count),
-    cmocka_unit_test(runs_call_nothing_that_waits),
-    cmocka_unit_test(nor_without_a_worker),
+    cmocka_unit_test(the_counters_count),   cmocka_unit_test(runs_call_nothing_that_waits),
+    cmocka_unit_test(nor_without_a_worker), cmocka_unit_test(nor_in_the_effect),
     cmocka_unit_test(nor_those_of_a_kit),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

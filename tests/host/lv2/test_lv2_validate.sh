@@ -24,7 +24,7 @@ same "sord_validate" "" \
 sed 's/lv2:symbol "gain"/lv2:symbol "5 gain"/' "$BUNDLE/tabor.ttl" >tabor.ttl
 check "it finds a bad symbol" test -n "$(clean "$BUNDLE/manifest.ttl" tabor.ttl)"
 
-same "hosts find all plugins" "urn:tabor:drum urn:tabor:drum-multi urn:tabor:kit" \
+same "hosts find all plugins" "urn:tabor:drum urn:tabor:drum-multi urn:tabor:effect urn:tabor:kit" \
   "$(lv2ls 2>"$err" | grep '^urn:tabor' | sort | tr '\n' ' ' | sed 's/ $//')"
 same "and say nothing about them" "" "$(grep -i tabor "$err")"
 
@@ -60,7 +60,7 @@ same "libraries of other builds that it needs" "" "$(readelf -d "$BUNDLE/tabor.s
 
 # ---- a host that measures ----
 
-for plugin in urn:tabor:drum urn:tabor:drum-multi urn:tabor:kit; do
+for plugin in urn:tabor:drum urn:tabor:drum-multi urn:tabor:effect urn:tabor:kit; do
   lv2bench -n 48000 "$plugin" >"$out" 2>"$err"
   same "lv2bench of $plugin" 0 $?
   holds "it measures something: $(cat "$out")" "$(awk '{ print $1 }' "$out") > 0"

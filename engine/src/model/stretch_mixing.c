@@ -2,6 +2,7 @@
 #include "model/stretch_mixing.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "math/bessel.h"
 #include "model/model.h"
@@ -92,29 +93,36 @@ static void fill_rows(const Order *o, uint32_t h, const uint32_t *places, uint32
   }
 }
 
-static float *round_off(TbArena *arena, const double *x, size_t count) {
-  float *rounded = tb_arena_take(arena, count, sizeof *rounded);
-  for (size_t i = 0; rounded && i < count; i++) rounded[i] = (float)x[i];
-  return rounded;
+static void keep_double(TbMixingBlock *block, TbArena *arena, const double *matrix, size_t count) {
+  double *kept = tb_arena_doubles(arena, count);
+  if (kept) memcpy(kept, matrix, count * sizeof *kept);
+  block->matrix = kept;
 }
 
-/* Fills the block's matrix, in the precision of the model: G is symmetric in either. */
+static void keep_float(TbMixingBlock *block, TbArena *arena, const double *matrix, size_t count) {
+  float *rounded = tb_arena_take(arena, count, sizeof *rounded);
+  for (size_t i = 0; rounded && i < count; i++) rounded[i] = (float)matrix[i];
+  block->rounded = rounded;
+}
+
+/* G is symmetric in either precision. */
+static void (*const KEEP[])(TbMixingBlock *block, TbArena *arena, const double *matrix,
+                            size_t count) = {
+  [TB_IN_DOUBLE] = keep_double,
+  [TB_IN_FLOAT] = keep_float,
+};
+
 static bool fill_matrix(const Order *o, TbArena *arena, const uint32_t *places,
                         TbMixingBlock *block) {
   const uint32_t heads = o->model->stretch.count;
-  const size_t all = (size_t)tb_pad(heads * block->count) * block->count;
+  const size_t count = (size_t)tb_pad(heads * block->count) * block->count;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
-  const bool single = o->model->precision == TB_IN_FLOAT;
-  double *matrix = tb_arena_doubles(single ? &scratch : arena, all);
+  double *matrix = tb_arena_doubles(&scratch, count);
   for (uint32_t h = 0; matrix && h < heads && tb_arena_go_on(arena); h++) {
     fill_rows(o, h, places, block->count, matrix);
   }
-  if (single && matrix) {
-    block->rounded = round_off(arena, matrix, all);
-  } else {
-    block->matrix = matrix;
-  }
+  if (matrix) KEEP[o->model->precision](block, arena, matrix, count);
   tb_arena_release(&scratch);
   return !arena->failed && matrix;
 }

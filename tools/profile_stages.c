@@ -166,7 +166,8 @@ static void touch_wires(Memory *memory) {
         v->modal);
   TOUCH(memory, TB_STAGE_WIRES, w->node_count, v->next.v, v->now.v, v->last.v, v->bend);
   TOUCH(memory, TB_STAGE_WIRES, w->stride, w->inner, v->head, model->rest.eta, v->last.eta,
-        v->rest_load, v->b, v->contact_compliance, v->solve.warm.force, model->rest.force, v->s, v->next.eta);
+        v->rest_load, v->b, v->contact_compliance, v->solve.warm.force, model->rest.force, v->s,
+        v->next.eta);
   touch(memory, TB_STAGE_WIRES, v->state->wires, w->count * sizeof *v->state->wires);
   TOUCH(memory, TB_STAGE_LEDGER, w->node_count, v->next.v, v->last.v);
 }
@@ -217,7 +218,8 @@ static void touch_solve(Memory *memory) {
   TOUCH(memory, TB_STAGE_LAWS, rows, s->in.b, s->in.y, w->s, w->force, w->product, w->force_last,
         w->product_last, w->law, w->slope, w->mean, w->residual, w->direction, w->turned, w->moved,
         w->weight, w->solution);
-  TOUCH(memory, TB_STAGE_PRODUCT, rows, s->in.contact_compliance, w->law, w->product, w->turned, w->moved);
+  TOUCH(memory, TB_STAGE_PRODUCT, rows, s->in.contact_compliance, w->law, w->product, w->turned,
+        w->moved);
   if (model->wires.count == 0) return;
   TOUCH(memory, TB_STAGE_LAWS, size, w->grid, w->grid_last, w->pushed);
   touch(memory, TB_STAGE_LAWS, s->in.wire_laws, model->wires.count * sizeof *s->in.wire_laws);

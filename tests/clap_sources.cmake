@@ -27,6 +27,8 @@ foreach(name IN ITEMS test_clap_builds test_clap_parameters test_clap_presets te
   set(${name}_ARGUMENTS "$<TARGET_FILE:tabor-clap>")
 endforeach()
 
+list(APPEND test_clap_effect_SOURCES support/sound_burst.c)
+
 # Tests that look inside have the plugins in themselves.
 foreach(name IN ITEMS test_clap_realtime test_clap_threads test_clap_window)
   set(${name}_SOURCES support/clap_host.c)
@@ -35,7 +37,7 @@ endforeach()
 list(APPEND test_clap_realtime_SOURCES support/counted_calls.c support/midi_writer.c)
 set(test_clap_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 if(TABOR_WINDOW_FOUND)
-  list(APPEND test_clap_window_SOURCES support/counted_calls.c support/x11_server.c)
+  list(APPEND test_clap_window_SOURCES support/counted_calls.c support/window_checks.c support/x11_server.c)
   set(test_clap_window_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 else()
   list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_window")

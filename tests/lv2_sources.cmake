@@ -27,6 +27,8 @@ foreach(name IN ITEMS test_lv2_robust test_lv2_state)
   set(${name}_ARGUMENTS "$<TARGET_FILE:tabor-lv2>")
 endforeach()
 
+list(APPEND test_lv2_effect_SOURCES support/sound_burst.c)
+
 set(test_lv2_description_SOURCES support/plugin_host.c)
 set(test_lv2_description_LIBRARIES ${TABOR_LV2_LIBRARIES})
 set(test_lv2_description_NEEDS tabor-lv2 lv2-description)
@@ -46,7 +48,8 @@ list(APPEND test_lv2_realtime_SOURCES support/counted_calls.c)
 set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
 if(TABOR_WINDOW_FOUND)
-  set(test_lv2_window_SOURCES support/plugin_host.c support/counted_calls.c support/x11_server.c)
+  set(test_lv2_window_SOURCES support/plugin_host.c support/counted_calls.c support/window_checks.c
+                              support/x11_server.c)
   set(test_lv2_window_LIBRARIES tabor-lv2-ui-archive ${TABOR_LV2_LIBRARIES})
   set(test_lv2_window_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 else()

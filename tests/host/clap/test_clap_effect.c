@@ -6,7 +6,7 @@
  * test_clap_effect PROGRAM PLUGINS [brief]
  */
 #include "clap_host.h"
-#include "plugin_songs.h"
+#include "sound_burst.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -17,24 +17,11 @@
 #include <string.h>
 
 #include <cmocka.h>
-#include <sndfile.h>
 
-#define FRAMES 20000u
 #define SONG_FRAMES 24000u /* of a take */
 
 static const clap_plugin_entry_t *entry;
 static const char *program;
-static float burst[FRAMES];
-
-static const double PI = 3.14159265358979323846;
-
-/* A tom-like burst: 180 Hz, dying away. */
-static void make_burst(void) {
-  for (uint32_t i = 0; i < FRAMES; i++) {
-    const double t = i / 48000.0;
-    burst[i] = (float)(0.8 * exp(-12 * t) * sin(2 * PI * 180 * t));
-  }
-}
 
 static ClapHost *open_effect(double mix) {
   ClapHost *const host = clap_host_open(entry, ID_EFFECT);
@@ -54,35 +41,13 @@ static void play_burst(ClapHost *host, uint32_t block, Take *take) {
   for (uint32_t at = 0; at < take->frames; at += block) {
     const uint32_t run = block < take->frames - at ? block : take->frames - at;
     for (uint32_t i = 0; i < run; i++) {
-      host->input[0][i] = host->input[1][i] = at + i < FRAMES ? burst[at + i] : 0.0f;
+      host->input[0][i] = host->input[1][i] = burst_at(at + i);
     }
     clap_host_run(host, run);
     for (uint32_t side = 0; side < 2; side++) {
       memcpy(take->sound[side] + at, host->sound[side], run * sizeof(float));
     }
   }
-}
-
-static void write_burst(const char *path) {
-  SF_INFO info = {.samplerate = 48000, .channels = 1, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT};
-  SNDFILE *const file = sf_open(path, SFM_WRITE, &info);
-  assert_non_null(file);
-  assert_int_equal(sf_write_float(file, burst, FRAMES), FRAMES);
-  assert_int_equal(sf_close(file), 0);
-}
-
-static void render_burst(Take *take) {
-  char in[256], out[256], command[1024];
-  song_path(in, sizeof in, "burst.wav");
-  song_path(out, sizeof out, "song.wav");
-  write_burst(in);
-  (void)snprintf(
-    command, sizeof command,
-    "'%s' render snare-14x5.5 --quality draft --input '%s' --mic left --mic right --gain "
-    "12 --set room.kind=none --duration 0.5 --format float -q -o '%s'",
-    program, in, out);
-  assert_int_equal(system(command), 0);
-  take_read(out, take);
 }
 
 static void the_drum_is_that_of_render(void **state) {
@@ -92,7 +57,7 @@ static void the_drum_is_that_of_render(void **state) {
   take_open(&expected, 2);
   take_open(&take, 2);
   assert_int_equal(take.frames, SONG_FRAMES);
-  render_burst(&expected);
+  burst_render(program, &expected);
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
     ClapHost *const host = open_effect(1);
     play_burst(host, blocks[i], &take);
@@ -117,7 +82,7 @@ static void the_mix_is_a_sum(void **state) {
     clap_host_close(host);
   }
   for (uint32_t at = 0; at < dry.frames; at++) {
-    const float in = at < FRAMES ? burst[at] : 0.0f;
+    const float in = burst_at(at);
     assert_true(dry.sound[0][at] == in && dry.sound[1][at] == in);
     const double sum = 0.5 * (double)in + 0.5 * (double)wet.sound[0][at];
     assert_true(fabs((double)half.sound[0][at] - sum) < 1e-7);
@@ -185,7 +150,7 @@ int main(int argc, char **argv) {
   program = argv[1];
   entry = clap_host_entry(argv[2]);
   if (!songs_begin(argv[1], true)) return 1;
-  make_burst();
+  burst_make();
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_drum_is_that_of_render), cmocka_unit_test(the_mix_is_a_sum),
     cmocka_unit_test(silence_and_bad_samples),    cmocka_unit_test(no_sample_is_subnormal),

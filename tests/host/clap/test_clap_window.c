@@ -9,7 +9,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "clap_host.h"
 
-#include <fcntl.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -22,11 +21,9 @@
 #include <cmocka.h>
 
 #include "counted_calls.h"
+#include "window_checks.h"
 #include "x11_server.h"
 
-enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
-enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
-enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
 enum {
   BESIDE_X = MIDDLE_X + 20,
   BESIDE_Y = MIDDLE_Y - 45
@@ -36,10 +33,6 @@ enum { FRAMES = 2400 };
 extern const clap_plugin_entry_t clap_entry;
 
 static X11Server server;
-
-/* Fontconfig keeps what it knows of fonts until the program ends, and it is the same for every window. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
 
 /* ---- a host with a window ------------------------------------------------------------------- */
 
@@ -109,16 +102,6 @@ static double peak_of(const ClapHost *host) {
   double peak = 0;
   for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)host->sound[0][i]));
   return peak;
-}
-
-/* For a person: the window as it is, in the folder $PICTURES. */
-static void keep_picture(const Opened *opened, const char *name) {
-  char command[256];
-  const char *const folder = getenv("PICTURES");
-  if (!folder) return;
-  (void)snprintf(command, sizeof command, "import -window 0x%x %s/%s.png", (unsigned)opened->outer,
-                 folder, name);
-  if (system(command) != 0) print_message("no picture of %s\n", name);
 }
 
 /* ---- strokes -------------------------------------------------------------------------------- */
@@ -224,7 +207,7 @@ static void a_stroke_is_seen(const Opened *opened, const char *picture) {
   }
   print_message("green at rest %u, struck %u\n", still, green);
   assert_true(green + 20 <= still);
-  keep_picture(opened, picture);
+  keep_picture(opened->outer, picture);
 }
 
 static void the_head_is_seen_to_move(void **state) {
@@ -271,7 +254,7 @@ static void a_control_turns_and_the_host_is_told(void **state) {
   assert_int_equal(host->turns, 2);
   assert_int_equal(host->turned, clap_host_id(KNOB_STRAINER));
   assert_true(fabs(host->turned_to - 0.25) < 0.01);
-  keep_picture(&opened, "turned");
+  keep_picture(opened.outer, "turned");
   click(&opened, 540, 410); /* undo */
   assert_true(clap_host_value(host, KNOB_STRAINER) == before);
   close_host(&opened);
@@ -328,7 +311,7 @@ static void it_has_any_size(void **state) {
     assert_true(peak_of(opened.host) > 1e-3);
     (void)snprintf(name, sizeof name, "scale-%g", SCALES[i]);
     tick(&opened);
-    keep_picture(&opened, name);
+    keep_picture(opened.outer, name);
     uint32_t width = 1000, height = 440;
     assert_true(opened.gui->adjust_size(opened.host->plugin, &width, &height));
     assert_true(width == WIDTH && height == HEIGHT);
@@ -336,12 +319,6 @@ static void it_has_any_size(void **state) {
     click(&opened, MIDDLE_X, MIDDLE_Y);
     close_host(&opened);
   }
-}
-
-static long open_files(void) {
-  long count = 0;
-  for (int i = 0; i < 1024; i++) count += fcntl(i, F_GETFD) != -1;
-  return count;
 }
 
 /* Connections to the server are files. Whoever destroys the outer window first does no harm. */

@@ -17,25 +17,12 @@
 #include <string.h>
 
 #include <cmocka.h>
-#include <sndfile.h>
 
 #include "lv2/uris.h"
-
-#define FRAMES 20000u
+#include "sound_burst.h"
 
 static const LV2_Descriptor *plugin;
 static const char *program;
-static float burst[FRAMES];
-
-static const double PI = 3.14159265358979323846;
-
-/* A tom-like burst: 180 Hz, dying away. */
-static void make_burst(void) {
-  for (uint32_t i = 0; i < FRAMES; i++) {
-    const double t = i / 48000.0;
-    burst[i] = (float)(0.8 * exp(-12 * t) * sin(2 * PI * 180 * t));
-  }
-}
 
 static PluginHost *open_effect(float mix) {
   PluginHost *const host = host_open(plugin, HOST_WITHOUT_WORKER);
@@ -57,7 +44,7 @@ static void play_burst(PluginHost *host, uint32_t block, bool in_place, Take *ta
   for (uint32_t at = 0; at < take->frames; at += block) {
     const uint32_t run = block < take->frames - at ? block : take->frames - at;
     for (uint32_t i = 0; i < run; i++) {
-      host->input[0][i] = host->input[1][i] = at + i < FRAMES ? burst[at + i] : 0.0f;
+      host->input[0][i] = host->input[1][i] = burst_at(at + i);
     }
     host_run(host, run);
     for (uint32_t side = 0; side < 2; side++) {
@@ -66,31 +53,13 @@ static void play_burst(PluginHost *host, uint32_t block, bool in_place, Take *ta
   }
 }
 
-static void render_burst(Take *take) {
-  char in[256], out[256], command[1024];
-  SF_INFO info = {.samplerate = 48000, .channels = 1, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT};
-  song_path(in, sizeof in, "burst.wav");
-  song_path(out, sizeof out, "song.wav");
-  SNDFILE *const file = sf_open(in, SFM_WRITE, &info);
-  assert_non_null(file);
-  assert_int_equal(sf_write_float(file, burst, FRAMES), FRAMES);
-  assert_int_equal(sf_close(file), 0);
-  (void)snprintf(
-    command, sizeof command,
-    "'%s' render snare-14x5.5 --quality draft --input '%s' --mic left --mic right --gain "
-    "12 --set room.kind=none --duration 0.5 --format float -q -o '%s'",
-    program, in, out);
-  assert_int_equal(system(command), 0);
-  take_read(out, take);
-}
-
 static void the_drum_is_that_of_render(void **state) {
   (void)state;
   static const uint32_t blocks[] = {HOST_BLOCK, 100, 1};
   Take expected, take;
   take_open(&expected, 2);
   take_open(&take, 2);
-  render_burst(&expected);
+  burst_render(program, &expected);
   for (size_t i = 0; i < 2 * sizeof blocks / sizeof blocks[0]; i++) {
     PluginHost *const host = open_effect(1);
     play_burst(host, blocks[i / 2], i % 2, &take);
@@ -108,7 +77,7 @@ static void without_the_drum_what_comes_in_goes_out(void **state) {
   PluginHost *const host = open_effect(0);
   play_burst(host, 480, false, &take);
   for (uint32_t i = 0; i < take.frames; i++) {
-    const float in = i < FRAMES ? burst[i] : 0.0f;
+    const float in = burst_at(i);
     assert_true(take.sound[0][i] == in && take.sound[1][i] == in);
   }
   host_close(host);
@@ -123,7 +92,7 @@ int main(int argc, char **argv) {
   if (argc != 3) return 2;
   program = argv[1];
   plugin = host_descriptor(argv[2], URI_EFFECT);
-  make_burst();
+  burst_make();
   if (!songs_begin(program, true)) return 1;
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   return songs_end() ? failed : 1;

@@ -9,7 +9,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "plugin_host.h"
 
-#include <fcntl.h>
 #include <lv2/instance-access/instance-access.h>
 #include <lv2/options/options.h>
 #include <lv2/ui/ui.h>
@@ -27,19 +26,13 @@
 #include "counted_calls.h"
 #include "lv2/instrument.h"
 #include "lv2/uris.h"
+#include "window_checks.h"
 #include "x11_server.h"
 
-enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
-enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
-enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
 enum { STRAINER_Y = CONTROL_Y + 4 * CONTROL_ROW + 26, GAIN_Y = CONTROL_Y + 7 * CONTROL_ROW + 26 };
 enum { FRAMES = 2400 };
 
 static X11Server server;
-
-/* Fontconfig keeps what it knows of fonts until the program ends, and it is the same for every window. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
 
 /* ---- a host with a window ------------------------------------------------------------------- */
 
@@ -162,16 +155,6 @@ static const char *name_of(const Opened *opened) {
   return saved.def.name;
 }
 
-/* For a person: the window as it is, in the folder $PICTURES. */
-static void keep_picture(const Opened *opened, const char *name) {
-  char command[256];
-  const char *const folder = getenv("PICTURES");
-  if (!folder) return;
-  (void)snprintf(command, sizeof command, "import -window 0x%x %s/%s.png", (unsigned)opened->outer,
-                 folder, name);
-  if (system(command) != 0) print_message("no picture of %s\n", name);
-}
-
 /* ---- strokes -------------------------------------------------------------------------------- */
 
 static void a_click_is_a_stroke(void **state) {
@@ -193,7 +176,7 @@ static void a_click_is_a_stroke(void **state) {
     print_message("a click sounds to %.3f\n", peak_of(opened.host));
     assert_true(peak_of(opened.host) > 1e-3);
     tick(&opened);
-    keep_picture(&opened, i == 0 ? "lv2" : "lv2-twice");
+    keep_picture(opened.outer, i == 0 ? "lv2" : "lv2-twice");
     close_host(&opened);
   }
 }
@@ -319,12 +302,6 @@ static void it_opens_for_its_own_instances_alone(void **state) {
   assert_null(lv2ui_descriptor(1));
   x11_server_close(&server, outer);
   host_close(host);
-}
-
-static long open_files(void) {
-  long count = 0;
-  for (int i = 0; i < 1024; i++) count += fcntl(i, F_GETFD) != -1;
-  return count;
 }
 
 /* Connections to the server are files. Whoever destroys the outer window first does no harm. */

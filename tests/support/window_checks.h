@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file window_checks.h
+ * What the tests of the plugins' window share: where things are in it, pictures for a person, and files that are open.
+ */
+#ifndef TABOR_TESTS_WINDOW_CHECKS_H
+#define TABOR_TESTS_WINDOW_CHECKS_H
+
+#include <xcb/xcb.h>
+
+enum { WIDTH = 720, HEIGHT = 440 };               /* of the window at scale 1 */
+enum { MIDDLE_X = 205, MIDDLE_Y = 215, R = 175 }; /* of the head in it */
+enum { CONTROL_X = 420, CONTROL_Y = 66, CONTROL_WIDTH = 276, CONTROL_ROW = 40 };
+
+/** For a person: the window as it is, in the folder $PICTURES. */
+void keep_picture(xcb_window_t window, const char *name);
+/** Number of files that this process has open; a connection to the server is one. */
+long open_files(void);
+
+#endif

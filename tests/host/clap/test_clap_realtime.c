@@ -4,7 +4,7 @@
  * loaded meanwhile: blocks allocate nothing, lock nothing, sleep nowhere and touch no file, and leave the processor's
  * floating-point mode as the host has set it.
  *
- * test_clap_realtime [SECONDS of sound]
+ * test_clap_realtime [SECONDS of sound [CHANGES of the model, at least]]
  */
 #include "clap_host.h"
 
@@ -27,6 +27,7 @@
 extern const clap_plugin_entry_t clap_entry;
 
 static double seconds = 4;
+static uint32_t least_changes = 5;
 
 static double random_part(uint64_t *random) {
   return (double)(midi_random(random) >> 11) * 0x1p-53;
@@ -108,7 +109,7 @@ static void play_random(const char *id, uint64_t random) {
   uint32_t changes = 0;
   bool was_ready = true;
   ClapHost *const host = open_plugin(id);
-  for (uint64_t position = 0; position < least || changes < 5;) {
+  for (uint64_t position = 0; position < least || changes < least_changes;) {
     const uint32_t frames = (uint32_t)(midi_random(&random) % 1500);
     if (is_ready(host) && random_part(&random) < 0.1) change_model(host, &random);
     for (uint32_t at = 0; at < frames; at += (uint32_t)(midi_random(&random) % 2000)) {
@@ -156,7 +157,7 @@ static void nor_those_of_a_kit(void **state) {
   clap_host_flush(host);
   clap_host_activate(host);
   const KitPluginPlayer *const player = &kit_instance_of(host->plugin)->player;
-  for (uint64_t position = 0; position < (uint64_t)(48000 * seconds) || changes < 3;) {
+  for (uint64_t position = 0; position < (uint64_t)(48000 * seconds) || changes < least_changes;) {
     const bool change = kit_plugin_player_is_settled(player) && random_part(&random) < 0.1;
     const uint32_t frames = (uint32_t)(midi_random(&random) % 1500);
     send_to_kit(host, &random, change);
@@ -171,6 +172,7 @@ static void nor_those_of_a_kit(void **state) {
 
 int main(int argc, char **argv) {
   if (argc > 1) seconds = atof(argv[1]);
+  if (argc > 2) least_changes = (uint32_t)atoi(argv[2]);
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_counters_count),
     cmocka_unit_test(blocks_call_nothing_that_waits),

@@ -24,7 +24,7 @@
 #include "lv2/uris.h"
 #include "plugin/model_cache.h"
 
-static double seconds = 30;
+static double seconds = 10;
 
 static const LV2_Descriptor *plugin(const char *uri) {
   for (uint32_t i = 0;; i++) {

@@ -45,19 +45,35 @@ static void build_all(Builds *builds, uint32_t most) {
   for (uint32_t i = 0; i < count; i++) (void)pthread_join(threads[i], NULL);
 }
 
-Outcome kit_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
-                  TaborKit **kit) {
+Outcome kit_models_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
+                         TaborModel *models[TABOR_KIT_DRUMS]) {
   Builds builds = {.def = def, .options = options};
   Outcome outcome = OUTCOME_OK;
+  build_all(&builds, threads);
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
+    if (builds.outcomes[i] > outcome) outcome = builds.outcomes[i];
+    models[i] = builds.models[i];
+  }
+  if (outcome != OUTCOME_OK) kit_models_release(models);
+  return outcome;
+}
+
+void kit_models_release(TaborModel *models[TABOR_KIT_DRUMS]) {
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
+    tabor_model_release(models[i]);
+    models[i] = NULL;
+  }
+}
+
+Outcome kit_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
+                  TaborKit **kit) {
+  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
   TaborError error;
   *kit = NULL;
-  build_all(&builds, threads);
-  for (uint32_t i = 0; i < def->drum_count; i++) {
-    if (builds.outcomes[i] > outcome) outcome = builds.outcomes[i];
-  }
-  if (outcome == OUTCOME_OK && tabor_kit_create(def, builds.models, kit, &error) != TABOR_OK) {
+  Outcome outcome = kit_models_build(def, options, threads, models);
+  if (outcome == OUTCOME_OK && tabor_kit_create(def, models, kit, &error) != TABOR_OK) {
     outcome = report_engine_error(&error);
   }
-  for (uint32_t i = 0; i < def->drum_count; i++) tabor_model_release(builds.models[i]);
+  kit_models_release(models);
   return outcome;
 }

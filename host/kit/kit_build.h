@@ -10,6 +10,12 @@
 
 #include "base/message.h"
 
+/** Builds the models of @p def with @p options on at most @p threads threads; the caller owns one reference to each. On an
+ * error all of them are NULL. */
+Outcome kit_models_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
+                         TaborModel *models[TABOR_KIT_DRUMS]);
+/** Releases models, which may be NULL. */
+void kit_models_release(TaborModel *models[TABOR_KIT_DRUMS]);
 /** Builds the models of @p def with @p options on at most @p threads threads, and the kit. On an error *kit is NULL. */
 Outcome kit_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
                   TaborKit **kit);

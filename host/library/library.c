@@ -13,20 +13,33 @@
 #include "base/json_output.h"
 #include "drums/drum_args.h"
 #include "library/library_batch.h"
+#include "library/library_kit.h"
 #include "library/library_manifest.h"
 #include "library/library_sfz.h"
 #include "render/render_jobs.h"
 
 /* ---- what came of it ---- */
 
-static json_t *sound_json(const LibrarySound *sound) {
+static json_t *keys_json(const LibrarySound *sound) {
+  json_t *keys = json_array();
+  for (uint32_t i = 0; i < sound->key_count; i++) {
+    keys = json_with_item(keys, json_integer(sound->keys[i]));
+  }
+  return keys;
+}
+
+/* The first key, as of single drums; of a kit all of them, too. */
+static json_t *sound_json(const LibraryRequest *request, const LibrarySound *sound) {
   const TaborEvent *const event = &sound->event;
-  return json_pack("{s:o, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o}", "file",
-                   json_text(sound->file), "technique", sound->technique->name, "key",
-                   (json_int_t)sound->key, "low", (json_int_t)sound->low, "high",
-                   (json_int_t)sound->high, "midi", (json_int_t)sound->midi, "take",
-                   (json_int_t)sound->take, "velocity", json_number(event->velocity), "radius",
-                   json_number(event->radius), "angle", json_number(event->angle));
+  json_t *const json = json_pack(
+    "{s:o, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o}", "file", json_text(sound->file),
+    "technique", sound->technique->name, "key", (json_int_t)sound->keys[0], "low",
+    (json_int_t)sound->low, "high", (json_int_t)sound->high, "midi", (json_int_t)sound->midi,
+    "take", (json_int_t)sound->take, "velocity", json_number(event->velocity), "radius",
+    json_number(event->radius), "angle", json_number(event->angle));
+  if (!request->kit) return json;
+  const char *const drum = request->kit->def.drum[sound->drum].name;
+  return json_with_field(json_with_field(json, "drum", json_text(drum)), "keys", keys_json(sound));
 }
 
 static size_t count_failed(const RenderBatch *batch) {
@@ -39,14 +52,14 @@ static Outcome print_report(const LibraryRequest *request, const RenderBatch *ba
   const size_t failed = count_failed(batch);
   json_t *sounds = json_array();
   for (size_t i = 0; i < request->plan.count; i++) {
-    sounds = json_with_item(sounds, sound_json(&request->plan.sounds[i]));
+    sounds = json_with_item(sounds, sound_json(request, &request->plan.sounds[i]));
   }
-  return json_print(json_pack("{s:o, s:o, s:o, s:I, s:I, s:I, s:o}", "preset",
-                              json_text(request->preset), "folder", json_text(request->folder),
-                              "instrument", failed ? json_null() : json_text(request->instrument),
-                              "rendered", (json_int_t)(batch->count - failed), "kept",
-                              (json_int_t)(request->plan.count - batch->count), "failed",
-                              (json_int_t)failed, "sounds", sounds));
+  return json_print(json_pack(
+    "{s:o, s:o, s:o, s:I, s:I, s:I, s:o}", request->kit ? "kit" : "preset",
+    json_text(request->preset), "folder", json_text(request->folder), "instrument",
+    failed ? json_null() : json_text(request->instrument), "rendered",
+    (json_int_t)(batch->count - failed), "kept", (json_int_t)(request->plan.count - batch->count),
+    "failed", (json_int_t)failed, "sounds", sounds));
 }
 
 static void note_summary(const LibraryRequest *request, const RenderBatch *batch) {
@@ -71,6 +84,8 @@ static Outcome make_missing(const Arguments *arguments, LibrarySums *sums) {
   RenderBatch batch;
   Outcome outcome = library_batch_make(arguments, sums, &batch);
   if (outcome == OUTCOME_OK && batch.count > 0) outcome = library_sums_begin(sums);
+  if (outcome == OUTCOME_OK && batch.count > 0 && request->kit)
+    outcome = library_kit_build(request);
   if (outcome == OUTCOME_OK) {
     outcome = render_jobs_do(&batch);
     if (outcome == OUTCOME_OK) outcome = library_sums_end(sums);
@@ -109,6 +124,10 @@ static const char notes[] =
   "Places have keys of their own: from the centre to 80 % of the radius 36, 38, 41, 43, 45, 47,\n"
   "48 and 50, as in 'tabor play'. One place is the preset's, on 38. Buzzes, of half a second, lie\n"
   "two octaves above: 60, 62, 65 and so on.\n"
+  "\n"
+  "--kit makes one instrument of a kit, FOLDER/KIT.sfz, on the kit's own notes: a stereo sound of\n"
+  "its mix for every kind of stroke on every drum, as FOLDER/KIT-snare-rimshot-v073-t2.wav, with\n"
+  "what the other drums answer. --set changes the kit, as drum.snare.batter.pitch=G3.\n"
   "\n"
   "A run that was ended goes on where it was: the same command keeps the sounds that are there.\n"
   "FOLDER/" LIBRARY_MANIFEST " says what they were made from; a folder takes one library only.\n"

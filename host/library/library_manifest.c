@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <jansson.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "base/json_output.h"
 #include "base/text_file.h"
 #include "drums/drum_args.h"
+#include "library/library_kit.h"
 #include "library/library_sums.h"
 #include "platform/files.h"
 
@@ -19,17 +21,81 @@
 
 /* ---- what a library is made from ---- */
 
-/* Every parameter but name, comment and licence: text that reads back to the same bits. */
-static json_t *drum_json(const TaborDrumDef *def) {
-  json_t *drum = json_object();
-  char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
+/* Every parameter but name, comment and licence, after @p prefix: text that reads back to the same bits. */
+static json_t *with_parameters(json_t *object, const char *prefix, const TaborDrumDef *def) {
+  char key[2 * TABOR_NAME_SIZE], full[4 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
   TaborError error;
   for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
     if (strncmp(key, "drum.", strlen("drum.")) == 0) continue;
     if (tabor_drum_def_get(def, key, value, sizeof value, &error) != TABOR_OK) continue;
-    drum = json_with_field(drum, key, json_text(value));
+    (void)snprintf(full, sizeof full, "%s%s", prefix, key);
+    object = json_with_field(object, full, json_text(value));
   }
-  return drum;
+  return object;
+}
+
+typedef struct NamedNumber {
+  const char *key;
+  double value;
+} NamedNumber;
+
+static json_t *with_numbers(json_t *object, const char *prefix, const NamedNumber *numbers,
+                            size_t count) {
+  char key[4 * TABOR_NAME_SIZE];
+  for (size_t i = 0; i < count; i++) {
+    (void)snprintf(key, sizeof key, "%s%s", prefix, numbers[i].key);
+    object = json_with_field(object, key, json_number(numbers[i].value));
+  }
+  return object;
+}
+
+static json_t *with_notes(json_t *object, const TaborKitDrumDef *drum) {
+  char key[2 * TABOR_NAME_SIZE];
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    if (drum->notes[note] == TABOR_KIT_STROKE_NONE) continue;
+    (void)snprintf(key, sizeof key, "%s.note.%d", drum->name, note);
+    object = json_with_field(object, key, json_text(library_strokes[drum->notes[note]].name));
+  }
+  return object;
+}
+
+/* Its close microphone is a part of the mix; what the drum itself is follows. */
+static json_t *with_kit_drum(json_t *object, const TaborKitDrumDef *drum) {
+  const NamedNumber place[] = {
+    {"x", drum->x},       {"y", drum->y},           {"height", drum->height},
+    {"tilt", drum->tilt}, {"facing", drum->facing}, {"gain", drum->gain},
+    {"pan", drum->pan},   {"wake", drum->wake},     {"choke", drum->choke}};
+  char prefix[TABOR_NAME_SIZE + 1], mic[2 * TABOR_NAME_SIZE];
+  (void)snprintf(prefix, sizeof prefix, "%s.", drum->name);
+  (void)snprintf(mic, sizeof mic, "%s.mic", drum->name);
+  object = with_numbers(object, prefix, place, sizeof place / sizeof *place);
+  object = json_with_field(object, mic, json_text(drum->mic));
+  return with_parameters(with_notes(object, drum), prefix, &drum->def);
+}
+
+static json_t *kit_json(const TaborKitDef *def) {
+  const TaborRoomDef *const room = &def->room;
+  const NamedNumber numbers[] = {{"kit.coupled", def->coupled},
+                                 {"kit.coupling", def->coupling},
+                                 {"kit.overheads", def->overheads},
+                                 {"kit.full_scale", def->full_scale},
+                                 {"kit.overhead_spacing", def->overhead_spacing},
+                                 {"kit.overhead_x", def->overhead_x},
+                                 {"kit.overhead_y", def->overhead_y},
+                                 {"kit.overhead_height", def->overhead_height},
+                                 {"room.kind", room->kind},
+                                 {"room.size", room->size},
+                                 {"room.decay", room->decay},
+                                 {"room.tilt", room->tilt},
+                                 {"room.level", room->level}};
+  json_t *kit = with_numbers(json_object(), "", numbers, sizeof numbers / sizeof *numbers);
+  for (uint32_t i = 0; i < def->drum_count; i++) kit = with_kit_drum(kit, &def->drum[i]);
+  return kit;
+}
+
+static json_t *drum_json(const LibraryRequest *request) {
+  if (request->kit) return kit_json(&request->kit->def);
+  return with_parameters(json_object(), "", &request->render.def);
 }
 
 static json_t *mics_json(const RenderRequest *render) {

@@ -31,7 +31,7 @@ static uint32_t layer_velocity(uint32_t layer, uint32_t layers) {
 }
 
 /* A velocity between two layers belongs to the nearer one. */
-static void set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
+void library_set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
   sound->midi = layer_velocity(layer, layers);
   sound->low = layer == 0 ? 1 : (layer_velocity(layer - 1, layers) + sound->midi) / 2 + 1;
   sound->high = layer + 1 == layers ? 127 : (sound->midi + layer_velocity(layer + 1, layers)) / 2;
@@ -42,7 +42,9 @@ static void set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
 static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t place,
                       uint32_t places) {
   const double head = def->shell.radius;
-  sound->key = (places == 1 ? single_key : keys[place]) + sound->technique->up;
+  const uint32_t key = places == 1 ? single_key : keys[place];
+  sound->keys[0] = (uint8_t)(key + sound->technique->up);
+  sound->key_count = 1;
   if (places == 1) {
     sound->radius_share = (uint32_t)lround(100 * sound->event.radius / head);
     return;
@@ -85,7 +87,7 @@ static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shap
                         .event = stroke_default(def, "[strike]").event};
   sound.event.technique = (uint32_t)technique->technique;
   set_place(&sound, def, layer / shape->velocities, shape->positions);
-  set_layer(&sound, layer % shape->velocities, shape->velocities);
+  library_set_layer(&sound, layer % shape->velocities, shape->velocities);
   sound.event.velocity = midi_speed(shape->response, sound.midi);
   return sound;
 }

@@ -14,6 +14,7 @@
 
 #include "base/message.h"
 #include "midi/midi_speed.h"
+#include "midi/midi_stream.h"
 #include "strokes/humanize.h"
 
 #define LIBRARY_MOST_POSITIONS 8
@@ -45,16 +46,18 @@ typedef struct LibraryShape {
 typedef struct LibrarySound {
   char *file; /**< its name in the library's folder */
   const LibraryTechnique *technique;
-  uint32_t key;       /**< MIDI note */
-  uint32_t low, high; /**< range of MIDI velocities that it serves */
-  uint32_t midi;      /**< MIDI velocity that it is played with */
-  uint32_t take;      /**< from 1 */
+  uint8_t keys[MIDI_VALUES]; /**< MIDI notes that play it */
+  uint32_t key_count;        /**< 1 of a single drum */
+  uint32_t low, high;        /**< range of MIDI velocities that it serves */
+  uint32_t midi;             /**< MIDI velocity that it is played with */
+  uint32_t take;             /**< from 1 */
   /** Radius of the position [% of the head's], before the scatter. */
   uint32_t radius_share;
+  uint32_t drum;    /**< of a kit; otherwise 0 */
   TaborEvent event; /**< the stroke, after the scatter */
 } LibrarySound;
 
-/** Sounds in order of technique, position, velocity, take. Initialise with {0}. */
+/** Sounds in order of drum, technique, position, velocity, take. Initialise with {0}. */
 typedef struct LibraryPlan {
   LibraryShape shape;
   LibrarySound *sounds;
@@ -63,6 +66,8 @@ typedef struct LibraryPlan {
 
 /** Number of sounds of a shape. */
 uint32_t library_count(const LibraryShape *shape);
+/** Velocities of layer @p layer of @p layers: the one that it is played with, and those that it serves. */
+void library_set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers);
 /**
  * Plans the sounds of @p def; file names start with library_stem() of @p preset. Free with library_plan_free(),
  * whatever the outcome.

@@ -7,6 +7,8 @@
 
 #include "base/folder.h"
 #include "drums/drum_args.h"
+#include "kit/kit_args.h"
+#include "library/library_kit.h"
 #include "midi/midi_options.h"
 #include "render/render_batch.h"
 #include "render/render_options.h"
@@ -17,6 +19,7 @@
 
 const Option library_options[] = {
   {"output", 'o', "FOLDER", "where the library goes; created if need be"},
+  OPTION_KIT,
   {"velocities", 0, "N", "velocity layers, 1 to 127 (default 8)"},
   {"positions", 0, "N", "places from the centre outwards, 1 to 8 (default 3); see below"},
   {"takes", 0, "N", "round robins, 1 to 32: strokes that differ by --humanize (default 4)"},
@@ -128,8 +131,8 @@ static Outcome read_folder(const Arguments *arguments, LibraryRequest *request) 
   return request->instrument ? OUTCOME_OK : fail_memory();
 }
 
-/* As every sound will be. None of their names is taken: what is finished may be write-protected. */
-static Outcome read_rendering(const Arguments *arguments, LibraryRequest *request) {
+/* As every sound of a drum will be. None of their names is taken: what is finished may be write-protected. */
+static Outcome read_drum_rendering(const Arguments *arguments, LibraryRequest *request) {
   Arguments first;
   char *const path = folder_path(request->folder, ".tabor-sound.wav");
   Outcome outcome = arguments_copy(arguments, arguments->operand, &first);
@@ -145,21 +148,33 @@ static Outcome read_rendering(const Arguments *arguments, LibraryRequest *reques
                 (unsigned)request->render.channels, MOST_SAMPLER_CHANNELS);
 }
 
-static Outcome read_sounds(const Arguments *arguments, LibraryRequest *request) {
+static Outcome plan_drum(const Arguments *arguments, LibraryShape *shape, LibraryRequest *request) {
   TaborDrumDef def;
+  Outcome outcome = drum_load(arguments, &def);
+  if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def, shape);
+  if (outcome == OUTCOME_OK) outcome = check_count(shape);
+  if (outcome != OUTCOME_OK) return outcome;
+  return library_plan_make(&def, request->preset, shape, &request->plan);
+}
+
+static Outcome read_sounds(const Arguments *arguments, LibraryRequest *request) {
   LibraryShape shape;
   Outcome outcome = read_counts(arguments, &shape);
   if (outcome == OUTCOME_OK) outcome = read_scatter(arguments, request, &shape);
   if (outcome == OUTCOME_OK) outcome = midi_response_read(arguments, &shape.response);
-  if (outcome == OUTCOME_OK) outcome = drum_load(arguments, &def);
-  if (outcome == OUTCOME_OK) outcome = read_techniques(arguments, &def, &shape);
-  if (outcome == OUTCOME_OK) outcome = check_count(&shape);
   if (outcome != OUTCOME_OK) return outcome;
-  return library_plan_make(&def, request->preset, &shape, &request->plan);
+  if (arguments_has(arguments, "kit")) return library_kit_read(arguments, &shape, request);
+  return plan_drum(arguments, &shape, request);
+}
+
+static Outcome read_rendering(const Arguments *arguments, LibraryRequest *request) {
+  if (request->kit) return library_kit_read_rendering(arguments, request);
+  return read_drum_rendering(arguments, request);
 }
 
 Outcome library_request_read(const Arguments *arguments, LibraryRequest *request) {
-  *request = (LibraryRequest){.preset = preset_argument(arguments)};
+  const char *const kit = arguments_value(arguments, "kit");
+  *request = (LibraryRequest){.preset = kit ? kit : preset_argument(arguments)};
   render_request_clear(&request->render);
   request->stem = library_stem(request->preset);
   Outcome outcome = request->stem ? OUTCOME_OK : fail_memory();
@@ -172,6 +187,7 @@ Outcome library_request_read(const Arguments *arguments, LibraryRequest *request
 
 void library_request_free(LibraryRequest *request) {
   render_request_free(&request->render);
+  library_kit_free(request->kit);
   library_plan_free(&request->plan);
   free(request->instrument);
   free(request->folder);

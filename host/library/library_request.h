@@ -9,11 +9,15 @@
 #include "library/library_plan.h"
 #include "render/render_request.h"
 
+/** A kit, instead of a drum: library_kit.h. */
+typedef struct LibraryKit LibraryKit;
+
 typedef struct LibraryRequest {
-  const char *preset;
-  char *stem;       /**< start of the file names */
-  char *folder;     /**< "FOLDER/" */
-  char *instrument; /**< "FOLDER/PRESET.sfz" */
+  const char *preset; /**< or the kit */
+  LibraryKit *kit;    /**< NULL: a single drum */
+  char *stem;         /**< start of the file names */
+  char *folder;       /**< "FOLDER/" */
+  char *instrument;   /**< "FOLDER/PRESET.sfz" */
   LibraryPlan plan;
   uint32_t seed;        /**< seed of --humanize */
   RenderRequest render; /**< settings for every sound, without stroke and file */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/text_file.h"
+#include "library/library_kit.h"
 
 /* Text that grows. */
 typedef struct Text {
@@ -42,35 +43,50 @@ static void print_head(Text *text, const LibraryRequest *request) {
   const LibraryShape *const shape = &request->plan.shape;
   add(text,
       "// %s, computed by tabor %s\n"
-      "// %zu sounds: velocities %u, positions %u, takes %u\n"
+      "// %zu sounds: velocities %u, %s %u, takes %u\n"
       "// The sounds have the levels of their strokes: no velocity tracking on top of that.\n\n"
       "<global>\n"
       "loop_mode=one_shot\n"
       "amp_veltrack=0\n",
       request->stem, tabor_version(), request->plan.count, (unsigned)shape->velocities,
-      (unsigned)shape->positions, (unsigned)shape->takes);
+      request->kit ? "drums" : "positions",
+      (unsigned)(request->kit ? request->kit->def.drum_count : shape->positions),
+      (unsigned)shape->takes);
 }
 
-/* Of the takes of one velocity at one place. */
-static void print_group(Text *text, const LibrarySound *sound, const LibraryShape *shape) {
-  add(text, "\n// %s, %u %% of the radius, %.3g m/s\n<group>\nkey=%u\nlovel=%u\nhivel=%u\n",
-      sound->technique->name, (unsigned)sound->radius_share,
-      midi_speed(shape->response, sound->midi), (unsigned)sound->key, (unsigned)sound->low,
-      (unsigned)sound->high);
-  if (shape->takes > 1) add(text, "seq_length=%u\n", (unsigned)shape->takes);
+/* Of one velocity at one place of a drum, or of one kind of stroke on a drum of a kit. */
+static void print_title(Text *text, const LibraryRequest *request, const LibrarySound *sound) {
+  const double speed = midi_speed(request->plan.shape.response, sound->midi);
+  if (request->kit) {
+    add(text, "\n// %s, %s, %.3g m/s\n", request->kit->def.drum[sound->drum].name,
+        sound->technique->name, speed);
+  } else {
+    add(text, "\n// %s, %u %% of the radius, %.3g m/s\n", sound->technique->name,
+        (unsigned)sound->radius_share, speed);
+  }
 }
 
-static void print_sound(Text *text, const LibrarySound *sound, const LibraryShape *shape) {
-  if (sound->take == 1) print_group(text, sound, shape);
-  add(text, "<region>\n");
-  if (shape->takes > 1) add(text, "seq_position=%u\n", (unsigned)sound->take);
-  add(text, "sample=%s\n", sound->file);
+/* The takes of one velocity on one key. */
+static void print_group(Text *text, const LibrarySound *sounds, uint32_t takes, uint8_t key) {
+  add(text, "<group>\nkey=%u\nlovel=%u\nhivel=%u\n", (unsigned)key, (unsigned)sounds[0].low,
+      (unsigned)sounds[0].high);
+  if (takes > 1) add(text, "seq_length=%u\n", (unsigned)takes);
+  for (uint32_t i = 0; i < takes; i++) {
+    add(text, "<region>\n");
+    if (takes > 1) add(text, "seq_position=%u\n", (unsigned)sounds[i].take);
+    add(text, "sample=%s\n", sounds[i].file);
+  }
 }
 
 static Outcome print_text(const LibraryRequest *request, Text *text) {
   print_head(text, request);
-  for (size_t i = 0; i < request->plan.count; i++) {
-    print_sound(text, &request->plan.sounds[i], &request->plan.shape);
+  const LibraryPlan *const plan = &request->plan;
+  for (size_t i = 0; i < plan->count; i += plan->shape.takes) {
+    const LibrarySound *const sounds = &plan->sounds[i];
+    print_title(text, request, sounds);
+    for (uint32_t k = 0; k < sounds->key_count; k++) {
+      print_group(text, sounds, plan->shape.takes, sounds->keys[k]);
+    }
   }
   return text->is_complete ? OUTCOME_OK : fail_memory();
 }

@@ -171,6 +171,11 @@ Outcome render_job_read(RenderJob *job) {
   return OUTCOME_OK;
 }
 
+void render_job_played(void *job, uint32_t frames) {
+  RenderJob *const played = job;
+  atomic_store_explicit(&played->played, frames, memory_order_relaxed);
+}
+
 static Outcome read_requests(RenderBatch *batch) {
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; i < batch->count && outcome != OUTCOME_REFUSED; i++) {

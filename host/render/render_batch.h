@@ -28,10 +28,14 @@ typedef struct RenderJob {
   double rate;           /**< sample rate [Hz], once the request is read */
   double last_stroke;    /**< [s] */
   double length;         /**< [s], or 0: until the drum has died away */
+  const void *sound;     /**< for the batch's own render function */
   atomic_uint played;    /**< frames; any thread may read it */
   atomic_bool finished;  /**< rendered or failed; any thread may read it */
 } RenderJob;
 
+/** Renders a sound whose request is read into its output; other threads may render others. render_job_played() hears how
+ * far it is. */
+typedef Outcome RenderJobFn(void *context, RenderJob *job);
 /** Called when a sound has been rendered, on its thread but never twice at once. */
 typedef Outcome RenderedFn(void *context, const RenderJob *job);
 
@@ -40,14 +44,17 @@ typedef struct RenderBatch {
   RenderJob *jobs;
   size_t count;
   uint32_t threads;     /**< number of jobs to render at once, at least 1 */
+  RenderJobFn *render;  /**< NULL: render_file() */
   RenderedFn *rendered; /**< or NULL */
-  void *context;        /**< of rendered */
+  void *context;        /**< of both */
 } RenderBatch;
 
 /** Reads --jobs; the default is the number of processors. */
 Outcome render_threads_read(const Arguments *arguments, uint32_t *count);
 /** Reads the request of a job whose name and arguments are set. */
 Outcome render_job_read(RenderJob *job);
+/** A PlayedFn whose context is the job. */
+void render_job_played(void *job, uint32_t frames);
 /**
  * Reads and checks everything; changes no file. A job that fails, for example because its preset file is
  * missing, prints an error and is skipped later. An invalid job refuses the batch. Free with

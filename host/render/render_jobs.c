@@ -24,15 +24,12 @@ typedef struct Jobs {
 
 /* ---- one job ---- */
 
-static void note_played(void *context, uint32_t frames) {
-  RenderJob *const job = context;
-  atomic_store_explicit(&job->played, frames, memory_order_relaxed);
-}
-
-static void do_job(RenderJob *job, SharedModels *models) {
-  job->request.shared = models;
+static void do_job(Jobs *jobs, RenderJob *job) {
+  const RenderBatch *const batch = jobs->batch;
+  job->request.shared = &jobs->models;
   message_subject(job->name);
-  job->outcome = render_file(&job->request, note_played, job, &job->report);
+  job->outcome = batch->render ? batch->render(batch->context, job)
+                               : render_file(&job->request, render_job_played, job, &job->report);
   message_subject(NULL);
 }
 
@@ -58,8 +55,7 @@ static void *work(void *context) {
   Jobs *const jobs = context;
   RenderJob *job;
   while ((job = take_job(jobs))) {
-    if (job->outcome == OUTCOME_OK)
-      do_job(job, &jobs->models); /* others have failed, and said so */
+    if (job->outcome == OUTCOME_OK) do_job(jobs, job); /* others have failed, and said so */
     finish_job(jobs, job);
   }
   return NULL;

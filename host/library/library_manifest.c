@@ -128,7 +128,7 @@ static json_t *manifest_json(const LibraryRequest *request) {
     json_number(shape->humanizer.amount), "seed", (json_int_t)request->seed, "rate",
     (json_int_t)render->audio.rate, "quality", quality_name(render->model.quality), "format",
     formats[render->audio.encoding], "mic", mics_json(render), "gain", json_number(render->gain_db),
-    "frames", (json_int_t)render->frames, "drum", drum_json(&render->def));
+    "frames", (json_int_t)render->frames, "drum", drum_json(request));
 }
 
 /* ---- the same, or another ---- */

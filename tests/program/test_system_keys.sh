@@ -11,7 +11,7 @@ via=${1-null}
 if [ "$via" = jack ]; then
   # shellcheck source=tests/support/jack_server.sh
   . "$(dirname "$0")/../support/jack_server.sh"
-  trap 'end_jack; rm -rf "$private"' EXIT
+  trap 'status=$?; end_jack; leave $status' EXIT
   start_jack
   backend=(--device "JACK: system")
 else

@@ -77,7 +77,8 @@ same "one is rendered again" "two.ini 1 7 0 8" \
   "$(basename "$(json kit)") $(json rendered) $(json kept) $(json failed) $(json sounds.size)"
 check "it is the same" diff -r before takes
 same "facts of a sound" "small rimshot 40 1 127" \
-  "$(json sounds.7.drum) $(json sounds.7.technique) $(json sounds.7.keys.0) $(json sounds.7.low) $(json sounds.7.high)"
+  "$(json sounds.7.drum) $(json sounds.7.technique) $(json sounds.7.key) $(json sounds.7.low) $(json sounds.7.high)"
+check "all its keys" grep -qzE '"keys": \[[[:space:]]*35,[[:space:]]*36[[:space:]]*\]' "$out"
 run library --kit ./two.ini "${short[@]}" --velocities 1 --takes 1 -o loud -v --gain 80
 check "a warning that names the sound" grep -q '^tabor: warning: loud/two-.*saturates' "$err"
 
@@ -91,3 +92,5 @@ refused "unknown kit 'standart'.*did you mean 'standard'" library --kit standart
 refused "make 28448 sounds of 7 kinds of stroke; allowed: up to 4096" \
   library --kit standard --velocities 127 --takes 32 -o none
 check "nothing was made for what was refused" test ! -e none
+
+finish

@@ -6,7 +6,7 @@
 needs libjack-jackd2-dev "${JACK_SEND:-jack_send}"
 # shellcheck source=tests/support/jack_server.sh
 . "$(dirname "$0")/../support/jack_server.sh"
-trap 'end_jack; chmod -R u+w "$private"; rm -rf "$private"' EXIT
+trap 'status=$?; end_jack; leave $status' EXIT
 start_jack
 
 # start_play ARGUMENT...: in the background, until it plays.

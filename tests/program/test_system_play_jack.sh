@@ -6,7 +6,7 @@
 needs jackd2 jack_rec
 # shellcheck source=tests/support/jack_server.sh
 . "$(dirname "$0")/../support/jack_server.sh"
-trap 'end_jack; chmod -R u+w "$private"; rm -rf "$private"' EXIT
+trap 'status=$?; end_jack; leave $status' EXIT
 
 # start_play ARGUMENT...: in the background, until its drum sounds on JACK.
 start_play() {

@@ -12,12 +12,23 @@ unset NO_COLOR
 : "${TABOR:?the program}" "${INSPECT:?host_inspect}"
 
 private=$(mktemp -d)
-trap 'chmod -R u+w "$private"; rm -rf "$private"' EXIT
+trap leave EXIT
 work=$private/work out=$private/out err=$private/err
 mkdir "$work"
 cd "$work" || exit 1
 
-checks=0 failures=0
+checks=0 failures=0 finished=no
+
+# leave [STATUS]: for the end, whose status is $? unless given; a script that has neither come to its finish nor skipped has failed, whatever its last command says.
+leave() {
+  local status=${1-$?}
+  chmod -R u+w "$private"
+  rm -rf "$private"
+  if [ $status = 0 ] && [ $finished = no ]; then
+    echo "FAILED: $(basename "$0") has no finish"
+    exit 1
+  fi
+}
 
 # complain WHAT: reports a failed check, unless there is an excuse.
 complain() {
@@ -203,6 +214,7 @@ record_more() {
 
 # finish: prints the summary; must be the last line of every script.
 finish() {
+  finished=yes
   printf '%s: %d checks, %d failed\n' "$(basename "$0" .sh)" "$checks" "$failures"
   [ "$failures" = 0 ]
 }

@@ -239,7 +239,9 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
     plugin_player_rest(&instance->player);
   }
   if (!is_there && !begin_rate(instance, rate)) return false;
-  if (instance->is_open && !plugin_player_is_restored(&instance->player)) plugin_run_wait(&run);
+  if (!instance->is_open || plugin_player_is_restored(&instance->player)) return true;
+  plugin_player_export(&instance->player, atomic_load(&instance->is_offline));
+  plugin_run_wait(&run);
   return true;
 }
 

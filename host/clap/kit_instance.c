@@ -73,6 +73,7 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
   }
   if (!instance->is_open) return true;
   kit_plugin_player_begin_block(&instance->player, &none);
+  kit_plugin_player_export(&instance->player, atomic_load(&instance->is_offline));
   kit_parameters_turn(instance);
   kit_plugin_player_wait(&instance->player);
   return true;
@@ -175,6 +176,7 @@ static void take_frame(KitInstance *instance, const Frame *frame) {
 static void play(KitInstance *instance, EventList *list) {
   KitPluginPlayer *const player = &instance->player;
   const bool waits = atomic_load(&instance->is_offline);
+  kit_plugin_player_export(player, waits);
   Frame frame = {.list = list};
   kit_parameters_turn(instance);
   do {

@@ -144,7 +144,9 @@ static void run(LV2_Handle handle, uint32_t frames) {
   KitInstrument *const kit = handle;
   kit_plugin_player_begin_block(&kit->player, &kit->outputs);
   turn_knobs(kit);
-  if (kit->freewheel && *kit->freewheel > 0) kit_plugin_player_wait(&kit->player);
+  const bool exports = kit->freewheel && *kit->freewheel > 0;
+  kit_plugin_player_export(&kit->player, exports);
+  if (exports) kit_plugin_player_wait(&kit->player);
   kit_plugin_player_keep_up(&kit->player);
   play(kit, frames);
   if (kit->ready) *kit->ready = kit_plugin_player_is_settled(&kit->player) ? 1 : 0;

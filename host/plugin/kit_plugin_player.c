@@ -5,6 +5,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "plugin/model_worker.h"
+
 static const double FADE = 0.03; /* [s] of a kit that leaves */
 #define PAUSE 1000000            /* [ns] for another thread that is at work already */
 
@@ -139,10 +141,19 @@ static void receive(KitPluginPlayer *player) {
   atomic_store(&worker->phase, KIT_PHASE_IDLE);
 }
 
+void kit_plugin_player_export(KitPluginPlayer *player, bool exports) { player->exports = exports; }
+
+/* What a knob asks for, in real time of a quality that plays in real time. */
+static float wish(const KitPluginPlayer *player, uint32_t id) REALTIME;
+static float wish(const KitPluginPlayer *player, uint32_t id) {
+  const float most = PLUGIN_LIVE_QUALITY - TABOR_QUALITY_DRAFT, value = player->values[id];
+  return id == KIT_KNOB_QUALITY && !player->exports && value > most ? most : value;
+}
+
 static bool is_wanted(const KitPluginPlayer *player) REALTIME;
 static bool is_wanted(const KitPluginPlayer *player) {
   for (uint32_t i = 0; player->has_asked && i < KIT_KNOB_COUNT; i++) {
-    if (kit_knobs[i].rebuilds && player->values[i] != player->asked[i]) return false;
+    if (kit_knobs[i].rebuilds && wish(player, i) != player->asked[i]) return false;
   }
   return player->has_asked;
 }
@@ -155,8 +166,9 @@ static void ask(KitPluginPlayer *player) {
     atomic_store(&worker->is_outdated, true);
     return;
   }
-  memcpy(worker->wanted, player->values, sizeof worker->wanted);
-  memcpy(player->asked, player->values, sizeof player->asked);
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->asked[i] = wish(player, i);
+  memcpy(worker->wanted, player->asked, sizeof worker->wanted);
+  worker->is_held = player->asked[KIT_KNOB_QUALITY] != player->values[KIT_KNOB_QUALITY];
   player->has_asked = true;
   atomic_store(&worker->is_outdated, false);
   atomic_store(&worker->phase, KIT_PHASE_ASKED);

@@ -25,6 +25,7 @@ typedef struct KitPluginPlayer {
   float values[KIT_KNOB_COUNT];      /**< of the knobs */
   float asked[KIT_KNOB_COUNT];       /**< of the newest request */
   bool has_asked;                    /**< a request was answered or is under way */
+  bool exports;                      /**< the host renders, and waits for kits */
   double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */
   TaborKitEvent events[KIT_PLUGIN_EVENTS];
   uint32_t event_count;
@@ -53,6 +54,8 @@ void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
 void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) REALTIME;
 /** Plays up to frame @p end of the block. */
 void kit_plugin_player_play(KitPluginPlayer *player, uint32_t end) REALTIME;
+/** Says whether the host exports: in real time no quality is above PLUGIN_LIVE_QUALITY. */
+void kit_plugin_player_export(KitPluginPlayer *player, bool exports) REALTIME;
 /** Takes what the worker has built, and asks for what the knobs want. */
 void kit_plugin_player_keep_up(KitPluginPlayer *player) REALTIME;
 /** True if the kit is the one that the knobs want, or that cannot be built. */

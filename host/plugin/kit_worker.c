@@ -118,11 +118,19 @@ static TaborStatus build(KitWorker *worker, TaborError *error) {
   return status;
 }
 
+/* Once: knobs are turned often. */
+static void say_held(KitWorker *worker) {
+  if (!worker->is_held || worker->has_said_held) return;
+  worker->has_said_held = true;
+  if (worker->say) worker->say(worker->context, PLUGIN_HELD_LINE);
+}
+
 void kit_worker_work(KitWorker *worker) {
   unsigned asked = KIT_PHASE_ASKED;
   TaborError error;
   free_retired(worker);
   if (!atomic_compare_exchange_strong(&worker->phase, &asked, KIT_PHASE_BUILDING)) return;
+  say_held(worker);
   const TaborStatus status = build(worker, &error);
   worker->failed = status != TABOR_OK && status != TABOR_ERROR_CANCELLED;
   if (worker->failed) say(worker, "the kit stays as it is", &error);

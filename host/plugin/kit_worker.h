@@ -47,9 +47,11 @@ typedef struct KitWorker {
   atomic_bool is_cancelled;     /**< nothing is to be built */
   atomic_bool is_outdated;      /**< the audio thread wants another kit than the one being built */
   float wanted[KIT_KNOB_COUNT]; /**< the request */
-  KitVoice *answer;             /**< NULL: none could be built */
-  bool failed;                  /**< none will be, from the same request */
-  _Atomic(KitVoice *) retired;  /**< that the audio thread is done with */
+  bool is_held;                 /**< its quality is below the knob's, since this is no export */
+  bool has_said_held;
+  KitVoice *answer;            /**< NULL: none could be built */
+  bool failed;                 /**< none will be, from the same request */
+  _Atomic(KitVoice *) retired; /**< that the audio thread is done with */
 } KitWorker;
 
 /* SET-UP */

@@ -343,6 +343,13 @@ static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
   return status;
 }
 
+/* Once: knobs are turned often. */
+static void say_held(ModelWorker *worker) {
+  if (!worker->request.is_held || worker->has_said_held) return;
+  worker->has_said_held = true;
+  if (worker->say) worker->say(worker->context, PLUGIN_HELD_LINE);
+}
+
 /* Composes anew in any case, so that what is saved is not much older than the knobs. */
 static void answer(ModelWorker *worker) {
   Reply *const reply = &worker->reply;
@@ -362,6 +369,7 @@ static void answer(ModelWorker *worker) {
   (void)pthread_mutex_unlock(&worker->lock);
   reply->is_news = reply->number != number || reply->restoration != restoration;
   if (!reply->is_news) return;
+  say_held(worker);
   reply->def = composed;
   midi_binding_make(&worker->map, &reply->def, &reply->binding);
   compose_model(worker, reply);

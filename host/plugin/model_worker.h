@@ -12,6 +12,9 @@
  * knobs or quality keeps it ringing on another model; both are swaps. The room comes with the drum, and anew when
  * something changes that it depends on: the knob, or the drum's microphones, shell and air.
  *
+ * In real time no drum is better than at PLUGIN_LIVE_QUALITY: what the knob asks for beyond is for export, and the log
+ * says so.
+ *
  * A host that renders offline waits for models. So none is built that takes more than MODEL_WORKER_MOST_SECONDS or
  * MODEL_WORKER_MOST_BYTES: the quality is lowered until it does, and the log says so.
  *
@@ -35,6 +38,12 @@
 #define MODEL_WORKER_MOST_SECONDS 15.0      /**< that building a model may take, by its estimate */
 #define MODEL_WORKER_MOST_BYTES 1000000000u /**< that it may take meanwhile */
 
+/** The highest quality in real time. A snare drum at studio takes several times as long as it sounds. */
+#define PLUGIN_LIVE_QUALITY TABOR_QUALITY_LIVE
+
+/** For the host's log. */
+#define PLUGIN_HELD_LINE "studio and reference are for export; in real time the quality is live"
+
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
 
@@ -50,6 +59,7 @@ typedef struct Request {
   double strainer, grip;    /**< values set by MIDI since then */
   float seen[KNOB_KEYS];    /**< values of the ports; a change is a turn of the knob */
   uint32_t quality;         /**< a TaborQuality */
+  bool is_held;             /**< quality is below the knob's, since this is no export */
   uint32_t room;            /**< a TaborRoomKind; stereo plugin */
 } Request;
 
@@ -108,7 +118,8 @@ typedef struct ModelWorker {
   int32_t composed_program;
 
   /* worker thread */
-  TaborModel *model; /**< of the newest reply, from the cache; changes under lock */
+  bool has_said_held; /**< that the quality of an export is another one */
+  TaborModel *model;  /**< of the newest reply, from the cache; changes under lock */
   uint32_t built_restoration, built_choice; /**< of that model */
   TaborSwap **swaps;                        /**< swaps that the drum may still need */
   uint32_t swap_count, swap_room;

@@ -52,6 +52,7 @@ bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate,
   player->stereo = stereo;
   player->map = worker->map;
   player->grip_id = tabor_parameter_find("hand.grip")->id;
+  player->quality = TABOR_QUALITY_LIVE;
   player->request =
     (Request){.number = 1, .quality = TABOR_QUALITY_LIVE, .room = TABOR_ROOM_STUDIO};
   plugin_player_forget_turns(&player->request);

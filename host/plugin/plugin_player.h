@@ -64,6 +64,8 @@ typedef struct PluginPlayer {
   /** Frames until a level moves, after its microphone was switched on. */
   uint32_t waits[KNOB_COUNT];
 
+  uint32_t quality; /**< of the knob; a TaborQuality */
+  bool exports;     /**< the host renders, and waits for models */
   Request request;
   uint32_t asked, asked_restoration;       /**< of the newest request that was made */
   uint32_t answered, answered_restoration; /**< of the newest reply that was taken */
@@ -107,6 +109,8 @@ void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
  * knob_is_modulated() denies.
  */
 void plugin_player_modulate(PluginPlayer *player, KnobId id, float offset) REALTIME;
+/** Says whether the host exports: in real time no quality is above PLUGIN_LIVE_QUALITY. */
+void plugin_player_export(PluginPlayer *player, bool exports) REALTIME;
 /** Prepares for the messages of another frame. */
 void plugin_player_begin_frame(PluginPlayer *player) REALTIME;
 /** Takes a complete MIDI message for a frame that is @p ahead frames from now. */

@@ -141,14 +141,27 @@ double plugin_player_live_value(const PluginPlayer *player, KnobId id) {
   return modulated(player, id, isnan(by_midi) ? value : by_midi);
 }
 
+static void set_quality(PluginPlayer *player) {
+  Request *const request = &player->request;
+  request->is_held = !player->exports && player->quality > PLUGIN_LIVE_QUALITY;
+  request->quality = request->is_held ? PLUGIN_LIVE_QUALITY : player->quality;
+  request->number++;
+}
+
+void plugin_player_export(PluginPlayer *player, bool exports) {
+  if (player->exports == exports) return;
+  player->exports = exports;
+  if (player->quality > PLUGIN_LIVE_QUALITY) set_quality(player);
+}
+
 static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_once) {
   switch (id) {
   case KNOB_VELOCITY_CURVE: player->map.response.curve = (MidiCurve)lroundf(value); break;
   case KNOB_VELOCITY_RANGE: player->map.response.range = (MidiRange)lroundf(value); break;
   case KNOB_HUMANIZE: player->humanizer.amount = knob_decimal(value); break;
   case KNOB_QUALITY:
-    player->request.quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
-    player->request.number++;
+    player->quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
+    set_quality(player);
     break;
   case KNOB_ROOM:
     player->request.room = (uint32_t)lroundf(value);

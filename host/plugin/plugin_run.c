@@ -52,6 +52,7 @@ static bool keep_up(const PluginRun *run) {
 }
 
 bool plugin_run_live(PluginRun *run) {
+  plugin_player_export(run->player, false);
   const bool asks = keep_up(run);
   (void)go_on(run);
   return asks;
@@ -69,6 +70,7 @@ void plugin_run_wait(const PluginRun *run) {
 }
 
 void plugin_run_waiting(PluginRun *run) {
+  plugin_player_export(run->player, true);
   do {
     plugin_run_wait(run);
   } while (!go_on(run));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Hosts do not wait for models that nobody wants any more, nor longer than a limit for one that is wanted.
+ * Hosts do not wait for models that nobody wants any more, nor longer than a limit for one that is wanted. In real time
+ * no model is better than at live.
  *
  * test_clap_builds PLUGINS
  */
@@ -18,10 +19,12 @@
 
 #include <cmocka.h>
 
+#include "clap/kit_instance.h"
+
 #define FRAMES 480u
 
 static const clap_plugin_entry_t *entry;
-static double whole; /* [s] that a model at studio took */
+static double whole; /* [s] that a costly model took */
 
 static double now(void) {
   struct timespec time;
@@ -43,20 +46,36 @@ static ClapHost *open_draft(void) {
   return host;
 }
 
-/* Asks for a model at studio that no other instance has, with the tension knob at this place, 0 to 1;
- * `offline`: and waits for it. */
-static void ask_for_studio(ClapHost *host, double place, bool offline) {
+/* Loads the instance's own state with `lines` at its end, which win over those before. */
+static void change_drum(ClapHost *host, const char *lines) {
+  static ClapState saved;
+  clap_host_save(host, &saved);
+  const size_t length = strlen(lines);
+  assert_true(saved.size + length <= sizeof saved.bytes);
+  memcpy(saved.bytes + saved.size, lines, length);
+  saved.size += length;
+  saved.at = 0;
+  assert_true(clap_host_load(host, &saved));
+}
+
+/* As long to build as a snare drum at studio, whatever the quality. */
+#define COSTLY                                                                                     \
+  "quality.two_way_bandwidth = 16000\nquality.bandwidth = 20000\nquality.wire_points = 200\n"
+
+/* Asks for a costly model that no other instance has, by its tension [N/m]; `offline`: and waits for it. */
+static void ask_for_costly(ClapHost *host, int tension, bool offline) {
+  char lines[256];
+  (void)snprintf(lines, sizeof lines, COSTLY "batter.tension = %d\n", tension);
   clap_host_render(host, offline);
-  clap_host_set(host, 0, KNOB_BATTER_TENSION, place);
-  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_STUDIO));
+  change_drum(host, lines);
   clap_host_run(host, FRAMES);
 }
 
 /* Seconds that such a model takes. */
-static double whole_build(double place) {
+static double whole_build(int tension) {
   ClapHost *const host = open_draft();
   const double start = now();
-  ask_for_studio(host, place, true);
+  ask_for_costly(host, tension, true);
   const double seconds = now() - start;
   clap_host_close(host);
   return seconds;
@@ -64,9 +83,9 @@ static double whole_build(double place) {
 
 static void closing_ends_a_build(void **state) {
   (void)state;
-  whole = whole_build(0.61);
+  whole = whole_build(3610);
   ClapHost *const host = open_draft();
-  ask_for_studio(host, 0.62, false);
+  ask_for_costly(host, 3620, false);
   wait_seconds(0.05);
   const double start = now();
   clap_host_close(host);
@@ -88,13 +107,13 @@ static void a_cancelled_drum_comes_later(void **state) {
   (void)state;
   static float cancelled[FRAMES], straight[FRAMES];
   ClapHost *const one = open_draft();
-  ask_for_studio(one, 0.63, false);
+  ask_for_costly(one, 3630, false);
   wait_seconds(0.05);
   clap_host_deactivate(one);
   clap_host_activate(one);
   record(one, cancelled);
   ClapHost *const other = open_draft();
-  ask_for_studio(other, 0.63, true);
+  ask_for_costly(other, 3630, true);
   clap_host_deactivate(other);
   clap_host_activate(other);
   record(other, straight);
@@ -107,10 +126,11 @@ static void a_cancelled_drum_comes_later(void **state) {
 static void a_newer_wish_ends_a_build(void **state) {
   (void)state;
   ClapHost *const host = open_draft();
-  ask_for_studio(host, 0.65, false);
+  ask_for_costly(host, 3650, false);
   wait_seconds(0.05);
   const double start = now();
-  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
+  change_drum(host,
+              "quality.two_way_bandwidth = 0\nquality.bandwidth = 0\nquality.wire_points = 0\n");
   clap_host_run(host, FRAMES);
   clap_host_render(host, true);
   clap_host_run(host, FRAMES); /* waits for the draft */
@@ -118,18 +138,6 @@ static void a_newer_wish_ends_a_build(void **state) {
   print_message("a model takes %.2f s, its end and a draft %.3f s\n", whole, waiting);
   assert_true(waiting < 0.6 * whole);
   clap_host_close(host);
-}
-
-/* Loads the instance's own state with `lines` at its end, which win over those before. */
-static void change_drum(ClapHost *host, const char *lines) {
-  static ClapState saved;
-  clap_host_save(host, &saved);
-  const size_t length = strlen(lines);
-  assert_true(saved.size + length <= sizeof saved.bytes);
-  memcpy(saved.bytes + saved.size, lines, length);
-  saved.size += length;
-  saved.at = 0;
-  assert_true(clap_host_load(host, &saved));
 }
 
 /* Nothing about this drum is out of range, and its model takes as long as any. */
@@ -143,7 +151,6 @@ static void closing_ends_the_build_of_the_largest_drum(void **state) {
   (void)state;
   ClapHost *const host = open_draft();
   change_drum(host, LARGEST);
-  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_STUDIO));
   clap_host_run(host, FRAMES);
   wait_seconds(0.2);
   const double start = now();
@@ -151,6 +158,71 @@ static void closing_ends_the_build_of_the_largest_drum(void **state) {
   const double closing = now() - start;
   print_message("closing beside the largest drum %.3f s\n", closing);
   assert_true(closing < 0.5 * whole);
+}
+
+/* ---- what is for export alone ---- */
+
+typedef struct Heard {
+  float sound[FRAMES];
+  char said[512]; /* newest line of the log */
+} Heard;
+
+static void set_quality(ClapHost *host, uint32_t quality) {
+  if (strcmp(host->plugin->desc->id, ID_KIT) == 0) {
+    clap_host_set_id(host, 0, KIT_KNOB_KIT, 3); /* frame drums: soon built */
+    clap_host_set_id(host, 0, KIT_KNOB_QUALITY, CLAP_QUALITY(quality));
+  } else {
+    clap_host_set(host, 0, KNOB_BATTER_TENSION, 0.7);
+    clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(quality));
+  }
+}
+
+static void strike(ClapHost *host, Heard *heard) {
+  clap_host_run(host, 8192); /* what glides arrives */
+  clap_host_midi(host, 0, &(MidiMessage){0x99, {38, 100}});
+  clap_host_run(host, FRAMES);
+  memcpy(heard->sound, host->sound[0], sizeof heard->sound);
+  memcpy(heard->said, host->said, sizeof heard->said);
+}
+
+/* A stroke in a host that exports, or does not; and with `then` one that begins to after a block. */
+static Heard hear(const char *id, uint32_t quality, bool exports, bool then) {
+  Heard heard;
+  ClapHost *const host = clap_host_open(entry, id);
+  clap_host_render(host, exports);
+  set_quality(host, quality);
+  clap_host_flush(host);
+  clap_host_activate(host);
+  if (then) {
+    clap_host_run(host, FRAMES);
+    clap_host_render(host, true);
+  }
+  strike(host, &heard);
+  clap_host_close(host);
+  return heard;
+}
+
+static void check_export(const char *id) {
+  const Heard live = hear(id, TABOR_QUALITY_LIVE, false, false),
+              held = hear(id, TABOR_QUALITY_STUDIO, false, false),
+              studio = hear(id, TABOR_QUALITY_STUDIO, true, false),
+              later = hear(id, TABOR_QUALITY_STUDIO, false, true);
+  assert_memory_equal(held.sound, live.sound, sizeof live.sound);
+  assert_memory_not_equal(studio.sound, live.sound, sizeof live.sound);
+  assert_memory_equal(later.sound, studio.sound, sizeof studio.sound);
+  assert_non_null(strstr(held.said, "studio and reference are for export"));
+  assert_string_equal(live.said, "");
+  assert_string_equal(studio.said, "");
+}
+
+static void studio_is_for_export(void **state) {
+  (void)state;
+  check_export(ID_DRUM);
+}
+
+static void so_it_is_for_a_kit(void **state) {
+  (void)state;
+  check_export(ID_KIT);
 }
 
 /* Offline, the host waits in its audio thread: of a drum of 30 wires at reference it gets studio, and is told. */
@@ -177,6 +249,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(closing_ends_the_build_of_the_largest_drum),
     cmocka_unit_test(a_cancelled_drum_comes_later),
     cmocka_unit_test(a_newer_wish_ends_a_build),
+    cmocka_unit_test(studio_is_for_export),
+    cmocka_unit_test(so_it_is_for_a_kit),
     cmocka_unit_test(what_takes_too_long_plays_at_a_lower_quality),
   };
   if (argc != 2) return 2;

@@ -3,13 +3,17 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/input_file.h"
 #include "base/number.h"
 #include "base/suggest.h"
+#include "base/text_file.h"
 #include "drums/preset_file.h"
 
-#define LONGEST_PLACE 200 /* bytes of a path in messages about a line */
+#define LONGEST_PLACE 200     /* bytes of a path in messages about a line */
+#define LARGEST_FILE 1000000u /* bytes of a map */
 
 /* What the pairs that come belong to. */
 typedef enum Section { SECTION_NONE, SECTION_MAP, SECTION_NOTE, SECTION_CONTROLLER } Section;
@@ -149,15 +153,15 @@ static Outcome set_note(Reader *reader, size_t key, const char *value) {
 
 /* ---- [controller.N] ---- */
 
-static Outcome set_key(const Reader *reader, const char *value, MidiControl *control) {
+static Outcome set_key(const char *where, const char *value, MidiControl *control) {
   const TaborParameter *const row = tabor_parameter_find(value);
   if (!row) {
     return refuse("%s '%.80s': unknown; allowed: radius, angle, grip, strainer, gain, silence, "
                   "none, or a live key as wires.tension",
-                  reader->where, value);
+                  where, value);
   }
   if (!row->live || strlen(value) >= sizeof control->key) {
-    return refuse("%s '%.80s': this key cannot move while the drum plays", reader->where, value);
+    return refuse("%s '%.80s': this key cannot move while the drum plays", where, value);
   }
   *control =
     (MidiControl){.target = MIDI_TARGET_PARAMETER, .from = row->minimum, .to = row->maximum};
@@ -169,13 +173,13 @@ static Outcome set_key(const Reader *reader, const char *value, MidiControl *con
 static const char *const target_names[] = {"none",     "radius", "angle",   "grip",
                                            "strainer", "gain",   "silence", NULL};
 
-static Outcome set_target(const Reader *reader, const char *value, MidiControl *control) {
+Outcome midi_control_read(const char *where, const char *text, MidiControl *control) {
   for (size_t i = 0; target_names[i]; i++) {
-    if (strcmp(value, target_names[i]) != 0) continue;
+    if (strcmp(text, target_names[i]) != 0) continue;
     *control = (MidiControl){.target = (MidiTarget)i};
     return OUTCOME_OK;
   }
-  return set_key(reader, value, control);
+  return set_key(where, text, control);
 }
 
 static Outcome set_end(const Reader *reader, const char *value, const MidiControl *control,
@@ -191,7 +195,7 @@ static const char *const controller_keys[] = {"moves", "from", "to", NULL};
 
 static Outcome set_controller(Reader *reader, size_t key, const char *value) {
   MidiControl *const control = &reader->map->controls[reader->number];
-  if (key == 0) return set_target(reader, value, control);
+  if (key == 0) return midi_control_read(reader->where, value, control);
   return set_end(reader, value, control, key == 1 ? &control->from : &control->to);
 }
 
@@ -271,4 +275,21 @@ Outcome midi_map_file_read(const char *path, MidiMap *map) {
   if (status == PRESET_FILE_OK) return OUTCOME_OK;
   if (status == PRESET_FILE_UNREADABLE) return fail("%s", message);
   return reader.refused ? OUTCOME_REFUSED : refuse("%s", message);
+}
+
+Outcome midi_map_file_add(const char *path, int controller, const char *text) {
+  char *before = NULL;
+  size_t length = 0;
+  Outcome outcome = input_file_read(path, LARGEST_FILE, &before, &length);
+  if (outcome == OUTCOME_OK) {
+    const size_t size = length + strlen(text) + 64;
+    char *const whole = malloc(size);
+    if (whole) {
+      (void)snprintf(whole, size, "%s[controller.%d]\nmoves = %s\n", before, controller, text);
+    }
+    outcome = whole ? text_file_write(path, whole, false) : fail_memory();
+    free(whole);
+  }
+  free(before);
+  return outcome;
 }

@@ -33,6 +33,11 @@
 
 /** Reads file @p path into *map; refuses an error with its line number. */
 Outcome midi_map_file_read(const char *path, MidiMap *map);
+/** Reads what follows `moves =`: a live key, which moves over its whole range, or radius, angle, grip, strainer, gain, silence
+ * or none. Refuses other text with a message that starts with @p where. */
+Outcome midi_control_read(const char *where, const char *text, MidiControl *control);
+/** Adds to map file @p path that @p controller moves what @p text says; it wins over what the file has said before. */
+Outcome midi_map_file_add(const char *path, int controller, const char *text);
 /** Reads soft, linear or hard; refuses other text with a message that starts with @p where. */
 Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve);
 /** Reads normal or full; refuses other text likewise. */

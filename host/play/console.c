@@ -284,6 +284,8 @@ Outcome console_open(LiveSession *session, Console **created) {
   console->session = session;
   console->controls = controls_begin(session->player, session->builder, session->facts.rate,
                                      20 * log10(request->gain), request->humanizer);
+  console->controls.midi = session->midi;
+  console->controls.midi_map = arguments_value(request->arguments, "midi-map");
   console->escape_time = -ESCAPE_TIME;
   for (uint32_t i = 0; i < TABOR_MAX_MICS; i++) console->screen.meters[i] = meter_begin();
   const Outcome outcome = choose(console);
@@ -300,7 +302,7 @@ bool console_turn(void *context) {
     const struct timespec moment = {.tv_nsec = WAIT * 1000000L};
     (void)nanosleep(&moment, NULL);
   }
-  controls_pass(&console->controls, now());
+  if (controls_pass(&console->controls, now())) tell_line(console);
   if (console->has_screen || console->tells_lines) show(console);
   return !console->controls.quits;
 }

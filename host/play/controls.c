@@ -8,6 +8,7 @@
 
 #include "base/number.h"
 #include "drums/preset_text.h"
+#include "midi/midi_map_file.h"
 #include "play/player_words.h"
 #include "ui/command_words.h"
 
@@ -40,6 +41,13 @@ tell(Controls *controls, const char *format, ...) {
 /* What went wrong has been said into the text. */
 static void begin_text(Controls *controls) {
   controls->text[0] = '\0';
+  controls->is_trouble = true;
+}
+
+static void end_text(Controls *controls, MessageCapture before, const char *trouble) {
+  message_release(before);
+  if (!*trouble) return;
+  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
   controls->is_trouble = true;
 }
 
@@ -222,13 +230,51 @@ static void strike_with(Controls *controls, const char *technique, double time) 
   send_event(controls, &event, time);
 }
 
-void controls_pass(Controls *controls, double time) {
+static void lift(Controls *controls, double time) {
   for (unsigned hand = 0; hand < CONTROLS_HANDS; hand++) {
     if (controls->release_time[hand] == 0 || time < controls->release_time[hand]) continue;
     controls->release_time[hand] = 0;
     const TaborEvent event = {.type = TABOR_EVENT_RELEASE, .id = FIRST_HAND + hand};
     send_event(controls, &event, time);
   }
+}
+
+/* ---- MIDI controllers ---- */
+
+static void run_learn(Controls *controls, const char *text, double time) {
+  MidiControl target;
+  (void)time;
+  if (!controls->midi) {
+    (void)refuse("learn: there is no MIDI input");
+    return;
+  }
+  if (midi_control_read("learn", text, &target) != OUTCOME_OK) return;
+  (void)snprintf(controls->learns, sizeof controls->learns, "%s", text);
+  play_midi_learn(controls->midi, &target);
+  tell(controls, "move the controller that is to move %s", text);
+}
+
+/* Where there is no file, it lasts until the end. */
+static void keep_learned(Controls *controls, int controller) {
+  if (!controls->midi_map) {
+    tell(controls, "controller %d moves %s until the end; --midi-map FILE would keep it",
+         controller, controls->learns);
+  } else if (midi_map_file_add(controls->midi_map, controller, controls->learns) == OUTCOME_OK) {
+    tell(controls, "controller %d moves %s, and so does it in %s", controller, controls->learns,
+         controls->midi_map);
+  }
+}
+
+bool controls_pass(Controls *controls, double time) {
+  lift(controls, time);
+  const int controller = play_midi_learned(controls->midi);
+  if (controller < 0) return false;
+  char trouble[CONTROLS_TEXT_SIZE];
+  begin_text(controls);
+  const MessageCapture before = message_capture(trouble, sizeof trouble);
+  keep_learned(controls, controller);
+  end_text(controls, before, trouble);
+  return true;
 }
 
 /* ---- actions ---- */
@@ -257,10 +303,7 @@ void controls_act(Controls *controls, const Action *action, double time) {
   begin_text(controls);
   const MessageCapture before = message_capture(trouble, sizeof trouble);
   act(controls, action, time);
-  message_release(before);
-  if (!*trouble) return;
-  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
-  controls->is_trouble = true;
+  end_text(controls, before, trouble);
 }
 
 Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
@@ -388,10 +431,10 @@ static void run_quit(Controls *controls, const char *text, double time) {
 
 static void run_command(Controls *controls, const char *text, double time) {
   static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
-    [COMMAND_UNDO] = run_undo,         [COMMAND_SAVE] = run_save,       [COMMAND_SET] = run_set,
-    [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed,
-    [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,
-    [COMMAND_QUIT] = run_quit,
+    [COMMAND_LEARN] = run_learn, [COMMAND_UNDO] = run_undo,         [COMMAND_SAVE] = run_save,
+    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
+    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
+    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
   };
   CommandWord command;
   const char *rest;
@@ -406,10 +449,7 @@ void controls_run(Controls *controls, const char *command, double time) {
   if (!*text) return;
   const MessageCapture before = message_capture(trouble, sizeof trouble);
   run_command(controls, text, time);
-  message_release(before);
-  if (!*trouble) return;
-  (void)snprintf(controls->text, sizeof controls->text, "%s", trouble);
-  controls->is_trouble = true;
+  end_text(controls, before, trouble);
 }
 
 /* ---- completion ---- */
@@ -437,6 +477,15 @@ static const char *key_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
   (void)snprintf(room, 2 * TABOR_NAME_SIZE, "%s%s%s", parameter->section, is_family ? "" : ".",
                  is_family ? "" : parameter->key);
   return room;
+}
+
+/* Of those that controllers can move. */
+static const char *live_key_word_at(size_t index, char room[2 * TABOR_NAME_SIZE]) {
+  size_t live = 0;
+  for (uint32_t i = 0; tabor_parameter(i); i++) {
+    if (tabor_parameter(i)->live && live++ == index) return key_word_at(i, room);
+  }
+  return NULL;
 }
 
 /* Cuts @p word back to what it has in common with @p name. */
@@ -475,7 +524,10 @@ bool controls_complete(const char *command, size_t cursor, size_t *start, char *
   static const struct {
     const char *before;
     WordAt *word_at;
-  } places[] = {{"", typed_word_at}, {"set ", key_word_at}, {"preset ", preset_word_at}};
+  } places[] = {{"", typed_word_at},
+                {"set ", key_word_at},
+                {"learn ", live_key_word_at},
+                {"preset ", preset_word_at}};
   *start = cursor;
   while (*start > 0 && command[*start - 1] != ' ') (*start)--;
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {

@@ -10,6 +10,7 @@
 #define TABOR_HOST_CONTROLS_H
 
 #include "play/model_builder.h"
+#include "play/play_midi.h"
 #include "strokes/humanize.h"
 #include "ui/keymap.h"
 
@@ -26,6 +27,8 @@ typedef struct FormerSetting {
 typedef struct Controls {
   Player *player;
   ModelBuilder *builder;
+  PlayMidi *midi;       /**< live MIDI, or NULL */
+  const char *midi_map; /**< file of --midi-map, or NULL */
   Humanizer humanizer;
   double rate;       /**< [Hz] */
   double speed;      /**< speed of strokes [m/s] */
@@ -40,19 +43,21 @@ typedef struct Controls {
   unsigned hand; /**< hand of the next buzz, 0 or 1 */
   /** Time at which each hand lifts its buzzing stick, the last hand its sweeping brush [s]; 0: none held. */
   double release_time[CONTROLS_HANDS];
+  char learns[TABOR_NAME_SIZE]; /**< what the next controller will move, or "" */
   /** Requests of the user; the caller resets opens_command. */
   bool opens_command, shows_help, quits;
   char text[CONTROLS_TEXT_SIZE]; /**< message about the last action, or "" */
   bool is_trouble;               /**< the message reports a failure */
 } Controls;
 
-/** Starts with the speed of the preset's own stroke and a gain of @p gain_db. */
+/** Starts with the speed of the preset's own stroke and a gain of @p gain_db; without MIDI. */
 Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
                         Humanizer humanizer);
 /** Executes the action of a key pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
-/** Lifts buzzing sticks and sweeping brushes after their time: a terminal reports no key releases. Call often. */
-void controls_pass(Controls *controls, double time);
+/** Lifts buzzing sticks and sweeping brushes after their time: a terminal reports no key releases. Tells of a controller that
+ * was learned, and keeps it in the map's file: true if there is a new text. Call often. */
+bool controls_pass(Controls *controls, double time);
 /** Executes a command, such as "set wires.tension 20", entered at @p time. */
 void controls_run(Controls *controls, const char *command, double time);
 /**

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "play/play_midi.h"
 
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
 #include "platform/clock.h"
 
-#define BINDING_AGE 0.05 /* [s] after which the drum may be another one */
+#define BINDING_AGE 0.05     /* [s] after which the drum may be another one */
+#define MIDI_CONTROLLERS 120 /* the numbers behind are messages about the channel */
 
 /* All but what play_midi_open() sets, and the count, belongs to the thread that receives. */
 struct PlayMidi {
@@ -18,6 +20,11 @@ struct PlayMidi {
   ModelBuilder *builder;
   MidiInput *input;
   atomic_uint_least64_t ignored;
+  /* under lock */
+  pthread_mutex_t lock;
+  bool learns;
+  MidiControl target; /* of the next controller, if it learns */
+  int learned;        /* the controller that was learned, until somebody asks; -1 */
 };
 
 static void bind(PlayMidi *midi, double now) {
@@ -35,11 +42,51 @@ Cue play_midi_cue(const MidiAction *action, uint64_t frame) {
   return cue;
 }
 
+static bool is_for(const PlayMidi *midi, const MidiMessage *message) {
+  return midi->map.channel == MIDI_OMNI || midi->map.channel == midi_channel(message);
+}
+
+/* Controllers above are messages about the channel. */
+static bool may_be_learned(const PlayMidi *midi, const MidiMessage *message) {
+  return midi_kind(message) == MIDI_CONTROL && message->data[0] < MIDI_CONTROLLERS &&
+         is_for(midi, message);
+}
+
+static void learn(PlayMidi *midi, const MidiMessage *message, double now) {
+  if (!may_be_learned(midi, message)) return;
+  (void)pthread_mutex_lock(&midi->lock);
+  const bool learns = midi->learns;
+  if (learns) {
+    midi->map.controls[message->data[0]] = midi->target;
+    midi->learned = message->data[0];
+  }
+  midi->learns = false;
+  (void)pthread_mutex_unlock(&midi->lock);
+  if (learns) bind(midi, now);
+}
+
+void play_midi_learn(PlayMidi *midi, const MidiControl *target) {
+  (void)pthread_mutex_lock(&midi->lock);
+  midi->learns = true;
+  midi->target = *target;
+  (void)pthread_mutex_unlock(&midi->lock);
+}
+
+int play_midi_learned(PlayMidi *midi) {
+  if (!midi) return -1;
+  (void)pthread_mutex_lock(&midi->lock);
+  const int learned = midi->learned;
+  midi->learned = -1;
+  (void)pthread_mutex_unlock(&midi->lock);
+  return learned;
+}
+
 static void receive(void *context, double time, const MidiMessage *message) {
   PlayMidi *const midi = context;
   const double now = stopwatch_seconds(CLOCK_MONOTONIC);
   MidiAction action;
   if (now - midi->bound > BINDING_AGE) bind(midi, now);
+  learn(midi, message, now);
   const bool acts = midi_to_events_take(&midi->drum, message, &action);
   atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
   if (!acts) return;
@@ -57,6 +104,8 @@ Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder 
                        PlayMidi **result) {
   PlayMidi *const midi = *result = calloc(1, sizeof *midi);
   if (!midi) return fail_memory();
+  (void)pthread_mutex_init(&midi->lock, NULL);
+  midi->learned = -1;
   midi->map = request->midi_map;
   midi->humanizer = request->humanizer;
   midi->player = player;
@@ -77,5 +126,6 @@ uint64_t play_midi_ignored(const PlayMidi *midi) { return midi ? atomic_load(&mi
 void play_midi_close(PlayMidi *midi) {
   if (!midi) return;
   midi_input_close(midi->input);
+  (void)pthread_mutex_destroy(&midi->lock);
   free(midi);
 }

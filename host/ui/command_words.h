@@ -12,6 +12,7 @@
 
 typedef enum CommandWord {
   COMMAND_SET,
+  COMMAND_LEARN,
   COMMAND_UNDO,
   COMMAND_SAVE,
   COMMAND_PRESET,

@@ -120,6 +120,32 @@ play_other() {
 }
 in_time $CALM "a controller silences the drum at its time" play_other
 
+# ---- a controller is learned ----
+
+# learn MAP-OPTION...: types the command, and moves controller 74 until the program has heard it.
+learn() {
+  printf '%s\n' 'size 160 40' 'wait ? help' 'type :learn batter.muf\t' 'wait muffle_strength' 'type \r' 'wait move the controller' \
+    'wait controller 74 moves' 'show' 'type :learn batter.tension\r' 'wait cannot move' 'type :quit\r' >script
+  rm -f learned.log
+  timeout 300 "$TYPIST" script "$TABOR" play tom-12 --quality draft --log learned.log "$@" >typed 2>&1 &
+  local typist=$!
+  while kill -0 $typist 2>/dev/null; do
+    timeout 10 "$JACK_SEND" tabor-midi:in 0:b94a40 >/dev/null 2>&1
+    sleep 0.2
+  done
+  wait $typist
+  same "the typist's status" 0 $?
+}
+export TERM=xterm
+: "${TYPIST:?host_typist}"
+learn
+check "it says what keeps it" grep -q -- '--midi-map FILE would keep it' typed
+check "the controller moves it" grep -qE '^\{.*"parameter".*"batter.muffle_strength"' learned.log
+printf '; mine\n[note.60]\n' >kept.ini
+learn --midi-map kept.ini
+same "the map's file" '; mine,[note.60],[controller.74],moves = batter.muffle_strength' "$(paste -sd , kept.ini)"
+done_quietly render tom-12 --midi-map kept.ini --duration 0.1 -q -o kept.wav
+
 # ---- far too much ----
 
 # As many as a person can play are played: 1000 a second, and some at once.

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "drums/stereo_pair.h"
+#include "plugin/stick_choice.h"
 
 #define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */
@@ -215,6 +216,17 @@ const Knob knobs[KNOB_COUNT] = {
                            .off = NAN,
                            .comment = "Normal: 1 to 10 m/s, and softer ghost notes below velocity "
                                       "20. Full: 0.3 to 12 m/s."},
+  [KNOB_STICK] = {.symbol = "stick",
+                  .name = "Stick",
+                  .group = "stick",
+                  .kind = KNOB_SETTING,
+                  RANGE(0, STICK_CHOICE_COUNT - 1),
+                  .fallback = 0,
+                  .unit = "",
+                  .choices = STICK_CHOICES,
+                  .off = NAN,
+                  .comment = "Which stick strikes, by its size and the material of its tip. No "
+                             "effect on drums that are struck by something else."},
   [KNOB_LEVEL_INSIDE] = {.symbol = "level_inside",
                          .name = "Inside microphone",
                          LEVEL(LOWEST_LEVEL),
@@ -283,9 +295,10 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_UNEVENNESS,
   KNOB_SOUND,
   KNOB_MIX,
+  KNOB_STICK,
 };
 
-static TaborStrikerDef *usual_striker(TaborDrumDef *def) {
+TaborStrikerDef *knob_usual_striker(TaborDrumDef *def) {
   const int named = tabor_drum_def_find_striker(def, def->strike.striker);
   return &def->striker[named > 0 ? named : 0];
 }
@@ -298,7 +311,7 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   case KNOB_RESONANT_MUFFLING: return def->two_headed ? &def->resonant.muffle_strength : NULL;
   case KNOB_STRAINER: return def->wires.count > 0 ? &def->wires.strainer : NULL;
   case KNOB_WIRE_TENSION: return def->wires.count > 0 ? &def->wires.tension : NULL;
-  case KNOB_STICK_HARDNESS: return &usual_striker(def)->contact_stiffness;
+  case KNOB_STICK_HARDNESS: return &knob_usual_striker(def)->contact_stiffness;
   case KNOB_STRIKE_RADIUS: return &def->strike.radius;
   case KNOB_STRIKE_ANGLE: return &def->strike.angle;
   case KNOB_BATTER_PITCH: return &def->batter.pitch;

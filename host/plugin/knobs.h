@@ -42,6 +42,7 @@ typedef enum KnobId {
   KNOB_LEVEL_FAR,
   KNOB_LEVEL_INSIDE,
   KNOB_VELOCITY_RANGE,
+  KNOB_STICK, /**< stick_choice.h */
   KNOB_ROOM,  /**< stereo plugin only, as the levels */
   KNOB_SOUND, /**< of the effect only, as the next */
   KNOB_MIX,
@@ -164,6 +165,8 @@ KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
 /** Where @p value stands on the knob's way, 0 to 1 within its range; and the value there. */
 double knob_position(const KnobRange *range, double value);
 double knob_at_position(const KnobRange *range, double position);
+/** The striker of the drum's default stroke. */
+TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /**

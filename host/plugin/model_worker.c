@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "plugin/model_cache.h"
+#include "plugin/stick_choice.h"
 
 /* ---- cancellation --------------------------------------------------------------------------- */
 
@@ -169,8 +170,8 @@ static void tune(const ModelWorker *worker, TaborDrumDef *def) {
   }
 }
 
-/* What the model is built from: where MIDI has moved it, too, and with tensions for pitches. The pitches
- * stay in what is saved, so that the tensions are there when they are taken back. */
+/* What the model is built from: where MIDI has moved it, too, with the stick that was chosen, and with tensions for pitches.
+ * What is saved has the drum's own stick, and its pitches, so that these are there when a choice is taken back. */
 static void compose_model(const ModelWorker *worker, Reply *reply) {
   const Request *const request = &worker->request;
   TaborDrumDef *const def = &reply->def;
@@ -178,6 +179,7 @@ static void compose_model(const ModelWorker *worker, Reply *reply) {
     set_field(def, knob_field(def, KNOB_STRAINER), request->strainer);
     set_field(def, &def->hand.grip, request->grip);
   }
+  stick_choice_take(request->stick, def);
   tune(worker, def);
 }
 

@@ -61,6 +61,7 @@ typedef struct Request {
   uint32_t quality;         /**< a TaborQuality */
   bool is_held;             /**< quality is below the knob's, since this is no export */
   uint32_t room;            /**< a TaborRoomKind; stereo plugin */
+  uint32_t stick;           /**< a choice of stick_choice.h */
 } Request;
 
 /** The worker's answer. */

@@ -163,6 +163,10 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     player->quality = TABOR_QUALITY_DRAFT + (uint32_t)lroundf(value);
     set_quality(player);
     break;
+  case KNOB_STICK:
+    player->request.stick = (uint32_t)lroundf(value);
+    player->request.number++;
+    break;
   case KNOB_ROOM:
     player->request.room = (uint32_t)lroundf(value);
     player->request.number++;

@@ -77,6 +77,9 @@ static void test_ids_do_not_change(void **state) {
     assert_string_equal(knobs[knob_ports[i]].symbol, symbols[i]);
     assert_string_equal(info.name, knobs[knob_ports[i]].name);
   }
+  const clap_param_info_t stick = info_of(host, SYMBOLS); /* behind the two of the effect */
+  assert_int_equal(stick.id, SYMBOLS + 2);
+  assert_string_equal(stick.name, "Stick");
   clap_host_close(host);
 }
 
@@ -86,7 +89,7 @@ static void test_the_multi_plugin_has_no_mix(void **state) {
   ClapHost *const host = clap_host_open(entry, ID_DRUM_MULTI);
   const uint32_t count = params_of(host)->count(host->plugin);
   double value;
-  assert_int_equal(count, SYMBOLS - 7);
+  assert_int_equal(count, SYMBOLS + 1 - 7); /* and the stick */
   for (uint32_t i = 0; i < count; i++) {
     const clap_param_info_t info = info_of(host, i);
     assert_string_equal(info.name, knobs[knob_ports[info.id]].name);
@@ -188,6 +191,8 @@ static void test_texts_have_units(void **state) {
   says(host, KNOB_GAIN, -3, "-3 dB");
   says(host, KNOB_QUALITY, 1, "Live");
   says(host, KNOB_ROOM, 3, "Hall");
+  says(host, KNOB_STICK, 0, "The drum's own");
+  says(host, KNOB_STICK, 6, "5A nylon");
   says(host, KNOB_ROOM, 1e300, "Hall");
   says(host, KNOB_GAIN, 1e300, "20 dB");
   says(host, KNOB_GAIN, -INFINITY, "Off");

@@ -154,14 +154,15 @@ static void check_symbols(const char *plugin_uri, const char *const *symbols, ui
 static void test_symbols_do_not_change(void **state) {
   (void)state;
   static const char *const stereo[] = {
-    "events",     "out_left",        "out_right",    "freewheel",    "ready",
-    SHARED_KNOBS, "level_pair",      "level_top",    "level_bottom", "level_near",
-    "level_far",  "velocity_range",  "level_inside", "batter_pitch", "resonant_pitch",
-    "room",       "wires_unevenness"};
+    "events",     "out_left",         "out_right",    "freewheel",    "ready",
+    SHARED_KNOBS, "level_pair",       "level_top",    "level_bottom", "level_near",
+    "level_far",  "velocity_range",   "level_inside", "batter_pitch", "resonant_pitch",
+    "room",       "wires_unevenness", "stick"};
   static const char *const multi[] = {
-    "events",         "out_top",    "out_bottom",   "out_near",       "out_far",
-    "out_left",       "out_right",  "freewheel",    "ready",          SHARED_KNOBS,
-    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch", "wires_unevenness"};
+    "events",       "out_top",        "out_bottom",       "out_near",
+    "out_far",      "out_left",       "out_right",        "freewheel",
+    "ready",        SHARED_KNOBS,     "velocity_range",   "out_inside",
+    "batter_pitch", "resonant_pitch", "wires_unevenness", "stick"};
   static const char *const kit[] = {"events",      "out_left",   "out_right",      "out_1_left",
                                     "out_1_right", "out_2_left", "out_2_right",    "out_3_left",
                                     "out_3_right", "out_4_left", "out_4_right",    "out_5_left",
@@ -181,7 +182,7 @@ static void test_symbols_do_not_change(void **state) {
     "freewheel",    "ready",          SHARED_KNOBS, "level_pair",       "level_top",
     "level_bottom", "level_near",     "level_far",  "velocity_range",   "level_inside",
     "batter_pitch", "resonant_pitch", "room",       "wires_unevenness", "sound_level",
-    "mix"};
+    "mix",          "stick"};
   check_symbols(URI_EFFECT, effect, sizeof effect / sizeof effect[0]);
   check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }

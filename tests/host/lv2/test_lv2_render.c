@@ -260,6 +260,7 @@ static void turned(PluginHost *host) {
   host->knobs[KNOB_VELOCITY_RANGE] = 1;
   host->knobs[KNOB_HUMANIZE] = 0.7f;
   host->knobs[KNOB_GAIN] = -3.3f;
+  host->knobs[KNOB_STICK] = 5; /* 7A nylon: a tip 3.1 times as hard */
 }
 
 static void test_knobs_are_options(void **state) {
@@ -268,7 +269,8 @@ static void test_knobs_are_options(void **state) {
   song_write_all();
   same_as_render(
     URI_DRUM,
-    "--quality draft --set batter.tension=4321 --set striker.stick.contact_stiffness=5e6 "
+    "--quality draft --set batter.tension=4321 --set striker.stick.contact_stiffness=15.5e6 "
+    "--set striker.stick.mass=0.0088 --set striker.stick.bending_frequency=388 "
     "--set strike.radius=0.08 --set strike.angle=-45 --velocity-curve hard "
     "--velocity-range full --humanize 0.7 --gain -3.3 --stereo",
     turned, blocks, 2);

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#include "plugin/stick_choice.h"
+
+#include "plugin/knobs.h"
+
+static const double NYLON = 3.1; /* contact stiffness of its tip by that of wood */
+
+typedef struct Stick {
+  double mass;              /* of the tip [kg] */
+  double bending_frequency; /* [Hz] */
+} Stick;
+
+static const Stick sticks[] = {
+  {0.0088, 388}, /* 7A */
+  {0.0100, 384}, /* 5A */
+  {0.0110, 403}, /* 5B */
+  {0.0125, 412}, /* 2B */
+};
+enum { STICKS = sizeof sticks / sizeof *sticks };
+
+void stick_choice_take(uint32_t choice, TaborDrumDef *def) {
+  TaborStrikerDef *const striker = knob_usual_striker(def);
+  if (choice == 0 || choice >= STICK_CHOICE_COUNT || striker->kind != TABOR_STRIKER_STICK) return;
+  const Stick *const stick = &sticks[(choice - 1) % STICKS];
+  striker->mass = stick->mass;
+  striker->bending_frequency = stick->bending_frequency;
+  if (choice > STICKS) striker->contact_stiffness *= NYLON;
+}

@@ -46,6 +46,7 @@ endif()
 
 # Under sanitizers, and counting coverage, everything takes ten times as long.
 if(TABOR_SANITIZE OR TABOR_COVERAGE)
+  list(APPEND test_clap_builds_ARGUMENTS brief)
   list(APPEND test_clap_kit_ARGUMENTS brief)
   list(APPEND test_clap_render_ARGUMENTS brief)
   set(test_clap_realtime_ARGUMENTS 1 1)

@@ -124,16 +124,26 @@ static Outcome check_options(const Arguments *arguments) {
   static const char *const excluded[] = {"positions", "techniques", "mic"};
   for (size_t i = 0; i < sizeof excluded / sizeof *excluded; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;
-    return refuse("--kit and --%s: a kit has notes for its strokes, and a mix", excluded[i]);
+    return refuse("--kit and --%s: not together; a kit has notes for its strokes, and a mix",
+                  excluded[i]);
   }
   if (!arguments->operand) return OUTCOME_OK;
   return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
 }
 
-/* Sound files of notes are the user's already. */
+/* Sound files for notes are the user's already. */
+static void note_samples(const Arguments *arguments, const KitSamples *samples) {
+  if (arguments_has(arguments, "quiet")) return;
+  for (int i = 0; i < MIDI_VALUES; i++) {
+    if (!samples->notes[i].path) continue;
+    note("note %d: its sound file '%s' is not put into the library", i, samples->notes[i].path);
+  }
+}
+
 static Outcome load(const Arguments *arguments, TaborKitDef *def) {
   KitSamples samples;
   const Outcome outcome = kit_load(arguments, def, &samples);
+  if (outcome == OUTCOME_OK) note_samples(arguments, &samples);
   kit_samples_free(&samples);
   return outcome;
 }

@@ -121,6 +121,10 @@ static void type(Console *console, Key key, double time) {
 
 static void escape(Console *console, double time) {
   Controls *const controls = &console->controls;
+  if (controls_forget_learning(controls)) {
+    tell_line(console);
+    return;
+  }
   controls->quits = time - console->escape_time < ESCAPE_TIME;
   console->escape_time = time;
   controls->shows_help = false;

@@ -244,14 +244,20 @@ static void lift(Controls *controls, double time) {
 static void run_learn(Controls *controls, const char *text, double time) {
   MidiControl target;
   (void)time;
-  if (!controls->midi) {
+  MidiInputStatus inputs;
+  play_midi_status(controls->midi, &inputs);
+  if (inputs.inputs + inputs.own == 0) {
     (void)refuse("learn: there is no MIDI input");
     return;
   }
   if (midi_control_read("learn", text, &target) != OUTCOME_OK) return;
   (void)snprintf(controls->learns, sizeof controls->learns, "%s", text);
   play_midi_learn(controls->midi, &target);
-  tell(controls, "move the controller that is to move %s", text);
+  if (target.target == MIDI_TARGET_NONE) {
+    tell(controls, "move the controller that is to do nothing");
+  } else {
+    tell(controls, "move the controller that is to move %s; Escape cancels", text);
+  }
 }
 
 /* Where there is no file, it lasts until the end. */
@@ -265,14 +271,23 @@ static void keep_learned(Controls *controls, int controller) {
   }
 }
 
+bool controls_forget_learning(Controls *controls) {
+  if (!controls->learns[0]) return false;
+  controls->learns[0] = '\0';
+  play_midi_learn(controls->midi, NULL);
+  tell(controls, "no controller is learned");
+  return true;
+}
+
 bool controls_pass(Controls *controls, double time) {
   lift(controls, time);
   const int controller = play_midi_learned(controls->midi);
-  if (controller < 0) return false;
+  if (controller < 0 || !controls->learns[0]) return false; /* or it was given up meanwhile */
   char trouble[CONTROLS_TEXT_SIZE];
   begin_text(controls);
   const MessageCapture before = message_capture(trouble, sizeof trouble);
   keep_learned(controls, controller);
+  controls->learns[0] = '\0';
   end_text(controls, before, trouble);
   return true;
 }
@@ -364,7 +379,11 @@ static void run_undo(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
   if (model_builder_set(controls->builder, frame, "undo", former->key, former->value) != OUTCOME_OK)
     return;
-  tell(controls, "%s = %.100s again", former->key, former->value);
+  char words[128];
+  TaborDrumDef def;
+  model_builder_definition(controls->builder, &def);
+  player_words_write(&def, former->key, words, sizeof words);
+  tell(controls, "%s = %.100s again%s", former->key, former->value, words);
 }
 
 static void run_save(Controls *controls, const char *text, double time) {

@@ -55,6 +55,8 @@ Controls controls_begin(Player *player, ModelBuilder *builder, double rate, doub
                         Humanizer humanizer);
 /** Executes the action of a key pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
+/** Ends the waiting for a controller that was to be learned: false if none was. */
+bool controls_forget_learning(Controls *controls);
 /** Lifts buzzing sticks and sweeping brushes after their time: a terminal reports no key releases. Tells of a controller that
  * was learned, and keeps it in the map's file: true if there is a new text. Call often. */
 bool controls_pass(Controls *controls, double time);

@@ -17,6 +17,7 @@
 #include "platform/clock.h"
 #include "platform/process.h"
 #include "play/backend.h"
+#include "play/play_report.h"
 #include "strokes/humanize_options.h"
 
 #define DEFAULT_BUFFER 128
@@ -202,12 +203,7 @@ static Outcome report(KitSession *s) {
     warn("%llu samples were clipped: the peak was %+.1f dBFS", (unsigned long long)status.clipped,
          20 * log10(status.peak));
   }
-  if (status.gaps > 0) {
-    warn(
-      "the output ran dry %llu times: a block took up to %.0f %% of its time; a larger --buffer or "
-      "--quality draft avoids it",
-      (unsigned long long)status.gaps, 100 * status.worst_load);
-  }
+  play_report_gaps(status.gaps, status.worst_load);
   if (status.dropped > 0) {
     warn("%llu events were dropped: too many at once", (unsigned long long)status.dropped);
   }

@@ -67,8 +67,8 @@ static void learn(PlayMidi *midi, const MidiMessage *message, double now) {
 
 void play_midi_learn(PlayMidi *midi, const MidiControl *target) {
   (void)pthread_mutex_lock(&midi->lock);
-  midi->learns = true;
-  midi->target = *target;
+  midi->learns = target != NULL;
+  if (target) midi->target = *target;
   (void)pthread_mutex_unlock(&midi->lock);
 }
 

@@ -19,7 +19,8 @@ Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder 
 void play_midi_status(const PlayMidi *midi, MidiInputStatus *status);
 /** Number of received notes that are not in the map. @p midi may be NULL. */
 uint64_t play_midi_ignored(const PlayMidi *midi);
-/** Lets the next controller that moves be that of @p target, which midi_control_read() has read. User's thread. */
+/** Lets the next controller that moves be that of @p target, which midi_control_read() has read; NULL: none
+ * is learned. User's thread. */
 void play_midi_learn(PlayMidi *midi, const MidiControl *target);
 /** The controller that has been learned since the last call, or -1. User's thread. @p midi may be NULL. */
 int play_midi_learned(PlayMidi *midi);

@@ -10,18 +10,21 @@ typedef unsigned long long Count; /* for printf */
 
 static double decibels(double factor) { return 20 * log10(factor); }
 
+void play_report_gaps(uint64_t gaps, double worst) {
+  if (gaps == 0 || !(worst > 1)) return;
+  warn(
+    "the output ran dry %llu time%s: a block took up to %.0f %% of its time; a larger --buffer or "
+    "--quality draft avoids it",
+    (Count)gaps, gaps == 1 ? "" : "s", 100 * worst);
+}
+
 static void warn_of_losses(const PlayStatus *status, double worst) {
   if (status->clipped > 0) {
     warn("%llu samples were clipped: the peak was %+.1f dBFS; --gain %.1f avoids it",
          (Count)status->clipped, decibels(status->loudest),
          floor(10 * decibels(status->gain / status->loudest)) / 10);
   }
-  if (status->xruns > 0 && worst > 1) {
-    warn(
-      "the output ran dry %llu times: a block took up to %.0f %% of its time; a larger --buffer or "
-      "--quality draft avoids it",
-      (Count)status->xruns, 100 * worst);
-  }
+  play_report_gaps(status->xruns, worst);
   if (status->dropped > 0) {
     warn("%llu events were dropped: too many at once, or a press or a move met nothing in play",
          (Count)status->dropped);

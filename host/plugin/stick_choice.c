@@ -3,7 +3,7 @@
 
 #include "plugin/knobs.h"
 
-static const double NYLON = 3.1; /* contact stiffness of its tip by that of wood */
+static const double NYLON = 1.6e8 / 9e7; /* contact stiffness of its tip by that of wood */
 
 typedef struct Stick {
   double mass;              /* of the tip [kg] */
@@ -11,10 +11,10 @@ typedef struct Stick {
 } Stick;
 
 static const Stick sticks[] = {
-  {0.0088, 388}, /* 7A */
-  {0.0100, 384}, /* 5A */
-  {0.0110, 403}, /* 5B */
-  {0.0125, 412}, /* 2B */
+  {0.0084, 387}, /* 7A */
+  {0.0095, 383}, /* 5A */
+  {0.0105, 402}, /* 5B */
+  {0.0120, 412}, /* 2B */
 };
 enum { STICKS = sizeof sticks / sizeof *sticks };
 

@@ -1,21 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stick_choice.h
- * Drum sticks by the names of the trade, for the plugins. A stick gives the drum's usual striker a mass, a pitch of bending and
- * a harder tip; what is no stick, as a bass drum's beater, stays as it is.
+ * Drum sticks by the names of the trade, for the plugins, with the numbers of docs/presets.md, "Sticks". A stick gives the
+ * drum's usual striker a mass, a pitch of bending and, of nylon, a harder tip; what is no stick, as a bass drum's beater, stays as
+ * it is.
  *
- * Diameter and length are those that makers list. The others are computed as those of the presets' stick:
- * - mass of the tip: a fifth of the stick's, 0.92 of a cylinder of hickory of 820 kg/m3: it turns about a third from its butt;
+ * - mass: a fifth of the stick's weight, 0.915 of a cylinder of hickory of 790 kg/m3, since its tip is thinner;
  * - bending frequency: 400 Hz for 15 mm and 406 mm, in proportion to diameter/length^2 (beam, both ends free);
- * - tip: contact stiffness K = (4/3) E' sqrt(R) [Hertz]. Wood across its grain has E' = 0.95 GPa and R = 5 mm in the presets. Nylon
- *   (dry nylon 66, E = 2.8 GPa, nu = 0.39) has E' = 3.3 GPa, on a round tip of R = 4 mm: K is 3.1 times as large.
- *
- * | name | diameter, length [mm] |
- * |------|-----------------------|
- * | 7A   | 13.7, 394             |
- * | 5A   | 14.4, 406             |
- * | 5B   | 15.1, 406             |
- * | 2B   | 16.0, 413             |
+ * - tip: contact stiffness K = (4/3) E/(1 - nu^2) sqrt(R) [Hertz], R = 5 mm. Wood across its grain, 0.95 GPa, has 9e7 N/m^1.5, as
+ *   the presets; nylon, 1.7 GPa, 1.6e8.
  */
 #ifndef TABOR_PLUGIN_STICK_CHOICE_H
 #define TABOR_PLUGIN_STICK_CHOICE_H

@@ -41,7 +41,8 @@ static Outcome check_options(const Arguments *arguments) {
                                          "stereo", "mic",    "normalize", "midi-map", "input"};
   for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;
-    return refuse("--kit and --%s: a kit plays a MIDI file into its own mix", excluded[i]);
+    return refuse("--kit and --%s: not together; a kit plays a MIDI file into its own mix",
+                  excluded[i]);
   }
   if (arguments->operand) {
     return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
@@ -178,7 +179,7 @@ static Outcome report(const KitRendering *r) {
        take->output_count > 1 ? outputs[take->output_count - 1].name : "", r->def.name,
        take->position / (double)take->format.audio.rate, (unsigned)take->format.audio.rate,
        20 * log10(take->peak));
-  note("%.2f of real time", real_time_factor(take));
+  note("computed in %.2f of real time", real_time_factor(take));
   return OUTCOME_OK;
 }
 

@@ -125,7 +125,8 @@ in_time $CALM "a controller silences the drum at its time" play_other
 # learn MAP-OPTION...: types the command, and moves controller 74 until the program has heard it.
 learn() {
   printf '%s\n' 'size 160 40' 'wait ? help' 'type :learn batter.muf\t' 'wait muffle_strength' 'type \r' 'wait move the controller' \
-    'wait controller 74 moves' 'show' 'type :learn batter.tension\r' 'wait cannot move' 'type :quit\r' >script
+    'wait controller 74 moves' 'show' 'type :learn batter.tension\r' 'wait cannot move' \
+    'type :learn none\r' 'wait to do nothing' 'type \e' 'wait no controller is learned' 'type :quit\r' >script
   rm -f learned.log
   timeout 300 "$TYPIST" script "$TABOR" play tom-12 --quality draft --log learned.log "$@" >typed 2>&1 &
   local typist=$!

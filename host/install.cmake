@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs the program (component `program`), its man page, completion in bash, and the presets.
+# Installs the program (component `program`), its man page, completion in bash, the presets and the kits.
 
 install(TARGETS tabor-program RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 if(TABOR_MAN_PAGE)
@@ -10,5 +10,5 @@ install(
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions"
   RENAME tabor
   COMPONENT program)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/presets" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/tabor"
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/presets" "${PROJECT_SOURCE_DIR}/kits" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/tabor"
         COMPONENT program FILES_MATCHING PATTERN "*.ini")

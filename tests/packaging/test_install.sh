@@ -81,7 +81,7 @@ quietly "$CC" -std=c11 "$examples/sequencer.c" "${flags[@]/#-ltabor/$STATIC_BUIL
 try_programs "pkg-config --static" ./sequencer
 
 # Everything that a user looks for is there.
-for file in share/man/man1/tabor.1 share/bash-completion/completions/tabor share/tabor/presets/tabor.ini \
+for file in share/man/man1/tabor.1 share/bash-completion/completions/tabor share/tabor/presets/tabor.ini share/tabor/kits/standard.ini \
   share/doc/tabor/README.md share/doc/tabor/docs/presets.md share/doc/tabor/docs/embedding.md \
   share/doc/tabor/examples/minimal.c share/doc/tabor/LICENSE include/tabor/tabor.h; do
   [ -s "static/$file" ] || complain "not installed: $file"

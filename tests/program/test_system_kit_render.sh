@@ -112,6 +112,9 @@ refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart 
 refused "--kit needs --midi-file" render --kit standard
 refused "--kit and --strike" render --kit standard --midi-file song.mid --strike time=0
 refused "--kit and 'tom-12'" render tom-12 --kit standard --midi-file song.mid
+refused "a kit has no key 'kit.couplng'; did you mean 'coupling'" "${short[@]}" --set kit.couplng=off
+refused "a kit has no key 'drum.snare.hight'; did you mean 'height'" "${short[@]}" --set drum.snare.hight=1
+refused "a kit has no key 'batter.pitch', but its drums have: 'drum.NAME.batter.pitch'" "${short[@]}" --set batter.pitch=E3
 refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1
 refused "drum.snare: batter.tension = 1 is outside 100 to 20000" "${short[@]}" --set drum.snare.batter.tension=1
 refused "note 36 plays both" "${short[@]}" --set drum.snare.rim=36

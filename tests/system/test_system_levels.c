@@ -11,6 +11,7 @@
 static const double RATE = 48000.0;
 static const double FIRM = 4.5, HARDEST = 12.0; /* [m/s] */
 enum { FRAMES = 72000, BLOCK = 480 };           /* 1.5 s; loudness is looked at every 10 ms */
+enum { LATEST_PEAK = 12000 };                   /* 0.25 s: heads only lose after a stroke */
 enum { PEAK_FRAMES = 2400 };                    /* 0.05 s */
 
 typedef struct Level {
@@ -58,7 +59,7 @@ static void measure_preset(Levels *preset) {
   const TaborDrumDef *def = &preset->def;
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
   preset->firm = level_of(model, def, FIRM, FRAMES);
-  preset->hardest = level_of(model, def, HARDEST, FRAMES);
+  preset->hardest = level_of(model, def, HARDEST, LATEST_PEAK);
   tabor_model_release(model);
   print_message(
     "%-27s 4.5 m/s: peak %6.2f dBFS, %6.1f LUFS in 0.4 s, %6.1f in all; 12 m/s: %5.2f dBFS\n",

@@ -2,9 +2,11 @@
 /* Kit definitions from text: keys and sections. */
 #define _POSIX_C_SOURCE 200809L /* strnlen */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "definition/def_key.h"
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "kit/kit_def.h"
@@ -12,9 +14,39 @@
 
 static const char DRUM_SECTION[] = "drum.";
 
-static TaborStatus unknown(const char *what, const char *text, TaborError *error) {
+/* The field nearest to @p name; "" if none is near. */
+static const char *nearest_field(const TbKitField *fields, uint32_t count, const char *name) {
+  const char *nearest = "";
+  size_t smallest = SIZE_MAX;
+  for (uint32_t i = 0; i < count; i++) {
+    const size_t distance = tb_word_distance(name, fields[i].key);
+    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
+    smallest = distance;
+    nearest = fields[i].key;
+  }
+  return nearest;
+}
+
+static TaborStatus refuse_unknown(const char *what, const char *text, TaborError *error) {
   return tb_error_set(error, TABOR_ERROR_KEY, text, NULL, NAN, NAN, "a kit has no %s '%s'", what,
                       text);
+}
+
+/* A field @p name of a section, whose full key is @p key; the nearest name is that within the section. */
+static TaborStatus refuse_field(const TbKitField *fields, uint32_t count, const char *key,
+                                const char *name, TaborError *error) {
+  const char *const nearest = nearest_field(fields, count, name);
+  if (!*nearest) return refuse_unknown("key", key, error);
+  return tb_error_set(error, TABOR_ERROR_KEY, key, NULL, NAN, NAN,
+                      "a kit has no key '%s'; did you mean '%s'?", key, nearest);
+}
+
+/* A key of a drum without the drum is a frequent mistake. */
+static TaborStatus refuse_key(const char *key, TaborError *error) {
+  TbKey parsed;
+  if (tb_def_key_parse(key, &parsed) != TB_DEF_KEY_OK) return refuse_unknown("key", key, error);
+  return tb_error_set(error, TABOR_ERROR_KEY, key, NULL, NAN, NAN,
+                      "a kit has no key '%s', but its drums have: 'drum.NAME.%s'", key, key);
 }
 
 static TaborStatus read_number(const TbKitField *field, const char *key, const char *text,
@@ -68,7 +100,7 @@ static TaborStatus set_kit(TaborKitDef *def, const char *key, const char *name, 
   }
   if (strcmp(name, "coupling") == 0) return set_coupling(def, key, text, error);
   const TbKitField *const field = tb_kit_field_find(tb_kit_fields, tb_kit_field_count, name);
-  if (!field) return unknown("key", key, error);
+  if (!field) return refuse_field(tb_kit_fields, tb_kit_field_count, key, name, error);
   double number;
   const TaborStatus status = read_number(field, key, text, &number, error);
   if (status == TABOR_OK) *tb_kit_field_at(field, def) = number;
@@ -195,7 +227,7 @@ static TaborStatus set_drum(TaborKitDrumDef *drum, const char *key, const char *
   const TbKitField *const field =
     tb_kit_field_find(tb_kit_drum_fields, tb_kit_drum_field_count, name);
   if (!field && strchr(name, '.')) return set_own(drum, key, name, text, error);
-  if (!field) return unknown("key", key, error);
+  if (!field) return refuse_field(tb_kit_drum_fields, tb_kit_drum_field_count, key, name, error);
   double number;
   const TaborStatus status = read_number(field, key, text, &number, error);
   if (status == TABOR_OK) *tb_kit_field_at(field, drum) = number;
@@ -208,7 +240,7 @@ static TaborStatus set_drum_key(TaborKitDef *def, const char *key, const char *t
   const char *const name = key + strlen(DRUM_SECTION);
   const char *const dot = strchr(name, '.');
   uint32_t index;
-  if (!dot) return unknown("key", key, error);
+  if (!dot) return refuse_unknown("key", key, error);
   TaborStatus status = find_drum(def, key, name, (size_t)(dot - name), &index, error);
   if (status != TABOR_OK) return status;
   TaborKitDrumDef drum = def->drum[index];
@@ -235,7 +267,7 @@ TaborStatus tabor_kit_def_set(TaborKitDef *def, const char *key, const char *val
   if (begins(key, "kit.")) return set_kit(def, key, key + strlen("kit."), value, error);
   if (begins(key, "room.")) return set_room(def, key, value, error);
   if (begins(key, DRUM_SECTION)) return set_drum_key(def, key, value, error);
-  return unknown("key", key, error);
+  return refuse_key(key, error);
 }
 
 TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborError *error) {
@@ -243,7 +275,7 @@ TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborEr
   if (status != TABOR_OK) return status;
   if (!section) return tb_error_null(error, "section");
   if (strcmp(section, "kit") == 0 || strcmp(section, "room") == 0) return tb_error_clear(error);
-  if (!begins(section, DRUM_SECTION)) return unknown("section", section, error);
+  if (!begins(section, DRUM_SECTION)) return refuse_unknown("section", section, error);
   const char *const name = section + strlen(DRUM_SECTION);
   uint32_t index;
   status = find_drum(def, section, name, strlen(name), &index, error);

@@ -122,17 +122,17 @@ in_time $CALM "a controller silences the drum at its time" play_other
 
 # ---- a controller is learned ----
 
-# learn MAP-OPTION...: types the command, and moves controller 74 until the program has heard it.
+# learn MAP-OPTION...: gives up learning; then types the command, and moves controller 74 until the program has heard it.
 learn() {
-  printf '%s\n' 'size 160 40' 'wait ? help' 'type :learn batter.muf\t' 'wait muffle_strength' 'type \r' 'wait move the controller' \
-    'wait controller 74 moves' 'show' 'type :learn batter.tension\r' 'wait cannot move' \
-    'type :learn none\r' 'wait to do nothing' 'type \e' 'wait no controller is learned' 'type :quit\r' >script
-  rm -f learned.log
+  printf '%s\n' 'size 160 40' 'wait ? help' 'type :learn none\r' 'wait to do nothing' 'type \e' 'wait no controller is learned' \
+    'type :save go.ini\r' 'wait saved go.ini' 'type :learn batter.muf\t' 'wait muffle_strength' 'type \r' \
+    'wait controller 74 moves' 'show' 'type :save done.ini\r' 'wait saved done.ini' 'type :learn batter.tension\r' 'wait cannot move' 'type :quit\r' >script
+  rm -f learned.log go.ini done.ini
   timeout 300 "$TYPIST" script "$TABOR" play tom-12 --quality draft --log learned.log "$@" >typed 2>&1 &
   local typist=$!
   while kill -0 $typist 2>/dev/null; do
-    timeout 10 "$JACK_SEND" tabor-midi:in 0:b94a40 >/dev/null 2>&1
-    sleep 0.2
+    [ ! -e go.ini ] || [ -e done.ini ] || timeout 10 "$JACK_SEND" tabor-midi:in 0:b94a40 >/dev/null 2>&1
+    sleep 0.1
   done
   wait $typist
   same "the typist's status" 0 $?

@@ -2,7 +2,7 @@
 /* Every live parameter at both ends of its range, reached by a step and by a ramp, at every quality: the sound stays
  * bounded, every joule is accounted for, and the drum falls asleep afterwards.
  *
- * usage: test_system_live_params [long]: ramps at studio, and all of it at reference, too. */
+ * usage: test_system_live_params [long]: the snare drum at studio and reference, too. */
 #include "physics.h"
 
 static const double RATE = 44100.0;
@@ -11,7 +11,7 @@ static const double LOUDEST = 4.0;
 /* Seconds after which the drum is asleep: all but wires without sigma0 ring for two or three. */
 static const double LONGEST = 20.0;
 
-static uint32_t finest_quality = TABOR_QUALITY_STUDIO, finest_ramp = TABOR_QUALITY_LIVE;
+static uint32_t finest_quality = TABOR_QUALITY_LIVE; /* of the snare drum */
 
 enum { BLOCK = 64, RAMP = 200 }; /* blocks of the ramp, a third of a second */
 
@@ -138,7 +138,7 @@ static void try_drum(const char *preset, uint32_t quality) {
     if (!parameter->live || (strcmp(parameter->section, "resonant") == 0 && !def.two_headed))
       continue;
     for (int end = 0; end < 2; end++) {
-      for (int ramp = 0; ramp < (quality <= finest_ramp ? 2 : 1); ramp++) {
+      for (int ramp = 0; ramp < 2; ramp++) {
         try_end(model, parameter, end ? parameter->maximum : parameter->minimum, ramp != 0, quality,
                 loudest, &worst);
       }
@@ -160,11 +160,11 @@ static void a_snare_drum_at_every_quality(void **state) {
 static void a_drum_with_a_gut_snare(void **state) {
   (void)state;
   try_drum("tabor", TABOR_QUALITY_LIVE);
+  try_drum("tabor", TABOR_QUALITY_STUDIO);
 }
 
 int main(int count, char **words) {
-  if (count > 1 && strcmp(words[1], "long") == 0)
-    finest_quality = finest_ramp = TABOR_QUALITY_REFERENCE;
+  if (count > 1 && strcmp(words[1], "long") == 0) finest_quality = TABOR_QUALITY_REFERENCE;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_snare_drum_at_every_quality),
     cmocka_unit_test(a_drum_with_a_gut_snare),

@@ -24,7 +24,7 @@
 
 static const char *plugins;
 static bool brief;
-static unsigned random_songs = 3;
+static unsigned random_songs = 2;
 
 /* ---- both ways ------------------------------------------------------------------------------ */
 

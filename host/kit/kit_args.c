@@ -96,6 +96,16 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *
   return report_engine_error(&error);
 }
 
+Outcome kit_refuse_options(const Arguments *arguments, const char *const *excluded, size_t count,
+                           const char *reason) {
+  for (size_t i = 0; i < count; i++) {
+    if (!arguments_has(arguments, excluded[i])) continue;
+    return refuse("--kit and --%s: %s", excluded[i], reason);
+  }
+  if (!arguments->operand) return OUTCOME_OK;
+  return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
+}
+
 Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *samples) {
   const char *const kit = arguments_value(arguments, "kit");
   const char *setting;

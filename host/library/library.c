@@ -33,9 +33,9 @@ static json_t *sound_json(const LibraryRequest *request, const LibrarySound *sou
   const TaborEvent *const event = &sound->event;
   json_t *const json = json_pack(
     "{s:o, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o}", "file", json_text(sound->file),
-    "technique", sound->technique->name, "key", (json_int_t)sound->keys[0], "low",
-    (json_int_t)sound->low, "high", (json_int_t)sound->high, "midi", (json_int_t)sound->midi,
-    "take", (json_int_t)sound->take, "velocity", json_number(event->velocity), "radius",
+    "technique", sound->technique, "key", (json_int_t)sound->keys[0], "low", (json_int_t)sound->low,
+    "high", (json_int_t)sound->high, "midi", (json_int_t)sound->midi, "take",
+    (json_int_t)sound->take, "velocity", json_number(event->velocity), "radius",
     json_number(event->radius), "angle", json_number(event->angle));
   if (!request->kit) return json;
   const char *const drum = request->kit->def.drum[sound->drum].name;

@@ -16,14 +16,7 @@
 
 #define NOTE_TIME 0.5 /* [s] for which a note is held: that of a stroke's buzz by itself */
 
-/* In the order of TaborKitStroke. */
-const LibraryTechnique library_strokes[] = {
-  {"none", TABOR_TECHNIQUE_NORMAL, 0},     {"head", TABOR_TECHNIQUE_NORMAL, 0},
-  {"rimshot", TABOR_TECHNIQUE_RIMSHOT, 0}, {"cross-stick", TABOR_TECHNIQUE_CROSS_STICK, 0},
-  {"rim", TABOR_TECHNIQUE_RIM, 0},         {"buzz", TABOR_TECHNIQUE_BUZZ, 0},
-  {"sweep", TABOR_TECHNIQUE_SWEEP, 0},
-};
-enum { STROKES = sizeof library_strokes / sizeof *library_strokes };
+enum { STROKES = MIDI_STROKE_SWEEP + 1 };
 
 /* ---- the plan ---- */
 
@@ -68,8 +61,7 @@ static bool name_sound(const LibraryRequest *request, const char *drum, LibraryS
   sound->file = malloc(size);
   if (!sound->file) return false;
   (void)snprintf(sound->file, size, "%s-%s-%s-v%03u-t%0*u.wav", request->stem, drum,
-                 sound->technique->name, (unsigned)sound->midi, takes > 9 ? 2 : 1,
-                 (unsigned)sound->take);
+                 sound->technique, (unsigned)sound->midi, takes > 9 ? 2 : 1, (unsigned)sound->take);
   return true;
 }
 
@@ -81,7 +73,7 @@ static bool add_stroke(uint32_t drum, int stroke, KitMidi *midi, Humanizer *play
   for (uint32_t i = 0; i < shape->velocities * shape->takes; i++) {
     LibrarySound *const sound = &request->plan.sounds[request->plan.count++];
     *sound = (LibrarySound){
-      .drum = drum, .technique = &library_strokes[stroke], .take = i % shape->takes + 1};
+      .drum = drum, .technique = midi_stroke_names[stroke], .take = i % shape->takes + 1};
     take_keys(def, stroke, sound);
     library_set_layer(sound, i / shape->takes, shape->velocities);
     take_stroke(sound, midi, &sound->event);
@@ -122,13 +114,8 @@ static Outcome plan(const LibraryShape *shape, LibraryRequest *request) {
 
 static Outcome check_options(const Arguments *arguments) {
   static const char *const excluded[] = {"positions", "techniques", "mic"};
-  for (size_t i = 0; i < sizeof excluded / sizeof *excluded; i++) {
-    if (!arguments_has(arguments, excluded[i])) continue;
-    return refuse("--kit and --%s: not together; a kit has notes for its strokes, and a mix",
-                  excluded[i]);
-  }
-  if (!arguments->operand) return OUTCOME_OK;
-  return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
+  return kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                            "not together; a kit has notes for its strokes, and a mix");
 }
 
 /* Sound files for notes are the user's already. */
@@ -196,8 +183,8 @@ static Outcome make_song(const LibrarySound *sound, double rate, KitSong *song) 
   song->events = calloc(2, sizeof *song->events);
   if (!song->events) return fail_memory();
   song->events[song->count++] = (TaborKitEvent){sound->drum, sound->event};
-  if (sound->technique->technique != TABOR_TECHNIQUE_BUZZ &&
-      sound->technique->technique != TABOR_TECHNIQUE_SWEEP) {
+  if (sound->event.technique != TABOR_TECHNIQUE_BUZZ &&
+      sound->event.technique != TABOR_TECHNIQUE_SWEEP) {
     return OUTCOME_OK;
   }
   song->last_frame = (uint32_t)lround(NOTE_TIME * rate);

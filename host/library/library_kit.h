@@ -17,9 +17,6 @@ struct LibraryKit {
   TaborModel *models[TABOR_KIT_DRUMS]; /**< once they are built */
 };
 
-/** Kinds of stroke, in the order of TaborKitStroke. */
-extern const LibraryTechnique library_strokes[];
-
 /** Reads --kit, and plans its sounds in @p shape. */
 Outcome library_kit_read(const Arguments *arguments, const LibraryShape *shape,
                          LibraryRequest *request);

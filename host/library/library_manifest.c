@@ -13,6 +13,7 @@
 #include "drums/drum_args.h"
 #include "library/library_kit.h"
 #include "library/library_sums.h"
+#include "midi/midi_map.h"
 #include "platform/files.h"
 
 #define VALUE_FLAGS (JSON_ENCODE_ANY | JSON_REAL_PRECISION(15))
@@ -54,7 +55,7 @@ static json_t *with_notes(json_t *object, const TaborKitDrumDef *drum) {
   for (int note = 0; note < MIDI_VALUES; note++) {
     if (drum->notes[note] == TABOR_KIT_STROKE_NONE) continue;
     (void)snprintf(key, sizeof key, "%s.note.%d", drum->name, note);
-    object = json_with_field(object, key, json_text(library_strokes[drum->notes[note]].name));
+    object = json_with_field(object, key, json_text(midi_stroke_names[drum->notes[note]]));
   }
   return object;
 }

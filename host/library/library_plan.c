@@ -39,11 +39,11 @@ void library_set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
 
 /* ---- places ---- */
 
-static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t place,
+static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t up, uint32_t place,
                       uint32_t places) {
   const double head = def->shell.radius;
   const uint32_t key = places == 1 ? single_key : keys[place];
-  sound->keys[0] = (uint8_t)(key + sound->technique->up);
+  sound->keys[0] = (uint8_t)(key + up);
   sound->key_count = 1;
   if (places == 1) {
     sound->radius_share = (uint32_t)lround(100 * sound->event.radius / head);
@@ -70,7 +70,7 @@ static bool set_name(LibrarySound *sound, const char *stem, uint32_t takes) {
   const size_t size = strlen(stem) + 64;
   sound->file = malloc(size);
   if (!sound->file) return false;
-  (void)snprintf(sound->file, size, "%s-%s-r%02u-v%03u-t%0*u.wav", stem, sound->technique->name,
+  (void)snprintf(sound->file, size, "%s-%s-r%02u-v%03u-t%0*u.wav", stem, sound->technique,
                  (unsigned)sound->radius_share, (unsigned)sound->midi, takes > 9 ? 2 : 1,
                  (unsigned)sound->take);
   return true;
@@ -83,10 +83,10 @@ static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shap
                                const LibraryTechnique *technique, uint32_t index) {
   const uint32_t layer = index / shape->takes;
   LibrarySound sound = {.take = index % shape->takes + 1,
-                        .technique = technique,
+                        .technique = technique->name,
                         .event = stroke_default(def, "[strike]").event};
   sound.event.technique = (uint32_t)technique->technique;
-  set_place(&sound, def, layer / shape->velocities, shape->positions);
+  set_place(&sound, def, technique->up, layer / shape->velocities, shape->positions);
   library_set_layer(&sound, layer % shape->velocities, shape->velocities);
   sound.event.velocity = midi_speed(shape->response, sound.midi);
   return sound;

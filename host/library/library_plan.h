@@ -44,8 +44,8 @@ typedef struct LibraryShape {
 
 /** One sound: a stroke and a file. */
 typedef struct LibrarySound {
-  char *file; /**< its name in the library's folder */
-  const LibraryTechnique *technique;
+  char *file;                /**< its name in the library's folder */
+  const char *technique;     /**< its name, or the name of a kit's stroke */
   uint8_t keys[MIDI_VALUES]; /**< MIDI notes that play it */
   uint32_t key_count;        /**< 1 of a single drum */
   uint32_t low, high;        /**< range of MIDI velocities that it serves */

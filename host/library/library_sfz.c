@@ -58,10 +58,10 @@ static void print_head(Text *text, const LibraryRequest *request) {
 static void print_title(Text *text, const LibraryRequest *request, const LibrarySound *sound) {
   const double speed = midi_speed(request->plan.shape.response, sound->midi);
   if (request->kit) {
-    add(text, "\n// %s, %s, %.3g m/s\n", request->kit->def.drum[sound->drum].name,
-        sound->technique->name, speed);
+    add(text, "\n// %s, %s, %.3g m/s\n", request->kit->def.drum[sound->drum].name, sound->technique,
+        speed);
   } else {
-    add(text, "\n// %s, %u %% of the radius, %.3g m/s\n", sound->technique->name,
+    add(text, "\n// %s, %u %% of the radius, %.3g m/s\n", sound->technique,
         (unsigned)sound->radius_share, speed);
   }
 }

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+const char *const midi_stroke_names[] = {"none", "head", "rimshot", "cross-stick",
+                                         "rim",  "buzz", "sweep",   NULL};
+
 static void map_note(MidiMap *map, uint8_t note, MidiStroke stroke) {
   map->notes[note].stroke = stroke;
 }

@@ -46,6 +46,9 @@ typedef enum MidiStroke {
   MIDI_STROKE_SWEEP /**< brush sweep until the note ends; controllers and pressure move it */
 } MidiStroke;
 
+/** Names of the strokes in the order of MidiStroke, which is that of TaborKitStroke, then NULL. */
+extern const char *const midi_stroke_names[];
+
 typedef struct MidiNote {
   MidiStroke stroke;
   double radius; /**< fraction of the head's, 0 to 1; NaN: the controller's, else the preset's */

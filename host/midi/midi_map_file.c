@@ -114,10 +114,8 @@ static Outcome set_number(const Reader *reader, const char *value, double minimu
 }
 
 static Outcome set_stroke(const Reader *reader, const char *value, MidiNote *note) {
-  static const char *const names[] = {"none", "head", "rimshot", "cross-stick",
-                                      "rim",  "buzz", "sweep",   NULL};
   size_t index = 0;
-  const Outcome outcome = read_word(reader->where, value, names, &index);
+  const Outcome outcome = read_word(reader->where, value, midi_stroke_names, &index);
   if (outcome == OUTCOME_OK) note->stroke = (MidiStroke)index;
   return outcome;
 }

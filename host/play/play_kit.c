@@ -49,12 +49,8 @@ typedef struct KitSession {
 static Outcome check_options(const Arguments *arguments) {
   static const char *const excluded[] = {"record",   "format", "log", "events",
                                          "midi-map", "keys",   "mic", "stereo"};
-  for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
-    if (!arguments_has(arguments, excluded[i])) continue;
-    return refuse("--kit and --%s: a kit is played by MIDI, and heard in its own mix", excluded[i]);
-  }
-  if (!arguments->operand) return OUTCOME_OK;
-  return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
+  return kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                            "a kit is played by MIDI, and heard in its own mix");
 }
 
 static Outcome read_device(const Arguments *arguments, KitSession *s) {

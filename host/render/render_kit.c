@@ -39,14 +39,10 @@ typedef struct KitRendering {
 static Outcome check_options(const Arguments *arguments) {
   static const char *const excluded[] = {"strike", "events", "each",      "replay",   "trace",
                                          "stereo", "mic",    "normalize", "midi-map", "input"};
-  for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
-    if (!arguments_has(arguments, excluded[i])) continue;
-    return refuse("--kit and --%s: not together; a kit plays a MIDI file into its own mix",
-                  excluded[i]);
-  }
-  if (arguments->operand) {
-    return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
-  }
+  const Outcome outcome =
+    kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                       "not together; a kit plays a MIDI file into its own mix");
+  if (outcome != OUTCOME_OK) return outcome;
   if (arguments_has(arguments, "midi-file")) return OUTCOME_OK;
   return refuse("--kit needs --midi-file, the notes to play");
 }

@@ -160,9 +160,7 @@ typedef struct Search {
 
 static void consider(Search *search, const TbParam *param, const char *candidate) {
   const char *const compared = search->bare ? param->info.key : candidate;
-  const size_t distance = tb_word_distance(search->wanted, compared);
-  if (distance >= search->distance || !tb_word_is_near(search->wanted, distance)) return;
-  search->distance = distance;
+  if (!tb_word_is_nearer(search->wanted, compared, &search->distance)) return;
   (void)snprintf(search->nearest, TB_DEF_KEY_SIZE, "%s", candidate);
 }
 
@@ -224,9 +222,7 @@ void tb_section_nearest(const char *text, char nearest[TB_DEF_KEY_SIZE]) {
   for (uint32_t row = 0; row < tb_param_count; row = section_end(row)) {
     const TbParam *const param = &tb_params[row];
     const char *const word = dot && tb_group_is_array(param->group) ? family : text;
-    const size_t distance = tb_word_distance(word, param->info.section);
-    if (distance >= smallest || !tb_word_is_near(word, distance)) continue;
-    smallest = distance;
+    if (!tb_word_is_nearer(word, param->info.section, &smallest)) continue;
     write_section(param, dot && tb_name_is_valid(dot + 1, TABOR_NAME_SIZE) ? dot + 1 : NULL,
                   nearest);
   }

@@ -196,13 +196,17 @@ size_t tb_edit_distance(const char *a, const char *b) {
   return table[rows % 3][columns];
 }
 
-size_t tb_word_distance(const char *word, const char *candidate) {
+static size_t word_distance(const char *word, const char *candidate) {
   const bool begins = *word && strncmp(word, candidate, strlen(word)) == 0;
   const size_t distance = tb_edit_distance(word, candidate);
   return begins && distance > 1 ? 1 : distance;
 }
 
-bool tb_word_is_near(const char *word, size_t distance) {
+bool tb_word_is_nearer(const char *word, const char *candidate, size_t *smallest) {
   const size_t length = strnlen(word, LONGEST_WORD);
-  return distance < (length < 3 ? length : length / 3 + 1);
+  const size_t distance = word_distance(word, candidate);
+  const bool is_near = distance < (length < 3 ? length : length / 3 + 1);
+  if (!is_near || distance >= *smallest) return false;
+  *smallest = distance;
+  return true;
 }

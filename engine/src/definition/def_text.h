@@ -55,12 +55,10 @@ void tb_text_copy(char *to, size_t size, const char *from);
  * @p b. */
 size_t tb_edit_distance(const char *a, const char *b);
 
-/** Distance of @p word from @p candidate, like tb_edit_distance(), except that the start of a word
+/** One step of the search for the candidate that may have been meant by @p word. True if at most a
+ * third of the word differs from @p candidate, and it is nearer than *smallest, which becomes its
+ * distance; start with SIZE_MAX. The distance is tb_edit_distance(), except that the start of a word
  * counts as near to the word. */
-size_t tb_word_distance(const char *word, const char *candidate);
-
-/** True if a candidate at @p distance from @p word may have been meant: at most a third of the word
- * differs. */
-bool tb_word_is_near(const char *word, size_t distance);
+bool tb_word_is_nearer(const char *word, const char *candidate, size_t *smallest);
 
 #endif /* TABOR_SRC_TEXT_H */

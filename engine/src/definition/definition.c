@@ -176,10 +176,7 @@ static void nearest_element(const TaborDrumDef *def, TbGroup group, const char *
   for (uint32_t i = 0; i < tb_group_count(def, group); i++) {
     char candidate[TABOR_NAME_SIZE];
     tb_element_name(def, group, i, candidate);
-    const size_t distance = tb_word_distance(name, candidate);
-    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
-    smallest = distance;
-    memcpy(nearest, candidate, sizeof candidate);
+    if (tb_word_is_nearer(name, candidate, &smallest)) memcpy(nearest, candidate, sizeof candidate);
   }
 }
 

@@ -23,10 +23,8 @@ static const char *nearest_preset(const char *name) {
   const char *nearest = "";
   size_t smallest = SIZE_MAX;
   for (uint32_t i = 0; i < tb_preset_count; i++) {
-    const size_t distance = tb_word_distance(name, tb_presets[i].info.name);
-    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
-    smallest = distance;
-    nearest = tb_presets[i].info.name;
+    const char *const candidate = tb_presets[i].info.name;
+    if (tb_word_is_nearer(name, candidate, &smallest)) nearest = candidate;
   }
   return nearest;
 }

@@ -17,10 +17,7 @@ static TaborStatus refuse_kit(const char *name, TaborError *error) {
   const char *nearest = "";
   size_t smallest = SIZE_MAX;
   for (uint32_t i = 0; i < tb_kit_count; i++) {
-    const size_t distance = tb_word_distance(name, tb_kits[i].info.name);
-    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
-    smallest = distance;
-    nearest = tb_kits[i].info.name;
+    if (tb_word_is_nearer(name, tb_kits[i].info.name, &smallest)) nearest = tb_kits[i].info.name;
   }
   return tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN, "unknown kit '%s'%s%s%s", name,
                       *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");

@@ -19,10 +19,7 @@ static const char *nearest_field(const TbKitField *fields, uint32_t count, const
   const char *nearest = "";
   size_t smallest = SIZE_MAX;
   for (uint32_t i = 0; i < count; i++) {
-    const size_t distance = tb_word_distance(name, fields[i].key);
-    if (distance >= smallest || !tb_word_is_near(name, distance)) continue;
-    smallest = distance;
-    nearest = fields[i].key;
+    if (tb_word_is_nearer(name, fields[i].key, &smallest)) nearest = fields[i].key;
   }
   return nearest;
 }

@@ -242,7 +242,7 @@ static void a_control_turns_and_the_host_is_told(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
   ClapHost *const host = opened.host;
-  const int y = CONTROL_Y + 4 * CONTROL_ROW + 26; /* the strainer */
+  const int y = STRAINER_Y;
   const double before = clap_host_value(host, KNOB_STRAINER);
   x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 1, CONTROL_X + CONTROL_WIDTH / 2, y);
   x11_server_point(&server, opened.inner, XCB_MOTION_NOTIFY, 0, CONTROL_X + CONTROL_WIDTH / 4, y);
@@ -264,7 +264,7 @@ static void two_drums_are_compared(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
   ClapHost *const host = opened.host;
-  const int y = CONTROL_Y + 4 * CONTROL_ROW + 26;
+  const int y = STRAINER_Y;
   click(&opened, 458, 410); /* B, as A is */
   click(&opened, CONTROL_X + CONTROL_WIDTH / 2, y);
   const double b = clap_host_value(host, KNOB_STRAINER);
@@ -286,7 +286,7 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   for (int i = 0; i < 60; i++) {
     const int x = MIDDLE_X - R / 2 + 3 * i;
     click(&opened, x, MIDDLE_Y);
-    if (i % 5 == 0) click(&opened, CONTROL_X + 4 * i, CONTROL_Y + 7 * CONTROL_ROW + 26); /* gain */
+    if (i % 5 == 0) click(&opened, CONTROL_X + 4 * i, GAIN_Y);
     if (i % 20 == 19) click(&opened, 682, 34); /* the next preset */
     count_calls_begin();
     clap_host_run(opened.host, 512);

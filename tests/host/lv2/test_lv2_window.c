@@ -29,7 +29,6 @@
 #include "window_checks.h"
 #include "x11_server.h"
 
-enum { STRAINER_Y = CONTROL_Y + 4 * CONTROL_ROW + 26, GAIN_Y = CONTROL_Y + 7 * CONTROL_ROW + 26 };
 enum { FRAMES = 2400 };
 
 static X11Server server;

@@ -39,7 +39,6 @@ using namespace Steinberg;
 using namespace Steinberg::Vst;
 
 static const int32 FRAMES = 2400;
-static const int STRAINER_Y = CONTROL_Y + 4 * CONTROL_ROW + 26;
 
 static X11Server server;
 static VST3::Hosting::Module::Ptr module;

@@ -114,17 +114,17 @@ static double band_energy(const float *x, double lo, double hi) {
 /* Third-octave levels of a struck head [dB]. Near the centre the three or so modes of a third of an octave and
  * of each low order sound alone, so that each must have its own coupling by the air. */
 static const double TOLERANCE = 1.5;
-/* Resonances of the enclosed air are not in the high band. At the very centre one or two modes alone are a
- * third of an octave, and the first tolerance is for those; the second is for the mean over the places, which
- * lacks up to 3 dB where a wall of plywood, by the mass law, hardly damps the air. */
-static const double TOLERANCE_ENCLOSED = 10.5, TOLERANCE_MEAN = 4.0;
-/* Inside, these resonances are what is heard; a stroke on the very centre drives one or two modes in a third of
- * an octave, which meet one or miss it. */
-static const double TOLERANCE_CENTRE = 28.0, TOLERANCE_MEAN_INSIDE = 5.5;
+/* Modes of the enclosed air meet modes of the heads by chance: frequencies to 1 % do not say which. At the very
+ * centre one or two modes alone are a third of an octave, and the first tolerance is for those; the second is for the
+ * mean over the places. */
+static const double TOLERANCE_ENCLOSED = 7.0, TOLERANCE_MEAN = 3.0;
+/* Inside, the air is what is heard: a stroke on the very centre drives one or two of its modes in a third of an octave. */
+static const double TOLERANCE_CENTRE = 22.0, TOLERANCE_INSIDE = 10.5, TOLERANCE_MEAN_INSIDE = 4.5;
 
 static double tolerance_at(uint32_t kind, int place) {
   if (kind < TABOR_BOUNDARY_CLOSED) return TOLERANCE;
-  return kind == INSIDE && place == 0 ? TOLERANCE_CENTRE : TOLERANCE_ENCLOSED;
+  if (kind != INSIDE) return TOLERANCE_ENCLOSED;
+  return place == 0 ? TOLERANCE_CENTRE : TOLERANCE_INSIDE;
 }
 
 static double mean_tolerance(uint32_t kind) {
@@ -200,7 +200,7 @@ static void an_open_edge_radiates_a_fixed_part(void **state) {
         assert_true(tb_air_order_prepare(&order, &arena, m, &zeros[i], 1));
         assert_true(
           tb_air_load(&order, &arena, TABOR_BOUNDARY_OPEN, true, &one, x, points, 3, &load, o));
-        assert_true(tb_air_slow(&order, &arena, true, x, points, 3, &resistance, b));
+        assert_true(tb_air_baffled(&order, &arena, true, &one, x, points, 3, &resistance, b));
         tb_arena_release(&arena);
         const double unit = 1.0 / pow(tb_bessel_j(m + 1, zeros[i]), 2.0);
         for (int p = 0; p < 3; p++) {
@@ -218,8 +218,8 @@ static void an_open_edge_radiates_a_fixed_part(void **state) {
   }
 }
 
-/* tb_air_slow() is tb_air_load() of a baffled head. */
-static void slow_modes_radiate_as_others_do(void **state) {
+/* tb_air_baffled() is tb_air_load() of a baffled head. */
+static void baffled_functions_radiate_as_others_do(void **state) {
   (void)state;
   const TaborAllocator system = tb_allocator_resolve(NULL);
   TbArena arena;
@@ -232,7 +232,7 @@ static void slow_modes_radiate_as_others_do(void **state) {
   assert_true(tb_air_order_prepare(&order, &arena, 0, &zero, 1));
   assert_true(
     tb_air_load(&order, &arena, TABOR_BOUNDARY_BAFFLED, true, &one, 5.0, &point, 1, &load, a));
-  assert_true(tb_air_slow(&order, &arena, true, 5.0, &point, 1, &resistance, b));
+  assert_true(tb_air_baffled(&order, &arena, true, &one, 5.0, &point, 1, &resistance, b));
   assert_true(fabs(load.resistance / resistance - 1.0) < 1e-4);
   assert_true(hypot(a[0] - b[0], a[1] - b[1]) < 1e-4 * hypot(a[0], a[1]));
   tb_arena_release(&arena);
@@ -307,7 +307,8 @@ static double two_way_factor(const Halves *halves, uint32_t h) {
 static const TbHighMode *find_high(const TbHighModes *modes, const TbHighMode *like) {
   for (uint32_t i = 0; i < modes->count; i++) {
     const TbHighMode *mode = &modes->modes[i];
-    if (mode->head == like->head && mode->m == like->m && mode->zero == like->zero) return mode;
+    const bool same = mode->head == like->head && mode->m == like->m && mode->zero == like->zero;
+    if (same && !mode->of_air) return mode;
   }
   return NULL;
 }
@@ -319,7 +320,7 @@ static double high_factor(const Halves *halves, uint32_t h, double times) {
     const TbHighMode *mode = &halves->high_whole.modes[i];
     const TbHighMode *half = find_high(&halves->high_half, mode);
     if (mode->omega > times * 2.0 * PI * halves->whole->head.bandwidth) continue;
-    if (mode->head == h && half) {
+    if (mode->head == h && !mode->of_air && half) {
       count_factor(&factors, mode->decay_rate, half->decay_rate, mode->omega);
     }
   }
@@ -367,7 +368,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(levels_agree_with_the_full_sum),
     cmocka_unit_test(an_open_edge_radiates_a_fixed_part),
-    cmocka_unit_test(slow_modes_radiate_as_others_do),
+    cmocka_unit_test(baffled_functions_radiate_as_others_do),
     cmocka_unit_test(in_thin_air_all_modes_have_one_loss_factor),
     cmocka_unit_test(both_sides_of_the_border_lose_alike),
   };

@@ -174,7 +174,7 @@ typedef struct TaborShellDef {
   double depth;
   uint32_t boundary; /**< a TaborBoundary, default open; a two-headed drum needs open */
   /** Part of the enclosed sound that a porous lining of the wall between two heads absorbs where the lining is thicker
-   * than a quarter of a wavelength; half of it at 400 Hz: a pillow. 0 to 1, default 0: a bare shell. */
+   * than a quarter of a wavelength; half of it at 400 Hz: bare wood 0.05, a pillow 0.25. 0 to 1, default 0. */
   double absorption;
   /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The
    * lighter the wall, the more of the enclosed sound it lets through. */

@@ -164,6 +164,16 @@ double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth) {
   return modes_below(&drum, 2.0 * PI * bandwidth);
 }
 
+double tb_closed_drum_air_top(const TaborDrumDef *def, double limit) {
+  const TbCavityEigen drum = coupled_of(def);
+  return fmin(limit, highest_coordinate(&drum, limit));
+}
+
+double tb_closed_drum_air_modes(const TaborDrumDef *def, double omega) {
+  const TbCavityEigen drum = coupled_of(def);
+  return cavity_modes_below(&drum.cavity, omega);
+}
+
 /* ---- one mode -------------------------------------------------------------------------------- */
 
 /* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C v, and

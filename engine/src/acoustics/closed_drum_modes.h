@@ -34,6 +34,11 @@ double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint3
 /* How many modes, sine copies counted, they have below `bandwidth` [Hz], by the same formulas. */
 double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth);
 
+/* Frequency [rad/s], at most `limit`, up to which the air's modes are those of the cylinder. */
+double tb_closed_drum_air_top(const TaborDrumDef *def, double limit);
+/* How many of them, sine copies counted, there are below `omega`, by the same formulas. */
+double tb_closed_drum_air_modes(const TaborDrumDef *def, double omega);
+
 /* The shell of a drum and its microphones. Returns false if memory ran out. */
 bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *shell);
 

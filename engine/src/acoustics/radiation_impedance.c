@@ -241,13 +241,12 @@ bool tb_air_load(const TbAirOrder *order, TbArena *scratch, TaborBoundary bounda
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, &source, 1, fields);
 }
 
-bool tb_air_slow(const TbAirOrder *order, TbArena *scratch, bool both_sides, double x,
-                 const TbAirPoint *points, uint32_t point_count, double *resistance,
-                 double *fields) {
-  const double one = 1.0;
+bool tb_air_baffled(const TbAirOrder *order, TbArena *scratch, bool both_sides, const double *v,
+                    double x, const TbAirPoint *points, uint32_t point_count, double *resistance,
+                    double *fields) {
   TbAirPlan plan = plan_of(order, x, points, point_count, COARSE);
-  TbAirSource source = {.v = &one, .up = 1.0, .baffled = 1.0, .mirrored = both_sides};
-  plan.zero = order->zeros[0];
+  TbAirSource source = {.v = v, .up = 1.0, .baffled = 1.0, .mirrored = both_sides};
+  widen_reach(order, v, &plan);
   tb_air_plan_fields(&plan, &source, 1);
   TbWavenumberNodes nodes;
   if (!nodes_for(&nodes, &plan, scratch, 0.0) || !transform(&plan, scratch, &nodes, &source)) {

@@ -70,7 +70,7 @@ const TbParam tb_params[] = {
        CHOICE("open|baffled|closed", TABOR_BOUNDARY_OPEN)),
    AT(shell.boundary)},
   {ROW(TB_PARAM_SHELL_ABSORPTION, "shell", "absorption", "",
-       "part of the enclosed treble that a pillow in the drum absorbs", NUMBER(0, 1, 0)),
+       "part of the enclosed treble that the shell absorbs: bare wood 0.05, a pillow 0.25", NUMBER(0, 1, 0)),
    AT(shell.absorption)},
   {ROW(TB_PARAM_SHELL_SURFACE_DENSITY, "shell", "surface_density", "kg/m2",
        "mass of the wall between two heads per area; a light one lets more sound through",

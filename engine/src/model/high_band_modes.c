@@ -2,17 +2,16 @@
 #include "model/high_band_modes.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "acoustics/cavity_eigen.h"
-#include "acoustics/cavity_pressure.h"
 #include "acoustics/closed_drum_modes.h"
 #include "acoustics/single_head.h"
 #include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "model/head_waves.h"
+#include "model/high_air_choice.h"
 #include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
@@ -28,6 +27,7 @@ enum { WHOLE_ORDERS = 4 };
  * pressure per microphone, and resistance. */
 typedef struct EdgeFactors {
   double field[TABOR_MAX_MICS], resistance;
+  double in_head; /* part that the head has of a mode */
 } EdgeFactors;
 
 /* One head and what lies around it. */
@@ -44,10 +44,11 @@ typedef struct Functions {
   double zeros[MOST_ZEROS], slopes[MOST_ZEROS]; /* z, J_{m+1}(z) */
 } Functions;
 
-/* The air inside, as the modes of one order drive it; no microphones without a cavity. */
+/* The air inside, as the modes of one order meet it; no microphones without a cavity. */
 typedef struct Inside {
   TbCavityOrder order;
   TbCavityMics mics;
+  TbHighCavity modes;
 } Inside;
 
 typedef struct Builder {
@@ -57,6 +58,7 @@ typedef struct Builder {
   uint32_t outside[TABOR_MAX_MICS], outside_count; /* microphones outside the shell */
   Functions functions;                             /* of the order at hand */
   Inside inside;
+  TbAirPlan air;   /* empty without a cavity */
   bool both_sides; /* a single head, with air outside on both */
   TbBesselTable table;
   double top; /* [rad/s] */
@@ -105,8 +107,9 @@ static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder
   for (uint32_t p = 0; p < b->outside_count; p++) points[p] = side->points[b->outside[p]];
   TbArena scratch;
   tb_arena_beside(&scratch, b->scratch);
-  const bool done = tb_air_slow(order, &scratch, b->both_sides, x_at(b, c->omega), points,
-                                b->outside_count, resistance, fields);
+  const double one = 1.0;
+  const bool done = tb_air_baffled(order, &scratch, b->both_sides, &one, x_at(b, c->omega), points,
+                                   b->outside_count, resistance, fields);
   tb_arena_release(&scratch);
   for (uint32_t p = 0; done && p < b->outside_count; p++) {
     c->fields[2 * b->outside[p]] = fields[2 * p];
@@ -123,7 +126,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   const Side *side = &b->sides[head];
   const double radius = b->model->head.radius, wavenumber = zero / radius;
   double mass, resistance;
-  *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope};
+  *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope, .in_head = 1.0};
   c->omega = frequency(b, side, zero, &mass);
   const TbAirOrder order = {
     .m = m, .count = 1, .zeros = &c->zero, .slopes = &c->slope, .table = &b->table};
@@ -146,23 +149,16 @@ static void fill_inside(const Builder *b, TbHighMode *c) {
   double outward[TB_HEADS] = {0.0};
   outward[c->head] = c->head ? -c->scale : c->scale;
   const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, c->m, c->omega);
-  tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega,
-                   c->decay_rate, c->fields);
-}
-
-/* The energy that a unit force brings to a microphone. */
-static double energy_at(const Builder *b, const TbHighMode *c, uint32_t mic) {
-  const double turn = c->omega * b->model->time_step;
-  const double gain = c->omega * c->omega * tb_sin(turn) / turn *
-                      tb_hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
-  return gain * gain / (4.0 * fmax(c->decay_rate, 1e-3));
+  tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega, 0.0,
+                   c->fields);
 }
 
 static double loudness(const Builder *b, const TbHighMode *c) {
   double loudest = 0.0;
   uint32_t mics[TABOR_MAX_MICS];
   const uint32_t count = choosers(b, mics);
-  for (uint32_t p = 0; p < count; p++) loudest = fmax(loudest, energy_at(b, c, mics[p]));
+  for (uint32_t p = 0; p < count; p++)
+    loudest = fmax(loudest, tb_high_mode_energy(b->model, c, mics[p]));
   return loudest;
 }
 
@@ -171,7 +167,24 @@ static void take_candidate(Builder *b) {
   TbHighMode *c = &b->candidates[b->count++];
   if (!b->model->def.quality.losses) c->decay_rate = 0.0;
   c->loudness = loudness(b, c);
-  c->band = (uint32_t)fmax(0.0, 6.0 * tb_log(c->omega / (2.0 * PI * 20.0)) / tb_log(2.0));
+  c->band = tb_sixth_of(c->omega);
+}
+
+/* Functions that wires damp pass nothing on to the air: they lose it to the wires first. */
+static bool meets_air(const Builder *b, uint32_t head) {
+  const TbWires *wires = &b->model->wires;
+  return b->air.to > b->air.from && (wires->count == 0 || wires->head != head);
+}
+
+/* What modes of the air take of Bessel function n. The factors of the edge have what they take in the mean. */
+static void leave_to_air(const TbHighCavity *air, const EdgeFactors *edge, uint32_t n,
+                         TbHighMode *c) {
+  const double left = fmax(0.0, 1.0 - tb_high_cavity_taken(air, c->head, n));
+  const double against_mean = left / edge->in_head;
+  c->decay_rate = left * c->decay_rate + (1.0 - left) * tb_high_cavity_decay_rate(air, c->omega);
+  c->in_head = against_mean;
+  c->scale *= sqrt(against_mean);
+  for (uint32_t i = 0; i < 2 * TABOR_MAX_MICS; i++) c->fields[i] *= sqrt(against_mean);
 }
 
 static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
@@ -191,6 +204,7 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
     c->fields[2 * p + 1] *= side->edge.field[p];
   }
   c->decay_rate += side->edge.resistance * c->radiation_rate;
+  if (meets_air(b, head)) leave_to_air(&b->inside.modes, &side->edge, n, c);
   if (b->inside.mics.count > 0) fill_inside(b, c);
   take_candidate(b);
   return true;
@@ -208,6 +222,18 @@ static uint32_t head_of(const TbHeadMode *mode) {
   return mode->part == TABOR_PART_RESONANT ? 1 : TB_HEADS;
 }
 
+/* What a force finds of a two-way mode on a head, in the mean over the head: against a Bessel function by itself, of
+ * unit modal mass with this slope at the edge. */
+static double part_in_head(const TbHeadOrder *order, uint32_t k, uint32_t head, double slope) {
+  const double *v = order->vectors[head] + (size_t)k * order->zero_count;
+  double square = 0.0;
+  for (uint32_t i = 0; i < order->zero_count; i++) {
+    const double own = v[i] * tb_bessel_j(order->m + 1, order->zeros[i]);
+    square += own * own;
+  }
+  return square / (slope * slope);
+}
+
 /* Upper two-way modes of one low order, as they radiate, against the same as Bessel functions. */
 static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *order,
                            EdgeFactors *real, EdgeFactors *simple) {
@@ -218,10 +244,13 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
     const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
     TbHighMode c;
     if (!radiate(b, head, order->m, zero, slope, &c)) return false;
+    const double in_head = part_in_head(order, k, head, c.scale * slope);
     for (uint32_t p = 0; p < model->def.mic_count; p++) {
-      real->field[p] += square_of(mode->fields + 2 * p);
+      real->field[p] += in_head * square_of(mode->fields + 2 * p);
       simple->field[p] += square_of(c.fields + 2 * p);
     }
+    real->in_head += in_head;
+    simple->in_head += 1.0;
     real->resistance += mode->radiation_rate;
     simple->resistance += c.radiation_rate;
   }
@@ -230,10 +259,11 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
 
 static bool measure_edge(Builder *b, uint32_t head) {
   const TbHead *modes = &b->model->head;
-  EdgeFactors real = {{0.0}, 0.0}, simple = {{0.0}, 0.0}, *edge = &b->sides[head].edge;
-  for (uint32_t m = 0; m < modes->order_count && m < 6; m++) {
+  EdgeFactors real = {{0.0}, 0.0, 0.0}, simple = {{0.0}, 0.0, 0.0}, *edge = &b->sides[head].edge;
+  for (uint32_t m = 0; m < modes->order_count && m < 10; m++) {
     if (!add_order_edge(b, head, &modes->orders[m], &real, &simple)) return false;
   }
+  edge->in_head = simple.in_head > 0.0 ? real.in_head / simple.in_head : 1.0;
   edge->resistance = simple.resistance > 0.0 ? real.resistance / simple.resistance : 1.0;
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
     edge->field[p] = simple.field[p] > 0.0 ? sqrt(real.field[p] / simple.field[p]) : 1.0;
@@ -299,6 +329,7 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
     *c = (TbHighMode){.m = m,
                       .zero = order.zeros[n],
                       .slope = tb_bessel_j(m + 1, order.zeros[n]),
+                      .in_head = 1.0,
                       .scale = order.vectors[0][(size_t)n * order.zero_count + n],
                       .omega = modes[n].omega,
                       .decay_rate = modes[n].decay_rate,
@@ -328,8 +359,11 @@ static void find_functions(Builder *b, uint32_t m) {
   }
 }
 
-/* Radial orders that come as far as a microphone inside: those faster than sound, and slower ones up
- * to where e^-(z' d/R), d the distance from the nearest head, is 1e-3. */
+/* Beyond the fastest wave of the air, whose radial order is then among those prepared. */
+static const double SPARE_ZEROS = 4.0;
+
+/* Radial orders that the air's modes have or that come as far as a microphone inside: those faster than sound, and slower
+ * ones up to where e^-(z' d/R), d the distance from the nearest head, is 1e-3. */
 static double inside_zero(const Builder *b) {
   const TaborDrumDef *def = &b->model->def;
   double nearest = INFINITY;
@@ -337,7 +371,65 @@ static double inside_zero(const Builder *b) {
     if (!tb_mic_is_inside(def, &def->mic[p])) continue;
     nearest = fmin(nearest, fmin(-def->mic[p].height, def->shell.depth + def->mic[p].height));
   }
-  return fmin(x_at(b, b->top) + 7.0 * def->shell.radius / nearest, 2.0 * TOP_ZERO);
+  const double slower = fmax(SPARE_ZEROS, 7.0 * def->shell.radius / nearest);
+  return fmin(x_at(b, b->top) + slower, 2.0 * TOP_ZERO);
+}
+
+/* ---- the enclosed air ------------------------------------------------------------------------ */
+
+/* The wave of a mode of the air on the batter head, which strikers strike. It is as loud as `count` of its kind. */
+static void add_air_wave(Builder *b, const TbAirMode *mode, double count, const double *fields) {
+  if (b->count == MOST_CANDIDATES) return;
+  TbHighMode *c = &b->candidates[b->count];
+  const TbHighCavity *air = &b->inside.modes;
+  *c = (TbHighMode){.head = TABOR_HEAD_BATTER,
+                    .m = air->order->m,
+                    .of_air = true,
+                    .omega = mode->omega,
+                    .decay_rate = mode->decay_rate,
+                    .in_head = mode->in_head[TABOR_HEAD_BATTER]};
+  tb_high_cavity_wave(air, mode, TABOR_HEAD_BATTER, &c->zero, &c->scale);
+  for (uint32_t i = 0; i < 2 * TABOR_MAX_MICS; i++) c->fields[i] = fields[i] * sqrt(count);
+  take_candidate(b);
+}
+
+/* Modes that the coupling moves below the border are two-way modes. */
+static bool add_air_mode(Builder *b, const TbAirChoice *choice, TbAirMode *mode) {
+  double fields[2 * TABOR_MAX_MICS];
+  TbHighCavity *air = &b->inside.modes;
+  mode->radial = choice->radial;
+  mode->axial = choice->axial;
+  tb_high_cavity_mode(air, mode);
+  if (mode->omega <= b->air.from) return true;
+  TbArena scratch;
+  tb_arena_beside(&scratch, b->scratch);
+  const bool done = tb_high_cavity_radiate(air, &scratch, mode, fields);
+  tb_arena_release(&scratch);
+  if (done) add_air_wave(b, mode, choice->count, fields);
+  return done;
+}
+
+/* The air's modes of one order, before the heads' functions, of which they take a part. */
+static bool add_air(Builder *b, TbArena *scratch, uint32_t m) {
+  Functions *functions = &b->functions;
+  TbHighCavity *air = &b->inside.modes;
+  const TbAirOrder order = {.m = m,
+                            .count = functions->count,
+                            .zeros = functions->zeros,
+                            .slopes = functions->slopes,
+                            .table = &b->table};
+  TbAirMode mode = {.radial = 0};
+  for (uint32_t h = 0; h < TB_HEADS; h++) mode.outward[h] = tb_arena_doubles(scratch, order.count);
+  TbAirChoices chosen;
+  if (!tb_high_cavity_prepare(air, scratch, &b->model->def, &order, &b->inside.order,
+                              &b->inside.mics) ||
+      !tb_air_choose(&b->air, scratch, air, &mode, &chosen)) {
+    return false;
+  }
+  for (uint32_t i = 0; i < chosen.count; i++) {
+    if (!add_air_mode(b, &chosen.choices[i], &mode)) return false;
+  }
+  return true;
 }
 
 static bool add_heads(Builder *b, const bool *heard, uint32_t m) {
@@ -347,19 +439,23 @@ static bool add_heads(Builder *b, const bool *heard, uint32_t m) {
   return true;
 }
 
-/* The Bessel functions of one order, on the heads that are heard. */
+/* The air inside, if there is any, as one order meets it. */
+static bool prepare_inside(Builder *b, TbArena *scratch, uint32_t m) {
+  Inside *inside = &b->inside;
+  if (b->both_sides) return true;
+  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, m, b->top);
+  return tb_cavity_order_prepare(&inside->order, scratch, &cavity, m, inside_zero(b), 0.0) &&
+         tb_cavity_mics_prepare(&inside->mics, scratch, &b->model->def, &inside->order) &&
+         (b->air.to <= b->air.from || add_air(b, scratch, m));
+}
+
+/* The modes of one order, on the heads that are heard. */
 static bool collect_order(Builder *b, const bool *heard, uint32_t m) {
-  find_functions(b, m);
-  b->inside.mics.count = 0;
-  if (b->outside_count == b->model->def.mic_count) return add_heads(b, heard, m);
   TbArena scratch;
   tb_arena_beside(&scratch, b->scratch);
-  Inside *inside = &b->inside;
-  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, m, b->top);
-  const bool done =
-    tb_cavity_order_prepare(&inside->order, &scratch, &cavity, m, inside_zero(b), 0.0) &&
-    tb_cavity_mics_prepare(&inside->mics, &scratch, &b->model->def, &inside->order) &&
-    add_heads(b, heard, m);
+  find_functions(b, m);
+  b->inside.mics.count = 0;
+  const bool done = prepare_inside(b, &scratch, m) && add_heads(b, heard, m);
   tb_arena_release(&scratch);
   return done;
 }
@@ -386,79 +482,7 @@ static bool collect(Builder *b, uint32_t heads) {
   return true;
 }
 
-/* ---- the choice ----------------------------------------------------------------------------- */
-
-static int louder(const void *x, const void *y) {
-  const TbHighMode *a = x, *b = y;
-  if (a->band != b->band) return a->band < b->band ? -1 : 1;
-  if (a->head != b->head) return a->head < b->head ? -1 : 1;
-  if (a->loudness != b->loudness) return a->loudness > b->loudness ? -1 : 1;
-  return a->zero < b->zero ? -1 : a->zero > b->zero;
-}
-
-static bool same_band(const TbHighMode *a, const TbHighMode *b) {
-  return a->band == b->band && a->head == b->head;
-}
-
-/* How many of the sorted band that begins at `from` hold this part of its energy; its end. */
-static uint32_t enough(const Builder *b, uint32_t from, double part, uint32_t *end) {
-  double total = 0.0, sum = 0.0;
-  uint32_t to = from, count = 0;
-  for (; to < b->count && same_band(&b->candidates[to], &b->candidates[from]); to++) {
-    total += b->candidates[to].loudness;
-  }
-  while (from + count < to && sum < part * total) sum += b->candidates[from + count++].loudness;
-  *end = to;
-  return count;
-}
-
-static uint32_t copies_for(const Builder *b, double part) {
-  uint32_t copies = 0;
-  for (uint32_t from = 0, to; from < b->count; from = to) {
-    const uint32_t count = enough(b, from, part, &to);
-    for (uint32_t i = from; i < from + count; i++) copies += b->candidates[i].m ? 2 : 1;
-  }
-  return copies;
-}
-
-/* A microphone that hardly hears the modes kept for the others goes without: they would sound out of all
- * proportion there, and random trials found one where they were infinite. */
-static const double LEAST_KEPT = 1e-3;
-
-/* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */
-static void carry_band(const Builder *b, uint32_t from, uint32_t count, uint32_t end) {
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    double total = 0.0, kept = 0.0;
-    for (uint32_t i = from; i < end; i++) {
-      const double energy = energy_at(b, &b->candidates[i], p);
-      total += energy;
-      if (i < from + count) kept += energy;
-    }
-    if (!(kept > LEAST_KEPT * total)) continue;
-    const double gain = sqrt(total / kept);
-    for (uint32_t i = from; i < from + count; i++) {
-      b->candidates[i].fields[2 * p] *= gain;
-      b->candidates[i].fields[2 * p + 1] *= gain;
-    }
-  }
-}
-
-/* Keeps the loudest of each band, in place: 99.9 % of its energy, less if those were too many; they carry
- * what is left out. */
-static void thin(Builder *b, uint32_t most, TbHighModes *chosen) {
-  qsort(b->candidates, b->count, sizeof *b->candidates, louder);
-  double lost = 0.001;
-  while (copies_for(b, 1.0 - lost) > most) lost *= 1.1;
-  *chosen = (TbHighModes){
-    .modes = b->candidates, .candidates = b->count, .copies = copies_for(b, 1.0 - lost)};
-  for (uint32_t from = 0, to; from < b->count; from = to) {
-    const uint32_t count = enough(b, from, 1.0 - lost, &to);
-    carry_band(b, from, count, to);
-    for (uint32_t i = from; i < from + count; i++) {
-      b->candidates[chosen->count++] = b->candidates[i];
-    }
-  }
-}
+/* ---- all of them ---------------------------------------------------------------------------- */
 
 static void prepare_side(Builder *b, uint32_t head) {
   const TaborDrumDef *def = &b->model->def;
@@ -480,6 +504,10 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
                .scratch = scratch,
                .both_sides = !tb_has_cavity(&model->def),
                .top = 2.0 * PI * top};
+  if (!b.both_sides) {
+    const double to = tb_closed_drum_air_top(&model->def, b.top);
+    tb_air_plan(&b.air, &model->def, 2.0 * PI * model->head.bandwidth, to);
+  }
   b.outside_count = tb_mics_outside(&model->def, b.outside);
   double zero = 0.0;
   for (uint32_t h = 0; h < heads; h++) {
@@ -495,6 +523,6 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
     if (!measure_edge(&b, h)) return false;
   }
   if (!collect(&b, heads)) return false;
-  thin(&b, most, chosen);
+  *chosen = tb_high_modes_thin(model, b.candidates, b.count, most);
   return true;
 }

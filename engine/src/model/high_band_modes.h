@@ -5,10 +5,13 @@
 
 #include "acoustics/head.h"
 
-/* One Bessel function of one head, cosine and sine copies together, at unit modal mass. */
+/* One Bessel function of one head, or a mode of the enclosed air with the wave that it is on a head; cosine and sine
+ * copies together, at unit modal mass. */
 typedef struct TbHighMode {
   uint32_t head, m;
-  uint32_t band; /* sixth of an octave */
+  bool of_air;
+  double in_head; /* part of its energy */
+  uint32_t band;  /* sixth of an octave */
   double zero, slope, scale, omega;
   double decay_rate,
     radiation_rate; /* [1/s]; of both sides or the outer one, in decay_rate or yet to be added */

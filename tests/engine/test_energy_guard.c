@@ -7,8 +7,8 @@
 #include "drum/drum.h"
 #include "physics.h"
 #include "step/energy.h"
-#include "step/incident_sound.h"
-#include "step/striker_pool.h"
+#include "air/incident_sound.h"
+#include "strikers/striker_pool.h"
 
 enum { SCENES = 3 };
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Head and wires at rest: forces, places and shapes agree, for even wires and for the most uneven ones. */
 #include "physics.h"
-#include "step/state.h"
+#include "state/state.h"
 
 /* Error of a penetration, in units of the greatest distance of a wire's ends and shape from the head. The iteration
  * ends where the potential falls no more, at 1e-16 of it, and so at 1e-8 of displacements; a hundred points share it. */

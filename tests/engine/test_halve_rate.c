@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* From two steps to a frame: pass band, stop band and delay, the poles of the elliptic low-pass that SciPy designs,
  * and a drum that sounds at the same time as at twice the rate. */
-#include "step/halve_rate.h"
+#include "state/halve_rate.h"
 
 #include <complex.h>
 

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "step/head_coating.h"
+#include "strikers/head_coating.h"
 
 enum { POINTS = 400000 };
 

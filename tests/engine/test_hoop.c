@@ -5,7 +5,7 @@
 
 #include "acoustics/rim.h"
 #include "model/model.h"
-#include "step/state.h"
+#include "state/state.h"
 
 static const double RATE = 48000.0;
 

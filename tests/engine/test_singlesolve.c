@@ -2,7 +2,7 @@
 /* Contacts in single precision against those in double: the grid under the wires, the laws, whole strokes. */
 #include "drum/drum.h"
 #include "physics.h"
-#include "step/wire_motion.h"
+#include "wires/wire_motion.h"
 
 static const double RATE = 48000.0;
 static const double ONE_STEP = 96000.0; /* here studio steps as often as live */

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "reference.h"
-#include "step/solve.h"
+#include "contact/solve.h"
 
 enum { MOST = 16, LANES = 8, STRIDE = MOST * LANES, ROWS = STRIDE + TB_SLOTS };
 

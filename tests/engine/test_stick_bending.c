@@ -5,7 +5,7 @@
 
 #include "drum/drum.h"
 #include "reference.h"
-#include "step/stick_rigid.h"
+#include "strikers/stick_rigid.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
 static const char *const GRIPS[TB_GRIPS] = {"held", "free", "across"};

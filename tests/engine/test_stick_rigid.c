@@ -3,7 +3,7 @@
 #include "physics.h"
 
 #include "drum/drum.h"
-#include "step/stick_rigid.h"
+#include "strikers/stick_rigid.h"
 
 static const double RATE = 48000.0;
 static const double MASS = 0.011; /* [kg] */

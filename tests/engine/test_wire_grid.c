@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The grid under the wires: its shapes against the exact ones, its limiting cases, the compliance. */
 #include "physics.h"
-#include "step/state.h"
+#include "state/state.h"
 
 /* Twenty wires under a thin head, as on a snare drum. */
 static TaborDrumDef snares(uint32_t count) {

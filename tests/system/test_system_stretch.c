@@ -6,7 +6,7 @@
 
 #include "drum/drum.h"
 #include "model/stretch_gain.h"
-#include "step/stretch.h"
+#include "heads/stretch.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 192000.0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Drums whose wires lie unevenly and are bent: energy, strainer, limiting case, swaps. */
 #include "physics.h"
-#include "step/state.h"
+#include "state/state.h"
 
 enum { BLOCK = 64, BLOCKS = 94 };
 

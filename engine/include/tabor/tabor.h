@@ -1027,7 +1027,7 @@ TABOR_API void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uin
 /**
  * tabor_drum_process() while sound from outside drives the heads, and through them the wires: a loudspeaker in front
  * of a snare drum, or another drum. @p sound may be NULL. Its source stands at the place of a microphone, which is
- * used backwards: the heads are pushed as that microphone would hear them move (engine/src/step/incident_sound.h has
+ * used backwards: the heads are pushed as that microphone would hear them move (engine/src/air/incident_sound.h has
  * the equation). It acts on the modes up to the two-way bandwidth. Sound below 2e-5 Pa counts as silence; any other
  * wakes a drum that sleeps. The ledger counts its work as injected.
  */

@@ -9,13 +9,14 @@
 #include "drum/frame.h"
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
-#include "step/brush.h"
+#include "strikers/brush.h"
 #include "step/energy.h"
-#include "step/event_budget.h"
+#include "step/reset.h"
+#include "state/event_budget.h"
 #include "step/live_params.h"
 #include "step/state_check.h"
-#include "step/stick_rigid.h"
-#include "step/strokes.h"
+#include "strikers/stick_rigid.h"
+#include "strikers/strokes.h"
 
 static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
@@ -148,7 +149,7 @@ static void reset(TaborDrum *drum) {
     forget(drum->state);
     return;
   }
-  tb_state_reset(drum->state, drum->model);
+  tb_step_reset(drum->state, drum->model);
   drum->at_rest = true;
   drum->state->event_debt = debt;
   tb_event_charge(drum->state, TB_DEBT_REST);

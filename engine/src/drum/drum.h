@@ -48,7 +48,7 @@ struct TaborSwap {
 typedef struct TbDrumAir {
   uint32_t mic;          /* at whose place the sound's source is */
   bool low;              /* the low modes alone hear it (model.h) */
-  const float *incident; /* [frames] [Pa]: see step/incident_sound.h */
+  const float *incident; /* [frames] [Pa]: see air/incident_sound.h */
   double wake;           /* a drum that sleeps does not hear what is less [Pa] */
   uint32_t tap;          /* microphone whose signal is wanted before its delay */
   float *tapped;         /* [frames], out [Pa] */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "drum/drum_create.h"
+#include "step/reset.h"
 
 #include <math.h>
 #include <string.h>
@@ -28,7 +29,7 @@ TaborStatus tabor_drum_create(TaborModel *model, TaborDrum **out, TaborError *er
     tabor_drum_destroy(drum);
     return memory_error(error, "drum");
   }
-  tb_state_reset(drum->state, model);
+  tb_step_reset(drum->state, model);
   *out = drum;
   return TABOR_OK;
 }
@@ -88,7 +89,7 @@ TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model, Tabo
     tabor_swap_destroy(swap);
     return memory_error(error, "swap");
   }
-  tb_state_reset(swap->tail->state, new_model);
+  tb_step_reset(swap->tail->state, new_model);
   *out = swap;
   return TABOR_OK;
 }

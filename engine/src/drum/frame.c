@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "step/incident_sound.h"
+#include "air/incident_sound.h"
 #include "step/sleep.h"
 #include "step/step.h"
 

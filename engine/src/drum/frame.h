@@ -3,13 +3,13 @@
 #ifndef TB_FRAME_H
 #define TB_FRAME_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* Sound from outside during a frame, and what is wanted of the drum's own. */
 typedef struct TbFrameAir {
   uint32_t mic;    /* at whose place the sound's source is */
   bool low;        /* the low modes alone hear it (model.h) */
-  double incident; /* [Pa]: see step/incident_sound.h */
+  double incident; /* [Pa]: see air/incident_sound.h */
   double wake;     /* a drum that sleeps does not hear what is less [Pa] */
   uint32_t tap;    /* microphone whose signal is wanted before its delay, or TB_NO_TAP */
   double tapped;   /* out [Pa] */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Queries about a model and about the drums made from it. */
-#include "step/state.h"
+#include "state/state.h"
 
 static uint32_t row_count(const TaborModel *model) {
   return model->lugs.count ? model->lugs.row_count : model->head.row_count;

@@ -7,8 +7,9 @@
 
 #include "drum/drum.h"
 #include "step/energy.h"
+#include "step/reset.h"
 #include "step/live_params.h"
-#include "step/strokes.h"
+#include "strikers/strokes.h"
 
 static const double FADE = 0.015;      /* [s] */
 static const double INAUDIBLE = 1e-12; /* [J]: 110 dB below a stroke */
@@ -21,7 +22,7 @@ static void give_room(TaborDrum *drum) {
 
 /* The drum at rest, with the live values, ledger and counters of the one that sounds. */
 static void rest(const TbView *from, TbState *state) {
-  tb_state_reset(state, from->model);
+  tb_step_reset(state, from->model);
   TbView to = tb_view(state, from->model);
   state->sums = from->state->sums;
   state->radiated_beyond = from->state->radiated_beyond;

@@ -22,9 +22,9 @@
 #include "math/portable_math.h"
 #include "step/energy.h"
 #include "step/live_params.h"
-#include "step/stick_rigid.h"
-#include "step/striker_pool.h"
-#include "step/wire_motion.h"
+#include "strikers/stick_rigid.h"
+#include "strikers/striker_pool.h"
+#include "wires/wire_motion.h"
 
 static const double RING_OUT = 0.03; /* [s] */
 static const double HOLD = 0.008;    /* [s] */

@@ -10,7 +10,7 @@
 
 #include <stdatomic.h>
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* Marks a microphone that the tail does not have. */
 enum { TB_NO_MIC = 255 };

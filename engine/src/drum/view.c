@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "drum/drum.h"
-#include "step/stick_rigid.h"
+#include "strikers/stick_rigid.h"
 
 /* ---- heads ---------------------------------------------------------------------------------- */
 

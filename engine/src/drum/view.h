@@ -10,7 +10,7 @@
 #ifndef TB_VIEW_H
 #define TB_VIEW_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* A mode that moves this head: its index among the model's modes, its order's sum, and R. */
 typedef struct TbViewMode {

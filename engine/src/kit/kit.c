@@ -9,7 +9,7 @@
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
 #include "model/model.h"
-#include "step/incident_sound.h"
+#include "air/incident_sound.h"
 
 /* ---- events ---------------------------------------------------------------------------------- */
 

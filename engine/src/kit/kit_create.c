@@ -11,7 +11,7 @@
 #include "math/arena.h"
 #include "math/portable_math.h"
 #include "model/model.h"
-#include "step/incident_sound.h"
+#include "air/incident_sound.h"
 
 /* ---- the mix ---------------------------------------------------------------------------------- */
 

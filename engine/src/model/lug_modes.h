@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The modes of heads whose lugs pull unevenly: the choice of coupled modes, and the resulting
- * frequencies. step/lug_forces.h has the coupling in every sample. Set-up only. */
+ * frequencies. heads/lug_forces.h has the coupling in every sample. Set-up only. */
 #ifndef TB_LUG_MODES_H
 #define TB_LUG_MODES_H
 

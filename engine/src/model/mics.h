@@ -9,7 +9,7 @@
 struct TaborModel;
 
 /* Steps that a sound comes sooner where two steps make a frame, as long as the way to the output takes
- * (step/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later. */
+ * (state/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later. */
 enum { TB_HALVE_STEPS = 4 };
 
 /* Computes weights, delays and frequency responses of all microphones, into model->mics. */

@@ -42,7 +42,7 @@ typedef struct TbLowModes {
  * B(n) = Sum behind q^n, `delay` steps later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
-  /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see step/incident_sound.h */
+  /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see air/incident_sound.h */
   double *push_now, *push_before;
   TbLowModes low;
   uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */

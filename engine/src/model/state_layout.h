@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Layout of the arrays of a drum's state (step/state.h). Their sizes depend on the model alone. */
+/* Layout of the arrays of a drum's state (state/state.h). Their sizes depend on the model alone. */
 #ifndef TB_STATE_LAYOUT_H
 #define TB_STATE_LAYOUT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* G of step/stretch.h: for each head that stretches, the diagonal of Int |grad w|^2 dA over the
+/* G of heads/stretch.h: for each head that stretches, the diagonal of Int |grad w|^2 dA over the
  * modes, and beside it what stretch_mixing.h has. Set-up only. */
 #ifndef TB_STRETCH_GAIN_H
 #define TB_STRETCH_GAIN_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* G of step/stretch.h off its diagonal: Int grad w_i . grad w_j dA of two modes on one head.
+/* G of heads/stretch.h off its diagonal: Int grad w_i . grad w_j dA of two modes on one head.
  *
  * Modes of one order and copy mix: the air between two heads makes pairs of modes of one mode of each head, the air outside
  * mixes functions of one head. With amplitudes v of the Bessel functions and u of the edge (rim.h),

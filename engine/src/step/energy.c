@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/energy.h"
 
-#include "step/high_band_step.h"
-#include "step/lug_forces.h"
-#include "step/stick_rigid.h"
-#include "step/stretch.h"
-#include "step/striker_pool.h"
+#include "air/high_band_step.h"
+#include "heads/lug_forces.h"
+#include "strikers/stick_rigid.h"
+#include "heads/stretch.h"
+#include "strikers/striker_pool.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
                           const double *now) {

@@ -8,7 +8,7 @@
 #ifndef TB_ENERGY_H
 #define TB_ENERGY_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now);
 

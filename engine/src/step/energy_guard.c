@@ -2,8 +2,8 @@
 #include "step/energy_guard.h"
 
 #include "step/energy.h"
-#include "step/incident_sound.h"
-#include "step/striker_pool.h"
+#include "air/incident_sound.h"
+#include "strikers/striker_pool.h"
 
 /* next = last + t (next - last). */
 static void shorten(uint32_t n, double *next, const double *last, double t) {

@@ -10,7 +10,7 @@
 #ifndef TB_ENERGY_GUARD_H
 #define TB_ENERGY_GUARD_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* Returns true if the step was shortened. Call after view->next is filled and before losses are
  * booked. */

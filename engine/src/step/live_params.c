@@ -4,9 +4,9 @@
 #include <math.h>
 
 #include "definition/params.h"
-#include "step/coupling.h"
+#include "heads/coupling.h"
 #include "step/energy.h"
-#include "step/striker_pool.h"
+#include "strikers/striker_pool.h"
 #include "step/wire_clearance.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */

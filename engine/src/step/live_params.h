@@ -4,7 +4,7 @@
 #ifndef TB_LIVE_PARAMS_H
 #define TB_LIVE_PARAMS_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* The values that the definition gives: live[TB_LIVE_COUNT]. */
 void tb_live_params_definition(const TaborModel *model, TbLiveParam *live);

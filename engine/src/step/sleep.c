@@ -4,12 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "step/brush.h"
+#include "strikers/brush.h"
 #include "step/energy.h"
-#include "step/high_band_step.h"
-#include "step/stretch.h"
+#include "step/reset.h"
+#include "air/high_band_step.h"
+#include "heads/stretch.h"
 #include "step/wire_clearance.h"
-#include "step/wire_motion.h"
+#include "wires/wire_motion.h"
 
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
 static const double SILENT_ENERGY[] = {
@@ -106,7 +107,7 @@ void tb_sleep_check(TbView *view) {
   if (!isfinite(motion)) {
     const TaborStatistics statistics = state->statistics;
     const TbLiveParam output = state->output;
-    tb_state_reset(state, view->model);
+    tb_step_reset(state, view->model);
     state->statistics = statistics;
     state->output = output;
     state->statistics.recovered++;

@@ -4,7 +4,7 @@
 #ifndef TB_SLEEP_H
 #define TB_SLEEP_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* To be called every 64 samples: puts a drum to sleep that has been still for 16 calls, clears vanished modes before they
  * become denormal numbers, and puts a drum to rest whose state is not finite. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "model/state_layout.h"
-#include "step/event_budget.h"
+#include "state/event_budget.h"
 #include "step/live_params.h"
 
 /* No number of a drum comes near this, whatever its unit. Its cube times the largest stiffness, and

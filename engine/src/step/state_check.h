@@ -7,7 +7,7 @@
 #ifndef TB_STATE_CHECK_H
 #define TB_STATE_CHECK_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* `bytes`: tb_state_bytes(model) of them, of any alignment. */
 bool tb_state_check(const TaborModel *model, const void *bytes);

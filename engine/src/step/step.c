@@ -5,20 +5,20 @@
 #include <string.h>
 
 #include "kernels/profile.h"
-#include "step/brush.h"
+#include "strikers/brush.h"
 #include "step/energy.h"
 #include "step/energy_guard.h"
-#include "step/high_band_step.h"
-#include "step/incident_sound.h"
+#include "air/high_band_step.h"
+#include "air/incident_sound.h"
 #include "step/live_params.h"
-#include "step/lug_forces.h"
-#include "step/mic_output.h"
-#include "step/radiated_energy.h"
-#include "step/stick_rigid.h"
-#include "step/stretch.h"
-#include "step/striker_pool.h"
+#include "heads/lug_forces.h"
+#include "air/mic_output.h"
+#include "air/radiated_energy.h"
+#include "strikers/stick_rigid.h"
+#include "heads/stretch.h"
+#include "strikers/striker_pool.h"
 #include "step/wire_clearance.h"
-#include "step/wire_motion.h"
+#include "wires/wire_motion.h"
 
 #ifdef TABOR_PROFILE
 _Thread_local TbProfile tb_profile;

@@ -3,7 +3,7 @@
 #ifndef TB_STEP_H
 #define TB_STEP_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* Advances the drum by one sample. pressure[mic] [Pa times gain over full_scale] receives the
  * signals of the microphones whose bit is set in `heard`, and 0 for the others. */

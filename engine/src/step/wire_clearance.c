@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "step/coupling.h"
-#include "step/wire_motion.h"
+#include "heads/coupling.h"
+#include "wires/wire_motion.h"
 
 static const double LEAST_GAP = 3e-3; /* [m] */
 static const double STILL = 1e-12;    /* [m], a deviation that is none */

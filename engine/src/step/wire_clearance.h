@@ -13,7 +13,7 @@
 #ifndef TB_WIRE_CLEARANCE_H
 #define TB_WIRE_CLEARANCE_H
 
-#include "step/state.h"
+#include "state/state.h"
 
 /* Lifts wires that lie still and out of the head's reach. */
 void tb_wire_clearance_begin(TbView *view);

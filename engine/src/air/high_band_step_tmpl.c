@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT */
+/* The step of the high band (high_band_step.h), compiled once per precision: see real.h. */
+#include "air/high_band_step.h"
+
+#include "kernels/real.h"
+
+/* [m kg^1/2]; denormals begin at 1e-308, in single precision at 1e-38. */
+static const Real VANISHED = REAL(SINGLE ? 1e-30 : 1e-150);
+
+static const TYPE_OF(TbKernels) * kernels_of(const TbView *view) {
+  return view->model->NAME_OF(kernels);
+}
+
+static const TYPE_OF(TbRinging) * ringing_of(const TbView *view) {
+  return &view->model->high.NAME_OF(ringing);
+}
+
+static Real *drive_of(const TbView *view, uint32_t slot) {
+  return (Real *)view->high_drive + (size_t)slot * view->model->high.padded;
+}
+
+/* Limited to what flows into the bed (wire_hold.h). */
+static void hold(const TbView *view, const double *resistance) {
+  const TbHighBand *high = &view->model->high;
+  const uint32_t head = view->model->wires.head;
+  const Real *share = ringing_of(view)->hold;
+  Real *held = view->high_held, most[TB_HOLD_BANDS];
+  for (uint32_t band = 0; band < TB_HOLD_BANDS; band++) {
+    most[band] = (Real)(view->model->time_step * high->wire_hold.most[band]);
+  }
+  for (uint32_t i = high->begin[head]; i < high->begin[head + 1]; i++) {
+    const uint32_t band = high->hold_band[i];
+    const Real part = share[i] * (Real)resistance[band];
+    held[i] = part * most[band] / (part + most[band]);
+  }
+}
+
+static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
+  const TYPE_OF(TbRinging) *ringing = ringing_of(view);
+  const TYPE_OF(TbRing) ring = {.parts = parts,
+                                .a = ringing->a,
+                                .b = ringing->b,
+                                .now = view->now.high,
+                                .last = view->last.high,
+                                .next = view->next.high,
+                                .push = view->high_force,
+                                .held = view->high_held,
+                                .ahead = ringing->ahead[mic],
+                                .behind = ringing->behind[mic]};
+  return kernels_of(view)->ring(&ring);
+}
+
+static void strike(const TbView *view, uint32_t slot, double force) {
+  kernels_of(view)->add_scaled(view->model->high.begin[1], view->next.high, (Real)force,
+                               drive_of(view, slot));
+}
+
+static TbPair sums(const TbView *view, uint32_t mic, const TbPhase *phase) {
+  const TYPE_OF(TbRinging) *ringing = ringing_of(view);
+  return kernels_of(view)->two_dots(view->model->high.padded, ringing->ahead[mic],
+                                    ringing->behind[mic], phase->high);
+}
+
+static void keep_drive(const TbView *view, uint32_t slot, const double *drive) {
+  Real *kept = drive_of(view, slot);
+  for (uint32_t i = 0; i < view->model->high.begin[1]; i++) kept[i] = (Real)drive[i];
+}
+
+static double energy(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  const double rate = view->model->step_rate;
+  const Real *next = view->now.high, *now = view->last.high;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < high->padded; i++) {
+    const double to = (double)next[i], from = (double)now[i];
+    const double velocity = (to - from) * rate;
+    sum += velocity * velocity + high->stiffness[i] * to * from;
+  }
+  return 0.5 * sum;
+}
+
+/* Without branches: the compiler takes several at once. */
+static void clear_small(const TbView *view) {
+  Real *now = view->now.high, *last = view->last.high;
+  for (uint32_t i = 0; i < view->model->high.padded; i++) {
+    const bool gone = (REAL_SIZE(now[i]) < VANISHED) & (REAL_SIZE(last[i]) < VANISHED);
+    now[i] = gone ? REAL(0.0) : now[i];
+    last[i] = gone ? REAL(0.0) : last[i];
+  }
+}
+
+const TbHighBandStep NAME_OF(tb_high_band_step) = {hold,       move,   strike,     sums,
+                                                   keep_drive, energy, clear_small};

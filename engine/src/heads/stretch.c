@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: MIT */
+#include "heads/stretch.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "air/incident_sound.h"
+#include "contact/slot_compliance.h"
+#include "wires/wire_motion.h"
+
+/* W = P S2/2, S2 = (1 + A P/2)^-1 for symmetric A = Y^T g Y. */
+static void weigh(uint32_t count, double a[2][2], const double *factor, double weight[2][2]) {
+  double n[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
+  for (uint32_t h = 0; h < count; h++) {
+    for (uint32_t l = 0; l < count; l++) n[h][l] += 0.5 * a[h][l] * factor[l];
+  }
+  const double determinant = n[0][0] * n[1][1] - n[0][1] * n[1][0];
+  weight[0][0] = 0.5 * factor[0] * (n[1][1] / determinant);
+  weight[0][1] = -0.5 * factor[0] * (n[0][1] / determinant);
+  weight[1][0] = -0.5 * factor[1] * (n[1][0] / determinant);
+  weight[1][1] = 0.5 * factor[1] * (n[0][0] / determinant);
+}
+
+/* P theta of head h, where Y^T (x + q-) is `along`. */
+static double tension(const TbView *view, uint32_t h, const double along[2]) {
+  const double *w = view->solve.in.stretch_weight[h];
+  return w[0] * along[0] + w[1] * along[1];
+}
+
+/* side r = side Y^T g Phi at the slots: the solve needs r but for its sign, and on the grid under the wires
+ * displacements of their head are the simpler. */
+static void prepare_slots(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbStretch *stretch = &model->stretch;
+  const double *const pull[2] = {view->stretch_pull[0], view->stretch_pull[1]};
+  memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
+  for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
+    if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
+    const TbSlot *s = &view->state->slots[slot];
+    const TbParts *felt = s->on_hoop ? &stretch->parts : &stretch->felt[s->head];
+    const TbPair r = model->kernels->stretch_dots(felt, pull, tb_slot_shape(view, slot));
+    view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
+    if (stretch->count == 2) view->solve.in.stretch_slots[1][slot] = model->wires.side * r.second;
+  }
+}
+
+/* side r on the grid under the wires. */
+static void prepare_grid(TbView *view) {
+  const TaborModel *model = view->model;
+  const uint32_t size = model->projection.wire_grid.size;
+  tb_wire_motion_of(view)->stretch(view);
+  for (uint32_t h = 0; h < model->stretch.count; h++) {
+    view->stretch_rest[h] =
+      model->wires.side *
+      model->kernels->dot(size, view->solve.in.stretch_grid[h], model->rest.grid);
+  }
+}
+
+/* With single precision, G off its diagonal loses or creates energy as rounding has it: some 1e-8 of what it stores. */
+static void mix(const TbView *view, const double *q) {
+  const TaborModel *model = view->model;
+  void (*const mixes[])(const TbMixing *mixing, const double *x, double *const out[2]) = {
+    [TB_IN_DOUBLE] = model->kernels->mix, [TB_IN_FLOAT] = model->kernelsf->mix};
+  mixes[model->precision](&model->stretch.mixing, q, view->stretch_mixed);
+}
+
+/* next^T G now of head h off the diagonal, after mix() of now. */
+static double mixed_square(const TbView *view, uint32_t h, const double *next) {
+  const TbMixing *mixing = &view->model->stretch.mixing;
+  double sum = 0.0;
+  for (uint32_t b = 0; b < mixing->count; b++) {
+    const TbMixingBlock *block = &mixing->block[b];
+    for (uint32_t i = 0; i < block->count; i++) {
+      sum += next[block->mode[i]] * view->stretch_mixed[h][block->mode[i]];
+    }
+  }
+  return sum;
+}
+
+/* q^T G q of head h between two instants, after mix() of now. */
+static double square_of(const TbView *view, uint32_t h, const double *next, const double *now) {
+  const TbStretch *stretch = &view->model->stretch;
+  const TbParts *parts = &stretch->parts;
+  double square = mixed_square(view, h, next);
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t from = parts->from[part], to = from + parts->size[part];
+    for (uint32_t i = from; i < to; i++) square += stretch->gain[h][i] * next[i] * now[i];
+  }
+  return square;
+}
+
+/* ---- whether heads stretch ------------------------------------------------------------------ */
+
+/* 114 dB. Less lifts a head by 0.03 mm between two looks of has_risen(), which is about what `least` is. */
+static const double LOUD_AIR = 10.0; /* [Pa] */
+
+/* A stick, or loud sound from outside, raises the tension within a few steps. */
+static bool is_driven(const TbView *view) {
+  const TbState *state = view->state;
+  if (fabs(view->incident.now) > LOUD_AIR) return true;
+  for (uint32_t slot = 0; state->slot_mask >> slot; slot++) {
+    if (state->slots[slot].kind == TB_SLOT_STRIKER) return true;
+  }
+  return false;
+}
+
+/* Soft sound from outside, and wires, may make a head move without a stick: a look now and then. */
+static bool has_risen(const TbView *view) {
+  enum { STEPS = 64 };
+  const TbStretch *stretch = &view->model->stretch;
+  if (view->state->clock % STEPS > 0) return false;
+  mix(view, view->now.q);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    const double square = square_of(view, h, view->now.q, view->now.q);
+    if (stretch->factor[h] * square > stretch->least[h]) return true;
+  }
+  return false;
+}
+
+static uint32_t count_stretching(const TbView *view) {
+  TbState *state = view->state;
+  const TbStretch *stretch = &view->model->stretch;
+  if (state->unstretched < stretch->hold) return stretch->count;
+  if (is_driven(view) || has_risen(view)) state->unstretched = 0;
+  return state->unstretched < stretch->hold ? stretch->count : 0;
+}
+
+/* Call after the tension's rises are known. */
+static void count_unstretched(TbView *view) {
+  TbState *state = view->state;
+  const TbStretch *stretch = &view->model->stretch;
+  const uint32_t most = stretch->hold < UINT32_MAX ? stretch->hold + 1u : 0u;
+  if (state->unstretched < most) state->unstretched++;
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    if (fabs(view->end.stretch[h]) > stretch->least[h]) state->unstretched = 0;
+  }
+}
+
+/* ---- the step ------------------------------------------------------------------------------- */
+
+static TbStretching stretching_of(const TbView *view) {
+  const TbModes *modes = &view->model->modes;
+  const TbStretch *stretch = &view->model->stretch;
+  return (TbStretching){.modes = modes->padded,
+                        .a = modes->a,
+                        .b = modes->b,
+                        .gain = {stretch->gain[0], stretch->gain[1]},
+                        .g = modes->g,
+                        .q = view->now.q,
+                        .last = view->last.q,
+                        .mixed = {view->stretch_mixed[0], view->stretch_mixed[1]},
+                        .next = view->next.q,
+                        .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
+}
+
+/* If nothing else pushes the modes before tb_stretch_free(), one pass moves them and finds its sums. */
+void tb_stretch_move(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  view->stretch_count = count_stretching(view);
+  if (view->stretch_count > 0) mix(view, view->now.q);
+  view->stretched = view->stretch_count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
+  if (view->stretched) {
+    view->stretching = stretching_of(view);
+    model->kernels->step_and_stretch(&model->stretch.parts, &view->stretching);
+  } else {
+    model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
+                             view->last.q);
+  }
+}
+
+void tb_stretch_free(TbView *view) {
+  const TaborModel *model = view->model;
+  const TbStretch *stretch = &model->stretch;
+  view->solve.in.stretch_count = view->stretch_count;
+  if (view->stretch_count == 0) return;
+  if (!view->stretched) {
+    view->stretching = stretching_of(view);
+    model->kernels->stretch(&stretch->parts, &view->stretching);
+  }
+  weigh(stretch->count, view->stretching.own, stretch->factor, view->solve.in.stretch_weight);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    view->stretch_along[h] = view->stretching.along[h];
+    view->stretch_rest[h] = 0.0;
+  }
+  prepare_slots(view);
+  if (!view->state->lifted) prepare_grid(view);
+}
+
+void tb_stretch_yield(TbView *view, double *slots) {
+  const TaborModel *model = view->model;
+  double along[2] = {0.0};
+  for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    along[h] = view->stretch_along[h] + view->stretch_rest[h];
+  }
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    const double pull = -tension(view, h, along);
+    model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
+                               view->solve.in.stretch_slots[h]);
+    if (view->state->lifted) continue;
+    model->kernels->add_scaled(model->projection.wire_grid.size, view->change, pull,
+                               view->solve.in.stretch_grid[h]);
+  }
+}
+
+void tb_stretch_renew(TbView *view) {
+  TbSolve *solve = &view->solve;
+  if (view->model->stretch.count == 0 || view->state->airborne) return;
+  if (view->stretch_count == 0 && view->state->unstretched > view->model->stretch.hold) return;
+  const uint32_t size = solve->in.wire_grid->size, stride = solve->in.stride;
+  double *carry = view->stretch_carry;
+  tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
+  if (!view->state->lifted) tb_wire_motion_of(view)->renew(view, carry);
+  solve->in.kernels->add_scaled(TB_SLOTS, solve->warm.product + stride, 1.0, carry + size);
+}
+
+/* side r f, by all contacts. */
+static double pushed_along(const TbView *view, uint32_t h) {
+  const TbSolve *solve = &view->solve;
+  const double slots = solve->in.kernels->dot(TB_SLOTS, solve->in.stretch_slots[h],
+                                              solve->warm.force + solve->in.stride);
+  if (view->state->lifted) return slots;
+  return solve->in.kernels->dot(solve->in.wire_grid->size, solve->in.stretch_grid[h],
+                                solve->warm.grid) +
+         slots;
+}
+
+void tb_stretch_respond(TbView *view) {
+  const TaborModel *model = view->model;
+  double pushed[2] = {0.0}, along[2] = {0.0};
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    pushed[h] = pushed_along(view, h);
+    along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
+  }
+  tb_stretch_clear(view);
+  const uint32_t size = model->projection.wire_grid.size;
+  for (uint32_t h = 0; h < view->stretch_count; h++) {
+    view->end.stretch[h] = -tension(view, h, along);
+    const double past = tension(view, h, pushed);
+    model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.in.stretch_grid[h]);
+    model->kernels->add_scaled(TB_SLOTS, view->stretch_carry + size, past,
+                               view->solve.in.stretch_slots[h]);
+  }
+  view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
+  count_unstretched(view);
+}
+
+void tb_stretch_clear(TbView *view) {
+  memset(view->stretch_carry, 0,
+         (view->model->projection.wire_grid.size + TB_SLOTS) * sizeof *view->stretch_carry);
+}
+
+double tb_stretch_energy(const TbView *view, const double *next, const double *now) {
+  const TbStretch *stretch = &view->model->stretch;
+  double sum = 0.0;
+  mix(view, now);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    const double square = square_of(view, h, next, now);
+    sum += 0.25 * stretch->factor[h] * square * square;
+  }
+  return sum;
+}

@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-/* The high band in single precision. */
-#define TB_FLOAT
-#include "step/high_band_step_tmpl.c"

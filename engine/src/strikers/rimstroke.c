@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+#include "strikers/rimstroke.h"
+
+#include "strikers/stick_rigid.h"
+
+/* Of a cross-stick: the strongest of mufflers [N s/m]. */
+static const double PALM = 30.0;
+
+/* A striker with its serial number, yet to be placed. */
+static TbSlot striker_of(TbView *view, const TbStroke *stroke) {
+  return (TbSlot){.kind = TB_SLOT_STRIKER,
+                  .id = stroke->id,
+                  .serial = ++view->state->serial,
+                  .mass = view->model->def.striker[stroke->striker].mass,
+                  .part = 1.0,
+                  .definition = stroke->striker,
+                  .radius = stroke->radius,
+                  .angle = stroke->angle,
+                  .velocity = stroke->velocity};
+}
+
+static bool strike_hoop(TbView *view, const TbStroke *stroke) {
+  const uint32_t slot = tb_pool_obtain(view);
+  if (slot == TB_SLOTS) return false;
+  TbSlot striker = striker_of(view, stroke);
+  striker.on_hoop = 1;
+  striker.bends = tb_rigid_stick_bends(view, stroke->striker);
+  tb_pool_put(view, slot, &striker, 0.0);
+  return true;
+}
+
+/* Two slots, or none. */
+static bool obtain_pair(TbView *view, uint32_t pair[2]) {
+  pair[0] = tb_pool_obtain(view);
+  if (pair[0] == TB_SLOTS) return false;
+  view->state->slots[pair[0]] = (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
+  pair[1] = tb_pool_obtain(view);
+  view->state->slots[pair[0]] = (TbSlot){0};
+  return pair[1] < TB_SLOTS;
+}
+
+/* One end of the stick, 0 its tip. */
+static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t partner) {
+  const TbRigidStickEnd *at = end ? &rod->shaft : &rod->tip;
+  stick.along = at->along;
+  stick.mass = at->mass;
+  stick.radius = at->radius;
+  stick.angle = at->angle;
+  stick.velocity = at->velocity;
+  stick.on_hoop = end == 1;
+  stick.partner = partner + 1u;
+  stick.cross = rod->cross;
+  return stick;
+}
+
+/* Tip on the head, shaft on the hoop. */
+static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick *rod) {
+  uint32_t pair[2];
+  if (!obtain_pair(view, pair)) return false;
+  TbSlot stick = striker_of(view, stroke);
+  stick.rests = stroke->technique == TABOR_TECHNIQUE_CROSS_STICK;
+  stick.bends = 1u + (stick.rests ? TB_GRIP_ACROSS : TB_GRIP_FREE);
+  const TbSlot tip = end_of(stick, rod, 0, pair[1]);
+  TbSlot shaft = end_of(stick, rod, 1, pair[0]);
+  shaft.rests = 0;
+  tb_pool_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
+  return true;
+}
+
+/* That of the last cross-stick, or a free slot; TB_SLOTS if none. */
+static uint32_t find_palm(const TbView *view) {
+  uint32_t free = TB_SLOTS;
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->palm) return i;
+    if (s->kind == TB_SLOT_FREE) free = i;
+  }
+  return free;
+}
+
+/* The hand that lies on the head while the stick in it strikes the hoop. */
+static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
+  const uint32_t slot = find_palm(view);
+  if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
+  const TbSlot palm = {.kind = TB_SLOT_HAND,
+                       .id = id,
+                       .serial = ++view->state->serial,
+                       .palm = 1,
+                       .part = 1.0,
+                       .radius = tip->radius,
+                       .angle = tip->angle,
+                       .strength = PALM};
+  tb_pool_put_hand(view, slot, &palm);
+}
+
+bool tb_rimstroke(TbView *view, const TbStroke *stroke) {
+  const TaborDrumDef *def = &view->model->def;
+  const TbStick *stick = &view->model->stick[stroke->striker];
+  if (stroke->technique == TABOR_TECHNIQUE_RIM) return strike_hoop(view, stroke);
+  if (stroke->technique == TABOR_TECHNIQUE_RIMSHOT) {
+    const TbRigidStick rod =
+      tb_rigid_stick_rimshot(def, stick, stroke->velocity, stroke->radius, stroke->angle);
+    return strike_both(view, stroke, &rod);
+  }
+  const TbRigidStick rod =
+    tb_rigid_stick_across(def, stick, stroke->velocity, stroke->radius, stroke->angle);
+  if (!strike_both(view, stroke, &rod)) return false;
+  lay_palm(view, stroke->id, &rod.tip);
+  return true;
+}

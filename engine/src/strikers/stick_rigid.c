@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+#include "strikers/stick_rigid.h"
+
+#include <math.h>
+
+static const double NEAREST = 0.03;                  /* tip and hoop are never closer [m] */
+static const double REACH = 0.2, REACH_ACROSS = 0.3; /* ... nor farther apart */
+static const double LAG = 0.8e-3;                    /* [s] */
+
+static double clamp(double value, double minimum, double maximum) {
+  return value < minimum ? minimum : (value > maximum ? maximum : value);
+}
+
+/* C_ij of two places, in distances from the tip. Of height and angle at the tip, twice the kinetic
+ * energy is mass v^2 + 2 first v w + second w^2; C_ij is (1, x_i) in its inverse. */
+static double mobility(const TbStickBody *body, double a, double b) {
+  return (body->second - body->first * (a + b) + body->mass * a * b) /
+         (body->mass * body->second - body->first * body->first);
+}
+
+/* A stick that touches at its tip and at `along` from there. */
+static TbRigidStick touching(const TbStickBody *body, double along) {
+  return (TbRigidStick){.tip = {.mass = 1.0 / mobility(body, 0.0, 0.0)},
+                        .shaft = {.mass = 1.0 / mobility(body, along, along), .along = along},
+                        .cross = mobility(body, 0.0, along)};
+}
+
+TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                    double radius, double angle) {
+  const double distance = clamp(def->shell.radius - radius, NEAREST, REACH);
+  const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
+  TbRigidStick rod = touching(&stick->grip[TB_GRIP_FREE], along);
+  rod.tip.radius = def->shell.radius - distance;
+  rod.tip.angle = rod.shaft.angle = angle;
+  rod.tip.velocity = rod.shaft.velocity = velocity;
+  rod.shaft.gap = velocity * LAG;
+  return rod;
+}
+
+TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                   double radius, double angle) {
+  const double distance = clamp(def->shell.radius + radius, NEAREST, REACH_ACROSS);
+  const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
+  const double beyond = distance - def->shell.radius; /* of the centre, seen from the hoop */
+  TbRigidStick rod = touching(&stick->grip[TB_GRIP_ACROSS], along);
+  rod.tip.radius = fabs(beyond);
+  rod.tip.angle = beyond >= 0.0 ? angle : angle + 180.0;
+  rod.shaft.angle = angle + 180.0;
+  rod.shaft.velocity = velocity;
+  return rod;
+}
+
+/* ---- bending -------------------------------------------------------------------------------- */
+
+/* The slot that has the state: the tip's, or that of a stick with one contact. */
+static uint32_t state_of(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return s->on_hoop && s->partner ? s->partner - 1u : slot;
+}
+
+static bool has_state(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].bends && state_of(view, slot) == slot;
+}
+
+uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
+  const bool stick = view->model->def.striker[striker].kind == TABOR_STRIKER_STICK;
+  return stick ? 1u + TB_GRIP_HELD : 0u;
+}
+
+const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return &view->model->stick[s->definition].grip[s->bends - 1u];
+}
+
+void tb_rigid_stick_place(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->slots[slot];
+  if (s->bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->along, s->bend);
+}
+
+void tb_rigid_stick_step(TbView *view) {
+  for (uint32_t slot = 0; slot < TB_MUFFLERS; slot++) {
+    if (!has_state(view, slot)) continue;
+    const TbStickBody *body = tb_rigid_stick_body(view, slot);
+    for (uint32_t i = 0; i < TB_BENDS; i++) {
+      view->next.bow[slot][i] =
+        body->a[i] * view->now.bow[slot][i] - body->b[i] * view->last.bow[slot][i];
+    }
+  }
+}
+
+double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
+  const double *bow = phase->bow[state_of(view, slot)];
+  const double *bend = view->state->slots[slot].bend;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_BENDS; i++) sum += bend[i] * bow[i];
+  return sum;
+}
+
+void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
+  const uint32_t tip = state_of(view, slot);
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  const double *bend = view->state->slots[slot].bend;
+  for (uint32_t i = 0; i < TB_BENDS; i++) {
+    view->next.bow[tip][i] += force * (body->g[i] * bend[i]);
+  }
+}
+
+double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  const double *a = view->state->slots[slot].bend, *b = view->state->slots[other].bend;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (body->g[i] * b[i]);
+  return sum;
+}
+
+double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next,
+                              const TbPhase *now) {
+  if (!has_state(view, slot)) return 0.0;
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_BENDS; i++) {
+    const double q1 = next->bow[slot][i], q0 = now->bow[slot][i];
+    const double velocity = (q1 - q0) * view->model->step_rate;
+    sum += velocity * velocity + body->stiffness[i] * q1 * q0;
+  }
+  return 0.5 * sum;
+}
+
+double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
+  if (!has_state(view, slot)) return 0.0;
+  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  double sum = 0.0;
+  for (uint32_t i = 0; i < TB_BENDS; i++) {
+    const double moved = view->next.bow[slot][i] - view->last.bow[slot][i];
+    sum += body->loss[i] * moved * moved;
+  }
+  return sum;
+}
+
+/* ---- motion --------------------------------------------------------------------------------- */
+
+double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
+                             const double *now) {
+  const TbSlot *s = &view->state->slots[slot];
+  const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
+  if (!s->partner) return s->mass * velocity * velocity;
+  const uint32_t other = s->partner - 1u;
+  const double of_other = (next[other] - now[other]) * view->model->step_rate;
+  const double mass = s->mass, its = view->state->slots[other].mass;
+  const double determinant = 1.0 / (mass * its) - s->cross * s->cross;
+  return velocity * (velocity / its - s->cross * of_other) / determinant;
+}
+
+double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  const double k = view->model->time_step;
+  return k * k * s->cross * view->solve.warm.force[view->model->wires.stride + s->partner - 1u];
+}

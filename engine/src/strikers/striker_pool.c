@@ -1,0 +1,473 @@
+/* SPDX-License-Identifier: MIT */
+#include "strikers/striker_pool.h"
+
+#include <string.h>
+
+#include "math/portable_math.h"
+#include "heads/coupling.h"
+#include "air/high_band_step.h"
+#include "strikers/stick_rigid.h"
+
+static const double AWAY = 0.005; /* [m] */
+/* [m]: the tip of a stick that has turned by 45 degrees about a hand 0.28 m away from it */
+static const double OUT_OF_HAND = 0.2;
+static const double LINGER = 1.0;      /* [s] */
+static const double PALM_TIME = 0.3;   /* [s] */
+static const double LIFT_TIME = 0.008; /* [s] in which a hand lets go and pulls, */
+static const double LIFT = 2.0;        /* [N] ... this hard in the end: 5 mm in as long again */
+static const double HERTZ = 1.5;       /* round wood on a round edge */
+
+static bool in_play(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].kind != TB_SLOT_FREE;
+}
+
+/* What two slots in play share besides the drum over one step: the stick. */
+static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
+  const TbSlot *a = &view->state->slots[slot];
+  const double k = view->model->time_step;
+  double sum = 0.0;
+  if (a->partner == other + 1u) sum += k * k * a->cross;
+  if (a->bends && (slot == other || a->partner == other + 1u)) {
+    sum += tb_rigid_stick_flexibility(view, slot, other);
+  }
+  return sum;
+}
+
+/* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit force
+ * does to the modes, and the compliance to the grid under the wires and to every other slot. */
+static void couple(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  const TbModes *modes = &model->modes;
+  const TbKernels *kernels = model->kernels;
+  const uint32_t size = model->projection.wire_grid.size;
+  const double *shape = tb_slot_shape(view, slot);
+  double *drive = tb_slot_drive(view, slot), *coupling = tb_slot_coupling(view, slot);
+  for (uint32_t i = 0; i < modes->padded; i++) drive[i] = modes->g[i] * shape[i];
+  tb_project(&model->projection, kernels, drive, coupling);
+  for (uint32_t point = 0; point < size; point++) coupling[point] *= model->wires.side;
+  for (uint32_t other = 0; other < TB_SLOTS; other++) {
+    /* The lower slot's drive on the higher one's shape: the same bits whoever came first. */
+    const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
+    const double value =
+      in_play(view, other) || other == slot
+        ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high)) +
+            shared_compliance(view, low, high)
+        : 0.0;
+    view->slot_coupling[slot * TB_SLOTS + other] = value;
+    view->slot_coupling[other * TB_SLOTS + slot] = value;
+  }
+  view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
+}
+
+/* What a hand does at the tip of the stick that it presses. */
+typedef struct Hand {
+  double force, stiffness, damping;
+} Hand;
+
+static Hand hand_of(const TbView *view, const TbSlot *s) {
+  if (!s->held) return (Hand){0.0, 0.0, 0.0};
+  const TaborDrumDef *def = &view->model->def;
+  const double share = 2.0 * s->part * view->state->live[TB_LIVE_GRIP].now;
+  return (Hand){share * s->press + s->push, share * def->hand.stiffness,
+                def->quality.losses ? share * def->hand.damping + s->resistance : 0.0};
+}
+
+/* Displacement of the striker itself one step after a unit force [m/N]. */
+static double own_compliance(const TbView *view, const TbSlot *s) {
+  const double k = view->model->time_step;
+  return k * k / (s->mass + 0.5 * hand_of(view, s).damping * k);
+}
+
+static void prepare_law(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  const TbSlot *s = &view->state->slots[slot];
+  TbContactLaw *law = &view->state->slot_laws[slot];
+  const uint32_t row = model->wires.stride + slot;
+  if (s->kind == TB_SLOT_HAND) {
+    view->contact_compliance[row] = 0.0;
+    tb_contact_law_damper(law, s->strength, model->time_step);
+    return;
+  }
+  const TaborStrikerDef *def = &model->def.striker[s->definition];
+  const TaborHoopDef *hoop = &model->def.hoop;
+  const bool hard =
+    s->on_hoop && def->kind == TABOR_STRIKER_STICK; /* soft ones yield more than a hoop */
+  const double k = model->time_step, compliance = own_compliance(view, s);
+  const double loss = hard ? hoop->contact_loss : def->contact_loss;
+  view->contact_compliance[row] = compliance;
+  tb_contact_law_prepare_sum(
+    law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
+    hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
+    TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
+}
+
+double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) {
+  const TbKernels *kernels = view->model->kernels;
+  const TbModeRanges modes = tb_slot_modes(view, slot);
+  const double *shape = tb_slot_shape(view, slot);
+  const double sum = kernels->dot(modes.first, shape, q);
+  if (modes.size == 0) return sum;
+  return sum + kernels->dot(modes.size, shape + modes.from, q + modes.from);
+}
+
+void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
+  const TbKernels *kernels = view->model->kernels;
+  const TbModeRanges modes = tb_slot_modes(view, slot);
+  const double *drive = tb_slot_drive(view, slot);
+  kernels->add_scaled(modes.first, q, force, drive);
+  if (modes.size > 0) {
+    kernels->add_scaled(modes.size, q + modes.from, force, drive + modes.from);
+  }
+}
+
+/* Of a striker: its tip is in the head by this much. */
+static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
+  return tb_pool_displacement(view, slot, phase->q) +
+         tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
+         (phase->z[slot] - view->state->slots[slot].coat) -
+         (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+}
+
+/* What the ranges leave out does not move at this place. */
+static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape) {
+  for (uint32_t i = kept.first; i < modes->padded; i++) {
+    if (i - kept.from >= kept.size) shape[i] = 0.0;
+  }
+}
+
+static void find_place_on_head(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  TbSlot *s = &view->state->slots[slot];
+  const bool hand = s->kind == TB_SLOT_HAND;
+  const double *patch =
+    s->palm ? model->palm_patch : model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
+  double *shape = tb_slot_shape(view, slot);
+  double *drive = view->high_scratch;
+  if (s->bristles) {
+    tb_brush_shapes_shape(model, s->definition, s->radius, s->angle, shape, drive);
+  } else {
+    tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
+    if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
+  }
+  clear_others(&model->modes, tb_slot_modes(view, slot), shape);
+  if (!hand) tb_high_band_step_of(view)->keep_drive(view, slot, drive);
+  s->rest_height = tb_pool_displacement(view, slot, model->rest.q);
+}
+
+static void find_place_on_hoop(TbView *view, uint32_t slot) {
+  const TaborModel *model = view->model;
+  TbSlot *s = &view->state->slots[slot];
+  tb_model_hoop_shape(model, s->angle, view->radial, tb_slot_shape(view, slot));
+  s->rest_height = model->def.hoop.height;
+}
+
+/* What the modes are at a slot's place on head or hoop. */
+static void find_place(TbView *view, uint32_t slot) {
+  if (view->state->slots[slot].on_hoop) {
+    find_place_on_hoop(view, slot);
+  } else {
+    find_place_on_head(view, slot);
+  }
+  couple(view, slot);
+}
+
+static void find_penetration(TbView *view, uint32_t slot) {
+  const uint32_t row = view->model->wires.stride + slot;
+  view->now.eta[row] = penetration_at(view, slot, &view->now);
+  view->last.eta[row] = penetration_at(view, slot, &view->last);
+}
+
+void tb_pool_rebuild(TbView *view, uint32_t slot) {
+  tb_rigid_stick_place(view, slot);
+  find_place(view, slot);
+  prepare_law(view, slot);
+  find_penetration(view, slot);
+  view->solve.warm.force[view->model->wires.stride + slot] = 0.0;
+}
+
+double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
+                              const TbPhase *now) {
+  const uint32_t row = view->model->wires.stride + slot;
+  const double sum = next->eta[row] + now->eta[row];
+  return 0.5 * tb_contact_law_potential(&view->state->slot_laws[slot], sum);
+}
+
+static double contact_energy(const TbView *view, uint32_t slot) {
+  return tb_pool_contact_energy(view, slot, &view->now, &view->last);
+}
+
+void tb_pool_raise(TbView *view, uint32_t slot, double by) {
+  const uint32_t row = view->model->wires.stride + slot;
+  const double before = contact_energy(view, slot);
+  view->state->slots[slot].coat += by;
+  view->now.eta[row] += by;
+  view->last.eta[row] += by;
+  view->state->sums.injected += contact_energy(view, slot) - before;
+}
+
+void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle) {
+  const double before = contact_energy(view, slot);
+  view->state->slots[slot].radius = radius;
+  view->state->slots[slot].angle = angle;
+  find_place(view, slot);
+  find_penetration(view, slot);
+  view->state->sums.injected += contact_energy(view, slot) - before;
+  tb_coupling_renew(view);
+}
+
+/* Makes a row stand for nothing: see TbSolve. */
+static void clear_row(TbView *view, uint32_t slot) {
+  const uint32_t stride = view->model->wires.stride, row = stride + slot;
+  TbPhase *const phases[3] = {&view->next, &view->now, &view->last};
+  for (int i = 0; i < 3; i++) {
+    phases[i]->z[slot] = 0.0;
+    memset(phases[i]->truncated[slot], 0, sizeof phases[i]->truncated[slot]);
+    memset(phases[i]->bow[slot], 0, sizeof phases[i]->bow[slot]);
+    phases[i]->eta[row] = TB_NOTHING;
+  }
+  memset(tb_slot_coupling(view, slot), 0, view->model->projection.wire_grid.size * sizeof(double));
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
+  }
+  view->contact_compliance[row] = view->b[row] = view->solve.warm.force[row] = 0.0;
+}
+
+static void book_removed(TbView *view, uint32_t slot) {
+  TbState *state = view->state;
+  const TbSlot *s = &state->slots[slot];
+  if (s->kind == TB_SLOT_STRIKER) {
+    state->sums.removed += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
+                           contact_energy(view, slot);
+    state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
+    state->sums.removed +=
+      tb_truncated_modes_energy(tb_slot_truncated(view, slot), view->model->step_rate,
+                                view->now.truncated[slot], view->last.truncated[slot]);
+  }
+}
+
+static void clear_slot(TbView *view, uint32_t slot) {
+  TbState *state = view->state;
+  clear_row(view, slot);
+  state->slots[slot] = (TbSlot){0};
+  state->slot_laws[slot] = (TbContactLaw){.kind = TB_CONTACT_LAW_GENERAL};
+  state->slot_mask &= ~(1u << slot);
+}
+
+void tb_pool_take_away(TbView *view, uint32_t slot) {
+  const uint32_t partner = view->state->slots[slot].partner;
+  book_removed(view, slot);
+  if (partner) book_removed(view, partner - 1u);
+  clear_slot(view, slot);
+  if (partner) clear_slot(view, partner - 1u);
+  tb_coupling_renew(view);
+}
+
+void tb_pool_muffle(TbView *view) {
+  const TaborModel *model = view->model;
+  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  for (uint32_t h = 0; h < model->head.heads; h++) {
+    const uint32_t slot = TB_MUFFLERS + h;
+    TbSlot *s = &view->state->slots[slot];
+    const double strength =
+      model->def.quality.losses ? view->state->live[TB_LIVE_MUFFLE + h].now : 0.0;
+    if (strength == s->strength) continue;
+    if (strength == 0.0) {
+      tb_pool_take_away(view, slot);
+      continue;
+    }
+    const bool there = s->kind == TB_SLOT_HAND;
+    const TbSlot hand = {.kind = TB_SLOT_HAND,
+                         .head = h,
+                         .radius = heads[h]->muffle_radius,
+                         .angle = heads[h]->muffle_angle,
+                         .strength = strength};
+    if (there) {
+      *s = hand;
+      prepare_law(view, slot);
+    } else {
+      tb_pool_put_hand(view, slot, &hand);
+    }
+  }
+}
+
+static bool row_touches(const TbView *view, uint32_t slot) {
+  const uint32_t row = view->model->wires.stride + slot;
+  return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
+}
+
+bool tb_pool_sounded(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  return s->sounded || (s->partner && view->state->slots[s->partner - 1u].sounded);
+}
+
+bool tb_pool_touches(const TbView *view, uint32_t slot) {
+  const uint32_t partner = view->state->slots[slot].partner;
+  return row_touches(view, slot) || (partner && row_touches(view, partner - 1u));
+}
+
+uint32_t tb_pool_obtain(TbView *view) {
+  uint32_t oldest = TB_SLOTS;
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind == TB_SLOT_FREE) return i;
+    if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving)) continue;
+    if (!tb_pool_sounded(view, i) || tb_pool_touches(view, i)) continue;
+    if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
+  }
+  if (oldest < TB_SLOTS) tb_pool_take_away(view, oldest);
+  return oldest;
+}
+
+/* One sample of lifting a stick: the pressing force goes, the pulling one comes. */
+static void pull_up(const TbView *view, TbSlot *s) {
+  const double whole = LIFT_TIME * view->model->step_rate, left = whole - s->leaving;
+  if (left <= 0.0) return;
+  s->leaving++;
+  s->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
+  s->push = left > 1.0 ? -LIFT * s->leaving / whole : -LIFT;
+}
+
+static void raise(TbView *view, uint32_t slot, double above) {
+  const uint32_t row = view->model->wires.stride + slot;
+  view->now.z[slot] += above;
+  view->last.z[slot] += above;
+  view->now.eta[row] -= above;
+  view->last.eta[row] -= above;
+}
+
+/* `above` the surface now, or, where the head recedes faster, above it one sample ago. */
+static void launch(TbView *view, uint32_t slot, double above) {
+  const uint32_t row = view->model->wires.stride + slot;
+  const double approach = view->state->slots[slot].velocity * view->model->time_step;
+  const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
+  double z = surface_now;
+  if (surface_last - approach > z) z = surface_last - approach;
+  view->now.z[slot] = z;
+  view->last.z[slot] = z + approach;
+  view->now.eta[row] = surface_now - view->now.z[slot];
+  view->last.eta[row] = surface_last - view->last.z[slot];
+  if (view->last.eta[row] > 0.0) view->last.eta[row] = 0.0; /* rounding of z + approach */
+  raise(view, slot, above);
+}
+
+static void book_launch(TbView *view, uint32_t slot) {
+  view->state->sums.injected += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z);
+}
+
+double tb_pool_press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
+
+void tb_pool_hold(TbView *view, uint32_t slot, double force) {
+  TbSlot *s = &view->state->slots[slot];
+  if (!s->held) s->anchor = view->now.z[slot];
+  s->held = 1;
+  s->press = force;
+  view->contact_compliance[view->model->wires.stride + slot] = own_compliance(view, s);
+  tb_coupling_renew(view);
+}
+
+static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
+  view->state->slots[slot] = *striker;
+  view->state->slot_mask |= 1u << slot;
+  view->now.z[slot] = view->last.z[slot] = 0.0;
+}
+
+void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double above) {
+  place(view, slot, striker);
+  tb_pool_rebuild(view, slot);
+  launch(view, slot, above);
+  book_launch(view, slot);
+  tb_coupling_renew(view);
+}
+
+void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
+  view->state->slots[slot] = *hand;
+  view->state->slot_mask |= 1u << slot;
+  tb_pool_rebuild(view, slot);
+  tb_coupling_renew(view);
+}
+
+void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
+                      double above) {
+  place(view, pair[0], tip);
+  place(view, pair[1], shaft);
+  for (int end = 0; end < 2; end++) tb_pool_rebuild(view, pair[end]);
+  launch(view, pair[0], 0.0);
+  launch(view, pair[1], above);
+  for (int end = 0; end < 2; end++) book_launch(view, pair[end]);
+  tb_coupling_renew(view);
+}
+
+void tb_pool_regrip(TbView *view) {
+  bool found = false;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (!s->held) continue;
+    view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, s);
+    found = true;
+  }
+  if (found) tb_coupling_renew(view);
+}
+
+double tb_pool_free_height(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  const double now = view->now.z[slot], last = view->last.z[slot];
+  if (!s->held) return 2.0 * now - last;
+  const Hand hand = hand_of(view, s);
+  const double k = view->model->time_step;
+  const double inertia = s->mass / (k * k), damping = hand.damping / (2.0 * k);
+  const double pull = hand.force + hand.stiffness * (now - s->anchor);
+  return (inertia * (2.0 * now - last) + damping * last - pull) / (inertia + damping);
+}
+
+TbHandWork tb_pool_hand_work(const TbView *view) {
+  TbHandWork work = {0.0, 0.0};
+  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    work.lost += tb_rigid_stick_loss(view, i);
+    if (!s->held) continue;
+    const Hand hand = hand_of(view, s);
+    const double moved = view->next.z[i] - view->last.z[i];
+    work.done -= 0.5 * moved * (hand.force + hand.stiffness * (view->now.z[i] - s->anchor));
+    work.lost += 0.25 * hand.damping * view->model->step_rate * moved * moved;
+  }
+  return work;
+}
+
+/* Off and away: nothing touches, nor will it in a moment. */
+static bool is_leaving(const TbView *view, uint32_t slot) {
+  const double gap = -view->now.eta[view->model->wires.stride + slot];
+  const TbSlot *s = &view->state->slots[slot];
+  const double far = s->held && !s->leaving ? OUT_OF_HAND : AWAY;
+  return gap > far && view->now.z[slot] > view->last.z[slot];
+}
+
+/* A tip that only rests on the head waits for no leave. */
+static bool end_is_done(const TbView *view, uint32_t slot) {
+  return view->state->slots[slot].rests || (!row_touches(view, slot) && is_leaving(view, slot));
+}
+
+static bool is_done(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->slots[slot];
+  if (s->partner && end_is_done(view, slot) && end_is_done(view, s->partner - 1u)) return true;
+  if (tb_pool_touches(view, slot)) return false;
+  if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
+    const double gap = -view->now.eta[view->model->wires.stride + slot];
+    return !s->held || s->leaving || gap > OUT_OF_HAND;
+  }
+  return !s->partner && is_leaving(view, slot);
+}
+
+void tb_pool_retire(TbView *view) {
+  TbState *state = view->state;
+  if (state->slot_mask == 0) return;
+  const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->step_rate);
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    TbSlot *s = &state->slots[i];
+    if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
+    if (s->kind == TB_SLOT_STRIKER && row_touches(view, i)) s->sounded = 1;
+    if (s->leaving) pull_up(view, s);
+    if (s->palm ? s->age > palm_time : s->kind == TB_SLOT_STRIKER && is_done(view, i)) {
+      tb_pool_take_away(view, i);
+    }
+  }
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/* The striker pool: a fixed number of places ("slots") for strikers and damping hands, and for the
+ * mufflers, which are hands that stay where the definition puts them. Audio-safe.
+ *
+ * A striker is its effective tip mass M, free apart from the contact: M z_tt = f, [Torin2014] eq.
+ * (5); no gravity, since a hand carries the stick. It starts in touch with the head's momentary
+ * surface at exactly the requested speed, so the energy that it brings is M v^2/2. It is removed
+ * once it moves away beyond 5 mm, or touches nothing a second after the stroke.
+ *
+ * A striker that a hand presses moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), with the
+ * damper centred, g the grip, and z0 the height at which the hand took hold. It bounces, and stays
+ * until it is released or leaps 0.2 m off, out of the hand. A striker released on the head is
+ * lifted: within 8 ms the force F0 becomes a pull of 2 N. The work of force and spring is injected
+ * energy; the damper's is lost. g = 0 is a free rebound. A hand holds one stick: a stroke removes
+ * the pressed stick with its id. Held at a distance p from its butt, a rod of length L and mass m
+ * weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at its tip. Strikers do not collide with wires.
+ * stick_rigid.h describes a stick on the hoop, or on hoop and head; no hand presses such a
+ * stick. */
+#ifndef TB_STRIKER_POOL_H
+#define TB_STRIKER_POOL_H
+
+#include "state/state.h"
+
+/* A requested stroke, within range. */
+typedef struct TbStroke {
+  uint32_t id, striker;
+  uint32_t technique; /* a TaborTechnique */
+  double velocity, radius, angle;
+  double pressure; /* of a buzz or a sweep, 0 to 1 */
+} TbStroke;
+
+/* Of head or hoop at a slot's place with the modes at q [m], and what a force there [N] does to q in one step. */
+double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q);
+void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q);
+/* Height of a striker at the next instant without contact force. */
+double tb_pool_free_height(const TbView *view, uint32_t slot);
+/* Work of the hands on pressed strikers in the step from view->last to view->next [J]. */
+typedef struct TbHandWork {
+  double done, lost; /* by force and spring; in the damper and in sticks that bend */
+} TbHandWork;
+TbHandWork tb_pool_hand_work(const TbView *view);
+/* Call after the grip has changed. */
+void tb_pool_regrip(TbView *view);
+/* Adds, adjusts or lifts the mufflers according to their live strengths. */
+void tb_pool_muffle(TbView *view);
+/* Removes strikers that are done. Call once per sample after the rotation. */
+void tb_pool_retire(TbView *view);
+/* Puts a striker with this description, and its shape and law, into a free slot, `above` [m] over
+ * the surface, and books its energy. */
+void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double above);
+/* Puts a stick that touches head and hoop into two free slots, its shaft `above` [m] over the hoop,
+ * and books its energy. */
+void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, const TbSlot *shaft,
+                      double above);
+/* Puts a damping hand with this description into a slot. */
+void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand);
+/* Returns a free slot. If none is free, it frees that of the oldest striker that has sounded and
+ * touches nothing any more. Returns TB_SLOTS if there is no such striker. */
+uint32_t tb_pool_obtain(TbView *view);
+/* Frees a slot and that of the stick's other end. The striker's remaining energy is booked as
+ * removed. */
+void tb_pool_take_away(TbView *view, uint32_t slot);
+/* A hand takes hold of a striker, or changes the force F0 [N]. */
+void tb_pool_hold(TbView *view, uint32_t slot, double force);
+/* F0 [N] for a pressure of 0 to 1. */
+double tb_pool_press_force(double pressure);
+/* True if the striker has touched the head or the hoop, with either end. */
+bool tb_pool_sounded(const TbView *view, uint32_t slot);
+/* True if the striker touches the head or the hoop, with either end. */
+bool tb_pool_touches(const TbView *view, uint32_t slot);
+/* What a striker's contact stores between two instants [J]. */
+double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
+                              const TbPhase *now);
+/* Raises the head's surface under a striker by `by` [m]; the work is a hand's. */
+void tb_pool_raise(TbView *view, uint32_t slot, double by);
+/* Moves a striker to another place on the head; the work is a hand's. */
+void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle);
+/* Recomputes law, shape and coupling of a slot from its description, as after a swap. */
+void tb_pool_rebuild(TbView *view, uint32_t slot);
+
+#endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+#include "strikers/strokes.h"
+
+#include "strikers/brush.h"
+#include "strikers/rimstroke.h"
+#include "strikers/stick_rigid.h"
+
+/* ---- strokes -------------------------------------------------------------------------------- */
+
+static const double STICK = 0.4, USUAL_PIVOT = 0.12; /* [m] */
+
+/* Mass at the tip of a rod held at `pivot` from its butt, in units of its mass. */
+static double tip_part(double pivot) {
+  const double place = pivot / STICK, aside = 0.5 - place, lever = 1.0 - place;
+  return (1.0 / 12.0 + aside * aside) / (lever * lever);
+}
+
+static double mass_of(const TbView *view, const TbStroke *stroke) {
+  const TaborDrumDef *def = &view->model->def;
+  const double mass = def->striker[stroke->striker].mass;
+  const bool buzz = stroke->technique == TABOR_TECHNIQUE_BUZZ;
+  return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
+}
+
+/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back.
+ * Nobody finds it by its id any more. */
+static void lift(TbSlot *s) {
+  s->leaving = 1;
+  s->id = 0;
+}
+
+static bool is_pressed(const TbSlot *s) {
+  return s->kind == TB_SLOT_STRIKER && s->held && !s->bristles && !s->partner;
+}
+
+/* A pressed stick that touches is lifted, everything else is gone at once. */
+static void let_go(TbView *view, uint32_t i) {
+  TbSlot *s = &view->state->slots[i];
+  if (is_pressed(s) && tb_pool_touches(view, i)) {
+    lift(s);
+  } else {
+    tb_pool_take_away(view, i);
+  }
+}
+
+/* A hand that strikes again lets go of the stick that it pressed. If this stick has not touched
+ * yet, its stroke is lost. */
+static void free_hand(TbView *view, uint32_t id) {
+  for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (!is_pressed(s) || s->id != id) continue;
+    view->state->statistics.dropped_events += !tb_pool_sounded(view, i);
+    let_go(view, i);
+  }
+}
+
+/* One tip on the head. */
+static bool strike_head(TbView *view, const TbStroke *stroke) {
+  TbState *state = view->state;
+  const uint32_t slot = tb_pool_obtain(view);
+  if (slot == TB_SLOTS) return false;
+  const TbSlot striker = {.kind = TB_SLOT_STRIKER,
+                          .id = stroke->id,
+                          .serial = ++state->serial,
+                          .mass = mass_of(view, stroke),
+                          .part = 1.0,
+                          .definition = stroke->striker,
+                          .bends = tb_rigid_stick_bends(view, stroke->striker),
+                          .radius = stroke->radius,
+                          .angle = stroke->angle,
+                          .velocity = stroke->velocity};
+  tb_pool_put(view, slot, &striker, 0.0);
+  if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
+    tb_pool_hold(view, slot, tb_pool_press_force(stroke->pressure));
+  }
+  return true;
+}
+
+static bool on_hoop(const TbStroke *stroke) {
+  return stroke->technique == TABOR_TECHNIQUE_RIMSHOT ||
+         stroke->technique == TABOR_TECHNIQUE_CROSS_STICK ||
+         stroke->technique == TABOR_TECHNIQUE_RIM;
+}
+
+bool tb_strike(TbView *view, const TbStroke *stroke) {
+  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH && !on_hoop(stroke)) {
+    return tb_brush_strike(view, stroke);
+  }
+  if (stroke->technique == TABOR_TECHNIQUE_SWEEP) return false;
+  free_hand(view, stroke->id);
+  if (!(on_hoop(stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke))) return false;
+  view->state->statistics.strikes++;
+  return true;
+}
+
+/* ---- hands ---------------------------------------------------------------------------------- */
+
+bool tb_press(TbView *view, uint32_t id, double pressure) {
+  bool found = tb_brush_press(view, id, pressure);
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
+    if (s->on_hoop || s->partner || s->leaving) continue;
+    tb_pool_hold(view, i, tb_pool_press_force(pressure));
+    found = true;
+  }
+  return found;
+}
+
+static uint32_t find_hand(const TbView *view, uint32_t id) {
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind == TB_SLOT_HAND && s->id == id) return i;
+  }
+  return TB_SLOTS;
+}
+
+bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
+  uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
+  if (slot == TB_SLOTS) slot = tb_pool_obtain(view);
+  if (slot == TB_SLOTS) return false;
+  const TbSlot hand = {.kind = TB_SLOT_HAND,
+                       .id = id,
+                       .serial = ++view->state->serial,
+                       .radius = radius,
+                       .angle = angle,
+                       .strength = strength};
+  tb_pool_put_hand(view, slot, &hand);
+  return true;
+}
+
+void tb_release(TbView *view, uint32_t id) {
+  tb_brush_release(view, id);
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *s = &view->state->slots[i];
+    if (s->kind != TB_SLOT_FREE && !s->leaving && (id == 0 || s->id == id)) let_go(view, i);
+  }
+}

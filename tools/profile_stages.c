@@ -168,7 +168,7 @@ static void touch_wires(Memory *memory) {
   TOUCH(memory, TB_STAGE_WIRES, w->stride, w->inner, v->head, model->rest.eta, v->last.eta,
         v->rest_load, v->b, v->contact_compliance, v->solve.warm.force, model->rest.force, v->s,
         v->next.eta);
-  touch(memory, TB_STAGE_WIRES, v->state->wires, w->count * sizeof *v->state->wires);
+  touch(memory, TB_STAGE_WIRES, v->state->wires.coefficients, w->count * sizeof *v->state->wires.coefficients);
   TOUCH(memory, TB_STAGE_LEDGER, w->node_count, v->next.v, v->last.v);
 }
 
@@ -257,11 +257,11 @@ static void touch_strikers(Memory *memory) {
   const TaborModel *model = memory->model;
   const TbView *v = &memory->view;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (v->state->slots[i].kind == TB_SLOT_FREE) continue;
+    if (v->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
     TOUCH(memory, TB_STAGE_STRIKERS, model->modes.padded, tb_slot_shape(v, i), tb_slot_drive(v, i),
           v->next.q);
     TOUCH(memory, TB_STAGE_PRODUCT, model->projection.wire_grid.size, tb_slot_coupling(v, i));
-    if (v->state->slots[i].kind == TB_SLOT_STRIKER) {
+    if (v->state->strikers.slots[i].kind == TB_SLOT_STRIKER) {
       TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high_drive);
     }
   }

@@ -4,10 +4,10 @@
  * step creates energy. */
 #include "step/energy_guard.h"
 
+#include "air/incident_sound.h"
 #include "drum/drum.h"
 #include "physics.h"
 #include "step/energy.h"
-#include "air/incident_sound.h"
 #include "strikers/striker_pool.h"
 
 enum { SCENES = 3 };
@@ -165,12 +165,12 @@ static void it_acts_from_where_energy_is_created(void **state) {
     TbView view = view_of_step();
     stretch(&view, 1.0 + (g - 1.0) * (1.0 - 1e-6));
     assert_false(tb_energy_guard(&view));
-    assert_int_equal(view.state->statistics.guarded, 0);
+    assert_int_equal(view.state->ledger.statistics.guarded, 0);
     go_back();
     view = view_of_step();
     stretch(&view, 1.0 + (g - 1.0) * (1.0 + 1e-6));
     assert_true(tb_energy_guard(&view));
-    assert_int_equal(view.state->statistics.guarded, 1);
+    assert_int_equal(view.state->ledger.statistics.guarded, 1);
   }
 }
 
@@ -221,7 +221,7 @@ static void rest_is_no_creation(void **state) {
   tabor_drum_reset(drum);
   TbView view = tb_view(drum->state, model);
   assert_false(tb_energy_guard(&view));
-  assert_int_equal(view.state->statistics.guarded, 0);
+  assert_int_equal(view.state->ledger.statistics.guarded, 0);
 }
 
 /* Everything is shortened by the same t, which the change of penetration tells to the last digit. */

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "reference.h"
 #include "contact/solve.h"
+#include "reference.h"
 
 enum { MOST = 16, LANES = 8, STRIDE = MOST * LANES, ROWS = STRIDE + TB_SLOTS };
 

@@ -205,7 +205,7 @@ static void numbers_that_are_none_are_refused(void **state) {
                            offsetof(TbState, shift),
                            arrays + model->layout.q[1],
                            arrays + model->layout.v[2] + 8,
-                           arrays + model->layout.coupling,
+                           arrays + model->layout.coupling[0],
                            arrays + model->layout.delay[0]};
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
     if (try_with(places[i], &none, sizeof none)) fail_msg("accepted: not a number, place %zu", i);

@@ -180,7 +180,7 @@ static Touched first_touches(TaborModel *model, double velocity, double radius) 
     tabor_drum_process(drum, &stroke, i == 1, NULL, 1);
     const TbView view = tb_view(drum->state, drum->model);
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
-      const TbSlot *s = &drum->state->slots[slot];
+      const TbSlot *s = &drum->state->strikers.slots[slot];
       if (s->kind != TB_SLOT_STRIKER) continue;
       if (view.solve.warm.force[model->wires.stride + slot] == 0.0) continue;
       int *touched = s->on_hoop ? &first.hoop : &first.head;

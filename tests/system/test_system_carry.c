@@ -176,7 +176,7 @@ static bool is_near_force(double a, double b) {
 static void assert_scene(const TaborDrum *drum, int which) {
   uint32_t sticks = 0, held = 0, pairs = 0, hands = 0, palms = 0, leaving = 0, bristles = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &drum->state->slots[i];
+    const TbSlot *slot = &drum->state->strikers.slots[i];
     sticks += slot->kind == TB_SLOT_STRIKER && !slot->bristles && !slot->partner && !slot->held;
     held += slot->held && !slot->bristles && !slot->leaving;
     pairs += slot->partner != 0;
@@ -188,26 +188,26 @@ static void assert_scene(const TaborDrum *drum, int which) {
   if (which == 0) assert_true(sticks >= 2 && held == 1 && pairs == 2 && hands == 1);
   if (which == 1) assert_true(pairs == 2 && palms == 1 && leaving == 1 && sticks >= 1);
   if (which == 2) assert_true(bristles == 2 * TB_BRISTLE_GROUPS && sticks >= 1);
-  assert_true(drum->state->slots[TB_MUFFLERS].kind == TB_SLOT_HAND);
-  assert_true(drum->state->slots[TB_MUFFLERS + 1].kind == TB_SLOT_HAND);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS].kind == TB_SLOT_HAND);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].kind == TB_SLOT_HAND);
 }
 
 /* Leaves what stands for something: not what was in a slot that is free now, nor what the next step overwrites, nor the
  * height at which hands begin, which follow the head. */
 static void keep_what_counts(TbState *state) {
   const uint32_t scratch = (state->newest + 1) % 3;
-  memset(state->z[scratch], 0, sizeof state->z[scratch]);
-  memset(state->truncated[scratch], 0, sizeof state->truncated[scratch]);
-  memset(state->bow[scratch], 0, sizeof state->bow[scratch]);
+  memset(state->strikers.z[scratch], 0, sizeof state->strikers.z[scratch]);
+  memset(state->strikers.truncated[scratch], 0, sizeof state->strikers.truncated[scratch]);
+  memset(state->strikers.bow[scratch], 0, sizeof state->strikers.bow[scratch]);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (state->slots[i].kind == TB_SLOT_HAND) state->slots[i].rest_height = 0.0;
-    if (state->slots[i].kind != TB_SLOT_FREE) continue;
-    memset(&state->slots[i], 0, sizeof state->slots[i]);
-    memset(&state->slot_laws[i], 0, sizeof state->slot_laws[i]);
+    if (state->strikers.slots[i].kind == TB_SLOT_HAND) state->strikers.slots[i].rest_height = 0.0;
+    if (state->strikers.slots[i].kind != TB_SLOT_FREE) continue;
+    memset(&state->strikers.slots[i], 0, sizeof state->strikers.slots[i]);
+    memset(&state->strikers.laws[i], 0, sizeof state->strikers.laws[i]);
     for (int instant = 0; instant < 3; instant++) {
-      state->z[instant][i] = 0.0;
-      memset(state->truncated[instant][i], 0, sizeof state->truncated[instant][i]);
-      memset(state->bow[instant][i], 0, sizeof state->bow[instant][i]);
+      state->strikers.z[instant][i] = 0.0;
+      memset(state->strikers.truncated[instant][i], 0, sizeof state->strikers.truncated[instant][i]);
+      memset(state->strikers.bow[instant][i], 0, sizeof state->strikers.bow[instant][i]);
     }
   }
 }
@@ -295,7 +295,7 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
     }
     for (uint32_t i = 0; i < TB_SLOTS; i++) {
       const TbView a = tb_view(drum->state, near), b = tb_view(same->state, model);
-      const TbSlot *x = &drum->state->slots[i], *y = &same->state->slots[i];
+      const TbSlot *x = &drum->state->strikers.slots[i], *y = &same->state->strikers.slots[i];
       assert_int_equal(x->kind, y->kind);
       assert_true(x->age == y->age && x->leaving == y->leaving && x->serial == y->serial);
       if (x->kind != TB_SLOT_STRIKER) continue;
@@ -370,7 +370,7 @@ static void times_and_speeds_stay_when_steps_are_halved(void **state) {
       play(same, brief ? 2000 : 12000, NULL);
       assert_int_equal(counted(drum).in_play, counted(same).in_play);
       for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-        assert_true(drum->state->live[i].now == same->state->live[i].now);
+        assert_true(drum->state->live.values[i].now == same->state->live.values[i].now);
       }
       tabor_drum_destroy(drum);
       tabor_drum_destroy(same);
@@ -394,12 +394,12 @@ static void live_values_stay_if_they_were_moved(void **state) {
   TaborDrum *drum = physics_drum(models[0]);
   play_scene(drum, &scene, 0, BEFORE, NULL);
   TaborSwap *swap = send(drum, models[1], TABOR_EVENT_SWAP);
-  const TbLiveParam *live = drum->state->live;
+  const TbLiveParam *live = drum->state->live.values;
   assert_true(live[TB_LIVE_MUFFLE].now == 0.9);
   assert_true(live[TB_LIVE_MUFFLE_RESONANT].now == 0.4);
   assert_true(live[TB_LIVE_FULL_SCALE].now == 0.7 * def.full_scale);
-  assert_true(drum->state->slots[TB_MUFFLERS].strength == 0.9);
-  assert_true(drum->state->slots[TB_MUFFLERS + 1].strength == 0.4);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS].strength == 0.9);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].strength == 0.4);
   tabor_drum_destroy(drum);
   tabor_swap_destroy(swap);
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
@@ -420,8 +420,8 @@ static void strikers_that_the_other_drum_lacks_vanish(void **state) {
   TaborSwap *swap = send(drum, models[1], TABOR_EVENT_SWAP);
   uint32_t bristles = 0, sticks = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    bristles += drum->state->slots[i].bristles;
-    sticks += drum->state->slots[i].kind == TB_SLOT_STRIKER;
+    bristles += drum->state->strikers.slots[i].bristles;
+    sticks += drum->state->strikers.slots[i].kind == TB_SLOT_STRIKER;
   }
   assert_int_equal(bristles, 0);
   assert_int_equal(sticks, 1);
@@ -522,10 +522,10 @@ static void assert_at_rest_like_new(const TaborDrum *drum, TaborModel *model) {
   TbState *const state = malloc(size);
   assert_non_null(state);
   memcpy(state, drum->state, size);
-  state->sums = fresh->state->sums;
-  state->radiated_beyond = fresh->state->radiated_beyond;
-  state->statistics = fresh->state->statistics;
-  state->output = fresh->state->output;
+  state->ledger.sums = fresh->state->ledger.sums;
+  state->ledger.radiated_beyond = fresh->state->ledger.radiated_beyond;
+  state->ledger.statistics = fresh->state->ledger.statistics;
+  state->live.output = fresh->state->live.output;
   state->event_debt = fresh->state->event_debt;
   assert_memory_equal(state, fresh->state, size);
   free(state);
@@ -555,7 +555,7 @@ static void a_replacement_is_at_rest(void **state) {
     assert_int_equal(after.frames, before.frames);
     assert_true(ledger_of(drum).injected == booked.injected && ledger_of(drum).stored == 0.0);
     assert_closes(drum);
-    assert_true(drum->state->output.now == 0.5);
+    assert_true(drum->state->live.output.now == 0.5);
     assert_false(tabor_drum_is_silent(drum)); /* the former drum rings out */
     play(drum, AFTER, NULL);
     assert_true(tabor_drum_is_silent(drum) && tabor_swap_done(swap));
@@ -632,8 +632,8 @@ static void a_silence_takes_everybody_away(void **state) {
     tabor_drum_process(drum, &silence, 1, NULL, 0);
     assert_int_equal(counted(drum).in_play, 0);
     assert_int_equal(counted(drum).strikes, before.strikes);
-    assert_true(drum->state->live[TB_LIVE_MUFFLE_RESONANT].target == 0.4);
-    assert_true(drum->state->slots[TB_MUFFLERS + 1].strength == 0.4);
+    assert_true(drum->state->live.values[TB_LIVE_MUFFLE_RESONANT].target == 0.4);
+    assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].strength == 0.4);
     assert_closes(drum);
     play(drum, 9600, NULL);
     assert_closes(drum);

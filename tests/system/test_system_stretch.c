@@ -5,8 +5,8 @@
 #include "physics.h"
 
 #include "drum/drum.h"
-#include "model/stretch_gain.h"
 #include "heads/stretch.h"
+#include "model/stretch_gain.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RATE = 192000.0;

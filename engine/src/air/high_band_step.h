@@ -8,7 +8,7 @@
 
 typedef struct TbHighBandStep {
   /* Sets the part of their motion that the wires take from the modes of their head in a step:
-   * view->high_held, from the resistance of all points in each band of TbWireHold [N s/m]. */
+   * view->high.held, from the resistance of all points in each band of TbWireHold [N s/m]. */
   void (*hold)(const TbView *view, const double *resistance);
   /* Moves all modes from view->now to view->next. Returns the sums over the modes for microphone
    * `mic`. */

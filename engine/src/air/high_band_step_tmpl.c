@@ -16,7 +16,7 @@ static const TYPE_OF(TbRinging) * ringing_of(const TbView *view) {
 }
 
 static Real *drive_of(const TbView *view, uint32_t slot) {
-  return (Real *)view->high_drive + (size_t)slot * view->model->high.padded;
+  return (Real *)view->high.drive + (size_t)slot * view->model->high.padded;
 }
 
 /* Limited to what flows into the bed (wire_hold.h). */
@@ -24,7 +24,7 @@ static void hold(const TbView *view, const double *resistance) {
   const TbHighBand *high = &view->model->high;
   const uint32_t head = view->model->wires.head;
   const Real *share = ringing_of(view)->hold;
-  Real *held = view->high_held, most[TB_HOLD_BANDS];
+  Real *held = view->high.held, most[TB_HOLD_BANDS];
   for (uint32_t band = 0; band < TB_HOLD_BANDS; band++) {
     most[band] = (Real)(view->model->time_step * high->wire_hold.most[band]);
   }
@@ -43,8 +43,8 @@ static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
                                 .now = view->now.high,
                                 .last = view->last.high,
                                 .next = view->next.high,
-                                .push = view->high_force,
-                                .held = view->high_held,
+                                .push = view->high.force,
+                                .held = view->high.held,
                                 .ahead = ringing->ahead[mic],
                                 .behind = ringing->behind[mic]};
   return kernels_of(view)->ring(&ring);

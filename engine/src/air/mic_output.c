@@ -4,13 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "kernels/profile.h"
 #include "air/force_equalizer.h"
 #include "air/high_band_step.h"
+#include "kernels/profile.h"
 
 /* True unless the wires are thrown off. */
 static bool wires_lie(const TbView *view) {
-  return view->model->wires.count > 0 && view->state->live[TB_LIVE_STRAINER].now > 0.0;
+  return view->model->wires.count > 0 && view->state->live.values[TB_LIVE_STRAINER].now > 0.0;
 }
 
 /* ---- the high band -------------------------------------------------------------------------- */
@@ -23,9 +23,9 @@ static TbRingParts divide(const TbView *view) {
   const TbHighBand *high = &view->model->high;
   const TbWires *wires = &view->model->wires;
   TbRingParts parts = {.count = 0};
-  if (wires->count > 0 && !view->state->lifted) {
+  if (wires->count > 0 && !view->state->wires.lifted) {
     const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
-    const bool held = view->state->held;
+    const bool held = view->state->high.held;
     if (from > 0) parts.part[parts.count++].end = from;
     parts.part[parts.count++] = (TbRingPart){from + high->driven, true, held};
     parts.part[parts.count++] = (TbRingPart){end, false, held};
@@ -44,8 +44,8 @@ static double high_push(TbView *view, TbSlot *slot, double force) {
 /* Strikers push the batter head's modes; true if any does. */
 static bool strike_high(TbView *view) {
   bool struck = false;
-  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    TbSlot *slot = &view->state->slots[i];
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    TbSlot *slot = &view->state->strikers.slots[i];
     if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop) continue;
     const double push =
       high_push(view, slot, view->solve.warm.force[view->model->wires.stride + i]);
@@ -59,13 +59,13 @@ static bool strike_high(TbView *view) {
 /* Every HOLD_STEPS samples, counted from a first contact: from the wires' contacts since the last time. */
 static void renew_hold(TbView *view) {
   TbState *state = view->state;
-  const TbWireContacts sums = state->contacts;
-  if (sums.force == 0.0 && !state->held) return;
-  if (++state->hold_steps < HOLD_STEPS) return;
-  state->hold_steps = 0;
-  state->contacts = (TbWireContacts){0.0, 0.0, 0.0};
-  state->held = sums.force > 0.0 && sums.square > 0.0 && sums.motion >= 0.0;
-  if (!state->held) return;
+  const TbWireContacts sums = state->high.contacts;
+  if (sums.force == 0.0 && !state->high.held) return;
+  if (++state->high.hold_steps < HOLD_STEPS) return;
+  state->high.hold_steps = 0;
+  state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
+  state->high.held = sums.force > 0.0 && sums.square > 0.0 && sums.motion >= 0.0;
+  if (!state->high.held) return;
   const double mean = sums.force / HOLD_STEPS; /* and speeds are s/(2k) */
   const TbWireTouch touch = {mean, mean * sums.force / sums.square,
                              0.5 * view->model->step_rate * sqrt(sums.motion / sums.force)};
@@ -77,13 +77,13 @@ static void renew_hold(TbView *view) {
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
-  const bool pushed = view->model->wires.count > 0 && !view->state->lifted && !unchanged;
+  const bool pushed = view->model->wires.count > 0 && !view->state->wires.lifted && !unchanged;
   if (pushed) {
     const TbWireContacts contacts = tb_high_band_push(view->model, view->solve.warm.force, view->s,
-                                                      view->solve.work.turned, view->high_force);
-    view->state->contacts.force += contacts.force;
-    view->state->contacts.square += contacts.square;
-    view->state->contacts.motion += contacts.motion;
+                                                      view->solve.work.turned, view->high.force);
+    view->state->high.contacts.force += contacts.force;
+    view->state->high.contacts.square += contacts.square;
+    view->state->high.contacts.motion += contacts.motion;
   }
   renew_hold(view);
   const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view));
@@ -94,11 +94,11 @@ static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
 
 /* A line of delay + 1 samples: what goes in now comes out `delay` samples later. */
 static double delayed(TbView *view, uint32_t mic, double value) {
-  uint32_t *at = &view->state->delay_at[mic];
+  uint32_t *at = &view->state->mics.delay_at[mic];
   const uint32_t length = view->model->mics[mic].delay + 1u;
-  view->delay[mic][*at] = value;
+  view->mics.delay[mic][*at] = value;
   *at = *at + 1u == length ? 0u : *at + 1u;
-  return view->delay[mic][*at];
+  return view->mics.delay[mic][*at];
 }
 
 /* A and B of TbMic at one instant, of which the high band's part is known. */
@@ -122,19 +122,19 @@ static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase
 
 /* The same at the end of the step, where end_modes() of step.c knows one microphone's. */
 static TbPair sums_at_end(const TbView *view, uint32_t mic, TbPair high) {
-  if (mic != view->ear) return sums_at(view, mic, &view->next, high);
+  if (mic != view->mics.ear) return sums_at(view, mic, &view->next, high);
   return (TbPair){view->end.heard.first + high.first, view->end.heard.second + high.second};
 }
 
 /* `high` is the high band's part, if it is known. */
 static TbPair heard_at_end(TbView *view, uint32_t mic, const TbPair *high) {
-  if (mic == view->tap) return low_sums_at(view, mic, &view->next);
+  if (mic == view->mics.tap) return low_sums_at(view, mic, &view->next);
   if (high) return sums_at_end(view, mic, *high);
   return sums_at_end(view, mic, tb_high_band_step_of(view)->sums(view, mic, &view->next));
 }
 
 static TbPair all_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
-  if (mic == view->tap) return low_sums_at(view, mic, phase);
+  if (mic == view->mics.tap) return low_sums_at(view, mic, phase);
   return sums_at(view, mic, phase, tb_high_band_step_of(view)->sums(view, mic, phase));
 }
 
@@ -142,7 +142,7 @@ static TbPair all_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
 static void begin_hearing(TbView *view, uint32_t mic) {
   const TbPair now = all_sums_at(view, mic, &view->now);
   const TbPair last = all_sums_at(view, mic, &view->last);
-  view->state->ears[mic] = (TbEar){now.first, now.second, last.second};
+  view->state->mics.ears[mic] = (TbEar){now.first, now.second, last.second};
 }
 
 /* Pressure [Pa] from the sums of the newest instant. */
@@ -153,7 +153,7 @@ static double hear(TbEar *ear, TbPair sums) {
 }
 
 static double equalized(TbView *view, uint32_t mic, double pressure) {
-  double *memory = view->state->treble[mic];
+  double *memory = view->state->mics.treble[mic];
   return wires_lie(view) ? tb_force_equalizer(memory, pressure)
                          : tb_force_equalizer_rest(memory, pressure);
 }
@@ -167,21 +167,21 @@ uint32_t tb_first_heard(uint32_t heard) {
 /* A microphone that nobody hears hears nothing: it begins from silence when it is heard again. */
 void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure) {
   TbState *state = view->state;
-  const TbLiveParam *live = state->live;
+  const TbLiveParam *live = state->live.values;
   const uint32_t first = tb_first_heard(heard);
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
-    if ((heard & ~state->heard) >> mic & 1u) begin_hearing(view, mic);
+    if ((heard & ~state->mics.heard) >> mic & 1u) begin_hearing(view, mic);
   }
-  state->heard = heard;
+  state->mics.heard = heard;
   TB_STAGE(HIGH);
   const TbPair high = step_high(view, first, unchanged);
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     double p = 0.0;
     if (heard >> mic & 1u) {
-      p = hear(&state->ears[mic], heard_at_end(view, mic, mic == first ? &high : NULL));
-      if (mic == view->tap) view->tapped = p;
+      p = hear(&state->mics.ears[mic], heard_at_end(view, mic, mic == first ? &high : NULL));
+      if (mic == view->mics.tap) view->mics.tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /
                     live[TB_LIVE_FULL_SCALE].now;

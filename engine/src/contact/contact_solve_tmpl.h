@@ -9,9 +9,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/slot_compliance.h"
 #include "kernels/profile.h"
 #include "kernels/real.h"
-#include "contact/slot_compliance.h"
 
 typedef TYPE_OF(TbKernels) Kernels;
 typedef TYPE_OF(TbSolveWork) Work;

@@ -9,12 +9,12 @@
 #include "drum/frame.h"
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
-#include "strikers/brush.h"
-#include "step/energy.h"
-#include "step/reset.h"
 #include "state/event_budget.h"
+#include "step/energy.h"
 #include "step/live_params.h"
+#include "step/reset.h"
 #include "step/state_check.h"
+#include "strikers/brush.h"
 #include "strikers/stick_rigid.h"
 #include "strikers/strokes.h"
 
@@ -101,45 +101,46 @@ static uint32_t players(const TaborDrum *drum) {
 static bool play_event(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   const uint32_t price = players(drum) * tb_event_price(event);
   if (drum->at_rest && event->type == TABOR_EVENT_RELEASE) return true; /* nothing is there */
-  if (!tb_event_affordable(drum->state, price)) return false;
+  if (!tb_event_affordable(drum->state->event_debt, price)) return false;
   for (TbTail *tail = drum->tails; tail && tail->crosses; tail = tail->before) {
     TbView former = tb_view(tail->state, tail->model);
     (void)act_on(&former, event);
   }
   if (!act_on(view, event)) return false;
   drum->at_rest = false;
-  tb_event_charge(drum->state, price);
+  tb_event_charge(&drum->state->event_debt, price);
   return true;
 }
 
 static bool set_gain(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   const uint32_t price = tb_event_price(event);
-  if (!tb_event_affordable(drum->state, price)) return false;
+  if (!tb_event_affordable(drum->state->event_debt, price)) return false;
   tb_live_params_gain(view, event->value, tabor_drum_is_silent(drum));
-  tb_event_charge(drum->state, price);
+  tb_event_charge(&drum->state->event_debt, price);
   return true;
 }
 
 /* A drum that cannot afford to ring on is replaced. */
 static bool swap(TaborDrum *drum, const TaborEvent *event) {
   const uint32_t price = tb_event_price(event);
-  const bool anew = event->type == TABOR_EVENT_REPLACE || !tb_event_affordable(drum->state, price);
+  const bool anew =
+    event->type == TABOR_EVENT_REPLACE || !tb_event_affordable(drum->state->event_debt, price);
   if (!event->swap || !tb_swap_act(drum, event->swap, anew)) return false;
   if (!drum->at_rest) drum->state->asleep = drum->state->quiet_checks = 0;
-  tb_event_charge(drum->state, drum->at_rest ? TB_DEBT_STROKE : price);
+  tb_event_charge(&drum->state->event_debt, drum->at_rest ? TB_DEBT_STROKE : price);
   return true;
 }
 
 static void silence(TaborDrum *drum, const TaborEvent *event) {
-  if (tb_silence(drum)) tb_event_charge(drum->state, tb_event_price(event));
+  if (tb_silence(drum)) tb_event_charge(&drum->state->event_debt, tb_event_price(event));
 }
 
 /* A drum at rest has only its counters and its gain to set back. */
 static void forget(TbState *state) {
-  state->sums = (TaborLedger){0};
-  state->radiated_beyond = 0.0;
-  state->statistics = (TaborStatistics){0};
-  state->output = (TbLiveParam){.now = 1.0, .target = 1.0};
+  state->ledger.sums = (TaborLedger){0};
+  state->ledger.radiated_beyond = 0.0;
+  state->ledger.statistics = (TaborStatistics){0};
+  state->live.output = (TbLiveParam){.now = 1.0, .target = 1.0};
 }
 
 static void reset(TaborDrum *drum) {
@@ -152,7 +153,7 @@ static void reset(TaborDrum *drum) {
   tb_step_reset(drum->state, drum->model);
   drum->at_rest = true;
   drum->state->event_debt = debt;
-  tb_event_charge(drum->state, TB_DEBT_REST);
+  tb_event_charge(&drum->state->event_debt, TB_DEBT_REST);
 }
 
 static bool act(TaborDrum *drum, TbView *view, const TaborEvent *event) {
@@ -201,7 +202,7 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, TbFrameAir 
   double pressure[TABOR_MAX_MICS];
   const TbRoute *route = &drum->route;
   const uint32_t tap = air && air->tap != TB_NO_TAP ? 1u << air->tap : 0u;
-  tb_event_pay_back(drum->state);
+  tb_event_pay_back(&drum->state->event_debt);
   tb_frame(view, heard_mics(route, heard) | tap, air, pressure);
   if (!drum->state->asleep) drum->at_rest = false;
   for (uint32_t i = 0; i < route->count; i++) {
@@ -237,10 +238,10 @@ static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events,
     const TaborEvent *event = &events[next];
     const bool swaps = event->type == TABOR_EVENT_SWAP || event->type == TABOR_EVENT_REPLACE;
     if (next < first && !swaps) continue;
-    TaborStatistics *statistics = &drum->state->statistics;
+    TaborStatistics *statistics = &drum->state->ledger.statistics;
     statistics->late_events += event->frame > frame;
     statistics->misordered_events += next > 0 && event->frame < events[next - 1].frame;
-    if (!act(drum, view, event)) drum->state->statistics.dropped_events++;
+    if (!act(drum, view, event)) drum->state->ledger.statistics.dropped_events++;
   }
   return next;
 }
@@ -292,18 +293,19 @@ void tabor_drum_reset(TaborDrum *drum) { reset(drum); }
 /* ---- queries -------------------------------------------------------------------------------- */
 
 void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
-  *statistics = drum->state->statistics;
+  *statistics = drum->state->ledger.statistics;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *slot = &drum->state->slots[i];
+    const TbSlot *slot = &drum->state->strikers.slots[i];
     const bool counted = slot->partner && slot->partner <= i; /* with the stick's other end */
     statistics->in_play += slot->kind != TB_SLOT_FREE && !counted;
   }
-  for (uint32_t i = 0; i < TB_BRUSHES; i++) statistics->in_play += drum->state->brushes[i].active;
+  for (uint32_t i = 0; i < TB_BRUSHES; i++)
+    statistics->in_play += drum->state->strikers.brushes[i].active;
 }
 
 void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {
   const TbView view = tb_view(drum->state, drum->model);
-  *ledger = drum->state->sums;
+  *ledger = drum->state->ledger.sums;
   ledger->stored = tb_energy_stored(&view, &view.now, &view.last);
   ledger->high_band = tb_energy_high(&view);
   ledger->residual = ledger->injected + ledger->control - ledger->stored - ledger->head_loss -
@@ -321,7 +323,7 @@ static double wires_force(const TbView *view) {
 static double wire_height(const TbView *view) {
   const TbWires *wires = &view->model->wires;
   const uint32_t node = wires->wires[0].first_node + wires->wires[0].cells / 2;
-  const double ends = view->model->rest.offset[0] - view->state->shift[0];
+  const double ends = view->model->rest.offset[0] - view->state->wires.shift[0];
   const double shape = wires->shape[node - TB_WIRE_FRONT];
   return wires->side * (ends + shape + view->model->rest.v[node] + view->now.v[node]);
 }
@@ -341,7 +343,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
   }
   uint64_t newest = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &drum->state->slots[i];
+    const TbSlot *slot = &drum->state->strikers.slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
     const double force = view.solve.warm.force[model->wires.stride + i];
     probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;

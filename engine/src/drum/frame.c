@@ -25,11 +25,11 @@ static void step_frame(TbView *view, double from, double to, uint32_t heard, dou
   }
   const double middle = 0.5 * (from + to);
   step_in_sound(view, from, middle, heard, first);
-  const double tapped = view->tapped;
+  const double tapped = view->mics.tapped;
   step_in_sound(view, middle, to, heard, pressure);
-  view->tapped = 0.5 * (tapped + view->tapped);
+  view->mics.tapped = 0.5 * (tapped + view->mics.tapped);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
-    pressure[mic] = tb_halve_rate(view->state->halved[mic], first[mic], pressure[mic]);
+    pressure[mic] = tb_halve_rate(view->state->mics.halved[mic], first[mic], pressure[mic]);
   }
 }
 
@@ -38,7 +38,7 @@ static void respond(TbView *view, double *pressure) {
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
     const TbMicResponse *response = &view->model->mics[mic].response;
     if (response->count == 0) continue;
-    pressure[mic] = tb_mic_respond(response, view->state->response[mic], pressure[mic]);
+    pressure[mic] = tb_mic_respond(response, view->state->mics.response[mic], pressure[mic]);
   }
 }
 
@@ -52,8 +52,8 @@ static double take_sound(TbView *view, const TbFrameAir *air) {
   state->incident = size >= TB_INCIDENT_LEAST && !state->asleep ? air->incident : 0.0;
   view->incident.mic = air ? air->mic : 0;
   view->incident.low = air && air->low;
-  view->tap = air ? air->tap : TB_NO_TAP;
-  view->tapped = 0.0;
+  view->mics.tap = air ? air->tap : TB_NO_TAP;
+  view->mics.tapped = 0.0;
   return before;
 }
 
@@ -61,15 +61,15 @@ void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure) {
   TbState *state = view->state;
   const double before = take_sound(view, air);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) pressure[mic] = 0.0;
-  state->statistics.frames++;
+  state->ledger.statistics.frames++;
   if (state->asleep) {
-    state->statistics.slept_frames++;
+    state->ledger.statistics.slept_frames++;
     state->hushed = 0;
     if (air) air->tapped = 0.0;
     return;
   }
   step_frame(view, before, state->incident, heard, pressure);
-  if (air) air->tapped = view->tapped;
+  if (air) air->tapped = view->mics.tapped;
   respond(view, pressure);
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;

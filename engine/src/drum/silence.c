@@ -7,8 +7,8 @@
 
 #include "drum/drum.h"
 #include "step/energy.h"
-#include "step/reset.h"
 #include "step/live_params.h"
+#include "step/reset.h"
 #include "strikers/strokes.h"
 
 static const double FADE = 0.015;      /* [s] */
@@ -24,13 +24,13 @@ static void give_room(TaborDrum *drum) {
 static void rest(const TbView *from, TbState *state) {
   tb_step_reset(state, from->model);
   TbView to = tb_view(state, from->model);
-  state->sums = from->state->sums;
-  state->radiated_beyond = from->state->radiated_beyond;
-  state->sums.control -= tb_energy_stored(from, &from->now, &from->last);
-  state->statistics = from->state->statistics;
-  state->output = from->state->output;
+  state->ledger.sums = from->state->ledger.sums;
+  state->ledger.radiated_beyond = from->state->ledger.radiated_beyond;
+  state->ledger.sums.control -= tb_energy_stored(from, &from->now, &from->last);
+  state->ledger.statistics = from->state->ledger.statistics;
+  state->live.output = from->state->live.output;
   state->event_debt = from->state->event_debt;
-  if (!tb_live_params_keep(&to, from->state->live)) return;
+  if (!tb_live_params_keep(&to, from->state->live.values)) return;
   state->asleep = 0;
   state->hushed = 1;
 }

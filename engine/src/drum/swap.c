@@ -166,12 +166,12 @@ static TbLiveParam at_steps(TbLiveParam live, double ratio) {
 /* A live value that the player moved, or that both definitions share, goes on as it is. */
 static void carry_live(const TbView *from, TbView *to, double ratio) {
   TbLiveParam fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
-  memcpy(fresh, to->state->live, sizeof fresh);
+  memcpy(fresh, to->state->live.values, sizeof fresh);
   tb_live_params_definition(from->model, old_fresh);
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-    const TbLiveParam *live = &from->state->live[i];
+    const TbLiveParam *live = &from->state->live.values[i];
     const bool untouched = live->left == 0 && live->now == old_fresh[i].now;
-    to->state->live[i] = untouched ? fresh[i] : at_steps(*live, ratio);
+    to->state->live.values[i] = untouched ? fresh[i] : at_steps(*live, ratio);
   }
 }
 
@@ -183,9 +183,9 @@ static void carry_contacts(const TbView *from, TbView *to) {
     memcpy(to->now.eta, from->now.eta, bytes);
     memcpy(to->last.eta, from->last.eta, bytes);
     memcpy(to->solve.warm.force, from->solve.warm.force, bytes);
-    to->state->lifted = from->state->lifted;
-    to->state->gap = from->state->gap;
-    tb_view_lift(to, from->state->lifted != 0);
+    to->state->wires.lifted = from->state->wires.lifted;
+    to->state->wires.gap = from->state->wires.gap;
+    tb_view_lift(to, from->state->wires.lifted != 0);
     return;
   }
   tb_penetrations_from_displacements(to, &to->now);
@@ -202,7 +202,7 @@ static void carry_truncated(const TbView *from, TbView *to, uint32_t slot, doubl
 
 static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {
   double *now = to->now.bow[slot], *last = to->last.bow[slot];
-  TbSlot *s = &to->state->slots[slot];
+  TbSlot *s = &to->state->strikers.slots[slot];
   if (s->bends && !s->partner) s->bends = tb_rigid_stick_bends(to, s->definition);
   if (!s->bends) return;
   memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
@@ -237,16 +237,17 @@ static TbSlot slot_at_steps(TbSlot slot, double ratio) {
 static void carry_slots(const TbView *from, TbView *to, double ratio) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
-  to->state->serial = from->state->serial;
+  to->state->strikers.serial = from->state->strikers.serial;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    to->state->brushes[b] = brush_at_steps(from->state->brushes[b], from->state->clock, ratio);
+    to->state->strikers.brushes[b] =
+      brush_at_steps(from->state->strikers.brushes[b], from->state->clock, ratio);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &from->state->slots[i];
+    const TbSlot *slot = &from->state->strikers.slots[i];
     const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
     if (slot->kind == TB_SLOT_FREE || muffles || !is_known(to->model, slot)) continue;
-    to->state->slots[i] = slot_at_steps(*slot, ratio);
-    to->state->slot_mask |= 1u << i;
+    to->state->strikers.slots[i] = slot_at_steps(*slot, ratio);
+    to->state->strikers.mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = tb_step_ago(from->now.z[i], from->last.z[i], ratio);
     carry_truncated(from, to, i, ratio);
@@ -254,13 +255,13 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   }
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (to->state->slots[i].kind == TB_SLOT_FREE) continue;
+    if (to->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
     const double force = from->solve.warm.force[from->model->wires.stride + i];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
     tb_pool_rebuild(to, i);
     if (same) {
       to->solve.warm.force[first + i] = force;
-      to->state->slot_laws[i] = from->state->slot_laws[i];
+      to->state->strikers.laws[i] = from->state->strikers.laws[i];
       to->now.eta[first + i] = now;
       to->last.eta[first + i] = last;
     }
@@ -271,7 +272,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   memcpy(to->solve.warm.product, from->solve.warm.product, (first + TB_SLOTS) * sizeof(double));
   memcpy(to->solve.warm.grid, from->solve.warm.grid,
          to->model->projection.wire_grid.size * sizeof(double));
-  memcpy(to->stretch_carry, from->stretch_carry, carried);
+  memcpy(to->stretch.carry, from->stretch.carry, carried);
 }
 
 /* Modes of the high band are chosen anew in every model: only the same model's go on. */
@@ -280,10 +281,10 @@ static void carry_high(const TbView *from, TbView *to) {
   const size_t bytes = to->model->high.padded * sizeof(double);
   memcpy(to->now.high, from->now.high, bytes);
   memcpy(to->last.high, from->last.high, bytes);
-  memcpy(to->high_held, from->high_held, bytes);
-  to->state->held = from->state->held;
-  to->state->hold_steps = from->state->hold_steps;
-  to->state->contacts = from->state->contacts;
+  memcpy(to->high.held, from->high.held, bytes);
+  to->state->high.held = from->state->high.held;
+  to->state->high.hold_steps = from->state->high.hold_steps;
+  to->state->high.contacts = from->state->high.contacts;
 }
 
 static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
@@ -291,12 +292,16 @@ static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
     const uint32_t mic = swap->mics[i];
     if (mic == TB_NO_MIC || from->model->steps != to->model->steps) continue;
     if (from->model->mics[mic].delay != to->model->mics[i].delay) continue;
-    memcpy(to->delay[i], from->delay[mic], (to->model->mics[i].delay + 1u) * sizeof(double));
-    to->state->delay_at[i] = from->state->delay_at[mic];
-    memcpy(to->state->treble[i], from->state->treble[mic], sizeof to->state->treble[i]);
-    memcpy(to->state->halved[i], from->state->halved[mic], sizeof to->state->halved[i]);
+    memcpy(to->mics.delay[i], from->mics.delay[mic],
+           (to->model->mics[i].delay + 1u) * sizeof(double));
+    to->state->mics.delay_at[i] = from->state->mics.delay_at[mic];
+    memcpy(to->state->mics.treble[i], from->state->mics.treble[mic],
+           sizeof to->state->mics.treble[i]);
+    memcpy(to->state->mics.halved[i], from->state->mics.halved[mic],
+           sizeof to->state->mics.halved[i]);
     if (from->model->def.mic[mic].response != to->model->def.mic[i].response) continue;
-    memcpy(to->state->response[i], from->state->response[mic], sizeof to->state->response[i]);
+    memcpy(to->state->mics.response[i], from->state->mics.response[mic],
+           sizeof to->state->mics.response[i]);
   }
 }
 
@@ -310,7 +315,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);
   carry_live(from, to, ratio);
-  memcpy(state->shift, from->state->shift, sizeof state->shift);
+  memcpy(state->wires.shift, from->state->wires.shift, sizeof state->wires.shift);
   tb_live_params_apply(to);
   carry_contacts(from, to);
   carry_slots(from, to, ratio);
@@ -375,14 +380,14 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   }
   TbView from = tb_view(drum->state, drum->model);
   TbView to = tb_view(swap->tail->state, swap->new_model);
-  to.state->sums = from.state->sums;
-  to.state->radiated_beyond = from.state->radiated_beyond;
-  to.state->statistics = from.state->statistics;
+  to.state->ledger.sums = from.state->ledger.sums;
+  to.state->ledger.radiated_beyond = from.state->ledger.radiated_beyond;
+  to.state->ledger.statistics = from.state->ledger.statistics;
   to.state->event_debt = from.state->event_debt;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
   if (continues) continue_on(swap, &from, &to);
-  to.state->output = from.state->output;
-  to.state->sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
+  to.state->live.output = from.state->live.output;
+  to.state->ledger.sums.control += tb_energy_stored(&to, &to.now, &to.last) - before;
   exchange(drum, swap);
   route(drum, swap);
   begin_tail(drum, swap, continues);

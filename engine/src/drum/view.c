@@ -48,7 +48,7 @@ static double node_height(const TbView *state, const TbWire *wire, uint32_t node
 static void view_wire(const TbViewTables *view, const TbView *state, uint32_t w) {
   const TbWire *wire = &view->model->wires.wires[w];
   const uint32_t points = view->seen.wire_points;
-  const double ends = view->model->rest.offset[w] - state->state->shift[w];
+  const double ends = view->model->rest.offset[w] - state->state->wires.shift[w];
   for (uint32_t p = 0; p < points; p++) {
     const double place = (double)wire->cells * p / (points - 1);
     const uint32_t node = (uint32_t)place;
@@ -75,7 +75,7 @@ static void view_contacts(const TbViewTables *view, const TbView *state, uint32_
 _Static_assert(TABOR_VIEW_STICKS >= TB_SLOTS, "every striker is seen");
 
 static TaborViewStick view_stick(const TbView *state, uint32_t i) {
-  const TbSlot *slot = &state->state->slots[i];
+  const TbSlot *slot = &state->state->strikers.slots[i];
   const double bow = slot->bends ? tb_rigid_stick_bow(state, i, &state->now) : 0.0;
   return (TaborViewStick){.id = slot->id,
                           .striker = slot->definition,
@@ -89,7 +89,7 @@ static TaborViewStick view_stick(const TbView *state, uint32_t i) {
 static void view_sticks(TaborView *seen, const TbView *state) {
   seen->stick_count = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (state->state->slots[i].kind != TB_SLOT_STRIKER) continue;
+    if (state->state->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
     seen->sticks[seen->stick_count++] = view_stick(state, i);
   }
 }

@@ -4,7 +4,7 @@
 #include "heads/stretch.h"
 
 void tb_coupling_renew(TbView *view) {
-  view->solve.in.slot_mask = view->state->slot_mask;
+  view->solve.in.slot_mask = view->state->strikers.mask;
   tb_solve_product(&view->solve, view->model->rest.force, view->change, view->rest_load);
   tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                    view->solve.warm.product);

@@ -32,11 +32,11 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  const double *const pull[2] = {view->stretch_pull[0], view->stretch_pull[1]};
+  const double *const pull[2] = {view->stretch.pull[0], view->stretch.pull[1]};
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
-  for (uint32_t slot = 0; view->state->slot_mask >> slot; slot++) {
-    if (view->state->slots[slot].kind == TB_SLOT_FREE) continue;
-    const TbSlot *s = &view->state->slots[slot];
+  for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
+    if (view->state->strikers.slots[slot].kind == TB_SLOT_FREE) continue;
+    const TbSlot *s = &view->state->strikers.slots[slot];
     const TbParts *felt = s->on_hoop ? &stretch->parts : &stretch->felt[s->head];
     const TbPair r = model->kernels->stretch_dots(felt, pull, tb_slot_shape(view, slot));
     view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
@@ -50,7 +50,7 @@ static void prepare_grid(TbView *view) {
   const uint32_t size = model->projection.wire_grid.size;
   tb_wire_motion_of(view)->stretch(view);
   for (uint32_t h = 0; h < model->stretch.count; h++) {
-    view->stretch_rest[h] =
+    view->stretch.rest[h] =
       model->wires.side *
       model->kernels->dot(size, view->solve.in.stretch_grid[h], model->rest.grid);
   }
@@ -61,7 +61,7 @@ static void mix(const TbView *view, const double *q) {
   const TaborModel *model = view->model;
   void (*const mixes[])(const TbMixing *mixing, const double *x, double *const out[2]) = {
     [TB_IN_DOUBLE] = model->kernels->mix, [TB_IN_FLOAT] = model->kernelsf->mix};
-  mixes[model->precision](&model->stretch.mixing, q, view->stretch_mixed);
+  mixes[model->precision](&model->stretch.mixing, q, view->stretch.mixed);
 }
 
 /* next^T G now of head h off the diagonal, after mix() of now. */
@@ -71,7 +71,7 @@ static double mixed_square(const TbView *view, uint32_t h, const double *next) {
   for (uint32_t b = 0; b < mixing->count; b++) {
     const TbMixingBlock *block = &mixing->block[b];
     for (uint32_t i = 0; i < block->count; i++) {
-      sum += next[block->mode[i]] * view->stretch_mixed[h][block->mode[i]];
+      sum += next[block->mode[i]] * view->stretch.mixed[h][block->mode[i]];
     }
   }
   return sum;
@@ -98,8 +98,8 @@ static const double LOUD_AIR = 10.0; /* [Pa] */
 static bool is_driven(const TbView *view) {
   const TbState *state = view->state;
   if (fabs(view->incident.now) > LOUD_AIR) return true;
-  for (uint32_t slot = 0; state->slot_mask >> slot; slot++) {
-    if (state->slots[slot].kind == TB_SLOT_STRIKER) return true;
+  for (uint32_t slot = 0; state->strikers.mask >> slot; slot++) {
+    if (state->strikers.slots[slot].kind == TB_SLOT_STRIKER) return true;
   }
   return false;
 }
@@ -131,7 +131,7 @@ static void count_unstretched(TbView *view) {
   const TbStretch *stretch = &view->model->stretch;
   const uint32_t most = stretch->hold < UINT32_MAX ? stretch->hold + 1u : 0u;
   if (state->unstretched < most) state->unstretched++;
-  for (uint32_t h = 0; h < view->stretch_count; h++) {
+  for (uint32_t h = 0; h < view->stretch.count; h++) {
     if (fabs(view->end.stretch[h]) > stretch->least[h]) state->unstretched = 0;
   }
 }
@@ -148,21 +148,22 @@ static TbStretching stretching_of(const TbView *view) {
                         .g = modes->g,
                         .q = view->now.q,
                         .last = view->last.q,
-                        .mixed = {view->stretch_mixed[0], view->stretch_mixed[1]},
+                        .mixed = {view->stretch.mixed[0], view->stretch.mixed[1]},
                         .next = view->next.q,
-                        .pull = {view->stretch_pull[0], view->stretch_pull[1]}};
+                        .pull = {view->stretch.pull[0], view->stretch.pull[1]}};
 }
 
 /* If nothing else pushes the modes before tb_stretch_free(), one pass moves them and finds its sums. */
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
-  view->stretch_count = count_stretching(view);
-  if (view->stretch_count > 0) mix(view, view->now.q);
-  view->stretched = view->stretch_count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
-  if (view->stretched) {
-    view->stretching = stretching_of(view);
-    model->kernels->step_and_stretch(&model->stretch.parts, &view->stretching);
+  view->stretch.count = count_stretching(view);
+  if (view->stretch.count > 0) mix(view, view->now.q);
+  view->stretch.summed =
+    view->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
+  if (view->stretch.summed) {
+    view->stretch.sums = stretching_of(view);
+    model->kernels->step_and_stretch(&model->stretch.parts, &view->stretch.sums);
   } else {
     model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
                              view->last.q);
@@ -172,33 +173,33 @@ void tb_stretch_move(TbView *view) {
 void tb_stretch_free(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  view->solve.in.stretch_count = view->stretch_count;
-  if (view->stretch_count == 0) return;
-  if (!view->stretched) {
-    view->stretching = stretching_of(view);
-    model->kernels->stretch(&stretch->parts, &view->stretching);
+  view->solve.in.stretch_count = view->stretch.count;
+  if (view->stretch.count == 0) return;
+  if (!view->stretch.summed) {
+    view->stretch.sums = stretching_of(view);
+    model->kernels->stretch(&stretch->parts, &view->stretch.sums);
   }
-  weigh(stretch->count, view->stretching.own, stretch->factor, view->solve.in.stretch_weight);
+  weigh(stretch->count, view->stretch.sums.own, stretch->factor, view->solve.in.stretch_weight);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    view->stretch_along[h] = view->stretching.along[h];
-    view->stretch_rest[h] = 0.0;
+    view->stretch.along[h] = view->stretch.sums.along[h];
+    view->stretch.rest[h] = 0.0;
   }
   prepare_slots(view);
-  if (!view->state->lifted) prepare_grid(view);
+  if (!view->state->wires.lifted) prepare_grid(view);
 }
 
 void tb_stretch_yield(TbView *view, double *slots) {
   const TaborModel *model = view->model;
   double along[2] = {0.0};
   for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
-  for (uint32_t h = 0; h < view->stretch_count; h++) {
-    along[h] = view->stretch_along[h] + view->stretch_rest[h];
+  for (uint32_t h = 0; h < view->stretch.count; h++) {
+    along[h] = view->stretch.along[h] + view->stretch.rest[h];
   }
-  for (uint32_t h = 0; h < view->stretch_count; h++) {
+  for (uint32_t h = 0; h < view->stretch.count; h++) {
     const double pull = -tension(view, h, along);
     model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
                                view->solve.in.stretch_slots[h]);
-    if (view->state->lifted) continue;
+    if (view->state->wires.lifted) continue;
     model->kernels->add_scaled(model->projection.wire_grid.size, view->change, pull,
                                view->solve.in.stretch_grid[h]);
   }
@@ -207,11 +208,11 @@ void tb_stretch_yield(TbView *view, double *slots) {
 void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
   if (view->model->stretch.count == 0 || view->state->airborne) return;
-  if (view->stretch_count == 0 && view->state->unstretched > view->model->stretch.hold) return;
+  if (view->stretch.count == 0 && view->state->unstretched > view->model->stretch.hold) return;
   const uint32_t size = solve->in.wire_grid->size, stride = solve->in.stride;
-  double *carry = view->stretch_carry;
+  double *carry = view->stretch.carry;
   tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
-  if (!view->state->lifted) tb_wire_motion_of(view)->renew(view, carry);
+  if (!view->state->wires.lifted) tb_wire_motion_of(view)->renew(view, carry);
   solve->in.kernels->add_scaled(TB_SLOTS, solve->warm.product + stride, 1.0, carry + size);
 }
 
@@ -220,7 +221,7 @@ static double pushed_along(const TbView *view, uint32_t h) {
   const TbSolve *solve = &view->solve;
   const double slots = solve->in.kernels->dot(TB_SLOTS, solve->in.stretch_slots[h],
                                               solve->warm.force + solve->in.stride);
-  if (view->state->lifted) return slots;
+  if (view->state->wires.lifted) return slots;
   return solve->in.kernels->dot(solve->in.wire_grid->size, solve->in.stretch_grid[h],
                                 solve->warm.grid) +
          slots;
@@ -229,17 +230,17 @@ static double pushed_along(const TbView *view, uint32_t h) {
 void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
   double pushed[2] = {0.0}, along[2] = {0.0};
-  for (uint32_t h = 0; h < view->stretch_count; h++) {
+  for (uint32_t h = 0; h < view->stretch.count; h++) {
     pushed[h] = pushed_along(view, h);
-    along[h] = view->stretch_along[h] - (model->wires.side * pushed[h] - view->stretch_rest[h]);
+    along[h] = view->stretch.along[h] - (model->wires.side * pushed[h] - view->stretch.rest[h]);
   }
   tb_stretch_clear(view);
   const uint32_t size = model->projection.wire_grid.size;
-  for (uint32_t h = 0; h < view->stretch_count; h++) {
+  for (uint32_t h = 0; h < view->stretch.count; h++) {
     view->end.stretch[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
-    model->kernels->add_scaled(size, view->stretch_carry, past, view->solve.in.stretch_grid[h]);
-    model->kernels->add_scaled(TB_SLOTS, view->stretch_carry + size, past,
+    model->kernels->add_scaled(size, view->stretch.carry, past, view->solve.in.stretch_grid[h]);
+    model->kernels->add_scaled(TB_SLOTS, view->stretch.carry + size, past,
                                view->solve.in.stretch_slots[h]);
   }
   view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
@@ -247,8 +248,8 @@ void tb_stretch_respond(TbView *view) {
 }
 
 void tb_stretch_clear(TbView *view) {
-  memset(view->stretch_carry, 0,
-         (view->model->projection.wire_grid.size + TB_SLOTS) * sizeof *view->stretch_carry);
+  memset(view->stretch.carry, 0,
+         (view->model->projection.wire_grid.size + TB_SLOTS) * sizeof *view->stretch.carry);
 }
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {

@@ -5,11 +5,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "air/incident_sound.h"
 #include "definition/definition.h"
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
 #include "model/model.h"
-#include "air/incident_sound.h"
 
 /* ---- events ---------------------------------------------------------------------------------- */
 
@@ -113,8 +113,8 @@ static bool air_is_passive(const TaborKit *kit) {
   double radiated = 0.0, work = 0.0;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     const TbState *const state = kit->voices[i].drum->state;
-    radiated += state->sums.radiated - state->radiated_beyond;
-    work += state->sound_work;
+    radiated += state->ledger.sums.radiated - state->ledger.radiated_beyond;
+    work += state->ledger.sound_work;
   }
   return work <= TB_KIT_CAUGHT * radiated;
 }

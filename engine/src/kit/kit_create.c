@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "air/incident_sound.h"
 #include "definition/definition.h"
 #include "definition/error.h"
 #include "kit/kit.h"
@@ -11,7 +12,6 @@
 #include "math/arena.h"
 #include "math/portable_math.h"
 #include "model/model.h"
-#include "air/incident_sound.h"
 
 /* ---- the mix ---------------------------------------------------------------------------------- */
 

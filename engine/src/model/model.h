@@ -18,6 +18,7 @@
 #include "model/mic_response.h"
 #include "model/projection.h"
 #include "model/radiated_power.h"
+#include "model/state_arrays.h"
 #include "model/stick_bending.h"
 #include "model/stretch_mixing.h"
 #include "model/truncated_modes.h"
@@ -86,15 +87,14 @@ typedef struct TbLugs {
   TaborModeInfo *rows; /* those modes, sorted by frequency */
 } TbLugs;
 
-/* Offsets of the arrays of a drum's state, in bytes from the first array (state_layout.h). */
+/* Offsets of the arrays of a drum's state, in bytes from the first array. */
 typedef struct TbLayout {
-  size_t q[3], v[3], eta[3], bend;
-  size_t head, rest_load, contact_compliance, b, s, force, product; /* by rows */
-  size_t grid, change;                                              /* by points of the grid */
-  size_t work, workf; /* all arrays of TbSolveWork, and of TbSolveWorkF */
-  size_t high[3], high_drive, high_scratch, high_force, high_held, modal, stretch_pull[2],
-    stretch_mixed[2], stretch_grid[2], stretch_carry, coupling, slot_coupling, shape, drive, radial,
-    delay[TABOR_MAX_MICS];
+#define OFFSETS(name, kind, most, copies, count) size_t name[most];
+#define OFFSETS_VIEWED(name, kind, most, copies, count, field) size_t name[most];
+  TB_OTHER_ARRAYS(OFFSETS)
+  TB_VIEWED_ARRAYS(OFFSETS_VIEWED)
+#undef OFFSETS
+#undef OFFSETS_VIEWED
   size_t total;
 } TbLayout;
 

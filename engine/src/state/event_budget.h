@@ -14,7 +14,7 @@
 #ifndef TB_EVENT_BUDGET_H
 #define TB_EVENT_BUDGET_H
 
-#include "state/state.h"
+#include "tabor/tabor.h"
 
 enum {
   TB_DEBT_PER_FRAME = 8, /* units of debt that a frame pays back */
@@ -42,20 +42,18 @@ static inline uint32_t tb_event_price(const TaborEvent *event) {
 }
 
 /* True if the debt leaves room for `price`: that of a stroke or a whole drum within a burst, that of a change within two. */
-static inline bool tb_event_affordable(const TbState *state, uint32_t price) {
+static inline bool tb_event_affordable(uint32_t debt, uint32_t price) {
   const uint32_t limit = price > TB_DEBT_CHANGE ? TB_DEBT_BURST : 2 * TB_DEBT_BURST;
-  return price == 0 || state->event_debt + price <= limit;
+  return price == 0 || debt + price <= limit;
 }
 
-static inline void tb_event_charge(TbState *state, uint32_t price) {
-  const uint32_t debt = state->event_debt + price;
-  state->event_debt = debt < TB_DEBT_MOST ? debt : TB_DEBT_MOST;
+static inline void tb_event_charge(uint32_t *debt, uint32_t price) {
+  *debt = *debt + price < TB_DEBT_MOST ? *debt + price : TB_DEBT_MOST;
 }
 
 /* Call once per frame. */
-static inline void tb_event_pay_back(TbState *state) {
-  const uint32_t debt = state->event_debt;
-  state->event_debt = debt > TB_DEBT_PER_FRAME ? debt - TB_DEBT_PER_FRAME : 0;
+static inline void tb_event_pay_back(uint32_t *debt) {
+  *debt = *debt > TB_DEBT_PER_FRAME ? *debt - TB_DEBT_PER_FRAME : 0;
 }
 
 #endif

@@ -10,18 +10,13 @@ size_t tb_state_head_bytes(void) { return HEADER; }
 
 size_t tb_state_bytes(const TaborModel *model) { return HEADER + model->layout.total; }
 
-static double *at(TbState *state, size_t offset) {
-  return (double *)(void *)((char *)state + HEADER + offset);
-}
+static void *at(TbState *state, size_t offset) { return (char *)state + HEADER + offset; }
 
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
-  return (TbPhase){at(state, layout->q[index]),
-                   at(state, layout->v[index]),
-                   at(state, layout->eta[index]),
-                   state->z[index],
-                   at(state, layout->high[index]),
-                   state->truncated[index],
-                   state->bow[index]};
+  return (TbPhase){at(state, layout->q[index]),    at(state, layout->v[index]),
+                   at(state, layout->eta[index]),  state->strikers.z[index],
+                   at(state, layout->high[index]), state->strikers.truncated[index],
+                   state->strikers.bow[index]};
 }
 
 static void view_phases(TbView *view) {
@@ -33,14 +28,10 @@ static void view_phases(TbView *view) {
   view->solve.in.y = view->last.eta;
 }
 
-/* The workspace of the solve in double, which has the drum's own arrays beside. */
+/* The workspace of the solve in double; the drum's own arrays join it in share_with_solve(). */
 static TbSolveWork work_at(TbState *state, const TaborModel *model) {
-  const TbLayout *l = &model->layout;
-  TbSolveWork work = {.s = at(state, l->s),
-                      .force = at(state, l->force),
-                      .product = at(state, l->product),
-                      .grid = at(state, l->grid)};
-  double *next = at(state, l->work);
+  TbSolveWork work = {.s = NULL};
+  double *next = at(state, model->layout.work[0]);
   double **const rows[TB_WORK_ROWS] = {
     &work.force_last, &work.product_last, &work.law,    &work.slope, &work.mean,    &work.weight,
     &work.residual,   &work.direction,    &work.turned, &work.moved, &work.solution};
@@ -59,7 +50,7 @@ static TbSolveWorkF no_workf_at(TbState *state, const TaborModel *model, float *
 
 static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *modal[2]) {
   TbSolveWorkF work = {.s = NULL};
-  float *next = (float *)(void *)at(state, model->layout.workf);
+  float *next = at(state, model->layout.workf[0]);
   float **const rows[TB_WORKF_ROWS] = {
     &work.s,          &work.force,        &work.product,
     &work.force_last, &work.product_last, &work.law,
@@ -77,8 +68,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
   return work;
 }
 
-static TbContacts contacts_at(TbState *state, const TaborModel *model) {
-  const TbLayout *l = &model->layout;
+static TbContacts contacts_of(TbState *state, const TaborModel *model) {
   return (TbContacts){.kernels = model->kernels,
                       .wire_grid = &model->projection.wire_grid,
                       .compliance = &model->compliance,
@@ -87,65 +77,45 @@ static TbContacts contacts_at(TbState *state, const TaborModel *model) {
                       .compliancef = &model->compliancef,
                       .yield = model->yield,
                       .stride = model->wires.stride,
-                      .slot_mask = state->slot_mask,
+                      .slot_mask = state->strikers.mask,
                       .cap = model->newton_cap,
                       .inner_cap = model->inner_cap,
                       .tolerance = model->tolerance,
                       .inner_tolerance = model->inner_tolerance,
-                      .coupling = at(state, l->coupling),
-                      .slot_coupling = at(state, l->slot_coupling),
-                      .contact_compliance = at(state, l->contact_compliance),
                       .wire_laws = model->wires.laws,
-                      .slot_laws = state->slot_laws,
-                      .b = at(state, l->b)};
+                      .slot_laws = state->strikers.laws};
 }
 
 static TbSolve solve_at(TbState *state, const TaborModel *model, float *modal[2]) {
   static TbSolveWorkF (*const WORKF[])(TbState *, const TaborModel *, float *[2]) = {
     [TB_IN_DOUBLE] = no_workf_at, [TB_IN_FLOAT] = workf_at};
-  const TbLayout *l = &model->layout;
-  return (TbSolve){
-    .in = contacts_at(state, model),
-    .warm = {at(state, l->force), at(state, l->product), at(state, l->grid)},
-    .s = at(state, l->s),
-    .work = work_at(state, model),
-    .workf = WORKF[model->contacts](state, model, modal),
-  };
+  return (TbSolve){.in = contacts_of(state, model),
+                   .work = work_at(state, model),
+                   .workf = WORKF[model->contacts](state, model, modal)};
 }
 
+/* The drum's arrays that the solve reads and writes. */
+static void share_with_solve(TbView *view) {
+  TbSolve *solve = &view->solve;
+  solve->in.coupling = view->strikers.coupling;
+  solve->in.slot_coupling = view->strikers.slot_coupling;
+  solve->in.contact_compliance = view->contact_compliance;
+  solve->in.b = view->b;
+  solve->s = solve->work.s = view->s;
+  solve->work.force = solve->warm.force;
+  solve->work.product = solve->warm.product;
+  solve->work.grid = solve->warm.grid;
+}
+
+#define VIEW(name, kind, most, copies, count, field)                                               \
+  for (uint32_t copy = 0; copy < (copies); copy++) view.field = at(state, model->layout.name[copy]);
+
 TbView tb_view(TbState *state, const TaborModel *model) {
-  const TbLayout *l = &model->layout;
-  TbView view = {.model = model,
-                 .state = state,
-                 .tap = TB_NO_TAP,
-                 .bend = at(state, l->bend),
-                 .head = at(state, l->head),
-                 .rest_load = at(state, l->rest_load),
-                 .contact_compliance = at(state, l->contact_compliance),
-                 .b = at(state, l->b),
-                 .s = at(state, l->s),
-                 .change = at(state, l->change),
-                 .modal = at(state, l->modal),
-                 .high_drive = at(state, l->high_drive),
-                 .high_scratch = at(state, l->high_scratch),
-                 .high_force = (float *)(void *)at(state, l->high_force),
-                 .high_held = at(state, l->high_held),
-                 .coupling = at(state, l->coupling),
-                 .slot_coupling = at(state, l->slot_coupling),
-                 .shape = at(state, l->shape),
-                 .drive = at(state, l->drive),
-                 .radial = at(state, l->radial)};
+  TbView view = {.model = model, .state = state, .mics = {.tap = TB_NO_TAP}};
   view.solve = solve_at(state, model, view.modalf);
-  tb_view_lift(&view, state->lifted != 0);
-  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    view.delay[mic] = at(state, l->delay[mic]);
-  }
-  view.stretch_carry = at(state, l->stretch_carry);
-  for (uint32_t h = 0; h < model->stretch.count; h++) {
-    view.stretch_pull[h] = at(state, l->stretch_pull[h]);
-    view.stretch_mixed[h] = at(state, l->stretch_mixed[h]);
-    view.solve.in.stretch_grid[h] = at(state, l->stretch_grid[h]);
-  }
+  TB_VIEWED_ARRAYS(VIEW)
+  share_with_solve(&view);
+  tb_view_lift(&view, state->wires.lifted != 0);
   view_phases(&view);
   return view;
 }

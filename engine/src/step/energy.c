@@ -3,8 +3,8 @@
 
 #include "air/high_band_step.h"
 #include "heads/lug_forces.h"
-#include "strikers/stick_rigid.h"
 #include "heads/stretch.h"
+#include "strikers/stick_rigid.h"
 #include "strikers/striker_pool.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
@@ -42,7 +42,7 @@ static double wires_energy(const TbView *view, const TbPhase *next, const TbPhas
   double sum = 0.0;
   for (uint32_t w = 0; w < wires->count; w++) {
     const TbWire *wire = &wires->wires[w];
-    const TbWireCoefficients *c = &view->state->wires[w];
+    const TbWireCoefficients *c = &view->state->wires.coefficients[w];
     const double *v1 = next->v + wire->first_node, *v0 = now->v + wire->first_node;
     sum += tb_wire_energy(wire, c, view->model->time_step, v1, v0);
     const double change = c->tension - wire->tension;
@@ -56,7 +56,7 @@ static double contact_energy(const TbView *view, uint32_t row, double eta) {
   const uint32_t w = view->model->wires.row_wire[row];
   const double moved = eta - rest->eta[row];
   return tb_contact_law_work(&view->model->wires.laws[w], rest->eta[row], moved) -
-         rest->force[row] * (moved - view->state->shift[w]);
+         rest->force[row] * (moved - view->state->wires.shift[w]);
 }
 
 static double contacts_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
@@ -72,7 +72,7 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &view->state->slots[i];
+    const TbSlot *slot = &view->state->strikers.slots[i];
     if (slot->kind != TB_SLOT_STRIKER) continue;
     sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
            2.0 * tb_pool_contact_energy(view, i, next, now) +
@@ -112,7 +112,7 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double step = next->z[i] - now->z[i];
-    all += view->state->slots[i].mass * step * step;
+    all += view->state->strikers.slots[i].mass * step * step;
     for (uint32_t n = 0; n < TB_BENDS; n++) {
       const double bent = next->bow[i][n] - now->bow[i][n];
       all += bent * bent;
@@ -133,15 +133,15 @@ TbLosses tb_losses(const TbView *view) {
 TbLosses tb_losses_with(const TbView *view, const double by[3]) {
   const TaborModel *model = view->model;
   TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
-  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    if (view->state->slots[i].kind != TB_SLOT_STRIKER) continue;
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (view->state->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
     losses.head += tb_truncated_modes_loss(tb_slot_truncated(view, i), view->next.truncated[i],
                                            view->last.truncated[i]);
   }
-  if (!view->state->lifted) {
-    losses.wires =
-      model->kernels->wire_losses(model->wires.count, model->wires.lanes, view->state->wires,
-                                  view->next.v + TB_WIRE_FRONT, view->last.v + TB_WIRE_FRONT);
+  if (!view->state->wires.lifted) {
+    losses.wires = model->kernels->wire_losses(
+      model->wires.count, model->wires.lanes, view->state->wires.coefficients,
+      view->next.v + TB_WIRE_FRONT, view->last.v + TB_WIRE_FRONT);
   }
   return losses;
 }

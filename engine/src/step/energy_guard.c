@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "step/energy_guard.h"
 
-#include "step/energy.h"
 #include "air/incident_sound.h"
+#include "step/energy.h"
 #include "strikers/striker_pool.h"
 
 /* next = last + t (next - last). */
@@ -31,7 +31,7 @@ static double energy_and_losses(const TbView *view) {
 bool tb_energy_guard(TbView *view) {
   const double before = tb_energy_stored(view, &view->now, &view->last);
   if (energy_and_losses(view) <= before) return false;
-  view->state->statistics.guarded++;
+  view->state->ledger.statistics.guarded++;
   /* From next to nothing on: a drum whose whole motion lost a fifth at once would be heard. */
   for (double part = 1e-12; part < 0.5; part *= 3.0) {
     shorten_all(view, 1.0 - part);

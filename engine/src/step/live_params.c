@@ -6,8 +6,8 @@
 #include "definition/params.h"
 #include "heads/coupling.h"
 #include "step/energy.h"
-#include "strikers/striker_pool.h"
 #include "step/wire_clearance.h"
+#include "strikers/striker_pool.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
@@ -36,7 +36,7 @@ static double clamp(double value, double minimum, double maximum) {
 static void apply_wire(TbView *view, uint32_t w) {
   const TaborModel *model = view->model;
   const TbWire *wire = &model->wires.wires[w];
-  const TbLiveParam *live = view->state->live;
+  const TbLiveParam *live = view->state->live.values;
   const bool lossless = model->def.quality.losses == 0;
   double tension = wire->tension;
   if (!wire->own_tension) tension *= live[TB_LIVE_TENSION].now / model->def.wires.tension;
@@ -44,13 +44,14 @@ static void apply_wire(TbView *view, uint32_t w) {
   double damping_1 = wire->own_damping_1 ? wire->damping_1 : live[TB_LIVE_DAMPING_1].now;
   if (lossless) damping_0 = damping_1 = 0.0;
   tb_wire_coefficients(wire, model->time_step, clamp(tension, 0.0, wire->tension_limit), damping_0,
-                       clamp(damping_1, 0.0, wire->damping_1_limit), &view->state->wires[w]);
+                       clamp(damping_1, 0.0, wire->damping_1_limit),
+                       &view->state->wires.coefficients[w]);
 
   const double ends =
     wire->rest_offset + (1.0 - live[TB_LIVE_STRAINER].now) * model->wires.strainer_travel;
   const double shift = model->rest.offset[w] - ends;
-  const double change = shift - view->state->shift[w];
-  view->state->shift[w] = shift;
+  const double change = shift - view->state->wires.shift[w];
+  view->state->wires.shift[w] = shift;
   if (change == 0.0) return;
   for (uint32_t row = wire->first_row; row < wire->first_row + wire->row_count; row++) {
     view->now.eta[row] += change;
@@ -63,7 +64,7 @@ void tb_live_params_apply(TbView *view) {
   for (uint32_t w = 0; w < wires->count; w++) apply_wire(view, w);
   for (uint32_t row = 0; row < wires->stride; row++) {
     view->contact_compliance[row] =
-      wires->real[row] * view->state->wires[wires->row_wire[row]].compliance;
+      wires->real[row] * view->state->wires.coefficients[wires->row_wire[row]].compliance;
   }
   tb_coupling_renew(view);
 }
@@ -76,8 +77,8 @@ void tb_live_params_definition(const TaborModel *model, TbLiveParam *live) {
 }
 
 void tb_live_params_reset(TbView *view) {
-  tb_live_params_definition(view->model, view->state->live);
-  view->state->output = (TbLiveParam){.now = 1.0, .target = 1.0};
+  tb_live_params_definition(view->model, view->state->live.values);
+  view->state->live.output = (TbLiveParam){.now = 1.0, .target = 1.0};
   tb_pool_muffle(view);
   tb_live_params_apply(view);
 }
@@ -109,13 +110,13 @@ static bool in_range(const TbLiveParam *live, const TaborParameter *info) {
 }
 
 bool tb_live_params_in_range(const TbState *state) {
-  const TbLiveParam *output = &state->output;
+  const TbLiveParam *output = &state->live.output;
   if (!(output->now >= 0.0 && output->now <= MOST_GAIN && output->target >= 0.0 &&
         output->target <= MOST_GAIN && fabs(output->step) <= MOST_GAIN))
     return false;
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const uint32_t parameter = PARAMETERS[i < TB_LIVE_GAIN ? i : TB_LIVE_GAIN];
-    if (!in_range(&state->live[i], &tb_param_by_id(parameter)->info)) return false;
+    if (!in_range(&state->live.values[i], &tb_param_by_id(parameter)->info)) return false;
   }
   return true;
 }
@@ -132,20 +133,20 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   if (!param || first < 0) return false;
   if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
-  TbLiveParam *live = &view->state->live[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
+  TbLiveParam *live = &view->state->live.values[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
   move_to(live, clamp(value, param->info.minimum, param->info.maximum), view->model->step_rate);
   return true;
 }
 
 void tb_live_params_gain(TbView *view, double value, bool at_once) {
-  TbLiveParam *output = &view->state->output;
+  TbLiveParam *output = &view->state->live.output;
   const double gain = clamp(value, 0.0, MOST_GAIN);
   move_to(output, gain, view->model->sample_rate);
   if (at_once) *output = (TbLiveParam){.now = gain, .target = gain};
 }
 
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
-  TbLiveParam *own = view->state->live;
+  TbLiveParam *own = view->state->live.values;
   bool moves = false;
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const bool of_wires = i < TB_LIVE_MUFFLE;
@@ -174,8 +175,8 @@ static bool advance(TbLiveParam *live, bool slewed) {
 }
 
 double tb_live_params_gain_step(TbState *state) {
-  (void)advance(&state->output, false);
-  return state->output.now;
+  (void)advance(&state->live.output, false);
+  return state->live.output.now;
 }
 
 static bool under_way(const TbLiveParam *live, uint32_t first, uint32_t end) {
@@ -190,14 +191,14 @@ static void advance_all(TbLiveParam *live, uint32_t first, uint32_t end) {
 
 /* Mufflers store no energy. */
 static void move_mufflers(TbView *view) {
-  if (!under_way(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
-  advance_all(view->state->live, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
+  if (!under_way(view->state->live.values, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
+  advance_all(view->state->live.values, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
   tb_pool_muffle(view);
 }
 
 /* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are does not. */
 static void move_wires(TbView *view) {
-  TbLiveParam *live = view->state->live;
+  TbLiveParam *live = view->state->live.values;
   const bool ends = under_way(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
   const bool due = view->state->clock % WIRE_SAMPLES == 0;
   const bool strings = due && under_way(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
@@ -209,11 +210,11 @@ static void move_wires(TbView *view) {
   }
   if (ends) advance_all(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
   tb_live_params_apply(view);
-  view->state->sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
+  view->state->ledger.sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
 }
 
 void tb_live_params_step(TbView *view) {
-  TbLiveParam *live = view->state->live;
+  TbLiveParam *live = view->state->live.values;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
     if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_pool_regrip(view);
   }

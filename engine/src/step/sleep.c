@@ -4,12 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "strikers/brush.h"
-#include "step/energy.h"
-#include "step/reset.h"
 #include "air/high_band_step.h"
 #include "heads/stretch.h"
+#include "step/energy.h"
+#include "step/reset.h"
 #include "step/wire_clearance.h"
+#include "strikers/brush.h"
 #include "wires/wire_motion.h"
 
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
@@ -41,8 +41,8 @@ static void clear_high(TbView *view) {
   const size_t bytes = view->model->high.padded * sizeof(double);
   memset(view->now.high, 0, bytes);
   memset(view->last.high, 0, bytes);
-  view->state->held = view->state->hold_steps = 0;
-  view->state->contacts = (TbWireContacts){0.0, 0.0, 0.0};
+  view->state->high.held = view->state->high.hold_steps = 0;
+  view->state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
 }
 
 static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }
@@ -55,15 +55,17 @@ static void fall_asleep(TbView *view) {
   const uint32_t rows = model->wires.stride + TB_SLOTS;
   if (at_rest) {
     memset(view->now.q, 0, model->modes.padded * sizeof(double));
-    memset(view->now.truncated, 0, sizeof view->state->truncated[0]);
-    memset(view->state->bow, 0, sizeof view->state->bow);
+    memset(view->now.truncated, 0, sizeof view->state->strikers.truncated[0]);
+    memset(view->state->strikers.bow, 0, sizeof view->state->strikers.bow);
     memset(view->now.v, 0, model->wires.node_count * sizeof(double));
     for (uint32_t row = 0; row < model->wires.stride; row++) {
-      view->now.eta[row] = model->rest.eta[row] + view->state->shift[model->wires.row_wire[row]];
+      view->now.eta[row] =
+        model->rest.eta[row] + view->state->wires.shift[model->wires.row_wire[row]];
       view->solve.warm.force[row] = model->rest.force[row];
     }
     for (uint32_t i = 0; i < TB_SLOTS; i++) {
-      if (view->state->slots[i].kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
+      if (view->state->strikers.slots[i].kind != TB_SLOT_FREE)
+        view->now.eta[model->wires.stride + i] = 0.0;
     }
     tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                      view->solve.warm.product);
@@ -73,22 +75,22 @@ static void fall_asleep(TbView *view) {
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
-  memcpy(view->last.truncated, view->now.truncated, sizeof view->state->truncated[0]);
-  memcpy(view->last.bow, view->now.bow, sizeof view->state->bow[0]);
+  memcpy(view->last.truncated, view->now.truncated, sizeof view->state->strikers.truncated[0]);
+  memcpy(view->last.bow, view->now.bow, sizeof view->state->strikers.bow[0]);
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    memset(view->delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
+    memset(view->mics.delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
   }
-  memset(view->state->treble, 0, sizeof view->state->treble);
-  memset(view->state->halved, 0, sizeof view->state->halved);
-  memset(view->state->response, 0, sizeof view->state->response);
+  memset(view->state->mics.treble, 0, sizeof view->state->mics.treble);
+  memset(view->state->mics.halved, 0, sizeof view->state->mics.halved);
+  memset(view->state->mics.response, 0, sizeof view->state->mics.response);
   clear_high(view);
-  view->state->heard = 0;
+  view->state->mics.heard = 0;
   view->state->asleep = 1;
 }
 
 static bool striker_in_flight(const TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &view->state->slots[i];
+    const TbSlot *slot = &view->state->strikers.slots[i];
     if (slot->palm || (slot->kind == TB_SLOT_STRIKER && !slot->held)) return true;
   }
   return false;
@@ -96,7 +98,7 @@ static bool striker_in_flight(const TbView *view) {
 
 static bool parameter_moves(const TbState *state) {
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-    if (state->live[i].left) return true;
+    if (state->live.values[i].left) return true;
   }
   return false;
 }
@@ -105,12 +107,12 @@ void tb_sleep_check(TbView *view) {
   TbState *state = view->state;
   const double motion = tb_energy_motion(view, &view->now, &view->last);
   if (!isfinite(motion)) {
-    const TaborStatistics statistics = state->statistics;
-    const TbLiveParam output = state->output;
+    const TaborStatistics statistics = state->ledger.statistics;
+    const TbLiveParam output = state->live.output;
     tb_step_reset(state, view->model);
-    state->statistics = statistics;
-    state->output = output;
-    state->statistics.recovered++;
+    state->ledger.statistics = statistics;
+    state->live.output = output;
+    state->ledger.statistics.recovered++;
     *view = tb_view(state, view->model);
     return;
   }

@@ -53,47 +53,47 @@ static bool no_law(const TbContactLaw *law) { return law->kind == TB_CONTACT_LAW
 
 /* Code that passes all slots looks at these even where a slot is free. */
 static bool free_slot(const TbState *state, uint32_t i) {
-  const TbSlot *s = &state->slots[i];
+  const TbSlot *s = &state->strikers.slots[i];
   return !s->held && !s->partner && !s->bends && !s->palm && !s->leaving && !s->bristles &&
-         s->mass == 0.0 && no_law(&state->slot_laws[i]);
+         s->mass == 0.0 && no_law(&state->strikers.laws[i]);
 }
 
 /* Both ends of a stick: its tip on the head, its shaft on the hoop. */
 static bool paired(const TbState *state, uint32_t i) {
-  const TbSlot *s = &state->slots[i];
+  const TbSlot *s = &state->strikers.slots[i];
   if (!s->partner) return true;
   const uint32_t other = s->partner - 1u;
   if (other >= TB_MUFFLERS || other == i) return false;
-  const TbSlot *o = &state->slots[other];
+  const TbSlot *o = &state->strikers.slots[other];
   return o->kind == TB_SLOT_STRIKER && o->partner == i + 1u && o->on_hoop != s->on_hoop &&
          o->bends == s->bends && o->definition == s->definition;
 }
 
 static bool striker_slot(const TaborModel *model, const TbState *state, uint32_t i) {
-  const TbSlot *s = &state->slots[i];
+  const TbSlot *s = &state->strikers.slots[i];
   const bool bristles = i >= TB_BRISTLES;
   if (i >= TB_MUFFLERS && !bristles) return false;
   if (s->definition >= model->def.striker_count || s->head != TABOR_HEAD_BATTER) return false;
   if (!(s->mass > 0.0) || s->palm || s->bends > TB_GRIPS) return false;
-  if (state->slot_laws[i].kind == TB_CONTACT_LAW_DAMPER) return false;
+  if (state->strikers.laws[i].kind == TB_CONTACT_LAW_DAMPER) return false;
   if (bristles != (s->bristles == 1u)) return false;
   if (!bristles) return paired(state, i);
-  const TbBrush *brush = &state->brushes[(i - TB_BRISTLES) / TB_BRISTLE_GROUPS];
+  const TbBrush *brush = &state->strikers.brushes[(i - TB_BRISTLES) / TB_BRISTLE_GROUPS];
   return !s->partner && !s->bends && !s->on_hoop && s->held && brush->active &&
          brush->definition == s->definition && is_brush(model, s->definition);
 }
 
 static bool hand_slot(const TaborModel *model, const TbState *state, uint32_t i) {
-  const TbSlot *s = &state->slots[i];
+  const TbSlot *s = &state->strikers.slots[i];
   const bool muffler = i >= TB_MUFFLERS && i < TB_BRISTLES;
   if (i >= TB_BRISTLES || s->head >= model->head.heads) return false;
   if (muffler && s->head != i - TB_MUFFLERS) return false;
   return !s->held && !s->partner && !s->bends && !s->leaving && !s->bristles && !s->on_hoop &&
-         state->slot_laws[i].kind == TB_CONTACT_LAW_DAMPER;
+         state->strikers.laws[i].kind == TB_CONTACT_LAW_DAMPER;
 }
 
 static bool slot_of_kind(const TaborModel *model, const TbState *state, uint32_t i) {
-  switch (state->slots[i].kind) {
+  switch (state->strikers.slots[i].kind) {
   case TB_SLOT_FREE: return free_slot(state, i);
   case TB_SLOT_STRIKER: return striker_slot(model, state, i);
   case TB_SLOT_HAND: return hand_slot(model, state, i);
@@ -112,18 +112,19 @@ static bool law_numbers(const TbContactLaw *law) {
 static bool slots(const TaborModel *model, const TbState *state) {
   uint32_t mask = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (!slot_flags(&state->slots[i]) || !slot_numbers(&state->slots[i])) return false;
-    if (!law_numbers(&state->slot_laws[i]) || !slot_of_kind(model, state, i)) return false;
-    mask |= (state->slots[i].kind != TB_SLOT_FREE ? 1u : 0u) << i;
+    if (!slot_flags(&state->strikers.slots[i]) || !slot_numbers(&state->strikers.slots[i]))
+      return false;
+    if (!law_numbers(&state->strikers.laws[i]) || !slot_of_kind(model, state, i)) return false;
+    mask |= (state->strikers.slots[i].kind != TB_SLOT_FREE ? 1u : 0u) << i;
   }
-  return mask == state->slot_mask;
+  return mask == state->strikers.mask;
 }
 
 /* A brush whose bristles are gone, as after a swap, may have any definition: it ends in the next
  * step. */
 static bool brushes(const TbState *state) {
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    const TbBrush *brush = &state->brushes[b];
+    const TbBrush *brush = &state->strikers.brushes[b];
     const double places[] = {brush->radius, brush->x,     brush->y,      brush->dx,
                              brush->dy,     brush->along, brush->around, brush->slide};
     const double others[] = {brush->way, brush->track, brush->angle, brush->press};
@@ -138,26 +139,32 @@ static bool brushes(const TbState *state) {
 
 static bool flags(const TaborModel *model, const TbState *state) {
   const bool wires = model->wires.count > 0;
-  return state->newest < 3u && state->asleep <= 1u && state->lifted <= (wires ? 1u : 0u) &&
-         state->held <= (wires ? 1u : 0u) && state->airborne <= 1u && state->hushed <= 1u &&
-         state->event_debt <= TB_DEBT_MOST && state->heard >> model->def.mic_count == 0;
+  return state->newest < 3u && state->asleep <= 1u && state->wires.lifted <= (wires ? 1u : 0u) &&
+         state->high.held <= (wires ? 1u : 0u) && state->airborne <= 1u && state->hushed <= 1u &&
+         state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
 }
 
 static bool microphones(const TaborModel *model, const TbState *state) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    if (state->delay_at[mic] > model->mics[mic].delay) return false;
+    if (state->mics.delay_at[mic] > model->mics[mic].delay) return false;
   }
-  return all_within(NUMBERS(state->treble), MOST) && all_within(NUMBERS(state->halved), MOST) &&
-         all_within(NUMBERS(state->response), MOST) && all_within(NUMBERS(state->ears), MOST);
+  return all_within(NUMBERS(state->mics.treble), MOST) &&
+         all_within(NUMBERS(state->mics.halved), MOST) &&
+         all_within(NUMBERS(state->mics.response), MOST) &&
+         all_within(NUMBERS(state->mics.ears), MOST);
 }
 
 static bool numbers(const TbState *state) {
-  return within(state->incident, MOST) && within(state->sound_work, MOST) &&
-         within(state->radiated_beyond, MOST) && all_within(NUMBERS(state->wires), MOST) &&
-         all_within(NUMBERS(state->shift), MOST) && all_within(NUMBERS(state->z), MOST) &&
-         all_within(NUMBERS(state->truncated), MOST) && all_within(NUMBERS(state->bow), MOST) &&
-         all_within((const double *)&state->contacts, 3, MOST) &&
-         all_within((const double *)&state->sums, sizeof state->sums / sizeof(double), INFINITY);
+  return within(state->incident, MOST) && within(state->ledger.sound_work, MOST) &&
+         within(state->ledger.radiated_beyond, MOST) &&
+         all_within(NUMBERS(state->wires.coefficients), MOST) &&
+         all_within(NUMBERS(state->wires.shift), MOST) &&
+         all_within(NUMBERS(state->strikers.z), MOST) &&
+         all_within(NUMBERS(state->strikers.truncated), MOST) &&
+         all_within(NUMBERS(state->strikers.bow), MOST) &&
+         all_within((const double *)&state->high.contacts, 3, MOST) &&
+         all_within((const double *)&state->ledger.sums, sizeof state->ledger.sums / sizeof(double),
+                    INFINITY);
 }
 
 static bool head(const TaborModel *model, const TbState *state) {
@@ -187,20 +194,26 @@ static bool floats(const char *bytes, size_t from, size_t end) {
   return within_all;
 }
 
-/* All arrays that outlive a step; `work` and `workf` are filled before they are read. */
-static bool arrays(const TaborModel *model, const char *bytes) {
+typedef struct Arrays {
+  const TaborModel *model;
+  const char *bytes;
+} Arrays;
+
+static bool array(void *context, TbArrayKind kind, size_t from, size_t end) {
   static bool (*const HIGH[])(const char *, size_t,
                               size_t) = {[TB_IN_DOUBLE] = doubles, [TB_IN_FLOAT] = floats};
-  const TbLayout *l = &model->layout;
-  return doubles(bytes, l->q[0], l->work) &&
-         HIGH[model->high.precision](bytes, l->high[0], l->high_scratch) &&
-         floats(bytes, l->high_force, l->high_held) &&
-         HIGH[model->high.precision](bytes, l->high_held, l->modal) &&
-         doubles(bytes, l->modal, l->total);
+  const Arrays *arrays = context;
+  switch (kind) {
+  case TB_DOUBLES: return doubles(arrays->bytes, from, end);
+  case TB_FLOATS: return floats(arrays->bytes, from, end);
+  case TB_HIGH_REALS: return HIGH[arrays->model->high.precision](arrays->bytes, from, end);
+  default: return true; /* scratch */
+  }
 }
 
 bool tb_state_check(const TaborModel *model, const void *bytes) {
   TbState state; /* some 20 kB; its arrays are checked where they are */
   memcpy(&state, bytes, sizeof state);
-  return head(model, &state) && arrays(model, (const char *)bytes + tb_state_head_bytes());
+  Arrays arrays = {model, (const char *)bytes + tb_state_head_bytes()};
+  return head(model, &state) && tb_layout_visit(model, array, &arrays);
 }

@@ -4,20 +4,20 @@
 #include <math.h>
 #include <string.h>
 
-#include "kernels/profile.h"
-#include "strikers/brush.h"
-#include "step/energy.h"
-#include "step/energy_guard.h"
 #include "air/high_band_step.h"
 #include "air/incident_sound.h"
-#include "step/live_params.h"
-#include "heads/lug_forces.h"
 #include "air/mic_output.h"
 #include "air/radiated_energy.h"
-#include "strikers/stick_rigid.h"
+#include "heads/lug_forces.h"
 #include "heads/stretch.h"
-#include "strikers/striker_pool.h"
+#include "kernels/profile.h"
+#include "step/energy.h"
+#include "step/energy_guard.h"
+#include "step/live_params.h"
 #include "step/wire_clearance.h"
+#include "strikers/brush.h"
+#include "strikers/stick_rigid.h"
+#include "strikers/striker_pool.h"
 #include "wires/wire_motion.h"
 
 #ifdef TABOR_PROFILE
@@ -28,7 +28,7 @@ _Thread_local TbProfile tb_profile;
 static void pull_rest(TbView *view, uint32_t w) {
   const TaborModel *model = view->model;
   const TbWire *wire = &model->wires.wires[w];
-  const TbWireCoefficients *c = &view->state->wires[w];
+  const TbWireCoefficients *c = &view->state->wires.coefficients[w];
   const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
   if (c->tension == wire->tension) return;
   const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
@@ -38,8 +38,8 @@ static void pull_rest(TbView *view, uint32_t w) {
 static void free_wires(TbView *view) {
   const TbWires *wires = &view->model->wires;
   const TbPhase *next = &view->next, *now = &view->now, *last = &view->last;
-  view->model->kernels->wire_step(wires->count, wires->lanes, view->state->wires, wires->inner,
-                                  now->v + TB_WIRE_FRONT, last->v + TB_WIRE_FRONT,
+  view->model->kernels->wire_step(wires->count, wires->lanes, view->state->wires.coefficients,
+                                  wires->inner, now->v + TB_WIRE_FRONT, last->v + TB_WIRE_FRONT,
                                   view->bend + TB_WIRE_FRONT, next->v + TB_WIRE_FRONT);
   for (uint32_t w = 0; w < wires->count; w++) pull_rest(view, w);
 }
@@ -49,7 +49,7 @@ static void free_motion(TbView *view) {
   TB_STAGE(MODES);
   tb_stretch_move(view);
   TB_STAGE(WIRES);
-  if (!view->state->lifted) free_wires(view);
+  if (!view->state->wires.lifted) free_wires(view);
   tb_rigid_stick_step(view);
 }
 
@@ -66,31 +66,31 @@ static void penetrate_wires(TbView *view, double *slots) {
 /* 1 where the law acts on the sum of the last two instants' penetrations (contact_law.h), which stands in
  * view->last.eta during the solve; otherwise 0. */
 static double law_of_sum(const TbView *view, uint32_t slot) {
-  return view->state->slots[slot].kind == TB_SLOT_STRIKER ? 1.0 : 0.0;
+  return view->state->strikers.slots[slot].kind == TB_SLOT_STRIKER ? 1.0 : 0.0;
 }
 
 /* ... and of all. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
-  if (view->state->lifted) {
+  if (view->state->wires.lifted) {
     tb_stretch_yield(view, slots);
   } else {
     penetrate_wires(view, slots);
   }
   TB_STAGE(STRIKERS);
-  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (view->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
     const double head = tb_pool_displacement(view, i, view->next.q);
     double eta = head;
-    if (view->state->slots[i].kind == TB_SLOT_STRIKER) {
+    if (view->state->strikers.slots[i].kind == TB_SLOT_STRIKER) {
       const TbTruncatedModes *truncated = tb_slot_truncated(view, i);
       tb_truncated_modes_step(truncated, view->next.truncated[i], view->now.truncated[i],
                               view->last.truncated[i]);
       eta += tb_truncated_modes_displacement(truncated, view->next.truncated[i]) -
-             (tb_pool_free_height(view, i) - view->state->slots[i].coat);
-      if (view->state->slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
+             (tb_pool_free_height(view, i) - view->state->strikers.slots[i].coat);
+      if (view->state->strikers.slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
     view->last.eta[row] += law_of_sum(view, i) * view->now.eta[row];
@@ -127,18 +127,18 @@ static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.warm.force;
-  if (!view->state->lifted) respond_to_wires(view, unchanged);
+  if (!view->state->wires.lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
-  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    if (view->state->slots[i].kind == TB_SLOT_FREE) continue;
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (view->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
       tb_pool_push(view, i, -force[row], view->next.q);
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
     view->next.z[i] = tb_pool_free_height(view, i) + view->contact_compliance[row] * force[row];
-    if (view->state->slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
-    if (view->state->slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
+    if (view->state->strikers.slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
+    if (view->state->strikers.slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
     view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
@@ -154,30 +154,30 @@ static void end_modes(TbView *view, uint32_t mic) {
   const bool heard = mic < model->def.mic_count;
   *end = (TbModesEnd){.modes = modes->padded,
                       .origins = modes->walls ? 3 : 2,
-                      .pull = {view->stretch_pull[0], view->stretch_pull[1]},
+                      .pull = {view->stretch.pull[0], view->stretch.pull[1]},
                       .last = view->last.q,
                       .loss = {modes->loss_head, modes->loss_air, modes->loss_shell},
                       .ahead = heard ? model->mics[mic].ahead : modes->loss_air,
                       .behind = heard ? model->mics[mic].behind : modes->loss_air,
                       .stretch = {end->stretch[0], end->stretch[1]},
                       .next = view->next.q};
-  view->ear = heard ? mic : TB_NO_EAR;
-  model->kernels->end_modes(view->stretch_count > 0 ? &model->stretch.parts : &none, end);
+  view->mics.ear = heard ? mic : TB_NO_EAR;
+  model->kernels->end_modes(view->stretch.count > 0 ? &model->stretch.parts : &none, end);
 }
 
 /* With the modes' losses of end_modes(), unless the step was shortened after them. */
 static void book_losses(TbView *view, bool shortened) {
   const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
-  TaborLedger *sums = &view->state->sums;
+  TaborLedger *sums = &view->state->ledger.sums;
   const double beyond = tb_radiated_beyond(view);
-  view->state->radiated_beyond += beyond;
+  view->state->ledger.radiated_beyond += beyond;
   sums->head_loss += losses.head - beyond;
   sums->radiated += losses.radiated + beyond;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHandWork hands = tb_pool_hand_work(view);
   const double sound = tb_incident_work(view);
-  view->state->sound_work += sound;
+  view->state->ledger.sound_work += sound;
   sums->injected += hands.done + sound;
   sums->damper_loss += hands.lost;
 }
@@ -198,7 +198,7 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
 static void forget_forces(TbView *view) {
   tb_solve_forget(&view->solve);
   tb_stretch_clear(view);
-  view->ear = TB_NO_EAR;
+  view->mics.ear = TB_NO_EAR;
 }
 
 /* Energy that the contacts took, and the losses of all parts. Where the forces would create energy, the guard shortens the
@@ -208,8 +208,8 @@ static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
   if (shortened) {
     forget_forces(view);
   } else {
-    view->state->sums.contact_loss += outcome->contact_loss;
-    view->state->sums.damper_loss += outcome->damper_loss;
+    view->state->ledger.sums.contact_loss += outcome->contact_loss;
+    view->state->ledger.sums.damper_loss += outcome->damper_loss;
   }
   book_losses(view, shortened);
 }
@@ -231,7 +231,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_stretch_renew(view); /* f, r, W -> M f, from which the solve starts */
   TB_STAGE(LAWS);
   const TbSolveOutcome outcome = tb_solve(&view->solve); /* b, last.eta, M f -> f, s */
-  count(&view->state->statistics, &outcome);
+  count(&view->state->ledger.statistics, &outcome);
   const bool unchanged = !outcome.contact && view->state->airborne;
   respond(view, unchanged); /* f, s -> next: q, v, z, eta, truncated, bow */
   TB_STAGE(STRETCH);

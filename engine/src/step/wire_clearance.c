@@ -15,7 +15,7 @@ static double least_gap(const TbView *view) {
   double gap = INFINITY;
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
-    const double eta = view->model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    const double eta = view->model->rest.eta[row] + view->state->wires.shift[wires->row_wire[row]];
     gap = -eta < gap ? -eta : gap;
   }
   return gap;
@@ -25,7 +25,7 @@ static bool out_of_reach(const TbView *view) {
   const TbModes *modes = &view->model->modes;
   const double most =
     view->model->kernels->reach(modes->group[modes->groups], view->model->reach, view->now.q);
-  return most < 0.5 * view->state->gap;
+  return most < 0.5 * view->state->wires.gap;
 }
 
 static bool lie_still(const TbView *view) {
@@ -37,7 +37,7 @@ static bool lie_still(const TbView *view) {
     if (view->solve.warm.force[row] != 0.0) return false;
   }
   for (uint32_t w = 0; w < wires->count; w++) {
-    if (view->state->wires[w].tension != wires->wires[w].tension) return false;
+    if (view->state->wires.coefficients[w].tension != wires->wires[w].tension) return false;
   }
   return true;
 }
@@ -46,16 +46,16 @@ static void rest_phase(const TbView *view, TbPhase *phase) {
   const TbWires *wires = &view->model->wires;
   memset(phase->v, 0, wires->node_count * sizeof(double));
   for (uint32_t row = 0; row < wires->stride; row++) {
-    phase->eta[row] = view->model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    phase->eta[row] = view->model->rest.eta[row] + view->state->wires.shift[wires->row_wire[row]];
   }
 }
 
 void tb_wire_clearance_begin(TbView *view) {
   TbState *state = view->state;
-  if (state->lifted || view->model->wires.count == 0) return;
-  state->gap = least_gap(view);
-  if (!(state->gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
-  state->lifted = 1;
+  if (state->wires.lifted || view->model->wires.count == 0) return;
+  state->wires.gap = least_gap(view);
+  if (!(state->wires.gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
+  state->wires.lifted = 1;
   tb_view_lift(view, true);
   TbPhase *const phases[3] = {&view->now, &view->last, &view->next};
   for (int i = 0; i < 3; i++) rest_phase(view, phases[i]);
@@ -64,12 +64,12 @@ void tb_wire_clearance_begin(TbView *view) {
 }
 
 void tb_wire_clearance_follow(TbView *view) {
-  if (view->state->lifted && !out_of_reach(view)) tb_wire_clearance_end(view);
+  if (view->state->wires.lifted && !out_of_reach(view)) tb_wire_clearance_end(view);
 }
 
 void tb_wire_clearance_end(TbView *view) {
-  if (!view->state->lifted) return;
-  view->state->lifted = 0;
+  if (!view->state->wires.lifted) return;
+  view->state->wires.lifted = 0;
   tb_view_lift(view, false);
   tb_penetrations_from_displacements(view, &view->now);
   tb_penetrations_from_displacements(view, &view->last);

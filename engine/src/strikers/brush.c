@@ -37,7 +37,7 @@ static uint32_t slot_of(uint32_t brush, uint32_t group) {
 }
 
 static bool is_there(const TbView *view, uint32_t slot) {
-  return view->state->slots[slot].kind != TB_SLOT_FREE;
+  return view->state->strikers.slots[slot].kind != TB_SLOT_FREE;
 }
 
 /* Seed of a group's track, and of what else is drawn for it. */
@@ -81,7 +81,7 @@ static void take_away(TbView *view, uint32_t b) {
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
     if (is_there(view, slot_of(b, g))) tb_pool_take_away(view, slot_of(b, g));
   }
-  view->state->brushes[b] = (TbBrush){0};
+  view->state->strikers.brushes[b] = (TbBrush){0};
 }
 
 static void lift(TbView *view, TbBrush *brush) {
@@ -92,14 +92,14 @@ static void lift(TbView *view, TbBrush *brush) {
 
 static bool sounded(const TbView *view, uint32_t b) {
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
-    if (view->state->slots[slot_of(b, g)].sounded) return true;
+    if (view->state->strikers.slots[slot_of(b, g)].sounded) return true;
   }
   return false;
 }
 
 /* How little a brush would be missed: 3 is not in use, 0 must stay. */
 static uint32_t spare(const TbView *view, uint32_t b, uint32_t id) {
-  const TbBrush *brush = &view->state->brushes[b];
+  const TbBrush *brush = &view->state->strikers.brushes[b];
   if (!brush->active) return 3;
   if (brush->lifting && sounded(view, b)) return 2;
   return id != 0 && brush->id == id;
@@ -113,11 +113,11 @@ static uint32_t obtain(TbView *view, uint32_t id) {
   }
   if (spare(view, best, id) == 0) return TB_BRUSHES;
   if (spare(view, best, id) < 3) {
-    view->state->statistics.dropped_events += !sounded(view, best);
+    view->state->ledger.statistics.dropped_events += !sounded(view, best);
     take_away(view, best);
   }
   for (uint32_t b = 0; b < TB_BRUSHES && id != 0; b++) {
-    TbBrush *brush = &view->state->brushes[b];
+    TbBrush *brush = &view->state->strikers.brushes[b];
     if (brush->active && brush->id == id) lift(view, brush);
   }
   return best;
@@ -138,13 +138,13 @@ static bool is_sweep(const TbStroke *stroke) { return stroke->technique == TABOR
 
 static void begin(TbView *view, uint32_t b, const TbStroke *stroke) {
   TbState *state = view->state;
-  TbBrush *brush = &state->brushes[b];
+  TbBrush *brush = &state->strikers.brushes[b];
   double sine, cosine;
   tb_sin_cos_degrees(stroke->angle, &sine, &cosine);
   *brush = (TbBrush){.active = 1,
                      .id = stroke->id,
                      .definition = stroke->striker,
-                     .seed = ++state->serial * 0x9E3779B97F4A7C15u,
+                     .seed = ++state->strikers.serial * 0x9E3779B97F4A7C15u,
                      .moved = state->clock,
                      .radius = stroke->radius,
                      .angle = stroke->angle,
@@ -158,13 +158,13 @@ static void begin(TbView *view, uint32_t b, const TbStroke *stroke) {
 }
 
 static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *stroke) {
-  const TbBrush *brush = &view->state->brushes[b];
+  const TbBrush *brush = &view->state->strikers.brushes[b];
   const TaborStrikerDef *def = &view->model->def.striker[stroke->striker];
   const Place place = place_of(view, brush, group);
   const bool wires = view->model->def.quality.losses != 0;
   const TbSlot striker = {.kind = TB_SLOT_STRIKER,
                           .id = stroke->id,
-                          .serial = view->state->serial,
+                          .serial = view->state->strikers.serial,
                           .mass = def->mass / TB_BRISTLE_GROUPS,
                           .bristles = 1,
                           .part = 1.0 / TB_BRISTLE_GROUPS,
@@ -180,11 +180,12 @@ static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *
   const double above = is_sweep(stroke) ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
   tb_pool_put(view, slot, &striker, above);
   tb_pool_hold(view, slot, 0.0);
-  if (!is_sweep(stroke)) view->state->slots[slot].push = striker.resistance * stroke->velocity;
+  if (!is_sweep(stroke))
+    view->state->strikers.slots[slot].push = striker.resistance * stroke->velocity;
 }
 
 static void hold(TbView *view, uint32_t b, double pressure) {
-  TbBrush *brush = &view->state->brushes[b];
+  TbBrush *brush = &view->state->strikers.brushes[b];
   brush->press = tb_pool_press_force(pressure);
   brush->lifting = 0;
 }
@@ -198,9 +199,9 @@ bool tb_brush_strike(TbView *view, const TbStroke *stroke) {
   if (is_sweep(stroke) || buzz) {
     hold(view, b, stroke->pressure);
   } else {
-    lift(view, &view->state->brushes[b]);
+    lift(view, &view->state->strikers.brushes[b]);
   }
-  view->state->statistics.strikes++;
+  view->state->ledger.statistics.strikes++;
   return true;
 }
 
@@ -235,7 +236,7 @@ static void aim(const TbView *view, TbBrush *brush, double radius, double angle,
 bool tb_brush_move(TbView *view, uint32_t id, double radius, double angle, double seconds) {
   bool found = false;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    TbBrush *brush = &view->state->brushes[b];
+    TbBrush *brush = &view->state->strikers.brushes[b];
     if (!is_meant(brush, id)) continue;
     aim(view, brush, radius, angle, seconds);
     found = true;
@@ -246,7 +247,7 @@ bool tb_brush_move(TbView *view, uint32_t id, double radius, double angle, doubl
 bool tb_brush_press(TbView *view, uint32_t id, double pressure) {
   bool found = false;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    if (!is_meant(&view->state->brushes[b], id)) continue;
+    if (!is_meant(&view->state->strikers.brushes[b], id)) continue;
     hold(view, b, pressure);
     found = true;
   }
@@ -255,7 +256,7 @@ bool tb_brush_press(TbView *view, uint32_t id, double pressure) {
 
 void tb_brush_release(TbView *view, uint32_t id) {
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    TbBrush *brush = &view->state->brushes[b];
+    TbBrush *brush = &view->state->strikers.brushes[b];
     if (!is_meant(brush, id)) continue;
     lift(view, brush);
   }
@@ -296,8 +297,8 @@ static double follow_aim(const TbView *view, TbBrush *brush) {
 }
 
 static void draw_on(TbView *view, uint32_t b, uint32_t group, double way) {
-  const TbBrush *brush = &view->state->brushes[b];
-  TbSlot *s = &view->state->slots[slot_of(b, group)];
+  const TbBrush *brush = &view->state->strikers.brushes[b];
+  TbSlot *s = &view->state->strikers.slots[slot_of(b, group)];
   const Place place = place_of(view, brush, group);
   s->due = brush->way + stride(view, brush, group, way);
   tb_pool_draw(view, slot_of(b, group), place.radius, place.angle);
@@ -315,9 +316,9 @@ static bool is_lifted(const TbView *view, const TbBrush *brush, uint32_t slot) {
 }
 
 static void step_group(TbView *view, uint32_t b, uint32_t group, double way, bool slides) {
-  const TbBrush *brush = &view->state->brushes[b];
+  const TbBrush *brush = &view->state->strikers.brushes[b];
   const uint32_t slot = slot_of(b, group);
-  TbSlot *s = &view->state->slots[slot];
+  TbSlot *s = &view->state->strikers.slots[slot];
   if (is_lifted(view, brush, slot)) {
     tb_pool_take_away(view, slot);
     return;
@@ -328,7 +329,7 @@ static void step_group(TbView *view, uint32_t b, uint32_t group, double way, boo
 }
 
 static void step_brush(TbView *view, uint32_t b) {
-  TbBrush *brush = &view->state->brushes[b];
+  TbBrush *brush = &view->state->strikers.brushes[b];
   move_aim(brush);
   const double way = follow_aim(view, brush);
   brush->way += way;
@@ -348,13 +349,13 @@ static void step_brush(TbView *view, uint32_t b) {
 
 void tb_brush_step(TbView *view) {
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    if (view->state->brushes[b].active) step_brush(view, b);
+    if (view->state->strikers.brushes[b].active) step_brush(view, b);
   }
 }
 
 bool tb_brush_moves(const TbState *state) {
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    const TbBrush *brush = &state->brushes[b];
+    const TbBrush *brush = &state->strikers.brushes[b];
     if (!brush->active) continue;
     if (brush->lifting || brush->left || brush->around != 0.0 || brush->slide > 0.0) return true;
     if (brush->dx != 0.0 || brush->dy != 0.0) return true;

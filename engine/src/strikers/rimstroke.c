@@ -10,7 +10,7 @@ static const double PALM = 30.0;
 static TbSlot striker_of(TbView *view, const TbStroke *stroke) {
   return (TbSlot){.kind = TB_SLOT_STRIKER,
                   .id = stroke->id,
-                  .serial = ++view->state->serial,
+                  .serial = ++view->state->strikers.serial,
                   .mass = view->model->def.striker[stroke->striker].mass,
                   .part = 1.0,
                   .definition = stroke->striker,
@@ -33,9 +33,10 @@ static bool strike_hoop(TbView *view, const TbStroke *stroke) {
 static bool obtain_pair(TbView *view, uint32_t pair[2]) {
   pair[0] = tb_pool_obtain(view);
   if (pair[0] == TB_SLOTS) return false;
-  view->state->slots[pair[0]] = (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
+  view->state->strikers.slots[pair[0]] =
+    (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
   pair[1] = tb_pool_obtain(view);
-  view->state->slots[pair[0]] = (TbSlot){0};
+  view->state->strikers.slots[pair[0]] = (TbSlot){0};
   return pair[1] < TB_SLOTS;
 }
 
@@ -71,7 +72,7 @@ static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick
 static uint32_t find_palm(const TbView *view) {
   uint32_t free = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (s->palm) return i;
     if (s->kind == TB_SLOT_FREE) free = i;
   }
@@ -84,7 +85,7 @@ static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
   const TbSlot palm = {.kind = TB_SLOT_HAND,
                        .id = id,
-                       .serial = ++view->state->serial,
+                       .serial = ++view->state->strikers.serial,
                        .palm = 1,
                        .part = 1.0,
                        .radius = tip->radius,

@@ -54,12 +54,12 @@ TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick
 
 /* The slot that has the state: the tip's, or that of a stick with one contact. */
 static uint32_t state_of(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   return s->on_hoop && s->partner ? s->partner - 1u : slot;
 }
 
 static bool has_state(const TbView *view, uint32_t slot) {
-  return view->state->slots[slot].bends && state_of(view, slot) == slot;
+  return view->state->strikers.slots[slot].bends && state_of(view, slot) == slot;
 }
 
 uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
@@ -68,12 +68,12 @@ uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
 }
 
 const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   return &view->model->stick[s->definition].grip[s->bends - 1u];
 }
 
 void tb_rigid_stick_place(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->slots[slot];
+  TbSlot *s = &view->state->strikers.slots[slot];
   if (s->bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->along, s->bend);
 }
 
@@ -90,7 +90,7 @@ void tb_rigid_stick_step(TbView *view) {
 
 double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
   const double *bow = phase->bow[state_of(view, slot)];
-  const double *bend = view->state->slots[slot].bend;
+  const double *bend = view->state->strikers.slots[slot].bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += bend[i] * bow[i];
   return sum;
@@ -99,7 +99,7 @@ double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phas
 void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
   const uint32_t tip = state_of(view, slot);
   const TbStickBody *body = tb_rigid_stick_body(view, slot);
-  const double *bend = view->state->slots[slot].bend;
+  const double *bend = view->state->strikers.slots[slot].bend;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     view->next.bow[tip][i] += force * (body->g[i] * bend[i]);
   }
@@ -107,7 +107,8 @@ void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
 
 double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
   const TbStickBody *body = tb_rigid_stick_body(view, slot);
-  const double *a = view->state->slots[slot].bend, *b = view->state->slots[other].bend;
+  const double *a = view->state->strikers.slots[slot].bend,
+               *b = view->state->strikers.slots[other].bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (body->g[i] * b[i]);
   return sum;
@@ -141,18 +142,18 @@ double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
 
 double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
                              const double *now) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
   if (!s->partner) return s->mass * velocity * velocity;
   const uint32_t other = s->partner - 1u;
   const double of_other = (next[other] - now[other]) * view->model->step_rate;
-  const double mass = s->mass, its = view->state->slots[other].mass;
+  const double mass = s->mass, its = view->state->strikers.slots[other].mass;
   const double determinant = 1.0 / (mass * its) - s->cross * s->cross;
   return velocity * (velocity / its - s->cross * of_other) / determinant;
 }
 
 double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   const double k = view->model->time_step;
   return k * k * s->cross * view->solve.warm.force[view->model->wires.stride + s->partner - 1u];
 }

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#include "math/portable_math.h"
-#include "heads/coupling.h"
 #include "air/high_band_step.h"
+#include "heads/coupling.h"
+#include "math/portable_math.h"
 #include "strikers/stick_rigid.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -18,12 +18,12 @@ static const double LIFT = 2.0;        /* [N] ... this hard in the end: 5 mm in 
 static const double HERTZ = 1.5;       /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
-  return view->state->slots[slot].kind != TB_SLOT_FREE;
+  return view->state->strikers.slots[slot].kind != TB_SLOT_FREE;
 }
 
 /* What two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbSlot *a = &view->state->slots[slot];
+  const TbSlot *a = &view->state->strikers.slots[slot];
   const double k = view->model->time_step;
   double sum = 0.0;
   if (a->partner == other + 1u) sum += k * k * a->cross;
@@ -53,10 +53,10 @@ static void couple(TbView *view, uint32_t slot) {
         ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high)) +
             shared_compliance(view, low, high)
         : 0.0;
-    view->slot_coupling[slot * TB_SLOTS + other] = value;
-    view->slot_coupling[other * TB_SLOTS + slot] = value;
+    view->strikers.slot_coupling[slot * TB_SLOTS + other] = value;
+    view->strikers.slot_coupling[other * TB_SLOTS + slot] = value;
   }
-  view->slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
+  view->strikers.slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
 }
 
 /* What a hand does at the tip of the stick that it presses. */
@@ -67,7 +67,7 @@ typedef struct Hand {
 static Hand hand_of(const TbView *view, const TbSlot *s) {
   if (!s->held) return (Hand){0.0, 0.0, 0.0};
   const TaborDrumDef *def = &view->model->def;
-  const double share = 2.0 * s->part * view->state->live[TB_LIVE_GRIP].now;
+  const double share = 2.0 * s->part * view->state->live.values[TB_LIVE_GRIP].now;
   return (Hand){share * s->press + s->push, share * def->hand.stiffness,
                 def->quality.losses ? share * def->hand.damping + s->resistance : 0.0};
 }
@@ -80,8 +80,8 @@ static double own_compliance(const TbView *view, const TbSlot *s) {
 
 static void prepare_law(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  const TbSlot *s = &view->state->slots[slot];
-  TbContactLaw *law = &view->state->slot_laws[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
+  TbContactLaw *law = &view->state->strikers.laws[slot];
   const uint32_t row = model->wires.stride + slot;
   if (s->kind == TB_SLOT_HAND) {
     view->contact_compliance[row] = 0.0;
@@ -98,7 +98,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   tb_contact_law_prepare_sum(
     law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
     hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
-    TB_SLOPE_LIMIT / (compliance + view->slot_coupling[slot * TB_SLOTS + slot]));
+    TB_SLOPE_LIMIT / (compliance + view->strikers.slot_coupling[slot * TB_SLOTS + slot]));
 }
 
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) {
@@ -124,8 +124,8 @@ void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return tb_pool_displacement(view, slot, phase->q) +
          tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
-         (phase->z[slot] - view->state->slots[slot].coat) -
-         (view->state->slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+         (phase->z[slot] - view->state->strikers.slots[slot].coat) -
+         (view->state->strikers.slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
 }
 
 /* What the ranges leave out does not move at this place. */
@@ -137,16 +137,16 @@ static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape)
 
 static void find_place_on_head(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  TbSlot *s = &view->state->slots[slot];
+  TbSlot *s = &view->state->strikers.slots[slot];
   const bool hand = s->kind == TB_SLOT_HAND;
   const double *patch =
     s->palm ? model->palm_patch : model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
   double *shape = tb_slot_shape(view, slot);
-  double *drive = view->high_scratch;
+  double *drive = view->high.scratch;
   if (s->bristles) {
     tb_brush_shapes_shape(model, s->definition, s->radius, s->angle, shape, drive);
   } else {
-    tb_model_shape(model, s->head, s->radius, s->angle, patch, view->radial, shape);
+    tb_model_shape(model, s->head, s->radius, s->angle, patch, view->strikers.radial, shape);
     if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
   }
   clear_others(&model->modes, tb_slot_modes(view, slot), shape);
@@ -156,14 +156,14 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
 
 static void find_place_on_hoop(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  TbSlot *s = &view->state->slots[slot];
-  tb_model_hoop_shape(model, s->angle, view->radial, tb_slot_shape(view, slot));
+  TbSlot *s = &view->state->strikers.slots[slot];
+  tb_model_hoop_shape(model, s->angle, view->strikers.radial, tb_slot_shape(view, slot));
   s->rest_height = model->def.hoop.height;
 }
 
 /* What the modes are at a slot's place on head or hoop. */
 static void find_place(TbView *view, uint32_t slot) {
-  if (view->state->slots[slot].on_hoop) {
+  if (view->state->strikers.slots[slot].on_hoop) {
     find_place_on_hoop(view, slot);
   } else {
     find_place_on_head(view, slot);
@@ -189,7 +189,7 @@ double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *
                               const TbPhase *now) {
   const uint32_t row = view->model->wires.stride + slot;
   const double sum = next->eta[row] + now->eta[row];
-  return 0.5 * tb_contact_law_potential(&view->state->slot_laws[slot], sum);
+  return 0.5 * tb_contact_law_potential(&view->state->strikers.laws[slot], sum);
 }
 
 static double contact_energy(const TbView *view, uint32_t slot) {
@@ -199,19 +199,19 @@ static double contact_energy(const TbView *view, uint32_t slot) {
 void tb_pool_raise(TbView *view, uint32_t slot, double by) {
   const uint32_t row = view->model->wires.stride + slot;
   const double before = contact_energy(view, slot);
-  view->state->slots[slot].coat += by;
+  view->state->strikers.slots[slot].coat += by;
   view->now.eta[row] += by;
   view->last.eta[row] += by;
-  view->state->sums.injected += contact_energy(view, slot) - before;
+  view->state->ledger.sums.injected += contact_energy(view, slot) - before;
 }
 
 void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle) {
   const double before = contact_energy(view, slot);
-  view->state->slots[slot].radius = radius;
-  view->state->slots[slot].angle = angle;
+  view->state->strikers.slots[slot].radius = radius;
+  view->state->strikers.slots[slot].angle = angle;
   find_place(view, slot);
   find_penetration(view, slot);
-  view->state->sums.injected += contact_energy(view, slot) - before;
+  view->state->ledger.sums.injected += contact_energy(view, slot) - before;
   tb_coupling_renew(view);
 }
 
@@ -227,19 +227,21 @@ static void clear_row(TbView *view, uint32_t slot) {
   }
   memset(tb_slot_coupling(view, slot), 0, view->model->projection.wire_grid.size * sizeof(double));
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    view->slot_coupling[slot * TB_SLOTS + i] = view->slot_coupling[i * TB_SLOTS + slot] = 0.0;
+    view->strikers.slot_coupling[slot * TB_SLOTS + i] =
+      view->strikers.slot_coupling[i * TB_SLOTS + slot] = 0.0;
   }
   view->contact_compliance[row] = view->b[row] = view->solve.warm.force[row] = 0.0;
 }
 
 static void book_removed(TbView *view, uint32_t slot) {
   TbState *state = view->state;
-  const TbSlot *s = &state->slots[slot];
+  const TbSlot *s = &state->strikers.slots[slot];
   if (s->kind == TB_SLOT_STRIKER) {
-    state->sums.removed += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
-                           contact_energy(view, slot);
-    state->sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
-    state->sums.removed +=
+    state->ledger.sums.removed +=
+      0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
+      contact_energy(view, slot);
+    state->ledger.sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
+    state->ledger.sums.removed +=
       tb_truncated_modes_energy(tb_slot_truncated(view, slot), view->model->step_rate,
                                 view->now.truncated[slot], view->last.truncated[slot]);
   }
@@ -248,13 +250,13 @@ static void book_removed(TbView *view, uint32_t slot) {
 static void clear_slot(TbView *view, uint32_t slot) {
   TbState *state = view->state;
   clear_row(view, slot);
-  state->slots[slot] = (TbSlot){0};
-  state->slot_laws[slot] = (TbContactLaw){.kind = TB_CONTACT_LAW_GENERAL};
-  state->slot_mask &= ~(1u << slot);
+  state->strikers.slots[slot] = (TbSlot){0};
+  state->strikers.laws[slot] = (TbContactLaw){.kind = TB_CONTACT_LAW_GENERAL};
+  state->strikers.mask &= ~(1u << slot);
 }
 
 void tb_pool_take_away(TbView *view, uint32_t slot) {
-  const uint32_t partner = view->state->slots[slot].partner;
+  const uint32_t partner = view->state->strikers.slots[slot].partner;
   book_removed(view, slot);
   if (partner) book_removed(view, partner - 1u);
   clear_slot(view, slot);
@@ -267,9 +269,9 @@ void tb_pool_muffle(TbView *view) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   for (uint32_t h = 0; h < model->head.heads; h++) {
     const uint32_t slot = TB_MUFFLERS + h;
-    TbSlot *s = &view->state->slots[slot];
+    TbSlot *s = &view->state->strikers.slots[slot];
     const double strength =
-      model->def.quality.losses ? view->state->live[TB_LIVE_MUFFLE + h].now : 0.0;
+      model->def.quality.losses ? view->state->live.values[TB_LIVE_MUFFLE + h].now : 0.0;
     if (strength == s->strength) continue;
     if (strength == 0.0) {
       tb_pool_take_away(view, slot);
@@ -296,23 +298,23 @@ static bool row_touches(const TbView *view, uint32_t slot) {
 }
 
 bool tb_pool_sounded(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
-  return s->sounded || (s->partner && view->state->slots[s->partner - 1u].sounded);
+  const TbSlot *s = &view->state->strikers.slots[slot];
+  return s->sounded || (s->partner && view->state->strikers.slots[s->partner - 1u].sounded);
 }
 
 bool tb_pool_touches(const TbView *view, uint32_t slot) {
-  const uint32_t partner = view->state->slots[slot].partner;
+  const uint32_t partner = view->state->strikers.slots[slot].partner;
   return row_touches(view, slot) || (partner && row_touches(view, partner - 1u));
 }
 
 uint32_t tb_pool_obtain(TbView *view) {
   uint32_t oldest = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (s->kind == TB_SLOT_FREE) return i;
     if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving)) continue;
     if (!tb_pool_sounded(view, i) || tb_pool_touches(view, i)) continue;
-    if (oldest == TB_SLOTS || s->serial < view->state->slots[oldest].serial) oldest = i;
+    if (oldest == TB_SLOTS || s->serial < view->state->strikers.slots[oldest].serial) oldest = i;
   }
   if (oldest < TB_SLOTS) tb_pool_take_away(view, oldest);
   return oldest;
@@ -338,7 +340,7 @@ static void raise(TbView *view, uint32_t slot, double above) {
 /* `above` the surface now, or, where the head recedes faster, above it one sample ago. */
 static void launch(TbView *view, uint32_t slot, double above) {
   const uint32_t row = view->model->wires.stride + slot;
-  const double approach = view->state->slots[slot].velocity * view->model->time_step;
+  const double approach = view->state->strikers.slots[slot].velocity * view->model->time_step;
   const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
   double z = surface_now;
   if (surface_last - approach > z) z = surface_last - approach;
@@ -351,13 +353,14 @@ static void launch(TbView *view, uint32_t slot, double above) {
 }
 
 static void book_launch(TbView *view, uint32_t slot) {
-  view->state->sums.injected += 0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z);
+  view->state->ledger.sums.injected +=
+    0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z);
 }
 
 double tb_pool_press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
 
 void tb_pool_hold(TbView *view, uint32_t slot, double force) {
-  TbSlot *s = &view->state->slots[slot];
+  TbSlot *s = &view->state->strikers.slots[slot];
   if (!s->held) s->anchor = view->now.z[slot];
   s->held = 1;
   s->press = force;
@@ -366,8 +369,8 @@ void tb_pool_hold(TbView *view, uint32_t slot, double force) {
 }
 
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
-  view->state->slots[slot] = *striker;
-  view->state->slot_mask |= 1u << slot;
+  view->state->strikers.slots[slot] = *striker;
+  view->state->strikers.mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
 }
 
@@ -380,8 +383,8 @@ void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double abov
 }
 
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
-  view->state->slots[slot] = *hand;
-  view->state->slot_mask |= 1u << slot;
+  view->state->strikers.slots[slot] = *hand;
+  view->state->strikers.mask |= 1u << slot;
   tb_pool_rebuild(view, slot);
   tb_coupling_renew(view);
 }
@@ -400,7 +403,7 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
 void tb_pool_regrip(TbView *view) {
   bool found = false;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (!s->held) continue;
     view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, s);
     found = true;
@@ -409,7 +412,7 @@ void tb_pool_regrip(TbView *view) {
 }
 
 double tb_pool_free_height(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   const double now = view->now.z[slot], last = view->last.z[slot];
   if (!s->held) return 2.0 * now - last;
   const Hand hand = hand_of(view, s);
@@ -421,8 +424,8 @@ double tb_pool_free_height(const TbView *view, uint32_t slot) {
 
 TbHandWork tb_pool_hand_work(const TbView *view) {
   TbHandWork work = {0.0, 0.0};
-  for (uint32_t i = 0; view->state->slot_mask >> i; i++) {
-    const TbSlot *s = &view->state->slots[i];
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    const TbSlot *s = &view->state->strikers.slots[i];
     work.lost += tb_rigid_stick_loss(view, i);
     if (!s->held) continue;
     const Hand hand = hand_of(view, s);
@@ -436,18 +439,19 @@ TbHandWork tb_pool_hand_work(const TbView *view) {
 /* Off and away: nothing touches, nor will it in a moment. */
 static bool is_leaving(const TbView *view, uint32_t slot) {
   const double gap = -view->now.eta[view->model->wires.stride + slot];
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   const double far = s->held && !s->leaving ? OUT_OF_HAND : AWAY;
   return gap > far && view->now.z[slot] > view->last.z[slot];
 }
 
 /* A tip that only rests on the head waits for no leave. */
 static bool end_is_done(const TbView *view, uint32_t slot) {
-  return view->state->slots[slot].rests || (!row_touches(view, slot) && is_leaving(view, slot));
+  return view->state->strikers.slots[slot].rests ||
+         (!row_touches(view, slot) && is_leaving(view, slot));
 }
 
 static bool is_done(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->slots[slot];
+  const TbSlot *s = &view->state->strikers.slots[slot];
   if (s->partner && end_is_done(view, slot) && end_is_done(view, s->partner - 1u)) return true;
   if (tb_pool_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
@@ -459,10 +463,10 @@ static bool is_done(const TbView *view, uint32_t slot) {
 
 void tb_pool_retire(TbView *view) {
   TbState *state = view->state;
-  if (state->slot_mask == 0) return;
+  if (state->strikers.mask == 0) return;
   const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->step_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    TbSlot *s = &state->slots[i];
+    TbSlot *s = &state->strikers.slots[i];
     if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
     if (s->kind == TB_SLOT_STRIKER && row_touches(view, i)) s->sounded = 1;
     if (s->leaving) pull_up(view, s);

@@ -35,7 +35,7 @@ static bool is_pressed(const TbSlot *s) {
 
 /* A pressed stick that touches is lifted, everything else is gone at once. */
 static void let_go(TbView *view, uint32_t i) {
-  TbSlot *s = &view->state->slots[i];
+  TbSlot *s = &view->state->strikers.slots[i];
   if (is_pressed(s) && tb_pool_touches(view, i)) {
     lift(s);
   } else {
@@ -47,9 +47,9 @@ static void let_go(TbView *view, uint32_t i) {
  * yet, its stroke is lost. */
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (!is_pressed(s) || s->id != id) continue;
-    view->state->statistics.dropped_events += !tb_pool_sounded(view, i);
+    view->state->ledger.statistics.dropped_events += !tb_pool_sounded(view, i);
     let_go(view, i);
   }
 }
@@ -61,7 +61,7 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
   if (slot == TB_SLOTS) return false;
   const TbSlot striker = {.kind = TB_SLOT_STRIKER,
                           .id = stroke->id,
-                          .serial = ++state->serial,
+                          .serial = ++state->strikers.serial,
                           .mass = mass_of(view, stroke),
                           .part = 1.0,
                           .definition = stroke->striker,
@@ -89,7 +89,7 @@ bool tb_strike(TbView *view, const TbStroke *stroke) {
   if (stroke->technique == TABOR_TECHNIQUE_SWEEP) return false;
   free_hand(view, stroke->id);
   if (!(on_hoop(stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke))) return false;
-  view->state->statistics.strikes++;
+  view->state->ledger.statistics.strikes++;
   return true;
 }
 
@@ -98,7 +98,7 @@ bool tb_strike(TbView *view, const TbStroke *stroke) {
 bool tb_press(TbView *view, uint32_t id, double pressure) {
   bool found = tb_brush_press(view, id, pressure);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
     if (s->on_hoop || s->partner || s->leaving) continue;
     tb_pool_hold(view, i, tb_pool_press_force(pressure));
@@ -109,7 +109,7 @@ bool tb_press(TbView *view, uint32_t id, double pressure) {
 
 static uint32_t find_hand(const TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (s->kind == TB_SLOT_HAND && s->id == id) return i;
   }
   return TB_SLOTS;
@@ -121,7 +121,7 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
   if (slot == TB_SLOTS) return false;
   const TbSlot hand = {.kind = TB_SLOT_HAND,
                        .id = id,
-                       .serial = ++view->state->serial,
+                       .serial = ++view->state->strikers.serial,
                        .radius = radius,
                        .angle = angle,
                        .strength = strength};
@@ -132,7 +132,7 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
 void tb_release(TbView *view, uint32_t id) {
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->slots[i];
+    const TbSlot *s = &view->state->strikers.slots[i];
     if (s->kind != TB_SLOT_FREE && !s->leaving && (id == 0 || s->id == id)) let_go(view, i);
   }
 }

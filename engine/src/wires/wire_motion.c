@@ -11,7 +11,7 @@ static void project(TbView *view) {
 static void stretch(TbView *view) {
   const TaborModel *model = view->model;
   tb_project_parts(&model->projection, model->kernels, &model->stretch.parts, model->stretch.count,
-                   view->stretch_pull, view->solve.in.stretch_grid);
+                   view->stretch.pull, view->solve.in.stretch_grid);
 }
 
 static void penetrate(TbView *view) {
@@ -20,9 +20,9 @@ static void penetrate(TbView *view) {
   model->kernels->expand(&model->projection.wire_grid, view->change, view->solve.work.scratch,
                          view->head);
   TB_STAGE(WIRES);
-  model->kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->shift, view->head,
-                            view->next.v + TB_WIRE_FRONT, model->rest.eta, view->last.eta,
-                            view->rest_load, view->b);
+  model->kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->wires.shift,
+                            view->head, view->next.v + TB_WIRE_FRONT, model->rest.eta,
+                            view->last.eta, view->rest_load, view->b);
 }
 
 static void renew(TbView *view, const double *motion) {
@@ -48,6 +48,7 @@ void tb_penetrations_from_displacements(TbView *view, TbPhase *phase) {
                          phase->eta);
   for (uint32_t row = 0; row < wires->stride; row++) {
     const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
-    phase->eta[row] = deviation + model->rest.eta[row] + view->state->shift[wires->row_wire[row]];
+    phase->eta[row] =
+      deviation + model->rest.eta[row] + view->state->wires.shift[wires->row_wire[row]];
   }
 }

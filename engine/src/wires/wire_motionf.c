@@ -39,7 +39,7 @@ static void stretch(TbView *view) {
     TbGatherF gather = from_modes(group, model->stretch.parts.size[g]);
     gather.vectors = model->stretch.count;
     for (uint32_t h = 0; h < model->stretch.count; h++) {
-      view->model->kernelsf->narrow(gather.part, view->stretch_pull[h] + group->first,
+      view->model->kernelsf->narrow(gather.part, view->stretch.pull[h] + group->first,
                                     view->modalf[h]);
       gather.x[h] = view->modalf[h];
       gather.out[h] = view->solve.in.stretch_grid[h] + group->first_point;

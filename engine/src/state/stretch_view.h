@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* What a step knows of stretching heads (heads/stretch.h). */
+#ifndef TB_STRETCH_VIEW_H
+#define TB_STRETCH_VIEW_H
+
+#include "model/model.h"
+
+typedef struct TbStretchView {
+  double *pull[2];          /* [modes padded]: see stretch.h */
+  double *mixed[2];         /* [modes padded] G q off G's diagonal */
+  double *carry;            /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
+  double along[2], rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
+  uint32_t count;           /* heads that stretch in this step: all that can, or none */
+  TbStretching sums;        /* of this sample, if `summed` */
+  bool summed;
+} TbStretchView;
+
+#endif

@@ -181,12 +181,14 @@ static void assert_refused(size_t at, uint32_t value, const char *what) {
 
 static void wrong_indices_are_refused(void **state) {
   (void)state;
-  const size_t slot = offsetof(TbState, slots);
+  const size_t slot = offsetof(TbState, strikers.slots);
   assert_refused(offsetof(TbState, newest), 3, "a fourth instant");
-  assert_refused(offsetof(TbState, slot_mask), UINT32_MAX, "slots that are none");
-  assert_refused(offsetof(TbState, slot_mask), 0, "a mask that lacks slots");
-  assert_refused(offsetof(TbState, delay_at), model->mics[0].delay + 1u, "beyond a delay line");
-  assert_refused(offsetof(TbState, heard), 1u << model->def.mic_count, "a microphone too many");
+  assert_refused(offsetof(TbState, strikers.mask), UINT32_MAX, "slots that are none");
+  assert_refused(offsetof(TbState, strikers.mask), 0, "a mask that lacks slots");
+  assert_refused(offsetof(TbState, mics.delay_at), model->mics[0].delay + 1u,
+                 "beyond a delay line");
+  assert_refused(offsetof(TbState, mics.heard), 1u << model->def.mic_count,
+                 "a microphone too many");
   assert_refused(slot + offsetof(TbSlot, kind), 3, "a slot of a fourth kind");
   assert_refused(slot + offsetof(TbSlot, definition), model->def.striker_count, "no such striker");
   assert_refused(slot + offsetof(TbSlot, head), 2, "a third head");
@@ -194,19 +196,16 @@ static void wrong_indices_are_refused(void **state) {
   assert_refused(slot + offsetof(TbSlot, partner), 1, "a partner of itself");
   assert_refused(slot + offsetof(TbSlot, bends), TB_GRIPS + 1u, "a fourth grip");
   assert_refused(slot + offsetof(TbSlot, bristles), 1, "bristles at a stick's place");
-  assert_refused(offsetof(TbState, slot_laws) + offsetof(TbContactLaw, kind), 5, "a sixth law");
+  assert_refused(offsetof(TbState, strikers.laws) + offsetof(TbContactLaw, kind), 5, "a sixth law");
 }
 
 static void numbers_that_are_none_are_refused(void **state) {
   (void)state;
   const double none = NAN;
   const size_t arrays = tb_state_head_bytes();
-  const size_t places[] = {offsetof(TbState, z),
-                           offsetof(TbState, shift),
-                           arrays + model->layout.q[1],
-                           arrays + model->layout.v[2] + 8,
-                           arrays + model->layout.coupling[0],
-                           arrays + model->layout.delay[0]};
+  const size_t places[] = {offsetof(TbState, strikers.z),      offsetof(TbState, wires.shift),
+                           arrays + model->layout.q[1],        arrays + model->layout.v[2] + 8,
+                           arrays + model->layout.coupling[0], arrays + model->layout.delay[0]};
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
     if (try_with(places[i], &none, sizeof none)) fail_msg("accepted: not a number, place %zu", i);
   }

@@ -206,7 +206,8 @@ static void keep_what_counts(TbState *state) {
     memset(&state->strikers.laws[i], 0, sizeof state->strikers.laws[i]);
     for (int instant = 0; instant < 3; instant++) {
       state->strikers.z[instant][i] = 0.0;
-      memset(state->strikers.truncated[instant][i], 0, sizeof state->strikers.truncated[instant][i]);
+      memset(state->strikers.truncated[instant][i], 0,
+             sizeof state->strikers.truncated[instant][i]);
       memset(state->strikers.bow[instant][i], 0, sizeof state->strikers.bow[instant][i]);
     }
   }
@@ -339,21 +340,24 @@ static void times_and_speeds_stay_when_steps_are_halved(void **state) {
       const TbState *x = drum->state, *y = same->state;
       assert_int_equal(counted(drum).in_play, counted(same).in_play);
       for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-        assert_true(fabs(x->live[i].left * ratio - y->live[i].left) <= 1.0);
-        assert_true(is_near(x->live[i].step, y->live[i].step * ratio, 1e-12));
-        assert_true(x->live[i].now == y->live[i].now && x->live[i].target == y->live[i].target);
+        assert_true(fabs(x->live.values[i].left * ratio - y->live.values[i].left) <= 1.0);
+        assert_true(is_near(x->live.values[i].step, y->live.values[i].step * ratio, 1e-12));
+        assert_true(x->live.values[i].now == y->live.values[i].now &&
+                    x->live.values[i].target == y->live.values[i].target);
       }
       const TbView a = tb_view(drum->state, to), b = tb_view(same->state, from);
       for (uint32_t i = 0; i < TB_SLOTS; i++) {
-        assert_int_equal(x->slots[i].kind, y->slots[i].kind);
-        assert_true(fabs((double)x->slots[i].age * ratio - (double)y->slots[i].age) <= 1.0);
-        assert_true(fabs(x->slots[i].leaving * ratio - y->slots[i].leaving) <= 1.0);
-        if (x->slots[i].kind != TB_SLOT_STRIKER) continue;
+        assert_int_equal(x->strikers.slots[i].kind, y->strikers.slots[i].kind);
+        assert_true(
+          fabs((double)x->strikers.slots[i].age * ratio - (double)y->strikers.slots[i].age) <= 1.0);
+        assert_true(fabs(x->strikers.slots[i].leaving * ratio - y->strikers.slots[i].leaving) <=
+                    1.0);
+        if (x->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
         assert_true(a.now.z[i] == b.now.z[i]);
         assert_true(is_near((a.now.z[i] - a.last.z[i]) / ratio, b.now.z[i] - b.last.z[i], 1e-9));
       }
       for (uint32_t i = 0; i < TB_BRUSHES; i++) {
-        const TbBrush *m = &x->brushes[i], *n = &y->brushes[i];
+        const TbBrush *m = &x->strikers.brushes[i], *n = &y->strikers.brushes[i];
         assert_int_equal(m->active, n->active);
         assert_true(is_near(m->along, n->along * ratio, 1e-12));
         assert_true(is_near(m->around, n->around * ratio, 1e-12));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file show.c
- * `tabor show`: prints a drum's parameters as a preset file, which reads back to the same drum.
+ * `tabor show`: prints a drum's parameters as a preset file, or a kit as a kit file, which reads back to the same.
  */
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +11,8 @@
 #include "drums/drum_args.h"
 #include "drums/preset_file.h"
 #include "drums/preset_text.h"
+#include "kit/kit_args.h"
+#include "kit/kit_text.h"
 
 static Outcome print_text(void *context, const char *text, size_t size) {
   (void)context;
@@ -48,7 +50,22 @@ static Outcome print_json(const TaborDrumDef *def) {
   return outcome;
 }
 
+static Outcome show_kit(const Arguments *arguments) {
+  static const char *const excluded[] = {"json"};
+  TaborKitDef def;
+  KitSamples samples;
+  Outcome outcome = kit_refuse_options(arguments, excluded, 1, "a kit is shown as its file");
+  if (outcome != OUTCOME_OK) return outcome;
+  outcome = kit_load(arguments, &def, &samples);
+  if (outcome == OUTCOME_OK) {
+    outcome = kit_text_write(&def, &samples, "'tabor show'", print_text, NULL);
+  }
+  kit_samples_free(&samples);
+  return outcome;
+}
+
 static Outcome run(const Arguments *arguments) {
+  if (arguments_has(arguments, "kit")) return show_kit(arguments);
   TaborDrumDef def;
   const Outcome outcome = drum_load(arguments, &def);
   if (outcome != OUTCOME_OK) return outcome;
@@ -57,12 +74,12 @@ static Outcome run(const Arguments *arguments) {
            : preset_text_write(&def, "'tabor show'", print_text, NULL);
 }
 
-static const Option options[] = {OPTION_SET, {0}};
+static const Option options[] = {OPTION_SET, OPTION_KIT, {0}};
 
 const Command show_command = {
   .name = "show",
   .operand = "[PRESET]",
-  .summary = "Print a drum's parameters as a preset file",
+  .summary = "Print a drum's parameters as a preset file, or a kit",
   .notes = PRESET_NOTES,
   .options = options,
   .run = run,

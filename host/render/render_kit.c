@@ -66,9 +66,11 @@ static Outcome read_song(const Arguments *arguments, KitRendering *r) {
   for (int i = 0; i < MIDI_VALUES; i++) r->midi.has_sample[i] = r->samples.notes[i].path != NULL;
   outcome = kit_song_read(name, &r->midi, humanizer, r->model.sample_rate, &r->take.song);
   const bool ends = r->take.format.frames > 0 && r->take.song.last_frame >= r->take.format.frames;
-  if (outcome != OUTCOME_OK || !ends) return outcome;
-  return refuse("--duration: too short; the last event comes at %.10g s",
-                r->take.song.last_frame / r->model.sample_rate);
+  if (outcome == OUTCOME_OK && ends && !r->quiet) {
+    note("'%s' goes on until %.10g s; the sound stops at --duration", name,
+         r->take.song.last_frame / r->model.sample_rate);
+  }
+  return outcome;
 }
 
 /* ---- files ----------------------------------------------------------------------------------- */

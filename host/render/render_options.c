@@ -67,7 +67,7 @@ static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
-/* A stick may be lifted after the end. */
+/* Of a song, the beginning may be enough. A stick may be lifted after the end. */
 static Outcome read_duration(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--duration", 0.01, 3600, false};
   const char *const text = arguments_value(arguments, "duration");
@@ -78,6 +78,13 @@ static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
   request->frames = (uint32_t)llround(duration * request->model.sample_rate);
   const uint32_t last = render_request_last_stroke(request);
   if (last < request->frames) return OUTCOME_OK;
+  if (arguments_has(arguments, "midi-file") || request->input.count > 0) {
+    if (!request->quiet) {
+      note("what is played goes on until %.10g s; the sound stops at %s s",
+           last / request->model.sample_rate, text);
+    }
+    return OUTCOME_OK;
+  }
   return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s", text,
                 last / request->model.sample_rate);
 }

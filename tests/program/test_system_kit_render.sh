@@ -27,13 +27,35 @@ if [ "$brief" != brief ]; then
   holds "a level for use" "$(json peak) > 0.1 && $(json peak) < 1"
 fi
 
+# ---- a kit as text ----
+
+for kit in standard jazz marching frame-drums; do
+  run show --kit "$kit"
+  same "status of show --kit $kit" 0 "$status"
+  cp "$out" shown.ini
+  run show --kit ./shown.ini
+  check "$kit reads back to the same kit" cmp -s shown.ini "$out"
+done
+run show --kit standard --set drum.snare.batter.pitch=B3 --set kit.coupling=off --set note.42.sample=hat.wav
+check "changes are shown" grep -qx 'coupling = off' "$out"
+check "samples are shown" grep -qx 'sample = hat.wav' "$out"
+check "a changed head is shown" grep -q '^batter.pitch = 246.94' "$out"
+refused "--kit and 'tom-12': the kit has the drums" show tom-12 --kit jazz
+run show --kit standard
+cp "$out" shown.ini
+
 # ---- the same sound however it is made ----
 
 run "${short[@]}" -o mix.wav
 check "one stroke on the hi-hat" grep -q 'no drum of the kit: 42 closed hi-hat (1)$' "$err"
 check "a line about the file" grep -q '^mix.wav: kit standard, 0.80 s, 48000 Hz, 2 channels, peak -' "$err"
 
+run render --kit standard --midi-file song.mid --quality draft --duration 0.3 -o begun.wav
+check "a song goes on after --duration" grep -q "^'song.mid' goes on until 0.5 s; the sound stops at --duration$" "$err"
+
 done_quietly "${short[@]}" -q -o again.wav
+done_quietly render --kit ./shown.ini "${short[@]:3}" -q -o shown.wav
+same_bytes "the kit that was shown" mix.wav shown.wav
 same_bytes "twice" mix.wav again.wav
 done_quietly "${short[@]}" -q --jobs 1 -o jobs.wav
 same_bytes "on one thread" mix.wav jobs.wav

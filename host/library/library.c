@@ -10,6 +10,7 @@
 
 #include "base/command.h"
 #include "base/folder.h"
+#include "base/interrupt.h"
 #include "base/json_output.h"
 #include "drums/drum_args.h"
 #include "library/library_batch.h"
@@ -78,6 +79,13 @@ static Outcome report(const Arguments *arguments, const LibraryRequest *request,
 
 /* ---- doing it ---- */
 
+/* For interrupt_at_end(); on a terminal a line of progress stands there. */
+static void say_stopped(void) {
+  static const char line[] = "\ntabor: stopped; the same command renders what is missing\n";
+  const size_t from = isatty(STDERR_FILENO) ? 0 : 1;
+  (void)!write(STDERR_FILENO, line + from, sizeof line - 1 - from);
+}
+
 /* The instrument comes last: where it is, all its sounds are. */
 static Outcome make_missing(const Arguments *arguments, LibrarySums *sums) {
   const LibraryRequest *const request = sums->request;
@@ -87,7 +95,9 @@ static Outcome make_missing(const Arguments *arguments, LibrarySums *sums) {
   if (outcome == OUTCOME_OK && batch.count > 0 && request->kit)
     outcome = library_kit_build(request);
   if (outcome == OUTCOME_OK) {
+    if (!request->render.quiet) interrupt_at_end(say_stopped);
     outcome = render_jobs_do(&batch);
+    interrupt_at_end(NULL);
     if (outcome == OUTCOME_OK) outcome = library_sums_end(sums);
     if (outcome == OUTCOME_OK) outcome = library_sfz_write(request, request->instrument);
     const Outcome reported = report(arguments, request, &batch);

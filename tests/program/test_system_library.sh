@@ -198,10 +198,10 @@ truncate -s -4000 ringing/*.wav
 done_quietly "${ringing[@]}" -q
 check "unless it was cut off" diff -r whole ringing
 
-long=(library tabor --velocities 4 --positions 2 --takes 2 --quality draft --duration 4 --format pcm16 -q)
-done_quietly "${long[@]}" -o undisturbed -j2
+long=(library tabor --velocities 4 --positions 2 --takes 2 --quality draft --duration 4 --format pcm16)
+done_quietly "${long[@]}" -q -o undisturbed -j2
 for signal in KILL TERM; do
-  nice -n 5 "$TABOR" "${long[@]}" -o killed -j2 2>/dev/null &
+  nice -n 5 "$TABOR" "${long[@]}" -o killed -j2 2>said &
   child=$!
   some_done() { [ "$(sounds killed 2>/dev/null)" -ge "$1" ]; }
   check "some sounds are done" wait_for some_done $(($(sounds killed 2>/dev/null) + 3))
@@ -210,8 +210,9 @@ for signal in KILL TERM; do
   same "the run was ended by SIG$signal before its end" 0 "$(find killed -name '*.sfz' | wc -l)"
   holds "and sounds are missing" "$(sounds killed) < 16"
 done
+check "how to go on is said" grep -qx 'tabor: stopped; the same command renders what is missing' said
 : >killed/.tabor-aBc123
-done_quietly "${long[@]}" -o killed -j2
+done_quietly "${long[@]}" -q -o killed -j2
 check "the bytes of an undisturbed run, and nothing else" diff -r undisturbed killed
 
 # Until a folder is a library, nothing in it is of a run before.

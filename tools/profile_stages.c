@@ -168,7 +168,8 @@ static void touch_wires(Memory *memory) {
   TOUCH(memory, TB_STAGE_WIRES, w->stride, w->inner, v->head, model->rest.eta, v->last.eta,
         v->rest_load, v->b, v->contact_compliance, v->solve.warm.force, model->rest.force, v->s,
         v->next.eta);
-  touch(memory, TB_STAGE_WIRES, v->state->wires.coefficients, w->count * sizeof *v->state->wires.coefficients);
+  touch(memory, TB_STAGE_WIRES, v->state->wires.coefficients,
+        w->count * sizeof *v->state->wires.coefficients);
   TOUCH(memory, TB_STAGE_LEDGER, w->node_count, v->next.v, v->last.v);
 }
 

@@ -244,10 +244,10 @@ static void touch_stretch(Memory *memory) {
   const size_t size = memory->model->projection.wire_grid.size;
   TOUCH(memory, TB_STAGE_STRETCH, modes, v->next.q, v->now.q, v->last.q, memory->model->modes.g);
   for (uint32_t h = 0; h < stretch->count; h++) {
-    TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], v->stretch_pull[h]);
+    TOUCH(memory, TB_STAGE_STRETCH, modes, stretch->gain[h], v->stretch.pull[h]);
     TOUCH(memory, TB_STAGE_STRETCH, size, v->solve.in.stretch_grid[h]);
   }
-  TOUCH(memory, TB_STAGE_STRETCH, size, v->stretch_carry, v->solve.warm.grid, v->solve.work.answer);
+  TOUCH(memory, TB_STAGE_STRETCH, size, v->stretch.carry, v->solve.warm.grid, v->solve.work.answer);
   if (memory->model->wires.count) touch_bed(memory, TB_STAGE_STRETCH, false, true);
 }
 
@@ -263,7 +263,7 @@ static void touch_strikers(Memory *memory) {
           v->next.q);
     TOUCH(memory, TB_STAGE_PRODUCT, model->projection.wire_grid.size, tb_slot_coupling(v, i));
     if (v->state->strikers.slots[i].kind == TB_SLOT_STRIKER) {
-      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high_drive);
+      TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high.drive);
     }
   }
 }
@@ -282,10 +282,10 @@ static void touch_high(Memory *memory) {
           (size_t)h->push[p].rows * h->push[p].size * sizeof *h->push[p].table);
   }
   touch(memory, TB_STAGE_HIGH, h->row_group, w->stride * sizeof *h->row_group);
-  touch(memory, TB_STAGE_HIGH, v->high_force, h->driven * sizeof *v->high_force);
+  touch(memory, TB_STAGE_HIGH, v->high.force, h->driven * sizeof *v->high.force);
   TOUCH(memory, TB_STAGE_HIGH, w->stride, v->solve.warm.force, memory->model->rest.force,
         v->solve.work.turned);
-  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high_held);
+  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high.held);
 }
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */

@@ -9,8 +9,7 @@
  * microphone and one for the resistance, of each head. The factors stand for the edge and for the
  * coupling of modes by the air. They depend on the place and hardly on the frequency (an open edge:
  * 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20 to 108,
- * tests/engine/test_high_band.c), so they are measured on the upper two-way modes, by the energy that these bring
- * to the microphones.
+ * tests/engine/test_high_band.c), so they are measured on the upper two-way modes.
  *
  * Modes of the enclosed air (high_cavity.h) ring on where the heads' own have died: those of a tom decay with 20 to
  * 30 1/s, its heads' with 40 to 75 1/s. Strikers drive them through the batter head, of whose functions they take a

@@ -212,8 +212,6 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
 
 /* ---- the edge ------------------------------------------------------------------------------- */
 
-static double pow_4(double x) { return x * x * x * x; }
-
 static double square_of(const double *complex_number) {
   return complex_number[0] * complex_number[0] + complex_number[1] * complex_number[1];
 }
@@ -236,81 +234,39 @@ static double part_in_head(const TbHeadOrder *order, uint32_t k, uint32_t head, 
   return square / (slope * slope);
 }
 
-/* An upper two-way mode of one low order, and the same as a Bessel function by itself. */
-typedef struct UpperMode {
-  const TbHeadMode *real;
-  TbHighMode simple;
-  double in_head; /* part of the real one */
-} UpperMode;
-
-/* Sums over them, of the real ones and of the others. */
-typedef struct EdgeSums {
-  EdgeFactors real, simple;
-} EdgeSums;
-
-typedef void AddUpper(const Builder *b, const EdgeFactors *edge, const UpperMode *mode,
-                      EdgeSums *sums);
-
-static void add_resistance(const Builder *b, const EdgeFactors *edge, const UpperMode *mode,
-                           EdgeSums *sums) {
-  (void)b, (void)edge;
-  sums->real.resistance += mode->real->radiation_rate;
-  sums->simple.resistance += mode->simple.radiation_rate;
-  sums->real.in_head += mode->in_head;
-  sums->simple.in_head += 1.0;
-}
-
-/* Energy at the microphones, with the resistance that is known by then. */
-static void add_energy(const Builder *b, const EdgeFactors *edge, const UpperMode *mode,
-                       EdgeSums *sums) {
-  const TbHighMode *c = &mode->simple;
-  const bool lossless = b->model->def.quality.losses == 0;
-  const double loss = c->decay_rate + edge->resistance * c->radiation_rate;
-  const double real_loss = lossless ? loss : mode->real->decay_rate;
-  const double real = mode->in_head * pow_4(mode->real->omega) / real_loss;
-  const double simple = pow_4(c->omega) / loss;
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    sums->real.field[p] += real * square_of(mode->real->fields + 2 * p);
-    sums->simple.field[p] += simple * square_of(c->fields + 2 * p);
-  }
-}
-
-static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *order, AddUpper *add,
-                           EdgeSums *sums) {
-  const EdgeFactors *edge = &b->sides[head].edge;
+/* Upper two-way modes of one low order, as they radiate, against the same as Bessel functions. */
+static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *order,
+                           EdgeFactors *real, EdgeFactors *simple) {
+  const TaborModel *model = b->model;
   for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
-    UpperMode mode = {.real = &b->model->head.modes[order->rows[k]]};
-    if (head_of(mode.real) != head) continue;
-    const double zero = order->zeros[mode.real->n - 1], slope = tb_bessel_j(order->m + 1, zero);
-    if (!radiate(b, head, order->m, zero, slope, &mode.simple)) return false;
-    mode.in_head = part_in_head(order, k, head, mode.simple.scale * slope);
-    add(b, edge, &mode, sums);
+    const TbHeadMode *mode = &model->head.modes[order->rows[k]];
+    if (head_of(mode) != head) continue;
+    const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
+    TbHighMode c;
+    if (!radiate(b, head, order->m, zero, slope, &c)) return false;
+    const double in_head = part_in_head(order, k, head, c.scale * slope);
+    for (uint32_t p = 0; p < model->def.mic_count; p++) {
+      real->field[p] += in_head * square_of(mode->fields + 2 * p);
+      simple->field[p] += square_of(c.fields + 2 * p);
+    }
+    real->in_head += in_head;
+    simple->in_head += 1.0;
+    real->resistance += mode->radiation_rate;
+    simple->resistance += c.radiation_rate;
   }
   return true;
 }
-
-/* Orders on which the edge is measured. */
-enum { EDGE_ORDERS = 10 };
-
-static bool add_edge(const Builder *b, uint32_t head, AddUpper *add, EdgeSums *sums) {
-  const TbHead *modes = &b->model->head;
-  for (uint32_t m = 0; m < modes->order_count && m < EDGE_ORDERS; m++) {
-    if (!add_order_edge(b, head, &modes->orders[m], add, sums)) return false;
-  }
-  return true;
-}
-
-static double ratio(double real, double simple) { return simple > 0.0 ? real / simple : 1.0; }
 
 static bool measure_edge(Builder *b, uint32_t head) {
-  EdgeSums sums = {.real = {.resistance = 0.0}};
-  EdgeFactors *edge = &b->sides[head].edge;
-  if (!add_edge(b, head, add_resistance, &sums)) return false;
-  edge->in_head = ratio(sums.real.in_head, sums.simple.in_head);
-  edge->resistance = ratio(sums.real.resistance, sums.simple.resistance);
-  if (!add_edge(b, head, add_energy, &sums)) return false;
+  const TbHead *modes = &b->model->head;
+  EdgeFactors real = {{0.0}, 0.0, 0.0}, simple = {{0.0}, 0.0, 0.0}, *edge = &b->sides[head].edge;
+  for (uint32_t m = 0; m < modes->order_count && m < 10; m++) {
+    if (!add_order_edge(b, head, &modes->orders[m], &real, &simple)) return false;
+  }
+  edge->in_head = simple.in_head > 0.0 ? real.in_head / simple.in_head : 1.0;
+  edge->resistance = simple.resistance > 0.0 ? real.resistance / simple.resistance : 1.0;
   for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
-    edge->field[p] = sqrt(ratio(sums.real.field[p], sums.simple.field[p]));
+    edge->field[p] = simple.field[p] > 0.0 ? sqrt(real.field[p] / simple.field[p]) : 1.0;
   }
   return true;
 }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/preset_file.h"
+
 /* Where the text goes, and what became of it. */
 typedef struct Text {
   PresetSink *sink;
@@ -19,7 +21,12 @@ PRINTF_AT(2, 3) static void give(Text *text, const char *format, ...) {
   va_start(values, format);
   const int size = vsnprintf(line, sizeof line, format, values);
   va_end(values);
-  if (text->outcome == OUTCOME_OK) text->outcome = text->sink(text->context, line, (size_t)size);
+  if (text->outcome != OUTCOME_OK) return;
+  if (size < 0 || (size_t)size >= sizeof line || strlen(line) > PRESET_LINE_LIMIT + 2) {
+    text->outcome = refuse("'%.40s...': a kit file's lines hold %d bytes", line, PRESET_LINE_LIMIT);
+    return;
+  }
+  text->outcome = text->sink(text->context, line, (size_t)size);
 }
 
 /* With as many digits as it takes to read the same number. */
@@ -97,15 +104,26 @@ static void give_notes(Text *text, const TaborKitDrumDef *drum, uint8_t stroke) 
   size_t used = 0;
   for (unsigned note = 0; note < TABOR_KIT_NOTES; note++) {
     if (drum->notes[note] != stroke) continue;
-    used += (size_t)snprintf(list + used, sizeof list - used, "%s%u", used ? ", " : "", note);
+    used += (size_t)snprintf(list + used, sizeof list - used, "%s%u", used ? "," : "", note);
   }
   give_words(text, STROKES[stroke], list);
+}
+
+/* A drum may have the name of a preset and lack parts of it. */
+static bool has_all_of(const TaborDrumDef *def, const TaborDrumDef *preset) {
+  char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
+  TaborError error;
+  for (uint32_t i = 0; tabor_drum_def_key(preset, i, key, sizeof key); i++) {
+    if (tabor_drum_def_get(def, key, value, sizeof value, &error) != TABOR_OK) return false;
+  }
+  return true;
 }
 
 static void give_drum(Text *text, const TaborKitDrumDef *drum) {
   TaborDrumDef preset;
   TaborError error;
-  const bool known = tabor_drum_def_preset(&preset, drum->def.name, &error) == TABOR_OK;
+  const bool known = tabor_drum_def_preset(&preset, drum->def.name, &error) == TABOR_OK &&
+                     has_all_of(&drum->def, &preset);
   give(text, "\n[drum.%s]\n", drum->name);
   if (known) give(text, "preset = %s\n", drum->def.name);
   give_number(text, "x", drum->x, "m");
@@ -131,7 +149,8 @@ static void give_samples(Text *text, const KitSamples *samples) {
   for (unsigned note = 0; note < MIDI_VALUES; note++) {
     const KitSample *const sample = &samples->notes[note];
     if (!sample->path) continue;
-    give(text, "\n[note.%u]\nsample = %s\n", note, sample->path);
+    give(text, "\n[note.%u]\n", note);
+    give_words(text, "sample", sample->path);
     give_number(text, "gain", sample->gain_db, "dB");
     give_number(text, "choke", sample->choke, "");
   }

@@ -79,10 +79,13 @@ static Outcome report(const Arguments *arguments, const LibraryRequest *request,
 
 /* ---- doing it ---- */
 
-/* For interrupt_at_end(); on a terminal a line of progress stands there. */
+/* On a terminal a line of progress stands before it. */
+static bool on_terminal;
+
+/* For interrupt_at_end(). */
 static void say_stopped(void) {
   static const char line[] = "\ntabor: stopped; the same command renders what is missing\n";
-  const size_t from = isatty(STDERR_FILENO) ? 0 : 1;
+  const size_t from = on_terminal ? 0 : 1;
   (void)!write(STDERR_FILENO, line + from, sizeof line - 1 - from);
 }
 
@@ -95,6 +98,7 @@ static Outcome make_missing(const Arguments *arguments, LibrarySums *sums) {
   if (outcome == OUTCOME_OK && batch.count > 0 && request->kit)
     outcome = library_kit_build(request);
   if (outcome == OUTCOME_OK) {
+    on_terminal = isatty(STDERR_FILENO) != 0;
     if (!request->render.quiet) interrupt_at_end(say_stopped);
     outcome = render_jobs_do(&batch);
     interrupt_at_end(NULL);

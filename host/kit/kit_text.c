@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "drums/preset_file.h"
+#include "midi/midi_map.h"
 
 /* Where the text goes, and what became of it. */
 typedef struct Text {
@@ -93,12 +94,6 @@ static void give_room(Text *text, const TaborKitDef *def) {
 
 /* ---- a drum ---------------------------------------------------------------------------------- */
 
-static const char *const STROKES[] = {
-  [TABOR_KIT_STROKE_HEAD] = "head", [TABOR_KIT_STROKE_RIMSHOT] = "rimshot",
-  [TABOR_KIT_STROKE_RIM] = "rim",   [TABOR_KIT_STROKE_CROSS_STICK] = "cross-stick",
-  [TABOR_KIT_STROKE_BUZZ] = "buzz", [TABOR_KIT_STROKE_SWEEP] = "sweep",
-};
-
 static void give_notes(Text *text, const TaborKitDrumDef *drum, uint8_t stroke) {
   char list[TABOR_KIT_NOTES * 5] = "";
   size_t used = 0;
@@ -106,7 +101,7 @@ static void give_notes(Text *text, const TaborKitDrumDef *drum, uint8_t stroke) 
     if (drum->notes[note] != stroke) continue;
     used += (size_t)snprintf(list + used, sizeof list - used, "%s%u", used ? "," : "", note);
   }
-  give_words(text, STROKES[stroke], list);
+  give_words(text, midi_stroke_names[stroke], list);
 }
 
 /* A drum may have the name of a preset and lack parts of it. */
@@ -136,7 +131,7 @@ static void give_drum(Text *text, const TaborKitDrumDef *drum) {
   give_number(text, "wake", drum->wake, "Pa");
   give_number(text, "choke", drum->choke, "");
   give_words(text, "mic", drum->mic);
-  for (uint8_t stroke = TABOR_KIT_STROKE_HEAD; stroke <= TABOR_KIT_STROKE_SWEEP; stroke++) {
+  for (uint8_t stroke = TABOR_KIT_STROKE_HEAD; midi_stroke_names[stroke]; stroke++) {
     give_notes(text, drum, stroke);
   }
   if (!known) tabor_drum_def_default(&preset);

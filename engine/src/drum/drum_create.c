@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "drum/drum_create.h"
-#include "step/reset.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "definition/error.h"
+#include "step/reset.h"
 
 static TaborStatus memory_error(TaborError *error, const char *what) {
   return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,

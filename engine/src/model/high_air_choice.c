@@ -6,8 +6,8 @@
 
 #include "acoustics/closed_drum_modes.h"
 
-void tb_air_plan(TbAirPlan *plan, const TaborDrumDef *def, double from, double to) {
-  *plan = (TbAirPlan){.from = from, .to = to};
+void tb_high_air_plan(TbHighAirPlan *plan, const TaborDrumDef *def, double from, double to) {
+  *plan = (TbHighAirPlan){.from = from, .to = to};
   for (uint32_t sixth = 0; sixth < TB_SIXTHS; sixth++) {
     const double modes = 0.5 * (tb_closed_drum_air_modes(def, tb_sixth_from(sixth + 1)) -
                                 tb_closed_drum_air_modes(def, tb_sixth_from(sixth)));
@@ -20,7 +20,7 @@ void tb_air_plan(TbAirPlan *plan, const TaborDrumDef *def, double from, double t
 static const double NEAR_BORDER = 0.8;
 
 /* Lists the modes to look at. Returns their number; `list` may be NULL. */
-static uint32_t list_modes(const TbAirPlan *plan, const TbHighCavity *cavity, uint32_t *met,
+static uint32_t list_modes(const TbHighAirPlan *plan, const TbHighCavity *cavity, uint32_t *met,
                            TbAirChoice *list) {
   uint32_t count = 0;
   for (uint32_t p = 0; p < cavity->order->radial_count; p++) {
@@ -37,7 +37,7 @@ static uint32_t list_modes(const TbAirPlan *plan, const TbHighCavity *cavity, ui
 }
 
 /* What strokes find of each mode; the modes take their part of the heads. */
-static void look_at(const TbAirPlan *plan, TbHighCavity *cavity, TbAirMode *mode,
+static void look_at(const TbHighAirPlan *plan, TbHighCavity *cavity, TbAirMode *mode,
                     const TbAirChoices *all) {
   for (uint32_t i = 0; i < all->count; i++) {
     TbAirChoice *choice = &all->choices[i];
@@ -50,7 +50,7 @@ static void look_at(const TbAirPlan *plan, TbHighCavity *cavity, TbAirMode *mode
 }
 
 /* Keeps some, in place. */
-static void keep_some(TbAirPlan *plan, TbAirChoices *all) {
+static void keep_some(TbHighAirPlan *plan, TbAirChoices *all) {
   double sum[TB_SIXTHS] = {0.0}, modes[TB_SIXTHS] = {0.0};
   for (uint32_t i = 0; i < all->count; i++) {
     sum[all->choices[i].sixth] += all->choices[i].in_head;
@@ -72,7 +72,7 @@ static void keep_some(TbAirPlan *plan, TbAirChoices *all) {
   all->count = kept;
 }
 
-bool tb_air_choose(TbAirPlan *plan, TbArena *arena, TbHighCavity *cavity, TbAirMode *mode,
+bool tb_air_choose(TbHighAirPlan *plan, TbArena *arena, TbHighCavity *cavity, TbAirMode *mode,
                    TbAirChoices *chosen) {
   uint32_t met[TB_SIXTHS];
   memcpy(met, plan->met, sizeof met);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Which modes of the enclosed air the high band radiates and offers for its choice (high_band.h): a few dozen in each
- * sixth of an octave, where a floor tom has thousands. At most TB_AIR_MET, evenly spread, are looked at. Of these, one
- * is the more likely kept, the more of it the batter head has:
+ * sixth of an octave, where a floor tom has thousands. Fewer than twice TB_AIR_MET, evenly spread, are looked at.
+ * The more the batter head has of a mode, the more likely that is kept:
  *   p = min(1, b/(n <b>)), b = in_head, <b> its mean over the order, n the modes for each one that is kept,
  * and stands for 1/p modes. The energy that strokes bring to a microphone grows with b, so that few of those kept stand
  * out. They are drawn by summing p, not by chance. Set-up only. */
@@ -15,13 +15,13 @@
 #define TB_AIR_KEPT 48u
 
 /* For all orders, and how far they are. */
-typedef struct TbAirPlan {
+typedef struct TbHighAirPlan {
   double from, to;               /* [rad/s] */
   uint32_t met_every[TB_SIXTHS]; /* of so many modes one is looked at */
   double kept_every[TB_SIXTHS];  /* of so many of these one is kept */
   uint32_t met[TB_SIXTHS];       /* modes so far */
   double due[TB_SIXTHS];         /* sum of p, less those kept */
-} TbAirPlan;
+} TbHighAirPlan;
 
 typedef struct TbAirChoice {
   uint32_t radial, axial, sixth;
@@ -35,11 +35,11 @@ typedef struct TbAirChoices {
 } TbAirChoices;
 
 /* Plans for the modes between two frequencies [rad/s]. */
-void tb_air_plan(TbAirPlan *plan, const TaborDrumDef *def, double from, double to);
+void tb_high_air_plan(TbHighAirPlan *plan, const TaborDrumDef *def, double from, double to);
 
 /* Chooses from the modes of one order, and lets those that it looks at take their part of the heads' functions. `mode` is
  * scratch. Returns false if memory ran out. */
-bool tb_air_choose(TbAirPlan *plan, TbArena *arena, TbHighCavity *cavity, TbAirMode *mode,
+bool tb_air_choose(TbHighAirPlan *plan, TbArena *arena, TbHighCavity *cavity, TbAirMode *mode,
                    TbAirChoices *chosen);
 
 #endif

@@ -58,8 +58,8 @@ typedef struct Builder {
   uint32_t outside[TABOR_MAX_MICS], outside_count; /* microphones outside the shell */
   Functions functions;                             /* of the order at hand */
   Inside inside;
-  TbAirPlan air;   /* empty without a cavity */
-  bool both_sides; /* a single head, with air outside on both */
+  TbHighAirPlan air; /* empty without a cavity */
+  bool both_sides;   /* a single head, with air outside on both */
   TbBesselTable table;
   double top; /* [rad/s] */
   TbHighMode *candidates;
@@ -506,7 +506,7 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
                .top = 2.0 * PI * top};
   if (!b.both_sides) {
     const double to = tb_closed_drum_air_top(&model->def, b.top);
-    tb_air_plan(&b.air, &model->def, 2.0 * PI * model->head.bandwidth, to);
+    tb_high_air_plan(&b.air, &model->def, 2.0 * PI * model->head.bandwidth, to);
   }
   b.outside_count = tb_mics_outside(&model->def, b.outside);
   double zero = 0.0;

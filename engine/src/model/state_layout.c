@@ -3,7 +3,7 @@
 
 /* Doubles of TbSolveWork. */
 static size_t work_doubles(const TaborModel *model) {
-  return TB_WORK_ROWS * TB_ROWS + TB_WORK_GRIDS * TB_GRID +
+  return TB_WORK_ROWS * TB_STATE_ROWS + TB_WORK_GRIDS * TB_STATE_GRID +
          tb_wire_grid_scratch(&model->projection.wire_grid);
 }
 
@@ -12,8 +12,9 @@ static size_t work_floats(const TaborModel *model) {
   static const size_t ROWS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_ROWS},
                       GRIDS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_GRIDS},
                       MODES[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = 2};
-  return ROWS[model->contacts] * TB_ROWS + GRIDS[model->contacts] * model->wire_gridf.size +
-         MODES[model->contacts] * TB_MODES + tb_pad(tb_wire_grid_scratchf(&model->wire_gridf));
+  return ROWS[model->contacts] * TB_STATE_ROWS + GRIDS[model->contacts] * model->wire_gridf.size +
+         MODES[model->contacts] * TB_STATE_MODES +
+         tb_pad(tb_wire_grid_scratchf(&model->wire_gridf));
 }
 
 static size_t place(size_t *total, size_t count) {

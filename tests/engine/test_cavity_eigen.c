@@ -150,14 +150,17 @@ static void walls_prepare(Walls *walls, const TbCavity *cavity, uint32_t m, doub
   assert_true(tb_cavity_order_prepare(&walls->order, &walls->arena, cavity, m, reach + PI, top));
 }
 
-/* Amplitude decay rate [1/s] of one rigid mode, P/(2E). */
+/* Amplitude decay rate [1/s] of one rigid mode, P/(2E), which the mode by itself has too. */
 static double wall_rate(const Walls *walls, const TbCavity *cavity, uint32_t mode) {
   double heads[128] = {0.0}, u[256] = {0.0};
   assert_true(walls->order.mode_count <= 256 && 2 * walls->air.count <= 128);
   u[mode] = 1.0;
-  const double omega = walls->order.modes[mode].omega;
-  return tb_cavity_wall_power(&walls->order, cavity, &walls->air, heads, u, omega) /
-         (omega * omega);
+  const TbCavityMode *m = &walls->order.modes[mode];
+  const double rate = tb_cavity_wall_power(&walls->order, cavity, &walls->air, heads, u, m->omega) /
+                      (m->omega * m->omega);
+  const double alone = tb_cavity_mode_decay_rate(&walls->order, cavity, m->radial, m->axial);
+  assert_true(fabs(alone / rate - 1.0) < 1e-12);
+  return rate;
 }
 
 /* Plane waves in a long rigid tube: Kirchhoff's s = sqrt(nu omega/2) (1 + (gamma - 1)/sqrt(Pr))/R. */

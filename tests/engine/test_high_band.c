@@ -117,9 +117,9 @@ static const double TOLERANCE = 1.5;
 /* Modes of the enclosed air meet modes of the heads by chance: frequencies to 1 % do not say which. At the very
  * centre one or two modes alone are a third of an octave, and the first tolerance is for those; the second is for the
  * mean over the places. */
-static const double TOLERANCE_ENCLOSED = 7.0, TOLERANCE_MEAN = 3.0;
+static const double TOLERANCE_ENCLOSED = 5.0, TOLERANCE_MEAN = 2.6;
 /* Inside, the air is what is heard: a stroke on the very centre drives one or two of its modes in a third of an octave. */
-static const double TOLERANCE_CENTRE = 22.0, TOLERANCE_INSIDE = 10.5, TOLERANCE_MEAN_INSIDE = 4.5;
+static const double TOLERANCE_CENTRE = 8.0, TOLERANCE_INSIDE = 5.0, TOLERANCE_MEAN_INSIDE = 2.5;
 
 static double tolerance_at(uint32_t kind, int place) {
   if (kind < TABOR_BOUNDARY_CLOSED) return TOLERANCE;

@@ -50,9 +50,9 @@ double tb_cavity_mode_omega(const TbCavity *cavity, double zero, uint32_t axial)
   return cavity->sound_speed * tb_hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-/* A floor tom's order has 60 coordinates, a deep shell under a tense head would have thousands. Where this
- * bites, the lowest orders end first and the highest not at all, so that together they fade out. */
-enum { MOST_COORDINATES = 128 };
+/* A tom's lowest orders have 220 coordinates below 16 kHz, a deep shell under a tense head would have thousands. Where
+ * this bites, the lowest orders end first and the highest not at all, so that together they fade out. */
+enum { MOST_COORDINATES = 640 };
 
 static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
   uint32_t total = 0;
@@ -208,9 +208,35 @@ typedef struct Wall {
   double square, slope;
 } Wall;
 
+/* Power that they absorb at the pressures of `omega`. */
+static double absorbed(const TbCavity *cavity, const Wall *side, const Wall *ends, double omega) {
+  const double k = omega / cavity->sound_speed,
+               viscous = sqrt(2.0 * TB_KINEMATIC_VISCOSITY / omega);
+  const double heat = 0.5 * k * (TB_HEAT_RATIO - 1.0) * viscous / sqrt(TB_PRANDTL);
+  const double friction = 0.5 * viscous / k;
+  return (heat * (side->square + ends->square) + friction * (side->slope + ends->slope) +
+          cavity->admittance * side->square) /
+         (2.0 * cavity->density * cavity->sound_speed);
+}
+
 static void add_wall(Wall *wall, double area, double amplitude, double wavenumber_square) {
   wall->square += area * amplitude * amplitude;
   wall->slope += area * amplitude * amplitude * wavenumber_square;
+}
+
+/* Pressures of axial order l on the side. */
+static void add_side(Wall *side, uint32_t m, const TbCavity *cavity, uint32_t l, double amplitude) {
+  const double around = (double)m / cavity->radius, axis = (double)l * PI / cavity->depth;
+  const double area = tb_cavity_azimuth(m) * cavity->radius * cavity->depth * (l ? 0.5 : 1.0);
+  add_wall(side, area, amplitude, around * around + axis * axis);
+}
+
+/* Pressures of radial order p on one end. */
+static void add_end(Wall *ends, const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                    double amplitude) {
+  const double radius = cavity->radius, kappa = order->zeros[p] / radius;
+  const double area = tb_cavity_azimuth(order->m) * radius * radius * order->norms[p];
+  add_wall(ends, area, amplitude, kappa * kappa);
 }
 
 /* Pressure in the spring (0,0,0): -(rho0 c0^2/N) S.w. */
@@ -236,8 +262,7 @@ static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
 double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega) {
-  if (cavity->density == 0.0) return 0.0; /* no air, no pressure */
-  const double radius = cavity->radius, depth = cavity->depth, a = tb_cavity_azimuth(order->m);
+  if (cavity->density == 0.0) return 0.0;     /* no air, no pressure */
   double along[MOST_COORDINATES + 1] = {0.0}; /* at the side, by l */
   Wall side = {0.0, 0.0}, ends = {0.0, 0.0};
   uint32_t next = 0, axial = 0;
@@ -256,19 +281,20 @@ double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
       along[l] += pressure * order->edges[p];
       if (l >= axial) axial = l + 1;
     }
-    const double kappa = order->zeros[p] / radius, area = a * radius * radius * order->norms[p];
-    add_wall(&ends, area, lower, kappa * kappa);
-    add_wall(&ends, area, upper, kappa * kappa);
+    add_end(&ends, order, cavity, p, lower);
+    add_end(&ends, order, cavity, p, upper);
   }
-  for (uint32_t l = 0; l < axial; l++) {
-    const double around = (double)order->m / radius, axis = (double)l * PI / depth;
-    add_wall(&side, a * radius * depth * (l ? 0.5 : 1.0), along[l], around * around + axis * axis);
-  }
-  const double k = omega / cavity->sound_speed,
-               viscous = sqrt(2.0 * TB_KINEMATIC_VISCOSITY / omega);
-  const double heat = 0.5 * k * (TB_HEAT_RATIO - 1.0) * viscous / sqrt(TB_PRANDTL);
-  const double friction = 0.5 * viscous / k;
-  return (heat * (side.square + ends.square) + friction * (side.slope + ends.slope) +
-          cavity->admittance * side.square) /
-         (2.0 * cavity->density * cavity->sound_speed);
+  for (uint32_t l = 0; l < axial; l++) add_side(&side, order->m, cavity, l, along[l]);
+  return absorbed(cavity, &side, &ends, omega);
+}
+
+double tb_cavity_mode_decay_rate(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                                 uint32_t l) {
+  if (cavity->density == 0.0) return 0.0;
+  const TbCavityMode mode = {p, l, tb_cavity_mode_omega(cavity, order->zeros[p], l)};
+  const double pressure = mode_pressure(order, cavity, &mode, 1.0, mode.omega);
+  Wall side = {0.0, 0.0}, ends = {0.0, 0.0};
+  add_side(&side, order->m, cavity, l, pressure * order->edges[p]);
+  for (int end = 0; end < 2; end++) add_end(&ends, order, cavity, p, pressure);
+  return absorbed(cavity, &side, &ends, mode.omega) / (mode.omega * mode.omega);
 }

@@ -93,4 +93,8 @@ double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega);
 
+/* Decay rate s_c = P/(2E) [1/s] of a mode of the air by itself, with rigid ends, by that power. Not for (0,0,0). */
+double tb_cavity_mode_decay_rate(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
+                                 uint32_t l);
+
 #endif

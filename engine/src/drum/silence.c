@@ -24,10 +24,8 @@ static void give_room(TaborDrum *drum) {
 static void rest(const TbView *from, TbState *state) {
   tb_step_reset(state, from->model);
   TbView to = tb_view(state, from->model);
-  state->ledger.sums = from->state->ledger.sums;
-  state->ledger.radiated_beyond = from->state->ledger.radiated_beyond;
+  state->ledger = from->state->ledger;
   state->ledger.sums.control -= tb_energy_stored(from, &from->now, &from->last);
-  state->ledger.statistics = from->state->ledger.statistics;
   state->live.output = from->state->live.output;
   state->event_debt = from->state->event_debt;
   if (!tb_live_params_keep(&to, from->state->live.values)) return;

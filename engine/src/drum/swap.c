@@ -380,9 +380,7 @@ bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew) {
   }
   TbView from = tb_view(drum->state, drum->model);
   TbView to = tb_view(swap->tail->state, swap->new_model);
-  to.state->ledger.sums = from.state->ledger.sums;
-  to.state->ledger.radiated_beyond = from.state->ledger.radiated_beyond;
-  to.state->ledger.statistics = from.state->ledger.statistics;
+  to.state->ledger = from.state->ledger;
   to.state->event_debt = from.state->event_debt;
   const double before = tb_energy_stored(&from, &from.now, &from.last);
   if (continues) continue_on(swap, &from, &to);

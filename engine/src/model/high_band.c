@@ -38,6 +38,7 @@ static void count_modes(TbHighBand *band, const TbHighModes *chosen) {
 static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
   band->hold_band = tb_arena_take(arena, band->padded, sizeof *band->hold_band);
+  band->of_air = tb_arena_take(arena, band->padded, sizeof *band->of_air);
   double **arrays[] = {&band->zero,      &band->scale, &band->ringing.a,
                        &band->ringing.b, &band->g,     &band->stiffness};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
@@ -61,6 +62,7 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
                       bool sine) {
   const TbPole pole = tb_pole(c->omega, c->decay_rate, model->time_step);
   band->order[i] = c->m;
+  band->of_air[i] = c->of_air;
   if (c->m >= band->orders) band->orders = c->m + 1;
   band->zero[i] = c->zero;
   band->scale[i] = c->scale;
@@ -130,9 +132,14 @@ static void assign_groups(TbHighBand *band, const TbWires *wires) {
   }
 }
 
-static void drive_at(const TbHighBand *band, uint32_t head, double x, double y, double *drive) {
+/* What a wire does at a place on its head: it loses to the head's own waves, first, what it would give the air. */
+static void drive_by_wire(const TbHighBand *band, uint32_t head, double x, double y,
+                          double *drive) {
   const double r = tb_hypot(x, y);
   tb_high_band_drive(band, head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL, drive);
+  for (uint32_t i = band->begin[head]; i < band->begin[head + 1]; i++) {
+    if (band->of_air[i]) drive[i] = 0.0;
+  }
 }
 
 /* Rounding of a sum over mirror images, in radii. */
@@ -193,7 +200,7 @@ static bool prepare_groups(TbHighBand *band, TbArena *arena, TbArena *scratch,
     push->table = tb_arena_take(arena, (size_t)push->size * push->rows, sizeof *push->table);
     if (arena->failed || scratch->failed) return false;
     for (uint32_t row = 0; row < push->rows; row++) {
-      drive_at(band, wires->head, middles.x[row], middles.y[row], drive);
+      drive_by_wire(band, wires->head, middles.x[row], middles.y[row], drive);
       for (uint32_t i = 0; i < push->size; i++) {
         push->table[(size_t)row * push->size + i] = (float)(wires->side * drive[push->from + i]);
       }
@@ -291,7 +298,7 @@ static bool prepare_hold(TbHighBand *band, TbArena *arena, TbArena *scratch,
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;
     if (wires->row_wire[row] % every != every / 2) continue;
-    drive_at(band, wires->head, wires->row_x[row], wires->row_y[row], drive);
+    drive_by_wire(band, wires->head, wires->row_x[row], wires->row_y[row], drive);
     for (uint32_t i = 0; i < size; i++) {
       if (band->g[begin + i] == 0.0) continue; /* padding */
       const double shape = drive[begin + i] / band->g[begin + i];

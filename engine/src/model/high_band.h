@@ -75,6 +75,7 @@ typedef struct TbHighBand {
   uint32_t candidates;    /* Bessel functions to choose from */
   uint32_t orders;        /* all angular orders are below */
   uint32_t *order;        /* [padded] angular order m */
+  uint8_t *of_air;        /* [padded] 1: a mode of the enclosed air, which no wire moves */
   double *zero, *scale;   /* [padded] z, and the shape's factor for unit modal mass */
   double *g, *stiffness;  /* [padded] the recursion's gain, and K': see modes.h */
   TbRinging ringing;

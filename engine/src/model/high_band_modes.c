@@ -142,15 +142,22 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   return true;
 }
 
-/* Fields of a mode at the microphones inside. */
-static void fill_inside(const Builder *b, TbHighMode *c) {
+/* True if the air rings in modes of its own there. */
+static bool air_rings(const Builder *b, double omega) {
+  return b->air.to > b->air.from && omega < b->air.to;
+}
+
+/* Fields of a function at the microphones inside: `in_head` is the part that its head has of it in the mean. What the
+ * air rings on by itself is heard of its own modes, or else of this one. */
+static void fill_inside(const Builder *b, double in_head, TbHighMode *c) {
   const Inside *inside = &b->inside;
+  const double late_decay_rate = air_rings(b, c->omega) ? 0.0 : c->decay_rate;
   const TbAirOrder air = {.m = c->m, .count = 1, .zeros = &c->zero, .slopes = &c->slope};
   double outward[TB_HEADS] = {0.0};
-  outward[c->head] = c->head ? -c->scale : c->scale;
+  outward[c->head] = (c->head ? -in_head : in_head) * c->scale;
   const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, c->m, c->omega);
-  tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega, 0.0,
-                   c->fields);
+  tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega,
+                   late_decay_rate, c->fields);
 }
 
 static double loudness(const Builder *b, const TbHighMode *c) {
@@ -179,9 +186,10 @@ static bool meets_air(const Builder *b, uint32_t head) {
 /* What modes of the air take of Bessel function n. The factors of the edge have what they take in the mean. */
 static void leave_to_air(const TbHighCavity *air, const EdgeFactors *edge, uint32_t n,
                          TbHighMode *c) {
-  const double left = fmax(0.0, 1.0 - tb_high_cavity_taken(air, c->head, n));
+  double air_rate;
+  const double left = fmax(0.0, 1.0 - tb_high_cavity_taken(air, c->head, n, &air_rate));
   const double against_mean = left / edge->in_head;
-  c->decay_rate = left * c->decay_rate + (1.0 - left) * tb_high_cavity_decay_rate(air, c->omega);
+  c->decay_rate = left * c->decay_rate + (1.0 - left) * air_rate;
   c->in_head = against_mean;
   c->scale *= sqrt(against_mean);
   for (uint32_t i = 0; i < 2 * TABOR_MAX_MICS; i++) c->fields[i] *= sqrt(against_mean);
@@ -205,7 +213,7 @@ static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
   }
   c->decay_rate += side->edge.resistance * c->radiation_rate;
   if (meets_air(b, head)) leave_to_air(&b->inside.modes, &side->edge, n, c);
-  if (b->inside.mics.count > 0) fill_inside(b, c);
+  if (b->inside.mics.count > 0) fill_inside(b, side->edge.in_head, c);
   take_candidate(b);
   return true;
 }
@@ -393,14 +401,14 @@ static void add_air_wave(Builder *b, const TbAirMode *mode, double count, const 
   take_candidate(b);
 }
 
-/* Modes that the coupling moves below the border are two-way modes. */
+/* Modes that the coupling moves below the band are two-way modes. */
 static bool add_air_mode(Builder *b, const TbAirChoice *choice, TbAirMode *mode) {
   double fields[2 * TABOR_MAX_MICS];
   TbHighCavity *air = &b->inside.modes;
   mode->radial = choice->radial;
   mode->axial = choice->axial;
   tb_high_cavity_mode(air, mode);
-  if (mode->omega <= b->air.from) return true;
+  if (mode->omega <= b->air.from || mode->omega > b->top) return true;
   TbArena scratch;
   tb_arena_beside(&scratch, b->scratch);
   const bool done = tb_high_cavity_radiate(air, &scratch, mode, fields);

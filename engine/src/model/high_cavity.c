@@ -33,8 +33,9 @@ static bool prepare_waves(TbHighCavity *cavity, TbArena *arena, uint32_t head) {
   TbHeadWaves *waves = &cavity->waves[head];
   const double radius = cavity->def->shell.radius;
   const double area = tb_cavity_azimuth(functions->m) * radius * radius;
-  double **arrays[] = {&waves->omega, &waves->amplitude, &waves->decay_rate, &waves->taken};
-  for (uint32_t i = 0; i < 4; i++) *arrays[i] = tb_arena_doubles(arena, functions->count);
+  double **arrays[] = {&waves->omega, &waves->amplitude, &waves->decay_rate, &waves->taken,
+                       &waves->taken_rate};
+  for (uint32_t i = 0; i < 5; i++) *arrays[i] = tb_arena_doubles(arena, functions->count);
   if (arena->failed) return false;
   for (uint32_t i = 0; i < functions->count; i++) {
     const double wavenumber = functions->zeros[i] / radius, slope = functions->slopes[i];
@@ -65,9 +66,10 @@ double tb_high_cavity_omega(const TbHighCavity *cavity, uint32_t radial, uint32_
   return cavity->def->air.sound_speed * tb_hypot(across, along);
 }
 
-/* t_i = -tan(theta_i); `gap` = omega_i^2 - omega_c^2. */
-static double share_of(double coupling, double gap) {
-  const double whole = fabs(gap) + tb_hypot(gap, 2.0 * coupling);
+/* t_i = -tan(theta_i); `gap` = omega_i^2 - omega_c^2, `width` = 2 omega_c (s_i + s_c). */
+static double share_of(double coupling, double gap, double width) {
+  const double distance = tb_hypot(gap, width);
+  const double whole = distance + tb_hypot(distance, 2.0 * coupling);
   if (whole == 0.0) return 0.0;
   return (gap < 0.0 ? 2.0 : -2.0) * coupling / whole;
 }
@@ -80,16 +82,18 @@ static double unit_coupling(const TbHighCavity *cavity, const TbCavity *air, con
   return -area * omega * air->sound_speed * sqrt(air->density / norm);
 }
 
-/* Sets outward[] to t_i. Returns Sum t_i^2, and adds Sum K_ci t_i to *square. */
+/* Sets outward[] to t_i. Returns Sum t_i^2, and adds their part of omega^2 - omega_c^2 to *square. */
 static double couple(const TbHighCavity *cavity, uint32_t head, double coupling, const double *w,
                      double omega, TbAirMode *mode, double *square) {
   const TbHeadWaves *waves = &cavity->waves[head];
   double sum = 0.0;
   for (uint32_t i = 0; i < cavity->functions.count; i++) {
     const double k = coupling * w[i] * waves->amplitude[i];
-    const double share = share_of(k, waves->omega[i] * waves->omega[i] - omega * omega);
+    const double gap = waves->omega[i] * waves->omega[i] - omega * omega;
+    const double width = 2.0 * omega * (waves->decay_rate[i] + mode->air_rate);
+    const double share = share_of(k, gap, width);
     mode->outward[head][i] = share;
-    *square += k * share;
+    if (gap != 0.0) *square += k * share * fabs(gap) / tb_hypot(gap, width);
     sum += share * share;
   }
   return sum;
@@ -115,6 +119,7 @@ void tb_high_cavity_mode(const TbHighCavity *cavity, TbAirMode *mode) {
   const TbCavity air = air_at(cavity, omega);
   double w[TB_CAVITY_OPENINGS], square = omega * omega, whole = 1.0;
   tb_cavity_openings(cavity->order, &cavity->functions, mode->radial, w);
+  mode->air_rate = tb_cavity_mode_decay_rate(cavity->order, &air, mode->radial, mode->axial);
   const double lower = unit_coupling(cavity, &air, mode, omega);
   const double upper = mode->axial % 2 ? -lower : lower;
   for (uint32_t h = 0; h < heads_of(cavity); h++) {
@@ -122,7 +127,7 @@ void tb_high_cavity_mode(const TbHighCavity *cavity, TbAirMode *mode) {
   }
   mode->omega = sqrt(fmax(square, LEAST_SQUARE * omega * omega));
   mode->in_air = 1.0 / sqrt(whole);
-  mode->decay_rate = tb_cavity_decay_rate(&air, omega) / whole;
+  mode->decay_rate = mode->air_rate / whole;
   for (uint32_t h = 0; h < heads_of(cavity); h++) scale_to_unit_mass(cavity, h, mode);
 }
 
@@ -132,6 +137,7 @@ void tb_high_cavity_take(TbHighCavity *cavity, const TbAirMode *mode, uint32_t c
     for (uint32_t i = 0; i < cavity->functions.count; i++) {
       const double amount = mode->outward[h][i] / waves->amplitude[i];
       waves->taken[i] += count * amount * amount;
+      waves->taken_rate[i] += count * amount * amount * mode->air_rate;
     }
   }
 }
@@ -139,18 +145,18 @@ void tb_high_cavity_take(TbHighCavity *cavity, const TbAirMode *mode, uint32_t c
 /* On either side. */
 enum { NEIGHBOURS = 2 };
 
-double tb_high_cavity_taken(const TbHighCavity *cavity, uint32_t head, uint32_t function) {
+double tb_high_cavity_taken(const TbHighCavity *cavity, uint32_t head, uint32_t function,
+                            double *air_rate) {
   const uint32_t last = cavity->functions.count - 1u;
   const uint32_t from = function > NEIGHBOURS ? function - NEIGHBOURS : 0;
   const uint32_t to = function + NEIGHBOURS < last ? function + NEIGHBOURS : last;
-  double sum = 0.0;
-  for (uint32_t i = from; i <= to; i++) sum += cavity->waves[head].taken[i];
+  double sum = 0.0, lost = 0.0;
+  for (uint32_t i = from; i <= to; i++) {
+    sum += cavity->waves[head].taken[i];
+    lost += cavity->waves[head].taken_rate[i];
+  }
+  *air_rate = sum > 0.0 ? lost / sum : 0.0;
   return sum / (to - from + 1u);
-}
-
-double tb_high_cavity_decay_rate(const TbHighCavity *cavity, double omega) {
-  const TbCavity air = air_at(cavity, omega);
-  return tb_cavity_decay_rate(&air, omega);
 }
 
 /* ---- what is heard of it ----------------------------------------------------------------------- */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The one-way high band against a sum over all modes, each with its own air. */
 #include "acoustics/air.h"
+#include "high_band/high_band_modes.h"
 #include "math/bessel.h"
-#include "model/high_band_modes.h"
 #include "model/model.h"
 #include "physics.h"
 
@@ -261,6 +261,15 @@ typedef struct Halves {
   TbHighModes high_whole, high_half;
 } Halves;
 
+/* The modes above the two-way ones of a drum without wires. */
+static void choose(const TaborModel *model, TbArena *scratch, TbHighModes *chosen) {
+  const TbHighDrum drum = {.def = &model->def,
+                           .head = &model->head,
+                           .time_step = model->time_step,
+                           .wired_head = TB_HEADS};
+  assert_true(tb_high_modes_choose(chosen, scratch, &drum, 12000.0, 4096));
+}
+
 static void prepare_halves(Halves *halves, uint32_t kind, double density, double damping_k) {
   const TaborDrumDef whole = lossy_drum(kind, density, damping_k);
   const TaborDrumDef half = lossy_drum(kind, density, 0.5 * damping_k);
@@ -268,10 +277,8 @@ static void prepare_halves(Halves *halves, uint32_t kind, double density, double
   halves->whole = physics_model(&whole, RATE, TABOR_QUALITY_DRAFT);
   halves->half = physics_model(&half, RATE, TABOR_QUALITY_DRAFT);
   tb_arena_prepare(&halves->scratch, &system);
-  assert_true(
-    tb_high_modes_choose(&halves->high_whole, &halves->scratch, halves->whole, 12000.0, 4096));
-  assert_true(
-    tb_high_modes_choose(&halves->high_half, &halves->scratch, halves->half, 12000.0, 4096));
+  choose(halves->whole, &halves->scratch, &halves->high_whole);
+  choose(halves->half, &halves->scratch, &halves->high_half);
 }
 
 static void release_halves(Halves *halves) {

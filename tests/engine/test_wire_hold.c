@@ -2,7 +2,7 @@
 /* What wires in contact take from the high band's modes: in the limits of wire_hold.h. */
 #include "physics.h"
 
-#include "model/head_waves.h"
+#include "acoustics/head_waves.h"
 #include "model/wire_hold.h"
 
 static const double PI = 3.14159265358979323846;

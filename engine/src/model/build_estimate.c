@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "acoustics/closed_drum_modes.h"
+#include "acoustics/head_waves.h"
 #include "definition/definition.h"
-#include "model/head_waves.h"
 #include "model/quality_level.h"
 #include "model/wires.h"
 

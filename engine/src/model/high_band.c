@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "high_band/high_band_modes.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
-#include "model/high_band_modes.h"
 #include "model/mics.h"
 #include "model/model.h"
 
@@ -345,14 +345,19 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
   tb_arena_beside(&scratch, arena);
   TbHighModes chosen;
   const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST_LIVE : TB_HIGH_MOST;
-  bool done = tb_high_modes_choose(&chosen, &scratch, model, top, most);
+  const TbWires *wires = &model->wires;
+  const TbHighDrum drum = {.def = &model->def,
+                           .head = &model->head,
+                           .time_step = model->time_step,
+                           .wired_head = wires->count > 0 ? wires->head : TB_HEADS};
+  bool done = tb_high_modes_choose(&chosen, &scratch, &drum, top, most);
   if (done) {
     count_modes(band, &chosen);
     prepare_wire_hold(band, model, top);
     done = allocate(band, arena, model->def.mic_count);
   }
   if (done) fill_modes(band, model, &chosen);
-  done = done && prepare_groups(band, arena, &scratch, &model->wires) &&
+  done = done && prepare_groups(band, arena, &scratch, wires) &&
          prepare_hold(band, arena, &scratch, model) &&
          ROUND[band->precision](band, arena, model->def.mic_count);
   tb_arena_release(&scratch);

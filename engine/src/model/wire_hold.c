@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "acoustics/head_waves.h"
 #include "math/portable_math.h"
-#include "model/head_waves.h"
 
 static const double PI = 3.14159265358979323846;
 

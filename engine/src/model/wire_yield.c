@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "acoustics/head_waves.h"
 #include "math/bessel.h"
 #include "math/bessel_table.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
-#include "model/head_waves.h"
 #include "model/model.h"
 
 static const double PI = 3.14159265358979323846;

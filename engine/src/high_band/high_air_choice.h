@@ -8,8 +8,8 @@
 #ifndef TB_HIGH_AIR_CHOICE_H
 #define TB_HIGH_AIR_CHOICE_H
 
-#include "model/high_band_choice.h"
-#include "model/high_cavity.h"
+#include "high_band/high_band_choice.h"
+#include "high_band/high_cavity.h"
 
 #define TB_AIR_MET 1024u
 #define TB_AIR_KEPT 48u

@@ -3,7 +3,7 @@
 #ifndef TB_HIGH_BAND_CHOICE_H
 #define TB_HIGH_BAND_CHOICE_H
 
-#include "model/high_band_modes.h"
+#include "high_band/high_band_modes.h"
 
 #define TB_SIXTHS 80u /* of an octave, from 20 Hz on */
 
@@ -12,11 +12,11 @@ uint32_t tb_sixth_of(double omega);
 double tb_sixth_from(uint32_t sixth);
 
 /* The energy that a unit force on the mode's head brings to microphone `mic`. */
-double tb_high_mode_energy(const struct TaborModel *model, const TbHighMode *mode, uint32_t mic);
+double tb_high_mode_energy(const TbHighDrum *drum, const TbHighMode *mode, uint32_t mic);
 
 /* Keeps the loudest of each sixth of an octave, in place: 99.9 % of its energy, less if those were more than `most` with
  * copies. They carry what is left out. */
-TbHighModes tb_high_modes_thin(const struct TaborModel *model, TbHighMode *candidates,
-                               uint32_t count, uint32_t most);
+TbHighModes tb_high_modes_thin(const TbHighDrum *drum, TbHighMode *candidates, uint32_t count,
+                               uint32_t most);
 
 #endif

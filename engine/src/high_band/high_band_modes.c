@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/high_band_modes.h"
+#include "high_band/high_band_modes.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
+#include "acoustics/head_waves.h"
 #include "acoustics/single_head.h"
 #include "definition/definition.h"
+#include "high_band/high_air_choice.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
-#include "model/head_waves.h"
-#include "model/high_air_choice.h"
-#include "model/model.h"
 
 static const double PI = 3.14159265358979323846;
 static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
@@ -52,7 +51,7 @@ typedef struct Inside {
 } Inside;
 
 typedef struct Builder {
-  const TaborModel *model;
+  const TbHighDrum *drum;
   TbArena *scratch;
   Side sides[TB_HEADS];
   uint32_t outside[TABOR_MAX_MICS], outside_count; /* microphones outside the shell */
@@ -68,11 +67,11 @@ typedef struct Builder {
 
 /* Of a wave with this Bessel zero, and its mass per area. */
 static double frequency(const Builder *b, const Side *side, double zero, double *mass) {
-  return tb_head_wave_frequency(side->head, &b->model->def.air, zero / b->model->head.radius, mass);
+  return tb_head_wave_frequency(side->head, &b->drum->def->air, zero / b->drum->head->radius, mass);
 }
 
 static double x_at(const Builder *b, double omega) {
-  return omega * b->model->head.radius / b->model->def.air.sound_speed;
+  return omega * b->drum->head->radius / b->drum->def->air.sound_speed;
 }
 
 /* The microphones that choose the modes: those inside the shell only where there are no others. So a
@@ -82,8 +81,8 @@ static uint32_t choosers(const Builder *b, uint32_t *mics) {
     memcpy(mics, b->outside, sizeof b->outside);
     return b->outside_count;
   }
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) mics[p] = p;
-  return b->model->def.mic_count;
+  for (uint32_t p = 0; p < b->drum->def->mic_count; p++) mics[p] = p;
+  return b->drum->def->mic_count;
 }
 
 /* True if no microphone hears order m at all: J_m is nothing at the wavenumbers that come there. */
@@ -122,9 +121,9 @@ static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder
  * J_{m+1}(zero) */
 static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, double slope,
                     TbHighMode *c) {
-  const TaborDrumDef *def = &b->model->def;
+  const TaborDrumDef *def = b->drum->def;
   const Side *side = &b->sides[head];
-  const double radius = b->model->head.radius, wavenumber = zero / radius;
+  const double radius = b->drum->head->radius, wavenumber = zero / radius;
   double mass, resistance;
   *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope, .in_head = 1.0};
   c->omega = frequency(b, side, zero, &mass);
@@ -155,7 +154,7 @@ static void fill_inside(const Builder *b, double in_head, TbHighMode *c) {
   const TbAirOrder air = {.m = c->m, .count = 1, .zeros = &c->zero, .slopes = &c->slope};
   double outward[TB_HEADS] = {0.0};
   outward[c->head] = (c->head ? -in_head : in_head) * c->scale;
-  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, c->m, c->omega);
+  const TbCavity cavity = tb_closed_drum_cavity(b->drum->def, c->m, c->omega);
   tb_cavity_fields(&inside->mics, &inside->order, &cavity, &air, outward, NULL, c->omega,
                    late_decay_rate, c->fields);
 }
@@ -165,22 +164,21 @@ static double loudness(const Builder *b, const TbHighMode *c) {
   uint32_t mics[TABOR_MAX_MICS];
   const uint32_t count = choosers(b, mics);
   for (uint32_t p = 0; p < count; p++)
-    loudest = fmax(loudest, tb_high_mode_energy(b->model, c, mics[p]));
+    loudest = fmax(loudest, tb_high_mode_energy(b->drum, c, mics[p]));
   return loudest;
 }
 
 /* Takes the next candidate, which knows what it is and how it radiates. */
 static void take_candidate(Builder *b) {
   TbHighMode *c = &b->candidates[b->count++];
-  if (!b->model->def.quality.losses) c->decay_rate = 0.0;
+  if (!b->drum->def->quality.losses) c->decay_rate = 0.0;
   c->loudness = loudness(b, c);
   c->band = tb_sixth_of(c->omega);
 }
 
 /* Functions that wires damp pass nothing on to the air: they lose it to the wires first. */
 static bool meets_air(const Builder *b, uint32_t head) {
-  const TbWires *wires = &b->model->wires;
-  return b->air.to > b->air.from && (wires->count == 0 || wires->head != head);
+  return b->air.to > b->air.from && b->drum->wired_head != head;
 }
 
 /* What modes of the air take of Bessel function n. The factors of the edge have what they take in the mean. */
@@ -196,7 +194,7 @@ static void leave_to_air(const TbHighCavity *air, const EdgeFactors *edge, uint3
 }
 
 static bool add_candidate(Builder *b, uint32_t head, uint32_t m, uint32_t n) {
-  const TaborDrumDef *def = &b->model->def;
+  const TaborDrumDef *def = b->drum->def;
   const Side *side = &b->sides[head];
   const double zero = b->functions.zeros[n];
   double mass;
@@ -245,15 +243,14 @@ static double part_in_head(const TbHeadOrder *order, uint32_t k, uint32_t head, 
 /* Upper two-way modes of one low order, as they radiate, against the same as Bessel functions. */
 static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *order,
                            EdgeFactors *real, EdgeFactors *simple) {
-  const TaborModel *model = b->model;
   for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
-    const TbHeadMode *mode = &model->head.modes[order->rows[k]];
+    const TbHeadMode *mode = &b->drum->head->modes[order->rows[k]];
     if (head_of(mode) != head) continue;
     const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
     TbHighMode c;
     if (!radiate(b, head, order->m, zero, slope, &c)) return false;
     const double in_head = part_in_head(order, k, head, c.scale * slope);
-    for (uint32_t p = 0; p < model->def.mic_count; p++) {
+    for (uint32_t p = 0; p < b->drum->def->mic_count; p++) {
       real->field[p] += in_head * square_of(mode->fields + 2 * p);
       simple->field[p] += square_of(c.fields + 2 * p);
     }
@@ -266,14 +263,14 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
 }
 
 static bool measure_edge(Builder *b, uint32_t head) {
-  const TbHead *modes = &b->model->head;
+  const TbHead *modes = b->drum->head;
   EdgeFactors real = {{0.0}, 0.0, 0.0}, simple = {{0.0}, 0.0, 0.0}, *edge = &b->sides[head].edge;
   for (uint32_t m = 0; m < modes->order_count && m < 10; m++) {
     if (!add_order_edge(b, head, &modes->orders[m], &real, &simple)) return false;
   }
   edge->in_head = simple.in_head > 0.0 ? real.in_head / simple.in_head : 1.0;
   edge->resistance = simple.resistance > 0.0 ? real.resistance / simple.resistance : 1.0;
-  for (uint32_t p = 0; p < b->model->def.mic_count; p++) {
+  for (uint32_t p = 0; p < b->drum->def->mic_count; p++) {
     edge->field[p] = simple.field[p] > 0.0 ? sqrt(real.field[p] / simple.field[p]) : 1.0;
   }
   return true;
@@ -297,7 +294,7 @@ static double top_zero(const Builder *b, const Side *side) {
 /* How many of a head's Bessel functions of order m are two-way modes already. */
 static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double *zeros,
                       uint32_t count) {
-  const TbHead *modes = &b->model->head;
+  const TbHead *modes = b->drum->head;
   if (m >= modes->order_count) return 0;
   const TbHeadOrder *order = &modes->orders[m];
   uint32_t there = 0;
@@ -327,7 +324,7 @@ static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
   if (!tb_air_order_prepare(&air, scratch, m, order.zeros, order.zero_count)) return false;
   air.table = &b->table;
   const TbRim at_rest = {.count = 0};
-  if (tb_single_head_order(&b->model->def, scratch, scratch, &air, &at_rest,
+  if (tb_single_head_order(b->drum->def, scratch, scratch, &air, &at_rest,
                            (TbModeLimits){b->top, b->top}, &order, modes, MOST_ZEROS) != TABOR_OK) {
     return false;
   }
@@ -373,7 +370,7 @@ static const double SPARE_ZEROS = 4.0;
 /* Radial orders that the air's modes have or that come as far as a microphone inside: those faster than sound, and slower
  * ones up to where e^-(z' d/R), d the distance from the nearest head, is 1e-3. */
 static double inside_zero(const Builder *b) {
-  const TaborDrumDef *def = &b->model->def;
+  const TaborDrumDef *def = b->drum->def;
   double nearest = INFINITY;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     if (!tb_mic_is_inside(def, &def->mic[p])) continue;
@@ -429,7 +426,7 @@ static bool add_air(Builder *b, TbArena *scratch, uint32_t m) {
   TbAirMode mode = {.radial = 0};
   for (uint32_t h = 0; h < TB_HEADS; h++) mode.outward[h] = tb_arena_doubles(scratch, order.count);
   TbAirChoices chosen;
-  if (!tb_high_cavity_prepare(air, scratch, &b->model->def, &order, &b->inside.order,
+  if (!tb_high_cavity_prepare(air, scratch, b->drum->def, &order, &b->inside.order,
                               &b->inside.mics) ||
       !tb_air_choose(&b->air, scratch, air, &mode, &chosen)) {
     return false;
@@ -451,9 +448,9 @@ static bool add_heads(Builder *b, const bool *heard, uint32_t m) {
 static bool prepare_inside(Builder *b, TbArena *scratch, uint32_t m) {
   Inside *inside = &b->inside;
   if (b->both_sides) return true;
-  const TbCavity cavity = tb_closed_drum_cavity(&b->model->def, m, b->top);
+  const TbCavity cavity = tb_closed_drum_cavity(b->drum->def, m, b->top);
   return tb_cavity_order_prepare(&inside->order, scratch, &cavity, m, inside_zero(b), 0.0) &&
-         tb_cavity_mics_prepare(&inside->mics, scratch, &b->model->def, &inside->order) &&
+         tb_cavity_mics_prepare(&inside->mics, scratch, b->drum->def, &inside->order) &&
          (b->air.to <= b->air.from || add_air(b, scratch, m));
 }
 
@@ -493,9 +490,9 @@ static bool collect(Builder *b, uint32_t heads) {
 /* ---- all of them ---------------------------------------------------------------------------- */
 
 static void prepare_side(Builder *b, uint32_t head) {
-  const TaborDrumDef *def = &b->model->def;
+  const TaborDrumDef *def = b->drum->def;
   Side *side = &b->sides[head];
-  const double radius = b->model->head.radius;
+  const double radius = b->drum->head->radius;
   side->head = head ? &def->resonant : &def->batter;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     const double height = def->mic[p].height;
@@ -505,18 +502,18 @@ static void prepare_side(Builder *b, uint32_t head) {
   side->top_zero = top_zero(b, side);
 }
 
-bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborModel *model,
-                          double top, uint32_t most) {
-  const uint32_t heads = model->head.heads;
-  Builder b = {.model = model,
+bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TbHighDrum *drum, double top,
+                          uint32_t most) {
+  const uint32_t heads = drum->head->heads;
+  Builder b = {.drum = drum,
                .scratch = scratch,
-               .both_sides = !tb_has_cavity(&model->def),
+               .both_sides = !tb_has_cavity(drum->def),
                .top = 2.0 * PI * top};
   if (!b.both_sides) {
-    const double to = tb_closed_drum_air_top(&model->def, b.top);
-    tb_high_air_plan(&b.air, &model->def, 2.0 * PI * model->head.bandwidth, to);
+    const double to = tb_closed_drum_air_top(drum->def, b.top);
+    tb_high_air_plan(&b.air, drum->def, 2.0 * PI * drum->head->bandwidth, to);
   }
-  b.outside_count = tb_mics_outside(&model->def, b.outside);
+  b.outside_count = tb_mics_outside(drum->def, b.outside);
   double zero = 0.0;
   for (uint32_t h = 0; h < heads; h++) {
     prepare_side(&b, h);
@@ -531,6 +528,6 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TaborMode
     if (!measure_edge(&b, h)) return false;
   }
   if (!collect(&b, heads)) return false;
-  *chosen = tb_high_modes_thin(model, b.candidates, b.count, most);
+  *chosen = tb_high_modes_thin(drum, b.candidates, b.count, most);
   return true;
 }

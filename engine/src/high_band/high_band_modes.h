@@ -27,9 +27,16 @@ typedef struct TbHighModes {
   uint32_t candidates; /* Bessel functions to choose from */
 } TbHighModes;
 
-struct TaborModel;
+/* The drum that they are of. */
+typedef struct TbHighDrum {
+  const TaborDrumDef *def;
+  const TbHead *head;  /* its two-way modes */
+  double time_step;    /* [s] */
+  uint32_t wired_head; /* on which wires lie; TB_HEADS: none */
+} TbHighDrum;
+
 /* Chooses modes up to `top` [Hz], at most `most` with copies. Returns false if memory ran out. */
-bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const struct TaborModel *model,
-                          double top, uint32_t most);
+bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TbHighDrum *drum, double top,
+                          uint32_t most);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/head_waves.h"
+#include "acoustics/head_waves.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/high_air_choice.h"
+#include "high_band/high_air_choice.h"
 
 #include <math.h>
 #include <string.h>

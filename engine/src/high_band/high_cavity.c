@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/high_cavity.h"
+#include "high_band/high_cavity.h"
 
 #include <math.h>
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
+#include "acoustics/head_waves.h"
 #include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
-#include "model/head_waves.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/high_band_choice.h"
+#include "high_band/high_band_choice.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "math/portable_math.h"
-#include "model/model.h"
 
 static const double FIRST_SIXTH = 2.0 * 3.14159265358979323846 * 20.0; /* [rad/s] */
 
@@ -19,13 +18,13 @@ double tb_sixth_from(uint32_t sixth) {
 }
 
 typedef struct Candidates {
-  const TaborModel *model;
+  const TbHighDrum *drum;
   TbHighMode *modes;
   uint32_t count;
 } Candidates;
 
-double tb_high_mode_energy(const TaborModel *model, const TbHighMode *c, uint32_t mic) {
-  const double turn = c->omega * model->time_step;
+double tb_high_mode_energy(const TbHighDrum *drum, const TbHighMode *c, uint32_t mic) {
+  const double turn = c->omega * drum->time_step;
   const double gain = c->omega * c->omega * tb_sin(turn) / turn *
                       tb_hypot(c->fields[2 * mic], c->fields[2 * mic + 1]);
   return c->in_head * gain * gain / (4.0 * fmax(c->decay_rate, 1e-3));
@@ -71,10 +70,10 @@ static const double LEAST_KEPT = 1e-3;
 
 /* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */
 static void carry_band(const Candidates *all, uint32_t from, uint32_t count, uint32_t end) {
-  for (uint32_t p = 0; p < all->model->def.mic_count; p++) {
+  for (uint32_t p = 0; p < all->drum->def->mic_count; p++) {
     double total = 0.0, kept = 0.0;
     for (uint32_t i = from; i < end; i++) {
-      const double energy = tb_high_mode_energy(all->model, &all->modes[i], p);
+      const double energy = tb_high_mode_energy(all->drum, &all->modes[i], p);
       total += energy;
       if (i < from + count) kept += energy;
     }
@@ -87,9 +86,9 @@ static void carry_band(const Candidates *all, uint32_t from, uint32_t count, uin
   }
 }
 
-TbHighModes tb_high_modes_thin(const TaborModel *model, TbHighMode *candidates, uint32_t count,
+TbHighModes tb_high_modes_thin(const TbHighDrum *drum, TbHighMode *candidates, uint32_t count,
                                uint32_t most) {
-  const Candidates all = {model, candidates, count};
+  const Candidates all = {drum, candidates, count};
   qsort(candidates, count, sizeof *candidates, louder);
   double lost = 0.001;
   while (copies_for(&all, 1.0 - lost) > most) lost *= 1.1;

@@ -91,6 +91,19 @@ typedef struct Knob {
   const char *comment;
 } Knob;
 
+/** A value that a hand or MIDI has given; before that, the drum's own counts. */
+typedef struct KnobTurn {
+  bool is_turned;
+  double value;
+} KnobTurn;
+
+static inline KnobTurn knob_turned(double value) REALTIME {
+  return (KnobTurn){.is_turned = true, .value = value};
+}
+static inline double knob_turned_or(KnobTurn turn, double otherwise) REALTIME {
+  return turn.is_turned ? turn.value : otherwise;
+}
+
 /** Range, default and unit of a knob's port. */
 typedef struct KnobRange {
   float minimum, maximum, fallback;

@@ -110,7 +110,7 @@ void model_worker_save(ModelWorker *worker, SavedState *saved) {
 
 /* A value that this drum does not allow is passed over: it was meant for another one. */
 static void set_field(TaborDrumDef *def, double *field, double value) {
-  if (!field || isnan(value)) return;
+  if (!field) return;
   const double before = *field;
   *field = value;
   if (tabor_drum_def_validate(def, NULL) != TABOR_OK) *field = before;
@@ -118,9 +118,9 @@ static void set_field(TaborDrumDef *def, double *field, double value) {
 
 static void turn_knobs(const Request *request, TaborDrumDef *def) {
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    double value = request->values[i];
-    if (i == KNOB_STRIKE_RADIUS) value = fmin(value, def->shell.radius);
-    if (!isnan(request->values[i])) set_field(def, knob_field(def, (KnobId)i), value);
+    const KnobTurn turn = request->turns[i];
+    const double most = i == KNOB_STRIKE_RADIUS ? def->shell.radius : turn.value;
+    if (turn.is_turned) set_field(def, knob_field(def, (KnobId)i), fmin(turn.value, most));
   }
 }
 
@@ -176,8 +176,9 @@ static void compose_model(const ModelWorker *worker, Reply *reply) {
   const Request *const request = &worker->request;
   TaborDrumDef *const def = &reply->def;
   if (reply->restoration == request->restoration) {
-    set_field(def, knob_field(def, KNOB_STRAINER), request->strainer);
-    set_field(def, &def->hand.grip, request->grip);
+    const KnobTurn strainer = request->strainer, grip = request->grip;
+    if (strainer.is_turned) set_field(def, knob_field(def, KNOB_STRAINER), strainer.value);
+    if (grip.is_turned) set_field(def, &def->hand.grip, grip.value);
   }
   stick_choice_take(request->stick, def);
   tune(worker, def);

@@ -47,21 +47,21 @@
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
 
-/** The wanted drum. NaN means: as in the definition. */
+/** The wanted drum. What has not been turned is as in the definition. */
 typedef struct Request {
   /** Starts at 1 and grows with every request for another model. A number that was answered already
       asks the worker only to free what is not needed any more. */
   uint32_t number;
-  uint32_t restoration;     /**< number of the restoration that the other fields refer to */
-  int32_t program;          /**< index of a built-in preset, or MODEL_WORKER_NO_PROGRAM */
-  uint32_t choice;          /**< counts program choices by MIDI, repeated ones too */
-  double values[KNOB_KEYS]; /**< of knobs turned since then */
-  double strainer, grip;    /**< values set by MIDI since then */
-  float seen[KNOB_KEYS];    /**< values of the ports; a change is a turn of the knob */
-  uint32_t quality;         /**< a TaborQuality */
-  bool is_held;             /**< quality is below the knob's, since this is no export */
-  uint32_t room;            /**< a TaborRoomKind; stereo plugin */
-  uint32_t stick;           /**< a choice of stick_choice.h */
+  uint32_t restoration;      /**< number of the restoration that the other fields refer to */
+  int32_t program;           /**< index of a built-in preset, or MODEL_WORKER_NO_PROGRAM */
+  uint32_t choice;           /**< counts program choices by MIDI, repeated ones too */
+  KnobTurn turns[KNOB_KEYS]; /**< of knobs, since then */
+  KnobTurn strainer, grip;   /**< by MIDI, since then */
+  float seen[KNOB_KEYS];     /**< values of the ports; a change is a turn of the knob */
+  uint32_t quality;          /**< a TaborQuality */
+  bool is_held;              /**< quality is below the knob's, since this is no export */
+  uint32_t room;             /**< a TaborRoomKind; stereo plugin */
+  uint32_t stick;            /**< a choice of stick_choice.h */
 } Request;
 
 /** The worker's answer. */

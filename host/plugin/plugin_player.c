@@ -90,7 +90,7 @@ void plugin_player_rest(PluginPlayer *player) {
     player->levels[i] = fader_at(player->levels[i].target, player->rate);
     player->waits[i] = 0;
   }
-  player->request.strainer = player->request.grip = NAN;
+  player->request.strainer = player->request.grip = (KnobTurn){.is_turned = false};
   memset(player->moved, 0, sizeof player->moved); /* the drum has the values of its model */
   player->grip_moved = false;
   plugin_player_move_live(player);

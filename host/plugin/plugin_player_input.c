@@ -70,11 +70,11 @@ void plugin_player_move_parameter(PluginPlayer *player, uint32_t id, double valu
 static void note_parameter(PluginPlayer *player, const TaborEvent *event) {
   if (event->type != TABOR_EVENT_PARAMETER) return;
   if (event->parameter == player->ids[KNOB_STRAINER]) {
-    player->request.strainer = event->value;
+    player->request.strainer = knob_turned(event->value);
     player->moved[KNOB_STRAINER] = true;
   }
   if (event->parameter == player->grip_id) {
-    player->request.grip = event->value;
+    player->request.grip = knob_turned(event->value);
     player->grip_moved = true;
   }
 }
@@ -94,8 +94,8 @@ bool plugin_player_next(void *source, uint64_t end, PlayerMessage *message) {
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
 void plugin_player_forget_turns(Request *request) {
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) request->values[i] = NAN;
-  request->strainer = request->grip = NAN;
+  memset(request->turns, 0, sizeof request->turns);
+  request->strainer = request->grip = (KnobTurn){.is_turned = false};
 }
 
 static void fade_to(const PluginPlayer *player, Fader *fader, double factor, bool at_once) {
@@ -135,10 +135,11 @@ static double factor_of(const PluginPlayer *player, KnobId id) {
 }
 
 double plugin_player_live_value(const PluginPlayer *player, KnobId id) {
-  const double by_midi = id == KNOB_STRAINER ? player->request.strainer : NAN;
-  double value = id == KNOB_STRAINER ? player->strainer : player->built[id];
-  if (!isnan(player->request.values[id])) value = player->request.values[id];
-  return modulated(player, id, isnan(by_midi) ? value : by_midi);
+  const Request *const request = &player->request;
+  const double own = id == KNOB_STRAINER ? player->strainer : player->built[id];
+  const double by_knob = knob_turned_or(request->turns[id], own);
+  const bool by_midi = id == KNOB_STRAINER && request->strainer.is_turned;
+  return modulated(player, id, by_midi ? request->strainer.value : by_knob);
 }
 
 static void set_quality(PluginPlayer *player) {
@@ -185,7 +186,7 @@ static bool outgrows(const PluginPlayer *player, KnobId id, double value) {
 }
 
 static void turn_live(PluginPlayer *player, KnobId id, double value) {
-  if (id == KNOB_STRAINER) player->request.strainer = NAN;
+  if (id == KNOB_STRAINER) player->request.strainer.is_turned = false;
   if (outgrows(player, id, value)) player->request.number++;
   if (isnan(player->built[id])) return; /* the drum has no such part, or there is none yet */
   player->moved[id] = true;
@@ -195,11 +196,10 @@ static void turn_live(PluginPlayer *player, KnobId id, double value) {
 /* Where strokes fall, until controllers say. */
 void plugin_player_place_strokes(PluginPlayer *player) {
   MidiBinding *const binding = &player->midi.binding;
-  const double *const values = player->request.values;
-  if (!isnan(values[KNOB_STRIKE_RADIUS])) {
-    binding->radius = fmin(values[KNOB_STRIKE_RADIUS], binding->head_radius);
-  }
-  if (!isnan(values[KNOB_STRIKE_ANGLE])) binding->angle = values[KNOB_STRIKE_ANGLE];
+  const KnobTurn *const turns = player->request.turns;
+  const double radius = knob_turned_or(turns[KNOB_STRIKE_RADIUS], binding->radius);
+  binding->radius = fmin(radius, binding->head_radius);
+  binding->angle = knob_turned_or(turns[KNOB_STRIKE_ANGLE], binding->angle);
 }
 
 void plugin_player_forget_choice(PluginPlayer *player) {
@@ -207,7 +207,7 @@ void plugin_player_forget_choice(PluginPlayer *player) {
 }
 
 static void turn_key(PluginPlayer *player, KnobId id, double value) {
-  player->request.values[id] = value;
+  player->request.turns[id] = knob_turned(value);
   plugin_player_forget_choice(player);
   switch (knobs[id].kind) {
   case KNOB_LIVE: turn_live(player, id, value); break;
@@ -218,7 +218,7 @@ static void turn_key(PluginPlayer *player, KnobId id, double value) {
 
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) {
   const float before = player->seen[id];
-  if (value == before) return;
+  if (value == before || isnan(value)) return;
   player->seen[id] = value;
   if (id < KNOB_KEYS) {
     turn_key(player, id, knob_decimal(value));

@@ -31,7 +31,7 @@ void plugin_player_move_live(PluginPlayer *player) {
     if (differs || player->moved[i]) plugin_player_move_parameter(player, player->ids[i], value);
     player->moved[i] = differs;
   }
-  const double grip = isnan(player->request.grip) ? player->built_grip : player->request.grip;
+  const double grip = knob_turned_or(player->request.grip, player->built_grip);
   if (player->grip_moved) plugin_player_move_parameter(player, player->grip_id, grip);
   player->grip_moved = grip != player->built_grip;
 }

@@ -29,8 +29,7 @@ static size_t section_length(const char *key) {
   return dot ? (size_t)(dot - key) : 0;
 }
 
-/* A preset file has no way to quote, so a text that it would read differently cannot be written. */
-static bool survives_preset(const char *value) {
+bool preset_text_survives(const char *value) {
   const size_t length = strlen(value);
   if (length == 0) return true;
   for (const char *byte = value; *byte; byte++) {
@@ -80,7 +79,7 @@ static Outcome check_entry(const PresetEntry *entry) {
                   entry->key, PRESET_LINE_LIMIT, entry->key + section_length(entry->key) + 1,
                   strlen(entry->value));
   }
-  if (survives_preset(entry->value)) return OUTCOME_OK;
+  if (preset_text_survives(entry->value)) return OUTCOME_OK;
   return refuse("%s: a preset file cannot hold this text: '%.80s'", entry->key, entry->value);
 }
 

@@ -6,6 +6,7 @@
 #ifndef TABOR_HOST_PRESET_TEXT_H
 #define TABOR_HOST_PRESET_TEXT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <tabor/tabor.h>
@@ -22,6 +23,9 @@ typedef struct PresetEntry {
 /** Reads entry @p index; false past the last, and on an error, which goes to *outcome. */
 bool preset_entry_read(const TaborDrumDef *def, uint32_t index, PresetEntry *entry,
                        Outcome *outcome);
+
+/** True if a preset file, which cannot quote, gives the text @p value back as it is; a kit file likewise. */
+bool preset_text_survives(const char *value);
 
 /** Takes a piece of the text. */
 typedef Outcome PresetSink(void *context, const char *text, size_t size);

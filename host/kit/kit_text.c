@@ -44,8 +44,15 @@ static void give_number(Text *text, const char *key, double value, const char *u
   }
 }
 
+static void give_value(Text *text, const char *key, const char *value) {
+  if (text->outcome == OUTCOME_OK && !preset_text_survives(value)) {
+    text->outcome = refuse("%s: a kit file cannot hold this text: '%.80s'", key, value);
+  }
+  give(text, "%s = %s\n", key, value);
+}
+
 static void give_words(Text *text, const char *key, const char *words) {
-  if (*words) give(text, "%s = %s\n", key, words);
+  if (*words) give_value(text, key, words);
 }
 
 /* ---- the kit and its room -------------------------------------------------------------------- */
@@ -80,7 +87,7 @@ static void give_changes(Text *text, const TaborDrumDef *def, const TaborDrumDef
     const bool known =
       base && tabor_drum_def_get(base, entry.key, before, sizeof before, &error) == TABOR_OK;
     if (known && strcmp(before, entry.value) == 0) continue;
-    give(text, "%s = %s\n", entry.key + length, entry.value);
+    give_value(text, entry.key + length, entry.value);
   }
 }
 
@@ -151,13 +158,27 @@ static void give_samples(Text *text, const KitSamples *samples) {
   }
 }
 
+static void give_all(Text *text, const TaborKitDef *def, const KitSamples *samples,
+                     const char *by) {
+  give(text, "; A Tabor kit, written by %s. SI units, angles in degrees.\n", by);
+  give_kit(text, def);
+  give_room(text, def);
+  for (uint32_t i = 0; i < def->drum_count; i++) give_drum(text, &def->drum[i]);
+  give_samples(text, samples);
+}
+
+/* A PresetSink. */
+static Outcome drop(void *context, const char *text, size_t size) {
+  (void)context, (void)text, (void)size;
+  return OUTCOME_OK;
+}
+
+/* Twice: what no kit file can hold is refused before the first line is given. */
 Outcome kit_text_write(const TaborKitDef *def, const KitSamples *samples, const char *by,
                        PresetSink *sink, void *context) {
-  Text text = {.sink = sink, .context = context, .outcome = OUTCOME_OK};
-  give(&text, "; A Tabor kit, written by %s. SI units, angles in degrees.\n", by);
-  give_kit(&text, def);
-  give_room(&text, def);
-  for (uint32_t i = 0; i < def->drum_count; i++) give_drum(&text, &def->drum[i]);
-  give_samples(&text, samples);
+  Text check = {.sink = drop}, text = {.sink = sink, .context = context};
+  give_all(&check, def, samples, by);
+  if (check.outcome != OUTCOME_OK) return check.outcome;
+  give_all(&text, def, samples, by);
   return text.outcome;
 }

@@ -42,6 +42,11 @@ check "samples are shown" grep -qx 'sample = hat.wav' "$out"
 check "a changed head is shown" grep -q '^batter.pitch = 246.94' "$out"
 run show --kit standard --set "note.42.sample=$(printf 'x%.0s' {1..1000}).wav"
 same "a path that no kit file holds" "2 1" "$status $(grep -c "a kit file's lines hold 198 bytes" "$err")"
+for key in kit drum.snare.drum; do
+  run show --kit standard --set "$key.comment=a ; b"
+  same "a text of $key that no kit file holds" "2 0 1" \
+    "$status $(wc -l < "$out") $(grep -c "a kit file cannot hold this text: 'a ; b'" "$err")"
+done
 refused "--kit and 'tom-12': the kit has the drums" show tom-12 --kit jazz
 run show --kit standard
 cp "$out" shown.ini

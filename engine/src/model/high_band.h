@@ -19,8 +19,8 @@
  * 12 dB too soft from 5 to 10 kHz after 50 ms.
  *
  * A microphone inside hears the air's modes and what a head's function drives in a cavity of rigid walls
- * (cavity_pressure.h). Against all modes up to 16 kHz as two-way ones, third octaves from 5 kHz on are within 3 dB
- * in the mean over nine places, inside within 4.5 dB (tests/engine/test_high_band.c).
+ * (cavity_pressure.h). Against all modes up to 16 kHz as two-way ones, third octaves from 5 kHz on are within 2.6 dB
+ * in the mean over nine places, inside within 2.5 dB (tests/engine/test_high_band.c).
  *
  * In each sixth of an octave, the modes of a head, and apart from them those of the air, are sorted by the energy
  * that they can bring to a microphone outside the shell, (gain sin(wk)/(wk))^2/(4 s), and kept until they hold 99.9 % of it.

@@ -141,16 +141,15 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   return true;
 }
 
-/* True if the air rings in modes of its own there. */
-static bool air_rings(const Builder *b, double omega) {
-  return b->air.to > b->air.from && omega < b->air.to;
-}
+/* True if the high band has modes of the enclosed air. */
+static bool has_air_modes(const Builder *b) { return b->air.to > b->air.from; }
 
 /* Fields of a function at the microphones inside: `in_head` is the part that its head has of it in the mean. What the
  * air rings on by itself is heard of its own modes, or else of this one. */
 static void fill_inside(const Builder *b, double in_head, TbHighMode *c) {
   const Inside *inside = &b->inside;
-  const double late_decay_rate = air_rings(b, c->omega) ? 0.0 : c->decay_rate;
+  const bool rings = has_air_modes(b) && c->omega < b->air.to;
+  const double late_decay_rate = rings ? 0.0 : c->decay_rate;
   const TbAirOrder air = {.m = c->m, .count = 1, .zeros = &c->zero, .slopes = &c->slope};
   double outward[TB_HEADS] = {0.0};
   outward[c->head] = (c->head ? -in_head : in_head) * c->scale;
@@ -178,7 +177,7 @@ static void take_candidate(Builder *b) {
 
 /* Functions that wires damp pass nothing on to the air: they lose it to the wires first. */
 static bool meets_air(const Builder *b, uint32_t head) {
-  return b->air.to > b->air.from && b->drum->wired_head != head;
+  return has_air_modes(b) && b->drum->wired_head != head;
 }
 
 /* What modes of the air take of Bessel function n. The factors of the edge have what they take in the mean. */
@@ -262,16 +261,21 @@ static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *o
   return true;
 }
 
+static double ratio(double real, double simple) { return simple > 0.0 ? real / simple : 1.0; }
+
+/* Orders on which the edge is measured. */
+enum { EDGE_ORDERS = 10 };
+
 static bool measure_edge(Builder *b, uint32_t head) {
   const TbHead *modes = b->drum->head;
   EdgeFactors real = {{0.0}, 0.0, 0.0}, simple = {{0.0}, 0.0, 0.0}, *edge = &b->sides[head].edge;
-  for (uint32_t m = 0; m < modes->order_count && m < 10; m++) {
+  for (uint32_t m = 0; m < modes->order_count && m < EDGE_ORDERS; m++) {
     if (!add_order_edge(b, head, &modes->orders[m], &real, &simple)) return false;
   }
-  edge->in_head = simple.in_head > 0.0 ? real.in_head / simple.in_head : 1.0;
-  edge->resistance = simple.resistance > 0.0 ? real.resistance / simple.resistance : 1.0;
+  edge->in_head = ratio(real.in_head, simple.in_head);
+  edge->resistance = ratio(real.resistance, simple.resistance);
   for (uint32_t p = 0; p < b->drum->def->mic_count; p++) {
-    edge->field[p] = simple.field[p] > 0.0 ? sqrt(real.field[p] / simple.field[p]) : 1.0;
+    edge->field[p] = sqrt(ratio(real.field[p], simple.field[p]));
   }
   return true;
 }
@@ -451,7 +455,7 @@ static bool prepare_inside(Builder *b, TbArena *scratch, uint32_t m) {
   const TbCavity cavity = tb_closed_drum_cavity(b->drum->def, m, b->top);
   return tb_cavity_order_prepare(&inside->order, scratch, &cavity, m, inside_zero(b), 0.0) &&
          tb_cavity_mics_prepare(&inside->mics, scratch, b->drum->def, &inside->order) &&
-         (b->air.to <= b->air.from || add_air(b, scratch, m));
+         (!has_air_modes(b) || add_air(b, scratch, m));
 }
 
 /* The modes of one order, on the heads that are heard. */

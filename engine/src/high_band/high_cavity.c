@@ -66,12 +66,11 @@ double tb_high_cavity_omega(const TbHighCavity *cavity, uint32_t radial, uint32_
   return cavity->def->air.sound_speed * tb_hypot(across, along);
 }
 
-/* t_i = -tan(theta_i); `gap` = omega_i^2 - omega_c^2, `width` = 2 omega_c (s_i + s_c). */
-static double share_of(double coupling, double gap, double width) {
-  const double distance = tb_hypot(gap, width);
-  const double whole = distance + tb_hypot(distance, 2.0 * coupling);
+/* t_i = -tan(theta_i); `distance` = d_i. */
+static double share_of(double coupling, double distance) {
+  const double whole = fabs(distance) + tb_hypot(distance, 2.0 * coupling);
   if (whole == 0.0) return 0.0;
-  return (gap < 0.0 ? 2.0 : -2.0) * coupling / whole;
+  return (distance < 0.0 ? 2.0 : -2.0) * coupling / whole;
 }
 
 /* K_ci/(W_i q_i) on the lower head. */
@@ -91,9 +90,9 @@ static double couple(const TbHighCavity *cavity, uint32_t head, double coupling,
     const double k = coupling * w[i] * waves->amplitude[i];
     const double gap = waves->omega[i] * waves->omega[i] - omega * omega;
     const double width = 2.0 * omega * (waves->decay_rate[i] + mode->air_rate);
-    const double share = share_of(k, gap, width);
+    const double distance = tb_hypot(gap, width), share = share_of(k, copysign(distance, gap));
     mode->outward[head][i] = share;
-    if (gap != 0.0) *square += k * share * fabs(gap) / tb_hypot(gap, width);
+    if (gap != 0.0) *square += k * share * fabs(gap) / distance;
     sum += share * share;
   }
   return sum;

@@ -4,8 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
-static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
+static const double RIM_RADIUS = 0.98;        /* of the head: further out it hardly moves */
+static const double CROSS_STICK_RADIUS = 0.6; /* where its tip lies on the head */
+static const double CROSS_STICK_SPEED =
+  0.4; /* of a stroke's: the hand lies on the head, see docs/midi.md */
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */
@@ -105,6 +107,11 @@ static double take_velocity(MidiToEvents *drum, const MidiMessage *message) {
   return velocity;
 }
 
+static double stroke_speed(const MidiToEvents *drum, const MidiNote *note, double velocity) {
+  const double speed = note->speed * midi_speed(drum->map->response, velocity);
+  return note->stroke == MIDI_STROKE_CROSS_STICK ? CROSS_STICK_SPEED * speed : speed;
+}
+
 static uint32_t new_id(MidiToEvents *drum) {
   drum->next_id = drum->next_id % (FIRST_HAND - 1) + 1;
   return drum->next_id;
@@ -167,7 +174,7 @@ static bool take_note(MidiToEvents *drum, const MidiMessage *message, MidiAction
     .id = new_id(drum),
     .striker = drum->binding.strikers[key],
     .technique = technique_of(note->stroke),
-    .velocity = note->speed * midi_speed(drum->map->response, velocity),
+    .velocity = stroke_speed(drum, note, velocity),
     .radius = stroke_radius(drum, note),
     .angle = choose(note->angle, drum->angle, drum->binding.angle),
   };

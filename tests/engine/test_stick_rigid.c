@@ -46,8 +46,8 @@ static double moment(int n) {
   return sum;
 }
 
-/* A rimshot's tip weighs M. A push at the centre of percussion does not move the tip, so
- * fingers there or at the tip do not matter. */
+/* A rimshot's tip weighs M. A cross-stick's ends weigh what the moments of the stick and of 1 kg of hand 75 mm from the
+ * tip say. */
 static void places_along_the_stick_weigh_what_mechanics_says(void **state) {
   (void)state;
   const TbStick stick = stick_of(MASS);
@@ -58,11 +58,14 @@ static void places_along_the_stick_weigh_what_mechanics_says(void **state) {
   assert_true(fabs(rimshot.tip.mass / MASS - 1.0) < 1e-9);
   print_message("a stick of %.1f g has %.1f g at its tip\n", 1e3 * whole, 1e3 * MASS);
   def.shell.radius = 0.2;
-  const TbRigidStick percussion =
-    tb_rigid_stick_across(&def, &stick, 1.0, 0.4 * m2 / m1 - 0.2, 0.0);
-  assert_true(fabs(percussion.cross) < 1e-9 / MASS);
-  assert_true(fabs(percussion.shaft.mass / (whole * m1 * m1 / (m0 * m2)) - 1.0) < 1e-9);
-  assert_true(fabs(percussion.tip.mass / (MASS + 0.2) - 1.0) < 1e-9);
+  const double s0 = whole + 1.0, s1 = whole * m1 / m0 * 0.4 + 0.075,
+               s2 = whole * m2 / m0 * 0.16 + 0.075 * 0.075;
+  const TbRigidStick across = tb_rigid_stick_across(&def, &stick, 1.0, 0.25 - 0.2, 0.0);
+  const double x = 0.25, one = s0 * s2 - s1 * s1;
+  const double at_shaft = one / (s2 - 2.0 * s1 * x + s0 * x * x);
+  assert_true(fabs(across.cross / ((s2 - s1 * x) / one) - 1.0) < 1e-9);
+  assert_true(fabs(across.shaft.mass / at_shaft - 1.0) < 1e-9);
+  assert_true(fabs(across.tip.mass / (one / s2) - 1.0) < 1e-9);
 }
 
 static void geometry_is_that_of_the_drum(void **state) {
@@ -133,7 +136,9 @@ static void strokes_bring_the_energy_of_their_motion(void **state) {
   assert_true(fabs(injected_by(&def, TABOR_TECHNIQUE_RIM) / plain - 1.0) < 1e-9);
   assert_true(fabs(injected_by(&def, TABOR_TECHNIQUE_RIMSHOT) / (plain * m0 * m2 / part) - 1.0) <
               1e-9);
-  const double across = plain * m2 * m2 / part * turn * turn;
+  const double whole = mass * m0 * m2 / part, hand = 0.075 * 0.075;
+  const double across =
+    0.5 * (whole * m2 / m0 * 0.16 + hand) * 4.0 * turn * turn / 0.16; /* S2 (v/d)^2/2 */
   assert_true(fabs(injected_by(&def, TABOR_TECHNIQUE_CROSS_STICK) / across - 1.0) < 1e-9);
 }
 
@@ -208,6 +213,123 @@ static void a_rimshot_meets_head_and_hoop_within_a_millisecond(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- the hand of a cross-stick ---------------------------------------------------------------- */
+
+enum { NEVER = 0 };
+
+static const TaborEvent CROSS_STICK = {.type = TABOR_EVENT_STRIKE,
+                                       .id = 5,
+                                       .velocity = 2.0,
+                                       .radius = 0.1,
+                                       .technique = TABOR_TECHNIQUE_CROSS_STICK};
+
+static uint32_t shaft_slot(const TbState *state) {
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (state->strikers.slots[i].partner && state->strikers.slots[i].on_hoop) return i;
+  }
+  return TB_SLOTS;
+}
+
+static double shaft_force(TaborDrum *drum) {
+  const uint32_t shaft = shaft_slot(drum->state);
+  if (shaft == TB_SLOTS) return 0.0;
+  const TbView view = tb_view(drum->state, drum->model);
+  return view.solve.warm.force[drum->model->wires.stride + shaft];
+}
+
+/* One step of C^-1 (z+ - 2 z + z-)/k^2 = f - (F0 + c (s+ - s-)/(2k)) e, s the shaft, by Cramer's rule: the compliance, and
+ * the way without contacts. */
+static void a_hand_is_a_force_and_a_centred_damper_on_the_shaft(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
+  TaborDrum *drum = physics_drum(model);
+  tabor_drum_process(drum, &CROSS_STICK, 1, NULL, 20);
+  const uint32_t s = shaft_slot(drum->state);
+  const TbSlot *shaft = &drum->state->strikers.slots[s];
+  const uint32_t t = shaft->partner - 1u;
+  const TbSlot *tip = &drum->state->strikers.slots[t];
+  const TbView view = tb_view(drum->state, model);
+  const double k = model->time_step, c = shaft->resistance;
+  assert_true(c > 0.0 && shaft->press > 0.0);
+  const double one = 1.0 / (tip->mass * shaft->mass) - shaft->cross * shaft->cross;
+  const double a = 1.0 / shaft->mass / one / (k * k), b = -shaft->cross / one / (k * k);
+  const double d = 1.0 / tip->mass / one / (k * k) + 0.5 * c / k, whole = a * d - b * b;
+  assert_true(near(tb_rigid_stick_compliance(&view, t, t), d / whole));
+  assert_true(near(tb_rigid_stick_compliance(&view, s, s), a / whole));
+  assert_true(near(tb_rigid_stick_compliance(&view, t, s), -b / whole));
+  /* By how much the hand bends the ways 2 z - z-: it pushes with F0 + c (s - s-)/k there. */
+  const double speed = (view.now.z[s] - view.last.z[s]) / k, push = -shaft->press - c * speed;
+  const double ways[] = {2.0 * view.now.z[t] - view.last.z[t],
+                         2.0 * view.now.z[s] - view.last.z[s]};
+  const double bent[] = {tb_rigid_stick_free_height(&view, t) - ways[0],
+                         tb_rigid_stick_free_height(&view, s) - ways[1]};
+  assert_true(fabs(bent[0] / (-b / whole * push) - 1.0) < 1e-6); /* of 1e-2 m, rounded */
+  assert_true(fabs(bent[1] / (a / whole * push) - 1.0) < 1e-6);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+static void a_pressed_shaft_bounces_and_comes_to_rest(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  int bounces = 0, last = NEVER;
+  double resting = 0.0, before = 0.0;
+  for (int i = 1; i <= 9600; i++) { /* 0.2 s */
+    tabor_drum_process(drum, &CROSS_STICK, i == 1, NULL, 1);
+    const double force = shaft_force(drum);
+    bounces += force > 0.0 && before == 0.0;
+    if (force == 0.0) last = i;
+    if (i > 4800) resting += force / 4800.0;
+    before = force;
+  }
+  TaborLedger ledger;
+  TaborStatistics statistics;
+  tabor_drum_ledger(drum, &ledger);
+  print_message(
+    "%d bounces, in touch from %.0f ms on, with %.2f N in the second tenth; residual %.1e\n",
+    bounces, 1e3 * last / RATE, resting, ledger.residual / ledger.injected);
+  assert_true(bounces >= 2 && last < 4800);
+  /* F0 falls from 12 N to nothing in 0.3 s: 6 N in the mean from 0.1 to 0.2 s. */
+  assert_true(fabs(resting / 6.0 - 1.0) < 0.05);
+  assert_true(fabs(ledger.residual) < physics_residual(TABOR_QUALITY_LIVE) * ledger.injected);
+  tabor_drum_process(drum, NULL, 0, NULL, 4900);
+  tabor_drum_statistics(drum, &statistics);
+  assert_int_equal(statistics.in_play, 0);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
+/* A release fades the hand's force in 8 ms; the next cross-stick takes the stick of the last along. */
+static void a_hand_has_one_stick_and_lets_go_of_it_softly(void **state) {
+  (void)state;
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  TaborStatistics statistics;
+  for (int i = 0; i < 10; i++) {
+    tabor_drum_process(drum, &CROSS_STICK, 1, NULL, 2400);
+    tabor_drum_statistics(drum, &statistics);
+    assert_int_equal(statistics.in_play, 2); /* stick and palm */
+  }
+  assert_int_equal(statistics.strikes, 10);
+  tabor_drum_process(drum, NULL, 0, NULL, 4800);
+  const double force = shaft_force(drum);
+  assert_true(force > 5.0);
+  const TaborEvent release = {.type = TABOR_EVENT_RELEASE, .id = 5};
+  tabor_drum_process(drum, &release, 1, NULL, 192); /* 4 ms */
+  const double half = shaft_force(drum);
+  tabor_drum_process(drum, NULL, 0, NULL, 200);
+  tabor_drum_statistics(drum, &statistics);
+  print_message("%.2f N, 4 ms after the release %.2f N\n", force, half);
+  assert_true(half < 0.6 * force && half > 0.4 * force);
+  assert_int_equal(statistics.in_play, 0);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(places_along_the_stick_weigh_what_mechanics_says),
@@ -216,6 +338,9 @@ int main(void) {
     cmocka_unit_test(strokes_bring_the_energy_of_their_motion),
     cmocka_unit_test(a_stiff_rod_on_the_head_alone_is_the_plain_striker),
     cmocka_unit_test(a_rimshot_meets_head_and_hoop_within_a_millisecond),
+    cmocka_unit_test(a_hand_is_a_force_and_a_centred_damper_on_the_shaft),
+    cmocka_unit_test(a_pressed_shaft_bounces_and_comes_to_rest),
+    cmocka_unit_test(a_hand_has_one_stick_and_lets_go_of_it_softly),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

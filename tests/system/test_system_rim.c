@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
- * the same speed, cross-sticks leave the head nearly silent; their energy is accounted for, whatever else happens. */
+ * the same speed, cross-sticks softer and brighter; their energy is accounted for, whatever else happens. */
 #include "event_script.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
@@ -135,43 +135,58 @@ static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
 }
 
 /* The share of the wires in what is lost, in parts of the stroke's energy. */
-static double rattle(const TaborDrumDef *def) {
+static double rattle(const TaborDrumDef *def, TaborTechnique technique) {
   static float sound[SOUND];
   TaborLedger ledger;
-  play(def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_CROSS_STICK, 0.1, sound, &ledger);
+  play(def, TABOR_QUALITY_LIVE, technique, 0.1, sound, &ledger);
   return (ledger.wire_loss + ledger.contact_loss) / ledger.injected;
 }
 
-static void a_cross_stick_rattles_the_snares(void **state) {
+/* By way of the shell alone a light stick does little: a mallet of 0.1 kg strikes the rim. */
+static void strokes_on_the_hoop_rattle_the_snares(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x5.5");
   def.hoop.contact_loss = def.striker[0].contact_loss = 0.0; /* leaves the wires */
-  TaborDrumDef rigid = def;
-  rigid.shell.mass = 0.0;
-  print_message("wires take %.2g of the energy, on a shell at rest %.2g\n", rattle(&def),
-                rattle(&rigid));
-  assert_true(rattle(&def) > 4.0 * rattle(&rigid));
+  const double across = rattle(&def, TABOR_TECHNIQUE_CROSS_STICK);
+  def.striker[0].mass = 0.1;
+  const double rim = rattle(&def, TABOR_TECHNIQUE_RIM);
+  def.shell.mass = 0.0;
+  const double rigid = rattle(&def, TABOR_TECHNIQUE_RIM);
+  print_message(
+    "wires take %.2g of a cross-stick, %.2g of a blow on the rim, on a shell at rest %.2g\n",
+    across, rim, rigid);
+  assert_true(across > 1e-3 && rim > 4.0 * rigid);
 }
 
-/* A shell that does not move is silent: what is left is the head under the stick's tip. */
-static void a_cross_stick_is_the_shell_above_a_head_nearly_silent(void **state) {
+/* Of the power between 50 Hz and 10 kHz, the part between 1 and 3 kHz [dB]. */
+static double upper_middle(const float *sound) {
+  double part = 0.0, sum = 0.0;
+  for (double f = 50.0; f < 10000.0; f += 5.0) {
+    const double power = power_at(sound, f);
+    sum += power;
+    if (f >= 1000.0 && f < 3000.0) part += power;
+  }
+  return decibel(part / sum);
+}
+
+/* Of five recorded snare drums (tests/reference/recorded_drums.json names the source), the loudest cross-stick has 17, 15, 11
+ * and 10 dB less energy than the loudest stroke at the microphone above, and of one, of which only loud ones were recorded,
+ * 2 dB more; between 1 and 3 kHz cross-sticks have 10 dB more of theirs than strokes, in the medians. */
+static void a_cross_stick_is_softer_and_brighter_than_a_stroke_of_its_speed(void **state) {
   (void)state;
-  static float plain[SOUND], whole[SOUND], head[SOUND];
-  TaborDrumDef def = snares_off();
+  static float plain[SOUND], across[SOUND];
+  TaborDrumDef def = physics_preset("snare-14x5.5");
+  def.mic[0].response = TABOR_RESPONSE_FLAT;
   TaborLedger ledger;
   const double radius = 0.6 * def.shell.radius;
-  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_NORMAL, radius, plain, &ledger);
-  play(&def, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, whole, &ledger);
+  play(&def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_NORMAL, radius, plain, &ledger);
+  play(&def, TABOR_QUALITY_LIVE, TABOR_TECHNIQUE_CROSS_STICK, radius, across, &ledger);
   assert_true(ledger.shell_loss > 0.0 && ledger.damper_loss > 0.0);
-  TaborDrumDef rigid = def;
-  rigid.shell.mass = 0.0;
-  play(&rigid, TABOR_QUALITY_STUDIO, TABOR_TECHNIQUE_CROSS_STICK, radius, head, &ledger);
-  print_message(
-    "head %.1f dB below a plain stroke, %.1f dB below the whole sound; centroid %.0f Hz\n",
-    decibel(energy(plain) / energy(head)), decibel(energy(whole) / energy(head)), centroid(whole));
-  assert_true(energy(head) < 0.01 * energy(plain));
-  assert_true(energy(head) < 0.3 * energy(whole));
-  assert_true(centroid(whole) > 2.0 * centroid(plain));
+  const double softer = decibel(energy(plain) / energy(across));
+  print_message("softer by %.1f dB; 1 to 3 kHz %.1f dB, of strokes %.1f dB\n", softer,
+                upper_middle(across), upper_middle(plain));
+  assert_true(softer > -2.0 && softer < 17.0);
+  assert_true(upper_middle(across) > upper_middle(plain) + 10.0);
 }
 
 /* ---- with all else ----------------------------------------------------------------------------- */
@@ -335,8 +350,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed),
     cmocka_unit_test(modes_of_the_shell_are_heard_on_the_rim),
-    cmocka_unit_test(a_cross_stick_rattles_the_snares),
-    cmocka_unit_test(a_cross_stick_is_the_shell_above_a_head_nearly_silent),
+    cmocka_unit_test(strokes_on_the_hoop_rattle_the_snares),
+    cmocka_unit_test(a_cross_stick_is_softer_and_brighter_than_a_stroke_of_its_speed),
     cmocka_unit_test(every_stroke_is_accounted_for_at_every_cap),
     cmocka_unit_test(blocks_saves_and_resets_keep_every_bit),
     cmocka_unit_test(a_swap_carries_sticks_and_hoop_on),

@@ -13,7 +13,9 @@ const double tb_stick_length = 0.4;
 static const double PI = 3.14159265358979323846;
 static const double TAPER = 0.2, NECK = 0.5; /* of the length; of the diameter */
 static const double FINGERS = 0.03; /* mass of the fingers that hold a stick where it turns [kg] */
-static const double AT_TIP = 0.2;   /* mass of the hand that holds a stick by its tip [kg] */
+static const double HAND = 1.0,
+                    HAND_PLACE =
+                      0.1875;       /* of a cross-stick [kg], and of the length from the tip on */
 static const double DECAY = 100.0;  /* decay rate of a stick's modes in a hand [1/s] */
 static const double FASTEST = 0.35; /* largest frequency of a mode, over the sample rate */
 
@@ -170,7 +172,8 @@ static void prepare_stick(TbStick *stick, const Beam *beam, const TaborStrikerDe
                           double time_step, bool losses) {
   const double *m = beam->moment;
   const double mass = def->mass * m[2] / (m[0] * m[2] - m[1] * m[1]); /* L mu, thickest [kg] */
-  const double point[TB_GRIPS] = {FINGERS, 0.0, AT_TIP}, place[TB_GRIPS] = {m[2] / m[1], 0.0, 0.0};
+  const double point[TB_GRIPS] = {FINGERS, 0.0, HAND},
+               place[TB_GRIPS] = {m[2] / m[1], 0.0, HAND_PLACE};
   const double unit = 2.0 * PI * def->bending_frequency / sqrt(beam->square[RIGID]);
   for (uint32_t grip = 0; grip < TB_GRIPS; grip++) {
     TbStickBody *body = &stick->grip[grip];

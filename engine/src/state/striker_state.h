@@ -45,7 +45,7 @@ typedef struct TbSlot {
   double force_before;                      /* on the head, a sample ago [N] */
   double part;                              /* fraction of a striker; 1: all of it */
   uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
-  double resistance, push;                  /* of its wires, when held [N s/m], [N] */
+  double resistance, push;                  /* of its wires or shaft, when held [N s/m], [N] */
   double coat;                              /* height of the coating under it [m] */
   double due;                               /* brush's path length at its next slip [m] */
   double radius, angle, velocity, strength; /* as asked: a swap rebuilds the slot from them */

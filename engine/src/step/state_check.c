@@ -65,6 +65,7 @@ static bool paired(const TbState *state, uint32_t i) {
   const uint32_t other = s->partner - 1u;
   if (other >= TB_MUFFLERS || other == i) return false;
   const TbSlot *o = &state->strikers.slots[other];
+  if (s->held && (!s->on_hoop || !o->rests)) return false;
   return o->kind == TB_SLOT_STRIKER && o->partner == i + 1u && o->on_hoop != s->on_hoop &&
          o->bends == s->bends && o->definition == s->definition;
 }

@@ -152,8 +152,44 @@ double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *ne
   return velocity * (velocity / its - s->cross * of_other) / determinant;
 }
 
-double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
+static uint32_t shaft_of(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->strikers.slots[slot];
-  const double k = view->model->time_step;
-  return k * k * s->cross * view->solve.warm.force[view->model->wires.stride + s->partner - 1u];
+  return s->on_hoop ? slot : s->partner - 1u;
+}
+
+/* c of the hand that presses this shaft [N s/m]. */
+static double resistance_of(const TbView *view, const TbSlot *shaft) {
+  return view->model->def.quality.losses ? shaft->resistance : 0.0;
+}
+
+/* w = k c C_ss/2. The damper, centred, makes of C_ij: C_ij - C_is C_sj (w/C_ss)/(1 + w). */
+static double resisted(const TbView *view, const TbSlot *shaft) {
+  return 0.5 * view->model->time_step * resistance_of(view, shaft) / shaft->mass;
+}
+
+double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t other) {
+  const TbSlot *s = &view->state->strikers.slots[slot];
+  const TbSlot *shaft = &view->state->strikers.slots[shaft_of(view, slot)];
+  const double k = view->model->time_step, w = resisted(view, shaft);
+  if (slot != other) return k * k * s->cross / (1.0 + w);
+  if (s == shaft) return k * k / (s->mass * (1.0 + w));
+  return k * k / s->mass - k * k * s->cross * s->cross * shaft->mass * w / (1.0 + w);
+}
+
+double tb_rigid_stick_free_height(const TbView *view, uint32_t slot) {
+  const uint32_t at = shaft_of(view, slot);
+  const TbSlot *shaft = &view->state->strikers.slots[at];
+  const double *now = view->now.z, *last = view->last.z;
+  const double k = view->model->time_step, w = resisted(view, shaft);
+  const double next =
+    (2.0 * now[at] - (1.0 - w) * last[at] - k * k * shaft->press / shaft->mass) / (1.0 + w);
+  if (slot == at) return next;
+  const double hand = shaft->press + resistance_of(view, shaft) * (next - last[at]) / (2.0 * k);
+  return 2.0 * now[slot] - last[slot] - k * k * shaft->cross * hand;
+}
+
+double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
+  const uint32_t other = view->state->strikers.slots[slot].partner - 1u;
+  return tb_rigid_stick_compliance(view, slot, other) *
+         view->solve.warm.force[view->model->wires.stride + other];
 }

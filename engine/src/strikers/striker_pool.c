@@ -11,11 +11,12 @@
 static const double AWAY = 0.005; /* [m] */
 /* [m]: the tip of a stick that has turned by 45 degrees about a hand 0.28 m away from it */
 static const double OUT_OF_HAND = 0.2;
-static const double LINGER = 1.0;      /* [s] */
-static const double PALM_TIME = 0.3;   /* [s] */
-static const double LIFT_TIME = 0.008; /* [s] in which a hand lets go and pulls, */
-static const double LIFT = 2.0;        /* [N] ... this hard in the end: 5 mm in as long again */
-static const double HERTZ = 1.5;       /* round wood on a round edge */
+static const double LINGER = 1.0;         /* [s] */
+static const double PALM_TIME = 0.3;      /* [s] */
+static const double PALM_LIFT_TIME = 0.1; /* [s], the last part of it */
+static const double LIFT_TIME = 0.008;    /* [s] in which a hand lets go and pulls, */
+static const double LIFT = 2.0;           /* [N] ... this hard in the end: 5 mm in as long again */
+static const double HERTZ = 1.5;          /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
   return view->state->strikers.slots[slot].kind != TB_SLOT_FREE;
@@ -24,9 +25,8 @@ static bool in_play(const TbView *view, uint32_t slot) {
 /* What two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
   const TbSlot *a = &view->state->strikers.slots[slot];
-  const double k = view->model->time_step;
   double sum = 0.0;
-  if (a->partner == other + 1u) sum += k * k * a->cross;
+  if (a->partner == other + 1u) sum += tb_rigid_stick_compliance(view, slot, other);
   if (a->bends && (slot == other || a->partner == other + 1u)) {
     sum += tb_rigid_stick_flexibility(view, slot, other);
   }
@@ -59,7 +59,7 @@ static void couple(TbView *view, uint32_t slot) {
   view->strikers.slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
 }
 
-/* What a hand does at the tip of the stick that it presses. */
+/* What a hand does where it presses a stick: at its tip, or at the shaft of one that lies across the drum. */
 typedef struct Hand {
   double force, stiffness, damping;
 } Hand;
@@ -67,14 +67,19 @@ typedef struct Hand {
 static Hand hand_of(const TbView *view, const TbSlot *s) {
   if (!s->held) return (Hand){0.0, 0.0, 0.0};
   const TaborDrumDef *def = &view->model->def;
+  if (s->partner) {
+    return (Hand){s->press, 0.0, def->quality.losses ? s->resistance : 0.0};
+  }
   const double share = 2.0 * s->part * view->state->live.values[TB_LIVE_GRIP].now;
   return (Hand){share * s->press + s->push, share * def->hand.stiffness,
                 def->quality.losses ? share * def->hand.damping + s->resistance : 0.0};
 }
 
 /* Displacement of the striker itself one step after a unit force [m/N]. */
-static double own_compliance(const TbView *view, const TbSlot *s) {
+static double own_compliance(const TbView *view, uint32_t slot) {
+  const TbSlot *s = &view->state->strikers.slots[slot];
   const double k = view->model->time_step;
+  if (s->partner) return tb_rigid_stick_compliance(view, slot, slot);
   return k * k / (s->mass + 0.5 * hand_of(view, s).damping * k);
 }
 
@@ -92,7 +97,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   const TaborHoopDef *hoop = &model->def.hoop;
   const bool hard =
     s->on_hoop && def->kind == TABOR_STRIKER_STICK; /* soft ones yield more than a hoop */
-  const double k = model->time_step, compliance = own_compliance(view, s);
+  const double k = model->time_step, compliance = own_compliance(view, slot);
   const double loss = hard ? hoop->contact_loss : def->contact_loss;
   view->contact_compliance[row] = compliance;
   tb_contact_law_prepare_sum(
@@ -364,7 +369,7 @@ void tb_pool_hold(TbView *view, uint32_t slot, double force) {
   if (!s->held) s->anchor = view->now.z[slot];
   s->held = 1;
   s->press = force;
-  view->contact_compliance[view->model->wires.stride + slot] = own_compliance(view, s);
+  view->contact_compliance[view->model->wires.stride + slot] = own_compliance(view, slot);
   tb_coupling_renew(view);
 }
 
@@ -405,7 +410,7 @@ void tb_pool_regrip(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = &view->state->strikers.slots[i];
     if (!s->held) continue;
-    view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, s);
+    view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, i);
     found = true;
   }
   if (found) tb_coupling_renew(view);
@@ -414,6 +419,7 @@ void tb_pool_regrip(TbView *view) {
 double tb_pool_free_height(const TbView *view, uint32_t slot) {
   const TbSlot *s = &view->state->strikers.slots[slot];
   const double now = view->now.z[slot], last = view->last.z[slot];
+  if (s->partner) return tb_rigid_stick_free_height(view, slot);
   if (!s->held) return 2.0 * now - last;
   const Hand hand = hand_of(view, s);
   const double k = view->model->time_step;
@@ -461,17 +467,60 @@ static bool is_done(const TbView *view, uint32_t slot) {
   return !s->partner && is_leaving(view, slot);
 }
 
+void tb_pool_lift(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->strikers.slots[slot];
+  s->leaving = 1;
+  s->id = 0;
+  if (s->partner) view->state->strikers.slots[s->partner - 1u].id = 0;
+}
+
+/* The hand on a cross-stick's shaft presses less and less, and takes the stick with it as the palm leaves the head,
+ * or at once if it is lifted. */
+static void relax_shaft(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->strikers.slots[slot];
+  const double rate = view->model->step_rate;
+  const double left =
+    s->leaving ? LIFT_TIME * rate - s->leaving++ : PALM_TIME * rate - (double)s->age;
+  if (left > 1.0) {
+    s->press *= 1.0 - 1.0 / left;
+  } else {
+    tb_pool_take_away(view, slot);
+  }
+}
+
+/* The palm has come off the head in the end: at once, it would let go of a head that moves. */
+static void relax_palm(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->strikers.slots[slot];
+  const double rate = view->model->step_rate, left = PALM_TIME * rate - (double)s->age;
+  if (left <= 1.0) {
+    tb_pool_take_away(view, slot);
+  } else if (left < PALM_LIFT_TIME * rate) {
+    s->strength *= 1.0 - 1.0 / left;
+    prepare_law(view, slot);
+  }
+}
+
+/* One sample of a striker, in play or in a hand that lets it go. */
+static void age_striker(TbView *view, uint32_t slot) {
+  TbSlot *s = &view->state->strikers.slots[slot];
+  s->age++;
+  if (row_touches(view, slot)) s->sounded = 1;
+  if (s->held && s->partner) {
+    relax_shaft(view, slot);
+    return;
+  }
+  if (s->leaving) pull_up(view, s);
+  if (is_done(view, slot)) tb_pool_take_away(view, slot);
+}
+
 void tb_pool_retire(TbView *view) {
   TbState *state = view->state;
   if (state->strikers.mask == 0) return;
-  const uint64_t palm_time = (uint64_t)(PALM_TIME * view->model->step_rate);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->strikers.slots[i];
-    if (s->kind == TB_SLOT_STRIKER || s->palm) s->age++;
-    if (s->kind == TB_SLOT_STRIKER && row_touches(view, i)) s->sounded = 1;
-    if (s->leaving) pull_up(view, s);
-    if (s->palm ? s->age > palm_time : s->kind == TB_SLOT_STRIKER && is_done(view, i)) {
-      tb_pool_take_away(view, i);
-    }
+    if (s->kind == TB_SLOT_STRIKER) age_striker(view, i);
+    if (!s->palm) continue;
+    s->age++;
+    relax_palm(view, i);
   }
 }

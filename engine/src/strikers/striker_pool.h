@@ -14,8 +14,8 @@
  * energy; the damper's is lost. g = 0 is a free rebound. A hand holds one stick: a stroke removes
  * the pressed stick with its id. Held at a distance p from its butt, a rod of length L and mass m
  * weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at its tip. Strikers do not collide with wires.
- * stick_rigid.h describes a stick on the hoop, or on hoop and head; no hand presses such a
- * stick. */
+ * stick_rigid.h describes a stick on the hoop, or on hoop and head, and the hand that presses the shaft
+ * of a cross-stick. */
 #ifndef TB_STRIKER_POOL_H
 #define TB_STRIKER_POOL_H
 
@@ -62,6 +62,9 @@ uint32_t tb_pool_obtain(TbView *view);
 void tb_pool_take_away(TbView *view, uint32_t slot);
 /* A hand takes hold of a striker, or changes the force F0 [N]. */
 void tb_pool_hold(TbView *view, uint32_t slot, double force);
+/* A hand lifts the stick that it presses: not at once, or what it has bent would snap back. Nobody finds it by its
+ * id any more. */
+void tb_pool_lift(TbView *view, uint32_t slot);
 /* F0 [N] for a pressure of 0 to 1. */
 double tb_pool_press_force(double pressure);
 /* True if the striker has touched the head or the hoop, with either end. */

@@ -22,24 +22,22 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
   return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
 }
 
-/* A hand lifts the stick that it presses: not at once, or a head that it has bent would snap back.
- * Nobody finds it by its id any more. */
-static void lift(TbSlot *s) {
-  s->leaving = 1;
-  s->id = 0;
-}
-
-static bool is_pressed(const TbSlot *s) {
-  return s->kind == TB_SLOT_STRIKER && s->held && !s->bristles && !s->partner;
+/* The slot where a hand presses the stick of slot `i`, the shaft's of one that lies across the drum; TB_SLOTS if none
+ * presses it. */
+static uint32_t pressed_slot(const TbView *view, uint32_t i) {
+  const TbSlot *slots = view->state->strikers.slots;
+  const uint32_t at = slots[i].partner && !slots[i].on_hoop ? slots[i].partner - 1u : i;
+  const bool pressed = slots[at].kind == TB_SLOT_STRIKER && slots[at].held && !slots[at].bristles;
+  return pressed ? at : TB_SLOTS;
 }
 
 /* A pressed stick that touches is lifted, everything else is gone at once. */
 static void let_go(TbView *view, uint32_t i) {
-  TbSlot *s = &view->state->strikers.slots[i];
-  if (is_pressed(s) && tb_pool_touches(view, i)) {
-    lift(s);
-  } else {
+  const uint32_t at = pressed_slot(view, i);
+  if (at == TB_SLOTS || !tb_pool_touches(view, i)) {
     tb_pool_take_away(view, i);
+  } else if (!view->state->strikers.slots[at].leaving) {
+    tb_pool_lift(view, at);
   }
 }
 
@@ -48,7 +46,7 @@ static void let_go(TbView *view, uint32_t i) {
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
     const TbSlot *s = &view->state->strikers.slots[i];
-    if (!is_pressed(s) || s->id != id) continue;
+    if (pressed_slot(view, i) == TB_SLOTS || s->id != id) continue;
     view->state->ledger.statistics.dropped_events += !tb_pool_sounded(view, i);
     let_go(view, i);
   }

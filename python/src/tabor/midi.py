@@ -23,6 +23,7 @@ _USUAL_TEMPO = 500000  # [us] for a quarter
 
 _RIM_RADIUS = 0.98  # of the head, for the controller of the radius at 127
 _CROSS_STICK_RADIUS = 0.6  # of the head
+_CROSS_STICK_SPEED = 0.4  # of a stroke's
 _HAND_RADIUS = 0.5  # of the head
 _HAND_WEAKEST, _HAND_STRONGEST = 0.06, 6.0  # [N s/m]
 _FIRST_HAND = 0xFFFF0000  # ids of hands; those of strokes are below
@@ -236,7 +237,8 @@ class _Song:
         self.strokes += 1
         self._id = self._id % (_FIRST_HAND - 1) + 1
         angle = self._usual_angle if self._angle is None else self._angle
-        self._add(frame, strike(time, speed(velocity), radius=self._stroke_radius(note), angle=angle,
+        factor = _CROSS_STICK_SPEED if _TECHNIQUES[note] == "cross-stick" else 1.0
+        self._add(frame, strike(time, factor * speed(velocity), radius=self._stroke_radius(note), angle=angle,
                                 technique=_TECHNIQUES[note], pressure=0, id=self._id))
 
     def _stroke_radius(self, note: int) -> float:

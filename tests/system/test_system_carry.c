@@ -90,7 +90,7 @@ static Scene make_scene(int which) {
     add(&scene, stroke(200, 1, "stick", TABOR_TECHNIQUE_BUZZ, 1.0));
     add(&scene, stroke(BEFORE - 200, 2, "stick", TABOR_TECHNIQUE_CROSS_STICK, 3.0));
     add(&scene, parameter(BEFORE - 100, "batter.muffle_strength", 1.0));
-    add(&scene, (TaborEvent){.frame = BEFORE - 20, .type = TABOR_EVENT_RELEASE, .id = 1});
+    add(&scene, (TaborEvent){.frame = BEFORE - 60, .type = TABOR_EVENT_RELEASE, .id = 1});
     add(&scene, stroke(BEFORE - 10, 3, "stick", TABOR_TECHNIQUE_RIM, 3.0));
   } else {
     add(&scene, stroke(100, 1, "brush", TABOR_TECHNIQUE_SWEEP, 0.8));

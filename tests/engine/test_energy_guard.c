@@ -8,7 +8,7 @@
 #include "drum/drum.h"
 #include "physics.h"
 #include "step/energy.h"
-#include "strikers/striker_pool.h"
+#include "strikers/striker_hold.h"
 
 enum { SCENES = 3 };
 
@@ -115,7 +115,7 @@ static void stretch(TbView *view, double g) {
 /* What the ledger would book for this step as created, contacts' losses left out: > 0 if energy came from nowhere. */
 static double created(const TbView *view) {
   const TbLosses losses = tb_losses(view);
-  const TbHandWork hands = tb_pool_hand_work(view);
+  const TbHoldWork hands = tb_hold_work(view);
   const double gone = losses.head + losses.shell + losses.wires + losses.radiated + hands.lost;
   return tb_energy_stored(view, &view->next, &view->now) + gone - hands.done -
          tb_energy_stored(view, &view->now, &view->last);
@@ -158,7 +158,7 @@ static void it_acts_from_where_energy_is_created(void **state) {
     const TbView plain = view_of_step();
     const double g = limit();
     const TbLosses losses = tb_losses(&plain);
-    const TbHandWork hands = tb_pool_hand_work(&plain);
+    const TbHoldWork hands = tb_hold_work(&plain);
     print_message("%d: g %.9f, losses %.1e %.1e %.1e %.1e, hands %.1e %.1e J\n", scene, g,
                   losses.head, losses.shell, losses.wires, losses.radiated, hands.lost, hands.done);
     go_back();

@@ -189,13 +189,14 @@ static void wrong_indices_are_refused(void **state) {
                  "beyond a delay line");
   assert_refused(offsetof(TbState, mics.heard), 1u << model->def.mic_count,
                  "a microphone too many");
-  assert_refused(slot + offsetof(TbSlot, kind), 3, "a slot of a fourth kind");
-  assert_refused(slot + offsetof(TbSlot, definition), model->def.striker_count, "no such striker");
+  assert_refused(slot + offsetof(TbSlot, kind), TB_SLOT_MUFFLER + 1u, "a slot of no kind");
+  assert_refused(slot + offsetof(TbSlot, striker.definition), model->def.striker_count,
+                 "no such striker");
   assert_refused(slot + offsetof(TbSlot, head), 2, "a third head");
-  assert_refused(slot + offsetof(TbSlot, partner), 17, "a partner without a slot");
-  assert_refused(slot + offsetof(TbSlot, partner), 1, "a partner of itself");
-  assert_refused(slot + offsetof(TbSlot, bends), TB_GRIPS + 1u, "a fourth grip");
-  assert_refused(slot + offsetof(TbSlot, bristles), 1, "bristles at a stick's place");
+  assert_refused(slot + offsetof(TbSlot, end.other), 17, "a stick's end without the other");
+  assert_refused(slot + offsetof(TbSlot, end.other), 0, "an end that is its own other");
+  assert_refused(slot + offsetof(TbSlot, kind), TB_SLOT_BRISTLES, "bristles at a stick's place");
+  assert_refused(slot + offsetof(TbSlot, end.grip), TB_GRIPS, "a fourth grip");
   assert_refused(offsetof(TbState, strikers.laws) + offsetof(TbContactLaw, kind), 5, "a sixth law");
 }
 

@@ -186,7 +186,7 @@ static Touched first_touches(TaborModel *model, double velocity, double radius) 
     const TbView view = tb_view(drum->state, drum->model);
     for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
       const TbSlot *s = &drum->state->strikers.slots[slot];
-      if (s->kind != TB_SLOT_STRIKER) continue;
+      if (!tb_slot_strikes(s)) continue;
       if (view.solve.warm.force[model->wires.stride + slot] == 0.0) continue;
       int *touched = s->on_hoop ? &first.hoop : &first.head;
       if (*touched == 0) *touched = i;
@@ -225,7 +225,7 @@ static const TaborEvent CROSS_STICK = {.type = TABOR_EVENT_STRIKE,
 
 static uint32_t shaft_slot(const TbState *state) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (state->strikers.slots[i].partner && state->strikers.slots[i].on_hoop) return i;
+    if (state->strikers.slots[i].kind == TB_SLOT_END && state->strikers.slots[i].on_hoop) return i;
   }
   return TB_SLOTS;
 }
@@ -247,19 +247,20 @@ static void a_hand_is_a_force_and_a_centred_damper_on_the_shaft(void **state) {
   tabor_drum_process(drum, &CROSS_STICK, 1, NULL, 20);
   const uint32_t s = shaft_slot(drum->state);
   const TbSlot *shaft = &drum->state->strikers.slots[s];
-  const uint32_t t = shaft->partner - 1u;
+  const uint32_t t = shaft->end.other;
   const TbSlot *tip = &drum->state->strikers.slots[t];
   const TbView view = tb_view(drum->state, model);
-  const double k = model->time_step, c = shaft->resistance;
-  assert_true(c > 0.0 && shaft->press > 0.0);
-  const double one = 1.0 / (tip->mass * shaft->mass) - shaft->cross * shaft->cross;
-  const double a = 1.0 / shaft->mass / one / (k * k), b = -shaft->cross / one / (k * k);
-  const double d = 1.0 / tip->mass / one / (k * k) + 0.5 * c / k, whole = a * d - b * b;
+  const double k = model->time_step, c = shaft->hold.resistance;
+  assert_true(c > 0.0 && shaft->hold.press > 0.0);
+  const double one =
+    1.0 / (tip->striker.mass * shaft->striker.mass) - shaft->end.cross * shaft->end.cross;
+  const double a = 1.0 / shaft->striker.mass / one / (k * k), b = -shaft->end.cross / one / (k * k);
+  const double d = 1.0 / tip->striker.mass / one / (k * k) + 0.5 * c / k, whole = a * d - b * b;
   assert_true(near(tb_rigid_stick_compliance(&view, t, t), d / whole));
   assert_true(near(tb_rigid_stick_compliance(&view, s, s), a / whole));
   assert_true(near(tb_rigid_stick_compliance(&view, t, s), -b / whole));
   /* By how much the hand bends the ways 2 z - z-: it pushes with F0 + c (s - s-)/k there. */
-  const double speed = (view.now.z[s] - view.last.z[s]) / k, push = -shaft->press - c * speed;
+  const double speed = (view.now.z[s] - view.last.z[s]) / k, push = -shaft->hold.press - c * speed;
   const double ways[] = {2.0 * view.now.z[t] - view.last.z[t],
                          2.0 * view.now.z[s] - view.last.z[s]};
   const double bent[] = {tb_rigid_stick_free_height(&view, t) - ways[0],

@@ -177,19 +177,20 @@ static void assert_scene(const TaborDrum *drum, int which) {
   uint32_t sticks = 0, held = 0, pairs = 0, hands = 0, palms = 0, leaving = 0, bristles = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];
-    sticks += slot->kind == TB_SLOT_STRIKER && !slot->bristles && !slot->partner && !slot->held;
-    held += slot->held && !slot->bristles && !slot->leaving;
-    pairs += slot->partner != 0;
-    hands += slot->kind == TB_SLOT_HAND && !slot->palm && i < TB_MUFFLERS;
-    palms += slot->palm != 0;
-    leaving += slot->leaving != 0 && !slot->bristles;
-    bristles += slot->bristles != 0;
+    const bool bristly = slot->kind == TB_SLOT_BRISTLES;
+    sticks += slot->kind == TB_SLOT_TIP && !slot->hold.held;
+    held += slot->hold.held && !bristly && !slot->hold.leaving;
+    pairs += slot->kind == TB_SLOT_END;
+    hands += slot->kind == TB_SLOT_HAND;
+    palms += slot->kind == TB_SLOT_PALM;
+    leaving += slot->hold.leaving != 0 && !bristly;
+    bristles += bristly;
   }
   if (which == 0) assert_true(sticks >= 2 && held == 1 && pairs == 2 && hands == 1);
   if (which == 1) assert_true(pairs == 2 && palms == 1 && leaving == 1 && sticks >= 1);
   if (which == 2) assert_true(bristles == 2 * TB_BRISTLE_GROUPS && sticks >= 1);
-  assert_true(drum->state->strikers.slots[TB_MUFFLERS].kind == TB_SLOT_HAND);
-  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].kind == TB_SLOT_HAND);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS].kind == TB_SLOT_MUFFLER);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].kind == TB_SLOT_MUFFLER);
 }
 
 /* Leaves what stands for something: not what was in a slot that is free now, nor what the next step overwrites, nor the
@@ -200,7 +201,7 @@ static void keep_what_counts(TbState *state) {
   memset(state->strikers.truncated[scratch], 0, sizeof state->strikers.truncated[scratch]);
   memset(state->strikers.bow[scratch], 0, sizeof state->strikers.bow[scratch]);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (state->strikers.slots[i].kind == TB_SLOT_HAND) state->strikers.slots[i].rest_height = 0.0;
+    if (!tb_slot_strikes(&state->strikers.slots[i])) state->strikers.slots[i].rest_height = 0.0;
     if (state->strikers.slots[i].kind != TB_SLOT_FREE) continue;
     memset(&state->strikers.slots[i], 0, sizeof state->strikers.slots[i]);
     memset(&state->strikers.laws[i], 0, sizeof state->strikers.laws[i]);
@@ -298,8 +299,8 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
       const TbView a = tb_view(drum->state, near), b = tb_view(same->state, model);
       const TbSlot *x = &drum->state->strikers.slots[i], *y = &same->state->strikers.slots[i];
       assert_int_equal(x->kind, y->kind);
-      assert_true(x->age == y->age && x->leaving == y->leaving && x->serial == y->serial);
-      if (x->kind != TB_SLOT_STRIKER) continue;
+      assert_true(x->age == y->age && x->hold.leaving == y->hold.leaving && x->serial == y->serial);
+      if (!tb_slot_strikes(x)) continue;
       assert_true(is_near(a.now.z[i], b.now.z[i], 1e-4));
       assert_true(is_near(a.now.z[i] - a.last.z[i], b.now.z[i] - b.last.z[i], 1e-3));
       for (uint32_t n = 0; n < TB_TRUNCATED; n++) {
@@ -350,9 +351,9 @@ static void times_and_speeds_stay_when_steps_are_halved(void **state) {
         assert_int_equal(x->strikers.slots[i].kind, y->strikers.slots[i].kind);
         assert_true(
           fabs((double)x->strikers.slots[i].age * ratio - (double)y->strikers.slots[i].age) <= 1.0);
-        assert_true(fabs(x->strikers.slots[i].leaving * ratio - y->strikers.slots[i].leaving) <=
-                    1.0);
-        if (x->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
+        assert_true(fabs(x->strikers.slots[i].hold.leaving * ratio -
+                         y->strikers.slots[i].hold.leaving) <= 1.0);
+        if (!tb_slot_strikes(&x->strikers.slots[i])) continue;
         assert_true(a.now.z[i] == b.now.z[i]);
         assert_true(is_near((a.now.z[i] - a.last.z[i]) / ratio, b.now.z[i] - b.last.z[i], 1e-9));
       }
@@ -424,8 +425,8 @@ static void strikers_that_the_other_drum_lacks_vanish(void **state) {
   TaborSwap *swap = send(drum, models[1], TABOR_EVENT_SWAP);
   uint32_t bristles = 0, sticks = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    bristles += drum->state->strikers.slots[i].bristles;
-    sticks += drum->state->strikers.slots[i].kind == TB_SLOT_STRIKER;
+    bristles += drum->state->strikers.slots[i].kind == TB_SLOT_BRISTLES;
+    sticks += tb_slot_strikes(&drum->state->strikers.slots[i]);
   }
   assert_int_equal(bristles, 0);
   assert_int_equal(sticks, 1);

@@ -36,8 +36,8 @@ static TbRingParts divide(const TbView *view) {
 
 /* What a striker's force does to the high band: see force_equalizer.h. */
 static double high_push(TbView *view, TbSlot *slot, double force) {
-  const double before = slot->force_before;
-  slot->force_before = force;
+  const double before = slot->striker.force_before;
+  slot->striker.force_before = force;
   return wires_lie(view) ? 0.5 * (force + before) : force;
 }
 
@@ -45,8 +45,8 @@ static double high_push(TbView *view, TbSlot *slot, double force) {
 static bool strike_high(TbView *view) {
   bool struck = false;
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    TbSlot *slot = &view->state->strikers.slots[i];
-    if (slot->kind != TB_SLOT_STRIKER || slot->on_hoop) continue;
+    TbSlot *slot = tb_slot(view, i);
+    if (!tb_slot_strikes(slot) || slot->on_hoop) continue;
     const double push =
       high_push(view, slot, view->solve.warm.force[view->model->wires.stride + i]);
     if (push == 0.0) continue;

@@ -296,7 +296,7 @@ void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   *statistics = drum->state->ledger.statistics;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];
-    const bool counted = slot->partner && slot->partner <= i; /* with the stick's other end */
+    const bool counted = slot->kind == TB_SLOT_END && slot->end.other < i; /* with that end */
     statistics->in_play += slot->kind != TB_SLOT_FREE && !counted;
   }
   for (uint32_t i = 0; i < TB_BRUSHES; i++)
@@ -344,14 +344,15 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
   uint64_t newest = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];
-    if (slot->kind != TB_SLOT_STRIKER) continue;
+    if (!tb_slot_strikes(slot)) continue;
     const double force = view.solve.warm.force[model->wires.stride + i];
     probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;
-    const bool shaft = slot->partner && slot->on_hoop; /* of a stick whose tip is meant */
+    const bool shaft =
+      slot->kind == TB_SLOT_END && slot->on_hoop; /* of a stick whose tip is meant */
     if (slot->serial > newest && !shaft) {
       newest = slot->serial;
       probe->striker = slot->rest_height + view.now.z[i];
-      if (slot->bends) probe->striker += tb_rigid_stick_bow(&view, i, &view.now);
+      if (slot->end.bends) probe->striker += tb_rigid_stick_bow(&view, i, &view.now);
     }
   }
 }

@@ -202,9 +202,10 @@ static void carry_truncated(const TbView *from, TbView *to, uint32_t slot, doubl
 
 static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {
   double *now = to->now.bow[slot], *last = to->last.bow[slot];
-  TbSlot *s = &to->state->strikers.slots[slot];
-  if (s->bends && !s->partner) s->bends = tb_rigid_stick_bends(to, s->definition);
-  if (!s->bends) return;
+  TbSlot *s = tb_slot(to, slot);
+  if (s->kind == TB_SLOT_TIP && s->end.bends)
+    s->end.bends = tb_rigid_stick_bends(to, s->striker.definition);
+  if (!s->end.bends) return;
   memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
   memcpy(last, from->last.bow[slot], sizeof from->last.bow[slot]);
   tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), ratio, now, last);
@@ -212,9 +213,9 @@ static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double 
 
 /* A striker that the other model has, and a brush if it is one. */
 static bool is_known(const TaborModel *model, const TbSlot *slot) {
-  const TaborStrikerDef *striker = &model->def.striker[slot->definition];
-  if (slot->definition >= model->def.striker_count) return false;
-  return !slot->bristles || striker->kind == TABOR_STRIKER_BRUSH;
+  const TaborStrikerDef *striker = &model->def.striker[slot->striker.definition];
+  if (slot->striker.definition >= model->def.striker_count) return false;
+  return slot->kind != TB_SLOT_BRISTLES || striker->kind == TABOR_STRIKER_BRUSH;
 }
 
 /* Its paths are per step, and its times in steps. */
@@ -229,7 +230,7 @@ static TbBrush brush_at_steps(TbBrush brush, uint64_t clock, double ratio) {
 }
 
 static TbSlot slot_at_steps(TbSlot slot, double ratio) {
-  slot.leaving = steps_left(slot.leaving, ratio);
+  slot.hold.leaving = steps_left(slot.hold.leaving, ratio);
   slot.age = (uint64_t)((double)slot.age / ratio);
   return slot;
 }
@@ -243,10 +244,10 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
       brush_at_steps(from->state->strikers.brushes[b], from->state->clock, ratio);
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &from->state->strikers.slots[i];
+    const TbSlot *slot = tb_slot(from, i);
     const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
     if (slot->kind == TB_SLOT_FREE || muffles || !is_known(to->model, slot)) continue;
-    to->state->strikers.slots[i] = slot_at_steps(*slot, ratio);
+    *tb_slot(to, i) = slot_at_steps(*slot, ratio);
     to->state->strikers.mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
     to->last.z[i] = tb_step_ago(from->now.z[i], from->last.z[i], ratio);
@@ -255,7 +256,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   }
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (to->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
+    if (tb_slot(to, i)->kind == TB_SLOT_FREE) continue;
     const double force = from->solve.warm.force[from->model->wires.stride + i];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
     tb_pool_rebuild(to, i);

@@ -75,10 +75,10 @@ static void view_contacts(const TbViewTables *view, const TbView *state, uint32_
 _Static_assert(TABOR_VIEW_STICKS >= TB_SLOTS, "every striker is seen");
 
 static TaborViewStick view_stick(const TbView *state, uint32_t i) {
-  const TbSlot *slot = &state->state->strikers.slots[i];
-  const double bow = slot->bends ? tb_rigid_stick_bow(state, i, &state->now) : 0.0;
+  const TbSlot *slot = tb_slot(state, i);
+  const double bow = slot->end.bends ? tb_rigid_stick_bow(state, i, &state->now) : 0.0;
   return (TaborViewStick){.id = slot->id,
-                          .striker = slot->definition,
+                          .striker = slot->striker.definition,
                           .on_hoop = slot->on_hoop,
                           .radius = slot->radius,
                           .angle = slot->angle,
@@ -89,7 +89,7 @@ static TaborViewStick view_stick(const TbView *state, uint32_t i) {
 static void view_sticks(TaborView *seen, const TbView *state) {
   seen->stick_count = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (state->state->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
+    if (!tb_slot_strikes(tb_slot(state, i))) continue;
     seen->sticks[seen->stick_count++] = view_stick(state, i);
   }
 }

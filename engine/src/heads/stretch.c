@@ -35,8 +35,8 @@ static void prepare_slots(TbView *view) {
   const double *const pull[2] = {view->stretch.pull[0], view->stretch.pull[1]};
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
-    if (view->state->strikers.slots[slot].kind == TB_SLOT_FREE) continue;
-    const TbSlot *s = &view->state->strikers.slots[slot];
+    if (tb_slot(view, slot)->kind == TB_SLOT_FREE) continue;
+    const TbSlot *s = tb_slot(view, slot);
     const TbParts *felt = s->on_hoop ? &stretch->parts : &stretch->felt[s->head];
     const TbPair r = model->kernels->stretch_dots(felt, pull, tb_slot_shape(view, slot));
     view->solve.in.stretch_slots[0][slot] = model->wires.side * r.first;
@@ -99,7 +99,7 @@ static bool is_driven(const TbView *view) {
   const TbState *state = view->state;
   if (fabs(view->incident.now) > LOUD_AIR) return true;
   for (uint32_t slot = 0; state->strikers.mask >> slot; slot++) {
-    if (state->strikers.slots[slot].kind == TB_SLOT_STRIKER) return true;
+    if (tb_slot_strikes(&state->strikers.slots[slot])) return true;
   }
   return false;
 }

@@ -81,6 +81,14 @@ static inline void tb_view_lift(TbView *view, bool lifted) {
   view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
 }
 
+static inline TbSlot *tb_slot(const TbView *view, uint32_t slot) {
+  return &view->state->strikers.slots[slot];
+}
+/* Of a stick on head and hoop; otherwise the slot itself. */
+static inline uint32_t tb_slot_other_end(const TbView *view, uint32_t slot) {
+  const TbSlot *s = tb_slot(view, slot);
+  return s->kind == TB_SLOT_END ? s->end.other : slot;
+}
 /* One slot's part of the per-slot arrays. */
 static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {
   return view->strikers.shape + (size_t)slot * view->model->modes.padded;
@@ -90,14 +98,14 @@ static inline double *tb_slot_drive(const TbView *view, uint32_t slot) {
 }
 /* The modes that a slot in play can move; its shape is 0 at the others. */
 static inline TbModeRanges tb_slot_modes(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
+  const TbSlot *s = tb_slot(view, slot);
   return s->on_hoop ? tb_modes_all(&view->model->modes)
                     : tb_modes_of_head(&view->model->modes, s->head);
 }
 static inline const TbTruncatedModes *tb_slot_truncated(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  const bool on_head = s->kind == TB_SLOT_STRIKER && !s->on_hoop;
-  return &view->model->truncated[on_head ? s->definition : TABOR_MAX_STRIKERS];
+  const TbSlot *s = tb_slot(view, slot);
+  const bool on_head = tb_slot_strikes(s) && !s->on_hoop;
+  return &view->model->truncated[on_head ? s->striker.definition : TABOR_MAX_STRIKERS];
 }
 static inline double *tb_slot_coupling(const TbView *view, uint32_t slot) {
   return view->strikers.coupling + (size_t)slot * view->model->projection.wire_grid.size;

@@ -6,7 +6,16 @@
 #include "contact/solve.h"
 #include "model/model.h"
 
-typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKind;
+/* What a slot holds. */
+typedef enum TbSlotKind {
+  TB_SLOT_FREE,
+  TB_SLOT_TIP,      /* a striker that touches in one place, head or hoop */
+  TB_SLOT_END,      /* one of the two ends of a stick on head and hoop: see stick_rigid.h */
+  TB_SLOT_BRISTLES, /* a group of a brush's bristles: see brush.h */
+  TB_SLOT_HAND,     /* a damping hand */
+  TB_SLOT_PALM,     /* that of a cross-stick, which lifts off by itself */
+  TB_SLOT_MUFFLER   /* a hand that stays where the definition puts it */
+} TbSlotKind;
 
 /* The slot of the batter head's muffler, a permanent hand. The resonant head's muffler has the next
  * slot. */
@@ -18,38 +27,61 @@ typedef enum TbSlotKind { TB_SLOT_FREE, TB_SLOT_STRIKER, TB_SLOT_HAND } TbSlotKi
 #define TB_BRISTLE_GROUPS 3u
 #define TB_BRISTLES (TB_MUFFLERS + 2u)
 
-/* A striker in flight or contact, or a damping hand. Its height is z, relative to the head's rest
- * height at its place. Penetration eta = w + d - z (a hand: eta = w); d is the displacement of the
- * truncated modes. On the hoop, w is the hoop's displacement. A stick that touches both head and hoop
- * has a slot for each: see stick_rigid.h. */
+/* A striker in flight or contact, in slots of the first three kinds. */
+typedef struct TbStriker {
+  double mass;         /* [kg] */
+  double part;         /* fraction of a striker; 1: all of it */
+  double velocity;     /* of the stroke [m/s] */
+  double force_before; /* on the head, a sample ago [N] */
+  uint32_t definition; /* which striker */
+  uint32_t sounded;    /* it has touched */
+} TbStriker;
+
+/* The hand that presses a striker: see striker_hold.h. */
+typedef struct TbHold {
+  uint32_t held;           /* 0: none presses it */
+  uint32_t leaving;        /* samples since its lifting began; 0: not lifting */
+  double press, anchor;    /* F0 [N], z0 [m] */
+  double resistance, push; /* of bristles or of a pressed shaft [N s/m]; a further force [N] */
+} TbHold;
+
+/* Where a stick touches: see stick_rigid.h. */
+typedef struct TbStickEnd {
+  uint32_t bends;        /* 0: it is stiff, or no stick */
+  uint32_t grip;         /* a TbGrip, if it bends */
+  uint32_t other;        /* slot of the other end, of TB_SLOT_END */
+  uint32_t rests;        /* a tip that lies on the head */
+  double along;          /* from the stick's tip [m] */
+  double cross;          /* C_12 of both ends [1/kg] */
+  double bend[TB_BENDS]; /* phi of the stick's bending there [kg^-1/2] */
+} TbStickEnd;
+
+/* A group of bristles on the coating of the head. */
+typedef struct TbBristles {
+  double coat; /* height of the coating under it [m] */
+  double due;  /* brush's path length at its next slip [m] */
+} TbBristles;
+
+/* Height is z, relative to the head's rest height at its place. Penetration eta = w + d - z (a hand: eta =
+ * w); d is the displacement of the truncated modes. On the hoop, w is the hoop's displacement. */
 typedef struct TbSlot {
   uint32_t kind, id;
-  uint64_t serial;                          /* order of arrival */
-  uint64_t age;                             /* samples in play */
-  double mass;                              /* [kg] */
-  double rest_height;                       /* of the head at its place [m] */
-  uint32_t definition;                      /* which striker */
-  uint32_t head;                            /* a TaborHead */
-  uint32_t held;                            /* a hand presses it: see striker_pool.h */
-  uint32_t on_hoop;                         /* not on the head */
-  uint32_t partner;                         /* 1 + the slot of the stick's other end; 0: none */
-  uint32_t rests;                           /* this end is held onto the head */
-  uint32_t palm;                            /* a hand that lifts off by itself */
-  uint32_t bends;                           /* 1 + the TbGrip of a stick; 0: it does not bend */
-  double cross;                             /* C_12 of both ends [1/kg] */
-  double along;                             /* from the stick's tip [m] */
-  double bend[TB_BENDS];                    /* phi of the stick's bending there [kg^-1/2] */
-  double press, anchor;                     /* F0 [N], z0 [m] */
-  uint32_t bristles;                        /* 1: a bristle group of a brush */
-  uint32_t sounded;                         /* a striker has touched */
-  double force_before;                      /* on the head, a sample ago [N] */
-  double part;                              /* fraction of a striker; 1: all of it */
-  uint32_t leaving;                         /* samples since its lifting began; 0: not lifting */
-  double resistance, push;                  /* of its wires or shaft, when held [N s/m], [N] */
-  double coat;                              /* height of the coating under it [m] */
-  double due;                               /* brush's path length at its next slip [m] */
-  double radius, angle, velocity, strength; /* as asked: a swap rebuilds the slot from them */
+  uint64_t serial;      /* order of arrival */
+  uint64_t age;         /* samples in play */
+  uint32_t head;        /* a TaborHead */
+  uint32_t on_hoop;     /* not on the head */
+  double radius, angle; /* [m], [deg] */
+  double rest_height;   /* of head or hoop at its place [m] */
+  double strength;      /* of a damping hand, palm or muffler [N s/m] */
+  TbStriker striker;
+  TbHold hold;
+  TbStickEnd end;
+  TbBristles bristles;
 } TbSlot;
+
+static inline bool tb_slot_strikes(const TbSlot *slot) {
+  return slot->kind == TB_SLOT_TIP || slot->kind == TB_SLOT_END || slot->kind == TB_SLOT_BRISTLES;
+}
 
 /* Motion of a brush by a hand: see brush.h. Path lengths are per sample. */
 typedef struct TbBrush {

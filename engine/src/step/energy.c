@@ -72,8 +72,8 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &view->state->strikers.slots[i];
-    if (slot->kind != TB_SLOT_STRIKER) continue;
+    const TbSlot *slot = tb_slot(view, i);
+    if (!tb_slot_strikes(slot)) continue;
     sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
            2.0 * tb_pool_contact_energy(view, i, next, now) +
            2.0 * tb_rigid_stick_bending(view, i, next, now) +
@@ -112,7 +112,7 @@ double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const double step = next->z[i] - now->z[i];
-    all += view->state->strikers.slots[i].mass * step * step;
+    all += tb_slot(view, i)->striker.mass * step * step;
     for (uint32_t n = 0; n < TB_BENDS; n++) {
       const double bent = next->bow[i][n] - now->bow[i][n];
       all += bent * bent;
@@ -134,7 +134,7 @@ TbLosses tb_losses_with(const TbView *view, const double by[3]) {
   const TaborModel *model = view->model;
   TbLosses losses = {.head = by[0], .radiated = by[1], .shell = by[2]};
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (view->state->strikers.slots[i].kind != TB_SLOT_STRIKER) continue;
+    if (!tb_slot_strikes(tb_slot(view, i))) continue;
     losses.head += tb_truncated_modes_loss(tb_slot_truncated(view, i), view->next.truncated[i],
                                            view->last.truncated[i]);
   }

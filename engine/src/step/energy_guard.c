@@ -3,7 +3,7 @@
 
 #include "air/incident_sound.h"
 #include "step/energy.h"
-#include "strikers/striker_pool.h"
+#include "strikers/striker_hold.h"
 
 /* next = last + t (next - last). */
 static void shorten(uint32_t n, double *next, const double *last, double t) {
@@ -23,7 +23,7 @@ static void shorten_all(TbView *view, double t) {
 
 static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
-  const TbHandWork hands = tb_pool_hand_work(view);
+  const TbHoldWork hands = tb_hold_work(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
          losses.shell + losses.wires + hands.lost - hands.done - tb_incident_work(view);
 }

@@ -7,6 +7,7 @@
 #include "heads/coupling.h"
 #include "step/energy.h"
 #include "step/wire_clearance.h"
+#include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
 
 static const double SMOOTHING = 0.005;          /* [s] */
@@ -216,7 +217,7 @@ static void move_wires(TbView *view) {
 void tb_live_params_step(TbView *view) {
   TbLiveParam *live = view->state->live.values;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
-    if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_pool_regrip(view);
+    if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_hold_regrip(view);
   }
   move_mufflers(view);
   move_wires(view);

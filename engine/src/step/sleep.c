@@ -64,8 +64,7 @@ static void fall_asleep(TbView *view) {
       view->solve.warm.force[row] = model->rest.force[row];
     }
     for (uint32_t i = 0; i < TB_SLOTS; i++) {
-      if (view->state->strikers.slots[i].kind != TB_SLOT_FREE)
-        view->now.eta[model->wires.stride + i] = 0.0;
+      if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
     }
     tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                      view->solve.warm.product);
@@ -90,8 +89,8 @@ static void fall_asleep(TbView *view) {
 
 static bool striker_in_flight(const TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *slot = &view->state->strikers.slots[i];
-    if (slot->palm || (slot->kind == TB_SLOT_STRIKER && !slot->held)) return true;
+    const TbSlot *slot = tb_slot(view, i);
+    if (slot->kind == TB_SLOT_PALM || (tb_slot_strikes(slot) && !slot->hold.held)) return true;
   }
   return false;
 }

@@ -33,16 +33,19 @@ static bool is_brush(const TaborModel *model, uint32_t definition) {
 }
 
 static bool slot_numbers(const TbSlot *s) {
-  const double places[] = {s->along, s->radius, s->angle, s->coat};
-  const double others[] = {s->mass,     s->rest_height,  s->cross,   s->press,   s->anchor,
-                           s->part,     s->resistance,   s->push,    s->due,     s->velocity,
-                           s->strength, s->force_before, s->bend[0], s->bend[1], s->bend[2]};
+  const double places[] = {s->end.along, s->radius, s->angle, s->bristles.coat};
+  const TbStriker *striker = &s->striker;
+  const TbHold *hold = &s->hold;
+  const double others[] = {striker->mass,  striker->part, striker->velocity, striker->force_before,
+                           hold->press,    hold->anchor,  hold->resistance,  hold->push,
+                           s->rest_height, s->end.cross,  s->strength,       s->bristles.due};
   return all_within(NUMBERS(places), MOST_PLACE) && all_within(NUMBERS(others), MOST) &&
-         s->along >= 0.0 && s->radius >= 0.0;
+         all_within(NUMBERS(s->end.bend), MOST) && s->end.along >= 0.0 && s->radius >= 0.0;
 }
 
 static bool slot_flags(const TbSlot *s) {
-  const uint32_t flags[] = {s->held, s->on_hoop, s->rests, s->palm, s->bristles, s->sounded};
+  const uint32_t flags[] = {s->hold.held, s->on_hoop, s->end.bends, s->end.rests,
+                            s->striker.sounded};
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
     if (flags[i] > 1u) return false;
   }
@@ -51,53 +54,64 @@ static bool slot_flags(const TbSlot *s) {
 
 static bool no_law(const TbContactLaw *law) { return law->kind == TB_CONTACT_LAW_GENERAL; }
 
-/* Code that passes all slots looks at these even where a slot is free. */
+/* Code that passes all slots looks at these even where none strikes. */
+static bool no_striker(const TbSlot *s) {
+  return !s->hold.held && !s->hold.leaving && !s->end.bends && !s->end.rests;
+}
+
 static bool free_slot(const TbState *state, uint32_t i) {
   const TbSlot *s = &state->strikers.slots[i];
-  return !s->held && !s->partner && !s->bends && !s->palm && !s->leaving && !s->bristles &&
-         s->mass == 0.0 && no_law(&state->strikers.laws[i]);
+  return no_striker(s) && s->striker.mass == 0.0 && no_law(&state->strikers.laws[i]);
 }
 
-/* Both ends of a stick: its tip on the head, its shaft on the hoop. */
-static bool paired(const TbState *state, uint32_t i) {
+static bool striker(const TaborModel *model, const TbState *state, uint32_t i) {
   const TbSlot *s = &state->strikers.slots[i];
-  if (!s->partner) return true;
-  const uint32_t other = s->partner - 1u;
-  if (other >= TB_MUFFLERS || other == i) return false;
+  return s->striker.definition < model->def.striker_count && s->head == TABOR_HEAD_BATTER &&
+         s->striker.mass > 0.0 && s->end.grip < TB_GRIPS &&
+         state->strikers.laws[i].kind != TB_CONTACT_LAW_DAMPER;
+}
+
+static bool tip(const TaborModel *model, const TbState *state, uint32_t i) {
+  return i < TB_MUFFLERS && !state->strikers.slots[i].end.rests && striker(model, state, i);
+}
+
+/* Its tip is on the head and its shaft on the hoop, where a hand presses one that rests. */
+static bool stick_end(const TaborModel *model, const TbState *state, uint32_t i) {
+  const TbSlot *s = &state->strikers.slots[i];
+  const uint32_t other = s->end.other;
+  if (i >= TB_MUFFLERS || other >= TB_MUFFLERS || other == i) return false;
   const TbSlot *o = &state->strikers.slots[other];
-  if (s->held && (!s->on_hoop || !o->rests)) return false;
-  return o->kind == TB_SLOT_STRIKER && o->partner == i + 1u && o->on_hoop != s->on_hoop &&
-         o->bends == s->bends && o->definition == s->definition;
+  if (s->hold.held && (!s->on_hoop || !o->end.rests)) return false;
+  return o->kind == TB_SLOT_END && o->end.other == i && o->on_hoop != s->on_hoop &&
+         o->end.bends == s->end.bends && o->end.grip == s->end.grip &&
+         o->striker.definition == s->striker.definition && striker(model, state, i);
 }
 
-static bool striker_slot(const TaborModel *model, const TbState *state, uint32_t i) {
+static bool bristles(const TaborModel *model, const TbState *state, uint32_t i) {
   const TbSlot *s = &state->strikers.slots[i];
-  const bool bristles = i >= TB_BRISTLES;
-  if (i >= TB_MUFFLERS && !bristles) return false;
-  if (s->definition >= model->def.striker_count || s->head != TABOR_HEAD_BATTER) return false;
-  if (!(s->mass > 0.0) || s->palm || s->bends > TB_GRIPS) return false;
-  if (state->strikers.laws[i].kind == TB_CONTACT_LAW_DAMPER) return false;
-  if (bristles != (s->bristles == 1u)) return false;
-  if (!bristles) return paired(state, i);
+  if (i < TB_BRISTLES || !striker(model, state, i)) return false;
   const TbBrush *brush = &state->strikers.brushes[(i - TB_BRISTLES) / TB_BRISTLE_GROUPS];
-  return !s->partner && !s->bends && !s->on_hoop && s->held && brush->active &&
-         brush->definition == s->definition && is_brush(model, s->definition);
+  return !s->end.bends && !s->end.rests && !s->on_hoop && s->hold.held && brush->active &&
+         brush->definition == s->striker.definition && is_brush(model, s->striker.definition);
 }
 
-static bool hand_slot(const TaborModel *model, const TbState *state, uint32_t i) {
+static bool damper(const TaborModel *model, const TbState *state, uint32_t i) {
   const TbSlot *s = &state->strikers.slots[i];
-  const bool muffler = i >= TB_MUFFLERS && i < TB_BRISTLES;
-  if (i >= TB_BRISTLES || s->head >= model->head.heads) return false;
-  if (muffler && s->head != i - TB_MUFFLERS) return false;
-  return !s->held && !s->partner && !s->bends && !s->leaving && !s->bristles && !s->on_hoop &&
+  return s->head < model->head.heads && no_striker(s) && !s->on_hoop &&
          state->strikers.laws[i].kind == TB_CONTACT_LAW_DAMPER;
 }
 
 static bool slot_of_kind(const TaborModel *model, const TbState *state, uint32_t i) {
   switch (state->strikers.slots[i].kind) {
   case TB_SLOT_FREE: return free_slot(state, i);
-  case TB_SLOT_STRIKER: return striker_slot(model, state, i);
-  case TB_SLOT_HAND: return hand_slot(model, state, i);
+  case TB_SLOT_TIP: return tip(model, state, i);
+  case TB_SLOT_END: return stick_end(model, state, i);
+  case TB_SLOT_BRISTLES: return bristles(model, state, i);
+  case TB_SLOT_HAND:
+  case TB_SLOT_PALM: return i < TB_MUFFLERS && damper(model, state, i);
+  case TB_SLOT_MUFFLER:
+    return i >= TB_MUFFLERS && state->strikers.slots[i].head == i - TB_MUFFLERS &&
+           damper(model, state, i);
   default: return false;
   }
 }

@@ -17,6 +17,7 @@
 #include "step/wire_clearance.h"
 #include "strikers/brush.h"
 #include "strikers/stick_rigid.h"
+#include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
 #include "wires/wire_motion.h"
 
@@ -66,7 +67,7 @@ static void penetrate_wires(TbView *view, double *slots) {
 /* 1 where the law acts on the sum of the last two instants' penetrations (contact_law.h), which stands in
  * view->last.eta during the solve; otherwise 0. */
 static double law_of_sum(const TbView *view, uint32_t slot) {
-  return view->state->strikers.slots[slot].kind == TB_SLOT_STRIKER ? 1.0 : 0.0;
+  return tb_slot_strikes(tb_slot(view, slot)) ? 1.0 : 0.0;
 }
 
 /* ... and of all. */
@@ -80,17 +81,17 @@ static void free_penetration(TbView *view) {
   }
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (view->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
+    if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
     const uint32_t row = model->wires.stride + i;
     const double head = tb_pool_displacement(view, i, view->next.q);
     double eta = head;
-    if (view->state->strikers.slots[i].kind == TB_SLOT_STRIKER) {
+    if (tb_slot_strikes(tb_slot(view, i))) {
       const TbTruncatedModes *truncated = tb_slot_truncated(view, i);
       tb_truncated_modes_step(truncated, view->next.truncated[i], view->now.truncated[i],
                               view->last.truncated[i]);
       eta += tb_truncated_modes_displacement(truncated, view->next.truncated[i]) -
-             (tb_pool_free_height(view, i) - view->state->strikers.slots[i].coat);
-      if (view->state->strikers.slots[i].bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
+             (tb_hold_free_height(view, i) - tb_slot(view, i)->bristles.coat);
+      if (tb_slot(view, i)->end.bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
     view->last.eta[row] += law_of_sum(view, i) * view->now.eta[row];
@@ -130,15 +131,15 @@ static void respond(TbView *view, bool unchanged) {
   if (!view->state->wires.lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (view->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
+    if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
     const uint32_t row = stride + i;
     if (force[row] != 0.0) {
       tb_pool_push(view, i, -force[row], view->next.q);
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
-    view->next.z[i] = tb_pool_free_height(view, i) + view->contact_compliance[row] * force[row];
-    if (view->state->strikers.slots[i].partner) view->next.z[i] += tb_rigid_stick_pull(view, i);
-    if (view->state->strikers.slots[i].bends) tb_rigid_stick_press(view, i, force[row]);
+    view->next.z[i] = tb_hold_free_height(view, i) + view->contact_compliance[row] * force[row];
+    if (tb_slot(view, i)->kind == TB_SLOT_END) view->next.z[i] += tb_rigid_stick_pull(view, i);
+    if (tb_slot(view, i)->end.bends) tb_rigid_stick_press(view, i, force[row]);
     view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
@@ -175,7 +176,7 @@ static void book_losses(TbView *view, bool shortened) {
   sums->radiated += losses.radiated + beyond;
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
-  const TbHandWork hands = tb_pool_hand_work(view);
+  const TbHoldWork hands = tb_hold_work(view);
   const double sound = tb_incident_work(view);
   view->state->ledger.sound_work += sound;
   sums->injected += hands.done + sound;

@@ -5,6 +5,7 @@
 
 #include "math/portable_math.h"
 #include "strikers/head_coating.h"
+#include "strikers/striker_hold.h"
 
 static const double COATING = 2.5e-5; /* root mean square of the coating's height [m] */
 
@@ -37,7 +38,7 @@ static uint32_t slot_of(uint32_t brush, uint32_t group) {
 }
 
 static bool is_there(const TbView *view, uint32_t slot) {
-  return view->state->strikers.slots[slot].kind != TB_SLOT_FREE;
+  return tb_slot(view, slot)->kind != TB_SLOT_FREE;
 }
 
 /* Seed of a group's track, and of what else is drawn for it. */
@@ -92,7 +93,7 @@ static void lift(TbView *view, TbBrush *brush) {
 
 static bool sounded(const TbView *view, uint32_t b) {
   for (uint32_t g = 0; g < TB_BRISTLE_GROUPS; g++) {
-    if (view->state->strikers.slots[slot_of(b, g)].sounded) return true;
+    if (tb_slot(view, slot_of(b, g))->striker.sounded) return true;
   }
   return false;
 }
@@ -162,31 +163,29 @@ static void put_group(TbView *view, uint32_t b, uint32_t group, const TbStroke *
   const TaborStrikerDef *def = &view->model->def.striker[stroke->striker];
   const Place place = place_of(view, brush, group);
   const bool wires = view->model->def.quality.losses != 0;
-  const TbSlot striker = {.kind = TB_SLOT_STRIKER,
-                          .id = stroke->id,
-                          .serial = view->state->strikers.serial,
-                          .mass = def->mass / TB_BRISTLE_GROUPS,
-                          .bristles = 1,
-                          .part = 1.0 / TB_BRISTLE_GROUPS,
-                          .resistance =
-                            wires ? WIRE_RESISTANCE * def->bristles / TB_BRISTLE_GROUPS : 0.0,
-                          .coat = coat_height(view, brush, group),
-                          .due = stride(view, brush, group, 0.0),
-                          .definition = stroke->striker,
-                          .radius = place.radius,
-                          .angle = place.angle,
-                          .velocity = is_sweep(stroke) ? LAYING : stroke->velocity};
+  const TbSlot striker = {
+    .kind = TB_SLOT_BRISTLES,
+    .id = stroke->id,
+    .serial = view->state->strikers.serial,
+    .radius = place.radius,
+    .angle = place.angle,
+    .striker = {.mass = def->mass / TB_BRISTLE_GROUPS,
+                .part = 1.0 / TB_BRISTLE_GROUPS,
+                .velocity = is_sweep(stroke) ? LAYING : stroke->velocity,
+                .definition = stroke->striker},
+    .hold = {.resistance = wires ? WIRE_RESISTANCE * def->bristles / TB_BRISTLE_GROUPS : 0.0},
+    .bristles = {.coat = coat_height(view, brush, group), .due = stride(view, brush, group, 0.0)}};
   const uint32_t slot = slot_of(b, group);
   const double above = is_sweep(stroke) ? 0.0 : SLANT * def->spread * group / TB_BRISTLE_GROUPS;
   tb_pool_put(view, slot, &striker, above);
-  tb_pool_hold(view, slot, 0.0);
+  tb_hold(view, slot, 0.0);
   if (!is_sweep(stroke))
-    view->state->strikers.slots[slot].push = striker.resistance * stroke->velocity;
+    tb_slot(view, slot)->hold.push = striker.hold.resistance * stroke->velocity;
 }
 
 static void hold(TbView *view, uint32_t b, double pressure) {
   TbBrush *brush = &view->state->strikers.brushes[b];
-  brush->press = tb_pool_press_force(pressure);
+  brush->press = tb_hold_force(pressure);
   brush->lifting = 0;
 }
 
@@ -298,16 +297,16 @@ static double follow_aim(const TbView *view, TbBrush *brush) {
 
 static void draw_on(TbView *view, uint32_t b, uint32_t group, double way) {
   const TbBrush *brush = &view->state->strikers.brushes[b];
-  TbSlot *s = &view->state->strikers.slots[slot_of(b, group)];
+  TbSlot *s = tb_slot(view, slot_of(b, group));
   const Place place = place_of(view, brush, group);
-  s->due = brush->way + stride(view, brush, group, way);
+  s->bristles.due = brush->way + stride(view, brush, group, way);
   tb_pool_draw(view, slot_of(b, group), place.radius, place.angle);
 }
 
 static void press_on(TbView *view, const TbBrush *brush, TbSlot *s) {
   const double k = view->model->time_step;
-  s->press += (brush->press - s->press) * (k / (k + PRESSING_TIME));
-  s->push *= 1.0 - k / WAVE_TIME;
+  s->hold.press += (brush->press - s->hold.press) * (k / (k + PRESSING_TIME));
+  s->hold.push *= 1.0 - k / WAVE_TIME;
 }
 
 static bool is_lifted(const TbView *view, const TbBrush *brush, uint32_t slot) {
@@ -318,14 +317,14 @@ static bool is_lifted(const TbView *view, const TbBrush *brush, uint32_t slot) {
 static void step_group(TbView *view, uint32_t b, uint32_t group, double way, bool slides) {
   const TbBrush *brush = &view->state->strikers.brushes[b];
   const uint32_t slot = slot_of(b, group);
-  TbSlot *s = &view->state->strikers.slots[slot];
+  TbSlot *s = tb_slot(view, slot);
   if (is_lifted(view, brush, slot)) {
     tb_pool_take_away(view, slot);
     return;
   }
   press_on(view, brush, s);
-  if (slides) tb_pool_raise(view, slot, coat_height(view, brush, group) - s->coat);
-  if (brush->way >= s->due) draw_on(view, b, group, way);
+  if (slides) tb_pool_raise(view, slot, coat_height(view, brush, group) - s->bristles.coat);
+  if (brush->way >= s->bristles.due) draw_on(view, b, group, way);
 }
 
 static void step_brush(TbView *view, uint32_t b) {

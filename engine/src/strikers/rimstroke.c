@@ -9,15 +9,15 @@ static const double PALM = 60.0, PRESS = 12.0, RESISTANCE = 1.0;
 
 /* A striker with its serial number, yet to be placed. */
 static TbSlot striker_of(TbView *view, const TbStroke *stroke) {
-  return (TbSlot){.kind = TB_SLOT_STRIKER,
+  return (TbSlot){.kind = TB_SLOT_TIP,
                   .id = stroke->id,
                   .serial = ++view->state->strikers.serial,
-                  .mass = view->model->def.striker[stroke->striker].mass,
-                  .part = 1.0,
-                  .definition = stroke->striker,
                   .radius = stroke->radius,
                   .angle = stroke->angle,
-                  .velocity = stroke->velocity};
+                  .striker = {.mass = view->model->def.striker[stroke->striker].mass,
+                              .part = 1.0,
+                              .velocity = stroke->velocity,
+                              .definition = stroke->striker}};
 }
 
 static bool strike_hoop(TbView *view, const TbStroke *stroke) {
@@ -25,7 +25,7 @@ static bool strike_hoop(TbView *view, const TbStroke *stroke) {
   if (slot == TB_SLOTS) return false;
   TbSlot striker = striker_of(view, stroke);
   striker.on_hoop = 1;
-  striker.bends = tb_rigid_stick_bends(view, stroke->striker);
+  striker.end.bends = tb_rigid_stick_bends(view, stroke->striker);
   tb_pool_put(view, slot, &striker, 0.0);
   return true;
 }
@@ -34,24 +34,24 @@ static bool strike_hoop(TbView *view, const TbStroke *stroke) {
 static bool obtain_pair(TbView *view, uint32_t pair[2]) {
   pair[0] = tb_pool_obtain(view);
   if (pair[0] == TB_SLOTS) return false;
-  view->state->strikers.slots[pair[0]] =
-    (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
+  *tb_slot(view, pair[0]) = (TbSlot){.kind = TB_SLOT_HAND}; /* hands are not taken away */
   pair[1] = tb_pool_obtain(view);
-  view->state->strikers.slots[pair[0]] = (TbSlot){0};
+  *tb_slot(view, pair[0]) = (TbSlot){0};
   return pair[1] < TB_SLOTS;
 }
 
 /* One end of the stick, 0 its tip. */
-static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t partner) {
+static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t other) {
   const TbRigidStickEnd *at = end ? &rod->shaft : &rod->tip;
-  stick.along = at->along;
-  stick.mass = at->mass;
+  stick.end.along = at->along;
+  stick.striker.mass = at->mass;
   stick.radius = at->radius;
   stick.angle = at->angle;
-  stick.velocity = at->velocity;
+  stick.striker.velocity = at->velocity;
   stick.on_hoop = end == 1;
-  stick.partner = partner + 1u;
-  stick.cross = rod->cross;
+  stick.kind = TB_SLOT_END;
+  stick.end.other = other;
+  stick.end.cross = rod->cross;
   return stick;
 }
 
@@ -60,15 +60,16 @@ static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick
   uint32_t pair[2];
   if (!obtain_pair(view, pair)) return false;
   TbSlot stick = striker_of(view, stroke);
-  stick.rests = stroke->technique == TABOR_TECHNIQUE_CROSS_STICK;
-  stick.bends = 1u + (stick.rests ? TB_GRIP_ACROSS : TB_GRIP_FREE);
+  stick.end.rests = stroke->technique == TABOR_TECHNIQUE_CROSS_STICK;
+  stick.end.bends = 1;
+  stick.end.grip = stick.end.rests ? TB_GRIP_ACROSS : TB_GRIP_FREE;
   const TbSlot tip = end_of(stick, rod, 0, pair[1]);
   TbSlot shaft = end_of(stick, rod, 1, pair[0]);
-  shaft.rests = 0;
-  if (stick.rests) {
-    shaft.held = 1;
-    shaft.press = PRESS;
-    shaft.resistance = RESISTANCE;
+  shaft.end.rests = 0;
+  if (stick.end.rests) {
+    shaft.hold.held = 1;
+    shaft.hold.press = PRESS;
+    shaft.hold.resistance = RESISTANCE;
   }
   tb_pool_put_pair(view, pair, &tip, &shaft, rod->shaft.gap);
   return true;
@@ -77,7 +78,7 @@ static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick
 /* One hand plays cross-sticks: it takes the stick with it. */
 static void take_across(TbView *view) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    if (view->state->strikers.slots[i].rests) tb_pool_take_away(view, i);
+    if (tb_slot(view, i)->end.rests) tb_pool_take_away(view, i);
   }
 }
 
@@ -85,8 +86,8 @@ static void take_across(TbView *view) {
 static uint32_t find_palm(const TbView *view) {
   uint32_t free = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
-    if (s->palm) return i;
+    const TbSlot *s = tb_slot(view, i);
+    if (s->kind == TB_SLOT_PALM) return i;
     if (s->kind == TB_SLOT_FREE) free = i;
   }
   return free;
@@ -96,11 +97,9 @@ static uint32_t find_palm(const TbView *view) {
 static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
   const uint32_t slot = find_palm(view);
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
-  const TbSlot palm = {.kind = TB_SLOT_HAND,
+  const TbSlot palm = {.kind = TB_SLOT_PALM,
                        .id = id,
                        .serial = ++view->state->strikers.serial,
-                       .palm = 1,
-                       .part = 1.0,
                        .radius = tip->radius,
                        .angle = tip->angle,
                        .strength = PALM};

@@ -54,27 +54,26 @@ TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick
 
 /* The slot that has the state: the tip's, or that of a stick with one contact. */
 static uint32_t state_of(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  return s->on_hoop && s->partner ? s->partner - 1u : slot;
+  const TbSlot *s = tb_slot(view, slot);
+  return s->kind == TB_SLOT_END && s->on_hoop ? s->end.other : slot;
 }
 
 static bool has_state(const TbView *view, uint32_t slot) {
-  return view->state->strikers.slots[slot].bends && state_of(view, slot) == slot;
+  return tb_slot(view, slot)->end.bends && state_of(view, slot) == slot;
 }
 
-uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
-  const bool stick = view->model->def.striker[striker].kind == TABOR_STRIKER_STICK;
-  return stick ? 1u + TB_GRIP_HELD : 0u;
+bool tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
+  return view->model->def.striker[striker].kind == TABOR_STRIKER_STICK;
 }
 
 const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  return &view->model->stick[s->definition].grip[s->bends - 1u];
+  const TbSlot *s = tb_slot(view, slot);
+  return &view->model->stick[s->striker.definition].grip[s->end.grip];
 }
 
 void tb_rigid_stick_place(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->strikers.slots[slot];
-  if (s->bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->along, s->bend);
+  TbSlot *s = tb_slot(view, slot);
+  if (s->end.bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->end.along, s->end.bend);
 }
 
 void tb_rigid_stick_step(TbView *view) {
@@ -90,7 +89,7 @@ void tb_rigid_stick_step(TbView *view) {
 
 double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
   const double *bow = phase->bow[state_of(view, slot)];
-  const double *bend = view->state->strikers.slots[slot].bend;
+  const double *bend = tb_slot(view, slot)->end.bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += bend[i] * bow[i];
   return sum;
@@ -99,7 +98,7 @@ double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phas
 void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
   const uint32_t tip = state_of(view, slot);
   const TbStickBody *body = tb_rigid_stick_body(view, slot);
-  const double *bend = view->state->strikers.slots[slot].bend;
+  const double *bend = tb_slot(view, slot)->end.bend;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     view->next.bow[tip][i] += force * (body->g[i] * bend[i]);
   }
@@ -107,8 +106,7 @@ void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
 
 double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
   const TbStickBody *body = tb_rigid_stick_body(view, slot);
-  const double *a = view->state->strikers.slots[slot].bend,
-               *b = view->state->strikers.slots[other].bend;
+  const double *a = tb_slot(view, slot)->end.bend, *b = tb_slot(view, other)->end.bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (body->g[i] * b[i]);
   return sum;
@@ -142,54 +140,57 @@ double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
 
 double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
                              const double *now) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
+  const TbSlot *s = tb_slot(view, slot);
   const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
-  if (!s->partner) return s->mass * velocity * velocity;
-  const uint32_t other = s->partner - 1u;
+  if (s->kind != TB_SLOT_END) return s->striker.mass * velocity * velocity;
+  const uint32_t other = s->end.other;
   const double of_other = (next[other] - now[other]) * view->model->step_rate;
-  const double mass = s->mass, its = view->state->strikers.slots[other].mass;
-  const double determinant = 1.0 / (mass * its) - s->cross * s->cross;
-  return velocity * (velocity / its - s->cross * of_other) / determinant;
+  const double mass = s->striker.mass, its = tb_slot(view, other)->striker.mass;
+  const double determinant = 1.0 / (mass * its) - s->end.cross * s->end.cross;
+  return velocity * (velocity / its - s->end.cross * of_other) / determinant;
 }
 
 static uint32_t shaft_of(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  return s->on_hoop ? slot : s->partner - 1u;
+  const TbSlot *s = tb_slot(view, slot);
+  return s->on_hoop ? slot : s->end.other;
 }
 
 /* c of the hand that presses this shaft [N s/m]. */
 static double resistance_of(const TbView *view, const TbSlot *shaft) {
-  return view->model->def.quality.losses ? shaft->resistance : 0.0;
+  return view->model->def.quality.losses ? shaft->hold.resistance : 0.0;
 }
 
 /* w = k c C_ss/2. The damper, centred, makes of C_ij: C_ij - C_is C_sj (w/C_ss)/(1 + w). */
 static double resisted(const TbView *view, const TbSlot *shaft) {
-  return 0.5 * view->model->time_step * resistance_of(view, shaft) / shaft->mass;
+  return 0.5 * view->model->time_step * resistance_of(view, shaft) / shaft->striker.mass;
 }
 
 double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  const TbSlot *shaft = &view->state->strikers.slots[shaft_of(view, slot)];
+  const TbSlot *s = tb_slot(view, slot);
+  const TbSlot *shaft = tb_slot(view, shaft_of(view, slot));
   const double k = view->model->time_step, w = resisted(view, shaft);
-  if (slot != other) return k * k * s->cross / (1.0 + w);
-  if (s == shaft) return k * k / (s->mass * (1.0 + w));
-  return k * k / s->mass - k * k * s->cross * s->cross * shaft->mass * w / (1.0 + w);
+  if (slot != other) return k * k * s->end.cross / (1.0 + w);
+  if (s == shaft) return k * k / (s->striker.mass * (1.0 + w));
+  return k * k / s->striker.mass -
+         k * k * s->end.cross * s->end.cross * shaft->striker.mass * w / (1.0 + w);
 }
 
 double tb_rigid_stick_free_height(const TbView *view, uint32_t slot) {
   const uint32_t at = shaft_of(view, slot);
-  const TbSlot *shaft = &view->state->strikers.slots[at];
+  const TbSlot *shaft = tb_slot(view, at);
   const double *now = view->now.z, *last = view->last.z;
   const double k = view->model->time_step, w = resisted(view, shaft);
   const double next =
-    (2.0 * now[at] - (1.0 - w) * last[at] - k * k * shaft->press / shaft->mass) / (1.0 + w);
+    (2.0 * now[at] - (1.0 - w) * last[at] - k * k * shaft->hold.press / shaft->striker.mass) /
+    (1.0 + w);
   if (slot == at) return next;
-  const double hand = shaft->press + resistance_of(view, shaft) * (next - last[at]) / (2.0 * k);
-  return 2.0 * now[slot] - last[slot] - k * k * shaft->cross * hand;
+  const double hand =
+    shaft->hold.press + resistance_of(view, shaft) * (next - last[at]) / (2.0 * k);
+  return 2.0 * now[slot] - last[slot] - k * k * shaft->end.cross * hand;
 }
 
 double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
-  const uint32_t other = view->state->strikers.slots[slot].partner - 1u;
+  const uint32_t other = tb_slot(view, slot)->end.other;
   return tb_rigid_stick_compliance(view, slot, other) *
          view->solve.warm.force[view->model->wires.stride + other];
 }

@@ -57,8 +57,8 @@ TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stic
 TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
                                    double radius, double angle);
 
-/* TbSlot.bends in a stroke of the tip alone: heads of mallets, fingers and brushes do not bend. */
-uint32_t tb_rigid_stick_bends(const TbView *view, uint32_t striker);
+/* In a stroke of the tip alone: heads of mallets, fingers and brushes do not bend. */
+bool tb_rigid_stick_bends(const TbView *view, uint32_t striker);
 /* The body of a slot whose stick bends, in its grip. */
 const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot);
 /* Computes the slot's phi from its place along the stick. */
@@ -81,7 +81,7 @@ double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *
 double tb_rigid_stick_loss(const TbView *view, uint32_t slot);
 /* What a unit force at the stick's end `other`, which may be the same, does to the height of a slot's end
  * in one step, without bending [m/N]; and this end's next height without contact forces [m]. Both
- * need a slot with a partner. */
+ * need a slot of TB_SLOT_END. */
 double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t other);
 double tb_rigid_stick_free_height(const TbView *view, uint32_t slot);
 /* A slot's part of twice the kinetic energy of its body between two instants [J]. */

@@ -7,6 +7,7 @@
 #include "heads/coupling.h"
 #include "math/portable_math.h"
 #include "strikers/stick_rigid.h"
+#include "strikers/striker_hold.h"
 
 static const double AWAY = 0.005; /* [m] */
 /* [m]: the tip of a stick that has turned by 45 degrees about a hand 0.28 m away from it */
@@ -14,20 +15,19 @@ static const double OUT_OF_HAND = 0.2;
 static const double LINGER = 1.0;         /* [s] */
 static const double PALM_TIME = 0.3;      /* [s] */
 static const double PALM_LIFT_TIME = 0.1; /* [s], the last part of it */
-static const double LIFT_TIME = 0.008;    /* [s] in which a hand lets go and pulls, */
-static const double LIFT = 2.0;           /* [N] ... this hard in the end: 5 mm in as long again */
 static const double HERTZ = 1.5;          /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
-  return view->state->strikers.slots[slot].kind != TB_SLOT_FREE;
+  return tb_slot(view, slot)->kind != TB_SLOT_FREE;
 }
 
 /* What two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbSlot *a = &view->state->strikers.slots[slot];
+  const TbSlot *a = tb_slot(view, slot);
   double sum = 0.0;
-  if (a->partner == other + 1u) sum += tb_rigid_stick_compliance(view, slot, other);
-  if (a->bends && (slot == other || a->partner == other + 1u)) {
+  const bool ends = a->kind == TB_SLOT_END && a->end.other == other;
+  if (ends) sum += tb_rigid_stick_compliance(view, slot, other);
+  if (a->end.bends && (slot == other || ends)) {
     sum += tb_rigid_stick_flexibility(view, slot, other);
   }
   return sum;
@@ -59,49 +59,25 @@ static void couple(TbView *view, uint32_t slot) {
   view->strikers.slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
 }
 
-/* What a hand does where it presses a stick: at its tip, or at the shaft of one that lies across the drum. */
-typedef struct Hand {
-  double force, stiffness, damping;
-} Hand;
-
-static Hand hand_of(const TbView *view, const TbSlot *s) {
-  if (!s->held) return (Hand){0.0, 0.0, 0.0};
-  const TaborDrumDef *def = &view->model->def;
-  if (s->partner) {
-    return (Hand){s->press, 0.0, def->quality.losses ? s->resistance : 0.0};
-  }
-  const double share = 2.0 * s->part * view->state->live.values[TB_LIVE_GRIP].now;
-  return (Hand){share * s->press + s->push, share * def->hand.stiffness,
-                def->quality.losses ? share * def->hand.damping + s->resistance : 0.0};
-}
-
-/* Displacement of the striker itself one step after a unit force [m/N]. */
-static double own_compliance(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  const double k = view->model->time_step;
-  if (s->partner) return tb_rigid_stick_compliance(view, slot, slot);
-  return k * k / (s->mass + 0.5 * hand_of(view, s).damping * k);
-}
-
 static void prepare_law(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  const TbSlot *s = &view->state->strikers.slots[slot];
+  const TbSlot *s = tb_slot(view, slot);
   TbContactLaw *law = &view->state->strikers.laws[slot];
   const uint32_t row = model->wires.stride + slot;
-  if (s->kind == TB_SLOT_HAND) {
+  if (!tb_slot_strikes(s)) {
     view->contact_compliance[row] = 0.0;
     tb_contact_law_damper(law, s->strength, model->time_step);
     return;
   }
-  const TaborStrikerDef *def = &model->def.striker[s->definition];
+  const TaborStrikerDef *def = &model->def.striker[s->striker.definition];
   const TaborHoopDef *hoop = &model->def.hoop;
   const bool hard =
     s->on_hoop && def->kind == TABOR_STRIKER_STICK; /* soft ones yield more than a hoop */
-  const double k = model->time_step, compliance = own_compliance(view, slot);
+  const double k = model->time_step, compliance = tb_hold_compliance(view, slot);
   const double loss = hard ? hoop->contact_loss : def->contact_loss;
   view->contact_compliance[row] = compliance;
   tb_contact_law_prepare_sum(
-    law, s->part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
+    law, s->striker.part * (hard ? hoop->contact_stiffness : def->contact_stiffness),
     hard ? HERTZ : def->contact_exponent, model->def.quality.losses ? loss : 0.0, k,
     TB_SLOPE_LIMIT / (compliance + view->strikers.slot_coupling[slot * TB_SLOTS + slot]));
 }
@@ -129,8 +105,8 @@ void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return tb_pool_displacement(view, slot, phase->q) +
          tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
-         (phase->z[slot] - view->state->strikers.slots[slot].coat) -
-         (view->state->strikers.slots[slot].bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+         (phase->z[slot] - tb_slot(view, slot)->bristles.coat) -
+         (tb_slot(view, slot)->end.bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
 }
 
 /* What the ranges leave out does not move at this place. */
@@ -142,17 +118,18 @@ static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape)
 
 static void find_place_on_head(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  TbSlot *s = &view->state->strikers.slots[slot];
-  const bool hand = s->kind == TB_SLOT_HAND;
-  const double *patch =
-    s->palm ? model->palm_patch : model->patches[hand ? TABOR_MAX_STRIKERS : s->definition];
+  TbSlot *s = tb_slot(view, slot);
+  const bool hand = !tb_slot_strikes(s);
+  const double *patch = s->kind == TB_SLOT_PALM
+                          ? model->palm_patch
+                          : model->patches[hand ? TABOR_MAX_STRIKERS : s->striker.definition];
   double *shape = tb_slot_shape(view, slot);
   double *drive = view->high.scratch;
-  if (s->bristles) {
-    tb_brush_shapes_shape(model, s->definition, s->radius, s->angle, shape, drive);
+  if (s->kind == TB_SLOT_BRISTLES) {
+    tb_brush_shapes_shape(model, s->striker.definition, s->radius, s->angle, shape, drive);
   } else {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->strikers.radial, shape);
-    if (!hand) tb_model_high_drive(model, s->definition, s->radius, s->angle, drive);
+    if (!hand) tb_model_high_drive(model, s->striker.definition, s->radius, s->angle, drive);
   }
   clear_others(&model->modes, tb_slot_modes(view, slot), shape);
   if (!hand) tb_high_band_step_of(view)->keep_drive(view, slot, drive);
@@ -161,14 +138,14 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
 
 static void find_place_on_hoop(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
-  TbSlot *s = &view->state->strikers.slots[slot];
+  TbSlot *s = tb_slot(view, slot);
   tb_model_hoop_shape(model, s->angle, view->strikers.radial, tb_slot_shape(view, slot));
   s->rest_height = model->def.hoop.height;
 }
 
 /* What the modes are at a slot's place on head or hoop. */
 static void find_place(TbView *view, uint32_t slot) {
-  if (view->state->strikers.slots[slot].on_hoop) {
+  if (tb_slot(view, slot)->on_hoop) {
     find_place_on_hoop(view, slot);
   } else {
     find_place_on_head(view, slot);
@@ -204,7 +181,7 @@ static double contact_energy(const TbView *view, uint32_t slot) {
 void tb_pool_raise(TbView *view, uint32_t slot, double by) {
   const uint32_t row = view->model->wires.stride + slot;
   const double before = contact_energy(view, slot);
-  view->state->strikers.slots[slot].coat += by;
+  tb_slot(view, slot)->bristles.coat += by;
   view->now.eta[row] += by;
   view->last.eta[row] += by;
   view->state->ledger.sums.injected += contact_energy(view, slot) - before;
@@ -212,8 +189,8 @@ void tb_pool_raise(TbView *view, uint32_t slot, double by) {
 
 void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle) {
   const double before = contact_energy(view, slot);
-  view->state->strikers.slots[slot].radius = radius;
-  view->state->strikers.slots[slot].angle = angle;
+  tb_slot(view, slot)->radius = radius;
+  tb_slot(view, slot)->angle = angle;
   find_place(view, slot);
   find_penetration(view, slot);
   view->state->ledger.sums.injected += contact_energy(view, slot) - before;
@@ -241,7 +218,7 @@ static void clear_row(TbView *view, uint32_t slot) {
 static void book_removed(TbView *view, uint32_t slot) {
   TbState *state = view->state;
   const TbSlot *s = &state->strikers.slots[slot];
-  if (s->kind == TB_SLOT_STRIKER) {
+  if (tb_slot_strikes(s)) {
     state->ledger.sums.removed +=
       0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
       contact_energy(view, slot);
@@ -261,11 +238,11 @@ static void clear_slot(TbView *view, uint32_t slot) {
 }
 
 void tb_pool_take_away(TbView *view, uint32_t slot) {
-  const uint32_t partner = view->state->strikers.slots[slot].partner;
+  const uint32_t other = tb_slot_other_end(view, slot);
   book_removed(view, slot);
-  if (partner) book_removed(view, partner - 1u);
+  if (other != slot) book_removed(view, other);
   clear_slot(view, slot);
-  if (partner) clear_slot(view, partner - 1u);
+  if (other != slot) clear_slot(view, other);
   tb_coupling_renew(view);
 }
 
@@ -274,7 +251,7 @@ void tb_pool_muffle(TbView *view) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   for (uint32_t h = 0; h < model->head.heads; h++) {
     const uint32_t slot = TB_MUFFLERS + h;
-    TbSlot *s = &view->state->strikers.slots[slot];
+    TbSlot *s = tb_slot(view, slot);
     const double strength =
       model->def.quality.losses ? view->state->live.values[TB_LIVE_MUFFLE + h].now : 0.0;
     if (strength == s->strength) continue;
@@ -282,8 +259,8 @@ void tb_pool_muffle(TbView *view) {
       tb_pool_take_away(view, slot);
       continue;
     }
-    const bool there = s->kind == TB_SLOT_HAND;
-    const TbSlot hand = {.kind = TB_SLOT_HAND,
+    const bool there = s->kind == TB_SLOT_MUFFLER;
+    const TbSlot hand = {.kind = TB_SLOT_MUFFLER,
                          .head = h,
                          .radius = heads[h]->muffle_radius,
                          .angle = heads[h]->muffle_angle,
@@ -303,35 +280,25 @@ static bool row_touches(const TbView *view, uint32_t slot) {
 }
 
 bool tb_pool_sounded(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  return s->sounded || (s->partner && view->state->strikers.slots[s->partner - 1u].sounded);
+  const TbSlot *slots = view->state->strikers.slots;
+  return slots[slot].striker.sounded || slots[tb_slot_other_end(view, slot)].striker.sounded;
 }
 
 bool tb_pool_touches(const TbView *view, uint32_t slot) {
-  const uint32_t partner = view->state->strikers.slots[slot].partner;
-  return row_touches(view, slot) || (partner && row_touches(view, partner - 1u));
+  return row_touches(view, slot) || row_touches(view, tb_slot_other_end(view, slot));
 }
 
 uint32_t tb_pool_obtain(TbView *view) {
   uint32_t oldest = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
+    const TbSlot *s = tb_slot(view, i);
     if (s->kind == TB_SLOT_FREE) return i;
-    if (s->kind != TB_SLOT_STRIKER || (s->held && !s->leaving)) continue;
+    if (!tb_slot_strikes(s) || (s->hold.held && !s->hold.leaving)) continue;
     if (!tb_pool_sounded(view, i) || tb_pool_touches(view, i)) continue;
-    if (oldest == TB_SLOTS || s->serial < view->state->strikers.slots[oldest].serial) oldest = i;
+    if (oldest == TB_SLOTS || s->serial < tb_slot(view, oldest)->serial) oldest = i;
   }
   if (oldest < TB_SLOTS) tb_pool_take_away(view, oldest);
   return oldest;
-}
-
-/* One sample of lifting a stick: the pressing force goes, the pulling one comes. */
-static void pull_up(const TbView *view, TbSlot *s) {
-  const double whole = LIFT_TIME * view->model->step_rate, left = whole - s->leaving;
-  if (left <= 0.0) return;
-  s->leaving++;
-  s->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
-  s->push = left > 1.0 ? -LIFT * s->leaving / whole : -LIFT;
 }
 
 static void raise(TbView *view, uint32_t slot, double above) {
@@ -345,7 +312,7 @@ static void raise(TbView *view, uint32_t slot, double above) {
 /* `above` the surface now, or, where the head recedes faster, above it one sample ago. */
 static void launch(TbView *view, uint32_t slot, double above) {
   const uint32_t row = view->model->wires.stride + slot;
-  const double approach = view->state->strikers.slots[slot].velocity * view->model->time_step;
+  const double approach = tb_slot(view, slot)->striker.velocity * view->model->time_step;
   const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
   double z = surface_now;
   if (surface_last - approach > z) z = surface_last - approach;
@@ -362,19 +329,8 @@ static void book_launch(TbView *view, uint32_t slot) {
     0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z);
 }
 
-double tb_pool_press_force(double pressure) { return 0.3 * tb_power(8.0 / 0.3, pressure); }
-
-void tb_pool_hold(TbView *view, uint32_t slot, double force) {
-  TbSlot *s = &view->state->strikers.slots[slot];
-  if (!s->held) s->anchor = view->now.z[slot];
-  s->held = 1;
-  s->press = force;
-  view->contact_compliance[view->model->wires.stride + slot] = own_compliance(view, slot);
-  tb_coupling_renew(view);
-}
-
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
-  view->state->strikers.slots[slot] = *striker;
+  *tb_slot(view, slot) = *striker;
   view->state->strikers.mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
 }
@@ -388,7 +344,7 @@ void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double abov
 }
 
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
-  view->state->strikers.slots[slot] = *hand;
+  *tb_slot(view, slot) = *hand;
   view->state->strikers.mask |= 1u << slot;
   tb_pool_rebuild(view, slot);
   tb_coupling_renew(view);
@@ -405,84 +361,40 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
   tb_coupling_renew(view);
 }
 
-void tb_pool_regrip(TbView *view) {
-  bool found = false;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
-    if (!s->held) continue;
-    view->contact_compliance[view->model->wires.stride + i] = own_compliance(view, i);
-    found = true;
-  }
-  if (found) tb_coupling_renew(view);
-}
-
-double tb_pool_free_height(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  const double now = view->now.z[slot], last = view->last.z[slot];
-  if (s->partner) return tb_rigid_stick_free_height(view, slot);
-  if (!s->held) return 2.0 * now - last;
-  const Hand hand = hand_of(view, s);
-  const double k = view->model->time_step;
-  const double inertia = s->mass / (k * k), damping = hand.damping / (2.0 * k);
-  const double pull = hand.force + hand.stiffness * (now - s->anchor);
-  return (inertia * (2.0 * now - last) + damping * last - pull) / (inertia + damping);
-}
-
-TbHandWork tb_pool_hand_work(const TbView *view) {
-  TbHandWork work = {0.0, 0.0};
-  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
-    work.lost += tb_rigid_stick_loss(view, i);
-    if (!s->held) continue;
-    const Hand hand = hand_of(view, s);
-    const double moved = view->next.z[i] - view->last.z[i];
-    work.done -= 0.5 * moved * (hand.force + hand.stiffness * (view->now.z[i] - s->anchor));
-    work.lost += 0.25 * hand.damping * view->model->step_rate * moved * moved;
-  }
-  return work;
-}
-
 /* Off and away: nothing touches, nor will it in a moment. */
 static bool is_leaving(const TbView *view, uint32_t slot) {
   const double gap = -view->now.eta[view->model->wires.stride + slot];
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  const double far = s->held && !s->leaving ? OUT_OF_HAND : AWAY;
+  const TbSlot *s = tb_slot(view, slot);
+  const double far = s->hold.held && !s->hold.leaving ? OUT_OF_HAND : AWAY;
   return gap > far && view->now.z[slot] > view->last.z[slot];
 }
 
 /* A tip that only rests on the head waits for no leave. */
 static bool end_is_done(const TbView *view, uint32_t slot) {
-  return view->state->strikers.slots[slot].rests ||
-         (!row_touches(view, slot) && is_leaving(view, slot));
+  return tb_slot(view, slot)->end.rests || (!row_touches(view, slot) && is_leaving(view, slot));
 }
 
 static bool is_done(const TbView *view, uint32_t slot) {
-  const TbSlot *s = &view->state->strikers.slots[slot];
-  if (s->partner && end_is_done(view, slot) && end_is_done(view, s->partner - 1u)) return true;
+  const TbSlot *s = tb_slot(view, slot);
+  if (s->kind == TB_SLOT_END && end_is_done(view, slot) && end_is_done(view, s->end.other))
+    return true;
   if (tb_pool_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
     const double gap = -view->now.eta[view->model->wires.stride + slot];
-    return !s->held || s->leaving || gap > OUT_OF_HAND;
+    return !s->hold.held || s->hold.leaving || gap > OUT_OF_HAND;
   }
-  return !s->partner && is_leaving(view, slot);
-}
-
-void tb_pool_lift(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->strikers.slots[slot];
-  s->leaving = 1;
-  s->id = 0;
-  if (s->partner) view->state->strikers.slots[s->partner - 1u].id = 0;
+  return s->kind != TB_SLOT_END && is_leaving(view, slot);
 }
 
 /* The hand on a cross-stick's shaft presses less and less, and takes the stick with it as the palm leaves the head,
  * or at once if it is lifted. */
 static void relax_shaft(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->strikers.slots[slot];
+  TbSlot *s = tb_slot(view, slot);
   const double rate = view->model->step_rate;
-  const double left =
-    s->leaving ? LIFT_TIME * rate - s->leaving++ : PALM_TIME * rate - (double)s->age;
+  const double left = s->hold.leaving ? tb_hold_lift_time * rate - s->hold.leaving++
+                                      : PALM_TIME * rate - (double)s->age;
   if (left > 1.0) {
-    s->press *= 1.0 - 1.0 / left;
+    s->hold.press *= 1.0 - 1.0 / left;
   } else {
     tb_pool_take_away(view, slot);
   }
@@ -490,7 +402,7 @@ static void relax_shaft(TbView *view, uint32_t slot) {
 
 /* The palm has come off the head in the end: at once, it would let go of a head that moves. */
 static void relax_palm(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->strikers.slots[slot];
+  TbSlot *s = tb_slot(view, slot);
   const double rate = view->model->step_rate, left = PALM_TIME * rate - (double)s->age;
   if (left <= 1.0) {
     tb_pool_take_away(view, slot);
@@ -502,14 +414,14 @@ static void relax_palm(TbView *view, uint32_t slot) {
 
 /* One sample of a striker, in play or in a hand that lets it go. */
 static void age_striker(TbView *view, uint32_t slot) {
-  TbSlot *s = &view->state->strikers.slots[slot];
+  TbSlot *s = tb_slot(view, slot);
   s->age++;
-  if (row_touches(view, slot)) s->sounded = 1;
-  if (s->held && s->partner) {
+  if (row_touches(view, slot)) s->striker.sounded = 1;
+  if (s->hold.held && s->kind == TB_SLOT_END) {
     relax_shaft(view, slot);
     return;
   }
-  if (s->leaving) pull_up(view, s);
+  if (s->hold.leaving) tb_hold_pull_up(view, slot);
   if (is_done(view, slot)) tb_pool_take_away(view, slot);
 }
 
@@ -518,8 +430,8 @@ void tb_pool_retire(TbView *view) {
   if (state->strikers.mask == 0) return;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->strikers.slots[i];
-    if (s->kind == TB_SLOT_STRIKER) age_striker(view, i);
-    if (!s->palm) continue;
+    if (tb_slot_strikes(s)) age_striker(view, i);
+    if (s->kind != TB_SLOT_PALM) continue;
     s->age++;
     relax_palm(view, i);
   }

@@ -7,13 +7,7 @@
  * surface at exactly the requested speed, so the energy that it brings is M v^2/2. It is removed
  * once it moves away beyond 5 mm, or touches nothing a second after the stroke.
  *
- * A striker that a hand presses moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), with the
- * damper centred, g the grip, and z0 the height at which the hand took hold. It bounces, and stays
- * until it is released or leaps 0.2 m off, out of the hand. A striker released on the head is
- * lifted: within 8 ms the force F0 becomes a pull of 2 N. The work of force and spring is injected
- * energy; the damper's is lost. g = 0 is a free rebound. A hand holds one stick: a stroke removes
- * the pressed stick with its id. Held at a distance p from its butt, a rod of length L and mass m
- * weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at its tip. Strikers do not collide with wires.
+ * A hand may press it: see striker_hold.h. Strikers do not collide with wires.
  * stick_rigid.h describes a stick on the hoop, or on hoop and head, and the hand that presses the shaft
  * of a cross-stick. */
 #ifndef TB_STRIKER_POOL_H
@@ -32,15 +26,6 @@ typedef struct TbStroke {
 /* Of head or hoop at a slot's place with the modes at q [m], and what a force there [N] does to q in one step. */
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q);
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q);
-/* Height of a striker at the next instant without contact force. */
-double tb_pool_free_height(const TbView *view, uint32_t slot);
-/* Work of the hands on pressed strikers in the step from view->last to view->next [J]. */
-typedef struct TbHandWork {
-  double done, lost; /* by force and spring; in the damper and in sticks that bend */
-} TbHandWork;
-TbHandWork tb_pool_hand_work(const TbView *view);
-/* Call after the grip has changed. */
-void tb_pool_regrip(TbView *view);
 /* Adds, adjusts or lifts the mufflers according to their live strengths. */
 void tb_pool_muffle(TbView *view);
 /* Removes strikers that are done. Call once per sample after the rotation. */
@@ -60,13 +45,6 @@ uint32_t tb_pool_obtain(TbView *view);
 /* Frees a slot and that of the stick's other end. The striker's remaining energy is booked as
  * removed. */
 void tb_pool_take_away(TbView *view, uint32_t slot);
-/* A hand takes hold of a striker, or changes the force F0 [N]. */
-void tb_pool_hold(TbView *view, uint32_t slot, double force);
-/* A hand lifts the stick that it presses: not at once, or what it has bent would snap back. Nobody finds it by its
- * id any more. */
-void tb_pool_lift(TbView *view, uint32_t slot);
-/* F0 [N] for a pressure of 0 to 1. */
-double tb_pool_press_force(double pressure);
 /* True if the striker has touched the head or the hoop, with either end. */
 bool tb_pool_sounded(const TbView *view, uint32_t slot);
 /* True if the striker touches the head or the hoop, with either end. */

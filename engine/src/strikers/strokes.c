@@ -4,6 +4,7 @@
 #include "strikers/brush.h"
 #include "strikers/rimstroke.h"
 #include "strikers/stick_rigid.h"
+#include "strikers/striker_hold.h"
 
 /* ---- strokes -------------------------------------------------------------------------------- */
 
@@ -26,9 +27,9 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
  * presses it. */
 static uint32_t pressed_slot(const TbView *view, uint32_t i) {
   const TbSlot *slots = view->state->strikers.slots;
-  const uint32_t at = slots[i].partner && !slots[i].on_hoop ? slots[i].partner - 1u : i;
-  const bool pressed = slots[at].kind == TB_SLOT_STRIKER && slots[at].held && !slots[at].bristles;
-  return pressed ? at : TB_SLOTS;
+  const bool is_tip = slots[i].kind == TB_SLOT_END && !slots[i].on_hoop;
+  const uint32_t at = is_tip ? slots[i].end.other : i;
+  return slots[at].kind != TB_SLOT_BRISTLES && slots[at].hold.held ? at : TB_SLOTS;
 }
 
 /* A pressed stick that touches is lifted, everything else is gone at once. */
@@ -36,8 +37,8 @@ static void let_go(TbView *view, uint32_t i) {
   const uint32_t at = pressed_slot(view, i);
   if (at == TB_SLOTS || !tb_pool_touches(view, i)) {
     tb_pool_take_away(view, i);
-  } else if (!view->state->strikers.slots[at].leaving) {
-    tb_pool_lift(view, at);
+  } else if (!tb_slot(view, at)->hold.leaving) {
+    tb_hold_lift(view, at);
   }
 }
 
@@ -45,7 +46,7 @@ static void let_go(TbView *view, uint32_t i) {
  * yet, its stroke is lost. */
 static void free_hand(TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS && id != 0; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
+    const TbSlot *s = tb_slot(view, i);
     if (pressed_slot(view, i) == TB_SLOTS || s->id != id) continue;
     view->state->ledger.statistics.dropped_events += !tb_pool_sounded(view, i);
     let_go(view, i);
@@ -57,19 +58,19 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
   TbState *state = view->state;
   const uint32_t slot = tb_pool_obtain(view);
   if (slot == TB_SLOTS) return false;
-  const TbSlot striker = {.kind = TB_SLOT_STRIKER,
+  const TbSlot striker = {.kind = TB_SLOT_TIP,
                           .id = stroke->id,
                           .serial = ++state->strikers.serial,
-                          .mass = mass_of(view, stroke),
-                          .part = 1.0,
-                          .definition = stroke->striker,
-                          .bends = tb_rigid_stick_bends(view, stroke->striker),
                           .radius = stroke->radius,
                           .angle = stroke->angle,
-                          .velocity = stroke->velocity};
+                          .striker = {.mass = mass_of(view, stroke),
+                                      .part = 1.0,
+                                      .velocity = stroke->velocity,
+                                      .definition = stroke->striker},
+                          .end = {.bends = tb_rigid_stick_bends(view, stroke->striker)}};
   tb_pool_put(view, slot, &striker, 0.0);
   if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
-    tb_pool_hold(view, slot, tb_pool_press_force(stroke->pressure));
+    tb_hold(view, slot, tb_hold_force(stroke->pressure));
   }
   return true;
 }
@@ -96,10 +97,10 @@ bool tb_strike(TbView *view, const TbStroke *stroke) {
 bool tb_press(TbView *view, uint32_t id, double pressure) {
   bool found = tb_brush_press(view, id, pressure);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
-    if (s->kind != TB_SLOT_STRIKER || (id != 0 && s->id != id)) continue;
-    if (s->on_hoop || s->partner || s->leaving) continue;
-    tb_pool_hold(view, i, tb_pool_press_force(pressure));
+    const TbSlot *s = tb_slot(view, i);
+    if (s->kind != TB_SLOT_TIP || (id != 0 && s->id != id)) continue;
+    if (s->on_hoop || s->hold.leaving) continue;
+    tb_hold(view, i, tb_hold_force(pressure));
     found = true;
   }
   return found;
@@ -107,7 +108,7 @@ bool tb_press(TbView *view, uint32_t id, double pressure) {
 
 static uint32_t find_hand(const TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
+    const TbSlot *s = tb_slot(view, i);
     if (s->kind == TB_SLOT_HAND && s->id == id) return i;
   }
   return TB_SLOTS;
@@ -130,7 +131,7 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
 void tb_release(TbView *view, uint32_t id) {
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *s = &view->state->strikers.slots[i];
-    if (s->kind != TB_SLOT_FREE && !s->leaving && (id == 0 || s->id == id)) let_go(view, i);
+    const TbSlot *s = tb_slot(view, i);
+    if (s->kind != TB_SLOT_FREE && !s->hold.leaving && (id == 0 || s->id == id)) let_go(view, i);
   }
 }

@@ -26,8 +26,12 @@ static const struct {
 static const Box METER = {600, 396, 96, 10};
 static const double METER_STEP = 16;
 static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
-static const double LOWEST_LEVEL = -60;                         /* [dB] of a meter */
-static const double DEPTH = 5e-4; /* [m] of a head that is as bright or dark as can be */
+static const double MIC = 9;                                    /* radius of a microphone */
+static const double AROUND =
+  0.15; /* of the head's radius, in which all lies that is outside of it */
+static const double MOST_MIC = 10;      /* [m] from the axis */
+static const double LOWEST_LEVEL = -60; /* [dB] of a meter */
+static const double DEPTH = 5e-4;       /* [m] of a head that is as bright or dark as can be */
 
 static bool is_in(const Box *box, double x, double y) {
   return x >= box->x && x < box->x + box->width && y >= box->y && y < box->y + box->height;
@@ -56,6 +60,43 @@ DrumPlace drum_picture_place(double scale, double x, double y) {
     place.x = drum_picture_position(scale, x);
   }
   return place;
+}
+
+/* ---- microphones ---------------------------------------------------------------------------- */
+
+/* Parts of the head's radius as they are seen: beyond the head, 1 to infinity is 1 to 1 + AROUND. */
+static double seen(double part) { return part <= 1 ? part : 1 + AROUND * (1 - 1 / part); }
+
+static double unseen(double part) {
+  return part <= 1 ? part : 1 / fmax(1 - (part - 1) / AROUND, 1e-3);
+}
+
+static void mic_place(const DrumPicture *picture, const DrumMic *mic, double *x, double *y) {
+  const double away = RADIUS * seen(mic->radius / picture->scene.radius),
+               angle = mic->angle * PI / 180;
+  *x = MIDDLE[0] + away * cos(angle);
+  *y = MIDDLE[1] - away * sin(angle);
+}
+
+uint32_t drum_picture_mic(const DrumPicture *picture, double scale, double x, double y) {
+  uint32_t found = DRUM_NO_MIC;
+  double nearest = MIC;
+  for (uint32_t i = 0; i < picture->scene.mic_count; i++) {
+    double at, down;
+    mic_place(picture, &picture->scene.mics[i], &at, &down);
+    const double away = hypot(x / scale - at, y / scale - down);
+    if (away >= nearest) continue;
+    nearest = away;
+    found = i;
+  }
+  return found;
+}
+
+void drum_picture_move_mic(const DrumPicture *picture, double scale, double x, double y,
+                           DrumMic *mic) {
+  const double at = (x / scale - MIDDLE[0]) / RADIUS, up = (MIDDLE[1] - y / scale) / RADIUS;
+  mic->radius = fmin(unseen(hypot(at, up)) * picture->scene.radius, MOST_MIC);
+  mic->angle = atan2(up, at) * 180 / PI;
 }
 
 /* ---- colours and texts ---------------------------------------------------------------------- */
@@ -143,8 +184,32 @@ static void draw_stroke(cairo_t *cairo, const DrumPicture *picture) {
   cairo_stroke(cairo);
 }
 
+/* Those above the batter head are full, those below it or in the drum are hollow. */
+static void draw_mic(cairo_t *cairo, const DrumPicture *picture, uint32_t number) {
+  const DrumMic *const mic = &picture->scene.mics[number];
+  const char letter[] = {mic->name[0], '\0'};
+  double x, y;
+  mic_place(picture, mic, &x, &y);
+  cairo_new_path(cairo);
+  cairo_arc(cairo, x, y, MIC - 1, 0, 2 * PI);
+  cairo_set_source_rgba(cairo, 0.13, 0.20, 0.32, mic->height > 0 ? 0.85 : 0.35);
+  cairo_fill_preserve(cairo);
+  cairo_set_source_rgba(cairo, 0.13, 0.20, 0.32, 0.85);
+  if (number == picture->mic) accent(cairo);
+  cairo_set_line_width(cairo, 1.5);
+  cairo_stroke(cairo);
+  ink(cairo);
+  write(cairo, x, y + 4, AT_MIDDLE, letter);
+}
+
+static void say_mic(const DrumMic *mic, char *text, size_t size) {
+  (void)snprintf(text, size, "%s: %.0f mm out, %.0f deg, %.0f mm %s; the wheel lifts it", mic->name,
+                 1e3 * mic->radius, mic->angle, 1e3 * fabs(mic->height),
+                 mic->height > 0 ? "up" : "down");
+}
+
 static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
-  char text[DRUM_WINDOW_TEXT];
+  char text[2 * DRUM_WINDOW_TEXT];
   use(cairo, 0.70, 0.72, 0.75);
   circle(cairo, RADIUS + HOOP);
   cairo_fill(cairo);
@@ -158,8 +223,13 @@ static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
     draw_wires(cairo, picture->scene.view);
   }
   if (picture->glow > 0.02) draw_stroke(cairo, picture);
-  (void)snprintf(text, sizeof text, "click to strike at %.1f m/s; the wheel changes it",
-                 picture->speed);
+  for (uint32_t i = 0; i < picture->scene.mic_count; i++) draw_mic(cairo, picture, i);
+  if (picture->mic < picture->scene.mic_count) {
+    say_mic(&picture->scene.mics[picture->mic], text, sizeof text);
+  } else {
+    (void)snprintf(text, sizeof text, "click to strike at %.1f m/s; the wheel changes it",
+                   picture->speed);
+  }
   pale(cairo);
   write(cairo, MIDDLE[0], 422, AT_MIDDLE, text);
 }

@@ -20,6 +20,8 @@ typedef enum DrumPart {
   DRUM_PART_CONTROL
 } DrumPart;
 
+#define DRUM_NO_MIC UINT32_MAX
+
 /** What lies at a place. */
 typedef struct DrumPlace {
   DrumPart part;
@@ -41,6 +43,7 @@ typedef struct DrumPicture {
   double speed;     /**< of strokes [m/s] */
   double struck[2]; /**< place of the newest stroke, as on the head */
   double glow;      /**< 1 when it falls, then less */
+  uint32_t mic;     /**< whose place is written, or DRUM_NO_MIC */
 } DrumPicture;
 
 /** Scale at which the picture fills a window of this size [pixels]. */
@@ -48,6 +51,11 @@ double drum_picture_scale(uint32_t width, uint32_t height);
 void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale);
 /** What lies at a pixel. */
 DrumPlace drum_picture_place(double scale, double x, double y);
+/** The microphone at a pixel, or DRUM_NO_MIC. */
+uint32_t drum_picture_mic(const DrumPicture *picture, double scale, double x, double y);
+/** Moves a microphone to a pixel; its height stays. */
+void drum_picture_move_mic(const DrumPicture *picture, double scale, double x, double y,
+                           DrumMic *mic);
 /** The position of a control that is held at this pixel. */
 double drum_picture_position(double scale, double x);
 

@@ -13,6 +13,9 @@ static const double SPEED_STEP = 1.1892;                                     /* 
 static const double METER_FALL = 0.85;                                       /* a frame */
 static const double WHEEL_STEP = 0.02; /* of a control's way */
 static const double DEGREE = 57.29577951308232;
+static const double LEAST_WAY = 0.011,
+                    MOST_WAY = 10;   /* of a microphone from the nearest head [m] */
+static const double WAY_STEP = 0.06; /* of this way, a notch */
 
 struct DrumWindow {
   DrumWindowShell shell;
@@ -21,6 +24,9 @@ struct DrumWindow {
   uint32_t width, height;
   bool is_dragging;
   uint32_t dragged; /* a control */
+  bool has_moved;   /* the microphone that is held, picture.mic */
+  bool holds_mic;
+  DrumMic held;
 };
 
 /* ---- what was done -------------------------------------------------------------------------- */
@@ -38,10 +44,21 @@ static void strike(DrumWindow *window, const DrumPlace *place) {
                        DEGREE * atan2(place->y, place->x));
 }
 
+/* False: there is none. */
+static bool take_mic(DrumWindow *window, double x, double y) {
+  DrumPicture *const picture = &window->picture;
+  picture->mic = drum_picture_mic(picture, drum_picture_scale(window->width, window->height), x, y);
+  window->holds_mic = picture->mic != DRUM_NO_MIC;
+  window->has_moved = false;
+  if (window->holds_mic) window->held = picture->scene.mics[picture->mic];
+  return window->holds_mic;
+}
+
 static void press(void *context, double x, double y) {
   DrumWindow *const window = context;
   void *const shell = window->shell.context;
   const DrumPlace place = place_at(window, x, y);
+  if (take_mic(window, x, y)) return;
   switch (place.part) {
   case DRUM_PART_HEAD: strike(window, &place); break;
   case DRUM_PART_BEFORE: window->shell.step_preset(shell, -1); break;
@@ -61,17 +78,21 @@ static void press(void *context, double x, double y) {
 
 static void drag(void *context, double x, double y) {
   DrumWindow *const window = context;
+  const double scale = drum_picture_scale(window->width, window->height);
+  if (window->holds_mic) {
+    drum_picture_move_mic(&window->picture, scale, x, y, &window->held);
+    window->has_moved = true;
+  }
   if (!window->is_dragging) return;
-  const double position =
-    drum_picture_position(drum_picture_scale(window->width, window->height), x);
-  (void)y;
-  window->shell.move(window->shell.context, window->dragged, position);
+  window->shell.move(window->shell.context, window->dragged, drum_picture_position(scale, x));
 }
 
 static void release(void *context) {
   DrumWindow *const window = context;
-  if (window->is_dragging) window->shell.end(window->shell.context, window->dragged);
-  window->is_dragging = false;
+  void *const shell = window->shell.context;
+  if (window->is_dragging) window->shell.end(shell, window->dragged);
+  if (window->has_moved) window->shell.move_mic(shell, window->picture.mic, &window->held);
+  window->is_dragging = window->holds_mic = window->has_moved = false;
 }
 
 static void turn(DrumWindow *window, uint32_t control, int steps) {
@@ -83,10 +104,35 @@ static void turn(DrumWindow *window, uint32_t control, int steps) {
   window->shell.end(shell, control);
 }
 
+/* Between the ends of its part of space: above the drum, in it, or below it. */
+static double raised(const DrumWindowScene *scene, double height, int steps) {
+  const double bottom = scene->depth > 0 ? -scene->depth : 0;
+  const double away = fmin(fabs(height), fabs(height - bottom));
+  const double to = height + steps * WAY_STEP * away;
+  if (height > 0) return fmin(fmax(to, LEAST_WAY), MOST_WAY);
+  if (height > bottom) return fmin(fmax(to, bottom + LEAST_WAY), -LEAST_WAY);
+  return fmin(fmax(to, -MOST_WAY), bottom - LEAST_WAY);
+}
+
+static void raise_mic(DrumWindow *window, uint32_t mic, int steps) {
+  const DrumWindowScene *const scene = &window->picture.scene;
+  DrumMic to = scene->mics[mic];
+  to.height = raised(scene, to.height, steps);
+  window->picture.mic = mic;
+  window->shell.move_mic(window->shell.context, mic, &to);
+}
+
 /* Over the head it changes how fast the next strokes are. */
 static void scroll(void *context, double x, double y, int steps) {
   DrumWindow *const window = context;
   const DrumPlace place = place_at(window, x, y);
+  const uint32_t mic =
+    drum_picture_mic(&window->picture, drum_picture_scale(window->width, window->height), x, y);
+  if (window->holds_mic) return;
+  if (mic != DRUM_NO_MIC) {
+    raise_mic(window, mic, steps);
+    return;
+  }
   double *const speed = &window->picture.speed;
   if (place.part == DRUM_PART_HEAD)
     *speed =
@@ -101,6 +147,8 @@ static void look(DrumWindow *window) {
   void *const shell = window->shell.context;
   picture->scene.view = NULL;
   window->shell.scene(shell, &picture->scene);
+  if (window->holds_mic && picture->mic < picture->scene.mic_count)
+    picture->scene.mics[picture->mic] = window->held;
   for (uint32_t i = 0; i < 2; i++) {
     picture->meters[i] = fmax(METER_FALL * picture->meters[i], (double)picture->scene.peaks[i]);
   }
@@ -126,6 +174,7 @@ DrumWindow *drum_window_create(unsigned long parent, uint32_t width, uint32_t he
   if (!window) return NULL;
   window->shell = *shell;
   window->picture.speed = FIRST_SPEED;
+  window->picture.mic = DRUM_NO_MIC;
   window->width = width;
   window->height = height;
   const X11Handler handler = {.context = window,

@@ -2,7 +2,7 @@
 /**
  * @file drum_window.h
  * The window of a plugin with one drum: the drum from above, which is struck where it is clicked, head and wires as they
- * move, the first page of controls, presets, two drums to compare, undo and meters.
+ * move, microphones that can be dragged, the first page of controls, presets, two drums to compare, undo and meters.
  *
  * It knows nothing of plugin formats: a shell tells it what to show, and is told what was done. All functions are for the
  * main thread.
@@ -17,6 +17,12 @@
 #define DRUM_WINDOW_CONTROLS 8 /**< most controls */
 #define DRUM_WINDOW_TEXT 64    /**< bytes of a text, its end included */
 
+/** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
+typedef struct DrumMic {
+  char name[TABOR_NAME_SIZE];
+  double radius, angle, height;
+} DrumMic;
+
 /** What a shell has to show at one moment. */
 typedef struct DrumWindowScene {
   char title[DRUM_WINDOW_TEXT]; /**< name of the drum */
@@ -24,6 +30,9 @@ typedef struct DrumWindowScene {
   bool can_undo;
   float peaks[2];        /**< largest sample of each side since the last scene, 1: full scale */
   const TaborView *view; /**< NULL: the head and the wires are not seen */
+  double radius, depth;  /**< of the drum [m]; depth 0: it has one head */
+  uint32_t mic_count;
+  DrumMic mics[TABOR_MAX_MICS];
 } DrumWindowScene;
 
 /** The shell. A position is a part of a control's way, 0 to 1. */
@@ -37,6 +46,7 @@ typedef struct DrumWindowShell {
   void (*end)(void *context, uint32_t control);
   /** @p velocity [m/s], @p radius a part of the head's, @p angle [deg]. */
   void (*strike)(void *context, double velocity, double radius, double angle);
+  void (*move_mic)(void *context, uint32_t mic, const DrumMic *to); /**< once it is let go of */
   void (*step_preset)(void *context, int steps); /**< to the next one, 1, or the one before, -1 */
   void (*compare)(void *context);                /**< the other of two drums plays */
   void (*undo)(void *context);

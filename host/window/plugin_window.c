@@ -20,6 +20,9 @@ struct PluginWindow {
   TaborView *view;  /* NULL while the audio thread may have it */
   bool has_view;    /* here or there */
   char title[DRUM_WINDOW_TEXT];
+  double radius, depth; /* of the drum [m], and its microphones */
+  uint32_t mic_count;
+  DrumMic mics[TABOR_MAX_MICS];
   PluginDrum undos[UNDOS]; /* the newest last */
   uint32_t undo_count;
   PluginDrum other; /* of two drums to compare, the one that does not play */
@@ -64,16 +67,26 @@ static void note_drum(const PluginWindow *window, PluginDrum *drum) {
   }
 }
 
-static void tell_title(PluginWindow *window) {
+/* Name and microphones of the drum. */
+static void note_looks(PluginWindow *window) {
   SavedState saved;
+  const TaborDrumDef *const def = &saved.def;
   window->shell.save(window->shell.instance, &saved);
   _Static_assert(sizeof window->title >= sizeof saved.def.name, "a name is a title");
-  memcpy(window->title, saved.def.name, sizeof saved.def.name);
+  memcpy(window->title, def->name, sizeof def->name);
+  window->radius = def->shell.radius;
+  window->depth = def->two_headed ? def->shell.depth : 0;
+  window->mic_count = def->mic_count;
+  for (uint32_t i = 0; i < def->mic_count; i++) {
+    const TaborMicDef *const mic = &def->mic[i];
+    window->mics[i] = (DrumMic){.radius = mic->radius, .angle = mic->angle, .height = mic->height};
+    memcpy(window->mics[i].name, mic->name, sizeof mic->name);
+  }
 }
 
 static void use_drum(PluginWindow *window, const PluginDrum *drum) {
   window->shell.use(window->shell.instance, drum);
-  tell_title(window);
+  note_looks(window);
 }
 
 /* The oldest is forgotten. */
@@ -95,6 +108,10 @@ static void scene(void *context, DrumWindowScene *shown) {
   for (uint32_t side = 0; side < 2; side++)
     shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
   shown->view = window->view;
+  shown->radius = window->radius;
+  shown->depth = window->depth;
+  shown->mic_count = window->mic_count;
+  memcpy(shown->mics, window->mics, sizeof shown->mics);
 }
 
 static bool control(void *context, uint32_t number, char *name, char *value, double *position) {
@@ -135,6 +152,19 @@ static void strike(void *context, double velocity, double radius, double angle) 
   window->shell.play(window->shell.instance);
 }
 
+static void move_mic(void *context, uint32_t number, const DrumMic *to) {
+  PluginWindow *const window = context;
+  PluginDrum drum;
+  if (number >= window->mic_count) return;
+  note_undo(window);
+  note_drum(window, &drum);
+  TaborMicDef *const mic = &drum.saved.def.mic[number];
+  mic->radius = to->radius;
+  mic->angle = to->angle;
+  mic->height = to->height;
+  use_drum(window, &drum);
+}
+
 /* From a drum that is no preset, the first or the last one. */
 static void step_preset(void *context, int steps) {
   PluginWindow *const window = context;
@@ -145,7 +175,7 @@ static void step_preset(void *context, int steps) {
   note_undo(window);
   const char *const name = tabor_preset((at + count + (uint32_t)steps) % count)->name;
   window->shell.choose(window->shell.instance, name);
-  tell_title(window);
+  note_looks(window);
 }
 
 /* At first both are the same. */
@@ -201,7 +231,7 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   if (!window) return NULL;
   window->shell = *shell;
   use_scale(1, &window->width, &window->height);
-  tell_title(window);
+  note_looks(window);
   return window;
 }
 
@@ -213,11 +243,12 @@ bool plugin_window_open(PluginWindow *window, unsigned long parent) {
                                  .move = move,
                                  .end = end,
                                  .strike = strike,
+                                 .move_mic = move_mic,
                                  .step_preset = step_preset,
                                  .compare = compare,
                                  .undo = undo};
   if (window->drum) return false;
-  tell_title(window);
+  note_looks(window);
   window->drum = drum_window_create(parent, window->width, window->height, &shell);
   return window->drum != NULL;
 }
@@ -251,7 +282,7 @@ void plugin_window_update(PluginWindow *window) {
   if (!window->drum || !take_view_back(window)) return;
   if (window->has_view && atomic_exchange(&link->is_stale, false)) {
     drop_view(window);
-    tell_title(window);
+    note_looks(window);
   }
   if (!window->has_view) make_view(window);
   drum_window_update(window->drum);

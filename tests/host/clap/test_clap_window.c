@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The window of the CLAP plugins on an X server of its own: what is clicked is struck, controls turn and are told to the
- * host, presets, undo and comparison, sizes, that blocks wait for nothing while it is open, and that nothing stays of a
+ * host, microphones move, presets, undo and comparison, sizes, that blocks wait for nothing while it is open, and that nothing stays of a
  * window that is closed.
  *
  * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
@@ -277,6 +277,72 @@ static void two_drums_are_compared(void **state) {
   close_host(&opened);
 }
 
+/* ---- microphones ---------------------------------------------------------------------------- */
+
+/* The right one of the pair: 0.5 m to the right, which is 2.8 radii, outside of the head. */
+enum { RIGHT_X = MIDDLE_X + 192, NEAR_X = MIDDLE_X, NEAR_Y = MIDDLE_Y - 60 };
+
+typedef struct Heard {
+  float sides[2][FRAMES];
+} Heard;
+
+/* A stroke on the drum at rest. */
+static void hear(const Opened *opened, Heard *heard) {
+  ClapHost *const host = opened->host;
+  clap_host_run(host, FRAMES); /* the model comes */
+  host->plugin->reset(host->plugin);
+  click(opened, MIDDLE_X + 30, MIDDLE_Y + 30);
+  clap_host_run(host, FRAMES);
+  for (int side = 0; side < 2; side++)
+    memcpy(heard->sides[side], host->sound[side], sizeof heard->sides[side]);
+}
+
+static bool is_same(const Heard *a, const Heard *b, int side) {
+  return memcmp(a->sides[side], b->sides[side], sizeof a->sides[side]) == 0;
+}
+
+static double loudness(const Heard *heard, int side) {
+  double sum = 0;
+  for (int i = 0; i < FRAMES; i++)
+    sum += (double)heard->sides[side][i] * (double)heard->sides[side][i];
+  return 10 * log10(sum);
+}
+
+static void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
+  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(&server, opened->inner, XCB_MOTION_NOTIFY, 0, to_x, to_y);
+  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, to_x, to_y);
+  tick(opened);
+}
+
+static void undo(const Opened *opened) { click(opened, 540, 410); }
+
+static void microphones_are_dragged_and_raised(void **state) {
+  (void)state;
+  static Heard before, moved, raised, back;
+  Opened opened = open_host(ID_DRUM, 1);
+  clap_host_set(opened.host, 0, KNOB_ROOM, 0);
+  hear(&opened, &before);
+  click(&opened, RIGHT_X, MIDDLE_Y); /* touched, not moved */
+  hear(&opened, &back);
+  assert_true(is_same(&before, &back, 0) && is_same(&before, &back, 1));
+  drag(&opened, RIGHT_X, MIDDLE_Y, NEAR_X, NEAR_Y);
+  keep_picture(opened.outer, "dragged");
+  hear(&opened, &moved);
+  assert_true(is_same(&before, &moved, 0) && !is_same(&before, &moved, 1));
+  for (int i = 0; i < 4; i++)
+    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, NEAR_X, NEAR_Y);
+  tick(&opened);
+  hear(&opened, &raised);
+  print_message("at 0.5 m to the right %.1f dB, over the head %.1f dB, lower by a fifth %.1f dB\n",
+                loudness(&before, 1), loudness(&moved, 1), loudness(&raised, 1));
+  assert_true(loudness(&raised, 1) > loudness(&moved, 1) + 0.5);
+  for (int i = 0; i < 5; i++) undo(&opened);
+  hear(&opened, &back);
+  assert_true(is_same(&before, &back, 0) && is_same(&before, &back, 1));
+  close_host(&opened);
+}
+
 /* ---- the audio thread ----------------------------------------------------------------------- */
 
 static void blocks_wait_for_nothing_while_it_is_open(void **state) {
@@ -354,6 +420,7 @@ int main(void) {
     cmocka_unit_test(it_is_seen_on_another_drum),
     cmocka_unit_test(a_control_turns_and_the_host_is_told),
     cmocka_unit_test(two_drums_are_compared),
+    cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),
     cmocka_unit_test(it_has_any_size),
     cmocka_unit_test(nothing_stays_of_a_window),

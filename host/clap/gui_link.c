@@ -6,13 +6,14 @@
 enum { TURNS = 256 };
 
 bool gui_link_begin(GuiLink *link) {
-  return window_link_begin(&link->window) &&
-         spsc_queue_create(&link->turns, sizeof(GuiTurn), TURNS);
+  return spsc_queue_create(&link->turns, sizeof(GuiTurn), TURNS);
 }
 
-void gui_link_end(GuiLink *link) {
-  window_link_end(&link->window);
-  spsc_queue_destroy(&link->turns);
+void gui_link_end(GuiLink *link) { spsc_queue_destroy(&link->turns); }
+
+void gui_link_turn(GuiLink *link, uint16_t type, clap_id id, double value) {
+  const GuiTurn turn = {.type = type, .id = id, .value = value};
+  (void)spsc_queue_push(&link->turns, &turn);
 }
 
 static bool report_turn(const GuiTurn *turn, const clap_output_events_t *events) REALTIME;

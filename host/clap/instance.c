@@ -60,11 +60,16 @@ static bool open(Instance *instance, double rate) {
   return instance->is_open;
 }
 
+static void end_links(Instance *instance) {
+  gui_link_end(&instance->link);
+  window_link_end(&instance->window);
+}
+
 static void destroy(const clap_plugin_t *plugin) {
   Instance *const instance = instance_of(plugin);
-  gui_end(instance);
+  gui_end(plugin);
   close(instance);
-  gui_link_end(&instance->link);
+  end_links(instance);
   free(instance);
 }
 
@@ -194,7 +199,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   instance->event = 0;
   gui_link_report(&instance->link, block->out_events);
   if (!instance->is_open) return play_silence(instance, &outputs);
-  window_link_play(&instance->link.window, &instance->player);
+  window_link_play(&instance->window, &instance->player);
   PluginRun run = {.player = &instance->player,
                    .outputs = &outputs,
                    .events = &run_events,
@@ -206,7 +211,7 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   } else {
     (void)plugin_run_live(&run);
   }
-  window_link_show(&instance->link.window, &instance->player, &outputs, block->frames_count);
+  window_link_show(&instance->window, &instance->player, &outputs, block->frames_count);
   return status_of(instance, &outputs);
 }
 
@@ -312,8 +317,9 @@ const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
                                      .process = process,
                                      .get_extension = get_extension,
                                      .on_main_thread = on_main_thread};
-  if (begin(instance) && gui_link_begin(&instance->link)) return &instance->plugin;
-  gui_link_end(&instance->link);
+  if (begin(instance) && gui_link_begin(&instance->link) && window_link_begin(&instance->window))
+    return &instance->plugin;
+  end_links(instance);
   free(instance);
   return NULL;
 }

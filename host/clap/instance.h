@@ -16,6 +16,7 @@
 #include "clap/event_list.h"
 #include "clap/gui_link.h"
 #include "plugin/plugin_run.h"
+#include "plugin/window_link.h"
 #include "plugin/worker_thread.h"
 
 #define ID_DRUM "tabor.drum"             /**< the plugin with a stereo output */
@@ -41,6 +42,7 @@ typedef struct Instance {
   bool is_open;     /**< changes only while no block is played */
   double rate;
   GuiLink link; /**< its window */
+  WindowLink window;
 
   /* while it is open */
   ModelWorker worker;

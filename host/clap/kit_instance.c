@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "clap/extensions.h"
+#include "clap/gui.h"
 #include "clap/note_events.h"
 #include "plugin/model_worker.h"
 
@@ -40,9 +41,16 @@ static bool open(KitInstance *instance, double rate) {
   return instance->is_open;
 }
 
+static void end_links(KitInstance *instance) {
+  gui_link_end(&instance->link);
+  kit_window_link_end(&instance->window);
+}
+
 static void destroy(const clap_plugin_t *plugin) {
   KitInstance *const instance = kit_instance_of(plugin);
+  gui_end(plugin);
   close(instance);
+  end_links(instance);
   free(instance->named);
   free(instance);
 }
@@ -214,9 +222,12 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
   EventList list = event_list_of(block);
   KitPluginOutputs outputs;
   kit_ports_connect(block, &outputs);
+  gui_link_report(&instance->link, block->out_events);
   if (!instance->is_open) return play_silence(instance, &list, &outputs);
   kit_plugin_player_begin_block(player, &outputs);
+  kit_window_link_play(&instance->window, player);
   play(instance, &list);
+  kit_window_link_show(&instance->window, player, &outputs, list.frames);
   return kit_plugin_player_is_settled(player) && kit_plugin_player_is_silent(player)
            ? CLAP_PROCESS_SLEEP
            : CLAP_PROCESS_CONTINUE;
@@ -238,7 +249,8 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
                                   {CLAP_EXT_NOTE_NAME, &kit_note_names},
                                   {CLAP_EXT_TAIL, &kit_tail},
                                   {CLAP_EXT_RENDER, &kit_render}};
-  return extension_find(all, sizeof all / sizeof all[0], id);
+  const void *const window = gui_extension(id);
+  return window ? window : extension_find(all, sizeof all / sizeof all[0], id);
 }
 
 const clap_plugin_t *kit_instance_create(const clap_plugin_descriptor_t *descriptor,
@@ -261,5 +273,9 @@ const clap_plugin_t *kit_instance_create(const clap_plugin_descriptor_t *descrip
                                      .process = process,
                                      .get_extension = get_extension,
                                      .on_main_thread = on_main_thread};
-  return &instance->plugin;
+  if (gui_link_begin(&instance->link) && kit_window_link_begin(&instance->window))
+    return &instance->plugin;
+  end_links(instance);
+  free(instance);
+  return NULL;
 }

@@ -10,7 +10,8 @@
 #include <stdio.h>
 
 #include "clap/event_list.h"
-#include "plugin/kit_plugin_player.h"
+#include "clap/gui_link.h"
+#include "plugin/kit_window_link.h"
 #include "plugin/worker_thread.h"
 
 #define ID_KIT "tabor.kit"
@@ -29,6 +30,8 @@ typedef struct KitInstance {
   double rate;
   TaborKitDef *named; /**< the kit whose notes have names, or NULL */
   float named_kit;    /**< value of its knob */
+  GuiLink link;       /**< its window */
+  KitWindowLink window;
 
   /* while it is open */
   KitWorker worker;

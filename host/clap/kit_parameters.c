@@ -36,11 +36,8 @@ static bool value_to_text(const clap_plugin_t *plugin, clap_id id, double value,
                           uint32_t size) {
   (void)plugin;
   if (id >= KIT_KNOB_COUNT || size == 0) return false;
-  const KitKnob *const knob = &kit_knobs[id];
-  const float plain = kit_knob_clamp((KitKnobId)id, value);
-  if (knob->choices) return choice_text(knob->choices, (int)plain, text, size) > 0;
-  if (knob->off && plain <= knob->minimum) return snprintf(text, size, "Off") > 0;
-  return snprintf(text, size, "%.6g %s", (double)plain, knob->unit) > 0;
+  const KitKnobId knob = (KitKnobId)id;
+  return kit_knob_text(knob, kit_knob_clamp(knob, value), text, size) > 0;
 }
 
 static bool text_to_value(const clap_plugin_t *plugin, clap_id id, const char *text,
@@ -94,7 +91,7 @@ static void flush(const clap_plugin_t *plugin, const clap_input_events_t *in,
                   const clap_output_events_t *out) {
   KitInstance *const instance = kit_instance_of(plugin);
   bool any = false;
-  (void)out;
+  gui_link_report(&instance->link, out);
   for (uint32_t i = 0; i < in->size(in); i++) {
     const clap_event_header_t *const event = in->get(in, i);
     if (event && kit_parameters_take(instance, event)) any = true;

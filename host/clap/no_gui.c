@@ -7,4 +7,4 @@ const void *gui_extension(const char *id) {
   return NULL;
 }
 
-void gui_end(Instance *instance) { (void)instance; }
+void gui_end(const clap_plugin_t *plugin) { (void)plugin; }

@@ -62,6 +62,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->head_radius = def->shell.radius;
   binding->radius = def->strike.radius;
   binding->angle = def->strike.angle;
+  binding->striker = find_striker(def, "");
   binding->strainer = def->wires.strainer;
   binding->presets = tabor_preset_count();
   binding->grip = find_parameter(def, "hand.grip");

@@ -47,6 +47,7 @@ typedef struct MidiParameter {
 typedef struct MidiBinding {
   double head_radius;   /**< [m] */
   double radius, angle; /**< of the preset's stroke [m], [deg] */
+  uint32_t striker;     /**< index of its striker */
   /** Index of each note's striker; for a sweep on a drum without a brush, MIDI_NO_BRUSH. */
   uint32_t strikers[MIDI_VALUES];
   double sweep_speed[MIDI_VALUES]; /**< of each note that sweeps [m/s] */

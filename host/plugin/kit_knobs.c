@@ -3,6 +3,9 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
+
+#include "plugin/choice_text.h"
 
 #define LEVEL(n)                                                                                   \
   {                                                                                                \
@@ -121,6 +124,13 @@ float kit_knob_clamp(KitKnobId id, double value) {
 
 double kit_knob_factor(KitKnobId id, float value) {
   return value <= kit_knobs[id].minimum ? 0 : pow(10, (double)value / 20);
+}
+
+int kit_knob_text(KitKnobId id, float value, char *text, size_t size) {
+  const KitKnob *const knob = &kit_knobs[id];
+  if (knob->choices) return choice_text(knob->choices, (int)value, text, (uint32_t)size);
+  if (knob->off && value <= knob->minimum) return snprintf(text, size, "Off");
+  return snprintf(text, size, "%.6g %s", (double)value, knob->unit);
 }
 
 /* ---- the kit -------------------------------------------------------------------------------- */

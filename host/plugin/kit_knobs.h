@@ -45,6 +45,8 @@ extern const KitKnob kit_knobs[KIT_KNOB_COUNT];
 float kit_knob_clamp(KitKnobId id, double value) REALTIME;
 /** Converts a level or gain [dB] to a factor: the lowest gives 0. */
 double kit_knob_factor(KitKnobId id, float value) REALTIME;
+/** Writes a value with its unit as a text; its length, or a negative number. */
+int kit_knob_text(KitKnobId id, float value, char *text, size_t size);
 /** SET-UP. The kit that the knobs describe. A drum that cannot be tuned so far stays as its preset has it. */
 TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], TaborKitDef *def,
                              TaborError *error);

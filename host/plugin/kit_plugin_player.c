@@ -35,6 +35,8 @@ static void add_event(KitPluginPlayer *player, TaborKitEvent event, uint32_t fra
   if (player->event_count == KIT_PLUGIN_EVENTS) return; /* all are of this frame */
   event.event.frame = frame;
   player->events[player->event_count++] = event;
+  if (event.event.type != TABOR_EVENT_STRIKE || event.drum >= TABOR_KIT_DRUMS) return;
+  player->struck[event.drum] = fmaxf(player->struck[event.drum], (float)event.event.velocity);
 }
 
 static double gain_of(const KitPluginPlayer *player, uint32_t drum) REALTIME;
@@ -100,6 +102,23 @@ void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
       add_event(player, events[i], frame);
     }
   }
+}
+
+void kit_plugin_player_strike(KitPluginPlayer *player, const KitPluginStroke *stroke) {
+  if (!player->now || stroke->drum >= player->now->drum_count) return;
+  const MidiBinding *const drum = &player->now->midi.drums[stroke->drum].binding;
+  const bool is_placed = stroke->radius >= 0;
+  const TaborEvent event = {.type = TABOR_EVENT_STRIKE,
+                            .striker = drum->striker,
+                            .velocity = stroke->velocity,
+                            .radius = is_placed ? stroke->radius * drum->head_radius : drum->radius,
+                            .angle = is_placed ? stroke->angle : drum->angle};
+  add_event(player, (TaborKitEvent){.drum = stroke->drum, .event = event}, player->at);
+}
+
+void kit_plugin_player_struck(KitPluginPlayer *player, float struck[TABOR_KIT_DRUMS]) {
+  memcpy(struck, player->struck, sizeof player->struck);
+  memset(player->struck, 0, sizeof player->struck);
 }
 
 void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) {

@@ -18,6 +18,13 @@ typedef struct KitPluginOutputs {
   float *drum[KIT_KNOB_DRUMS][2]; /**< each drum's part of the mix, without the room */
 } KitPluginOutputs;
 
+/** A stroke that no message has brought. */
+typedef struct KitPluginStroke {
+  uint32_t drum;
+  double velocity;      /**< [m/s] */
+  double radius, angle; /**< a part of the head's, or negative: the drum's own place; [deg] */
+} KitPluginStroke;
+
 typedef struct KitPluginPlayer {
   KitWorker *worker;
   KitVoice *now, *leaving;           /**< leaving: fades out */
@@ -29,6 +36,7 @@ typedef struct KitPluginPlayer {
   double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */
   TaborKitEvent events[KIT_PLUGIN_EVENTS];
   uint32_t event_count;
+  float struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke since it was asked for [m/s] */
 
   KitPluginOutputs outputs;                              /**< of the block */
   uint32_t at;                                           /**< frames of it that were played */
@@ -50,6 +58,10 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
 /** Takes a message at frame @p frame of the block, not before a frame that was given or played before. */
 void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
                             uint32_t frame) REALTIME;
+/** Strikes a drum at the next frame that is played. */
+void kit_plugin_player_strike(KitPluginPlayer *player, const KitPluginStroke *stroke) REALTIME;
+/** Speed of each drum's fastest stroke since the last call, 0: none. */
+void kit_plugin_player_struck(KitPluginPlayer *player, float struck[TABOR_KIT_DRUMS]) REALTIME;
 /** Silences the drum that @p key plays, or with a negative key all, at frame @p frame. */
 void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) REALTIME;
 /** Plays up to frame @p end of the block. */

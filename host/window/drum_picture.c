@@ -9,37 +9,13 @@ static const double PI = 3.14159265358979323846;
 
 /* ---- places, at scale 1 --------------------------------------------------------------------- */
 
-typedef struct Box {
-  double x, y, width, height;
-} Box;
-
 static const double MIDDLE[2] = {205, 215}, RADIUS = 175, HOOP = 10;
-static const Box BEFORE = {420, 20, 28, 28}, NEXT = {668, 20, 28, 28};
-static const Box COMPARE = {420, 396, 76, 26}, UNDO = {504, 396, 76, 26};
-static const struct {
-  DrumPart part;
-  const Box *box;
-} BUTTONS[] = {{DRUM_PART_BEFORE, &BEFORE},
-               {DRUM_PART_NEXT, &NEXT},
-               {DRUM_PART_COMPARE, &COMPARE},
-               {DRUM_PART_UNDO, &UNDO}};
-static const Box METER = {600, 396, 96, 10};
-static const double METER_STEP = 16;
 static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
 static const double MIC = 9;                                    /* radius of a microphone */
 static const double AROUND =
   0.15; /* of the head's radius, in which all lies that is outside of it */
-static const double MOST_MIC = 10;      /* [m] from the axis */
-static const double LOWEST_LEVEL = -60; /* [dB] of a meter */
-static const double DEPTH = 5e-4;       /* [m] of a head that is as bright or dark as can be */
-
-static bool is_in(const Box *box, double x, double y) {
-  return x >= box->x && x < box->x + box->width && y >= box->y && y < box->y + box->height;
-}
-
-double drum_picture_scale(uint32_t width, uint32_t height) {
-  return fmax(0.1, fmin((double)width / DRUM_WINDOW_WIDTH, (double)height / DRUM_WINDOW_HEIGHT));
-}
+static const double MOST_MIC = 10; /* [m] from the axis */
+static const double DEPTH = 5e-4;  /* [m] of a head that is as bright or dark as can be */
 
 double drum_picture_position(double scale, double x) {
   return fmin(fmax((x / scale - LEFT) / WIDE, 0), 1);
@@ -49,12 +25,11 @@ DrumPlace drum_picture_place(double scale, double x, double y) {
   const double at = x / scale, down = y / scale;
   DrumPlace place = {
     .part = DRUM_PART_NONE, .x = (at - MIDDLE[0]) / RADIUS, .y = (MIDDLE[1] - down) / RADIUS};
-  for (size_t i = 0; i < sizeof BUTTONS / sizeof *BUTTONS; i++) {
-    if (is_in(BUTTONS[i].box, at, down)) place.part = BUTTONS[i].part;
-  }
+  place.button = button_at(at, down);
+  if (place.button != BUTTON_COUNT) place.part = DRUM_PART_BUTTON;
   if (hypot(place.x, place.y) <= 1) {
     place.part = DRUM_PART_HEAD;
-  } else if (is_in(&(Box){LEFT, TOP, WIDE, DRUM_WINDOW_CONTROLS * ROW}, at, down)) {
+  } else if (box_has(&(Box){LEFT, TOP, WIDE, DRUM_WINDOW_CONTROLS * ROW}, at, down)) {
     place.part = DRUM_PART_CONTROL;
     place.control = (uint32_t)((down - TOP) / ROW);
     place.x = drum_picture_position(scale, x);
@@ -99,42 +74,6 @@ void drum_picture_move_mic(const DrumPicture *picture, double scale, double x, d
   mic->angle = atan2(up, at) * 180 / PI;
 }
 
-/* ---- colours and texts ---------------------------------------------------------------------- */
-
-static void use(cairo_t *cairo, double red, double green, double blue) {
-  cairo_set_source_rgb(cairo, red, green, blue);
-}
-static void paper(cairo_t *cairo) { use(cairo, 0.13, 0.14, 0.16); }
-static void field(cairo_t *cairo) { use(cairo, 0.22, 0.24, 0.27); }
-static void ink(cairo_t *cairo) { use(cairo, 0.90, 0.91, 0.92); }
-static void pale(cairo_t *cairo) { use(cairo, 0.62, 0.65, 0.68); }
-static void accent(cairo_t *cairo) { use(cairo, 0.95, 0.62, 0.20); }
-
-typedef enum Align { AT_LEFT, AT_MIDDLE, AT_RIGHT } Align;
-
-static void write(cairo_t *cairo, double x, double y, Align align, const char *text) {
-  cairo_text_extents_t size;
-  cairo_text_extents(cairo, text, &size);
-  cairo_move_to(cairo, x - 0.5 * align * size.x_advance, y);
-  cairo_show_text(cairo, text);
-}
-
-static void fill_box(cairo_t *cairo, const Box *box) {
-  cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
-  cairo_fill(cairo);
-}
-
-static void button(cairo_t *cairo, const Box *box, const char *text, bool lit) {
-  field(cairo);
-  fill_box(cairo, box);
-  if (lit) {
-    ink(cairo);
-  } else {
-    pale(cairo);
-  }
-  write(cairo, box->x + 0.5 * box->width, box->y + 0.5 * box->height + 5, AT_MIDDLE, text);
-}
-
 /* ---- the drum ------------------------------------------------------------------------------- */
 
 static void circle(cairo_t *cairo, double radius) {
@@ -149,7 +88,7 @@ static void draw_head(cairo_t *cairo, const TaborView *view) {
     for (uint32_t j = 0; j < view->angles; j++) {
       const double height = view->displacement[0][i * view->angles + j];
       const double light = 0.74 + 0.22 * tanh(height / DEPTH);
-      use(cairo, light, 0.98 * light, 0.93 * light);
+      cairo_set_source_rgb(cairo, light, 0.98 * light, 0.93 * light);
       cairo_new_path(cairo);
       cairo_arc_negative(cairo, MIDDLE[0], MIDDLE[1], (i + 1) * ring, -(j - 0.5) * step,
                          -(j + 0.5) * step);
@@ -199,7 +138,7 @@ static void draw_mic(cairo_t *cairo, const DrumPicture *picture, uint32_t number
   cairo_set_line_width(cairo, 1.5);
   cairo_stroke(cairo);
   ink(cairo);
-  write(cairo, x, y + 4, AT_MIDDLE, letter);
+  paint_text(cairo, x, y + 4, AT_MIDDLE, letter);
 }
 
 static void say_mic(const DrumMic *mic, char *text, size_t size) {
@@ -209,11 +148,11 @@ static void say_mic(const DrumMic *mic, char *text, size_t size) {
 }
 
 static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
-  char text[2 * DRUM_WINDOW_TEXT];
-  use(cairo, 0.70, 0.72, 0.75);
+  char text[2 * WINDOW_TEXT];
+  cairo_set_source_rgb(cairo, 0.70, 0.72, 0.75);
   circle(cairo, RADIUS + HOOP);
   cairo_fill(cairo);
-  use(cairo, 0.74, 0.725, 0.69);
+  cairo_set_source_rgb(cairo, 0.74, 0.725, 0.69);
   circle(cairo, RADIUS);
   cairo_fill(cairo);
   if (picture->scene.view) {
@@ -231,58 +170,25 @@ static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
                    picture->speed);
   }
   pale(cairo);
-  write(cairo, MIDDLE[0], 422, AT_MIDDLE, text);
+  paint_text(cairo, MIDDLE[0], 422, AT_MIDDLE, text);
 }
 
 /* ---- controls and meters -------------------------------------------------------------------- */
 
 static void draw_control(cairo_t *cairo, uint32_t row, const DrumControl *control) {
   const double y = TOP + ROW * row;
-  const Box way = {LEFT, y + 22, WIDE, 8}, done = {LEFT, y + 22, control->position * WIDE, 8};
+  const Box way = {LEFT, y + 22, WIDE, 8};
   pale(cairo);
-  write(cairo, LEFT, y + 15, AT_LEFT, control->name);
+  paint_text(cairo, LEFT, y + 15, AT_LEFT, control->name);
   ink(cairo);
-  write(cairo, LEFT + WIDE, y + 15, AT_RIGHT, control->value);
-  field(cairo);
-  fill_box(cairo, &way);
-  accent(cairo);
-  fill_box(cairo, &done);
-}
-
-static double level_of(double peak) {
-  const double level = 20 * log10(fmax(peak, 1e-9));
-  return fmin(fmax(1 - level / LOWEST_LEVEL, 0), 1);
-}
-
-static void draw_meter(cairo_t *cairo, uint32_t side, double peak) {
-  Box meter = METER;
-  meter.y += METER_STEP * side;
-  field(cairo);
-  fill_box(cairo, &meter);
-  meter.width *= level_of(peak);
-  if (peak > 1) {
-    use(cairo, 0.90, 0.25, 0.20);
-  } else {
-    use(cairo, 0.35, 0.75, 0.45);
-  }
-  fill_box(cairo, &meter);
+  paint_text(cairo, LEFT + WIDE, y + 15, AT_RIGHT, control->value);
+  paint_way(cairo, &way, control->position);
 }
 
 void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale) {
   const DrumWindowScene *const scene = &picture->scene;
-  paper(cairo);
-  cairo_paint(cairo);
-  cairo_scale(cairo, scale, scale);
-  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo, 13);
+  paint_paper(cairo, scale);
   draw_drum(cairo, picture);
-  button(cairo, &BEFORE, "<", true);
-  button(cairo, &NEXT, ">", true);
-  button(cairo, &COMPARE, scene->is_second ? "A / [B]" : "[A] / B", true);
-  button(cairo, &UNDO, "Undo", scene->can_undo);
   for (uint32_t i = 0; i < picture->controls; i++) draw_control(cairo, i, &picture->control[i]);
-  for (uint32_t side = 0; side < 2; side++) draw_meter(cairo, side, picture->meters[side]);
-  cairo_set_font_size(cairo, 16);
-  ink(cairo);
-  write(cairo, LEFT + 0.5 * WIDE, 40, AT_MIDDLE, scene->title);
+  paint_frame(cairo, scene->title, scene->is_second, scene->can_undo, picture->meters);
 }

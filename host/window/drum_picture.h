@@ -9,14 +9,12 @@
 #include <cairo.h>
 
 #include "window/drum_window.h"
+#include "window/painting.h"
 
 typedef enum DrumPart {
   DRUM_PART_NONE,
   DRUM_PART_HEAD,
-  DRUM_PART_BEFORE, /**< the preset before, and the next one */
-  DRUM_PART_NEXT,
-  DRUM_PART_COMPARE,
-  DRUM_PART_UNDO,
+  DRUM_PART_BUTTON,
   DRUM_PART_CONTROL
 } DrumPart;
 
@@ -25,13 +23,14 @@ typedef enum DrumPart {
 /** What lies at a place. */
 typedef struct DrumPlace {
   DrumPart part;
+  Button button;
   uint32_t control;
   double x,
     y; /**< on the head in parts of its radius, y away from the player; x of a control: the position */
 } DrumPlace;
 
 typedef struct DrumControl {
-  char name[DRUM_WINDOW_TEXT], value[DRUM_WINDOW_TEXT];
+  char name[WINDOW_TEXT], value[WINDOW_TEXT];
   double position;
 } DrumControl;
 
@@ -46,8 +45,6 @@ typedef struct DrumPicture {
   uint32_t mic;     /**< whose place is written, or DRUM_NO_MIC */
 } DrumPicture;
 
-/** Scale at which the picture fills a window of this size [pixels]. */
-double drum_picture_scale(uint32_t width, uint32_t height);
 void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale);
 /** What lies at a pixel. */
 DrumPlace drum_picture_place(double scale, double x, double y);

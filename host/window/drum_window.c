@@ -32,7 +32,7 @@ struct DrumWindow {
 /* ---- what was done -------------------------------------------------------------------------- */
 
 static DrumPlace place_at(const DrumWindow *window, double x, double y) {
-  return drum_picture_place(drum_picture_scale(window->width, window->height), x, y);
+  return drum_picture_place(painting_scale(window->width, window->height), x, y);
 }
 
 static void strike(DrumWindow *window, const DrumPlace *place) {
@@ -44,10 +44,21 @@ static void strike(DrumWindow *window, const DrumPlace *place) {
                        DEGREE * atan2(place->y, place->x));
 }
 
+static void push_button(DrumWindow *window, Button button) {
+  const DrumWindowShell *const shell = &window->shell;
+  switch (button) {
+  case BUTTON_BEFORE: shell->step_preset(shell->context, -1); break;
+  case BUTTON_NEXT: shell->step_preset(shell->context, 1); break;
+  case BUTTON_COMPARE: shell->compare(shell->context); break;
+  case BUTTON_UNDO: shell->undo(shell->context); break;
+  default: break;
+  }
+}
+
 /* False: there is none. */
 static bool take_mic(DrumWindow *window, double x, double y) {
   DrumPicture *const picture = &window->picture;
-  picture->mic = drum_picture_mic(picture, drum_picture_scale(window->width, window->height), x, y);
+  picture->mic = drum_picture_mic(picture, painting_scale(window->width, window->height), x, y);
   window->holds_mic = picture->mic != DRUM_NO_MIC;
   window->has_moved = false;
   if (window->holds_mic) window->held = picture->scene.mics[picture->mic];
@@ -61,10 +72,7 @@ static void press(void *context, double x, double y) {
   if (take_mic(window, x, y)) return;
   switch (place.part) {
   case DRUM_PART_HEAD: strike(window, &place); break;
-  case DRUM_PART_BEFORE: window->shell.step_preset(shell, -1); break;
-  case DRUM_PART_NEXT: window->shell.step_preset(shell, 1); break;
-  case DRUM_PART_COMPARE: window->shell.compare(shell); break;
-  case DRUM_PART_UNDO: window->shell.undo(shell); break;
+  case DRUM_PART_BUTTON: push_button(window, place.button); break;
   case DRUM_PART_CONTROL:
     if (place.control >= window->picture.controls) break;
     window->is_dragging = true;
@@ -78,7 +86,7 @@ static void press(void *context, double x, double y) {
 
 static void drag(void *context, double x, double y) {
   DrumWindow *const window = context;
-  const double scale = drum_picture_scale(window->width, window->height);
+  const double scale = painting_scale(window->width, window->height);
   if (window->holds_mic) {
     drum_picture_move_mic(&window->picture, scale, x, y, &window->held);
     window->has_moved = true;
@@ -127,7 +135,7 @@ static void scroll(void *context, double x, double y, int steps) {
   DrumWindow *const window = context;
   const DrumPlace place = place_at(window, x, y);
   const uint32_t mic =
-    drum_picture_mic(&window->picture, drum_picture_scale(window->width, window->height), x, y);
+    drum_picture_mic(&window->picture, painting_scale(window->width, window->height), x, y);
   if (window->holds_mic) return;
   if (mic != DRUM_NO_MIC) {
     raise_mic(window, mic, steps);
@@ -163,7 +171,7 @@ static void look(DrumWindow *window) {
 
 static void draw(void *context, cairo_t *cairo, uint32_t width, uint32_t height) {
   DrumWindow *const window = context;
-  drum_picture_draw(&window->picture, cairo, drum_picture_scale(width, height));
+  drum_picture_draw(&window->picture, cairo, painting_scale(width, height));
 }
 
 /* ---- beginning and end ---------------------------------------------------------------------- */

@@ -12,10 +12,9 @@
 
 #include <tabor/tabor.h>
 
-#define DRUM_WINDOW_WIDTH 720 /**< [pixels] at scale 1 */
-#define DRUM_WINDOW_HEIGHT 440
+#include "window/painting.h"
+
 #define DRUM_WINDOW_CONTROLS 8 /**< most controls */
-#define DRUM_WINDOW_TEXT 64    /**< bytes of a text, its end included */
 
 /** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
 typedef struct DrumMic {
@@ -25,8 +24,8 @@ typedef struct DrumMic {
 
 /** What a shell has to show at one moment. */
 typedef struct DrumWindowScene {
-  char title[DRUM_WINDOW_TEXT]; /**< name of the drum */
-  bool is_second;               /**< of the two drums to compare the second plays */
+  char title[WINDOW_TEXT]; /**< name of the drum */
+  bool is_second;          /**< of the two drums to compare the second plays */
   bool can_undo;
   float peaks[2];        /**< largest sample of each side since the last scene, 1: full scale */
   const TaborView *view; /**< NULL: the head and the wires are not seen */

@@ -9,9 +9,9 @@
 
 #include "plugin/knob_text.h"
 #include "window/drum_window.h"
+#include "window/window_size.h"
 
 enum { UNDOS = 16 };
-static const double LEAST_SCALE = 0.5, MOST_SCALE = 4;
 
 struct PluginWindow {
   PluginWindowShell shell;
@@ -19,7 +19,7 @@ struct PluginWindow {
   DrumWindow *drum; /* NULL while it is closed */
   TaborView *view;  /* NULL while the audio thread may have it */
   bool has_view;    /* here or there */
-  char title[DRUM_WINDOW_TEXT];
+  char title[WINDOW_TEXT];
   double radius, depth; /* of the drum [m], and its microphones */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
@@ -120,8 +120,8 @@ static bool control(void *context, uint32_t number, char *name, char *value, dou
   if (id == KNOB_COUNT) return false;
   const KnobRange *const range = &window->shell.ranges[id];
   const double now = knob_decimal(window->shell.value(window->shell.instance, id));
-  (void)snprintf(name, DRUM_WINDOW_TEXT, "%s", knobs[id].name);
-  (void)knob_label(id, range, now, value, DRUM_WINDOW_TEXT);
+  (void)snprintf(name, WINDOW_TEXT, "%s", knobs[id].name);
+  (void)knob_label(id, range, now, value, WINDOW_TEXT);
   *position = knob_position(range, now);
   return true;
 }
@@ -196,17 +196,6 @@ static void undo(void *context) {
 
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
-static void use_scale(double scale, uint32_t *width, uint32_t *height) {
-  const double kept = fmin(fmax(scale, LEAST_SCALE), MOST_SCALE);
-  *width = (uint32_t)lround(kept * DRUM_WINDOW_WIDTH);
-  *height = (uint32_t)lround(kept * DRUM_WINDOW_HEIGHT);
-}
-
-void plugin_window_fit(uint32_t *width, uint32_t *height) {
-  use_scale(fmin((double)*width / DRUM_WINDOW_WIDTH, (double)*height / DRUM_WINDOW_HEIGHT), width,
-            height);
-}
-
 void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height) {
   window->width = width;
   window->height = height;
@@ -215,7 +204,7 @@ void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height)
 
 void plugin_window_scale(PluginWindow *window, double scale) {
   uint32_t width, height;
-  use_scale(scale, &width, &height);
+  window_size(scale, &width, &height);
   plugin_window_resize(window, width, height);
 }
 
@@ -230,7 +219,7 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   PluginWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
-  use_scale(1, &window->width, &window->height);
+  window_size(1, &window->width, &window->height);
   note_looks(window);
   return window;
 }

@@ -9,9 +9,6 @@
 
 #include "plugin/window_link.h"
 
-/** How often plugin_window_update() is due [ms]. */
-#define PLUGIN_WINDOW_PERIOD 33
-
 /** Drum and knobs. */
 typedef struct PluginDrum {
   SavedState saved;
@@ -46,8 +43,6 @@ void plugin_window_destroy(PluginWindow *window);
 /** Size of the next window at @p scale, limited, and of an open one. */
 void plugin_window_scale(PluginWindow *window, double scale);
 void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height);
-/** The size that a window of at most @p width by @p height pixels has in its own proportions. */
-void plugin_window_fit(uint32_t *width, uint32_t *height);
 void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height);
 
 /** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too little memory. */
@@ -55,7 +50,7 @@ bool plugin_window_open(PluginWindow *window, unsigned long parent);
 bool plugin_window_is_open(const PluginWindow *window);
 void plugin_window_close(PluginWindow *window);
 void plugin_window_show(PluginWindow *window, bool shown);
-/** Takes what the mouse has done, and draws. */
+/** Takes what the mouse has done, and draws: every WINDOW_PERIOD. */
 void plugin_window_update(PluginWindow *window);
 /** The id of the open window. */
 unsigned long plugin_window_id(const PluginWindow *window);

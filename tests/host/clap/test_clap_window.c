@@ -7,7 +7,7 @@
  * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "clap_host.h"
+#include "clap_window.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -22,7 +22,6 @@
 
 #include "counted_calls.h"
 #include "window_checks.h"
-#include "x11_server.h"
 
 enum {
   BESIDE_X = MIDDLE_X + 20,
@@ -31,43 +30,6 @@ enum {
 enum { FRAMES = 2400 };
 
 extern const clap_plugin_entry_t clap_entry;
-
-static X11Server server;
-
-/* ---- a host with a window ------------------------------------------------------------------- */
-
-typedef struct Opened {
-  ClapHost *host;
-  const clap_plugin_gui_t *gui;
-  xcb_window_t outer, inner;
-} Opened;
-
-static void open_window(Opened *opened, double scale) {
-  const clap_plugin_t *const plugin = opened->host->plugin;
-  uint32_t width = 0, height = 0;
-  opened->gui = clap_host_extension(opened->host, CLAP_EXT_GUI);
-  assert_true(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, false));
-  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, true));
-  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_WIN32, false));
-  assert_true(opened->gui->create(plugin, CLAP_WINDOW_API_X11, false));
-  assert_true(opened->gui->set_scale(plugin, scale));
-  assert_true(opened->gui->get_size(plugin, &width, &height));
-  assert_int_equal(width, lround(scale * WIDTH));
-  assert_int_equal(height, lround(scale * HEIGHT));
-  opened->outer = x11_server_window(&server, (uint16_t)width, (uint16_t)height);
-  const clap_window_t parent = {.api = CLAP_WINDOW_API_X11, .x11 = opened->outer};
-  assert_true(opened->gui->set_parent(plugin, &parent));
-  assert_true(opened->gui->show(plugin));
-  assert_int_equal(opened->host->timers, 1);
-  opened->inner = x11_server_inner(&server, opened->outer);
-  assert_true(opened->inner != 0);
-}
-
-static void close_window(Opened *opened) {
-  opened->gui->destroy(opened->host->plugin);
-  assert_int_equal(opened->host->timers, 0);
-  x11_server_close(&server, opened->outer);
-}
 
 static Opened open_host(const char *id, double scale) {
   Opened opened = {.host = clap_host_open(&clap_entry, id)};
@@ -78,24 +40,6 @@ static Opened open_host(const char *id, double scale) {
   clap_host_run(opened.host, FRAMES);
   open_window(&opened, scale);
   return opened;
-}
-
-static void close_host(Opened *opened) {
-  close_window(opened);
-  clap_host_close(opened->host);
-}
-
-/* A look of the window at what has happened, as the host's timer brings it. */
-static void tick(const Opened *opened) {
-  const clap_plugin_timer_support_t *const timer =
-    clap_host_extension(opened->host, CLAP_EXT_TIMER_SUPPORT);
-  timer->on_timer(opened->host->plugin, 0);
-}
-
-static void click(const Opened *opened, int x, int y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
-  tick(opened);
 }
 
 static double peak_of(const ClapHost *host) {
@@ -308,13 +252,6 @@ static double loudness(const Heard *heard, int side) {
   return 10 * log10(sum);
 }
 
-static void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_MOTION_NOTIFY, 0, to_x, to_y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, to_x, to_y);
-  tick(opened);
-}
-
 static void undo(const Opened *opened) { click(opened, 540, 410); }
 
 static void microphones_are_dragged_and_raised(void **state) {
@@ -410,7 +347,7 @@ static void nothing_stays_of_a_window(void **state) {
   clap_host_close(opened.host);
 }
 
-int main(void) {
+static int run(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_counters_count),
     cmocka_unit_test(a_click_is_a_stroke_at_its_place),
@@ -425,11 +362,7 @@ int main(void) {
     cmocka_unit_test(it_has_any_size),
     cmocka_unit_test(nothing_stays_of_a_window),
   };
-  if (!x11_server_start(&server)) {
-    print_message("SKIPPED: no X server: needs xvfb\n");
-    return 0;
-  }
-  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-  x11_server_stop(&server);
-  return failed;
+  return cmocka_run_group_tests(tests, NULL, NULL);
 }
+
+int main(void) { return run_with_server(run); }

@@ -238,6 +238,22 @@ static void a_click_is_a_stroke(void **) {
   }
 }
 
+/* The snare drum of the kit `standard` stands at the lower left. */
+static void a_click_strikes_a_drum_of_a_kit(void **) {
+  Plugin plugin("Tabor Kit");
+  Window window(plugin, 1);
+  plugin.run();
+  window.frame.tick();
+  window.click(5, 5);
+  assert_true(plugin.run() == 0);
+  window.click(82, 284);
+  const double peak = plugin.run();
+  print_message("a click on the snare drum sounds to %.3f\n", peak);
+  assert_true(peak > 1e-3);
+  window.frame.tick();
+  keep_picture(window.outer, "vst3-kit");
+}
+
 static void a_control_tells_the_host(void **) {
   Plugin plugin("Tabor");
   Window window(plugin, 1);
@@ -305,9 +321,8 @@ int main(int count, char **words) {
     return 77;
   }
   const CMUnitTest tests[] = {
-    cmocka_unit_test(a_click_is_a_stroke),
-    cmocka_unit_test(a_control_tells_the_host),
-    cmocka_unit_test(it_has_any_size),
+    cmocka_unit_test(a_click_is_a_stroke),       cmocka_unit_test(a_click_strikes_a_drum_of_a_kit),
+    cmocka_unit_test(a_control_tells_the_host),  cmocka_unit_test(it_has_any_size),
     cmocka_unit_test(nothing_stays_of_a_window),
   };
   const int failed = cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+#include "window/kit_plugin_window.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "window/kit_window.h"
+#include "window/window_size.h"
+
+enum { UNDOS = 16 };
+static const double TUNE_STEP = 0.1; /* [semitones] */
+
+/* All knobs. */
+typedef struct Setting {
+  float values[KIT_KNOB_COUNT];
+} Setting;
+
+struct KitPluginWindow {
+  KitPluginWindowShell shell;
+  uint32_t width, height;
+  KitWindow *window;    /* NULL while it is closed */
+  TaborKitDef *kit;     /* that is shown */
+  float shown;          /* value of its knob */
+  Setting undos[UNDOS]; /* the newest last */
+  uint32_t undo_count;
+  Setting other; /* of two settings to compare, the one that does not play */
+  bool has_other, is_second;
+};
+
+static float value_of(const KitPluginWindow *window, KitKnobId id) {
+  return window->shell.value(window->shell.instance, id);
+}
+
+/* ---- settings ------------------------------------------------------------------------------- */
+
+static void note_setting(const KitPluginWindow *window, Setting *setting) {
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) setting->values[i] = value_of(window, (KitKnobId)i);
+}
+
+static void use_setting(const KitPluginWindow *window, const Setting *setting) {
+  window->shell.use(window->shell.instance, setting->values);
+}
+
+/* The oldest is forgotten. */
+static void note_undo(KitPluginWindow *window) {
+  if (window->undo_count == UNDOS) {
+    window->undo_count--;
+    memmove(window->undos, window->undos + 1, window->undo_count * sizeof *window->undos);
+  }
+  note_setting(window, &window->undos[window->undo_count++]);
+}
+
+/* Where drums stand depends on the kit alone. */
+static void follow_kit(KitPluginWindow *window) {
+  const float kit = value_of(window, KIT_KNOB_KIT);
+  if (kit == window->shown) return;
+  Setting setting;
+  note_setting(window, &setting);
+  if (kit_knobs_define(setting.values, window->kit, NULL) == TABOR_OK) window->shown = kit;
+}
+
+/* ---- what the window shows and does --------------------------------------------------------- */
+
+static void show_drum(KitPluginWindow *window, uint32_t number, KitWindowDrum *shown) {
+  const TaborKitDrumDef *const drum = &window->kit->drum[number];
+  *shown = (KitWindowDrum){.x = drum->x,
+                           .y = drum->y,
+                           .height = drum->height,
+                           .radius = drum->def.shell.radius,
+                           .depth = drum->def.shell.depth,
+                           .tilt = drum->tilt,
+                           .facing = drum->facing};
+  memcpy(shown->name, drum->name, sizeof shown->name);
+  shown->struck = (double)atomic_exchange(&window->shell.link->struck[number], 0);
+}
+
+static void scene(void *context, KitWindowScene *shown) {
+  KitPluginWindow *const window = context;
+  follow_kit(window);
+  memcpy(shown->title, window->kit->name, sizeof shown->title);
+  shown->is_second = window->is_second;
+  shown->can_undo = window->undo_count > 0;
+  for (uint32_t side = 0; side < 2; side++)
+    shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
+  shown->drum_count = window->kit->drum_count;
+  for (uint32_t i = 0; i < shown->drum_count; i++) show_drum(window, i, &shown->drums[i]);
+}
+
+static void control(void *context, KitKnobId knob, char *value, double *position) {
+  const KitPluginWindow *const window = context;
+  const float now = value_of(window, knob), least = kit_knobs[knob].minimum;
+  (void)kit_knob_text(knob, (float)(0.1 * round(10 * (double)now)), value, WINDOW_TEXT);
+  *position = (double)((now - least) / (kit_knobs[knob].maximum - least));
+}
+
+static void begin(void *context, KitKnobId knob) {
+  KitPluginWindow *const window = context;
+  note_undo(window);
+  window->shell.begin(window->shell.instance, knob);
+}
+
+static void move(void *context, KitKnobId knob, double position) {
+  KitPluginWindow *const window = context;
+  const double least = (double)kit_knobs[knob].minimum, most = (double)kit_knobs[knob].maximum;
+  const double to = least + position * (most - least);
+  window->shell.turn(window->shell.instance, knob,
+                     knob < KIT_KNOB_TUNE ? to : TUNE_STEP * round(to / TUNE_STEP));
+}
+
+static void end(void *context, KitKnobId knob) {
+  KitPluginWindow *const window = context;
+  window->shell.end(window->shell.instance, knob);
+}
+
+static void strike(void *context, uint32_t drum, double velocity, double radius, double angle) {
+  KitPluginWindow *const window = context;
+  const KitPluginStroke stroke = {drum, velocity, radius, angle};
+  (void)spsc_queue_push(&window->shell.link->strokes, &stroke);
+  window->shell.play(window->shell.instance);
+}
+
+/* Levels and tunings stay with the numbers of drums, as in the host's own list. */
+static void step_kit(void *context, int steps) {
+  KitPluginWindow *const window = context;
+  const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + 1;
+  const int at = (int)value_of(window, KIT_KNOB_KIT);
+  note_undo(window);
+  window->shell.begin(window->shell.instance, KIT_KNOB_KIT);
+  window->shell.turn(window->shell.instance, KIT_KNOB_KIT, (at + steps + kits) % kits);
+  window->shell.end(window->shell.instance, KIT_KNOB_KIT);
+}
+
+/* At first both are the same. */
+static void compare(void *context) {
+  KitPluginWindow *const window = context;
+  Setting now;
+  note_setting(window, &now);
+  if (window->has_other) use_setting(window, &window->other);
+  window->other = now;
+  window->has_other = true;
+  window->is_second = !window->is_second;
+}
+
+static void undo(void *context) {
+  KitPluginWindow *const window = context;
+  if (window->undo_count > 0) use_setting(window, &window->undos[--window->undo_count]);
+}
+
+/* ---- sizes ---------------------------------------------------------------------------------- */
+
+void kit_plugin_window_resize(KitPluginWindow *window, uint32_t width, uint32_t height) {
+  window->width = width;
+  window->height = height;
+  if (window->window) kit_window_resize(window->window, width, height);
+}
+
+void kit_plugin_window_scale(KitPluginWindow *window, double scale) {
+  uint32_t width, height;
+  window_size(scale, &width, &height);
+  kit_plugin_window_resize(window, width, height);
+}
+
+void kit_plugin_window_size(const KitPluginWindow *window, uint32_t *width, uint32_t *height) {
+  *width = window->width;
+  *height = window->height;
+}
+
+/* ---- beginning and end ---------------------------------------------------------------------- */
+
+KitPluginWindow *kit_plugin_window_create(const KitPluginWindowShell *shell) {
+  KitPluginWindow *const window = calloc(1, sizeof *window);
+  TaborKitDef *const kit = calloc(1, sizeof *kit);
+  if (!window || !kit) {
+    free(window);
+    free(kit);
+    return NULL;
+  }
+  window->shell = *shell;
+  window->kit = kit;
+  window->shown = NAN;
+  window_size(1, &window->width, &window->height);
+  return window;
+}
+
+bool kit_plugin_window_open(KitPluginWindow *window, unsigned long parent) {
+  const KitWindowShell shell = {.context = window,
+                                .scene = scene,
+                                .control = control,
+                                .begin = begin,
+                                .move = move,
+                                .end = end,
+                                .strike = strike,
+                                .step_kit = step_kit,
+                                .compare = compare,
+                                .undo = undo};
+  if (window->window) return false;
+  window->window = kit_window_create(parent, window->width, window->height, &shell);
+  return window->window != NULL;
+}
+
+bool kit_plugin_window_is_open(const KitPluginWindow *window) { return window->window != NULL; }
+
+void kit_plugin_window_close(KitPluginWindow *window) {
+  atomic_store(&window->shell.link->is_shown, false);
+  kit_window_destroy(window->window);
+  window->window = NULL;
+}
+
+void kit_plugin_window_destroy(KitPluginWindow *window) {
+  if (!window) return;
+  kit_plugin_window_close(window);
+  free(window->kit);
+  free(window);
+}
+
+void kit_plugin_window_show(KitPluginWindow *window, bool shown) {
+  atomic_store(&window->shell.link->is_shown, shown);
+  kit_window_show(window->window, shown);
+}
+
+void kit_plugin_window_update(KitPluginWindow *window) {
+  if (window->window) kit_window_update(window->window);
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+#include "clap_window.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "window_checks.h"
+
+X11Server server;
+
+void open_window(Opened *opened, double scale) {
+  const clap_plugin_t *const plugin = opened->host->plugin;
+  uint32_t width = 0, height = 0;
+  opened->gui = clap_host_extension(opened->host, CLAP_EXT_GUI);
+  assert_true(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, false));
+  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_X11, true));
+  assert_false(opened->gui->is_api_supported(plugin, CLAP_WINDOW_API_WIN32, false));
+  assert_true(opened->gui->create(plugin, CLAP_WINDOW_API_X11, false));
+  assert_true(opened->gui->set_scale(plugin, scale));
+  assert_true(opened->gui->get_size(plugin, &width, &height));
+  assert_int_equal(width, lround(scale * WIDTH));
+  assert_int_equal(height, lround(scale * HEIGHT));
+  opened->outer = x11_server_window(&server, (uint16_t)width, (uint16_t)height);
+  const clap_window_t parent = {.api = CLAP_WINDOW_API_X11, .x11 = opened->outer};
+  assert_true(opened->gui->set_parent(plugin, &parent));
+  assert_true(opened->gui->show(plugin));
+  assert_int_equal(opened->host->timers, 1);
+  opened->inner = x11_server_inner(&server, opened->outer);
+  assert_true(opened->inner != 0);
+}
+
+void close_window(Opened *opened) {
+  opened->gui->destroy(opened->host->plugin);
+  assert_int_equal(opened->host->timers, 0);
+  x11_server_close(&server, opened->outer);
+}
+
+void close_host(Opened *opened) {
+  close_window(opened);
+  clap_host_close(opened->host);
+}
+
+/* A look of the window at what has happened, as the host's timer brings it. */
+void tick(const Opened *opened) {
+  const clap_plugin_timer_support_t *const timer =
+    clap_host_extension(opened->host, CLAP_EXT_TIMER_SUPPORT);
+  timer->on_timer(opened->host->plugin, 0);
+}
+
+void click(const Opened *opened, int x, int y) {
+  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
+  tick(opened);
+}
+
+void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
+  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(&server, opened->inner, XCB_MOTION_NOTIFY, 0, to_x, to_y);
+  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, to_x, to_y);
+  tick(opened);
+}
+
+int run_with_server(int (*run)(void)) {
+  if (!x11_server_start(&server)) {
+    print_message("SKIPPED: no X server: needs xvfb\n");
+    return 0;
+  }
+  const int failed = run();
+  x11_server_stop(&server);
+  return failed;
+}

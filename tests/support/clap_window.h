@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file clap_window.h
+ * A host of CLAP plugins that opens their windows on an X server of its own, and a hand that clicks there.
+ */
+#ifndef TABOR_TESTS_CLAP_WINDOW_H
+#define TABOR_TESTS_CLAP_WINDOW_H
+
+#include "clap_host.h"
+#include "x11_server.h"
+
+extern X11Server server; /**< of all windows of a test */
+
+typedef struct Opened {
+  ClapHost *host;
+  const clap_plugin_gui_t *gui;
+  xcb_window_t outer, inner;
+} Opened;
+
+/** Opens a window of opened->host and asserts what is due. */
+void open_window(Opened *opened, double scale);
+void close_window(Opened *opened);
+/** Closes the window and the host. */
+void close_host(Opened *opened);
+/** A look of the window at what has happened, as the host's timer brings it. */
+void tick(const Opened *opened);
+void click(const Opened *opened, int x, int y);
+/** Presses at one place and lets go at the other. */
+void drag(const Opened *opened, int x, int y, int to_x, int to_y);
+
+/** Starts the server, runs the tests and ends it; 0 without a server. */
+int run_with_server(int (*run)(void));
+
+#endif

@@ -16,7 +16,11 @@ set(TABOR_PRESETS
     tom-12
     floor-tom-16
     bass-drum-22
-    timpani-26)
+    timpani-26
+    snare-14x8
+    snare-14x5-steel
+    tom-10
+    bass-drum-18)
 
 set(TABOR_KITS standard jazz marching frame-drums)
 

@@ -35,6 +35,18 @@ def control(tick, number, value):
 
 NOTES = [note(60 * i, number, velocity) for i, (number, velocity) in enumerate(
     [(36, 100), (37, 90), (38, 1), (39, 80), (40, 127), (41, 19), (43, 20), (45, 21), (47, 64), (48, 99), (50, 3)])]
+KIT_SONGS = {
+    "a groove": [[note(0, 36, 100), note(0, 42, 80), note(240, 38, 90), note(300, 37, 100), note(360, 40, 110),
+                  note(480, 45, 100), note(500, 41, 90), note(520, 50, 64)]],
+    "controllers go to all": [[note(0, 38, 80), control(50, 16, 90), control(60, 17, 20), note(100, 38, 80),
+                               note(110, 45, 80), control(150, 7, 60), note(160, 36, 80), control(300, 120, 0),
+                               note(320, 41, 90)]],
+    "hands": [[note(0, 38, 90), note(0, 45, 90), (60, "polytouch", {"note": 45, "value": 100}), note(100, 38, 80),
+               (120, "aftertouch", {"value": 60}), note(150, 36, 80), (200, "aftertouch", {"value": 0}),
+               (220, "polytouch", {"note": 45, "value": 0}), note(230, 45, 90)]],
+    "a prefix is for one note": [[control(0, 88, 64), note(0, 36, 80), note(60, 38, 80), control(100, 88, 99),
+                                  note(100, 60, 80), note(120, 38, 80), (130, "program_change", {"program": 3}),
+                                  note(140, 38, 80)]]}
 SONGS = {
     "every note": [NOTES + [note(700, 60, 99), note(710, 38, 0)]],
     "note-offs do nothing": [[note(0, 38, 80), (50, "note_off", {"note": 38, "velocity": 64})]],
@@ -128,3 +140,28 @@ def test_wrong_files_are_refused(tmp_path, snare, monkeypatch):
     monkeypatch.setitem(sys.modules, "mido", None)
     with pytest.raises(ImportError, match=r"pip install tabor\[midi\]"):
         tabor.render(snare, tmp_path / "song.mid")
+
+
+@pytest.fixture(scope="module")
+def standard():
+    return tabor.Kit("standard", quality="draft")
+
+
+@pytest.mark.parametrize("name", KIT_SONGS)
+def test_a_kit_is_that_of_the_program(name, standard, program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", *KIT_SONGS[name])
+    theirs = program_sound("--kit", "standard", "--midi-file", str(path), "--quality", "draft", "--duration", "0.7",
+                           channels=2)
+    assert np.array_equal(standard.render(path, 0.7), theirs)
+
+
+def test_events_of_a_kit(standard, tmp_path):
+    path = song(tmp_path / "song.mid", *KIT_SONGS["a groove"])
+    events = standard.midi_events(str(path))
+    assert [drum for drum, _ in events][:3] == ["kick", "snare", "snare"]
+    assert standard.render(path, 0.001).shape == (2, 48)  # what comes later is left out
+    with pytest.raises(tabor.Error, match="no note in it plays a drum"):
+        standard.midi_events(song(tmp_path / "none.mid", [note(0, 100, 80)]))
+    held = tabor.Kit("standard", {"drum.snare.buzz": "39"}, quality="draft")
+    with pytest.raises(tabor.Error, match="note 39 of snare is held"):
+        held.midi_events(path)

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import os
 import threading
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +15,12 @@ from ._numbers import number, whole
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
 from .events import Event, place
+from .midi import Path, kit_midi_events
 from .model import Model
 
 _MOST_FRAMES = 2**31 - 1
+#: Techniques of the strokes that a note may play (TaborKitStroke).
+_STROKES = {1: "normal", 2: "rimshot", 3: "cross-stick", 4: "rim"}
 
 #: An event and the name of the drum that it is for; None: all drums.
 KitEvent = Tuple[Optional[str], Event]
@@ -133,13 +137,47 @@ class Kit:
             lib.tabor_kit_process(self._c, made, len(made), outputs, frames)
         return out
 
-    def render(self, events: Sequence[KitEvent], duration: float) -> NDArray[np.float32]:
+    def midi_events(self, path: Path) -> List[KitEvent]:
+        """The strokes and other events of a MIDI file, as `tabor render --kit --midi-file` plays them.
+
+        Parameters
+        ----------
+        path : str or path
+            Name of a Standard MIDI File of format 0 or 1. Notes are those of the kit: General MIDI's in the built-in ones.
+
+        Returns
+        -------
+        list of (str, Event)
+            Each with the name of its drum, in the order in which they act.
+
+        Raises
+        ------
+        ImportError
+            The package `mido` is not there.
+        OSError
+            The file cannot be read.
+        Error
+            It is not a MIDI file, none of its notes plays a drum, or the kit has notes that buzz or sweep, which the
+            program alone plays.
+        """
+        notes = [self._notes_of(drum) for drum in range(len(self._drums))]
+        return [(self._drums[drum], event) for drum, event in kit_midi_events(path, self._models, notes)]
+
+    def _notes_of(self, drum: int) -> Dict[int, str]:
+        strokes = {note: stroke for note, stroke in enumerate(self._def.drum[drum].notes) if stroke}
+        held = [note for note, stroke in strokes.items() if stroke not in _STROKES]
+        if held:
+            raise Error(f"note {held[0]} of {self._drums[drum]} is held: `tabor render --kit` plays such notes", "value")
+        return {note: _STROKES[stroke] for note, stroke in strokes.items()}
+
+    def render(self, events: Union[Path, Sequence[KitEvent]], duration: float) -> NDArray[np.float32]:
         """Plays from rest.
 
         Parameters
         ----------
-        events : sequence of (str or None, Event)
-            What happens, as for `process`.
+        events : str, path or sequence of (str or None, Event)
+            Name of a MIDI file, as for `midi_events`; its events after the end are left out. Or what happens, as for
+            `process`.
         duration : float
             Length [s].
 
@@ -149,6 +187,9 @@ class Kit:
             The stereo mix.
         """
         frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
+        if isinstance(events, (str, os.PathLike)):
+            events = [(drum, event) for drum, event in self.midi_events(events)
+                      if round(event.time * self.sample_rate) < frames]
         self._prepare(events, frames)  # before anything changes
         self.reset()
         return self.process(frames, events)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._library import Error, lib
 from .definition import Definition, presets
@@ -71,6 +71,23 @@ def midi_events(path: Path, model: Model) -> List[Event]:
     if song.strokes == 0:
         raise Error(f"{os.fspath(path)}: no note in it is a stroke: {song.ignored} are not in the map", "value")
     return [action.event for action in _settled(song.actions, _listed_preset(model.definition))]
+
+
+def kit_midi_events(path: Path, models: Sequence[Model], notes: Sequence[Mapping[int, str]]) -> List[Tuple[int, Event]]:
+    """The events of a MIDI file for the drums of a kit (`Kit.midi_events`): each with the number of its drum.
+
+    `notes` has, for each drum, the techniques of the notes that play it. All drums hear controllers, channel pressure and
+    silences; programs do nothing."""
+    songs = [_Song(model, techniques) for model, techniques in zip(models, notes)]
+    events: List[Tuple[int, Event]] = []
+    for placed in sorted(_placed(_timed_messages(path), models[0].sample_rate), key=lambda message: message[:3]):
+        for drum, song in enumerate(songs):
+            song.take(placed.frame, placed.data)
+            events += [(drum, action.event) for action in song.actions]
+            song.actions.clear()
+    if not any(song.strokes for song in songs):
+        raise Error(f"{os.fspath(path)}: no note in it plays a drum of the kit", "value")
+    return events
 
 
 # ---- reading ----------------------------------------------------------------------------------------------------
@@ -185,9 +202,11 @@ class _Action(NamedTuple):
 class _Song:
     """The drum that a song plays: the program's host/midi/midi_to_events.c."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, kit_notes: Optional[Mapping[int, str]] = None) -> None:
         self.actions: List[_Action] = []
         self.strokes = self.ignored = 0
+        self._techniques = _TECHNIQUES if kit_notes is None else kit_notes
+        self._is_of_kit = kit_notes is not None
         self._model = model
         self._models: Dict[int, Model] = {}
         self._preset = _listed_preset(model.definition)
@@ -219,7 +238,7 @@ class _Song:
             self._prefixes[channel] = 0
             if kind == _NOTE_ON and data[2] > 0:
                 self._strike(frame, time, data[1], velocity)
-        elif kind == _KEY_PRESSURE and data[1] in _TECHNIQUES:
+        elif kind == _KEY_PRESSURE and data[1] in self._techniques:
             self._press(frame, time, 1, data[2])
         elif kind == _PRESSURE:
             self._press(frame, time, 0, data[1])
@@ -227,24 +246,25 @@ class _Song:
             self._prefixes[channel] = data[2]
         elif kind == _CONTROL:
             self._control(frame, time, data[1], data[2])
-        elif kind == _PROGRAM:
+        elif kind == _PROGRAM and not self._is_of_kit:
             self._program(frame, time, data[1])
 
     def _strike(self, frame: int, time: float, note: int, velocity: float) -> None:
-        if note not in _TECHNIQUES:
+        if note not in self._techniques:
             self.ignored += 1
             return
+        technique = self._techniques[note]
         self.strokes += 1
         self._id = self._id % (_FIRST_HAND - 1) + 1
         angle = self._usual_angle if self._angle is None else self._angle
-        factor = _CROSS_STICK_SPEED if _TECHNIQUES[note] == "cross-stick" else 1.0
+        factor = _CROSS_STICK_SPEED if technique == "cross-stick" else 1.0
         self._add(frame, strike(time, factor * speed(velocity), radius=self._stroke_radius(note), angle=angle,
-                                technique=_TECHNIQUES[note], pressure=0, id=self._id))
+                                technique=technique, pressure=0, id=self._id))
 
     def _stroke_radius(self, note: int) -> float:
-        if note == _CENTRE_NOTE:
+        if note == _CENTRE_NOTE and not self._is_of_kit:
             return 0.0
-        if _TECHNIQUES[note] == "cross-stick":
+        if self._techniques[note] == "cross-stick":
             return _CROSS_STICK_RADIUS * self._head
         return self._usual_radius if self._radius is None else self._radius * self._head
 

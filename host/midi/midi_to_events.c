@@ -4,10 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-static const double RIM_RADIUS = 0.98;        /* of the head: further out it hardly moves */
-static const double CROSS_STICK_RADIUS = 0.6; /* where its tip lies on the head */
-static const double CROSS_STICK_SPEED =
-  0.4; /* of a stroke's: the hand lies on the head, see docs/midi.md */
+static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
+static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
+static const double CROSS_STICK_SPEED = 0.3;   /* of a stroke's: see docs/midi.md */
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */

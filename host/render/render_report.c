@@ -48,16 +48,19 @@ static void warn_of_drops(const OfflineDrops *drops) {
 
 /* Drums that a song changes to may have other shells. */
 static void warn_of_rims(const RenderRequest *request) {
-  unsigned long long rims = 0;
+  unsigned long long strokes = 0;
   if (request->song.presets > 0 || request->def.shell.mass > 0.0) return;
   for (size_t i = 0; i < request->strokes.count; i++) {
     const TaborEvent *const event = &request->strokes.events[i];
-    rims += event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_RIM;
+    const bool on_rim =
+      event->technique == TABOR_TECHNIQUE_RIM || event->technique == TABOR_TECHNIQUE_CROSS_STICK;
+    strokes += event->type == TABOR_EVENT_STRIKE && on_rim;
   }
-  if (rims == 0) return;
-  warn("%llu strokes on the rim are silent: the shell of '%s' has no mass (shell.mass), so it is "
-       "rigid",
-       rims, request->def.name);
+  if (strokes == 0) return;
+  warn(
+    "the hoop is silent under %llu stroke%s: the shell of '%s' has no mass (shell.mass), so it is "
+    "rigid",
+    strokes, strokes == 1 ? "" : "s", request->def.name);
 }
 
 static void warn_of_resets(const TaborStatistics *statistics) {
@@ -157,10 +160,11 @@ static void note_details(const OfflinePlayer *player, const TaborStatistics *sta
   note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
        real_time_factor(player), newton_mean(statistics), (unsigned)statistics->newton_max,
        (unsigned long long)statistics->newton_capped);
-  note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, "
-       "radiated %.3g, removed %.3g, residual %.2g",
+  note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, dampers "
+       "%.3g, shell %.3g, radiated %.3g, removed %.3g, residual %.2g",
        ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
-       ledger->radiated, ledger->removed, ledger->residual);
+       ledger->damper_loss, ledger->shell_loss, ledger->radiated, ledger->removed,
+       ledger->residual);
   if (player->request->normalize) note("normalized by %+.2f dB", player->request->gain_db);
 }
 

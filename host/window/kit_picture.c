@@ -13,6 +13,8 @@ static const double SIDEWAYS = 45; /* [deg]: a drum that is tilted by more shows
 static const double NAMES = 420, LEVELS = 512, TUNES = 608, WAY = 88;
 static const double TOP = 76, ROW = 33;                   /* of the drums' controls */
 static const double BOTTOM = 352, HALF = 144, WIDE = 132; /* of those for all */
+static const double NAME_PLACE = 0.85;                    /* of a drum's depth */
+static const double HEADING = 62;
 static const double WAY_DOWN = 6, WAY_HEIGHT = 8;
 
 static bool is_sideways(const KitWindowDrum *drum) {
@@ -154,9 +156,11 @@ static void draw_drum(cairo_t *cairo, const Floor *floor, const KitWindowDrum *d
   cairo_set_line_width(cairo, 4);
   cairo_stroke(cairo);
   double x = across(floor, drum->x), y = down(floor, drum->y);
-  if (is_sideways(drum)) {
-    x -= 0.5 * floor->scale * drum->depth * cos(drum->facing * PI / 180);
-    y += 0.5 * floor->scale * drum->depth * sin(drum->facing * PI / 180);
+  if (is_sideways(drum)) { /* at its far end, where no tom hangs over it */
+    x -= NAME_PLACE * floor->scale * drum->depth * cos(drum->facing * PI / 180);
+    y += NAME_PLACE * floor->scale * drum->depth * sin(drum->facing * PI / 180);
+  }
+  if (is_sideways(drum) && glow < 0.5) {
     ink(cairo);
   } else {
     paper(cairo);
@@ -206,6 +210,9 @@ void kit_picture_draw(const KitPicture *picture, cairo_t *cairo, double scale) {
   paint_paper(cairo, scale);
   cairo_set_font_size(cairo, 11);
   draw_drums(cairo, picture);
+  pale(cairo);
+  paint_text(cairo, LEVELS, HEADING, AT_LEFT, "level");
+  paint_text(cairo, TUNES, HEADING, AT_LEFT, "tuning");
   for (uint32_t i = 0; (knob = kit_picture_knob(picture, i)) != KIT_KNOB_COUNT; i++)
     draw_control(cairo, picture, knob);
   cairo_set_font_size(cairo, 13);

@@ -53,7 +53,7 @@ same "both" "3 strokes were dropped: more than 8 strikers at once
 
 # A rim at rest says that it is silent.
 run render frame-drum -q --quality draft --duration 0.3 --strike technique=rim -o rim.wav
-check "a silent rim" grep -q "^tabor: warning: 1 strokes on the rim are silent: the shell of 'frame-drum' has no mass" "$err"
+check "a silent rim" grep -q "^tabor: warning: the hoop is silent under 1 stroke: the shell of 'frame-drum' has no mass" "$err"
 run render tom-12 -q --quality draft --duration 0.3 --strike technique=rim -o rim.wav
 same "one that sounds" "" "$(cat "$err")"
 

@@ -23,7 +23,7 @@ _USUAL_TEMPO = 500000  # [us] for a quarter
 
 _RIM_RADIUS = 0.98  # of the head, for the controller of the radius at 127
 _CROSS_STICK_RADIUS = 0.6  # of the head
-_CROSS_STICK_SPEED = 0.4  # of a stroke's
+_CROSS_STICK_SPEED = 0.3  # of a stroke's
 _HAND_RADIUS = 0.5  # of the head
 _HAND_WEAKEST, _HAND_STRONGEST = 0.06, 6.0  # [N s/m]
 _FIRST_HAND = 0xFFFF0000  # ids of hands; those of strokes are below

@@ -131,7 +131,7 @@ static void test_notes(void **state) {
   for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
     mapped[rows[i].note] = true;
     assert_int_equal(send3(0x90, rows[i].note, 127), 1);
-    const double speed = rows[i].technique == TABOR_TECHNIQUE_CROSS_STICK ? 4 : 10;
+    const double speed = rows[i].technique == TABOR_TECHNIQUE_CROSS_STICK ? 3 : 10;
     expect_stroke(speed, rows[i].radius < 0 ? def.strike.radius : rows[i].radius * def.shell.radius,
                   def.strike.angle);
     assert_int_equal(action.event.id, i + 1);
@@ -265,7 +265,7 @@ static void test_place(void **state) {
   assert_int_equal(send3(0x90, 41, 127), 1);
   expect_stroke(10, 0, 90);
   assert_int_equal(send3(0x90, 37, 127), 1); /* a stick that lies across stays where it is */
-  expect_stroke(4, 0.6 * def.shell.radius, 90);
+  expect_stroke(3, 0.6 * def.shell.radius, 90);
 }
 
 static void test_strainer(void **state) {

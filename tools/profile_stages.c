@@ -258,11 +258,11 @@ static void touch_strikers(Memory *memory) {
   const TaborModel *model = memory->model;
   const TbView *v = &memory->view;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (v->state->strikers.slots[i].kind == TB_SLOT_FREE) continue;
+    if (tb_slot(v, i)->kind == TB_SLOT_FREE) continue;
     TOUCH(memory, TB_STAGE_STRIKERS, model->modes.padded, tb_slot_shape(v, i), tb_slot_drive(v, i),
           v->next.q);
     TOUCH(memory, TB_STAGE_PRODUCT, model->projection.wire_grid.size, tb_slot_coupling(v, i));
-    if (v->state->strikers.slots[i].kind == TB_SLOT_STRIKER) {
+    if (tb_slot_strikes(tb_slot(v, i))) {
       TOUCH(memory, TB_STAGE_HIGH, model->high.begin[1] / high_part(&model->high), v->high.drive);
     }
   }

@@ -157,7 +157,8 @@ typedef enum TaborTechnique {
    * the hoop at the stroke's angle. */
   TABOR_TECHNIQUE_RIMSHOT,
   /** The tip rests on the head under the palm, and the shaft strikes the hoop on the opposite side
-   * with the stroke's speed. */
+   * with the stroke's speed. The hand presses it there, and takes it away after 0.3 s, at a release,
+   * or with the next cross-stick. */
   TABOR_TECHNIQUE_CROSS_STICK,
   /** The stick strikes only the hoop, at the stroke's angle. */
   TABOR_TECHNIQUE_RIM,

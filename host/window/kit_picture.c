@@ -42,9 +42,8 @@ static Box way_of(KitKnobId knob) {
   return (Box){tunes ? TUNES : LEVELS, TOP + ROW * row + WAY_DOWN, WAY, WAY_HEIGHT};
 }
 
-double kit_picture_position(const KitPicture *picture, KitKnobId knob, double scale, double x) {
+double kit_picture_position(KitKnobId knob, double scale, double x) {
   const Box way = way_of(knob);
-  (void)picture;
   return fmin(fmax((x / scale - way.x) / way.width, 0), 1);
 }
 

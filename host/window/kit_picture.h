@@ -35,6 +35,6 @@ void kit_picture_draw(const KitPicture *picture, cairo_t *cairo, double scale);
 /** What lies at a pixel. */
 KitPlace kit_picture_place(const KitPicture *picture, double scale, double x, double y);
 /** The position of a control that is held at this pixel. */
-double kit_picture_position(const KitPicture *picture, KitKnobId knob, double scale, double x);
+double kit_picture_position(KitKnobId knob, double scale, double x);
 
 #endif

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "window/history.h"
 #include "window/kit_window.h"
 #include "window/window_size.h"
 
-enum { UNDOS = 16 };
 static const double TUNE_STEP = 0.1; /* [semitones] */
 
 /* All knobs. */
@@ -19,13 +19,10 @@ typedef struct Setting {
 struct KitPluginWindow {
   KitPluginWindowShell shell;
   uint32_t width, height;
-  KitWindow *window;    /* NULL while it is closed */
-  TaborKitDef *kit;     /* that is shown */
-  float shown;          /* value of its knob */
-  Setting undos[UNDOS]; /* the newest last */
-  uint32_t undo_count;
-  Setting other; /* of two settings to compare, the one that does not play */
-  bool has_other, is_second;
+  KitWindow *window; /* NULL while it is closed */
+  TaborKitDef *kit;  /* that is shown */
+  float shown;       /* value of its knob */
+  History history;   /* of Setting */
 };
 
 static float value_of(const KitPluginWindow *window, KitKnobId id) {
@@ -34,21 +31,16 @@ static float value_of(const KitPluginWindow *window, KitKnobId id) {
 
 /* ---- settings ------------------------------------------------------------------------------- */
 
-static void note_setting(const KitPluginWindow *window, Setting *setting) {
+static void note_setting(void *context, void *noted) {
+  const KitPluginWindow *const window = context;
+  Setting *const setting = noted;
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) setting->values[i] = value_of(window, (KitKnobId)i);
 }
 
-static void use_setting(const KitPluginWindow *window, const Setting *setting) {
+static void use_setting(void *context, const void *used) {
+  const KitPluginWindow *const window = context;
+  const Setting *const setting = used;
   window->shell.use(window->shell.instance, setting->values);
-}
-
-/* The oldest is forgotten. */
-static void note_undo(KitPluginWindow *window) {
-  if (window->undo_count == UNDOS) {
-    window->undo_count--;
-    memmove(window->undos, window->undos + 1, window->undo_count * sizeof *window->undos);
-  }
-  note_setting(window, &window->undos[window->undo_count++]);
 }
 
 /* Where drums stand depends on the kit alone. */
@@ -79,8 +71,8 @@ static void scene(void *context, KitWindowScene *shown) {
   KitPluginWindow *const window = context;
   follow_kit(window);
   memcpy(shown->title, window->kit->name, sizeof shown->title);
-  shown->is_second = window->is_second;
-  shown->can_undo = window->undo_count > 0;
+  shown->is_second = window->history.is_second;
+  shown->can_undo = window->history.count > 0;
   for (uint32_t side = 0; side < 2; side++)
     shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
   shown->drum_count = window->kit->drum_count;
@@ -96,7 +88,7 @@ static void control(void *context, KitKnobId knob, char *value, double *position
 
 static void begin(void *context, KitKnobId knob) {
   KitPluginWindow *const window = context;
-  note_undo(window);
+  history_keep(&window->history);
   window->shell.begin(window->shell.instance, knob);
 }
 
@@ -125,27 +117,15 @@ static void step_kit(void *context, int steps) {
   KitPluginWindow *const window = context;
   const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + 1;
   const int at = (int)value_of(window, KIT_KNOB_KIT);
-  note_undo(window);
+  history_keep(&window->history);
   window->shell.begin(window->shell.instance, KIT_KNOB_KIT);
   window->shell.turn(window->shell.instance, KIT_KNOB_KIT, (at + steps + kits) % kits);
   window->shell.end(window->shell.instance, KIT_KNOB_KIT);
 }
 
-/* At first both are the same. */
-static void compare(void *context) {
-  KitPluginWindow *const window = context;
-  Setting now;
-  note_setting(window, &now);
-  if (window->has_other) use_setting(window, &window->other);
-  window->other = now;
-  window->has_other = true;
-  window->is_second = !window->is_second;
-}
+static void compare(void *context) { history_compare(&((KitPluginWindow *)context)->history); }
 
-static void undo(void *context) {
-  KitPluginWindow *const window = context;
-  if (window->undo_count > 0) use_setting(window, &window->undos[--window->undo_count]);
-}
+static void undo(void *context) { history_undo(&((KitPluginWindow *)context)->history); }
 
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
@@ -170,14 +150,16 @@ void kit_plugin_window_size(const KitPluginWindow *window, uint32_t *width, uint
 
 KitPluginWindow *kit_plugin_window_create(const KitPluginWindowShell *shell) {
   KitPluginWindow *const window = calloc(1, sizeof *window);
-  TaborKitDef *const kit = calloc(1, sizeof *kit);
-  if (!window || !kit) {
+  if (!window) return NULL;
+  window->shell = *shell;
+  window->history =
+    (History){.size = sizeof(Setting), .context = window, .note = note_setting, .use = use_setting};
+  window->kit = calloc(1, sizeof *window->kit);
+  if (!window->kit || !history_begin(&window->history)) {
+    free(window->kit);
     free(window);
-    free(kit);
     return NULL;
   }
-  window->shell = *shell;
-  window->kit = kit;
   window->shown = NAN;
   window_size(1, &window->width, &window->height);
   return window;
@@ -210,6 +192,7 @@ void kit_plugin_window_close(KitPluginWindow *window) {
 void kit_plugin_window_destroy(KitPluginWindow *window) {
   if (!window) return;
   kit_plugin_window_close(window);
+  history_end(&window->history);
   free(window->kit);
   free(window);
 }

@@ -46,8 +46,7 @@ static void push_button(const KitWindow *window, Button button) {
 }
 
 static void move(KitWindow *window, double x) {
-  const double position =
-    kit_picture_position(&window->picture, window->dragged, scale_of(window), x);
+  const double position = kit_picture_position(window->dragged, scale_of(window), x);
   window->shell.move(window->shell.context, window->dragged, position);
 }
 

@@ -9,9 +9,8 @@
 
 #include "plugin/knob_text.h"
 #include "window/drum_window.h"
+#include "window/history.h"
 #include "window/window_size.h"
-
-enum { UNDOS = 16 };
 
 struct PluginWindow {
   PluginWindowShell shell;
@@ -23,10 +22,7 @@ struct PluginWindow {
   double radius, depth; /* of the drum [m], and its microphones */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
-  PluginDrum undos[UNDOS]; /* the newest last */
-  uint32_t undo_count;
-  PluginDrum other; /* of two drums to compare, the one that does not play */
-  bool has_other, is_second;
+  History history; /* of PluginDrum */
 };
 
 /* ---- the view ------------------------------------------------------------------------------- */
@@ -58,7 +54,9 @@ static void make_view(PluginWindow *window) {
 
 /* ---- drums ---------------------------------------------------------------------------------- */
 
-static void note_drum(const PluginWindow *window, PluginDrum *drum) {
+static void note_drum(void *context, void *setting) {
+  const PluginWindow *const window = context;
+  PluginDrum *const drum = setting;
   const PluginWindowShell *const shell = &window->shell;
   shell->save(shell->instance, &drum->saved);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
@@ -84,18 +82,10 @@ static void note_looks(PluginWindow *window) {
   }
 }
 
-static void use_drum(PluginWindow *window, const PluginDrum *drum) {
+static void use_drum(void *context, const void *drum) {
+  PluginWindow *const window = context;
   window->shell.use(window->shell.instance, drum);
   note_looks(window);
-}
-
-/* The oldest is forgotten. */
-static void note_undo(PluginWindow *window) {
-  if (window->undo_count == UNDOS) {
-    window->undo_count--;
-    memmove(window->undos, window->undos + 1, window->undo_count * sizeof *window->undos);
-  }
-  note_drum(window, &window->undos[window->undo_count++]);
 }
 
 /* ---- what the window shows and does --------------------------------------------------------- */
@@ -103,8 +93,8 @@ static void note_undo(PluginWindow *window) {
 static void scene(void *context, DrumWindowScene *shown) {
   const PluginWindow *const window = context;
   memcpy(shown->title, window->title, sizeof shown->title);
-  shown->is_second = window->is_second;
-  shown->can_undo = window->undo_count > 0;
+  shown->is_second = window->history.is_second;
+  shown->can_undo = window->history.count > 0;
   for (uint32_t side = 0; side < 2; side++)
     shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
   shown->view = window->view;
@@ -128,7 +118,7 @@ static bool control(void *context, uint32_t number, char *name, char *value, dou
 
 static void begin(void *context, uint32_t number) {
   PluginWindow *const window = context;
-  note_undo(window);
+  history_keep(&window->history);
   window->shell.begin(window->shell.instance, knob_on_first_page(window->shell.set, number));
 }
 
@@ -156,7 +146,7 @@ static void move_mic(void *context, uint32_t number, const DrumMic *to) {
   PluginWindow *const window = context;
   PluginDrum drum;
   if (number >= window->mic_count) return;
-  note_undo(window);
+  history_keep(&window->history);
   note_drum(window, &drum);
   TaborMicDef *const mic = &drum.saved.def.mic[number];
   mic->radius = to->radius;
@@ -172,27 +162,15 @@ static void step_preset(void *context, int steps) {
   uint32_t at = 0;
   while (at < count && strcmp(tabor_preset(at)->name, window->title) != 0) at++;
   if (at == count) at = steps > 0 ? count - 1 : 0;
-  note_undo(window);
+  history_keep(&window->history);
   const char *const name = tabor_preset((at + count + (uint32_t)steps) % count)->name;
   window->shell.choose(window->shell.instance, name);
   note_looks(window);
 }
 
-/* At first both are the same. */
-static void compare(void *context) {
-  PluginWindow *const window = context;
-  PluginDrum now;
-  note_drum(window, &now);
-  if (window->has_other) use_drum(window, &window->other);
-  window->other = now;
-  window->has_other = true;
-  window->is_second = !window->is_second;
-}
+static void compare(void *context) { history_compare(&((PluginWindow *)context)->history); }
 
-static void undo(void *context) {
-  PluginWindow *const window = context;
-  if (window->undo_count > 0) use_drum(window, &window->undos[--window->undo_count]);
-}
+static void undo(void *context) { history_undo(&((PluginWindow *)context)->history); }
 
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
@@ -219,6 +197,12 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   PluginWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
+  window->history =
+    (History){.size = sizeof(PluginDrum), .context = window, .note = note_drum, .use = use_drum};
+  if (!history_begin(&window->history)) {
+    free(window);
+    return NULL;
+  }
   window_size(1, &window->width, &window->height);
   note_looks(window);
   return window;
@@ -255,6 +239,7 @@ void plugin_window_close(PluginWindow *window) {
 void plugin_window_destroy(PluginWindow *window) {
   if (!window) return;
   plugin_window_close(window);
+  history_end(&window->history);
   free(window);
 }
 

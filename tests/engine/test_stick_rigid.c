@@ -215,8 +215,6 @@ static void a_rimshot_meets_head_and_hoop_within_a_millisecond(void **state) {
 
 /* ---- the hand of a cross-stick ---------------------------------------------------------------- */
 
-enum { NEVER = 0 };
-
 static const TaborEvent CROSS_STICK = {.type = TABOR_EVENT_STRIKE,
                                        .id = 5,
                                        .velocity = 2.0,
@@ -276,7 +274,7 @@ static void a_pressed_shaft_bounces_and_comes_to_rest(void **state) {
   const TaborDrumDef def = physics_preset("snare-14x5.5-off");
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);
-  int bounces = 0, last = NEVER;
+  int bounces = 0, last = 0;
   double resting = 0.0, before = 0.0;
   for (int i = 1; i <= 9600; i++) { /* 0.2 s */
     tabor_drum_process(drum, &CROSS_STICK, i == 1, NULL, 1);

@@ -13,11 +13,10 @@ const double tb_stick_length = 0.4;
 static const double PI = 3.14159265358979323846;
 static const double TAPER = 0.2, NECK = 0.5; /* of the length; of the diameter */
 static const double FINGERS = 0.03; /* mass of the fingers that hold a stick where it turns [kg] */
-static const double HAND = 1.0,
-                    HAND_PLACE =
-                      0.1875;       /* of a cross-stick [kg], and of the length from the tip on */
-static const double DECAY = 100.0;  /* decay rate of a stick's modes in a hand [1/s] */
-static const double FASTEST = 0.35; /* largest frequency of a mode, over the sample rate */
+static const double HAND = 1.0;     /* of a cross-stick [kg] */
+static const double HAND_PLACE = 0.1875; /* of the length, from the tip on */
+static const double DECAY = 100.0;       /* decay rate of a stick's modes in a hand [1/s] */
+static const double FASTEST = 0.35;      /* largest frequency of a mode, over the sample rate */
 
 enum { TERMS = 16, RIGID = 2, PART = 2 * TB_PANEL, POINTS = 2 * PART };
 

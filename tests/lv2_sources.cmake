@@ -48,13 +48,18 @@ list(APPEND test_lv2_realtime_SOURCES support/counted_calls.c)
 set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
 if(TABOR_WINDOW_FOUND)
-  set(test_lv2_window_SOURCES support/plugin_host.c support/counted_calls.c support/window_checks.c
-                              support/x11_server.c)
-  set(test_lv2_window_LIBRARIES tabor-lv2-ui-archive ${TABOR_LV2_LIBRARIES})
-  set(test_lv2_window_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+  foreach(name IN ITEMS test_lv2_window test_lv2_kit_window)
+    set(${name}_SOURCES support/lv2_window.c support/plugin_host.c support/counted_calls.c support/window_checks.c
+                        support/x11_server.c)
+    set(${name}_LIBRARIES tabor-lv2-ui-archive ${TABOR_LV2_LIBRARIES})
+    set(${name}_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
+  endforeach()
+  list(APPEND test_lv2_kit_window_SOURCES support/kit_window_checks.c)
 else()
-  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_window")
-  tabor_add_skipped_test(test_lv2_window "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+  list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_(kit_)?window")
+  foreach(name IN ITEMS test_lv2_window test_lv2_kit_window)
+    tabor_add_skipped_test(${name} "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+  endforeach()
 endif()
 
 # Under sanitizers, and counting coverage, everything takes ten times as long.

@@ -21,7 +21,7 @@ def read(folder, name):
 
 def synthesizers(facts):
     if not facts:
-        return NOT_MEASURED.format("tools/compare-synthesizers")
+        return NOT_MEASURED.format("tools/docs/compare-synthesizers")
     heads = ["drum", "version", "modes or mesh", "heads", "air", "wires that collide", "contact of the stick",
              "account of energy", "of real time", "start [s]"]
     rows = [[row["name"], row["version"], *row["physics"], f"{row['real_time_factor']:.4f}",
@@ -57,7 +57,7 @@ def quality_rows(drum):
 
 def qualities(facts):
     if not facts:
-        return NOT_MEASURED.format("tools/compare-qualities")
+        return NOT_MEASURED.format("tools/docs/compare-qualities")
     heads = ["drum", "level", "of real time", "level [dB]", "centroid", "bands, first 50 ms [dB]",
              "bands, after [dB]", "decay", "contact [ms]", "glide [cents]"]
     return table(heads, [row for drum in facts["presets"] for row in quality_rows(drum)])
@@ -119,7 +119,7 @@ def verdicts(facts):
 def reference(facts):
     """What the template calls for, by name."""
     if not facts:
-        return {"reference_differences": NOT_MEASURED.format("tools/compare-reference"), "reference_verdicts": ""}
+        return {"reference_differences": NOT_MEASURED.format("tools/docs/compare-reference"), "reference_verdicts": ""}
     return {"reference_differences": differences(facts), "reference_verdicts": verdicts(facts)}
 
 

@@ -10,7 +10,7 @@
 #include "window/window_size.h"
 
 typedef struct Gui {
-  const GuiKind *kind;
+  const WindowKind *kind;
   void *window;
   const clap_host_timer_support_t *timers;
   clap_id timer;
@@ -49,8 +49,9 @@ static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, boo
 static Gui *make_gui(const clap_plugin_t *plugin) {
   Gui *const gui = calloc(1, sizeof *gui);
   if (!gui) return NULL;
-  gui->kind = is_kit(plugin) ? &gui_kit : &gui_drum;
-  gui->window = gui->kind->create(plugin->plugin_data);
+  const GuiKind *const kind = is_kit(plugin) ? &gui_kit : &gui_drum;
+  gui->kind = kind->window;
+  gui->window = kind->create(plugin->plugin_data);
   if (gui->window) return gui;
   free(gui);
   return NULL;

@@ -65,29 +65,4 @@ static void *create(void *shell) {
   return kit_plugin_window_create(&calls);
 }
 
-static void destroy(void *window) { kit_plugin_window_destroy(window); }
-static void scale(void *window, double to) { kit_plugin_window_scale(window, to); }
-static void resize(void *window, uint32_t width, uint32_t height) {
-  kit_plugin_window_resize(window, width, height);
-}
-static void size(const void *window, uint32_t *width, uint32_t *height) {
-  kit_plugin_window_size(window, width, height);
-}
-static bool open(void *window, unsigned long parent) {
-  return kit_plugin_window_open(window, parent);
-}
-static bool is_open(const void *window) { return kit_plugin_window_is_open(window); }
-static void close(void *window) { kit_plugin_window_close(window); }
-static void show(void *window, bool shown) { kit_plugin_window_show(window, shown); }
-static void update(void *window) { kit_plugin_window_update(window); }
-
-const GuiKind gui_kit = {.create = create,
-                         .destroy = destroy,
-                         .scale = scale,
-                         .resize = resize,
-                         .size = size,
-                         .open = open,
-                         .is_open = is_open,
-                         .close = close,
-                         .show = show,
-                         .update = update};
+const GuiKind gui_kit = {.window = &kit_plugin_window_kind, .create = create};

@@ -205,12 +205,12 @@ static void put_preset(const TaborPresetInfo *preset) {
 /* ---- files ---------------------------------------------------------------------------------- */
 
 /* It looks into the instance (ui.c), so both have to be in one process. */
-static void put_window(const char *binary) {
+static void put_window(const char *uri, const char *binary) {
   put("<%s>\n\ta ui:X11UI ;\n\tlv2:binary <%s> ;\n"
       "\tlv2:requiredFeature ui:parent , ui:idleInterface , <%s> ;\n"
       "\tlv2:optionalFeature ui:resize , ui:touch , urid:map , opts:options ;\n"
       "\tlv2:extensionData ui:idleInterface , ui:resize .\n\n",
-      URI_WINDOW, binary, LV2_INSTANCE_ACCESS_URI);
+      uri, binary, LV2_INSTANCE_ACCESS_URI);
 }
 
 static void write_manifest(const char *folder, const char *binary, const char *window) {
@@ -226,7 +226,10 @@ static void write_manifest(const char *folder, const char *binary, const char *w
     put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
         binary);
   }
-  if (window) put_window(window);
+  if (window) {
+    put_window(URI_WINDOW, window);
+    put_window(URI_KIT_WINDOW, window);
+  }
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
     put_preset_header(tabor_preset(i));
     put(" ;\n\trdfs:seeAlso <presets.ttl> .\n\n");
@@ -242,7 +245,7 @@ static void write_plugins(const char *folder, bool has_window) {
   put_plugin(KNOBS_STEREO, has_window);
   put_plugin(KNOBS_MULTI, has_window);
   put_plugin(KNOBS_EFFECT, has_window);
-  put_kit();
+  put_kit(has_window);
   turtle_close();
 }
 

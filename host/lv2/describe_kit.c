@@ -103,11 +103,12 @@ static const PluginWords words = {
   .comment = "Drums that stand in one room and hear each other: no samples. Notes are those of "
              "General MIDI or of a drum module; each drum has an output, a level and a tuning."};
 
-void put_kit(void) {
+void put_kit(bool has_window) {
   Port port;
   put_knob_groups();
   for (uint32_t pair = 0; pair <= KIT_KNOB_DRUMS; pair++) put_pair(pair);
   put_plugin_words(&words);
+  if (has_window) put("\tui:ui <%s> ;\n", URI_KIT_WINDOW);
   put("\tlv2:optionalFeature lv2:hardRTCapable , log:log ;\n\tpg:mainOutput <%sout_0> ;\n",
       URI_KIT_GROUP);
   for (uint32_t number = 0; (port = kit_port_at(number)).kind != PORT_NONE; number++) {

@@ -6,7 +6,9 @@
 #ifndef TABOR_LV2_DESCRIBE_KIT_H
 #define TABOR_LV2_DESCRIBE_KIT_H
 
+#include <stdbool.h>
+
 /** The plugin and the groups of its ports. */
-void put_kit(void);
+void put_kit(bool has_window);
 
 #endif

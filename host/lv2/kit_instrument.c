@@ -5,27 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "lv2/host_features.h"
 #include "lv2/kit_ports.h"
-#include "lv2/midi_sequence.h"
 #include "lv2/uris.h"
-#include "plugin/kit_plugin_player.h"
-#include "plugin/worker_thread.h"
-
-typedef struct KitInstrument {
-  HostFeatures host;
-  LV2_URID sequence, midi; /**< numbers that the host has mapped URIs to */
-
-  const LV2_Atom_Sequence *events;
-  KitPluginOutputs outputs;
-  const float *freewheel;
-  float *ready;
-  const float *knob_ports[KIT_KNOB_COUNT];
-
-  KitWorker worker;
-  WorkerThread thread;
-  KitPluginPlayer player;
-} KitInstrument;
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
@@ -42,7 +23,8 @@ static bool open(KitInstrument *kit, double rate) {
   kit->midi = map->map(map->handle, LV2_MIDI__MidiEvent);
   kit_worker_begin(&kit->worker, rate, say, kit);
   kit_plugin_player_begin(&kit->player, &kit->worker);
-  return worker_thread_start(&kit->thread, work, &kit->worker);
+  return kit_window_link_begin(&kit->window) &&
+         worker_thread_start(&kit->thread, work, &kit->worker);
 }
 
 static void cleanup(LV2_Handle handle) {
@@ -51,6 +33,7 @@ static void cleanup(LV2_Handle handle) {
   worker_thread_stop(&kit->thread);
   kit_plugin_player_end(&kit->player);
   kit_worker_end(&kit->worker);
+  kit_window_link_end(&kit->window);
   free(kit);
 }
 
@@ -60,6 +43,8 @@ static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, con
   (void)bundle;
   KitInstrument *const kit = calloc(1, sizeof *kit);
   if (!kit) return NULL;
+  kit->size = sizeof *kit;
+  kit->version = tabor_version();
   if (!host_features_find(features, rate, "Tabor Kit", &kit->host)) {
     free(kit);
     return NULL;
@@ -148,7 +133,9 @@ static void run(LV2_Handle handle, uint32_t frames) {
   kit_plugin_player_export(&kit->player, exports);
   if (exports) kit_plugin_player_wait(&kit->player);
   kit_plugin_player_keep_up(&kit->player);
+  kit_window_link_play(&kit->window, &kit->player);
   play(kit, frames);
+  kit_window_link_show(&kit->window, &kit->player, &kit->outputs, frames);
   if (kit->ready) *kit->ready = kit_plugin_player_is_settled(&kit->player) ? 1 : 0;
 }
 

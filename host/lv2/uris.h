@@ -12,6 +12,7 @@
 #define URI_KIT "urn:tabor:kit"               /**< the plugin that plays drum kits */
 
 #define URI_WINDOW "urn:tabor:drum:window" /**< of the first three */
+#define URI_KIT_WINDOW "urn:tabor:kit:window"
 
 #define URI_PRESET "urn:tabor:preset:"       /**< a factory preset, with its name */
 #define URI_GROUP "urn:tabor:group:"         /**< a group of ports, with its symbol */

@@ -180,9 +180,9 @@ static void draw_control(cairo_t *cairo, uint32_t row, const DrumControl *contro
   const Box way = {LEFT, y + 22, WIDE, 8};
   pale(cairo);
   paint_text(cairo, LEFT, y + 15, AT_LEFT, control->name);
-  ink(cairo);
+  if (!control->is_idle) ink(cairo);
   paint_text(cairo, LEFT + WIDE, y + 15, AT_RIGHT, control->value);
-  paint_way(cairo, &way, control->position);
+  paint_way(cairo, &way, control->is_idle ? 0 : control->position);
 }
 
 void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale) {

@@ -29,11 +29,6 @@ typedef struct DrumPlace {
     y; /**< on the head in parts of its radius, y away from the player; x of a control: the position */
 } DrumPlace;
 
-typedef struct DrumControl {
-  char name[WINDOW_TEXT], value[WINDOW_TEXT];
-  double position;
-} DrumControl;
-
 typedef struct DrumPicture {
   DrumWindowScene scene;
   uint32_t controls;

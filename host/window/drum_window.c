@@ -65,6 +65,11 @@ static bool take_mic(DrumWindow *window, double x, double y) {
   return window->holds_mic;
 }
 
+static bool can_turn(const DrumWindow *window, uint32_t control) {
+  const DrumPicture *const picture = &window->picture;
+  return control < picture->controls && !picture->control[control].is_idle;
+}
+
 static void press(void *context, double x, double y) {
   DrumWindow *const window = context;
   void *const shell = window->shell.context;
@@ -74,7 +79,7 @@ static void press(void *context, double x, double y) {
   case DRUM_PART_HEAD: strike(window, &place); break;
   case DRUM_PART_BUTTON: push_button(window, place.button); break;
   case DRUM_PART_CONTROL:
-    if (place.control >= window->picture.controls) break;
+    if (!can_turn(window, place.control)) break;
     window->is_dragging = true;
     window->dragged = place.control;
     window->shell.begin(shell, place.control);
@@ -105,7 +110,7 @@ static void release(void *context) {
 
 static void turn(DrumWindow *window, uint32_t control, int steps) {
   void *const shell = window->shell.context;
-  if (control >= window->picture.controls || window->is_dragging) return;
+  if (!can_turn(window, control) || window->is_dragging) return;
   const double position = window->picture.control[control].position + WHEEL_STEP * steps;
   window->shell.begin(shell, control);
   window->shell.move(shell, control, fmin(fmax(position, 0), 1));
@@ -163,8 +168,7 @@ static void look(DrumWindow *window) {
   picture->glow *= METER_FALL;
   picture->controls = 0;
   for (uint32_t i = 0; i < DRUM_WINDOW_CONTROLS; i++) {
-    DrumControl *const control = &picture->control[i];
-    if (!window->shell.control(shell, i, control->name, control->value, &control->position)) break;
+    if (!window->shell.control(shell, i, &picture->control[i])) break;
     picture->controls++;
   }
 }

@@ -34,12 +34,18 @@ typedef struct DrumWindowScene {
   DrumMic mics[TABOR_MAX_MICS];
 } DrumWindowScene;
 
+typedef struct DrumControl {
+  char name[WINDOW_TEXT], value[WINDOW_TEXT];
+  double position;
+  bool is_idle; /**< of a part that the drum lacks: it cannot be turned */
+} DrumControl;
+
 /** The shell. A position is a part of a control's way, 0 to 1. */
 typedef struct DrumWindowShell {
   void *context;
   void (*scene)(void *context, DrumWindowScene *scene);
-  /** Name and value of a control as texts, and its position. False: there is no such control. */
-  bool (*control)(void *context, uint32_t control, char *name, char *value, double *position);
+  /** Fills @p shown. False: there is no such control. */
+  bool (*control)(void *context, uint32_t control, DrumControl *shown);
   void (*begin)(void *context, uint32_t control); /**< a hand takes the control */
   void (*move)(void *context, uint32_t control, double position);
   void (*end)(void *context, uint32_t control);

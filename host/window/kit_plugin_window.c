@@ -129,19 +129,21 @@ static void undo(void *context) { history_undo(&((KitPluginWindow *)context)->hi
 
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
-void kit_plugin_window_resize(KitPluginWindow *window, uint32_t width, uint32_t height) {
+static void resize(void *opened, uint32_t width, uint32_t height) {
+  KitPluginWindow *const window = opened;
   window->width = width;
   window->height = height;
   if (window->window) kit_window_resize(window->window, width, height);
 }
 
-void kit_plugin_window_scale(KitPluginWindow *window, double scale) {
+static void scale(void *window, double to) {
   uint32_t width, height;
-  window_size(scale, &width, &height);
-  kit_plugin_window_resize(window, width, height);
+  window_size(to, &width, &height);
+  resize(window, width, height);
 }
 
-void kit_plugin_window_size(const KitPluginWindow *window, uint32_t *width, uint32_t *height) {
+static void size(const void *opened, uint32_t *width, uint32_t *height) {
+  const KitPluginWindow *const window = opened;
   *width = window->width;
   *height = window->height;
 }
@@ -165,7 +167,8 @@ KitPluginWindow *kit_plugin_window_create(const KitPluginWindowShell *shell) {
   return window;
 }
 
-bool kit_plugin_window_open(KitPluginWindow *window, unsigned long parent) {
+static bool open(void *opened, unsigned long parent) {
+  KitPluginWindow *const window = opened;
   const KitWindowShell shell = {.context = window,
                                 .scene = scene,
                                 .control = control,
@@ -181,27 +184,48 @@ bool kit_plugin_window_open(KitPluginWindow *window, unsigned long parent) {
   return window->window != NULL;
 }
 
-bool kit_plugin_window_is_open(const KitPluginWindow *window) { return window->window != NULL; }
+static bool is_open(const void *window) {
+  return ((const KitPluginWindow *)window)->window != NULL;
+}
 
-void kit_plugin_window_close(KitPluginWindow *window) {
+static void close(void *opened) {
+  KitPluginWindow *const window = opened;
   atomic_store(&window->shell.link->is_shown, false);
   kit_window_destroy(window->window);
   window->window = NULL;
 }
 
-void kit_plugin_window_destroy(KitPluginWindow *window) {
+static void destroy(void *created) {
+  KitPluginWindow *const window = created;
   if (!window) return;
-  kit_plugin_window_close(window);
+  close(window);
   history_end(&window->history);
   free(window->kit);
   free(window);
 }
 
-void kit_plugin_window_show(KitPluginWindow *window, bool shown) {
+static void show(void *opened, bool shown) {
+  const KitPluginWindow *const window = opened;
   atomic_store(&window->shell.link->is_shown, shown);
   kit_window_show(window->window, shown);
 }
 
-void kit_plugin_window_update(KitPluginWindow *window) {
+static unsigned long id(const void *window) {
+  return kit_window_id(((const KitPluginWindow *)window)->window);
+}
+
+static void update(void *opened) {
+  KitPluginWindow *const window = opened;
   if (window->window) kit_window_update(window->window);
 }
+
+const WindowKind kit_plugin_window_kind = {.destroy = destroy,
+                                           .scale = scale,
+                                           .resize = resize,
+                                           .size = size,
+                                           .open = open,
+                                           .is_open = is_open,
+                                           .close = close,
+                                           .id = id,
+                                           .show = show,
+                                           .update = update};

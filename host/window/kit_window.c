@@ -156,6 +156,8 @@ void kit_window_destroy(KitWindow *window) {
   free(window);
 }
 
+unsigned long kit_window_id(const KitWindow *window) { return x11_window_id(window->outside); }
+
 void kit_window_show(KitWindow *window, bool shown) { x11_window_show(window->outside, shown); }
 
 void kit_window_resize(KitWindow *window, uint32_t width, uint32_t height) {

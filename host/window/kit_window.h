@@ -57,6 +57,8 @@ void kit_window_destroy(KitWindow *window);
 void kit_window_show(KitWindow *window, bool shown);
 /** The picture fills the window, in its own proportions. */
 void kit_window_resize(KitWindow *window, uint32_t width, uint32_t height);
+/** Its id on X11. */
+unsigned long kit_window_id(const KitWindow *window);
 /** Takes what the mouse has done, and draws. To be called some 30 times a second. */
 void kit_window_update(KitWindow *window);
 

@@ -8,6 +8,7 @@ static const Box BUTTONS[BUTTON_COUNT] = {[BUTTON_BEFORE] = {420, 20, 28, 28},
                                           [BUTTON_NEXT] = {668, 20, 28, 28},
                                           [BUTTON_COMPARE] = {420, 396, 76, 26},
                                           [BUTTON_UNDO] = {504, 396, 76, 26}};
+static const double TITLE_SIZE = 16, TITLE_GAP = 8;
 static const double TITLE[2] = {558, 40};
 static const Box METER = {600, 396, 96, 10};
 static const double METER_STEP = 16;
@@ -96,6 +97,18 @@ static void paint_meter(cairo_t *cairo, uint32_t side, double peak) {
   paint_box(cairo, &meter);
 }
 
+/* Smaller where it would reach the buttons beside it. */
+static void paint_title(cairo_t *cairo, const char *title) {
+  const double room = BUTTONS[BUTTON_NEXT].x - BUTTONS[BUTTON_BEFORE].x -
+                      BUTTONS[BUTTON_BEFORE].width - 2 * TITLE_GAP;
+  cairo_text_extents_t size;
+  cairo_set_font_size(cairo, TITLE_SIZE);
+  cairo_text_extents(cairo, title, &size);
+  if (size.x_advance > room) cairo_set_font_size(cairo, TITLE_SIZE * room / size.x_advance);
+  ink(cairo);
+  paint_text(cairo, TITLE[0], TITLE[1], AT_MIDDLE, title);
+}
+
 void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
                  const double peaks[2]) {
   paint_button(cairo, BUTTON_BEFORE, "<", true);
@@ -103,7 +116,5 @@ void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_und
   paint_button(cairo, BUTTON_COMPARE, is_second ? "A / [B]" : "[A] / B", true);
   paint_button(cairo, BUTTON_UNDO, "Undo", can_undo);
   for (uint32_t side = 0; side < 2; side++) paint_meter(cairo, side, peaks[side]);
-  cairo_set_font_size(cairo, 16);
-  ink(cairo);
-  paint_text(cairo, TITLE[0], TITLE[1], AT_MIDDLE, title);
+  paint_title(cairo, title);
 }

@@ -22,7 +22,8 @@ struct PluginWindow {
   double radius, depth; /* of the drum [m], and its microphones */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
-  History history; /* of PluginDrum */
+  bool is_idle[KNOB_KEYS]; /* knobs of parts that the drum lacks */
+  History history;         /* of PluginDrum */
 };
 
 /* ---- the view ------------------------------------------------------------------------------- */
@@ -65,10 +66,10 @@ static void note_drum(void *context, void *setting) {
   }
 }
 
-/* Name and microphones of the drum. */
+/* Name, microphones and parts of the drum. */
 static void note_looks(PluginWindow *window) {
   SavedState saved;
-  const TaborDrumDef *const def = &saved.def;
+  TaborDrumDef *const def = &saved.def;
   window->shell.save(window->shell.instance, &saved);
   _Static_assert(sizeof window->title >= sizeof saved.def.name, "a name is a title");
   memcpy(window->title, def->name, sizeof def->name);
@@ -80,6 +81,7 @@ static void note_looks(PluginWindow *window) {
     window->mics[i] = (DrumMic){.radius = mic->radius, .angle = mic->angle, .height = mic->height};
     memcpy(window->mics[i].name, mic->name, sizeof mic->name);
   }
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) window->is_idle[i] = !knob_field(def, (KnobId)i);
 }
 
 static void use_drum(void *context, const void *drum) {
@@ -104,15 +106,17 @@ static void scene(void *context, DrumWindowScene *shown) {
   memcpy(shown->mics, window->mics, sizeof shown->mics);
 }
 
-static bool control(void *context, uint32_t number, char *name, char *value, double *position) {
+static bool control(void *context, uint32_t number, DrumControl *shown) {
   const PluginWindow *const window = context;
   const KnobId id = knob_on_first_page(window->shell.set, number);
   if (id == KNOB_COUNT) return false;
   const KnobRange *const range = &window->shell.ranges[id];
   const double now = knob_decimal(window->shell.value(window->shell.instance, id));
-  (void)snprintf(name, WINDOW_TEXT, "%s", knobs[id].name);
-  (void)knob_label(id, range, now, value, WINDOW_TEXT);
-  *position = knob_position(range, now);
+  (void)snprintf(shown->name, WINDOW_TEXT, "%s", knobs[id].name);
+  (void)knob_label(id, range, now, shown->value, WINDOW_TEXT);
+  shown->position = knob_position(range, now);
+  shown->is_idle = id < KNOB_KEYS && window->is_idle[id];
+  if (shown->is_idle) (void)snprintf(shown->value, WINDOW_TEXT, "-");
   return true;
 }
 
@@ -174,19 +178,21 @@ static void undo(void *context) { history_undo(&((PluginWindow *)context)->histo
 
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
-void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height) {
+static void resize(void *opened, uint32_t width, uint32_t height) {
+  PluginWindow *const window = opened;
   window->width = width;
   window->height = height;
   if (window->drum) drum_window_resize(window->drum, width, height);
 }
 
-void plugin_window_scale(PluginWindow *window, double scale) {
+static void scale(void *window, double to) {
   uint32_t width, height;
-  window_size(scale, &width, &height);
-  plugin_window_resize(window, width, height);
+  window_size(to, &width, &height);
+  resize(window, width, height);
 }
 
-void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height) {
+static void size(const void *opened, uint32_t *width, uint32_t *height) {
+  const PluginWindow *const window = opened;
   *width = window->width;
   *height = window->height;
 }
@@ -208,7 +214,8 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   return window;
 }
 
-bool plugin_window_open(PluginWindow *window, unsigned long parent) {
+static bool open(void *opened, unsigned long parent) {
+  PluginWindow *const window = opened;
   const DrumWindowShell shell = {.context = window,
                                  .scene = scene,
                                  .control = control,
@@ -226,9 +233,10 @@ bool plugin_window_open(PluginWindow *window, unsigned long parent) {
   return window->drum != NULL;
 }
 
-bool plugin_window_is_open(const PluginWindow *window) { return window->drum != NULL; }
+static bool is_open(const void *window) { return ((const PluginWindow *)window)->drum != NULL; }
 
-void plugin_window_close(PluginWindow *window) {
+static void close(void *opened) {
+  PluginWindow *const window = opened;
   if (!window->drum) return;
   atomic_store(&window->shell.link->is_shown, false);
   drop_view(window);
@@ -236,22 +244,27 @@ void plugin_window_close(PluginWindow *window) {
   window->drum = NULL;
 }
 
-void plugin_window_destroy(PluginWindow *window) {
+static void destroy(void *created) {
+  PluginWindow *const window = created;
   if (!window) return;
-  plugin_window_close(window);
+  close(window);
   history_end(&window->history);
   free(window);
 }
 
-void plugin_window_show(PluginWindow *window, bool shown) {
+static void show(void *opened, bool shown) {
+  const PluginWindow *const window = opened;
   atomic_store(&window->shell.link->is_shown, shown);
   drum_window_show(window->drum, shown);
 }
 
-unsigned long plugin_window_id(const PluginWindow *window) { return drum_window_id(window->drum); }
+static unsigned long id(const void *window) {
+  return drum_window_id(((const PluginWindow *)window)->drum);
+}
 
 /* The name of the drum changes with a program change, too, of which nobody tells. */
-void plugin_window_update(PluginWindow *window) {
+static void update(void *opened) {
+  PluginWindow *const window = opened;
   WindowLink *const link = window->shell.link;
   if (!window->drum || !take_view_back(window)) return;
   if (window->has_view && atomic_exchange(&link->is_stale, false)) {
@@ -264,3 +277,14 @@ void plugin_window_update(PluginWindow *window) {
   atomic_store(&link->asked, window->view);
   window->view = NULL;
 }
+
+const WindowKind plugin_window_kind = {.destroy = destroy,
+                                       .scale = scale,
+                                       .resize = resize,
+                                       .size = size,
+                                       .open = open,
+                                       .is_open = is_open,
+                                       .close = close,
+                                       .id = id,
+                                       .show = show,
+                                       .update = update};

@@ -8,6 +8,7 @@
 #define TABOR_WINDOW_PLUGIN_WINDOW_H
 
 #include "plugin/window_link.h"
+#include "window/window_kind.h"
 
 /** Drum and knobs. */
 typedef struct PluginDrum {
@@ -37,22 +38,8 @@ typedef struct PluginWindow PluginWindow;
 
 /** Creates one without a window. NULL if memory is short. */
 PluginWindow *plugin_window_create(const PluginWindowShell *shell);
-/** Ignores NULL. What was undone and compared is forgotten. */
-void plugin_window_destroy(PluginWindow *window);
 
-/** Size of the next window at @p scale, limited, and of an open one. */
-void plugin_window_scale(PluginWindow *window, double scale);
-void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height);
-void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height);
-
-/** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too little memory. */
-bool plugin_window_open(PluginWindow *window, unsigned long parent);
-bool plugin_window_is_open(const PluginWindow *window);
-void plugin_window_close(PluginWindow *window);
-void plugin_window_show(PluginWindow *window, bool shown);
-/** Takes what the mouse has done, and draws: every WINDOW_PERIOD. */
-void plugin_window_update(PluginWindow *window);
-/** The id of the open window. */
-unsigned long plugin_window_id(const PluginWindow *window);
+/** What is done with a PluginWindow. */
+extern const WindowKind plugin_window_kind;
 
 #endif

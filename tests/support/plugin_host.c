@@ -122,7 +122,7 @@ Port host_port(const PluginHost *host, uint32_t number) {
   return host->is_kit ? kit_port_at(number) : port_at(host->set, number);
 }
 
-static float *knob_of(PluginHost *host, uint32_t id) {
+float *host_knob(PluginHost *host, uint32_t id) {
   return host->is_kit ? &host->kit_knobs[id] : &host->knobs[id];
 }
 
@@ -136,7 +136,7 @@ static void connect_ports(PluginHost *host) {
     case PORT_OUTPUT: data = host->sound[port.index]; break;
     case PORT_FREEWHEEL: data = &host->freewheel; break;
     case PORT_READY: data = &host->ready; break;
-    case PORT_KNOB: data = knob_of(host, port.index); break;
+    case PORT_KNOB: data = host_knob(host, port.index); break;
     case PORT_NONE: break;
     }
     host->descriptor->connect_port(host->handle, i, data);

@@ -80,6 +80,8 @@ const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 
 /** Port number @p number of the plugin. */
 Port host_port(const PluginHost *host, uint32_t number);
+/** What the port of the knob is connected to. */
+float *host_knob(PluginHost *host, uint32_t id);
 /** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults, but in free air and with
  * the stereo pair at 0 dB, as `tabor render --mic left --mic right` hears a preset. */
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);

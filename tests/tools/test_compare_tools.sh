@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/compare-synthesizers, tools/compare-qualities and tools/compare-reference: what they measure
+# tools/docs/compare-synthesizers, tools/docs/compare-qualities and tools/docs/compare-reference: what they measure
 # of sounds that are known, what they write, and what they say of a program that is not there.
 #
 # test_compare_tools.sh SOURCE-FOLDER
@@ -15,13 +15,13 @@ python=$(find_python numpy,scipy,matplotlib) ||
   skip "needs python3 python3-numpy python3-scipy python3-matplotlib"
 
 # Two decaying sines, one an octave above the other, and a push of 5 ms that comes back later.
-check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools" "$python" - "$tools" <<'PYTHON'
+check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools:$tools/docs" "$python" - "$tools" <<'PYTHON'
 import sys
 from importlib.machinery import SourceFileLoader
 
 import numpy as np
 
-tool = SourceFileLoader("compare_qualities", f"{sys.argv[1]}/compare-qualities").load_module()
+tool = SourceFileLoader("compare_qualities", f"{sys.argv[1]}/docs/compare-qualities").load_module()
 rate = 48000
 time = np.arange(int(0.6 * rate)) / rate
 low, high = (np.exp(-6.9078 * time / 0.5) * np.sin(2 * np.pi * f * time) for f in (250.0, 500.0))
@@ -48,15 +48,15 @@ assert [tables.hertz(1000.0 * 2.0 ** (i / 3.0)) for i in (-10, -9, 0, 5, 12)] ==
 PYTHON
 
 for tool in compare-synthesizers compare-qualities compare-reference; do
-  "$python" "$tools/$tool" --program ./none --docs . >"$out" 2>"$err"
+  "$python" "$tools/docs/$tool" --program ./none --docs . >"$out" 2>"$err"
   same "$tool without a program" "1 1 $tool: none: no such program" "$? $(wc -l <"$err") $(cat "$err")"
-  "$python" "$tools/$tool" --wrong >"$out" 2>"$err"
+  "$python" "$tools/docs/$tool" --wrong >"$out" 2>"$err"
   same "$tool, a wrong option" "2 1" "$? $(wc -l <"$err")"
 done
 
 # Where nothing is on the path Tabor is measured and the others are named.
 python=$("$python" -c 'import sys; print(sys.executable)')
-PATH=$PWD "$python" "$tools/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 10 \
+PATH=$PWD "$python" "$tools/docs/compare-synthesizers" --program "$TABOR" --print --repeats 1 --seconds 10 \
   --quality draft >"$out" 2>"$err" || complain "compare-synthesizers: $(cat "$err")"
 same "those who played" "3" "$(json rows.size)"
 same "those who are missing" "3" "$(json missing.size)"

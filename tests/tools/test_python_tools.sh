@@ -19,8 +19,8 @@ bare() {
 bare -c 'import numpy'
 same "a Python without NumPy" 1 "$status"
 
-mapfile -t tools < <(grep -lx '#!/usr/bin/env python3' "$source"/tools/*)
-holds "tools in Python" "${#tools[@]} >= 8"
+mapfile -t tools < <(grep -lx '#!/usr/bin/env python3' "$source"/tools/* "$source"/tools/docs/* 2>/dev/null)
+holds "tools in Python" "${#tools[@]} >= 16"
 for tool in "${tools[@]}"; do
   bare "$tool" --help
   same "${tool##*/} --help" "0 0" "$status $(wc -c <"$err")"
@@ -41,7 +41,9 @@ asks_for "python3-numpy python3-matplotlib python3-scipy" plot-trace strike.csv 
 asks_for "python3-numpy python3-matplotlib" bench
 for tool in make-reference.py radiation_reference.py; do asks_for "python3-numpy python3-scipy" $tool; done
 asks_for "$sounds python3-soundfile" compare-recordings
-for tool in compare-qualities make-playing make-validation render-examples room-picture rudiments; do asks_for "$sounds" $tool; done
+for tool in render-examples rudiments docs/{compare-qualities,make-playing,make-validation,room-picture}; do
+  asks_for "$sounds" $tool
+done
 
 if python=$(find_python numpy,matplotlib); then
   done_quietly render tabor --quality draft --duration 0.1 -q -o strike.wav --trace strike.csv

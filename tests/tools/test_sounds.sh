@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The clips that the README links to are there, short and small, and not clipped; tools/make-sounds makes the same ones.
+# The clips that the README links to are there, short and small, and not clipped; tools/docs/make-sounds makes the same ones.
 #
 # test_sounds.sh SOURCE-FOLDER
 source=$1
 . "$(dirname "$0")/../support/host_checks.sh"
-make=$source/tools/make-sounds
+make=$source/tools/docs/make-sounds
 
 mapfile -t clips < <(grep -oE '\(docs/sounds/[^)]+\)' "$source/README.md" | tr -d '()')
 holds "the README links to clips" "${#clips[@]} >= 5"

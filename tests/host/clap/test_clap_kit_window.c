@@ -21,11 +21,10 @@
 
 #include "clap/kit_instance.h"
 #include "counted_calls.h"
+#include "kit_window_checks.h"
 #include "window_checks.h"
 
-enum { FRAMES = 2400, UNDO_X = 540, COMPARE_X = 458, BUTTON_Y = 410, NEXT_X = 682, NEXT_Y = 34 };
-enum { LEVEL_X = 512, TUNE_X = 608, WAY = 88, FIRST_ROW = 86, ROW = 33 };
-enum { FLOOR_X = 20, FLOOR_Y = 20, FLOOR_SIZE = 370 };
+enum { FRAMES = 2400 };
 
 extern const clap_plugin_entry_t clap_entry;
 
@@ -60,33 +59,9 @@ static double peak_of(const ClapHost *host, uint32_t drum) {
   return peak;
 }
 
-static uint32_t named(const char *name) {
-  uint32_t found = 0;
-  while (found < kit.drum_count && strcmp(kit.drum[found].name, name) != 0) found++;
-  assert_true(found < kit.drum_count);
-  return found;
-}
-
-/* Where a point of the floor [m] is seen: all drums fill the square. A drum on its side reaches as far as it is deep. */
-static void pixel_of(double x, double y, int *across, int *down) {
-  double least[2] = {9, 9}, most[2] = {-9, -9};
-  for (uint32_t i = 0; i < kit.drum_count; i++) {
-    const TaborKitDrumDef *const drum = &kit.drum[i];
-    const TaborShellDef *const shell = &drum->def.shell;
-    const double reach = drum->tilt > 45 ? fmax(shell->radius, shell->depth) : shell->radius;
-    least[0] = fmin(least[0], drum->x - reach);
-    most[0] = fmax(most[0], drum->x + reach);
-    least[1] = fmin(least[1], drum->y - reach);
-    most[1] = fmax(most[1], drum->y + reach);
-  }
-  const double scale = FLOOR_SIZE / fmax(most[0] - least[0], most[1] - least[1]);
-  *across = (int)lround(FLOOR_X + FLOOR_SIZE / 2 + scale * (x - 0.5 * (least[0] + most[0])));
-  *down = (int)lround(FLOOR_Y + FLOOR_SIZE / 2 - scale * (y - 0.5 * (least[1] + most[1])));
-}
-
 static void click_on(const Opened *opened, uint32_t drum) {
   int x, y;
-  pixel_of(kit.drum[drum].x, kit.drum[drum].y, &x, &y);
+  kit_pixel_of(&kit, kit.drum[drum].x, kit.drum[drum].y, &x, &y);
   click(opened, x, y);
 }
 
@@ -97,7 +72,7 @@ static void a_click_strikes_the_drum_that_stands_there(void **state) {
   static const char *const upright[] = {"snare", "high-tom", "floor-tom"};
   Opened opened = open_kit();
   for (size_t i = 0; i < sizeof upright / sizeof *upright; i++) {
-    const uint32_t struck = named(upright[i]);
+    const uint32_t struck = kit_drum_named(&kit, upright[i]);
     opened.host->plugin->reset(opened.host->plugin);
     click_on(&opened, struck);
     clap_host_run(opened.host, FRAMES);
@@ -114,10 +89,10 @@ static void a_click_strikes_the_drum_that_stands_there(void **state) {
 static void a_bass_drum_has_its_own_stroke(void **state) {
   (void)state;
   Opened opened = open_kit();
-  const uint32_t kick = named("kick");
+  const uint32_t kick = kit_drum_named(&kit, "kick");
   const TaborKitDrumDef *const drum = &kit.drum[kick];
   int x, y;
-  pixel_of(drum->x, drum->y + 0.9 * drum->def.shell.depth, &x, &y);
+  kit_pixel_of(&kit, drum->x, drum->y + 0.9 * drum->def.shell.depth, &x, &y);
   click(&opened, x, y);
   clap_host_run(opened.host, FRAMES);
   print_message("kick at %d, %d: %g\n", x, y, peak_of(opened.host, kick));
@@ -137,9 +112,10 @@ static void what_is_played_lights_up(void **state) {
   (void)state;
   const struct timespec moment = {.tv_nsec = 10000000};
   Opened opened = open_kit();
-  const uint32_t snare = named("snare");
+  const uint32_t snare = kit_drum_named(&kit, "snare");
   int x, y;
-  pixel_of(kit.drum[snare].x, kit.drum[snare].y + 0.6 * kit.drum[snare].def.shell.radius, &x, &y);
+  kit_pixel_of(&kit, kit.drum[snare].x, kit.drum[snare].y + 0.6 * kit.drum[snare].def.shell.radius,
+               &x, &y);
   tick(&opened);
   uint32_t rest = 0, lit = 255;
   for (int i = 0; i < 500 && (rest & 255) < 150; i++) {
@@ -164,21 +140,21 @@ static void controls_turn_and_the_host_is_told(void **state) {
   (void)state;
   Opened opened = open_kit();
   ClapHost *const host = opened.host;
-  const uint32_t snare = named("snare");
+  const uint32_t snare = kit_drum_named(&kit, "snare");
   const KitKnobId level = (KitKnobId)(KIT_KNOB_LEVEL + snare),
                   tune = (KitKnobId)(KIT_KNOB_TUNE + snare);
-  const int y = FIRST_ROW + ROW * (int)snare;
-  drag(&opened, LEVEL_X + WAY / 2, y, LEVEL_X + WAY / 4, y);
+  const int y = KIT_FIRST_ROW + KIT_ROW * (int)snare;
+  drag(&opened, KIT_LEVEL_X + KIT_WAY / 2, y, KIT_LEVEL_X + KIT_WAY / 4, y);
   assert_true(fabs(value_of(host, level) - (-60 + 84 * 0.25)) < 0.01);
   clap_host_run(host, 64);
   assert_int_equal(host->gestures, 1);
   assert_int_equal(host->turns, 2);
   assert_int_equal(host->turned, level);
-  click(&opened, TUNE_X + WAY / 4, y);
+  click(&opened, KIT_TUNE_X + KIT_WAY / 4, y);
   assert_true(fabs(value_of(host, tune) + 6) < 0.051);
-  click(&opened, UNDO_X, BUTTON_Y);
+  click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
   assert_true(value_of(host, tune) == 0);
-  click(&opened, UNDO_X, BUTTON_Y);
+  click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
   assert_true(value_of(host, level) == 0);
   close_host(&opened);
 }
@@ -187,21 +163,21 @@ static void kits_are_chosen_and_settings_compared(void **state) {
   (void)state;
   Opened opened = open_kit();
   ClapHost *const host = opened.host;
-  click(&opened, NEXT_X, NEXT_Y);
+  click(&opened, KIT_NEXT_X, KIT_NEXT_Y);
   assert_true(value_of(host, KIT_KNOB_KIT) == 1);
-  click(&opened, UNDO_X, BUTTON_Y);
+  click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
   assert_true(value_of(host, KIT_KNOB_KIT) == 0);
-  click(&opened, COMPARE_X, BUTTON_Y); /* B, as A is */
-  for (int i = 0; i < 3; i++) click(&opened, NEXT_X, NEXT_Y);
+  click(&opened, KIT_COMPARE_X, KIT_BUTTON_Y); /* B, as A is */
+  for (int i = 0; i < 3; i++) click(&opened, KIT_NEXT_X, KIT_NEXT_Y);
   assert_true(value_of(host, KIT_KNOB_KIT) == 3);
   clap_host_run(host, FRAMES);
   tick(&opened);
   keep_picture(opened.outer, "frame-drums");
-  click(&opened, COMPARE_X, BUTTON_Y);
+  click(&opened, KIT_COMPARE_X, KIT_BUTTON_Y);
   assert_true(value_of(host, KIT_KNOB_KIT) == 0);
-  click(&opened, COMPARE_X, BUTTON_Y);
+  click(&opened, KIT_COMPARE_X, KIT_BUTTON_Y);
   assert_true(value_of(host, KIT_KNOB_KIT) == 3);
-  click(&opened, NEXT_X, NEXT_Y); /* the first after the last */
+  click(&opened, KIT_NEXT_X, KIT_NEXT_Y); /* the first after the last */
   assert_true(value_of(host, KIT_KNOB_KIT) == 0);
   close_host(&opened);
 }
@@ -214,8 +190,8 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   clap_host_render(opened.host, false);
   for (int i = 0; i < 40; i++) {
     click_on(&opened, (uint32_t)i % kit.drum_count);
-    if (i % 5 == 0) click(&opened, LEVEL_X + 2 * i, FIRST_ROW);
-    if (i % 20 == 19) click(&opened, TUNE_X + i, FIRST_ROW);
+    if (i % 5 == 0) click(&opened, KIT_LEVEL_X + 2 * i, KIT_FIRST_ROW);
+    if (i % 20 == 19) click(&opened, KIT_TUNE_X + i, KIT_FIRST_ROW);
     count_calls_begin();
     clap_host_run(opened.host, 512);
     const long calls = count_calls_end();

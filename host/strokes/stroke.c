@@ -107,6 +107,12 @@ static Outcome read_technique(Stroke *stroke, const Label *label, const char *va
   return refuse("%s '%s': unknown%s", label->text, value, hint);
 }
 
+static const char *technique_name(uint32_t technique) {
+  size_t index = 0;
+  while ((uint32_t)techniques[index] != technique) index++;
+  return technique_at(NULL, index);
+}
+
 static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {
   const NumberField field = {label->text, 0, 1, false};
   return number_read(&field, value, &stroke->event.value);
@@ -145,6 +151,7 @@ static Outcome read_event(Stroke *stroke, const Label *label, const char *value)
 }
 
 #define SETS_VELOCITY 2u
+#define SETS_PRESSURE 64u
 #define SETS_HOLD 128u
 
 static const StrokeField fields[STROKE_FIELDS] = {
@@ -155,7 +162,7 @@ static const StrokeField fields[STROKE_FIELDS] = {
   {"angle", read_angle, 8},
   {"striker", read_striker, 16},
   {"technique", read_technique, 32},
-  {"pressure", read_pressure, 64},
+  {"pressure", read_pressure, SETS_PRESSURE},
   {"hold", read_hold, SETS_HOLD},
   {"id", read_id, 256},
   {"event", read_event, 512},
@@ -212,14 +219,39 @@ static Outcome limit_sweep(const Stroke *stroke, const TaborEvent *event) {
                 stroke->where, event->velocity, speed->minimum, speed->maximum);
 }
 
+bool stroke_is_held(const TaborEvent *event) {
+  return event->type == TABOR_EVENT_STRIKE &&
+         (event->technique == TABOR_TECHNIQUE_BUZZ || event->technique == TABOR_TECHNIQUE_SWEEP);
+}
+
+/* A brush has no shaft that could meet the hoop, and nothing else sweeps. */
+static Outcome fit_technique(const Stroke *stroke, const TaborEvent *event) {
+  const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
+  const char *const technique = technique_name(event->technique);
+  const bool brush = striker->kind == TABOR_STRIKER_BRUSH;
+  const bool shaft =
+    event->technique == TABOR_TECHNIQUE_RIMSHOT || event->technique == TABOR_TECHNIQUE_CROSS_STICK;
+  if (event->technique == TABOR_TECHNIQUE_SWEEP && !brush) {
+    return refuse("%s technique '%s': striker '%s' is no brush", stroke->where, technique,
+                  striker->name);
+  }
+  if (shaft && brush) {
+    return refuse("%s technique '%s': striker '%s' is a brush, which has no shaft to meet the hoop",
+                  stroke->where, technique, striker->name);
+  }
+  if (stroke->set & (SETS_PRESSURE | SETS_HOLD) && !stroke_is_held(event)) {
+    return refuse("%s %s: only strokes of technique buzz or sweep have one", stroke->where,
+                  stroke->set & SETS_HOLD ? "hold" : "pressure");
+  }
+  return OUTCOME_OK;
+}
+
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
   if (event->type == TABOR_EVENT_MOVE) event->value = 0; /* seconds: from row to row */
-  const bool sweep = event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_SWEEP;
-  if (!sweep) return OUTCOME_OK;
-  if (striker->kind != TABOR_STRIKER_BRUSH) {
-    return refuse("%s technique 'sweep': striker '%s' is no brush", stroke->where, striker->name);
-  }
+  if (event->type != TABOR_EVENT_STRIKE) return OUTCOME_OK;
+  const Outcome fits = fit_technique(stroke, event);
+  if (fits != OUTCOME_OK || event->technique != TABOR_TECHNIQUE_SWEEP) return fits;
   if (!(stroke->set & SETS_VELOCITY)) event->velocity = striker->sweep_speed;
   return limit_sweep(stroke, event);
 }

@@ -33,8 +33,11 @@ typedef struct Stroke {
 
 /** True if a field has set the hold. */
 bool stroke_says_hold(const Stroke *stroke);
-/** Call after all fields were read: fills in the values that depend on several fields. A sweep needs a brush
-    and a speed within the range of sweep_speed, or is refused. */
+/** True of a buzz or a sweep, which a hand presses until it lifts the stick. */
+bool stroke_is_held(const TaborEvent *event);
+/** Call after all fields were read: fills in the values that depend on several fields. Refused are a sweep without a brush or
+    with a speed out of the range of sweep_speed, a rimshot or a cross-stick with a brush, and pressure or hold of a
+    stroke that is not held. */
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** Returns the preset's own stroke, at time 0. */
 Stroke stroke_default(const TaborDrumDef *def, const char *where);

@@ -45,12 +45,12 @@ Outcome strokes_add(Strokes *strokes, const Stroke *stroke) {
   const Outcome sound = stroke_complete(stroke, &event);
   if (sound != OUTCOME_OK) return sound;
   event.index = (uint32_t)strokes->count;
-  const bool strike = event.type == TABOR_EVENT_STRIKE;
-  if (strike && event.id == 0) event.id = STROKE_MOST_ID + 1 + event.index;
+  if (event.type == TABOR_EVENT_STRIKE && event.id == 0) {
+    event.id = STROKE_MOST_ID + 1 + event.index;
+  }
   const Outcome outcome = add_event(strokes, &event, stroke->time);
-  const bool held =
-    strike && (event.technique == TABOR_TECHNIQUE_BUZZ || event.technique == TABOR_TECHNIQUE_SWEEP);
-  return outcome == OUTCOME_OK && held ? add_lift(strokes, stroke, &event) : outcome;
+  const bool lifts = outcome == OUTCOME_OK && stroke_is_held(&event);
+  return lifts ? add_lift(strokes, stroke, &event) : outcome;
 }
 
 /* By time; strokes of one frame stay in the order in which they were given, before moves. */

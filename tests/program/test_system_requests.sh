@@ -133,6 +133,9 @@ refused "striker ''" render --strike striker=
 refused "striker 'foo': the drum has no such striker; there are: stick$" render tabor --strike striker=foo
 refused "technique 'foo': unknown; there are: normal, rimshot, cross-stick, rim, buzz, sweep$" render --strike technique=foo
 refused "technique 'sweep': striker 'stick' is no brush$" render --strike technique=sweep,striker=stick
+refused "technique 'cross-stick': striker 'brush' is a brush, which has no shaft to meet the hoop$" render snare-14x5.5 --strike technique=cross-stick,striker=brush
+refused "--strike hold: only strokes of technique buzz or sweep have one$" render --strike technique=rimshot,hold=1
+refused "--strike pressure: only strokes of technique buzz or sweep have one$" render --strike pressure=0.5
 refused "velocity '5.1': out of range for a sweep; allowed: 0.01 to 5$" \
   render --strike striker=brush,technique=sweep,velocity=5.1
 refused "velocity '10': out of range for a sweep; allowed: 0.01 to 5$" \

@@ -65,7 +65,7 @@ static bool create(const clap_plugin_t *plugin, const char *api, bool floating) 
   if (!link->gui) return false;
   link->gui->timers = timers_of(plugin);
   link->gui->timer = CLAP_INVALID_ID;
-  link->gui->kind->scale(link->gui->window, 1);
+  window_scale(link->gui->kind, link->gui->window, 1);
   return true;
 }
 
@@ -82,7 +82,7 @@ static void destroy(const clap_plugin_t *plugin) { close_window(plugin); }
 static bool set_scale(const clap_plugin_t *plugin, double scale) {
   const Gui *const gui = gui_of(plugin);
   if (!gui || !(scale > 0)) return false;
-  gui->kind->scale(gui->window, scale);
+  window_scale(gui->kind, gui->window, scale);
   return true;
 }
 

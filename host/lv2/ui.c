@@ -79,7 +79,7 @@ static bool open(Ui *ui, const Features *features, LV2UI_Widget *widget) {
   uint32_t width, height;
   ui->window = ui->kind->create(ui);
   if (!ui->window) return false;
-  kind->scale(ui->window, scale_of(features));
+  window_scale(kind, ui->window, scale_of(features));
   if (!kind->open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
   kind->size(ui->window, &width, &height);
   if (features->resize)

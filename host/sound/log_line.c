@@ -8,6 +8,7 @@
 
 #include "base/json_output.h"
 #include "drums/drum_args.h"
+#include "strokes/stroke.h"
 
 #define KEY_SIZE (2 * TABOR_NAME_SIZE)
 #define ENTRY_SIZE (KEY_SIZE + TABOR_TEXT_SIZE + sizeof " = ")
@@ -22,13 +23,6 @@ static const char *const event_names[] = {
   [TABOR_EVENT_MOVE] = "move",           [TABOR_EVENT_SILENCE] = "silence",
 };
 #define EVENT_NAMES (sizeof event_names / sizeof event_names[0])
-
-static const char *const technique_names[] = {
-  [TABOR_TECHNIQUE_NORMAL] = "normal",   [TABOR_TECHNIQUE_BUZZ] = "buzz",
-  [TABOR_TECHNIQUE_RIMSHOT] = "rimshot", [TABOR_TECHNIQUE_CROSS_STICK] = "cross-stick",
-  [TABOR_TECHNIQUE_RIM] = "rim",         [TABOR_TECHNIQUE_SWEEP] = "sweep",
-};
-#define TECHNIQUE_NAMES (sizeof technique_names / sizeof technique_names[0])
 
 /* Index of a name; -1 if there is none. */
 static int find_name(const char *const *names, size_t count, const char *name) {

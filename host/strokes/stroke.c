@@ -84,17 +84,21 @@ static Outcome read_striker(Stroke *stroke, const Label *label, const char *valu
   return OUTCOME_OK;
 }
 
+const char *const technique_names[TECHNIQUE_NAMES] = {
+  [TABOR_TECHNIQUE_NORMAL] = "normal",   [TABOR_TECHNIQUE_BUZZ] = "buzz",
+  [TABOR_TECHNIQUE_RIMSHOT] = "rimshot", [TABOR_TECHNIQUE_CROSS_STICK] = "cross-stick",
+  [TABOR_TECHNIQUE_RIM] = "rim",         [TABOR_TECHNIQUE_SWEEP] = "sweep",
+};
+
+/* The order in which they are suggested. */
+static const TaborTechnique techniques[TECHNIQUE_NAMES] = {
+  TABOR_TECHNIQUE_NORMAL, TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
+  TABOR_TECHNIQUE_RIM,    TABOR_TECHNIQUE_BUZZ,    TABOR_TECHNIQUE_SWEEP};
+
 static const char *technique_at(const void *list, size_t index) {
   (void)list;
-  static const char *const names[] = {"normal", "rimshot", "cross-stick", "rim",
-                                      "buzz",   "sweep",   NULL};
-  return names[index];
+  return index < TECHNIQUE_NAMES ? technique_names[techniques[index]] : NULL;
 }
-
-/* What they are, in this order. */
-static const TaborTechnique techniques[] = {TABOR_TECHNIQUE_NORMAL,      TABOR_TECHNIQUE_RIMSHOT,
-                                            TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_RIM,
-                                            TABOR_TECHNIQUE_BUZZ,        TABOR_TECHNIQUE_SWEEP};
 
 static Outcome read_technique(Stroke *stroke, const Label *label, const char *value) {
   for (size_t i = 0; technique_at(NULL, i); i++) {
@@ -105,12 +109,6 @@ static Outcome read_technique(Stroke *stroke, const Label *label, const char *va
   char hint[160];
   suggest_choice(hint, sizeof hint, value, "", technique_at, NULL);
   return refuse("%s '%s': unknown%s", label->text, value, hint);
-}
-
-static const char *technique_name(uint32_t technique) {
-  size_t index = 0;
-  while ((uint32_t)techniques[index] != technique) index++;
-  return technique_at(NULL, index);
 }
 
 static Outcome read_pressure(Stroke *stroke, const Label *label, const char *value) {
@@ -227,7 +225,7 @@ bool stroke_is_held(const TaborEvent *event) {
 /* A brush has no shaft that could meet the hoop, and nothing else sweeps. */
 static Outcome fit_technique(const Stroke *stroke, const TaborEvent *event) {
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
-  const char *const technique = technique_name(event->technique);
+  const char *const technique = technique_names[event->technique];
   const bool brush = striker->kind == TABOR_STRIKER_BRUSH;
   const bool shaft =
     event->technique == TABOR_TECHNIQUE_RIMSHOT || event->technique == TABOR_TECHNIQUE_CROSS_STICK;

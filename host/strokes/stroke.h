@@ -14,9 +14,13 @@
 
 /** Number of fields: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event */
 #define STROKE_FIELDS 11
+#define TECHNIQUE_NAMES (TABOR_TECHNIQUE_SWEEP + 1)
 
 #define STROKE_HOLD 0.5        /**< default duration of a buzz or a sweep [s] */
 #define STROKE_MOST_ID 1000000 /**< the program itself uses larger ids */
+
+/** A TaborTechnique is the index of its name. */
+extern const char *const technique_names[TECHNIQUE_NAMES];
 
 typedef struct StrokeField StrokeField;
 

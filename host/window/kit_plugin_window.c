@@ -136,12 +136,6 @@ static void resize(void *opened, uint32_t width, uint32_t height) {
   if (window->window) kit_window_resize(window->window, width, height);
 }
 
-static void scale(void *window, double to) {
-  uint32_t width, height;
-  window_size(to, &width, &height);
-  resize(window, width, height);
-}
-
 static void size(const void *opened, uint32_t *width, uint32_t *height) {
   const KitPluginWindow *const window = opened;
   *width = window->width;
@@ -220,7 +214,6 @@ static void update(void *opened) {
 }
 
 const WindowKind kit_plugin_window_kind = {.destroy = destroy,
-                                           .scale = scale,
                                            .resize = resize,
                                            .size = size,
                                            .open = open,

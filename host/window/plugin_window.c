@@ -185,12 +185,6 @@ static void resize(void *opened, uint32_t width, uint32_t height) {
   if (window->drum) drum_window_resize(window->drum, width, height);
 }
 
-static void scale(void *window, double to) {
-  uint32_t width, height;
-  window_size(to, &width, &height);
-  resize(window, width, height);
-}
-
 static void size(const void *opened, uint32_t *width, uint32_t *height) {
   const PluginWindow *const window = opened;
   *width = window->width;
@@ -279,7 +273,6 @@ static void update(void *opened) {
 }
 
 const WindowKind plugin_window_kind = {.destroy = destroy,
-                                       .scale = scale,
                                        .resize = resize,
                                        .size = size,
                                        .open = open,

@@ -8,14 +8,14 @@
 #define TABOR_WINDOW_WINDOW_KIND_H
 
 #include <stdbool.h>
-#include <stdint.h>
+
+#include "window/window_size.h"
 
 typedef struct WindowKind {
   /** Ignores NULL. What was undone and compared is forgotten. */
   void (*destroy)(void *window);
 
-  /* Size [px] of the next window, limited, and of an open one. */
-  void (*scale)(void *window, double scale);
+  /* Size [px] of the next window, and of an open one. */
   void (*resize)(void *window, uint32_t width, uint32_t height);
   void (*size)(const void *window, uint32_t *width, uint32_t *height);
 
@@ -30,5 +30,12 @@ typedef struct WindowKind {
   /** Takes what the mouse has done, and draws: every WINDOW_PERIOD. */
   void (*update)(void *window);
 } WindowKind;
+
+/** Gives a window the size at @p scale, limited. */
+static inline void window_scale(const WindowKind *kind, void *window, double scale) {
+  uint32_t width, height;
+  window_size(scale, &width, &height);
+  kind->resize(window, width, height);
+}
 
 #endif

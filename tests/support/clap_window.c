@@ -52,24 +52,11 @@ void tick(const Opened *opened) {
 }
 
 void click(const Opened *opened, int x, int y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
+  x11_server_click(&server, opened->inner, x, y);
   tick(opened);
 }
 
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_MOTION_NOTIFY, 0, to_x, to_y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, to_x, to_y);
+  x11_server_drag(&server, opened->inner, x, y, to_x, to_y);
   tick(opened);
-}
-
-int run_with_server(int (*run)(void)) {
-  if (!x11_server_start(&server)) {
-    print_message("SKIPPED: no X server: needs xvfb\n");
-    return 0;
-  }
-  const int failed = run();
-  x11_server_stop(&server);
-  return failed;
 }

@@ -28,7 +28,4 @@ void click(const Opened *opened, int x, int y);
 /** Presses at one place and lets go at the other. */
 void drag(const Opened *opened, int x, int y, int to_x, int to_y);
 
-/** Starts the server, runs the tests and ends it; 0 without a server. */
-int run_with_server(int (*run)(void));
-
 #endif

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -14,6 +15,15 @@
 #include "window_checks.h"
 
 X11Server server;
+
+PluginHost *open_plugin(const char *uri) {
+  const LV2_Descriptor *descriptor = NULL;
+  for (uint32_t i = 0; !descriptor || strcmp(descriptor->URI, uri) != 0; i++) {
+    descriptor = lv2_descriptor(i);
+    assert_non_null(descriptor);
+  }
+  return host_open(descriptor, HOST_WITHOUT_WORKER);
+}
 
 /* A control port changes before the next run, as hosts do it. */
 void write_port(LV2UI_Controller controller, uint32_t port, uint32_t size, uint32_t format,
@@ -80,6 +90,29 @@ void close_window(const Opened *opened) {
   x11_server_close(&server, opened->outer);
 }
 
+void close_host(const Opened *opened) {
+  close_window(opened);
+  host_close(opened->host);
+}
+
+/* Connections to the server are files. Whoever destroys the outer window first does no harm. */
+void check_openings(PluginHost *host) {
+  const int openings = getenv("OPENINGS") ? atoi(getenv("OPENINGS")) : 50;
+  Opened opened = {.host = host};
+  const long before = open_files();
+  for (int i = 0; i < openings; i++) {
+    open_window(&opened, 1);
+    tick(&opened);
+    if (i % 2 == 0) host_run(opened.host, 64);
+    tick(&opened);
+    if (i % 5 == 0) x11_server_close(&server, opened.outer);
+    close_window(&opened);
+  }
+  print_message("%d windows: %ld files open before, %ld after\n", openings, before, open_files());
+  assert_int_equal(open_files(), before);
+  host_close(opened.host);
+}
+
 void tick(const Opened *opened) {
   const LV2UI_Idle_Interface *const idles =
     opened->descriptor->extension_data(LV2_UI__idleInterface);
@@ -87,24 +120,11 @@ void tick(const Opened *opened) {
 }
 
 void click(const Opened *opened, int x, int y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, x, y);
+  x11_server_click(&server, opened->inner, x, y);
   tick(opened);
 }
 
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
-  x11_server_point(&server, opened->inner, XCB_BUTTON_PRESS, 1, x, y);
-  x11_server_point(&server, opened->inner, XCB_MOTION_NOTIFY, 0, to_x, to_y);
-  x11_server_point(&server, opened->inner, XCB_BUTTON_RELEASE, 1, to_x, to_y);
+  x11_server_drag(&server, opened->inner, x, y, to_x, to_y);
   tick(opened);
-}
-
-int run_with_server(int (*run)(void)) {
-  if (!x11_server_start(&server)) {
-    print_message("SKIPPED: no X server: needs xvfb\n");
-    return 0;
-  }
-  const int failed = run();
-  x11_server_stop(&server);
-  return failed;
 }

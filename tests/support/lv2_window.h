@@ -24,11 +24,17 @@ typedef struct Opened {
   LV2UI_Resize resize;
 } Opened;
 
+/** Opens the plugin of this binary with that URI, at its defaults. */
+PluginHost *open_plugin(const char *uri);
 /** Opens a window of opened->host and asserts what is due. */
 void open_window(Opened *opened, float scale);
 /** Tells the window where all ports stand. */
 void tell_ports(const Opened *opened);
 void close_window(const Opened *opened);
+/** Closes the window and the host. */
+void close_host(const Opened *opened);
+/** Opens $OPENINGS windows, or 50, one after another, and asserts that no file stays open; closes @p host. */
+void check_openings(PluginHost *host);
 /** A look of the window at what has happened, as the host's idle call brings it. */
 void tick(const Opened *opened);
 void click(const Opened *opened, int x, int y);
@@ -37,8 +43,5 @@ void drag(const Opened *opened, int x, int y, int to_x, int to_y);
 /** As a host: a port that the window turns. */
 void write_port(LV2UI_Controller controller, uint32_t port, uint32_t size, uint32_t format,
                 const void *buffer);
-
-/** Starts the server, runs the tests and ends it; 0 without a server. */
-int run_with_server(int (*run)(void));
 
 #endif

@@ -51,6 +51,16 @@ void x11_server_stop(X11Server *server) {
   (void)waitpid(server->process, NULL, 0);
 }
 
+int x11_server_run(X11Server *server, int (*tests)(void)) {
+  if (!x11_server_start(server)) {
+    print_message("SKIPPED: no X server: needs xvfb\n");
+    return 0;
+  }
+  const int failed = tests();
+  x11_server_stop(server);
+  return failed;
+}
+
 static void ask(X11Server *server) {
   free(
     xcb_get_input_focus_reply(server->connection, xcb_get_input_focus(server->connection), NULL));
@@ -101,6 +111,17 @@ void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint
                       .same_screen = 1}};
   xcb_send_event(server->connection, false, window, 0, sent.bytes);
   settle(server);
+}
+
+void x11_server_click(X11Server *server, xcb_window_t window, int x, int y) {
+  x11_server_point(server, window, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(server, window, XCB_BUTTON_RELEASE, 1, x, y);
+}
+
+void x11_server_drag(X11Server *server, xcb_window_t window, int x, int y, int to_x, int to_y) {
+  x11_server_point(server, window, XCB_BUTTON_PRESS, 1, x, y);
+  x11_server_point(server, window, XCB_MOTION_NOTIFY, 0, to_x, to_y);
+  x11_server_point(server, window, XCB_BUTTON_RELEASE, 1, to_x, to_y);
 }
 
 uint32_t x11_server_pixel(X11Server *server, xcb_window_t window, int x, int y) {

@@ -19,6 +19,8 @@ typedef struct X11Server {
 /** Starts Xvfb and names it in $DISPLAY. False: there is no Xvfb. */
 bool x11_server_start(X11Server *server);
 void x11_server_stop(X11Server *server);
+/** Starts the server, runs the tests and stops it. 0 without Xvfb, and a line that says so. */
+int x11_server_run(X11Server *server, int (*tests)(void));
 
 /** A mapped window on the root. */
 xcb_window_t x11_server_window(X11Server *server, uint16_t width, uint16_t height);
@@ -28,6 +30,10 @@ xcb_window_t x11_server_inner(X11Server *server, xcb_window_t window);
 /** What the pointer does at a place of @p window: XCB_BUTTON_PRESS, XCB_BUTTON_RELEASE or XCB_MOTION_NOTIFY. */
 void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint8_t button, int x,
                       int y);
+/** Presses and lets go. */
+void x11_server_click(X11Server *server, xcb_window_t window, int x, int y);
+/** Presses at one place and lets go at the other. */
+void x11_server_drag(X11Server *server, xcb_window_t window, int x, int y, int to_x, int to_y);
 /** The colour of a pixel, 0xRRGGBB. */
 uint32_t x11_server_pixel(X11Server *server, xcb_window_t window, int x, int y);
 

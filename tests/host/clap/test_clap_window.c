@@ -188,10 +188,7 @@ static void a_control_turns_and_the_host_is_told(void **state) {
   ClapHost *const host = opened.host;
   const int y = STRAINER_Y;
   const double before = clap_host_value(host, KNOB_STRAINER);
-  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 1, CONTROL_X + CONTROL_WIDTH / 2, y);
-  x11_server_point(&server, opened.inner, XCB_MOTION_NOTIFY, 0, CONTROL_X + CONTROL_WIDTH / 4, y);
-  x11_server_point(&server, opened.inner, XCB_BUTTON_RELEASE, 1, CONTROL_X + CONTROL_WIDTH / 4, y);
-  tick(&opened);
+  drag(&opened, CONTROL_X + CONTROL_WIDTH / 2, y, CONTROL_X + CONTROL_WIDTH / 4, y);
   assert_true(fabs(clap_host_value(host, KNOB_STRAINER) - 0.25) < 0.01);
   clap_host_run(host, 64);
   assert_int_equal(host->gestures, 1);
@@ -365,4 +362,4 @@ static int run(void) {
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int main(void) { return run_with_server(run); }
+int main(void) { return x11_server_run(&server, run); }

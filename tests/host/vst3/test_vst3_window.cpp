@@ -206,8 +206,7 @@ struct Window {
     x11_server_point(&server, inner, type, type == XCB_MOTION_NOTIFY ? 0 : 1, x, y);
   }
   void click(int x, int y) {
-    point(XCB_BUTTON_PRESS, x, y);
-    point(XCB_BUTTON_RELEASE, x, y);
+    x11_server_click(&server, inner, x, y);
     frame.tick();
   }
 };

@@ -11,7 +11,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   file(MAKE_DIRECTORY "${_documents}")
   set(_license "${CPACK_RESOURCE_FILE_LICENSE}")
   # What contains sources of others has their licences beside it.
-  file(GLOB_RECURSE _licenses "${CPACK_TEMPORARY_DIRECTORY}/${component}/licenses.txt")
+  file(GLOB_RECURSE _licenses "${CPACK_TEMPORARY_DIRECTORY}/${component}/*licenses.txt")
   if(_licenses)
     list(GET _licenses 0 _license)
   endif()

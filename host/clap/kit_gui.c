@@ -56,6 +56,7 @@ static void *create(void *shell) {
   KitInstance *const instance = shell;
   const KitPluginWindowShell calls = {.instance = instance,
                                       .link = &instance->window,
+                                      .own = &instance->own,
                                       .value = value,
                                       .begin = begin,
                                       .turn = turn,

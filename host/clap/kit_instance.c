@@ -8,6 +8,7 @@
 #include "clap/extensions.h"
 #include "clap/gui.h"
 #include "clap/note_events.h"
+#include "clap/presets.h"
 #include "plugin/model_worker.h"
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
@@ -35,7 +36,7 @@ static void close(KitInstance *instance) {
 }
 
 static bool open(KitInstance *instance, double rate) {
-  kit_worker_begin(&instance->worker, rate, say, instance);
+  kit_worker_begin(&instance->worker, rate, &instance->own, say, instance);
   kit_plugin_player_begin(&instance->player, &instance->worker);
   instance->is_open = worker_thread_start(&instance->thread, work, &instance->worker);
   return instance->is_open;
@@ -51,6 +52,7 @@ static void destroy(const clap_plugin_t *plugin) {
   gui_end(plugin);
   close(instance);
   end_links(instance);
+  own_kit_end(&instance->own);
   free(instance->named);
   free(instance);
 }
@@ -248,6 +250,8 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
                                   {CLAP_EXT_NOTE_PORTS, &extension_note_input},
                                   {CLAP_EXT_NOTE_NAME, &kit_note_names},
                                   {CLAP_EXT_TAIL, &kit_tail},
+                                  {CLAP_EXT_PRESET_LOAD, &kit_preset_load},
+                                  {CLAP_EXT_PRESET_LOAD_COMPAT, &kit_preset_load},
                                   {CLAP_EXT_RENDER, &kit_render}};
   const void *const window = gui_extension(id);
   return window ? window : extension_find(all, sizeof all / sizeof all[0], id);
@@ -273,9 +277,12 @@ const clap_plugin_t *kit_instance_create(const clap_plugin_descriptor_t *descrip
                                      .process = process,
                                      .get_extension = get_extension,
                                      .on_main_thread = on_main_thread};
-  if (gui_link_begin(&instance->link) && kit_window_link_begin(&instance->window))
-    return &instance->plugin;
-  end_links(instance);
+  if (own_kit_begin(&instance->own)) {
+    if (gui_link_begin(&instance->link) && kit_window_link_begin(&instance->window))
+      return &instance->plugin;
+    end_links(instance);
+    own_kit_end(&instance->own);
+  }
   free(instance);
   return NULL;
 }

@@ -30,7 +30,9 @@ typedef struct KitInstance {
   double rate;
   TaborKitDef *named; /**< the kit whose notes have names, or NULL */
   float named_kit;    /**< value of its knob */
-  GuiLink link;       /**< its window */
+  unsigned named_own; /**< version of the own kit, if that is it */
+  OwnKit own;
+  GuiLink link; /**< its window */
   KitWindowLink window;
 
   /* while it is open */
@@ -62,6 +64,8 @@ extern const clap_plugin_state_t kit_state;
 
 /** Notes the value that @p event brings. False: it brings none. */
 bool kit_parameters_take(KitInstance *instance, const clap_event_header_t *event) REALTIME;
+/** MAIN. Turns the knob of the kit to @p kit, and tells the host. */
+void kit_parameters_choose(KitInstance *instance, float kit);
 /** AUDIO. Turns the player's knobs to the values that were noted. */
 void kit_parameters_turn(KitInstance *instance) REALTIME;
 /** AUDIO. Finds where the channels of @p block go. */

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file presets.h
- * The built-in drums as presets of the CLAP plugins: found by presets_factory, loaded by instance_preset_load. The key
- * of a preset is its name.
+ * Presets of the CLAP plugins: the built-in drums and kits, whose keys are their names, and the user's preset and kit
+ * files. presets_factory finds them; the plugins load them.
  */
 #ifndef TABOR_CLAP_PRESETS_H
 #define TABOR_CLAP_PRESETS_H
 
-#include "clap/instance.h"
+#include <clap/clap.h>
 
-extern const clap_plugin_preset_load_t instance_preset_load;
+extern const clap_plugin_preset_load_t instance_preset_load; /**< of the plugins of one drum */
+extern const clap_plugin_preset_load_t kit_preset_load;      /**< of Tabor Kit */
 extern const clap_preset_discovery_factory_t presets_factory;
 
 #endif

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "drums/preset_file.h"
+#include "drums/drum_file.h"
 #include "platform/paths.h"
 
 const char *preset_argument(const Arguments *arguments) {
@@ -25,24 +25,9 @@ PresetStem preset_stem(const char *preset) {
   return (PresetStem){base, (int)(is_ini ? length - 4 : length)};
 }
 
-/* A PresetPairFn: a section or a "key = value" of a preset file into the definition. */
-static bool set_pair(void *def, const char *section, const char *key, const char *value,
-                     unsigned line, char *message, size_t size) {
-  (void)line;
-  char full[2 * TABOR_NAME_SIZE + 256];
-  (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
-  TaborError error;
-  const TaborStatus status = key ? tabor_drum_def_set(def, full, value, &error)
-                                 : tabor_drum_def_section(def, section, &error);
-  if (status == TABOR_OK) return true;
-  (void)snprintf(message, size, "%s", error.message);
-  return false;
-}
-
 static Outcome load_file(const char *path, TaborDrumDef *def) {
   char message[2 * TABOR_TEXT_SIZE];
-  tabor_drum_def_clear(def);
-  switch (preset_file_read(path, set_pair, def, message, sizeof message)) {
+  switch (drum_file_read(path, def, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;
   case PRESET_FILE_UNREADABLE: return fail("%s", message);
   case PRESET_FILE_INVALID: break;

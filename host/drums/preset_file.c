@@ -347,25 +347,61 @@ static bool parse(Reader *reader) {
   return refuse_line(reader, line > 0 ? (unsigned)line : 0, "inih cannot take the file apart");
 }
 
-PresetFileStatus preset_file_read(const char *path, PresetPairFn *pair, void *context,
-                                  char *message, size_t size) {
-  if (size > 0) message[0] = '\0';
+static Reader *reader_begin(const char *name, char *message, size_t size) {
   Reader *const reader = calloc(1, sizeof *reader);
+  if (size > 0) message[0] = '\0';
   if (!reader) {
     (void)snprintf(message, size, "out of memory");
-    return PRESET_FILE_UNREADABLE;
+    return NULL;
   }
-  reader->path = path;
+  reader->path = name;
   reader->message = message;
   reader->size = size;
+  return reader;
+}
+
+static PresetFileStatus give_all(Reader *reader, PresetPairFn *pair, void *context) {
   reader->pair = pair;
   reader->context = context;
-  PresetFileStatus status = PRESET_FILE_OK;
-  if (!read_file(reader)) {
-    status = PRESET_FILE_UNREADABLE;
-  } else if (!check_file(reader) || !parse(reader)) {
-    status = PRESET_FILE_INVALID;
+  return check_file(reader) && parse(reader) ? PRESET_FILE_OK : PRESET_FILE_INVALID;
+}
+
+static bool copy_out(const Reader *reader, char **text, size_t *length) {
+  *text = malloc(reader->length + 1);
+  if (!*text) return false;
+  memcpy(*text, reader->text, reader->length + 1);
+  *length = reader->length;
+  return true;
+}
+
+PresetFileStatus preset_file_load(const char *path, char **text, size_t *length, char *message,
+                                  size_t size) {
+  Reader *const reader = reader_begin(path, message, size);
+  *text = NULL;
+  bool is_loaded = reader && read_file(reader);
+  if (is_loaded && !copy_out(reader, text, length)) {
+    is_loaded = refuse_line(reader, 0, "out of memory");
   }
+  free(reader);
+  return is_loaded ? PRESET_FILE_OK : PRESET_FILE_UNREADABLE;
+}
+
+PresetFileStatus preset_file_parse(const char *name, const char *text, size_t length,
+                                   PresetPairFn *pair, void *context, char *message, size_t size) {
+  Reader *const reader = reader_begin(name, message, size);
+  if (!reader) return PRESET_FILE_UNREADABLE;
+  reader->length = length <= PRESET_FILE_LIMIT ? length : PRESET_FILE_LIMIT + 1;
+  memcpy(reader->text, text, reader->length);
+  const PresetFileStatus status = give_all(reader, pair, context);
+  free(reader);
+  return status;
+}
+
+PresetFileStatus preset_file_read(const char *path, PresetPairFn *pair, void *context,
+                                  char *message, size_t size) {
+  Reader *const reader = reader_begin(path, message, size);
+  PresetFileStatus status = PRESET_FILE_UNREADABLE;
+  if (reader && read_file(reader)) status = give_all(reader, pair, context);
   free(reader);
   return status;
 }

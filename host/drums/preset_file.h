@@ -48,4 +48,12 @@ typedef enum PresetFileStatus {
 PresetFileStatus preset_file_read(const char *path, PresetPairFn *pair, void *context,
                                   char *message, size_t size);
 
+/** The two halves of preset_file_read(): the bytes of a file in *text, which the caller frees; NULL on an error. Of a file
+ * that is too large, one byte more than the limit. */
+PresetFileStatus preset_file_load(const char *path, char **text, size_t *length, char *message,
+                                  size_t size);
+/** The pairs of a text, which messages call @p name. */
+PresetFileStatus preset_file_parse(const char *name, const char *text, size_t length,
+                                   PresetPairFn *pair, void *context, char *message, size_t size);
+
 #endif

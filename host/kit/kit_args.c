@@ -5,40 +5,27 @@
 #include <string.h>
 
 #include "drums/drum_args.h"
-#include "drums/preset_file.h"
+#include "kit/kit_file.h"
 
-/* A kit file being read. */
-typedef struct KitFile {
+/* The samples of a kit file being read. */
+typedef struct NoteReader {
   const char *path;
-  TaborKitDef *def;
   KitSamples *samples;
-} KitFile;
+} NoteReader;
 
-static bool is_note(const char *section) { return strncmp(section, "note.", 5) == 0; }
-
-/* A PresetPairFn: a section or a "key = value" of a kit file into the definition, or into the samples. */
-static bool set_pair(void *context, const char *section, const char *key, const char *value,
-                     unsigned line, char *message, size_t size) {
+/* A PresetPairFn for sections "note.N". */
+static bool set_note_pair(void *context, const char *section, const char *key, const char *value,
+                          unsigned line, char *message, size_t size) {
   (void)line;
-  const KitFile *const file = context;
-  if (is_note(section)) {
-    return kit_samples_set(file->samples, file->path, section, key, value, message, size);
-  }
-  char full[2 * TABOR_NAME_SIZE + 256];
-  (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
-  TaborError error;
-  const TaborStatus status = key ? tabor_kit_def_set(file->def, full, value, &error)
-                                 : tabor_kit_def_section(file->def, section, &error);
-  if (status == TABOR_OK) return true;
-  (void)snprintf(message, size, "%s", error.message);
-  return false;
+  const NoteReader *const notes = context;
+  return kit_samples_set(notes->samples, notes->path, section, key, value, message, size);
 }
 
 static Outcome load_file(const char *path, TaborKitDef *def, KitSamples *samples) {
-  KitFile file = {.path = path, .def = def, .samples = samples};
+  NoteReader notes = {.path = path, .samples = samples};
+  const KitFileReader reader = {.def = def, .note = set_note_pair, .context = &notes};
   char message[2 * TABOR_TEXT_SIZE];
-  tabor_kit_def_default(def);
-  switch (preset_file_read(path, set_pair, &file, message, sizeof message)) {
+  switch (kit_file_read(path, &reader, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;
   case PRESET_FILE_UNREADABLE: return fail("%s", message);
   case PRESET_FILE_INVALID: break;
@@ -88,7 +75,7 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *
   if (length >= sizeof key) return refuse("--set '%.80s...': no key is so long", setting);
   memcpy(key, setting, length);
   key[length] = '\0';
-  if (is_note(key)) return set_note(key, equals + 1, samples);
+  if (kit_file_is_note(key)) return set_note(key, equals + 1, samples);
   const Outcome outcome = check_drum(def, key);
   TaborError error;
   if (outcome != OUTCOME_OK) return outcome;
@@ -110,7 +97,7 @@ Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *sampl
   const char *const kit = arguments_value(arguments, "kit");
   const char *setting;
   size_t position = 0;
-  TaborError error;
+  char message[2 * TABOR_TEXT_SIZE];
   kit_samples_begin(samples);
   if (!*kit) return refuse("--kit needs the name of a kit");
   Outcome outcome = preset_is_file(kit) ? load_file(kit, def, samples) : load_builtin(kit, def);
@@ -118,7 +105,5 @@ Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *sampl
     outcome = apply_setting(setting, def, samples);
   }
   if (outcome != OUTCOME_OK) return outcome;
-  if (def->drum_count == 0) return refuse("%s: the kit has no drum; [drum.NAME] adds one", kit);
-  if (tabor_kit_def_validate(def, &error) == TABOR_OK) return OUTCOME_OK;
-  return refuse("%s: %s", kit, error.message);
+  return kit_file_check(kit, def, message, sizeof message) ? OUTCOME_OK : refuse("%s", message);
 }

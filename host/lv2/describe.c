@@ -74,7 +74,7 @@ static void put_output(bool stereo, uint32_t channel) {
 static void put_port(KnobSet set, uint32_t number, Port port) {
   put("%s[\n\t\tlv2:index %u ;\n", number > 0 ? " , " : "\tlv2:port ", (unsigned)number);
   switch (port.kind) {
-  case PORT_EVENTS: put_events(); break;
+  case PORT_EVENTS: put_events(false); break;
   case PORT_INPUT: put_input(port.index); break;
   case PORT_OUTPUT: put_output(set != KNOBS_MULTI, port.index); break;
   case PORT_FREEWHEEL: put_freewheel(); break;

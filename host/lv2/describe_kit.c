@@ -49,6 +49,14 @@ static void put_pair(uint32_t pair) {
   }
 }
 
+/* ---- files ---------------------------------------------------------------------------------- */
+
+static void put_file_property(void) {
+  put("<%s>\n\ta lv2:Parameter ;\n\trdfs:label \"Kit file\" ;\n", URI_KIT_FILE);
+  put("\trdfs:comment \"The kit that plays as the user's own: an INI file.\" ;\n");
+  put("\trdfs:range atom:Path .\n\n");
+}
+
 /* ---- ports ---------------------------------------------------------------------------------- */
 
 static void put_output(uint32_t channel) {
@@ -82,7 +90,7 @@ static void put_knob(const KitKnob *knob) {
 static void put_port(uint32_t number, Port port) {
   put("%s[\n\t\tlv2:index %u ;\n", number > 0 ? " , " : "\tlv2:port ", (unsigned)number);
   switch (port.kind) {
-  case PORT_EVENTS: put_events(); break;
+  case PORT_EVENTS: put_events(true); break;
   case PORT_OUTPUT: put_output(port.index); break;
   case PORT_FREEWHEEL: put_freewheel(); break;
   case PORT_READY: put_ready(); break;
@@ -107,7 +115,9 @@ void put_kit(bool has_window) {
   Port port;
   put_knob_groups();
   for (uint32_t pair = 0; pair <= KIT_KNOB_DRUMS; pair++) put_pair(pair);
+  put_file_property();
   put_plugin_words(&words);
+  put("\tlv2:extensionData state:interface ;\n\tpatch:writable <%s> ;\n", URI_KIT_FILE);
   if (has_window) put("\tui:ui <%s> ;\n", URI_KIT_WINDOW);
   put("\tlv2:optionalFeature lv2:hardRTCapable , log:log ;\n\tpg:mainOutput <%sout_0> ;\n",
       URI_KIT_GROUP);

@@ -4,27 +4,37 @@
 #include <lv2/midi/midi.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "lv2/kit_ports.h"
 #include "lv2/uris.h"
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-static void say(void *context, const char *line) {
-  KitInstrument *const kit = context;
-  (void)lv2_log_error(&kit->host.logger, "Tabor Kit: %s\n", line);
+static void say(void *context, const char *line) { kit_instrument_say(context, line); }
+
+static void load_own_kit(KitInstrument *kit) {
+  char message[2 * TABOR_TEXT_SIZE];
+  if (!own_kit_work(&kit->own, message, sizeof message)) kit_instrument_say(kit, message);
 }
 
-static void work(void *worker) { kit_worker_work(worker); }
+static void work(void *instance) {
+  KitInstrument *const kit = instance;
+  load_own_kit(kit);
+  kit_worker_work(&kit->worker);
+}
 
 static bool open(KitInstrument *kit, double rate) {
   LV2_URID_Map *const map = kit->host.map;
   kit->sequence = map->map(map->handle, LV2_ATOM__Sequence);
   kit->midi = map->map(map->handle, LV2_MIDI__MidiEvent);
-  kit_worker_begin(&kit->worker, rate, say, kit);
+  kit->file = map->map(map->handle, URI_KIT_FILE);
+  kit->state = map->map(map->handle, URI_STATE_KIT);
+  kit->atom_string = map->map(map->handle, LV2_ATOM__String);
+  kit->set_path = set_path_urids(map);
+  kit_worker_begin(&kit->worker, rate, &kit->own, say, kit);
   kit_plugin_player_begin(&kit->player, &kit->worker);
-  return kit_window_link_begin(&kit->window) &&
-         worker_thread_start(&kit->thread, work, &kit->worker);
+  return kit_window_link_begin(&kit->window) && worker_thread_start(&kit->thread, work, kit);
 }
 
 static void cleanup(LV2_Handle handle) {
@@ -34,6 +44,7 @@ static void cleanup(LV2_Handle handle) {
   kit_plugin_player_end(&kit->player);
   kit_worker_end(&kit->worker);
   kit_window_link_end(&kit->window);
+  own_kit_end(&kit->own);
   free(kit);
 }
 
@@ -45,7 +56,7 @@ static LV2_Handle instantiate(const LV2_Descriptor *descriptor, double rate, con
   if (!kit) return NULL;
   kit->size = sizeof *kit;
   kit->version = tabor_version();
-  if (!host_features_find(features, rate, "Tabor Kit", &kit->host)) {
+  if (!host_features_find(features, rate, "Tabor Kit", &kit->host) || !own_kit_begin(&kit->own)) {
     free(kit);
     return NULL;
   }
@@ -124,6 +135,24 @@ static void play(KitInstrument *kit, uint32_t frames) {
   kit_plugin_player_play(&kit->player, frames);
 }
 
+/* Files that the host sets, whatever their frames. */
+static void ask_for_kits(KitInstrument *kit) REALTIME;
+static void ask_for_kits(KitInstrument *kit) {
+  Sequence sequence = sequence_begin(kit->events, kit->sequence);
+  const LV2_Atom_Event *event;
+  size_t length;
+  for (; (event = sequence_event(&sequence)); sequence_step(&sequence)) {
+    const char *const path = set_path_read(event, &kit->set_path, kit->file, &length);
+    if (path) (void)own_kit_ask(&kit->own, path, length);
+  }
+}
+
+/* A host that renders waits for what it has asked for. */
+static void wait(KitInstrument *kit) {
+  load_own_kit(kit);
+  kit_plugin_player_wait(&kit->player);
+}
+
 /* Knobs are ports, which change between runs alone. */
 static void run(LV2_Handle handle, uint32_t frames) {
   KitInstrument *const kit = handle;
@@ -131,7 +160,8 @@ static void run(LV2_Handle handle, uint32_t frames) {
   turn_knobs(kit);
   const bool exports = kit->freewheel && *kit->freewheel > 0;
   kit_plugin_player_export(&kit->player, exports);
-  if (exports) kit_plugin_player_wait(&kit->player);
+  ask_for_kits(kit);
+  if (exports) wait(kit);
   kit_plugin_player_keep_up(&kit->player);
   kit_window_link_play(&kit->window, &kit->player);
   play(kit, frames);
@@ -140,8 +170,7 @@ static void run(LV2_Handle handle, uint32_t frames) {
 }
 
 static const void *extension_data(const char *uri) {
-  (void)uri;
-  return NULL;
+  return strcmp(uri, LV2_STATE__interface) == 0 ? &kit_instrument_state : NULL;
 }
 
 const LV2_Descriptor kit_instrument = {.URI = URI_KIT,

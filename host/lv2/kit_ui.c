@@ -42,6 +42,7 @@ static void *create(Ui *ui) {
   KitInstrument *const kit = ui->instance;
   const KitPluginWindowShell shell = {.instance = ui,
                                       .link = &kit->window,
+                                      .own = &kit->own,
                                       .value = value,
                                       .begin = begin,
                                       .turn = turn,

@@ -61,6 +61,7 @@ void put_prefixes(void) {
       "@prefix midi: <http://lv2plug.in/ns/ext/midi#> .\n"
       "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
       "@prefix param: <http://lv2plug.in/ns/ext/parameters#> .\n"
+      "@prefix patch: <http://lv2plug.in/ns/ext/patch#> .\n"
       "@prefix pg: <http://lv2plug.in/ns/ext/port-groups#> .\n"
       "@prefix pprops: <http://lv2plug.in/ns/ext/port-props#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"

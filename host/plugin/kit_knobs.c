@@ -23,10 +23,10 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
                     .name = "Kit",
                     .group = "Kit",
                     .minimum = 0,
-                    .maximum = 3,
+                    .maximum = 4,
                     .fallback = 0,
                     .unit = "",
-                    .choices = "standard|jazz|marching|frame-drums",
+                    .choices = "standard|jazz|marching|frame-drums|Own kit",
                     .rebuilds = true},
   [KIT_KNOB_QUALITY] = {.symbol = "quality",
                         .name = "Quality",
@@ -160,10 +160,21 @@ static void set_overheads(float value, TaborKitDef *def) {
   def->overheads = is_off ? -120 : fmin(def->overheads + (double)value, 24);
 }
 
-TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], TaborKitDef *def,
+bool kit_knob_is_own(float kit) { return kit >= kit_knobs[KIT_KNOB_KIT].maximum; }
+
+TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error) {
+  if (!kit_knob_is_own(kit))
+    return tabor_kit_def_preset(def, tabor_kit((uint32_t)kit)->name, error);
+  if (own_kit_copy(own, def)) return TABOR_OK;
+  if (error) {
+    *error = (TaborError){.status = TABOR_ERROR_NAME, .message = "no kit file has been loaded"};
+  }
+  return TABOR_ERROR_NAME;
+}
+
+TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, TaborKitDef *def,
                              TaborError *error) {
-  const TaborKitInfo *const kit = tabor_kit((uint32_t)values[KIT_KNOB_KIT]);
-  const TaborStatus status = tabor_kit_def_preset(def, kit->name, error);
+  const TaborStatus status = kit_knob_kit(values[KIT_KNOB_KIT], own, def, error);
   if (status != TABOR_OK) return status;
   if (values[KIT_KNOB_ROOM] > 0) def->room.kind = (uint32_t)values[KIT_KNOB_ROOM] - 1u;
   set_coupling(values[KIT_KNOB_COUPLING], def);

@@ -10,6 +10,7 @@
 #include <tabor/kit.h>
 
 #include "base/realtime.h"
+#include "plugin/own_kit.h"
 
 /** Drums with an output, a level and a tuning of their own, in the order of the kit; later ones are in the mix alone. */
 #define KIT_KNOB_DRUMS 8
@@ -47,8 +48,12 @@ float kit_knob_clamp(KitKnobId id, double value) REALTIME;
 double kit_knob_factor(KitKnobId id, float value) REALTIME;
 /** Writes a value with its unit as a text; its length, or a negative number. */
 int kit_knob_text(KitKnobId id, float value, char *text, size_t size);
+/** True for the value of KIT_KNOB_KIT, its last, that stands for the user's own kit. */
+bool kit_knob_is_own(float kit) REALTIME;
+/** SET-UP. The kit that a value of KIT_KNOB_KIT stands for. TABOR_ERROR_NAME: the user's own, and there is none. */
+TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error);
 /** SET-UP. The kit that the knobs describe. A drum that cannot be tuned so far stays as its preset has it. */
-TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], TaborKitDef *def,
+TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, TaborKitDef *def,
                              TaborError *error);
 
 #endif

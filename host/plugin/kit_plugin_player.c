@@ -174,7 +174,8 @@ static bool is_wanted(const KitPluginPlayer *player) {
   for (uint32_t i = 0; player->has_asked && i < KIT_KNOB_COUNT; i++) {
     if (kit_knobs[i].rebuilds && wish(player, i) != player->asked[i]) return false;
   }
-  return player->has_asked;
+  if (!kit_knob_is_own(player->values[KIT_KNOB_KIT])) return player->has_asked;
+  return player->has_asked && player->own_asked == own_kit_version(player->worker->own);
 }
 
 static void ask(KitPluginPlayer *player) REALTIME;
@@ -186,6 +187,7 @@ static void ask(KitPluginPlayer *player) {
     return;
   }
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->asked[i] = wish(player, i);
+  player->own_asked = own_kit_version(worker->own);
   memcpy(worker->wanted, player->asked, sizeof worker->wanted);
   worker->is_held = player->asked[KIT_KNOB_QUALITY] != player->values[KIT_KNOB_QUALITY];
   player->has_asked = true;

@@ -31,6 +31,7 @@ typedef struct KitPluginPlayer {
   uint32_t fade, fade_frames;        /**< frames that are left of it, and all */
   float values[KIT_KNOB_COUNT];      /**< of the knobs */
   float asked[KIT_KNOB_COUNT];       /**< of the newest request */
+  unsigned own_asked;                /**< version of the own kit in it */
   bool has_asked;                    /**< a request was answered or is under way */
   bool exports;                      /**< the host renders, and waits for kits */
   double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */

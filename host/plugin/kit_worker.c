@@ -17,9 +17,11 @@ void kit_voice_destroy(KitVoice *voice) {
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-void kit_worker_begin(KitWorker *worker, double rate, KitWorkerSayFn *say, void *context) {
+void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, KitWorkerSayFn *say,
+                      void *context) {
   memset(worker, 0, sizeof *worker);
   worker->rate = rate;
+  worker->own = own;
   worker->say = say;
   worker->context = context;
 }
@@ -98,7 +100,7 @@ static KitMidiSetup setup_of(const float *wanted) {
 static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voice,
                               TaborError *error) {
   const KitMidiSetup setup = setup_of(worker->wanted);
-  TaborStatus status = kit_knobs_define(worker->wanted, def, error);
+  TaborStatus status = kit_knobs_define(worker->wanted, worker->own, def, error);
   if (status != TABOR_OK) return status;
   voice->drum_count = def->drum_count;
   status = take_models(worker, def, voice, error);

@@ -40,6 +40,7 @@ typedef void KitWorkerSayFn(void *context, const char *line);
 
 typedef struct KitWorker {
   double rate; /**< [Hz] */
+  OwnKit *own; /**< outlives the worker */
   KitWorkerSayFn *say;
   void *context;
 
@@ -56,7 +57,8 @@ typedef struct KitWorker {
 
 /* SET-UP */
 
-void kit_worker_begin(KitWorker *worker, double rate, KitWorkerSayFn *say, void *context);
+void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, KitWorkerSayFn *say,
+                      void *context);
 /** Frees everything that was not taken. Call while no worker works. */
 void kit_worker_end(KitWorker *worker);
 void kit_voice_destroy(KitVoice *voice);

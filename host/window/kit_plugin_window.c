@@ -2,6 +2,7 @@
 #include "window/kit_plugin_window.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +23,7 @@ struct KitPluginWindow {
   KitWindow *window; /* NULL while it is closed */
   TaborKitDef *kit;  /* that is shown */
   float shown;       /* value of its knob */
+  unsigned version;  /* of the user's own kit then */
   History history;   /* of Setting */
 };
 
@@ -46,10 +48,13 @@ static void use_setting(void *context, const void *used) {
 /* Where drums stand depends on the kit alone. */
 static void follow_kit(KitPluginWindow *window) {
   const float kit = value_of(window, KIT_KNOB_KIT);
-  if (kit == window->shown) return;
-  Setting setting;
-  note_setting(window, &setting);
-  if (kit_knobs_define(setting.values, window->kit, NULL) == TABOR_OK) window->shown = kit;
+  const unsigned version = own_kit_version(window->shell.own);
+  if (kit == window->shown && version == window->version) return;
+  window->shown = kit;
+  window->version = version;
+  if (kit_knob_kit(kit, window->shell.own, window->kit, NULL) == TABOR_OK) return;
+  tabor_kit_def_default(window->kit);
+  (void)snprintf(window->kit->name, sizeof window->kit->name, "no kit file loaded");
 }
 
 /* ---- what the window shows and does --------------------------------------------------------- */
@@ -112,10 +117,12 @@ static void strike(void *context, uint32_t drum, double velocity, double radius,
   window->shell.play(window->shell.instance);
 }
 
-/* Levels and tunings stay with the numbers of drums, as in the host's own list. */
+/* Levels and tunings stay with the numbers of drums, as in the host's own list. The user's own kit is the last, if there is
+ * one. */
 static void step_kit(void *context, int steps) {
   KitPluginWindow *const window = context;
-  const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + 1;
+  const bool has_own = own_kit_version(window->shell.own) > 0;
+  const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + (has_own ? 1 : 0);
   const int at = (int)value_of(window, KIT_KNOB_KIT);
   history_keep(&window->history);
   window->shell.begin(window->shell.instance, KIT_KNOB_KIT);

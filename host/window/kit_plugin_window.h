@@ -14,6 +14,7 @@
 typedef struct KitPluginWindowShell {
   void *instance;
   KitWindowLink *link;
+  OwnKit *own;
   float (*value)(void *instance, KitKnobId id);
   void (*begin)(void *instance, KitKnobId id); /**< a hand takes the knob */
   void (*turn)(void *instance, KitKnobId id, double value);

@@ -51,9 +51,9 @@ static void refuse(const clap_host_t *host, uint32_t kind, const char *location,
 static void note_preset(const clap_host_t *host, uint32_t kind, const char *location,
                         const char *key) {
   ClapHost *const own = host->host_data;
-  (void)location;
-  assert_int_equal(kind, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN);
-  (void)snprintf(own->loaded, sizeof own->loaded, "%s", key);
+  const bool is_file = kind == CLAP_PRESET_DISCOVERY_LOCATION_FILE;
+  assert_int_equal(location != NULL, is_file);
+  (void)snprintf(own->loaded, sizeof own->loaded, "%s", is_file ? location : key);
 }
 
 static bool start_timer(const clap_host_t *host, uint32_t period, clap_id *id) {

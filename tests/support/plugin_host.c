@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <lv2/midi/midi.h>
+#include <lv2/patch/patch.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -203,16 +204,41 @@ void host_close(PluginHost *host) {
 
 /* ---- runs ----------------------------------------------------------------------------------- */
 
-void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes) {
+static void add_event(PluginHost *host, int64_t frame, const char *type, uint32_t size,
+                      const void *bytes) {
   LV2_Atom_Sequence *const sequence = &host->events.sequence;
   uint8_t *const place = (uint8_t *)host->events.room + sizeof(LV2_Atom) + sequence->atom.size;
   const uint32_t padded = (uint32_t)(sizeof(LV2_Atom_Event) + size + 7) / 8 * 8;
   const LV2_Atom_Event event = {.time = {.frames = frame},
-                                .body = {.size = size, .type = host_map(LV2_MIDI__MidiEvent)}};
+                                .body = {.size = size, .type = host_map(type)}};
   assert_true(sizeof(LV2_Atom) + sequence->atom.size + padded <= HOST_ROOM);
   memcpy(place, &event, sizeof event);
   memcpy(place + sizeof event, bytes, size);
   sequence->atom.size += padded;
+}
+
+void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes) {
+  add_event(host, frame, LV2_MIDI__MidiEvent, size, bytes);
+}
+
+void host_set_path(PluginHost *host, int64_t frame, const char *uri, const char *path) {
+  struct {
+    LV2_Atom_Object_Body object;
+    LV2_Atom_Property_Body property;
+    LV2_URID uri, padding;
+    LV2_Atom_Property_Body value;
+    char path[512];
+  } message = {
+    .object = {.otype = host_map(LV2_PATCH__Set)},
+    .property = {.key = host_map(LV2_PATCH__property),
+                 .value = {.size = sizeof(LV2_URID), .type = host_map(LV2_ATOM__URID)}},
+    .uri = host_map(uri),
+    .value = {.key = host_map(LV2_PATCH__value),
+              .value = {.size = (uint32_t)strlen(path) + 1, .type = host_map(LV2_ATOM__Path)}}};
+  assert_true(strlen(path) < sizeof message.path);
+  strcpy(message.path, path);
+  add_event(host, frame, LV2_ATOM__Object,
+            (uint32_t)(offsetof(__typeof__(message), path) + strlen(path) + 1), &message);
 }
 
 void host_note(PluginHost *host, int64_t frame, uint8_t key, uint8_t velocity) {

@@ -90,6 +90,8 @@ void host_close(PluginHost *host);
 void host_event(PluginHost *host, int64_t frame, uint32_t size, const void *bytes);
 /** Adds a note for the next run. */
 void host_note(PluginHost *host, int64_t frame, uint8_t key, uint8_t velocity);
+/** Adds a patch:Set of property @p uri to a file, for the next run. */
+void host_set_path(PluginHost *host, int64_t frame, const char *uri, const char *path);
 /** Removes the events of the next run. */
 void host_clear(PluginHost *host);
 /** Runs with the added events and removes them. */

@@ -308,6 +308,50 @@ void song_write_random(uint64_t seed) {
   song_end();
 }
 
+/* ---- kits ----------------------------------------------------------------------------------- */
+
+static double between(uint64_t *random, double least, double most) {
+  return least + (most - least) * (double)(midi_random(random) % 1000) / 999;
+}
+
+/* Every third note from `first` on, of those that random songs play. */
+static void write_notes(FILE *file, uint32_t first, uint32_t drums) {
+  fprintf(file, "head = %u", 36u + first);
+  for (uint32_t note = 36 + first + drums; note <= 50; note += drums) fprintf(file, ",%u", note);
+  fprintf(file, "\n");
+}
+
+static void write_drum(FILE *file, uint32_t number, uint32_t drums, uint64_t *random) {
+  const TaborPresetInfo *const preset =
+    tabor_preset((uint32_t)(midi_random(random) % tabor_preset_count()));
+  fprintf(file, "[drum.d%u]\npreset = %s\n", number, preset->name);
+  fprintf(file, "x = %.3f\ny = %.3f\nheight = %.3f\n", between(random, -1, 1),
+          between(random, -1, 1), between(random, 0.3, 0.9));
+  fprintf(file, "tilt = %.0f\nfacing = %.0f\n", between(random, 0, 90), between(random, 0, 360));
+  fprintf(file, "gain = %.2f\npan = %.3f\nwake = %.2f\nchoke = %u\n", between(random, -12, 12),
+          between(random, -1, 1), between(random, 0.1, 2), below(random, 3));
+  fprintf(file, "strike.velocity = %.3f\n", between(random, 1, 6));
+  write_notes(file, number, drums);
+}
+
+void kit_write_random(uint64_t seed) {
+  static const char *const rooms[] = {"none", "booth", "studio", "hall"};
+  const uint32_t drums = 1u + below(&seed, brief ? 2 : 4);
+  char path[256];
+  song_path(path, sizeof path, "kit.ini");
+  FILE *const file = fopen(path, "w");
+  assert_non_null(file);
+  fprintf(file, "[kit]\nname = random\noverheads = %.2f\n", between(&seed, -12, 6));
+  if (below(&seed, 3) == 0) {
+    fprintf(file, "coupling = off\n");
+  } else {
+    fprintf(file, "coupling = %.2f\n", between(&seed, -12, 12));
+  }
+  fprintf(file, "[room]\nkind = %s\n", rooms[below(&seed, 4)]);
+  for (uint32_t i = 0; i < drums; i++) write_drum(file, i, drums, &seed);
+  assert_int_equal(fclose(file), 0);
+}
+
 /* ---- both ways ------------------------------------------------------------------------------ */
 
 void take_open(Take *take, uint32_t channels) {

@@ -64,6 +64,8 @@ void song_write_many_gains(void);
 void song_write_within_a_frame(void);
 void song_write_sizes(void);
 void song_write_random(uint64_t seed);
+/** Writes the file kit.ini: random drums, places, notes, levels, room. */
+void kit_write_random(uint64_t seed);
 
 typedef struct Take {
   uint32_t frames, channels;

@@ -279,6 +279,99 @@ static void states_come_back(void **state) {
   clap_host_close(other);
 }
 
+/* ---- the user's own kit ---------------------------------------------------------------------- */
+
+static bool load_file(ClapHost *host, const char *path) {
+  const clap_plugin_preset_load_t *const loader = clap_host_extension(host, CLAP_EXT_PRESET_LOAD);
+  host->loaded[0] = host->refused[0] = '\0';
+  return loader->from_location(host->plugin, CLAP_PRESET_DISCOVERY_LOCATION_FILE, path, NULL);
+}
+
+static ClapHost *open_own_kit(void) {
+  char path[256];
+  ClapHost *const host = open_kit(0);
+  song_path(path, sizeof path, "kit.ini");
+  if (!load_file(host, path)) fail_msg("%s", host->refused);
+  assert_string_equal(host->loaded, path);
+  return host;
+}
+
+static void random_kits_are_those_of_render(void **state) {
+  (void)state;
+  char path[256], options[300];
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, 2);
+  song_path(path, sizeof path, "kit.ini");
+  (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
+  for (uint64_t seed = 1; seed <= random_songs; seed++) {
+    print_message("seed %u\n", (unsigned)seed);
+    kit_write_random(seed);
+    song_write_random(seed);
+    take_from(rendered, options, NULL, &expected);
+    ClapHost *const host = open_own_kit();
+    clap_host_run(host, 0);
+    clap_host_play(host, 0, 0, &take);
+    take_compare(&expected, &take, 0);
+    clap_host_close(host);
+  }
+  take_close(&expected);
+  take_close(&take);
+}
+
+/* A state has the kit itself, not its file; notes have the names of its drums. */
+static void a_state_has_the_own_kit(void **state) {
+  (void)state;
+  static ClapState saved, again;
+  static float sound[CLAP_BLOCK];
+  kit_write_random(7);
+  ClapHost *const host = open_own_kit(), *const other = open_kit(0);
+  clap_host_save(host, &saved);
+  assert_true(clap_host_load(other, &saved));
+  clap_host_save(other, &again);
+  assert_int_equal(saved.size, again.size);
+  assert_memory_equal(saved.bytes, again.bytes, saved.size);
+  assert_true(strike(host, 36, 0) > 0);
+  memcpy(sound, host->sound[0], sizeof sound);
+  assert_true(strike(other, 36, 0) > 0);
+  assert_memory_equal(sound, other->sound[0], sizeof sound);
+  const clap_plugin_note_name_t *const names = clap_host_extension(other, CLAP_EXT_NOTE_NAME);
+  clap_note_name_t name;
+  assert_true(names->get(other->plugin, 0, &name));
+  assert_int_equal(name.key, 36);
+  assert_string_equal(name.name, "d0");
+  clap_host_close(host);
+  clap_host_close(other);
+}
+
+static void files_that_are_no_kits(void **state) {
+  (void)state;
+  static ClapState saved;
+  char path[256];
+  ClapHost *const host = open_kit(tabor_kit_count());
+  assert_non_null(strstr(host->said, "no kit file has been loaded"));
+  assert_true(strike(host, 38, 1) == 0);
+  assert_false(load_file(host, "/nonexistent/kit.ini"));
+  assert_non_null(strstr(host->refused, "/nonexistent/kit.ini: No such file"));
+  song_write_all();
+  song_path(path, sizeof path, "song.mid");
+  assert_false(load_file(host, path));
+  assert_non_null(strstr(host->refused, "song.mid:1: a control character"));
+  clap_host_close(host);
+  kit_write_random(7);
+  ClapHost *const own = open_own_kit();
+  clap_host_save(own, &saved);
+  char *const preset = strstr(saved.bytes, "preset =");
+  assert_non_null(preset);
+  *preset = 'x';
+  assert_false(clap_host_load(own, &saved));
+  assert_non_null(strstr(own->said, "xreset"));
+  assert_true(strike(own, 36, 0) > 0);
+  clap_host_close(own);
+}
+
+/* ---- words ---------------------------------------------------------------------------------- */
+
 static void expect_word(ClapHost *host, KitKnobId id, uint32_t choice, const char *word) {
   const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
   char text[64];
@@ -293,11 +386,12 @@ static void expect_word(ClapHost *host, KitKnobId id, uint32_t choice, const cha
 static void choices_are_kits_and_maps(void **state) {
   (void)state;
   ClapHost *const host = clap_host_open(entry, ID_KIT);
-  assert_true(kit_knobs[KIT_KNOB_KIT].maximum + 1 == (float)tabor_kit_count());
+  assert_true(kit_knobs[KIT_KNOB_KIT].maximum == (float)tabor_kit_count());
   assert_true(kit_knobs[KIT_KNOB_NOTES].maximum == (float)kit_map_count);
   for (uint32_t i = 0; i < tabor_kit_count(); i++) {
     expect_word(host, KIT_KNOB_KIT, i, tabor_kit(i)->name);
   }
+  expect_word(host, KIT_KNOB_KIT, tabor_kit_count(), "Own kit");
   for (uint32_t i = 0; i < kit_map_count; i++) {
     expect_word(host, KIT_KNOB_NOTES, i + 1u, kit_maps[i].name);
   }
@@ -314,6 +408,9 @@ int main(int argc, char **argv) {
     cmocka_unit_test(the_mix_is_that_of_render),
     cmocka_unit_test(each_drum_is_that_of_split),
     cmocka_unit_test(random_songs_are_those_of_render),
+    cmocka_unit_test(random_kits_are_those_of_render),
+    cmocka_unit_test(a_state_has_the_own_kit),
+    cmocka_unit_test(files_that_are_no_kits),
     cmocka_unit_test(levels_are_factors),
     cmocka_unit_test(knobs_outlive_a_reset),
     cmocka_unit_test(tuning_moves_the_pitch),

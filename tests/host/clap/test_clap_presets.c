@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The built-in drums as a host's browser finds and loads them, and the pages of remote controls.
+ * Drums and kits, built in and the user's, as a host's browser finds and loads them, and the pages of remote controls.
  *
  * test_clap_presets PLUGINS
  */
 #include "clap_host.h"
+
+#include "clap/kit_instance.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -14,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include <cmocka.h>
 
@@ -27,15 +30,19 @@ static const clap_plugin_entry_t *entry;
 
 /* What a browser has heard of. */
 static struct {
-  uint32_t locations, presets, plugins, limit;
+  uint32_t locations, filetypes, presets, plugins, kits, errors, limit;
+  char folder[512]; /* of the user */
   char names[MOST][CLAP_NAME_SIZE], keys[MOST][CLAP_NAME_SIZE];
 } heard;
 
 static bool hear_location(const clap_preset_discovery_indexer_t *indexer,
                           const clap_preset_discovery_location_t *location) {
   (void)indexer;
-  assert_int_equal(location->kind, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN);
-  assert_null(location->location);
+  const bool is_file = location->kind == CLAP_PRESET_DISCOVERY_LOCATION_FILE;
+  assert_int_equal(location->location != NULL, is_file);
+  assert_int_equal(location->flags, is_file ? CLAP_PRESET_DISCOVERY_IS_USER_CONTENT
+                                            : CLAP_PRESET_DISCOVERY_IS_FACTORY_CONTENT);
+  if (is_file) (void)snprintf(heard.folder, sizeof heard.folder, "%s", location->location);
   heard.locations++;
   return true;
 }
@@ -43,9 +50,17 @@ static bool hear_location(const clap_preset_discovery_indexer_t *indexer,
 static bool hear_filetype(const clap_preset_discovery_indexer_t *indexer,
                           const clap_preset_discovery_filetype_t *filetype) {
   (void)indexer;
-  (void)filetype;
-  fail_msg("presets are no files");
-  return false;
+  assert_string_equal(filetype->file_extension, "ini");
+  heard.filetypes++;
+  return true;
+}
+
+static void hear_error(const clap_preset_discovery_metadata_receiver_t *receiver, int32_t error,
+                       const char *message) {
+  (void)receiver;
+  (void)error;
+  assert_true(strlen(message) > 0 && !strchr(message, '\n'));
+  heard.errors++;
 }
 
 static bool hear_preset(const clap_preset_discovery_metadata_receiver_t *receiver, const char *name,
@@ -53,7 +68,7 @@ static bool hear_preset(const clap_preset_discovery_metadata_receiver_t *receive
   (void)receiver;
   if (heard.presets == heard.limit) return false;
   (void)snprintf(heard.names[heard.presets], CLAP_NAME_SIZE, "%s", name);
-  (void)snprintf(heard.keys[heard.presets++], CLAP_NAME_SIZE, "%s", key);
+  (void)snprintf(heard.keys[heard.presets++], CLAP_NAME_SIZE, "%s", key ? key : "");
   return true;
 }
 
@@ -62,6 +77,7 @@ static void hear_plugin(const clap_preset_discovery_metadata_receiver_t *receive
   (void)receiver;
   assert_string_equal(plugin->abi, "clap");
   heard.plugins += strcmp(plugin->id, ID_DRUM) == 0 || strcmp(plugin->id, ID_DRUM_MULTI) == 0;
+  heard.kits += strcmp(plugin->id, ID_KIT) == 0;
 }
 
 static void hear_text(const clap_preset_discovery_metadata_receiver_t *receiver, const char *text) {
@@ -71,20 +87,23 @@ static void hear_text(const clap_preset_discovery_metadata_receiver_t *receiver,
 
 static void hear_flags(const clap_preset_discovery_metadata_receiver_t *receiver, uint32_t flags) {
   (void)receiver;
-  assert_int_equal(flags, CLAP_PRESET_DISCOVERY_IS_FACTORY_CONTENT);
+  assert_true(flags == CLAP_PRESET_DISCOVERY_IS_FACTORY_CONTENT ||
+              flags == CLAP_PRESET_DISCOVERY_IS_USER_CONTENT);
 }
 
-/* Listens until `limit` presets have come. */
-static void listen(uint32_t limit) {
-  const clap_preset_discovery_indexer_t indexer = {.clap_version = CLAP_VERSION_INIT,
-                                                   .name = "test",
-                                                   .declare_filetype = hear_filetype,
-                                                   .declare_location = hear_location};
-  const clap_preset_discovery_metadata_receiver_t receiver = {.begin_preset = hear_preset,
-                                                              .add_plugin_id = hear_plugin,
-                                                              .set_flags = hear_flags,
-                                                              .set_description = hear_text,
-                                                              .add_feature = hear_text};
+static const clap_preset_discovery_metadata_receiver_t receiver = {.on_error = hear_error,
+                                                                   .begin_preset = hear_preset,
+                                                                   .add_plugin_id = hear_plugin,
+                                                                   .set_flags = hear_flags,
+                                                                   .set_description = hear_text,
+                                                                   .add_feature = hear_text};
+
+/* A provider that has told its places; to be destroyed. Listens until `limit` presets have come. */
+static const clap_preset_discovery_provider_t *open_provider(uint32_t limit) {
+  static const clap_preset_discovery_indexer_t indexer = {.clap_version = CLAP_VERSION_INIT,
+                                                          .name = "test",
+                                                          .declare_filetype = hear_filetype,
+                                                          .declare_location = hear_location};
   const clap_preset_discovery_factory_t *const factory =
     entry->get_factory(CLAP_PRESET_DISCOVERY_FACTORY_ID);
   assert_non_null(factory);
@@ -96,24 +115,99 @@ static void listen(uint32_t limit) {
     factory->create(factory, &indexer, factory->get_descriptor(factory, 0)->id);
   assert_non_null(provider);
   assert_true(provider->init(provider));
+  return provider;
+}
+
+static void listen(uint32_t limit) {
+  const clap_preset_discovery_provider_t *const provider = open_provider(limit);
   assert_true(
     provider->get_metadata(provider, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, &receiver));
   provider->destroy(provider);
 }
 
-static void test_a_browser_finds_every_drum(void **state) {
+static const char *name_of(uint32_t place) {
+  const uint32_t drums = tabor_preset_count();
+  return (place < drums ? tabor_preset(place) : tabor_kit(place - drums))->name;
+}
+
+static void test_a_browser_finds_every_drum_and_kit(void **state) {
   (void)state;
+  assert_int_equal(setenv("XDG_DATA_HOME", "/nonexistent", 1), 0);
   listen(MOST);
   assert_int_equal(heard.locations, 1);
-  assert_int_equal(heard.presets, tabor_preset_count());
-  assert_int_equal(heard.plugins, 2 * heard.presets);
+  assert_int_equal(heard.filetypes, 0);
+  assert_int_equal(heard.presets, tabor_preset_count() + tabor_kit_count());
+  assert_int_equal(heard.plugins, 2 * tabor_preset_count());
+  assert_int_equal(heard.kits, tabor_kit_count());
   for (uint32_t i = 0; i < heard.presets; i++) {
-    assert_string_equal(heard.keys[i], tabor_preset(i)->name);
+    assert_string_equal(heard.keys[i], name_of(i));
     assert_true(isupper((unsigned char)heard.names[i][0]));
     assert_null(strchr(heard.names[i], '-'));
   }
   listen(2); /* then the browser has enough */
   assert_int_equal(heard.presets, 2);
+}
+
+/* ---- files of the user ---------------------------------------------------------------------- */
+
+static char data[] = "/tmp/tabor-data-XXXXXX";
+
+static const char *file_path(const char *name) {
+  static char path[512];
+  (void)snprintf(path, sizeof path, "%s/tabor/%s", data, name);
+  return path;
+}
+
+static void write_file(const char *name, const char *text) {
+  FILE *const file = fopen(file_path(name), "w");
+  assert_non_null(file);
+  assert_true(fputs(text, file) >= 0);
+  assert_int_equal(fclose(file), 0);
+}
+
+static int make_user_folder(void **state) {
+  (void)state;
+  strcpy(data, "/tmp/tabor-data-XXXXXX");
+  if (!mkdtemp(data) || setenv("XDG_DATA_HOME", data, 1) != 0) return 1;
+  if (mkdir(file_path(""), 0700) != 0) return 1;
+  write_file("drum.ini", "[drum]\nname = mine\n[shell]\nradius = 0.15\nboundary = open\n"
+                         "[batter]\ntension = 2000\nsurface_density = 0.3\n"
+                         "[striker.stick]\nkind = stick\n"
+                         "[mic.top]\nradius = 0.1\nheight = 0.1\n");
+  write_file("kit.ini", "[kit]\nname = my-kit\ncomment = Two toms\n"
+                        "[drum.high]\npreset = tom-10\nhead = 38\n"
+                        "[drum.low]\npreset = tom-12\nx = 0.5\nhead = 41\n");
+  write_file("else.ini", "[window]\nwidth = 100\n");
+  return 0;
+}
+
+static int remove_user_folder(void **state) {
+  (void)state;
+  char command[600];
+  (void)snprintf(command, sizeof command, "rm -r '%s'", data);
+  return system(command);
+}
+
+static void test_a_browser_finds_the_users_files(void **state) {
+  (void)state;
+  const clap_preset_discovery_provider_t *const provider = open_provider(MOST);
+  const uint32_t kind = CLAP_PRESET_DISCOVERY_LOCATION_FILE;
+  assert_int_equal(heard.locations, 2);
+  assert_int_equal(heard.filetypes, 1);
+  assert_true(strncmp(heard.folder, data, strlen(data)) == 0);
+  assert_true(provider->get_metadata(provider, kind, file_path("drum.ini"), &receiver));
+  assert_string_equal(heard.names[0], "mine");
+  assert_int_equal(heard.plugins, 2);
+  assert_int_equal(heard.kits, 0);
+  assert_true(provider->get_metadata(provider, kind, file_path("kit.ini"), &receiver));
+  assert_string_equal(heard.names[1], "my-kit");
+  assert_int_equal(heard.kits, 1);
+  assert_int_equal(heard.errors, 0);
+  assert_false(provider->get_metadata(provider, kind, file_path("else.ini"), &receiver));
+  assert_false(provider->get_metadata(provider, kind, file_path("none.ini"), &receiver));
+  assert_int_equal(heard.errors, 2);
+  assert_int_equal(heard.presets, 2);
+  provider->destroy(provider);
 }
 
 /* ---- loading -------------------------------------------------------------------------------- */
@@ -189,6 +283,22 @@ static void test_a_loaded_drum_sounds_as_one_chosen_by_midi(void **state) {
   clap_host_close(chosen);
 }
 
+static void test_a_drum_is_loaded_from_a_file(void **state) {
+  (void)state;
+  static float one[FRAMES], other[FRAMES];
+  ClapHost *const host = open_drum(), *const plain = open_drum();
+  const uint32_t kind = CLAP_PRESET_DISCOVERY_LOCATION_FILE;
+  if (!load(host, kind, file_path("drum.ini"), NULL)) fail_msg("%s", host->refused);
+  assert_string_equal(host->loaded, file_path("drum.ini"));
+  record(host, -1, one);
+  record(plain, -1, other);
+  assert_memory_not_equal(one, other, sizeof one);
+  assert_false(load(host, kind, file_path("kit.ini"), NULL));
+  assert_non_null(strstr(host->refused, "kit.ini:1"));
+  clap_host_close(host);
+  clap_host_close(plain);
+}
+
 static void test_what_is_no_preset_changes_nothing(void **state) {
   (void)state;
   static ClapState before, after;
@@ -199,7 +309,7 @@ static void test_what_is_no_preset_changes_nothing(void **state) {
   assert_false(load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, NULL));
   assert_non_null(strstr(host->refused, "built-in drums"));
   assert_false(load(host, CLAP_PRESET_DISCOVERY_LOCATION_FILE, "/none", tabor_preset(1)->name));
-  assert_non_null(strstr(host->refused, "built-in drums"));
+  assert_non_null(strstr(host->refused, "/none: No such file"));
   assert_string_equal(host->loaded, "");
   assert_int_equal(host->rescans, 0);
   clap_host_save(host, &after);
@@ -257,7 +367,11 @@ int main(int argc, char **argv) {
   if (argc < 2) return 1;
   entry = clap_host_entry(argv[1]);
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_a_browser_finds_every_drum),
+    cmocka_unit_test(test_a_browser_finds_every_drum_and_kit),
+    cmocka_unit_test_setup_teardown(test_a_browser_finds_the_users_files, make_user_folder,
+                                    remove_user_folder),
+    cmocka_unit_test_setup_teardown(test_a_drum_is_loaded_from_a_file, make_user_folder,
+                                    remove_user_folder),
     cmocka_unit_test(test_parameters_show_the_drum),
     cmocka_unit_test(test_a_loaded_drum_sounds_as_one_chosen_by_midi),
     cmocka_unit_test(test_what_is_no_preset_changes_nothing),

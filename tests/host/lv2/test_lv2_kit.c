@@ -180,6 +180,92 @@ static void tuning_moves_the_pitch(void **state) {
   assert_true(rates[1] > 1.5 * rates[0]);
 }
 
+/* ---- the user's own kit ---------------------------------------------------------------------- */
+
+static PluginHost *open_own_kit(void) {
+  char path[256];
+  PluginHost *const host = open_kit(tabor_kit_count());
+  song_path(path, sizeof path, "kit.ini");
+  host_set_path(host, 0, URI_KIT_FILE, path);
+  host_run(host, 0);
+  return host;
+}
+
+static void random_kits_are_those_of_render(void **state) {
+  (void)state;
+  char path[256], options[300];
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, KIT_PORT_OUTPUTS);
+  song_path(path, sizeof path, "kit.ini");
+  (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
+  for (uint64_t seed = 1; seed <= random_songs; seed++) {
+    print_message("seed %u\n", (unsigned)seed);
+    kit_write_random(seed);
+    song_write_random(seed);
+    take_from(rendered, options, NULL, &expected);
+    PluginHost *const host = open_own_kit();
+    host_play(host, song.messages, song.count, take.frames, 0, take.sound);
+    const Take mix = pair_of(&take, 0);
+    take_compare(&expected, &mix, 0);
+    host_close(host);
+  }
+  take_close(&expected);
+  take_close(&take);
+}
+
+/* A session has the kit itself, not its file. */
+static void a_session_has_the_own_kit(void **state) {
+  (void)state;
+  HostState saved = {.count = 0};
+  kit_write_random(7);
+  PluginHost *const host = open_own_kit(), *const other = open_kit(tabor_kit_count());
+  host_save(host, &saved);
+  assert_int_equal(saved.count, 1);
+  assert_non_null(host_property(&saved, URI_STATE_KIT));
+  assert_int_equal(host_restore(other, &saved), LV2_STATE_SUCCESS);
+  assert_true(strike(host, 36, 0) > 0);
+  assert_true(strike(other, 36, 0) > 0);
+  assert_memory_equal(host->sound[0], other->sound[0], sizeof host->sound[0]);
+  host_set_property(&saved, URI_STATE_KIT, LV2_ATOM__String, "[kit]\nname = x\n", 17);
+  assert_int_not_equal(host_restore(other, &saved), LV2_STATE_SUCCESS);
+  assert_non_null(strstr(other->said, "no drum"));
+  host_state_free(&saved);
+  host_close(host);
+  host_close(other);
+}
+
+/* The kit that was there plays on, and a line says why. */
+static void refuse_file(PluginHost *host, const char *path, const char *reason) {
+  host->said[0] = '\0';
+  host_set_path(host, 0, URI_KIT_FILE, path);
+  host_run(host, 0);
+  assert_non_null(strstr(host->said, reason));
+  assert_true(strike(host, 36, 0) > 0);
+}
+
+static void files_that_are_no_kits(void **state) {
+  (void)state;
+  char path[256];
+  PluginHost *const none = open_kit(tabor_kit_count());
+  assert_true(strike(none, 38, 0) == 0);
+  assert_non_null(strstr(none->said, "no kit file has been loaded"));
+  host_close(none);
+  kit_write_random(7);
+  song_write_all();
+  PluginHost *const host = open_own_kit();
+  refuse_file(host, "/nonexistent/kit.ini", "/nonexistent/kit.ini: No such file");
+  song_path(path, sizeof path, "song.mid");
+  refuse_file(host, path, "song.mid:1: a control character");
+  host->said[0] = '\0';
+  host_set_path(host, 0, "urn:tabor:nothing", path);
+  host_run(host, 0);
+  assert_string_equal(host->said, "");
+  host_close(host);
+}
+
+/* ---- sessions ------------------------------------------------------------------------------- */
+
 /* Bits that the session has: every knob's port. The one instance has got there by ways, and begins anew. */
 static void ports_are_all_that_a_session_needs(void **state) {
   (void)state;
@@ -325,6 +411,9 @@ int main(int argc, char **argv) {
     cmocka_unit_test(the_usual_quality_is_live),
     cmocka_unit_test(each_drum_is_that_of_split),
     cmocka_unit_test(random_songs_are_those_of_render),
+    cmocka_unit_test(random_kits_are_those_of_render),
+    cmocka_unit_test(a_session_has_the_own_kit),
+    cmocka_unit_test(files_that_are_no_kits),
     cmocka_unit_test(levels_are_factors),
     cmocka_unit_test(tuning_moves_the_pitch),
     cmocka_unit_test(ports_are_all_that_a_session_needs),

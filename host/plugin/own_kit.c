@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+#include "plugin/own_kit.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kit/kit_file.h"
+
+bool own_kit_begin(OwnKit *own) {
+  memset(own, 0, sizeof *own);
+  return pthread_mutex_init(&own->lock, NULL) == 0;
+}
+
+void own_kit_end(OwnKit *own) {
+  (void)pthread_mutex_destroy(&own->lock);
+  free(own->text);
+  free(own->def);
+}
+
+/* Both are the own kit's from now on. */
+static void replace(OwnKit *own, char *text, size_t length, TaborKitDef *def) {
+  (void)pthread_mutex_lock(&own->lock);
+  free(own->text);
+  free(own->def);
+  own->text = text;
+  own->length = length;
+  own->def = def;
+  atomic_fetch_add(&own->version, 1);
+  (void)pthread_mutex_unlock(&own->lock);
+}
+
+static char *copy_of(const char *text, size_t length) {
+  char *const copy = malloc(length + 1);
+  if (!copy) return NULL;
+  memcpy(copy, text, length);
+  copy[length] = '\0';
+  return copy;
+}
+
+static bool read_kit(const char *name, const char *text, size_t length, TaborKitDef *def,
+                     char *message, size_t size) {
+  const KitFileReader reader = {.def = def};
+  return kit_file_parse(name, text, length, &reader, message, size) == PRESET_FILE_OK &&
+         kit_file_check(name, def, message, size);
+}
+
+static bool take(OwnKit *own, const char *name, const char *text, size_t length, char *message,
+                 size_t size) {
+  TaborKitDef *const def = malloc(sizeof *def);
+  char *const copy = copy_of(text, length);
+  const bool has_memory = def && copy;
+  if (!has_memory) (void)snprintf(message, size, "%s: out of memory", name);
+  if (has_memory && read_kit(name, text, length, def, message, size)) {
+    replace(own, copy, length, def);
+    return true;
+  }
+  free(def);
+  free(copy);
+  return false;
+}
+
+bool own_kit_load(OwnKit *own, const char *path, char *message, size_t size) {
+  char *text;
+  size_t length;
+  if (preset_file_load(path, &text, &length, message, size) != PRESET_FILE_OK) return false;
+  const bool is_taken = take(own, path, text, length, message, size);
+  free(text);
+  return is_taken;
+}
+
+bool own_kit_set(OwnKit *own, const char *text, size_t length, char *message, size_t size) {
+  return take(own, "kit", text, length, message, size);
+}
+
+char *own_kit_text(OwnKit *own) {
+  (void)pthread_mutex_lock(&own->lock);
+  char *const text = own->text ? copy_of(own->text, own->length) : NULL;
+  (void)pthread_mutex_unlock(&own->lock);
+  return text;
+}
+
+bool own_kit_copy(OwnKit *own, TaborKitDef *def) {
+  (void)pthread_mutex_lock(&own->lock);
+  const bool is_there = own->def != NULL;
+  if (is_there) *def = *own->def;
+  (void)pthread_mutex_unlock(&own->lock);
+  return is_there;
+}
+
+bool own_kit_work(OwnKit *own, char *message, size_t size) {
+  unsigned asked = OWN_KIT_ASKED;
+  if (!atomic_compare_exchange_strong(&own->phase, &asked, OWN_KIT_LOADING)) return true;
+  const bool is_taken = own_kit_load(own, own->path, message, size);
+  atomic_store(&own->phase, OWN_KIT_IDLE);
+  return is_taken;
+}
+
+bool own_kit_ask(OwnKit *own, const char *path, size_t length) {
+  if (length >= OWN_KIT_PATH || atomic_load(&own->phase) != OWN_KIT_IDLE) return false;
+  memcpy(own->path, path, length);
+  own->path[length] = '\0';
+  atomic_store(&own->phase, OWN_KIT_ASKED);
+  return true;
+}
+
+unsigned own_kit_version(const OwnKit *own) { return atomic_load(&own->version); }

@@ -12,6 +12,8 @@
 #include "base/output_file.h"
 #include "files/sndfile_io.h"
 
+#define DEFAULT_ENCODING "pcm24" /**< of commands that are given none */
+
 typedef enum AudioContainer { AUDIO_WAV, AUDIO_FLAC, AUDIO_AU } AudioContainer;
 typedef enum AudioEncoding { AUDIO_PCM16, AUDIO_PCM24, AUDIO_FLOAT } AudioEncoding;
 

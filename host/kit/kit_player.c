@@ -18,11 +18,16 @@ Outcome kit_player_begin(KitPlayer *player, const KitPlayerSetup *setup) {
   memset(player, 0, sizeof *player);
   player->setup = *setup;
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
-  return spsc_queue_create(&player->live, sizeof(LiveEvent), LIVE_EVENTS) ? OUTCOME_OK
-                                                                          : fail_memory();
+  const bool has_memory =
+    (!setup->records || recording_begin(&player->recording, 2, setup->rate)) &&
+    spsc_queue_create(&player->live, sizeof(LiveEvent), LIVE_EVENTS);
+  return has_memory ? OUTCOME_OK : fail_memory();
 }
 
-void kit_player_end(KitPlayer *player) { spsc_queue_destroy(&player->live); }
+void kit_player_end(KitPlayer *player) {
+  spsc_queue_destroy(&player->live);
+  recording_end(&player->recording);
+}
 
 void kit_player_send(KitPlayer *player, double time, const TaborKitEvent *event) {
   const LiveEvent live = {.frame = frame_clock_frame(&player->clock, time), .event = *event};
@@ -76,23 +81,29 @@ static void raise_to(_Atomic double *maximum, double value) {
   }
 }
 
-static float clip(KitPlayer *player, double sample) {
+static double clip(KitPlayer *player, double sample) {
   raise_to(&player->peak, fabs(sample));
-  if (fabs(sample) <= 1) return (float)sample;
+  if (fabs(sample) <= 1) return sample;
   atomic_fetch_add_explicit(&player->clipped, 1u, memory_order_relaxed);
-  return sample > 1 ? 1.0f : -1.0f;
+  return sample > 1 ? 1 : -1;
 }
 
 /* Left and right to the first two channels of the device, or both to its only one. */
+static void send_frame(const double sides[2], float *samples, uint32_t width) {
+  if (width == 1) {
+    samples[0] = (float)(0.5 * (sides[0] + sides[1]));
+    return;
+  }
+  for (uint32_t i = 0; i < width; i++) samples[i] = i < 2 ? (float)sides[i] : 0.0f;
+}
+
 static void send_out(KitPlayer *player, float *samples, uint32_t frames) {
   const uint32_t width = player->setup.width;
-  const double gain = player->setup.gain;
   for (uint32_t i = 0; i < frames; i++) {
-    const double left = gain * (double)player->sound[0][i],
-                 right = gain * (double)player->sound[1][i];
-    const float sides[2] = {clip(player, width == 1 ? 0.5 * (left + right) : left),
-                            clip(player, right)};
-    for (uint32_t c = 0; c < width; c++) samples[i * width + c] = c < 2 ? sides[c] : 0.0f;
+    const double sides[2] = {clip(player, player->setup.gain * (double)player->sound[0][i]),
+                             clip(player, player->setup.gain * (double)player->sound[1][i])};
+    if (width > 0) send_frame(sides, samples + (size_t)i * width, width);
+    recording_add(&player->recording, player->position + i, sides);
   }
 }
 

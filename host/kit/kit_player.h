@@ -11,6 +11,7 @@
 #include "kit/kit_samples.h"
 #include "kit/kit_song.h"
 #include "sound/frame_clock.h"
+#include "sound/recording.h"
 
 #define KIT_PLAYER_PIECE 256  /**< most frames at once */
 #define KIT_PLAYER_EVENTS 256 /**< most events of a piece; further ones act in the next */
@@ -23,11 +24,13 @@ typedef struct KitPlayerSetup {
   uint32_t width;      /**< channels of the device */
   uint32_t buffer;     /**< frames of a block, as far as they are known */
   uint64_t end;        /**< frame at which it is over; 0: never */
+  bool records;
 } KitPlayerSetup;
 
 typedef struct KitPlayer {
   KitPlayerSetup setup;
   SpscQueue live; /**< of LiveEvent */
+  Recording recording;
   FrameClock clock;
   size_t next; /**< event of the song */
   uint64_t position;

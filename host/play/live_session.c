@@ -29,7 +29,7 @@ static Outcome open_device(LiveSession *session) {
     request->backend->open(&request->device, &session->stream, &session->facts);
   session->is_lost = outcome == OUTCOME_FAILED;
   request->model.sample_rate = session->facts.rate;
-  request->audio.rate = (uint32_t)lround(session->facts.rate);
+  request->record.audio.rate = (uint32_t)lround(session->facts.rate);
   return outcome;
 }
 
@@ -100,7 +100,7 @@ static Outcome create_player(LiveSession *session) {
     .width = session->facts.width,
     .buffer = session->facts.buffer,
     .gain = request->gain,
-    .records = request->records,
+    .records = request->record.records,
     .logs = request->logs,
     .frames = (uint64_t)llround(request->duration * request->model.sample_rate),
     .dies_away = request->backend->waits,
@@ -129,9 +129,11 @@ static Outcome start_log(LiveSession *session) {
 
 static Outcome start_recorder(LiveSession *session) {
   PlayRequest *const request = session->request;
-  if (!request->records) return OUTCOME_OK;
-  request->audio.most_frames = player_most_frames(session->player);
-  return take_writer_start(&request->audio, &request->record, session->player, &session->writer);
+  RecordRequest *const record = &request->record;
+  if (!record->records) return OUTCOME_OK;
+  record->audio.most_frames = player_most_frames(session->player);
+  return take_writer_start(&record->audio, &record->output, player_recording(session->player),
+                           &session->writer);
 }
 
 Outcome live_session_open(LiveSession *session, PlayRequest *request) {

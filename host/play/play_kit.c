@@ -18,6 +18,8 @@
 #include "platform/process.h"
 #include "play/backend.h"
 #include "play/play_report.h"
+#include "play/record_request.h"
+#include "play/take_writer.h"
 #include "strokes/humanize_options.h"
 
 #define DEFAULT_BUFFER 128
@@ -37,8 +39,11 @@ typedef struct KitSession {
   bool quiet, json;
   const Backend *backend;
   BackendRequest device;
+  RecordRequest record;
+  TakeWriter *writer;
   BackendStream *stream;
   BackendFacts facts;
+  uint64_t recorded; /* frames in the file */
   MidiInput *input;
   TaborKit *kit;
   KitPlayer player;
@@ -47,10 +52,17 @@ typedef struct KitSession {
 /* ---- the request ----------------------------------------------------------------------------- */
 
 static Outcome check_options(const Arguments *arguments) {
-  static const char *const excluded[] = {"record",   "format", "log", "events",
-                                         "midi-map", "keys",   "mic", "stereo"};
+  static const char *const excluded[] = {"log", "events", "midi-map", "keys", "mic", "stereo"};
   return kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
                             "a kit is played by MIDI, and heard in its own mix");
+}
+
+/* It ends by itself, and only a song plays the kit. */
+static Outcome check_waiting(const Arguments *arguments, const KitSession *s) {
+  if (!s->record.records) return refuse("--backend file needs --record FILE");
+  if (s->duration == 0) return refuse("--kit and --backend file need --duration");
+  if (!arguments_has(arguments, "midi-in")) return OUTCOME_OK;
+  return refuse("--midi-in: with --backend file nothing is heard live");
 }
 
 static Outcome read_device(const Arguments *arguments, KitSession *s) {
@@ -63,10 +75,20 @@ static Outcome read_device(const Arguments *arguments, KitSession *s) {
   if (outcome != OUTCOME_OK) return outcome;
   s->device.buffer = (uint32_t)frames;
   if (arguments_has(arguments, "rate")) s->device.rate = s->model.sample_rate;
-  if (s->backend->waits)
-    return refuse("--kit and --backend file: 'tabor render --kit' writes files");
+  if (s->backend->waits) return check_waiting(arguments, s);
   if (!s->device.device || s->backend == &backend_portaudio) return OUTCOME_OK;
   return refuse("--device: only --backend portaudio has devices");
+}
+
+/* The recording may replace nothing that is read. */
+static Outcome protect_inputs(const Arguments *arguments, const KitSession *s) {
+  static const char *const files[] = {"kit", "midi-file"};
+  for (size_t i = 0; s->record.records && i < sizeof files / sizeof *files; i++) {
+    const char *const name = arguments_value(arguments, files[i]);
+    if (!name || !output_overwrites(&s->record.output, name)) continue;
+    return refuse("the recording would overwrite --%s '%s'", files[i], name);
+  }
+  return OUTCOME_OK;
 }
 
 static Outcome read_numbers(const Arguments *arguments, KitSession *s) {
@@ -117,8 +139,17 @@ static Outcome create_player(KitSession *s) {
                                 .gain = s->gain,
                                 .width = s->facts.width,
                                 .buffer = s->facts.buffer,
-                                .end = (uint64_t)llround(s->duration * s->model.sample_rate)};
+                                .end = (uint64_t)llround(s->duration * s->model.sample_rate),
+                                .records = s->record.records};
   return kit_player_begin(&s->player, &setup);
+}
+
+static Outcome start_recorder(KitSession *s) {
+  RecordRequest *const record = &s->record;
+  if (!record->records) return OUTCOME_OK;
+  record->audio.rate = (uint32_t)lround(s->facts.rate);
+  record->audio.most_frames = s->player.setup.end > 0 ? s->player.setup.end : UINT64_MAX;
+  return take_writer_start(&record->audio, &record->output, &s->player.recording, &s->writer);
 }
 
 /* A MidiInputFn. */
@@ -142,7 +173,8 @@ static Outcome open_all(const Arguments *arguments, KitSession *s) {
     outcome = kit_build(&s->def, &s->model, process_processors(), &s->kit);
   }
   if (outcome == OUTCOME_OK) outcome = create_player(s);
-  if (outcome != OUTCOME_OK) return outcome;
+  if (outcome == OUTCOME_OK) outcome = start_recorder(s);
+  if (outcome != OUTCOME_OK || s->backend->waits) return outcome;
   return midi_input_open(arguments_value(arguments, "midi-in"), s->quiet, receive, s, &s->input);
 }
 
@@ -153,15 +185,22 @@ static bool process(void *context, float *samples, uint32_t frames, double now, 
   return kit_player_process(&s->player, samples, frames, now, gap);
 }
 
+/* Nothing is in a hurry here: the block waits for the disk. */
+static bool prepare(void *context, uint32_t frames) {
+  const KitSession *const s = context;
+  take_writer_wait(s->writer, frames);
+  return true;
+}
+
 static void announce(const KitSession *s) {
-  if (s->quiet) return;
+  if (s->quiet || s->backend->waits) return;
   note("kit %s on '%s': %.10g Hz, %u frames at once, %.1f ms from a stroke to its sound",
        s->def.name, s->facts.device, s->facts.rate, (unsigned)s->facts.buffer,
        1000 * (s->facts.buffer / s->facts.rate + s->facts.latency));
 }
 
 static Outcome run(KitSession *s) {
-  const BackendClient client = {.process = process, .context = s};
+  const BackendClient client = {.process = process, .prepare = prepare, .context = s};
   interrupt_catch();
   announce(s);
   const Outcome outcome = s->backend->start(s->stream, &client);
@@ -174,6 +213,17 @@ static Outcome run(KitSession *s) {
     clock_sleep_until(stopwatch_seconds(CLOCK_MONOTONIC) + TURN);
   }
   return OUTCOME_OK;
+}
+
+/* Once no block is asked for any more. */
+static Outcome finish_recording(KitSession *s) {
+  TakeWriter *const writer = s->writer;
+  s->writer = NULL;
+  if (!writer) return OUTCOME_OK;
+  s->backend->close(s->stream);
+  s->stream = NULL;
+  recording_hand_over(&s->player.recording);
+  return take_writer_finish(writer, &s->recorded);
 }
 
 /* ---- the report ------------------------------------------------------------------------------ */
@@ -203,14 +253,23 @@ static Outcome report(KitSession *s) {
   if (status.dropped > 0) {
     warn("%llu events were dropped: too many at once", (unsigned long long)status.dropped);
   }
+  const uint64_t lost = atomic_load(&s->player.recording.lost);
+  if (lost > 0) {
+    warn("the recording has %llu frames of silence where the disk was too slow",
+         (unsigned long long)lost);
+  }
   if (s->json) return print_json(s, &status);
-  if (!s->quiet) note("%.2f s played, %.2f of real time", status.seconds, status.load);
+  if (!s->quiet) {
+    note("%.2f s played, %.2f of real time%s%s", status.seconds, status.load,
+         s->recorded > 0 ? "; recorded in " : "", s->recorded > 0 ? s->record.output.name : "");
+  }
   return OUTCOME_OK;
 }
 
 static void close_all(KitSession *s) {
   midi_input_close(s->input);
   if (s->backend && s->stream) s->backend->close(s->stream);
+  record_request_free(&s->record);
   kit_player_end(&s->player);
   tabor_kit_destroy(s->kit);
   kit_song_free(&s->song);
@@ -221,14 +280,18 @@ static void close_all(KitSession *s) {
 Outcome play_kit(const Arguments *arguments) {
   KitSession *const s = calloc(1, sizeof *s);
   if (!s) return fail_memory();
+  record_request_begin(&s->record);
   Outcome outcome = check_options(arguments);
   if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &s->def, &s->samples);
   if (outcome == OUTCOME_OK) outcome = read_numbers(arguments, s);
+  if (outcome == OUTCOME_OK) outcome = record_request_read(arguments, 2, &s->record);
+  if (outcome == OUTCOME_OK) outcome = protect_inputs(arguments, s);
   if (outcome == OUTCOME_OK) outcome = read_device(arguments, s);
   if (outcome == OUTCOME_OK) outcome = open_all(arguments, s);
   if (outcome == OUTCOME_OK) {
     outcome = run(s);
-    const Outcome said = report(s);
+    const Outcome recorded = finish_recording(s), said = report(s);
+    if (outcome == OUTCOME_OK) outcome = recorded;
     if (outcome == OUTCOME_OK) outcome = said;
   }
   close_all(s);

@@ -41,8 +41,8 @@ static void warn_of_losses(const PlayStatus *status, double worst) {
 
 static json_t *recording_json(const LiveSession *session, const PlayStatus *status) {
   const PlayRequest *const request = session->request;
-  if (!request->records) return json_null();
-  return json_pack("{s:o, s:I}", "file", json_text(request->record.name), "lost_frames",
+  if (!request->record.records) return json_null();
+  return json_pack("{s:o, s:I}", "file", json_text(request->record.output.name), "lost_frames",
                    (json_int_t)(status->lost_frames + session->unwritten));
 }
 
@@ -97,7 +97,7 @@ static void describe_load(const LiveSession *session, const PlayStatus *status, 
 
 static void note_summary(const LiveSession *session, const PlayStatus *status) {
   const PlayRequest *const request = session->request;
-  const bool recorded = request->records && session->unwritten == 0;
+  const bool recorded = request->record.records && session->unwritten == 0;
   if (status->ignored_notes > 0) {
     note("%llu note%s not in the MIDI map and passed over", (Count)status->ignored_notes,
          status->ignored_notes == 1 ? " was" : "s were");
@@ -106,7 +106,7 @@ static void note_summary(const LiveSession *session, const PlayStatus *status) {
   describe_load(session, status, load, sizeof load);
   note("%.1f s, %llu stroke%s%s%s%s", status->time, (Count)status->strokes,
        status->strokes == 1 ? "" : "s", load, recorded ? "; recorded in " : "",
-       recorded ? request->record.name : "");
+       recorded ? request->record.output.name : "");
 }
 
 Outcome play_report(LiveSession *session) {

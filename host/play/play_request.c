@@ -15,7 +15,6 @@
 #include "strokes/stroke_options.h"
 
 #define DEFAULT_BUFFER 128
-#define DEFAULT_ENCODING "pcm24"
 #define DEFAULT_HUMANIZE 0.3
 
 const Option play_options[] = {
@@ -144,29 +143,8 @@ static Outcome read_backend(const Arguments *arguments, PlayRequest *request) {
   return OUTCOME_OK;
 }
 
-/* A recording whose length nobody knows must be good up to where it breaks off. */
-static Outcome check_container(const char *name, PlayRequest *request) {
-  const bool known = audio_container(name, &request->audio.container);
-  if (known && request->audio.container != AUDIO_FLAC) return OUTCOME_OK;
-  if (!known && request->record.kind != OUTPUT_REPLACED) {
-    request->audio.container = AUDIO_AU;
-    return OUTCOME_OK;
-  }
-  return refuse("--record '%s': the name must end in .wav or .au, with something before it", name);
-}
-
 static Outcome read_record(const Arguments *arguments, PlayRequest *request) {
-  const char *const name = arguments_value(arguments, "record");
-  const char *const format = arguments_value(arguments, "format");
-  Outcome outcome = audio_encoding(format ? format : DEFAULT_ENCODING, &request->audio.encoding);
-  request->audio.channels = request->channels;
-  if (!name || outcome != OUTCOME_OK) return outcome;
-  if (!*name || strcmp(name, "-") == 0) {
-    return refuse("--record '%s': allowed: the name of a file, as take.wav", name);
-  }
-  request->records = true;
-  outcome = output_plan(&request->record, name, arguments_has(arguments, "no-overwrite"));
-  return outcome == OUTCOME_OK ? check_container(name, request) : outcome;
+  return record_request_read(arguments, request->channels, &request->record);
 }
 
 static Outcome read_log(const Arguments *arguments, PlayRequest *request) {
@@ -178,7 +156,8 @@ static Outcome read_log(const Arguments *arguments, PlayRequest *request) {
   request->logs = true;
   const Outcome outcome =
     output_plan(&request->log, name, arguments_has(arguments, "no-overwrite"));
-  if (outcome != OUTCOME_OK || !request->records || !output_same(&request->log, &request->record)) {
+  if (outcome != OUTCOME_OK || !request->record.records ||
+      !output_same(&request->log, &request->record.output)) {
     return outcome;
   }
   return refuse("--record and --log: both name the file '%s'", name);
@@ -212,7 +191,8 @@ static Outcome protect_from(const OutputFile *output, const char *kind, const Ar
 static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
   const char *const preset = request->preset;
   Outcome outcome = OUTCOME_OK;
-  if (request->records) outcome = protect_from(&request->record, "recording", arguments, preset);
+  if (request->record.records)
+    outcome = protect_from(&request->record.output, "recording", arguments, preset);
   if (outcome != OUTCOME_OK || !request->logs) return outcome;
   return protect_from(&request->log, "log", arguments, preset);
 }
@@ -223,7 +203,8 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
     read_mics,  read_backend, read_record, read_log,  protect_inputs,
   };
   memset(request, 0, sizeof *request);
-  request->record = request->log = OUTPUT_FILE_NONE;
+  record_request_begin(&request->record);
+  request->log = OUTPUT_FILE_NONE;
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; outcome == OUTCOME_OK && i < sizeof steps / sizeof steps[0]; i++) {
     outcome = steps[i](arguments, request);
@@ -232,7 +213,7 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
 }
 
 void play_request_free(PlayRequest *request) {
-  output_discard(&request->record);
+  record_request_free(&request->record);
   output_discard(&request->log);
   midi_song_free(&request->song);
 }

@@ -7,9 +7,9 @@
 #define TABOR_HOST_PLAY_REQUEST_H
 
 #include "base/options.h"
-#include "files/audio_file.h"
 #include "midi/midi_song.h"
 #include "play/backend.h"
+#include "play/record_request.h"
 #include "strokes/humanize.h"
 #include "ui/keymap.h"
 
@@ -28,9 +28,7 @@ typedef struct PlayRequest {
   double duration; /**< [s], or 0: no limit */
   const Backend *backend;
   BackendRequest device;
-  bool records;
-  OutputFile record; /**< planned, if records */
-  AudioFormat audio; /**< format of the recording; its rate is the device's */
+  RecordRequest record; /**< its rate is the device's */
   bool logs;
   OutputFile log; /**< planned, if logs */
   bool json, quiet, no_ui;

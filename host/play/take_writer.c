@@ -9,7 +9,7 @@
 #define REFRESH_TIME 0.5 /* [s] of sound from one header to the next */
 
 struct TakeWriter {
-  Player *player;
+  Recording *recording;
   OutputFile *output;
   AudioFile file;
   double *silence; /* a block of it, for what the disk was too slow for */
@@ -45,7 +45,7 @@ static Outcome refresh(TakeWriter *writer) {
   return audio_file_refresh(&writer->file);
 }
 
-static Outcome write_frames(TakeWriter *writer, const PlayerRecord *block) {
+static Outcome write_frames(TakeWriter *writer, const RecordingBlock *block) {
   Outcome outcome = write_silence_until(writer, block->frame);
   if (outcome != OUTCOME_OK) return outcome;
   writer->frames += block->frames;
@@ -54,7 +54,7 @@ static Outcome write_frames(TakeWriter *writer, const PlayerRecord *block) {
 }
 
 /* What goes wrong is said once; then blocks are only taken away. */
-static void write_block(TakeWriter *writer, const PlayerRecord *block) {
+static void write_block(TakeWriter *writer, const RecordingBlock *block) {
   char reason[1000];
   if (writer->outcome != OUTCOME_OK) return;
   const MessageCapture before = message_capture(reason, sizeof reason);
@@ -66,10 +66,10 @@ static void write_block(TakeWriter *writer, const PlayerRecord *block) {
 }
 
 static void write_all(TakeWriter *writer) {
-  const PlayerRecord *block;
-  while ((block = player_record(writer->player)) != NULL) {
+  const RecordingBlock *block;
+  while ((block = recording_peek(writer->recording)) != NULL) {
     write_block(writer, block);
-    player_record_next(writer->player);
+    recording_pop(writer->recording);
   }
 }
 
@@ -96,12 +96,12 @@ static Outcome open_file(TakeWriter *writer, const AudioFormat *format) {
   return audio_file_open(&writer->file, format, writer->output);
 }
 
-Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player *player,
+Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Recording *recording,
                           TakeWriter **started) {
   TakeWriter *const writer = calloc(1, sizeof *writer);
   *started = NULL;
   if (!writer) return fail_memory();
-  writer->player = player;
+  writer->recording = recording;
   writer->output = output;
   writer->silence = calloc((size_t)AUDIO_BLOCK * format->channels, sizeof *writer->silence);
   Outcome outcome = writer->silence ? open_file(writer, format) : fail_memory();
@@ -117,7 +117,7 @@ Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player 
 }
 
 void take_writer_wait(const TakeWriter *writer, uint32_t frames) {
-  while (!player_record_has_room(writer->player, frames)) pause_ms(1);
+  while (!recording_has_room(writer->recording, frames)) pause_ms(1);
 }
 
 static Outcome deliver(TakeWriter *writer, uint64_t *kept) {

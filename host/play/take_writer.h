@@ -12,17 +12,17 @@
 #define TABOR_HOST_TAKE_WRITER_H
 
 #include "files/audio_file.h"
-#include "sound/player.h"
+#include "sound/recording.h"
 
 typedef struct TakeWriter TakeWriter;
 
-/** Starts to write the recording of @p player. @p output is planned and must outlive the writer. */
-Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Player *player,
+/** Starts to write @p recording. @p output is planned; both must outlive the writer. */
+Outcome take_writer_start(const AudioFormat *format, OutputFile *output, Recording *recording,
                           TakeWriter **writer);
 /** Waits until the recording has room for @p frames more frames, or the disk has failed. */
 void take_writer_wait(const TakeWriter *writer, uint32_t frames);
 /**
- * Writes the rest, gives the file its name and frees the writer. Call once the player is halted. @p kept:
+ * Writes the rest, gives the file its name and frees the writer. Call once the recording is handed over. @p kept:
  * number of frames in the file; unchanged if the writer is NULL, which is allowed.
  */
 Outcome take_writer_finish(TakeWriter *writer, uint64_t *kept);

@@ -9,8 +9,6 @@
 #include "base/options.h"
 #include "render/render_request.h"
 
-#define DEFAULT_ENCODING "pcm24"
-
 /** Rows of the option tables for the options that render_request_read() reads. */
 #define OPTION_FORMAT                                                                              \
   { "format", 0, "FORMAT", "pcm16, pcm24 or float (default " DEFAULT_ENCODING ")" }

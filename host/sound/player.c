@@ -141,27 +141,12 @@ static void send_out(const Player *player, float *samples, uint32_t frames) {
   }
 }
 
-/* A block is full every PLAYER_RECORD frames, where a piece ends, too. */
 static void record(Player *player, uint64_t position, uint32_t frames) {
-  PlayerRecord *const block = player->record;
-  const uint32_t channels = player->channels;
-  if (block->frames == 0) block->frame = position;
-  double *const samples = block->samples + (size_t)block->frames * channels;
-  for (uint32_t channel = 0; channel < channels; channel++) {
-    for (uint32_t frame = 0; frame < frames; frame++) {
-      samples[frame * channels + channel] = player->mixed[channel][frame];
-    }
+  double samples[TABOR_MAX_MICS];
+  for (uint32_t frame = 0; frame < frames; frame++) {
+    for (uint32_t i = 0; i < player->channels; i++) samples[i] = player->mixed[i][frame];
+    recording_add(&player->recording, position + frame, samples);
   }
-  block->frames += frames;
-  if (block->frames == PLAYER_RECORD) player_hand_over(player);
-}
-
-void player_hand_over(Player *player) {
-  if (player->record->frames == 0) return;
-  if (!spsc_queue_push(&player->recording, player->record)) {
-    count(&player->meters.lost_frames, player->record->frames);
-  }
-  player->record->frames = 0;
 }
 
 /* ---- pieces and blocks ---------------------------------------------------------------------- */
@@ -189,7 +174,7 @@ static uint32_t play_piece(Player *player, float *samples, uint32_t most) {
   drum_player_play(&player->core, take_message, player, frames);
   for (uint32_t i = 0; i < player->channels; i++) clip_channel(player, i, frames);
   send_out(player, samples, frames);
-  if (player->records) record(player, position, frames);
+  if (player->recording.channels > 0) record(player, position, frames);
   atomic_store_explicit(&player->played, player->core.position, memory_order_release);
   look_for_end(player);
   return frames;

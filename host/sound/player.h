@@ -20,8 +20,7 @@
 #include "base/realtime.h"
 #include "sound/play_status.h"
 #include "sound/player_message.h"
-
-#define PLAYER_RECORD 256 /**< frames of a block for the recording */
+#include "sound/recording.h"
 
 /** Senders of messages, one thread each. At one frame, the order here is the order of execution. */
 typedef enum PlayerSource {
@@ -32,13 +31,6 @@ typedef enum PlayerSource {
   SOURCE_KEYS,    /**< the computer keyboard and the command line */
   SOURCE_COUNT
 } PlayerSource;
-
-/** A block of the recording: PLAYER_RECORD frames, fewer only at the end. */
-typedef struct PlayerRecord {
-  uint64_t frame;
-  uint32_t frames;
-  double samples[]; /**< interleaved channels */
-} PlayerRecord;
 
 /** Parameters of a player. */
 typedef struct PlayerSetup {
@@ -89,12 +81,8 @@ bool player_process(Player *player, float *samples, uint32_t frames, double now,
 
 /* THE RECORDING'S THREAD */
 
-/** Returns the next block, valid until player_record_next(); NULL if there is none yet. */
-const PlayerRecord *player_record(const Player *player);
-/** Releases that block. */
-void player_record_next(Player *player);
-/** True if the recording's queue has room for @p frames more frames. Any thread. */
-bool player_record_has_room(const Player *player, uint32_t frames);
+/** The recording, of no channels if the setup says so. */
+Recording *player_recording(Player *player);
 
 /* THE LOG'S THREAD */
 

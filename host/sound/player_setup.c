@@ -12,27 +12,18 @@
 
 #define SOURCE_ROOM 4096                          /* messages */
 #define LOG_ROOM (2 * SOURCE_COUNT * SOURCE_ROOM) /* messages: twice as many as may wait */
-#define RECORD_SECONDS 10.0                       /* that the disk may keep a recording waiting */
 #define PRIORITY 60 /* of SCHED_FIFO: below what the system's own sound has */
 
-static size_t record_size(const Player *player) {
-  return sizeof(PlayerRecord) + (size_t)PLAYER_RECORD * player->channels * sizeof(double);
-}
-
-static bool create_recording(Player *player) {
-  if (!player->records) return true;
-  const double blocks = RECORD_SECONDS * player->rate / PLAYER_RECORD;
-  player->record = calloc(1, record_size(player));
-  return player->record &&
-         spsc_queue_create(&player->recording, record_size(player), (size_t)blocks);
+static bool create_recording(Player *player, const PlayerSetup *setup) {
+  return !setup->records || recording_begin(&player->recording, setup->channels, setup->rate);
 }
 
 static bool create_log(Player *player) {
   return !player->logs || spsc_queue_create(&player->log, sizeof(PlayerMessage), LOG_ROOM);
 }
 
-static bool create_rings(Player *player) {
-  bool created = create_recording(player) && create_log(player);
+static bool create_rings(Player *player, const PlayerSetup *setup) {
+  bool created = create_recording(player, setup) && create_log(player);
   for (int i = 0; i < SOURCE_COUNT; i++) {
     created = created && spsc_queue_create(&player->sources[i], sizeof(PlayerMessage), SOURCE_ROOM);
   }
@@ -62,20 +53,18 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   if (outcome != OUTCOME_OK) return outcome;
   drum_player_set_room(&player->core, &player->room);
   player->width = setup->width;
-  player->records = setup->records;
   player->logs = setup->logs;
   set_end(player, setup);
   frame_clock_start(&player->clock, setup->rate, setup->buffer);
-  return create_rings(player) ? OUTCOME_OK : fail_memory();
+  return create_rings(player, setup) ? OUTCOME_OK : fail_memory();
 }
 
 void player_destroy(Player *player) {
   if (!player) return;
   for (int i = 0; i < SOURCE_COUNT; i++) spsc_queue_destroy(&player->sources[i]);
-  spsc_queue_destroy(&player->recording);
+  recording_end(&player->recording);
   spsc_queue_destroy(&player->log);
   room_mix_free(&player->room);
-  free(player->record);
   process_free_aligned(player);
 }
 
@@ -97,17 +86,7 @@ uint64_t player_frame_at(const Player *player, double time) {
 
 /* ---- the recording -------------------------------------------------------------------------- */
 
-const PlayerRecord *player_record(const Player *player) {
-  return spsc_queue_peek(&player->recording);
-}
-
-void player_record_next(Player *player) { spsc_queue_pop(&player->recording); }
-
-bool player_record_has_room(const Player *player, uint32_t frames) {
-  const size_t blocks = frames / PLAYER_RECORD + 2;
-  return !player->records ||
-         player->recording.capacity - spsc_queue_count(&player->recording) >= blocks;
-}
+Recording *player_recording(Player *player) { return &player->recording; }
 
 /* ---- the log -------------------------------------------------------------------------------- */
 
@@ -210,8 +189,8 @@ void player_status(Player *player, PlayStatus *status) {
   status->gain = get(&meters->gain);
   status->clipped = number(&meters->clipped);
   status->xruns = number(&meters->xruns);
-  status->recording = player->records;
-  status->lost_frames = number(&meters->lost_frames);
+  status->recording = player->recording.channels > 0;
+  status->lost_frames = number(&player->recording.lost);
   status_load(player, status);
   status_drum(player, status);
   status_last_event(player, status);
@@ -237,7 +216,7 @@ bool player_halt(Player *player, double seconds) {
     if (stopwatch_seconds(CLOCK_MONOTONIC) - start > seconds) return false;
     (void)nanosleep(&moment, NULL);
   }
-  if (player->records) player_hand_over(player);
+  recording_hand_over(&player->recording);
   return true;
 }
 

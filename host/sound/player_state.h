@@ -19,7 +19,7 @@ typedef struct PlayerMeters {
   _Atomic double peak[TABOR_MAX_MICS]; /* the reader takes the value and leaves 0 */
   _Atomic double loudest;              /* peak of all channels since the start */
   _Atomic double gain;
-  atomic_ullong clipped, xruns, late, dropped, lost_frames;
+  atomic_ullong clipped, xruns, late, dropped;
   atomic_ullong strokes, solves, iterations, capped, recovered;
   atomic_uint newton_max, strikers;
   atomic_bool sleeping;
@@ -35,9 +35,8 @@ struct Player {
   double rate;
   uint32_t width, channels;
   uint32_t mics[TABOR_MAX_MICS]; /* output of the drum for each channel */
-  bool records, logs, ends;
+  bool logs, ends;
   SpscQueue sources[SOURCE_COUNT];
-  SpscQueue recording;
   SpscQueue log; /* of PlayerMessage */
 
   /* audio thread */
@@ -46,7 +45,7 @@ struct Player {
   uint64_t end;
   RingOut ring_out;
   double mixed[TABOR_MAX_MICS][PLAYER_PIECE]; /* sound of each channel, clipped */
-  PlayerRecord *record;                       /* the block being filled */
+  Recording recording;
 
   /* shared */
   FrameClock clock;
@@ -58,8 +57,5 @@ struct Player {
   /* user's thread */
   uint32_t load_seen[LOAD_BINS];
 };
-
-/* Sends the completed block to the recording's thread. */
-void player_hand_over(Player *player) REALTIME;
 
 #endif

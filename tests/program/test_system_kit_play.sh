@@ -21,6 +21,15 @@ run "${short[@]}" --duration 0.3 --midi-file rim.mid --map roland --json
 same "a map by name" "low-tom 1" "$(json drums.3.name) $(json drums.3.strokes)"
 refused "--map 'x': unknown; there are: roland" "${short[@]}" --map x
 
+# What is played is recorded, on a device and without one, with the same bits as it is rendered.
+"$TABOR" render --kit standard --quality draft --midi-file song.mid --duration 0.7 --format float -o rendered.wav -q
+for backend in null file; do
+  run play --kit standard --backend $backend --quality draft --humanize 0 --midi-file song.mid --duration 0.7 --format float --record $backend.wav
+  same "status of $backend" 0 "$status"
+  check "$backend says where" grep -q "recorded in $backend.wav" "$err"
+  same "bits of $backend" "$(sha256sum <rendered.wav)" "$(sha256sum <$backend.wav)"
+done
+
 # Ctrl-C ends it.
 "$TABOR" "${short[@]}" >"$out" 2>"$err" &
 child=$!
@@ -30,9 +39,13 @@ wait $child
 same "status after SIGINT" 130 $?
 
 refused "unknown kit" play --kit standart --backend null
-refused "--kit and --record" "${short[@]}" --record take.wav
+refused "--kit and --log" "${short[@]}" --log take.log
 refused "--kit and 'tom-12'" play tom-12 --kit standard --backend null
-refused "--kit and --backend file" play --kit standard --backend file
+refused "needs --record" play --kit standard --backend file --duration 1
+refused "need --duration" play --kit standard --backend file --record take.wav
+refused "--midi-in" play --kit standard --backend file --duration 1 --record take.wav --midi-in all
+cp song.mid song.wav
+refused "would overwrite --midi-file" "${short[@]}" --midi-file song.wav --record song.wav
 refused "--device: only" "${short[@]}" --device 'JACK: system'
 refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1
 

@@ -51,14 +51,14 @@ void stage_close(Stage *stage) {
 }
 
 static void take_recorded(Stage *stage) {
-  const PlayerRecord *record;
-  while ((record = player_record(stage->player)) != NULL) {
+  const RecordingBlock *record;
+  while ((record = recording_peek(player_recording(stage->player))) != NULL) {
     assert_int_equal(record->frame, stage->recorded);
     assert_true(stage->recorded + record->frames <= stage->room);
     memcpy(stage->samples + stage->recorded, record->samples,
            record->frames * sizeof *record->samples);
     stage->recorded += record->frames;
-    player_record_next(stage->player);
+    recording_pop(player_recording(stage->player));
   }
 }
 

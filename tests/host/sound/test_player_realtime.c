@@ -29,7 +29,8 @@ static long calls_of_block(Stage *stage, uint32_t frames) {
   assert_true(more);
   stage->position += frames;
   for (uint32_t i = 0; i < 2 * frames; i++) assert_true(isfinite(samples[i]));
-  while (player_record(stage->player)) player_record_next(stage->player);
+  while (recording_peek(player_recording(stage->player)))
+    recording_pop(player_recording(stage->player));
   return calls;
 }
 

@@ -285,19 +285,19 @@ static void a_recording_has_every_frame(void **state) {
   assert_true(player_halt(stage->player, 1));
   assert_true(status_of(stage).recording && status_of(stage).lost_frames == 0);
   uint64_t at = 0;
-  const PlayerRecord *record;
-  while ((record = player_record(stage->player)) != NULL) {
+  const RecordingBlock *record;
+  while ((record = recording_peek(player_recording(stage->player))) != NULL) {
     assert_int_equal(record->frame, at);
     assert_int_equal(record->frames, FRAMES - at < 256 ? FRAMES - at : 256);
     for (uint32_t i = 0; i < 2 * record->frames; i++) {
       assert_true((float)record->samples[i] == heard[2 * at + i]);
     }
     at += record->frames;
-    player_record_next(stage->player);
+    recording_pop(player_recording(stage->player));
   }
   assert_int_equal(at, FRAMES);
   assert_true(player_halt(stage->player, 1)); /* nothing is handed over twice */
-  assert_null(player_record(stage->player));
+  assert_null(recording_peek(player_recording(stage->player)));
   close_stage(stage);
 }
 
@@ -309,10 +309,10 @@ static void lost_frames_are_counted(void **state) {
   for (int i = 0; i < SECONDS * 48000 / 1024; i++) play(stage, 1024);
   assert_true(player_halt(stage->player, 1));
   uint64_t kept = 0;
-  const PlayerRecord *record;
-  while ((record = player_record(stage->player)) != NULL) {
+  const RecordingBlock *record;
+  while ((record = recording_peek(player_recording(stage->player))) != NULL) {
     kept += record->frames;
-    player_record_next(stage->player);
+    recording_pop(player_recording(stage->player));
   }
   assert_true(kept >= 9 * 48000 && kept < stage->position);
   assert_int_equal(kept + status_of(stage).lost_frames, stage->position);

@@ -165,3 +165,43 @@ def test_events_of_a_kit(standard, tmp_path):
     held = tabor.Kit("standard", {"drum.snare.buzz": "39"}, quality="draft")
     with pytest.raises(tabor.Error, match="note 39 of snare is held"):
         held.midi_events(path)
+
+
+MAP_NOTES = [note(60 * i, number, 100 - i) for i, number in enumerate((36, 38, 40, 37, 48, 50, 45, 47, 43, 58, 46, 35))]
+MAP_PLACES = [control(0, 16, 100), note(0, 38, 80), control(100, 18, 120), note(100, 48, 80), control(200, 17, 60),
+              note(200, 38, 80), note(220, 41, 70), note(240, 43, 90)]
+
+
+@pytest.mark.parametrize("name", ["roland", "yamaha", "alesis", "superior", "addictive"])
+@pytest.mark.parametrize("notes", [MAP_NOTES, MAP_PLACES], ids=["notes", "places"])
+def test_maps_by_name_are_those_of_the_program(name, notes, standard, program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", notes)
+    theirs = program_sound("--kit", "standard", "--midi-file", str(path), "--quality", "draft", "--duration", "0.7",
+                           "--map", name, channels=2)
+    assert np.array_equal(standard.render(path, 0.7, notes_of=name), theirs)
+
+
+def test_controllers_of_places(standard, program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", MAP_PLACES)
+    theirs = program_sound("--kit", "standard", "--midi-file", str(path), "--quality", "draft", "--duration", "0.4",
+                           "--map", "roland", "--place-cc", "17,16", channels=2)
+    events = standard.midi_events(path, notes_of="roland", place_cc=(17, 16))
+    standard.reset()
+    assert np.array_equal(standard.process(19200, [row for row in events if row[1].time < 0.4]), theirs)
+    with pytest.raises(tabor.UnknownNameError, match="no map is called 'Roland'; there are roland, yamaha"):
+        standard.midi_events(path, notes_of="Roland")
+    with pytest.raises(ValueError, match="place_cc"):
+        standard.midi_events(path, notes_of="roland", place_cc=(120, 18))
+
+
+def test_a_kit_from_a_file(program, program_sound, tmp_path):
+    path, file = song(tmp_path / "song.mid", *KIT_SONGS["a groove"]), tmp_path / "mine.ini"
+    file.write_bytes(program("show", "--kit", "jazz", "--set", "kit.coupling=3", "--set", "drum.snare.batter.pitch=G3"))
+    theirs = program_sound("--kit", str(file), "--midi-file", str(path), "--quality", "draft", "--duration", "0.4",
+                           channels=2)
+    assert np.array_equal(tabor.Kit(file, quality="draft").render(path, 0.4), theirs)
+    with pytest.raises(FileNotFoundError):
+        tabor.Kit("none.ini")
+    file.write_text("[kit]\nname = x\nwhat\n", encoding="utf-8")
+    with pytest.raises(tabor.Error, match="line 3 is neither"):
+        tabor.Kit(str(file))

@@ -14,6 +14,7 @@ no_python_tools="the packages of python/requirements.txt are not in build/python
 import_package() {
   cp -r "$SOURCE/python/src" package
   quietly "$1" "$SOURCE/python/build_header.py" "$SOURCE/engine/include/tabor/"{tabor,kit}.h package/tabor/_header.py
+  quietly "$1" "$SOURCE/python/build_kit_maps.py" "$SOURCE/host/midi/kit_map.c" package/tabor/_kit_maps.py
   cp -L "$SHARED_BUILD/engine/libtabor.so" package/tabor/
   export PYTHONPATH=$PWD/package PYTHONDONTWRITEBYTECODE=1
 }

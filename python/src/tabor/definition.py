@@ -10,6 +10,7 @@ import shutil
 from numbers import Integral
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
+from ._ini import pairs
 from ._library import Error, check, choice_of, encoded, ffi, lib, text
 
 #: A parameter's value: a number, or the word of a choice, or text.
@@ -135,20 +136,11 @@ class Definition(Mapping[str, Value]):
         """
         made = cls()
         lib.tabor_drum_def_clear(made._c)
-        section = ""
-        for number, line in enumerate(ini.splitlines(), 1):
-            words = line.strip().lstrip("\ufeff")
-            if words.startswith(";"):
-                continue
-            words = words.split(" ;", 1)[0].split("\t;", 1)[0].strip()
-            key, equals, value = words.partition("=")
-            if words.startswith("[") and words.endswith("]"):
-                section = words[1:-1].strip()
+        for section, key, value in pairs(ini):
+            if key is None:
                 check(lib.tabor_drum_def_section, made._c, encoded(section, "section"))
-            elif equals and section:
-                made[f"{section}.{key.strip()}"] = value.strip()
-            elif words:
-                raise Error(f"line {number} is neither [section] nor key = value: {line!r}", "value", "", words)
+            else:
+                made[f"{section}.{key}"] = value
         made.validate()
         return made
 

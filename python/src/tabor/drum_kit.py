@@ -10,17 +10,21 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ._ini import pairs
+from ._kit_maps import MAPS
 from ._library import Error, UnknownNameError, check, encoded, ffi, fields, lib, text
 from ._numbers import number, whole
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
 from .events import Event, place
-from .midi import Path, kit_midi_events
+from .midi import KitPart, Path, kit_midi_events
 from .model import Model
 
 _MOST_FRAMES = 2**31 - 1
 #: Techniques of the strokes that a note may play (TaborKitStroke).
 _STROKES = {1: "normal", 2: "rimshot", 3: "cross-stick", 4: "rim"}
+#: General MIDI's notes of the drums whose places have a controller each.
+_SNARE_NOTES, _TOM_NOTES = (37, 38, 40), (41, 43, 45, 47, 48, 50)
 
 #: An event and the name of the drum that it is for; None: all drums.
 KitEvent = Tuple[Optional[str], Event]
@@ -43,8 +47,9 @@ class Kit:
 
     Parameters
     ----------
-    kit : str
-        Name of a built-in kit, as `kits` lists them.
+    kit : str or path
+        Name of a built-in kit, as `kits` lists them, or of a kit file, as `tabor show --kit` writes one: with a ``/`` in it
+        or ending in ``.ini``. Samples of the file play nothing here.
     settings : mapping of str to str or number, optional
         Changes, as ``{"drum.snare.batter.pitch": "G3", "kit.coupling": "off"}`` (docs/kit.md has the keys).
     sample_rate : float, optional
@@ -54,8 +59,10 @@ class Kit:
 
     Raises
     ------
+    OSError
+        The file cannot be read.
     Error
-        There is no such kit, or a setting is not allowed.
+        There is no such kit, a line of the file is not understood, or a setting is not allowed.
 
     Notes
     -----
@@ -67,10 +74,10 @@ class Kit:
     >>> sound = kit.process(48000, [("kick", tabor.strike(0, velocity=5)), ("snare", tabor.strike(0.5))])
     """
 
-    def __init__(self, kit: str = "standard", settings: Optional[Mapping[str, Value]] = None,
+    def __init__(self, kit: Path = "standard", settings: Optional[Mapping[str, Value]] = None,
                  sample_rate: Optional[float] = None, quality: Optional[str] = None) -> None:
         self._def = ffi.new("TaborKitDef *")
-        check(lib.tabor_kit_def_preset, self._def, encoded(kit, "kit"))
+        self._define(kit)
         for key, value in (settings or {}).items():
             check(lib.tabor_kit_def_set, self._def, encoded(key, "key"), encoded(str(value), "value"))
         check(lib.tabor_kit_def_validate, self._def)
@@ -81,6 +88,21 @@ class Kit:
         check(lib.tabor_kit_create, self._def, models, made)
         self._c = ffi.gc(made[0], lib.tabor_kit_destroy)
         self._lock = threading.Lock()
+
+    def _define(self, kit: Path) -> None:
+        if isinstance(kit, str) and "/" not in kit and not kit.endswith(".ini"):
+            check(lib.tabor_kit_def_preset, self._def, encoded(kit, "kit"))
+            return
+        with open(kit, encoding="utf-8") as file:
+            ini = file.read()
+        lib.tabor_kit_def_default(self._def)
+        for section, key, value in pairs(ini):
+            if section.startswith("note."):
+                continue
+            if key is None:
+                check(lib.tabor_kit_def_section, self._def, encoded(section, "section"))
+            else:
+                check(lib.tabor_kit_def_set, self._def, encoded(f"{section}.{key}", "key"), encoded(value, "value"))
 
     def _placed(self, drum: int) -> Definition:
         """The drum as it stands in the kit."""
@@ -137,13 +159,19 @@ class Kit:
             lib.tabor_kit_process(self._c, made, len(made), outputs, frames)
         return out
 
-    def midi_events(self, path: Path) -> List[KitEvent]:
+    def midi_events(self, path: Path, *, notes_of: Optional[str] = None,
+                    place_cc: Tuple[int, int] = (16, 18)) -> List[KitEvent]:
         """The strokes and other events of a MIDI file, as `tabor render --kit --midi-file` plays them.
 
         Parameters
         ----------
         path : str or path
-            Name of a Standard MIDI File of format 0 or 1. Notes are those of the kit: General MIDI's in the built-in ones.
+            Name of a Standard MIDI File of format 0 or 1.
+        notes_of : {"roland", "yamaha", "alesis", "superior", "addictive"}, optional
+            What the notes are those of (``--map``). Unless given they are those of the kit: General MIDI's in the
+            built-in ones.
+        place_cc : (int, int), optional
+            With `notes_of`: controllers, 0 to 119, of a stroke's place on the snare drum and on the toms.
 
         Returns
         -------
@@ -157,11 +185,24 @@ class Kit:
         OSError
             The file cannot be read.
         Error
-            It is not a MIDI file, none of its notes plays a drum, or the kit has notes that buzz or sweep, which the
-            program alone plays.
+            It is not a MIDI file, none of its notes plays a drum, there is no such map, or the kit has notes that buzz or
+            sweep, which the program alone plays.
         """
-        notes = [self._notes_of(drum) for drum in range(len(self._drums))]
-        return [(self._drums[drum], event) for drum, event in kit_midi_events(path, self._models, notes)]
+        parts = [self._part(drum, notes_of, place_cc) for drum in range(len(self._drums))]
+        return [(self._drums[drum], event) for drum, event in kit_midi_events(path, self._models, parts)]
+
+    def _part(self, drum: int, notes_of: Optional[str], place_cc: Tuple[int, int]) -> KitPart:
+        """What a file's messages are to one drum."""
+        own = self._notes_of(drum)
+        if notes_of is None:
+            return KitPart(own)
+        if notes_of not in MAPS:
+            raise UnknownNameError(f"no map is called {notes_of!r}; there are {', '.join(MAPS)}", "name", "notes_of", notes_of)
+        notes = {note: _STROKES.get(stroke, own[general]) for note, (general, stroke) in MAPS[notes_of].items()
+                 if general in own}
+        snare, toms = (whole("place_cc", controller, 0, 119) for controller in place_cc)
+        places = [snare] * any(note in own for note in _SNARE_NOTES) + [toms] * any(note in own for note in _TOM_NOTES)
+        return KitPart(notes, frozenset(places), frozenset())
 
     def _notes_of(self, drum: int) -> Dict[int, str]:
         strokes = {note: stroke for note, stroke in enumerate(self._def.drum[drum].notes) if stroke}
@@ -170,7 +211,8 @@ class Kit:
             raise Error(f"note {held[0]} of {self._drums[drum]} is held: `tabor render --kit` plays such notes", "value")
         return {note: _STROKES[stroke] for note, stroke in strokes.items()}
 
-    def render(self, events: Union[Path, Sequence[KitEvent]], duration: float) -> NDArray[np.float32]:
+    def render(self, events: Union[Path, Sequence[KitEvent]], duration: float, *,
+               notes_of: Optional[str] = None) -> NDArray[np.float32]:
         """Plays from rest.
 
         Parameters
@@ -180,6 +222,8 @@ class Kit:
             `process`.
         duration : float
             Length [s].
+        notes_of : str, optional
+            Of a MIDI file: as for `midi_events`.
 
         Returns
         -------
@@ -188,7 +232,7 @@ class Kit:
         """
         frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
         if isinstance(events, (str, os.PathLike)):
-            events = [(drum, event) for drum, event in self.midi_events(events)
+            events = [(drum, event) for drum, event in self.midi_events(events, notes_of=notes_of)
                       if round(event.time * self.sample_rate) < frames]
         self._prepare(events, frames)  # before anything changes
         self.reset()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, FrozenSet, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._library import Error, lib
 from .definition import Definition, presets
@@ -73,12 +73,20 @@ def midi_events(path: Path, model: Model) -> List[Event]:
     return [action.event for action in _settled(song.actions, _listed_preset(model.definition))]
 
 
-def kit_midi_events(path: Path, models: Sequence[Model], notes: Sequence[Mapping[int, str]]) -> List[Tuple[int, Event]]:
+class KitPart(NamedTuple):
+    """What messages are to one drum of a kit: the techniques of the notes that play it, and the controllers of its strokes'
+    place."""
+
+    notes: Mapping[int, str]
+    radius: FrozenSet[int] = frozenset({_RADIUS})
+    angle: FrozenSet[int] = frozenset({_ANGLE})
+
+
+def kit_midi_events(path: Path, models: Sequence[Model], parts: Sequence[KitPart]) -> List[Tuple[int, Event]]:
     """The events of a MIDI file for the drums of a kit (`Kit.midi_events`): each with the number of its drum.
 
-    `notes` has, for each drum, the techniques of the notes that play it. All drums hear controllers, channel pressure and
-    silences; programs do nothing."""
-    songs = [_Song(model, techniques) for model, techniques in zip(models, notes)]
+    All drums hear controllers, channel pressure and silences; programs do nothing."""
+    songs = [_Song(model, part) for model, part in zip(models, parts)]
     events: List[Tuple[int, Event]] = []
     for placed in sorted(_placed(_timed_messages(path), models[0].sample_rate), key=lambda message: message[:3]):
         for drum, song in enumerate(songs):
@@ -202,11 +210,12 @@ class _Action(NamedTuple):
 class _Song:
     """The drum that a song plays: the program's host/midi/midi_to_events.c."""
 
-    def __init__(self, model: Model, kit_notes: Optional[Mapping[int, str]] = None) -> None:
+    def __init__(self, model: Model, part: Optional[KitPart] = None) -> None:
         self.actions: List[_Action] = []
         self.strokes = self.ignored = 0
-        self._techniques = _TECHNIQUES if kit_notes is None else kit_notes
-        self._is_of_kit = kit_notes is not None
+        self._part = part or KitPart(_TECHNIQUES)
+        self._techniques = self._part.notes
+        self._is_of_kit = part is not None
         self._model = model
         self._models: Dict[int, Model] = {}
         self._preset = _listed_preset(model.definition)
@@ -279,9 +288,9 @@ class _Song:
             self._add(frame, release(time, id=_FIRST_HAND + hand))
 
     def _control(self, frame: int, time: float, number: int, value: int) -> None:
-        if number == _RADIUS:
+        if number in self._part.radius:
             self._radius = _RIM_RADIUS * value / 127
-        elif number == _ANGLE:
+        elif number in self._part.angle:
             self._angle = 360.0 * value / 128
         elif number == _GRIP and self._has_grip:
             row = lib.tabor_parameter_find(b"hand.grip")

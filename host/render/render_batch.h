@@ -47,6 +47,7 @@ typedef struct RenderBatch {
   RenderJobFn *render;  /**< NULL: render_file() */
   RenderedFn *rendered; /**< or NULL */
   void *context;        /**< of both */
+  double shown;         /**< part of the sound that was shown as played: it never shrinks */
 } RenderBatch;
 
 /** Reads --jobs; the default is the number of processors. */

@@ -55,8 +55,8 @@ static bool has_known_end(const RenderBatch *batch) {
 }
 
 /* ", 21 %", and once there is something to conclude from, ", about 0:12 left". */
-static void format_forecast(const RenderBatch *batch, double elapsed, char *text, size_t size) {
-  const double fraction = fraction_played(batch);
+static void format_forecast(RenderBatch *batch, double elapsed, char *text, size_t size) {
+  const double fraction = batch->shown = fmax(batch->shown, fraction_played(batch));
   const int percent = (int)fmin(100 * fraction, 99); /* something is left while this is shown */
   if (elapsed < LEAST_ELAPSED || fraction < LEAST_FRACTION) {
     (void)snprintf(text, size, ", %d %%", percent);
@@ -67,7 +67,7 @@ static void format_forecast(const RenderBatch *batch, double elapsed, char *text
                  remaining % 60);
 }
 
-void render_progress_text(const RenderBatch *batch, size_t left, double elapsed, char *text,
+void render_progress_text(RenderBatch *batch, size_t left, double elapsed, char *text,
                           size_t size) {
   char forecast[RENDER_PROGRESS_SIZE / 2] = "";
   if (has_known_end(batch)) format_forecast(batch, elapsed, forecast, sizeof forecast);
@@ -78,7 +78,7 @@ void render_progress_text(const RenderBatch *batch, size_t left, double elapsed,
   }
 }
 
-void render_progress_show(const RenderBatch *batch, size_t left, double elapsed) {
+void render_progress_show(RenderBatch *batch, size_t left, double elapsed) {
   char text[RENDER_PROGRESS_SIZE];
   if (model_build_is_shown()) return;
   render_progress_text(batch, left, elapsed, text, sizeof text);

@@ -14,9 +14,8 @@
 /** True if standard error is a terminal and -q was not given. */
 bool render_progress_is_wanted(const Arguments *arguments);
 /** Writes the progress of @p batch, which has @p left unfinished jobs, @p elapsed [s] after its start. */
-void render_progress_text(const RenderBatch *batch, size_t left, double elapsed, char *text,
-                          size_t size);
+void render_progress_text(RenderBatch *batch, size_t left, double elapsed, char *text, size_t size);
 /** Shows the same text on the terminal. */
-void render_progress_show(const RenderBatch *batch, size_t left, double elapsed);
+void render_progress_show(RenderBatch *batch, size_t left, double elapsed);
 
 #endif

@@ -27,7 +27,7 @@ static RenderJob finished_sound(double played, double last_stroke, double length
 
 static void expect_text(const char *expected, RenderJob *jobs, size_t count, size_t left,
                         double elapsed) {
-  const RenderBatch batch = {.jobs = jobs, .count = count};
+  RenderBatch batch = {.jobs = jobs, .count = count};
   char text[RENDER_PROGRESS_SIZE];
   render_progress_text(&batch, left, elapsed, text, sizeof text);
   assert_string_equal(text, expected);
@@ -49,6 +49,24 @@ static void no_forecast_without_a_ground(void **state) {
   expect_text("2 s, 25 %", &job, 1, 1, 0.5);
   job = sound(0.1, 0, 10);
   expect_text("0 s, 1 %", &job, 1, 1, 5);
+}
+
+/* A drum that rings on for longer than was thought takes nothing back. */
+static void progress_never_shrinks(void **state) {
+  (void)state;
+  RenderJob jobs[2] = {sound(3, 0, 0), sound(0, 0, 0)};
+  RenderBatch batch = {.jobs = jobs, .count = 2};
+  char text[RENDER_PROGRESS_SIZE];
+  render_progress_text(&batch, 2, 0.5, text, sizeof text);
+  assert_string_equal(text, "0 of 2 done, 50 %");
+  atomic_store(&jobs[0].played, 12 * 48000);
+  atomic_store(&jobs[0].finished, true); /* so the other one will probably last for 12 s, too */
+  atomic_store(&jobs[1].played, 48000 / 2);
+  render_progress_text(&batch, 1, 0.5, text, sizeof text);
+  assert_string_equal(text, "1 of 2 done, 52 %");
+  atomic_store(&jobs[0].played, 24 * 48000);
+  render_progress_text(&batch, 1, 0.5, text, sizeof text);
+  assert_string_equal(text, "1 of 2 done, 52 %");
 }
 
 /* After its last stroke a drum sounds as long as it likes. */
@@ -86,11 +104,9 @@ static void sounds_that_failed(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(a_sound_of_known_length),
-    cmocka_unit_test(no_forecast_without_a_ground),
-    cmocka_unit_test(strokes_without_a_length),
-    cmocka_unit_test(several_sounds),
-    cmocka_unit_test(several_sounds_without_a_length),
+    cmocka_unit_test(a_sound_of_known_length),  cmocka_unit_test(no_forecast_without_a_ground),
+    cmocka_unit_test(strokes_without_a_length), cmocka_unit_test(progress_never_shrinks),
+    cmocka_unit_test(several_sounds),           cmocka_unit_test(several_sounds_without_a_length),
     cmocka_unit_test(sounds_that_failed),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,7 +5,7 @@
 
 #include "drum/drum.h"
 #include "reference.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
 static const char *const GRIPS[TB_GRIPS] = {"held", "free", "across"};
@@ -78,8 +78,8 @@ static void the_rigid_body_is_that_of_the_beam(void **state) {
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
   TaborDrumDef wide = def;
   wide.shell.radius = 0.2;
-  const TbRigidStick rods[] = {tb_rigid_stick_rimshot(&wide, &model->stick[0], 1.0, 0.05, 0.0),
-                               tb_rigid_stick_across(&def, &model->stick[0], 1.0, 0.005, 0.0)};
+  const TbStickContacts rods[] = {tb_stick_rimshot(&wide, &model->stick[0], 1.0, 0.05, 0.0),
+                                  tb_stick_across(&def, &model->stick[0], 1.0, 0.005, 0.0)};
   for (int i = 0; i < 2; i++) {
     const json_t *expected = json_object_get(json_object_get(root, "grips"), GRIPS[1 + i]);
     assert_true(fabs(1.0 / rods[i].tip.mass / rigid_part(expected, 0, 0) - 1.0) < 1e-10);
@@ -316,7 +316,7 @@ static void energy_of_bending_is_stored_or_lost_in_the_hand(void **state) {
     for (int i = 0; i < STROKE; i++) {
       tabor_drum_process(drum, &stroke, i == 0, NULL, 1);
       const TbView view = tb_view(drum->state, drum->model);
-      most = fmax(most, tb_rigid_stick_bending(&view, 0, &view.now, &view.last));
+      most = fmax(most, tb_stick_bending(&view, 0, &view.now, &view.last));
       const TaborLedger ledger = ledger_of(drum);
       assert_balanced(&ledger);
       assert_true(losses ? ledger.damper_loss >= 0.0 : ledger.damper_loss == 0.0);
@@ -366,7 +366,7 @@ static void a_swap_carries_the_bending_to_another_stick(void **state) {
   }
   swaps[TIMES] = swap_to(drum, models[0], models[2]);
   TbView view = tb_view(drum->state, drum->model);
-  assert_true(tb_rigid_stick_bending(&view, 0, &view.now, &view.last) == 0.0);
+  assert_true(tb_stick_bending(&view, 0, &view.now, &view.last) == 0.0);
   tabor_drum_destroy(drum);
   for (int i = 0; i <= TIMES; i++) tabor_swap_destroy(swaps[i]);
   for (int i = 0; i < 3; i++) tabor_model_release(models[i]);
@@ -383,7 +383,7 @@ static void a_new_stick_is_straight(void **state) {
   for (int i = 0; i < 2; i++) {
     tabor_drum_process(drum, &stroke, 1, NULL, 100);
     TbView view = tb_view(drum->state, drum->model);
-    assert_true(tb_rigid_stick_bending(&view, 0, &view.now, &view.last) > 0.0);
+    assert_true(tb_stick_bending(&view, 0, &view.now, &view.last) > 0.0);
     if (i == 0) {
       tabor_drum_reset(drum);
     } else {

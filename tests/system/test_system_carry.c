@@ -403,8 +403,8 @@ static void live_values_stay_if_they_were_moved(void **state) {
   assert_true(live[TB_LIVE_MUFFLE].now == 0.9);
   assert_true(live[TB_LIVE_MUFFLE_RESONANT].now == 0.4);
   assert_true(live[TB_LIVE_FULL_SCALE].now == 0.7 * def.full_scale);
-  assert_true(drum->state->strikers.slots[TB_MUFFLERS].strength == 0.9);
-  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].strength == 0.4);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS].resistance == 0.9);
+  assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].resistance == 0.4);
   tabor_drum_destroy(drum);
   tabor_swap_destroy(swap);
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
@@ -638,7 +638,7 @@ static void a_silence_takes_everybody_away(void **state) {
     assert_int_equal(counted(drum).in_play, 0);
     assert_int_equal(counted(drum).strikes, before.strikes);
     assert_true(drum->state->live.values[TB_LIVE_MUFFLE_RESONANT].target == 0.4);
-    assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].strength == 0.4);
+    assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].resistance == 0.4);
     assert_closes(drum);
     play(drum, 9600, NULL);
     assert_closes(drum);

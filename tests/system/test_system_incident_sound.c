@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sound from outside: a source at a microphone's place pushes the heads as that microphone hears them. */
+#include "drum/drum.h"
 #include "physics.h"
 
 static const double PI = 3.14159265358979323846;
@@ -178,6 +179,27 @@ static void blocks_and_states_change_no_bit(void **state) {
   tabor_model_release(model);
 }
 
+/* A drum that was replaced lies at rest, with the former one's counters until it is reset. */
+static void a_reset_at_rest_forgets_the_work_of_sound(void **state) {
+  (void)state;
+  const TaborDrumDef tom = physics_preset("tom-12"), def = physics_small(&tom);
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  TaborSwap *swap;
+  frequency = 200.0;
+  level = 1.0;
+  play(drum, 0, tone, 0, 40 * BLOCK, NULL);
+  assert_int_equal(tabor_swap_create(model, model, &swap, NULL), TABOR_OK);
+  const TaborEvent replace = {.type = TABOR_EVENT_REPLACE, .swap = swap};
+  tabor_drum_process(drum, &replace, 1, NULL, 0);
+  assert_true(drum->at_rest && drum->state->ledger.sound_work != 0.0);
+  tabor_drum_reset(drum);
+  assert_true(drum->state->ledger.sound_work == 0.0);
+  tabor_drum_destroy(drum);
+  tabor_swap_destroy(swap);
+  tabor_model_release(model);
+}
+
 int main(int argc, char **argv) {
   const struct CMUnitTest physics[] = {
     cmocka_unit_test(slow_sound_pushes_a_membrane_like_a_uniform_pressure),
@@ -186,6 +208,7 @@ int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_ledger_closes),
     cmocka_unit_test(silence_in_is_silence_out),
+    cmocka_unit_test(a_reset_at_rest_forgets_the_work_of_sound),
     cmocka_unit_test(blocks_and_states_change_no_bit),
   };
   brief = argc > 1 && strcmp(argv[1], "brief") == 0;

@@ -7,8 +7,8 @@
 #include "state/state.h"
 
 typedef struct TbHighBandStep {
-  /* Sets the part of their motion that the wires take from the modes of their head in a step:
-   * view->high.held, from the resistance of all points in each band of TbWireHold [N s/m]. */
+  /* Fills view->high.taken: the part of each mode's motion that the wires take in a step, from the
+   * resistance of all their points in each band of TbWireHold [N s/m]. */
   void (*hold)(const TbView *view, const double *resistance);
   /* Moves all modes from view->now to view->next. Returns the sums over the modes for microphone
    * `mic`. */

@@ -24,7 +24,7 @@ static void hold(const TbView *view, const double *resistance) {
   const TbHighBand *high = &view->model->high;
   const uint32_t head = view->model->wires.head;
   const Real *share = ringing_of(view)->hold;
-  Real *held = view->high.held, most[TB_HOLD_BANDS];
+  Real *held = view->high.taken, most[TB_HOLD_BANDS];
   for (uint32_t band = 0; band < TB_HOLD_BANDS; band++) {
     most[band] = (Real)(view->model->time_step * high->wire_hold.most[band]);
   }
@@ -44,7 +44,7 @@ static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
                                 .last = view->last.high,
                                 .next = view->next.high,
                                 .push = view->high.force,
-                                .held = view->high.held,
+                                .held = view->high.taken,
                                 .ahead = ringing->ahead[mic],
                                 .behind = ringing->behind[mic]};
   return kernels_of(view)->ring(&ring);

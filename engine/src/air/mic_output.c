@@ -25,7 +25,7 @@ static TbRingParts divide(const TbView *view) {
   TbRingParts parts = {.count = 0};
   if (wires->count > 0 && !view->state->wires.lifted) {
     const uint32_t from = high->begin[wires->head], end = high->begin[wires->head + 1];
-    const bool held = view->state->high.held;
+    const bool held = view->state->high.wires_hold;
     if (from > 0) parts.part[parts.count++].end = from;
     parts.part[parts.count++] = (TbRingPart){from + high->driven, true, held};
     parts.part[parts.count++] = (TbRingPart){end, false, held};
@@ -60,12 +60,12 @@ static bool strike_high(TbView *view) {
 static void renew_hold(TbView *view) {
   TbState *state = view->state;
   const TbWireContacts sums = state->high.contacts;
-  if (sums.force == 0.0 && !state->high.held) return;
+  if (sums.force == 0.0 && !state->high.wires_hold) return;
   if (++state->high.hold_steps < HOLD_STEPS) return;
   state->high.hold_steps = 0;
   state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
-  state->high.held = sums.force > 0.0 && sums.square > 0.0 && sums.motion >= 0.0;
-  if (!state->high.held) return;
+  state->high.wires_hold = sums.force > 0.0 && sums.square > 0.0 && sums.motion >= 0.0;
+  if (!state->high.wires_hold) return;
   const double mean = sums.force / HOLD_STEPS; /* and speeds are s/(2k) */
   const TbWireTouch touch = {mean, mean * sums.force / sums.square,
                              0.5 * view->model->step_rate * sqrt(sums.motion / sums.force)};

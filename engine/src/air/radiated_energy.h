@@ -5,8 +5,8 @@
 
 #include "state/state.h"
 
-/* Energy [J] that goes on in the TB_FAR_STEPS steps from this one on, of which view->next, now and last are the motion, less
- * what these modes lose to the air; 0 at the other steps. */
+/* Energy [J] that is radiated in the next TB_FAR_STEPS steps if the motion goes on as in view->next, now and last, less what
+ * these modes' losses book as radiated. 0 at the steps between. */
 double tb_radiated_beyond(const TbView *view);
 
 #endif

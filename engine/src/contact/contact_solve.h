@@ -6,8 +6,8 @@
  * the laws' own forces, whose response would cost a product with M, but at
  *   f~ + e/(1 + D c),  e = f(s) - f~,  c = the row's own compliance + the head's right below it,
  * as if rows did not feel each other. Conjugate gradients go on from there until the step, with
- * laws that are lines of slope D, would leave less than the accepted part of e/(1 + D c): often
- * that is so at once: contact_solvef.c tries that first, in passes of its own. A difference between
+ * laws that are lines of slope D, would leave less than the accepted part of e/(1 + D c). Often
+ * that is so at once; contact_solvef.c tries that first, in passes of its own. A difference between
  * forces and laws counts divided by 1 + D c, that is by what it would change. States, their
  * response to the forces, and the ledger stay double, so nothing drifts. The work of the forces and
  * the energy that contacts store agree only to rounding: about 1e-7 of the energy that goes through

@@ -15,7 +15,7 @@
 #include "step/reset.h"
 #include "step/state_check.h"
 #include "strikers/brush.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/strokes.h"
 
 static double clamp(double value, double minimum, double maximum) {
@@ -137,9 +137,7 @@ static void silence(TaborDrum *drum, const TaborEvent *event) {
 
 /* A drum at rest has only its counters and its gain to set back. */
 static void forget(TbState *state) {
-  state->ledger.sums = (TaborLedger){0};
-  state->ledger.radiated_beyond = 0.0;
-  state->ledger.statistics = (TaborStatistics){0};
+  state->ledger = (TbLedgerState){.sound_work = 0.0};
   state->live.output = (TbLiveParam){.now = 1.0, .target = 1.0};
 }
 
@@ -352,7 +350,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
     if (slot->serial > newest && !shaft) {
       newest = slot->serial;
       probe->striker = slot->rest_height + view.now.z[i];
-      if (slot->end.bends) probe->striker += tb_rigid_stick_bow(&view, i, &view.now);
+      if (slot->end.bends) probe->striker += tb_stick_bow(&view, i, &view.now);
     }
   }
 }

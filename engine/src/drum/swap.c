@@ -22,7 +22,7 @@
 #include "math/portable_math.h"
 #include "step/energy.h"
 #include "step/live_params.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/striker_pool.h"
 #include "wires/wire_motion.h"
 
@@ -204,11 +204,11 @@ static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double 
   double *now = to->now.bow[slot], *last = to->last.bow[slot];
   TbSlot *s = tb_slot(to, slot);
   if (s->kind == TB_SLOT_TIP && s->end.bends)
-    s->end.bends = tb_rigid_stick_bends(to, s->striker.definition);
+    s->end.bends = tb_stick_bends(to, s->striker.definition);
   if (!s->end.bends) return;
   memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
   memcpy(last, from->last.bow[slot], sizeof from->last.bow[slot]);
-  tb_stick_carry(tb_rigid_stick_body(from, slot), tb_rigid_stick_body(to, slot), ratio, now, last);
+  tb_stick_carry(tb_stick_body(from, slot), tb_stick_body(to, slot), ratio, now, last);
 }
 
 /* A striker that the other model has, and a brush if it is one. */
@@ -282,8 +282,8 @@ static void carry_high(const TbView *from, TbView *to) {
   const size_t bytes = to->model->high.padded * sizeof(double);
   memcpy(to->now.high, from->now.high, bytes);
   memcpy(to->last.high, from->last.high, bytes);
-  memcpy(to->high.held, from->high.held, bytes);
-  to->state->high.held = from->state->high.held;
+  memcpy(to->high.taken, from->high.taken, bytes);
+  to->state->high.wires_hold = from->state->high.wires_hold;
   to->state->high.hold_steps = from->state->high.hold_steps;
   to->state->high.contacts = from->state->high.contacts;
 }

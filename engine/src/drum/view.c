@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "drum/drum.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 /* ---- heads ---------------------------------------------------------------------------------- */
 
@@ -76,7 +76,7 @@ _Static_assert(TABOR_VIEW_STICKS >= TB_SLOTS, "every striker is seen");
 
 static TaborViewStick view_stick(const TbView *state, uint32_t i) {
   const TbSlot *slot = tb_slot(state, i);
-  const double bow = slot->end.bends ? tb_rigid_stick_bow(state, i, &state->now) : 0.0;
+  const double bow = slot->end.bends ? tb_stick_bow(state, i, &state->now) : 0.0;
   return (TaborViewStick){.id = slot->id,
                           .striker = slot->striker.definition,
                           .on_hoop = slot->on_hoop,

@@ -33,11 +33,10 @@ void tb_stretch_move(TbView *view);
 /* Computes Y^T (x + q-), r and W. Call after the modes' free motion and before the contacts.
  * tb_stretch_respond() adds the force itself; until then next.q is x. */
 void tb_stretch_free(TbView *view);
-/* Adds the stretch's effect on the free motion, and its effect on the response to the forces at
- * rest (which M f_rest omits), to view->change. slots[TB_SLOTS] receives the same for the strikers'
- * b. */
+/* Adds to view->change, for the wires, and to slots[TB_SLOTS], for the strikers' b, what stretch
+ * changes in the free motion and in the response to the forces at rest; M f_rest has no stretch. */
 void tb_stretch_yield(TbView *view, double *slots);
-/* Replaces the last sample's stretch by this sample's in M f, the response to the last forces. Call
+/* solve.warm.product, M f, holds the last step's stretch; puts this step's in its place. Call
  * before the solve, which starts from M f and moves along it. */
 void tb_stretch_renew(TbView *view);
 /* Finds the stretch force, which the last pass over the modes adds (step.c). Call after the contacts have moved the modes. They changed Y^T q+ by

@@ -7,7 +7,7 @@
  * method: w is a sum of the first 16 Legendre polynomials, so
  *   K_ij = Int B P_i'' P_j'' dx,  M_ij = Int mu P_i P_j dx.
  * A hand adds a point mass, which combines these modes. Constant and slope are among the
- * polynomials: the first two modes are exactly the rigid motions, whose C (stick_rigid.h) follows
+ * polynomials: the first two modes are exactly the rigid motions, whose C (stick.h) follows
  * from the moments of mass. The next three are bending modes of unit mass,
  *   x_i'' + 2 s x_i' + w_i^2 x_i = phi_i(x) f,  height = rigid height + Sum phi_i x_i,
  * in the recursion of modes.h. Frequencies are within 0.2 % and phi^2 within 1 % of a finite

@@ -6,16 +6,16 @@
 #include "model/model.h"
 
 typedef struct TbHighBandState {
-  uint32_t held;           /* wires hold modes: the view's high.held */
-  uint32_t hold_steps;     /* samples since that was renewed */
-  TbWireContacts contacts; /* sums over these samples */
+  uint32_t wires_hold;     /* 1: wires take part of the modes' motion, the view's high.taken */
+  uint32_t hold_steps;     /* steps since that was renewed */
+  TbWireContacts contacts; /* sums over these steps */
 } TbHighBandState;
 
 /* Its arrays. */
 typedef struct TbHighBandView {
   void *drive;     /* [TB_SLOTS][padded], in its precision */
   double *scratch; /* [padded] */
-  void *held;      /* [padded], in its precision: see high_band_step.h */
+  void *taken;     /* [padded], in its precision: see high_band_step.h */
   float *force;    /* [padded] of the wires */
 } TbHighBandView;
 

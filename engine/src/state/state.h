@@ -17,8 +17,8 @@
 /* Each part belongs to the module that its header names. */
 typedef struct TbState {
   uint64_t fingerprint;
-  uint64_t clock;  /* samples stepped since reset */
-  uint32_t newest; /* which of the three phases holds the newest samples */
+  uint64_t clock;  /* steps since reset */
+  uint32_t newest; /* which of the three phases holds the newest instant */
   uint32_t asleep, quiet_checks;
   uint32_t hushed;      /* nobody hears it until it is played or sleeps: see silence.c */
   uint32_t unstretched; /* steps since heads' tensions last rose: see stretch.h */
@@ -54,7 +54,10 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
-  double *bend, *head, *rest_load, *contact_compliance, *b, *s;
+  double *bend;      /* [nodes] scratch of the wires' step */
+  double *head;      /* [rows] the head's displacement under the wires' points [m] */
+  double *rest_load; /* [rows] part of b that the load at rest causes [m] */
+  double *contact_compliance, *b, *s; /* [rows] see solve.h */
   double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
   float *modalf[2];       /* [modes padded] where contacts are of single precision */
   TbModesEnd end;         /* of the last pass over the modes: see step.c */

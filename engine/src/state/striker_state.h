@@ -10,7 +10,7 @@
 typedef enum TbSlotKind {
   TB_SLOT_FREE,
   TB_SLOT_TIP,      /* a striker that touches in one place, head or hoop */
-  TB_SLOT_END,      /* one of the two ends of a stick on head and hoop: see stick_rigid.h */
+  TB_SLOT_END,      /* one of the two ends of a stick on head and hoop: see stick.h */
   TB_SLOT_BRISTLES, /* a group of a brush's bristles: see brush.h */
   TB_SLOT_HAND,     /* a damping hand */
   TB_SLOT_PALM,     /* that of a cross-stick, which lifts off by itself */
@@ -45,7 +45,7 @@ typedef struct TbHold {
   double resistance, push; /* of bristles or of a pressed shaft [N s/m]; a further force [N] */
 } TbHold;
 
-/* Where a stick touches: see stick_rigid.h. */
+/* Where a stick touches: see stick.h. */
 typedef struct TbStickEnd {
   uint32_t bends;        /* 0: it is stiff, or no stick */
   uint32_t grip;         /* a TbGrip, if it bends */
@@ -72,7 +72,7 @@ typedef struct TbSlot {
   uint32_t on_hoop;     /* not on the head */
   double radius, angle; /* [m], [deg] */
   double rest_height;   /* of head or hoop at its place [m] */
-  double strength;      /* of a damping hand, palm or muffler [N s/m] */
+  double resistance;    /* of a damping hand, palm or muffler [N s/m] */
   TbStriker striker;
   TbHold hold;
   TbStickEnd end;

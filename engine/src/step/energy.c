@@ -4,7 +4,7 @@
 #include "air/high_band_step.h"
 #include "heads/lug_forces.h"
 #include "heads/stretch.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/striker_pool.h"
 
 static double oscillators(uint32_t n, double rate, const double *stiffness, const double *next,
@@ -74,9 +74,9 @@ static double strikers_energy(const TbView *view, const TbPhase *next, const TbP
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = tb_slot(view, i);
     if (!tb_slot_strikes(slot)) continue;
-    sum += tb_rigid_stick_motion(view, i, next->z, now->z) +
+    sum += tb_stick_motion(view, i, next->z, now->z) +
            2.0 * tb_pool_contact_energy(view, i, next, now) +
-           2.0 * tb_rigid_stick_bending(view, i, next, now) +
+           2.0 * tb_stick_bending(view, i, next, now) +
            2.0 * tb_truncated_modes_energy(tb_slot_truncated(view, i), view->model->step_rate,
                                            next->truncated[i], now->truncated[i]);
   }

@@ -38,7 +38,7 @@ static bool slot_numbers(const TbSlot *s) {
   const TbHold *hold = &s->hold;
   const double others[] = {striker->mass,  striker->part, striker->velocity, striker->force_before,
                            hold->press,    hold->anchor,  hold->resistance,  hold->push,
-                           s->rest_height, s->end.cross,  s->strength,       s->bristles.due};
+                           s->rest_height, s->end.cross,  s->resistance,     s->bristles.due};
   return all_within(NUMBERS(places), MOST_PLACE) && all_within(NUMBERS(others), MOST) &&
          all_within(NUMBERS(s->end.bend), MOST) && s->end.along >= 0.0 && s->radius >= 0.0;
 }
@@ -155,8 +155,9 @@ static bool brushes(const TbState *state) {
 static bool flags(const TaborModel *model, const TbState *state) {
   const bool wires = model->wires.count > 0;
   return state->newest < 3u && state->asleep <= 1u && state->wires.lifted <= (wires ? 1u : 0u) &&
-         state->high.held <= (wires ? 1u : 0u) && state->airborne <= 1u && state->hushed <= 1u &&
-         state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
+         state->high.wires_hold <= (wires ? 1u : 0u) && state->airborne <= 1u &&
+         state->hushed <= 1u && state->event_debt <= TB_DEBT_MOST &&
+         state->mics.heard >> model->def.mic_count == 0;
 }
 
 static bool microphones(const TaborModel *model, const TbState *state) {

@@ -16,7 +16,7 @@
 #include "step/live_params.h"
 #include "step/wire_clearance.h"
 #include "strikers/brush.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
 #include "wires/wire_motion.h"
@@ -51,10 +51,10 @@ static void free_motion(TbView *view) {
   tb_stretch_move(view);
   TB_STAGE(WIRES);
   if (!view->state->wires.lifted) free_wires(view);
-  tb_rigid_stick_step(view);
+  tb_stick_step(view);
 }
 
-/* b = change of penetration over two steps without contact forces, with the rest load: of the wires, */
+/* The wires' rows of b. */
 static void penetrate_wires(TbView *view, double *slots) {
   TB_STAGE(PROJECTION);
   tb_wire_motion_of(view)->project(view);
@@ -70,7 +70,8 @@ static double law_of_sum(const TbView *view, uint32_t slot) {
   return tb_slot_strikes(tb_slot(view, slot)) ? 1.0 : 0.0;
 }
 
-/* ... and of all. */
+/* b: the change of penetration over two steps without contact forces, with the load at rest. Where a law acts on a sum,
+ * that stands in view->last.eta until respond() takes it out again. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
@@ -91,7 +92,7 @@ static void free_penetration(TbView *view) {
                               view->last.truncated[i]);
       eta += tb_truncated_modes_displacement(truncated, view->next.truncated[i]) -
              (tb_hold_free_height(view, i) - tb_slot(view, i)->bristles.coat);
-      if (tb_slot(view, i)->end.bends) eta -= tb_rigid_stick_bow(view, i, &view->next);
+      if (tb_slot(view, i)->end.bends) eta -= tb_stick_bow(view, i, &view->next);
     }
     view->b[row] = (eta - view->last.eta[row]) + view->rest_load[row] + slots[i];
     view->last.eta[row] += law_of_sum(view, i) * view->now.eta[row];
@@ -106,8 +107,7 @@ static void force_modes(TbView *view) {
   tb_wire_motion_of(view)->project_forces(view);
 }
 
-/* Adds what the contact forces do to the free motion in view->next, `unchanged` if they are those of the
- * last step: of the wires, */
+/* What the wires' contact forces do, which are those of the last step if `unchanged`. */
 static void respond_to_wires(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
@@ -123,7 +123,8 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
 }
 
-/* ... and of all. */
+/* Adds what all contact forces do to the free motion in view->next. Lifted wires touch nothing, at rest neither, so they add
+ * nothing. */
 static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const uint32_t stride = model->wires.stride;
@@ -138,8 +139,8 @@ static void respond(TbView *view, bool unchanged) {
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
     view->next.z[i] = tb_hold_free_height(view, i) + view->contact_compliance[row] * force[row];
-    if (tb_slot(view, i)->kind == TB_SLOT_END) view->next.z[i] += tb_rigid_stick_pull(view, i);
-    if (tb_slot(view, i)->end.bends) tb_rigid_stick_press(view, i, force[row]);
+    if (tb_slot(view, i)->kind == TB_SLOT_END) view->next.z[i] += tb_stick_pull(view, i);
+    if (tb_slot(view, i)->end.bends) tb_stick_press(view, i, force[row]);
     view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];
   }
@@ -170,7 +171,7 @@ static void end_modes(TbView *view, uint32_t mic) {
 static void book_losses(TbView *view, bool shortened) {
   const TbLosses losses = shortened ? tb_losses(view) : tb_losses_with(view, view->end.lost);
   TaborLedger *sums = &view->state->ledger.sums;
-  const double beyond = tb_radiated_beyond(view);
+  const double beyond = tb_radiated_beyond(view); /* the modes lost it as heads: radiated_power.h */
   view->state->ledger.radiated_beyond += beyond;
   sums->head_loss += losses.head - beyond;
   sums->radiated += losses.radiated + beyond;
@@ -219,9 +220,10 @@ static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
  * what it reads -> what it writes, beside model and state: q of modes, v of wires, z of strikers and eta, the penetrations of
  * rows, are those of the instants next, now and last; b, s and f = solve.warm.force are rows of the solve (solve.h). */
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
-  tb_live_params_step(view); /* live values -> wires' coefficients, grips, mufflers, gains */
+  /* live values -> coefficients of wires, grips, mufflers, gains; what that moves: now.eta, last.eta, ledger */
+  tb_live_params_step(view);
   TB_STAGE(STRIKERS);
-  tb_brush_step(view);      /* brushes -> places and heights of their slots */
+  tb_brush_step(view);      /* brushes -> places of their slots, now.eta, last.eta, ledger */
   free_motion(view);        /* now, last -> next: q, v, bow */
   tb_incident_push(view);   /* sound from outside -> next.q */
   tb_lug_forces_pull(view); /* now.q -> next.q */
@@ -247,6 +249,6 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   view->state->airborne = !outcome.contact;
   view->state->clock++;
   tb_view_rotate(view);           /* next becomes now */
-  tb_pool_retire(view);           /* now -> slots that are done are free */
+  tb_pool_retire(view);           /* now -> hands ease, slots that are done are free */
   tb_wire_clearance_follow(view); /* now.q -> whether the wires are out of its reach */
 }

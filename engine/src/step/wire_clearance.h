@@ -4,11 +4,13 @@
  * With the strainer off, wires lie still some millimetres away from a head that moves by a fraction
  * of that distance. While no point of the head can come near a wire, neither the wires nor the
  * head's motion under them is computed: the wires' deviations, contact forces and changes of
- * penetration are exactly 0.
+ * penetration are exactly 0. Only a drum that is defined with its strainer off lifts its wires:
+ * where it is thrown off while it is played, they hang in another shape than that of rest, and go on
+ * being computed.
  *
  * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i| (model/wire_reach.h).
- * The wires count as lifted while this bound stays below half of the least gap. To cross the other
- * half of the least gap that counts within one sample would take 30 m/s, even at 22,050 Hz.
+ * The wires count as lifted while this bound stays below half of the least gap. A head would have
+ * to move at 30 m/s to cross the other half in one step, even at 22,050 Hz.
  * Audio-safe. */
 #ifndef TB_WIRE_CLEARANCE_H
 #define TB_WIRE_CLEARANCE_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "strikers/rimstroke.h"
 
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 /* Of a cross-stick: the palm on the head [N s/m]; the force [N] and the resistance [N s/m] of the hand on the shaft. All
  * were fitted to recorded cross-sticks, within 30 to 300 N s/m, 0 to 40 N and 0 to 5 N s/m. */
@@ -25,7 +25,7 @@ static bool strike_hoop(TbView *view, const TbStroke *stroke) {
   if (slot == TB_SLOTS) return false;
   TbSlot striker = striker_of(view, stroke);
   striker.on_hoop = 1;
-  striker.end.bends = tb_rigid_stick_bends(view, stroke->striker);
+  striker.end.bends = tb_stick_bends(view, stroke->striker);
   tb_pool_put(view, slot, &striker, 0.0);
   return true;
 }
@@ -41,8 +41,8 @@ static bool obtain_pair(TbView *view, uint32_t pair[2]) {
 }
 
 /* One end of the stick, 0 its tip. */
-static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t other) {
-  const TbRigidStickEnd *at = end ? &rod->shaft : &rod->tip;
+static TbSlot end_of(TbSlot stick, const TbStickContacts *rod, int end, uint32_t other) {
+  const TbStickContact *at = end ? &rod->shaft : &rod->tip;
   stick.end.along = at->along;
   stick.striker.mass = at->mass;
   stick.radius = at->radius;
@@ -56,7 +56,7 @@ static TbSlot end_of(TbSlot stick, const TbRigidStick *rod, int end, uint32_t ot
 }
 
 /* Tip on the head, shaft on the hoop. */
-static bool strike_both(TbView *view, const TbStroke *stroke, const TbRigidStick *rod) {
+static bool strike_both(TbView *view, const TbStroke *stroke, const TbStickContacts *rod) {
   uint32_t pair[2];
   if (!obtain_pair(view, pair)) return false;
   TbSlot stick = striker_of(view, stroke);
@@ -94,7 +94,7 @@ static uint32_t find_palm(const TbView *view) {
 }
 
 /* The hand that lies on the head while the stick in it strikes the hoop. */
-static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
+static void lay_palm(TbView *view, uint32_t id, const TbStickContact *tip) {
   const uint32_t slot = find_palm(view);
   if (slot == TB_SLOTS || !view->model->def.quality.losses) return;
   const TbSlot palm = {.kind = TB_SLOT_PALM,
@@ -102,7 +102,7 @@ static void lay_palm(TbView *view, uint32_t id, const TbRigidStickEnd *tip) {
                        .serial = ++view->state->strikers.serial,
                        .radius = tip->radius,
                        .angle = tip->angle,
-                       .strength = PALM};
+                       .resistance = PALM};
   tb_pool_put_hand(view, slot, &palm);
 }
 
@@ -111,12 +111,12 @@ bool tb_rimstroke(TbView *view, const TbStroke *stroke) {
   const TbStick *stick = &view->model->stick[stroke->striker];
   if (stroke->technique == TABOR_TECHNIQUE_RIM) return strike_hoop(view, stroke);
   if (stroke->technique == TABOR_TECHNIQUE_RIMSHOT) {
-    const TbRigidStick rod =
-      tb_rigid_stick_rimshot(def, stick, stroke->velocity, stroke->radius, stroke->angle);
+    const TbStickContacts rod =
+      tb_stick_rimshot(def, stick, stroke->velocity, stroke->radius, stroke->angle);
     return strike_both(view, stroke, &rod);
   }
-  const TbRigidStick rod =
-    tb_rigid_stick_across(def, stick, stroke->velocity, stroke->radius, stroke->angle);
+  const TbStickContacts rod =
+    tb_stick_across(def, stick, stroke->velocity, stroke->radius, stroke->angle);
   take_across(view);
   if (!strike_both(view, stroke, &rod)) return false;
   lay_palm(view, stroke->id, &rod.tip);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Strokes on the hoop: places the sticks of stick_rigid.h into slots of the striker pool.
+/* Strokes on the hoop: places the sticks of stick.h into slots of the striker pool.
  * Audio-safe. */
 #ifndef TB_RIMSTROKE_H
 #define TB_RIMSTROKE_H

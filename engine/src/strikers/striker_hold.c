@@ -3,7 +3,7 @@
 
 #include "heads/coupling.h"
 #include "math/portable_math.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 const double tb_hold_lift_time = 0.008; /* in it a hand lets go and pulls [s], */
 static const double LIFT = 2.0;         /* ... this hard in the end: 5 mm in as long again [N] */
@@ -27,14 +27,14 @@ static Hand hand_of(const TbView *view, const TbSlot *s) {
 double tb_hold_compliance(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   const double k = view->model->time_step;
-  if (s->kind == TB_SLOT_END) return tb_rigid_stick_compliance(view, slot, slot);
+  if (s->kind == TB_SLOT_END) return tb_stick_compliance(view, slot, slot);
   return k * k / (s->striker.mass + 0.5 * hand_of(view, s).damping * k);
 }
 
 double tb_hold_free_height(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   const double now = view->now.z[slot], last = view->last.z[slot];
-  if (s->kind == TB_SLOT_END) return tb_rigid_stick_free_height(view, slot);
+  if (s->kind == TB_SLOT_END) return tb_stick_free_height(view, slot);
   if (!s->hold.held) return 2.0 * now - last;
   const Hand hand = hand_of(view, s);
   const double k = view->model->time_step;
@@ -47,7 +47,7 @@ TbHoldWork tb_hold_work(const TbView *view) {
   TbHoldWork work = {0.0, 0.0};
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
     const TbSlot *s = tb_slot(view, i);
-    work.lost += tb_rigid_stick_loss(view, i);
+    work.lost += tb_stick_loss(view, i);
     if (!s->hold.held) continue;
     const Hand hand = hand_of(view, s);
     const double moved = view->next.z[i] - view->last.z[i];

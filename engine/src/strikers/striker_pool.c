@@ -6,7 +6,7 @@
 #include "air/high_band_step.h"
 #include "heads/coupling.h"
 #include "math/portable_math.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/striker_hold.h"
 
 static const double AWAY = 0.005; /* [m] */
@@ -26,9 +26,9 @@ static double shared_compliance(const TbView *view, uint32_t slot, uint32_t othe
   const TbSlot *a = tb_slot(view, slot);
   double sum = 0.0;
   const bool ends = a->kind == TB_SLOT_END && a->end.other == other;
-  if (ends) sum += tb_rigid_stick_compliance(view, slot, other);
+  if (ends) sum += tb_stick_compliance(view, slot, other);
   if (a->end.bends && (slot == other || ends)) {
-    sum += tb_rigid_stick_flexibility(view, slot, other);
+    sum += tb_stick_flexibility(view, slot, other);
   }
   return sum;
 }
@@ -66,7 +66,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   const uint32_t row = model->wires.stride + slot;
   if (!tb_slot_strikes(s)) {
     view->contact_compliance[row] = 0.0;
-    tb_contact_law_damper(law, s->strength, model->time_step);
+    tb_contact_law_damper(law, s->resistance, model->time_step);
     return;
   }
   const TaborStrikerDef *def = &model->def.striker[s->striker.definition];
@@ -106,7 +106,7 @@ static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *p
   return tb_pool_displacement(view, slot, phase->q) +
          tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
          (phase->z[slot] - tb_slot(view, slot)->bristles.coat) -
-         (tb_slot(view, slot)->end.bends ? tb_rigid_stick_bow(view, slot, phase) : 0.0);
+         (tb_slot(view, slot)->end.bends ? tb_stick_bow(view, slot, phase) : 0.0);
 }
 
 /* What the ranges leave out does not move at this place. */
@@ -160,7 +160,7 @@ static void find_penetration(TbView *view, uint32_t slot) {
 }
 
 void tb_pool_rebuild(TbView *view, uint32_t slot) {
-  tb_rigid_stick_place(view, slot);
+  tb_stick_place(view, slot);
   find_place(view, slot);
   prepare_law(view, slot);
   find_penetration(view, slot);
@@ -220,9 +220,8 @@ static void book_removed(TbView *view, uint32_t slot) {
   const TbSlot *s = &state->strikers.slots[slot];
   if (tb_slot_strikes(s)) {
     state->ledger.sums.removed +=
-      0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z) +
-      contact_energy(view, slot);
-    state->ledger.sums.removed += tb_rigid_stick_bending(view, slot, &view->now, &view->last);
+      0.5 * tb_stick_motion(view, slot, view->now.z, view->last.z) + contact_energy(view, slot);
+    state->ledger.sums.removed += tb_stick_bending(view, slot, &view->now, &view->last);
     state->ledger.sums.removed +=
       tb_truncated_modes_energy(tb_slot_truncated(view, slot), view->model->step_rate,
                                 view->now.truncated[slot], view->last.truncated[slot]);
@@ -254,7 +253,7 @@ void tb_pool_muffle(TbView *view) {
     TbSlot *s = tb_slot(view, slot);
     const double strength =
       model->def.quality.losses ? view->state->live.values[TB_LIVE_MUFFLE + h].now : 0.0;
-    if (strength == s->strength) continue;
+    if (strength == s->resistance) continue;
     if (strength == 0.0) {
       tb_pool_take_away(view, slot);
       continue;
@@ -264,7 +263,7 @@ void tb_pool_muffle(TbView *view) {
                          .head = h,
                          .radius = heads[h]->muffle_radius,
                          .angle = heads[h]->muffle_angle,
-                         .strength = strength};
+                         .resistance = strength};
     if (there) {
       *s = hand;
       prepare_law(view, slot);
@@ -325,8 +324,7 @@ static void launch(TbView *view, uint32_t slot, double above) {
 }
 
 static void book_launch(TbView *view, uint32_t slot) {
-  view->state->ledger.sums.injected +=
-    0.5 * tb_rigid_stick_motion(view, slot, view->now.z, view->last.z);
+  view->state->ledger.sums.injected += 0.5 * tb_stick_motion(view, slot, view->now.z, view->last.z);
 }
 
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
@@ -407,7 +405,7 @@ static void relax_palm(TbView *view, uint32_t slot) {
   if (left <= 1.0) {
     tb_pool_take_away(view, slot);
   } else if (left < PALM_LIFT_TIME * rate) {
-    s->strength *= 1.0 - 1.0 / left;
+    s->resistance *= 1.0 - 1.0 / left;
     prepare_law(view, slot);
   }
 }

@@ -8,7 +8,7 @@
  * once it moves away beyond 5 mm, or touches nothing a second after the stroke.
  *
  * A hand may press it: see striker_hold.h. Strikers do not collide with wires.
- * stick_rigid.h describes a stick on the hoop, or on hoop and head, and the hand that presses the shaft
+ * stick.h describes a stick on the hoop, or on hoop and head, and the hand that presses the shaft
  * of a cross-stick. */
 #ifndef TB_STRIKER_POOL_H
 #define TB_STRIKER_POOL_H
@@ -23,8 +23,9 @@ typedef struct TbStroke {
   double pressure; /* of a buzz or a sweep, 0 to 1 */
 } TbStroke;
 
-/* Of head or hoop at a slot's place with the modes at q [m], and what a force there [N] does to q in one step. */
+/* Displacement of head or hoop at a slot's place with the modes at q [m]. */
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q);
+/* Adds to q what a force at a slot's place [N] does there in one step. */
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q);
 /* Adds, adjusts or lifts the mufflers according to their live strengths. */
 void tb_pool_muffle(TbView *view);

@@ -3,7 +3,7 @@
 
 #include "strikers/brush.h"
 #include "strikers/rimstroke.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 #include "strikers/striker_hold.h"
 
 /* ---- strokes -------------------------------------------------------------------------------- */
@@ -67,7 +67,7 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
                                       .part = 1.0,
                                       .velocity = stroke->velocity,
                                       .definition = stroke->striker},
-                          .end = {.bends = tb_rigid_stick_bends(view, stroke->striker)}};
+                          .end = {.bends = tb_stick_bends(view, stroke->striker)}};
   tb_pool_put(view, slot, &striker, 0.0);
   if (stroke->technique == TABOR_TECHNIQUE_BUZZ) {
     tb_hold(view, slot, tb_hold_force(stroke->pressure));
@@ -123,7 +123,7 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
                        .serial = ++view->state->strikers.serial,
                        .radius = radius,
                        .angle = angle,
-                       .strength = strength};
+                       .resistance = strength};
   tb_pool_put_hand(view, slot, &hand);
   return true;
 }

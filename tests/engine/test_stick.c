@@ -3,7 +3,7 @@
 #include "physics.h"
 
 #include "drum/drum.h"
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 static const double RATE = 48000.0;
 static const double MASS = 0.011; /* [kg] */
@@ -54,13 +54,13 @@ static void places_along_the_stick_weigh_what_mechanics_says(void **state) {
   TaborDrumDef def = drum_of_radius(0.3);
   const double m0 = moment(0), m1 = moment(1), m2 = moment(2);
   const double whole = MASS * m0 * m2 / (m0 * m2 - m1 * m1);
-  const TbRigidStick rimshot = tb_rigid_stick_rimshot(&def, &stick, 1.0, 0.2, 0.0);
+  const TbStickContacts rimshot = tb_stick_rimshot(&def, &stick, 1.0, 0.2, 0.0);
   assert_true(fabs(rimshot.tip.mass / MASS - 1.0) < 1e-9);
   print_message("a stick of %.1f g has %.1f g at its tip\n", 1e3 * whole, 1e3 * MASS);
   def.shell.radius = 0.2;
   const double s0 = whole + 1.0, s1 = whole * m1 / m0 * 0.4 + 0.075,
                s2 = whole * m2 / m0 * 0.16 + 0.075 * 0.075;
-  const TbRigidStick across = tb_rigid_stick_across(&def, &stick, 1.0, 0.25 - 0.2, 0.0);
+  const TbStickContacts across = tb_stick_across(&def, &stick, 1.0, 0.25 - 0.2, 0.0);
   const double x = 0.25, one = s0 * s2 - s1 * s1;
   const double at_shaft = one / (s2 - 2.0 * s1 * x + s0 * x * x);
   assert_true(fabs(across.cross / ((s2 - s1 * x) / one) - 1.0) < 1e-9);
@@ -72,16 +72,16 @@ static void geometry_is_that_of_the_drum(void **state) {
   (void)state;
   TaborDrumDef def = drum_of_radius(0.1778);
   const TbStick stick = stick_of(MASS);
-  const TbRigidStick near_side = tb_rigid_stick_rimshot(&def, &stick, 2.5, 0.05, 30.0);
+  const TbStickContacts near_side = tb_stick_rimshot(&def, &stick, 2.5, 0.05, 30.0);
   assert_true(near(near_side.tip.radius, 0.05) && near_side.tip.angle == 30.0);
   assert_true(near_side.shaft.angle == 30.0);
   assert_true(near(near_side.shaft.gap, 2.5 * 0.8e-3));
-  const TbRigidStick across = tb_rigid_stick_across(&def, &stick, 2.5, 0.1, 30.0);
+  const TbStickContacts across = tb_stick_across(&def, &stick, 2.5, 0.1, 30.0);
   assert_true(near(across.tip.radius, 0.1) && across.tip.angle == 30.0);
   assert_true(across.shaft.angle == 210.0 && across.tip.velocity == 0.0);
   /* The hoop's height counts along the stick. */
   def.hoop.height = 0.03;
-  const TbRigidStick tilted = tb_rigid_stick_rimshot(&def, &stick, 2.5, 0.1378, 30.0);
+  const TbStickContacts tilted = tb_stick_rimshot(&def, &stick, 2.5, 0.1378, 30.0);
   assert_true(near(tilted.shaft.along, 0.05)); /* 3, 4 and 5 cm */
 }
 
@@ -92,10 +92,10 @@ static void a_stick_reaches_no_farther_than_it_is_long(void **state) {
   for (double radius = 0.05; radius <= 0.6; radius += 0.05) {
     const TaborDrumDef def = drum_of_radius(radius);
     for (double place = 0.0; place < 0.99 * radius; place += 0.01) {
-      const TbRigidStick rods[] = {tb_rigid_stick_rimshot(&def, &stick, 1.0, place, 10.0),
-                                   tb_rigid_stick_across(&def, &stick, 1.0, place, 10.0)};
+      const TbStickContacts rods[] = {tb_stick_rimshot(&def, &stick, 1.0, place, 10.0),
+                                      tb_stick_across(&def, &stick, 1.0, place, 10.0)};
       for (int i = 0; i < 2; i++) {
-        const TbRigidStick *rod = &rods[i];
+        const TbStickContacts *rod = &rods[i];
         const double one = rod->tip.mass * rod->shaft.mass * rod->cross * rod->cross;
         assert_true(rod->tip.radius >= 0.0 && rod->tip.radius < radius);
         assert_true(one < 1.0); /* C is positive definite */
@@ -254,15 +254,15 @@ static void a_hand_is_a_force_and_a_centred_damper_on_the_shaft(void **state) {
     1.0 / (tip->striker.mass * shaft->striker.mass) - shaft->end.cross * shaft->end.cross;
   const double a = 1.0 / shaft->striker.mass / one / (k * k), b = -shaft->end.cross / one / (k * k);
   const double d = 1.0 / tip->striker.mass / one / (k * k) + 0.5 * c / k, whole = a * d - b * b;
-  assert_true(near(tb_rigid_stick_compliance(&view, t, t), d / whole));
-  assert_true(near(tb_rigid_stick_compliance(&view, s, s), a / whole));
-  assert_true(near(tb_rigid_stick_compliance(&view, t, s), -b / whole));
+  assert_true(near(tb_stick_compliance(&view, t, t), d / whole));
+  assert_true(near(tb_stick_compliance(&view, s, s), a / whole));
+  assert_true(near(tb_stick_compliance(&view, t, s), -b / whole));
   /* By how much the hand bends the ways 2 z - z-: it pushes with F0 + c (s - s-)/k there. */
   const double speed = (view.now.z[s] - view.last.z[s]) / k, push = -shaft->hold.press - c * speed;
   const double ways[] = {2.0 * view.now.z[t] - view.last.z[t],
                          2.0 * view.now.z[s] - view.last.z[s]};
-  const double bent[] = {tb_rigid_stick_free_height(&view, t) - ways[0],
-                         tb_rigid_stick_free_height(&view, s) - ways[1]};
+  const double bent[] = {tb_stick_free_height(&view, t) - ways[0],
+                         tb_stick_free_height(&view, s) - ways[1]};
   assert_true(fabs(bent[0] / (-b / whole * push) - 1.0) < 1e-6); /* of 1e-2 m, rounded */
   assert_true(fabs(bent[1] / (a / whole * push) - 1.0) < 1e-6);
   tabor_drum_destroy(drum);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "strikers/stick_rigid.h"
+#include "strikers/stick.h"
 
 #include <math.h>
 
@@ -19,17 +19,17 @@ static double mobility(const TbStickBody *body, double a, double b) {
 }
 
 /* A stick that touches at its tip and at `along` from there. */
-static TbRigidStick touching(const TbStickBody *body, double along) {
-  return (TbRigidStick){.tip = {.mass = 1.0 / mobility(body, 0.0, 0.0)},
-                        .shaft = {.mass = 1.0 / mobility(body, along, along), .along = along},
-                        .cross = mobility(body, 0.0, along)};
+static TbStickContacts touching(const TbStickBody *body, double along) {
+  return (TbStickContacts){.tip = {.mass = 1.0 / mobility(body, 0.0, 0.0)},
+                           .shaft = {.mass = 1.0 / mobility(body, along, along), .along = along},
+                           .cross = mobility(body, 0.0, along)};
 }
 
-TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
-                                    double radius, double angle) {
+TbStickContacts tb_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                 double radius, double angle) {
   const double distance = clamp(def->shell.radius - radius, NEAREST, REACH);
   const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
-  TbRigidStick rod = touching(&stick->grip[TB_GRIP_FREE], along);
+  TbStickContacts rod = touching(&stick->grip[TB_GRIP_FREE], along);
   rod.tip.radius = def->shell.radius - distance;
   rod.tip.angle = rod.shaft.angle = angle;
   rod.tip.velocity = rod.shaft.velocity = velocity;
@@ -37,12 +37,12 @@ TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stic
   return rod;
 }
 
-TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
-                                   double radius, double angle) {
+TbStickContacts tb_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                double radius, double angle) {
   const double distance = clamp(def->shell.radius + radius, NEAREST, REACH_ACROSS);
   const double along = sqrt(distance * distance + def->hoop.height * def->hoop.height);
   const double beyond = distance - def->shell.radius; /* of the centre, seen from the hoop */
-  TbRigidStick rod = touching(&stick->grip[TB_GRIP_ACROSS], along);
+  TbStickContacts rod = touching(&stick->grip[TB_GRIP_ACROSS], along);
   rod.tip.radius = fabs(beyond);
   rod.tip.angle = beyond >= 0.0 ? angle : angle + 180.0;
   rod.shaft.angle = angle + 180.0;
@@ -62,24 +62,24 @@ static bool has_state(const TbView *view, uint32_t slot) {
   return tb_slot(view, slot)->end.bends && state_of(view, slot) == slot;
 }
 
-bool tb_rigid_stick_bends(const TbView *view, uint32_t striker) {
+bool tb_stick_bends(const TbView *view, uint32_t striker) {
   return view->model->def.striker[striker].kind == TABOR_STRIKER_STICK;
 }
 
-const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot) {
+const TbStickBody *tb_stick_body(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   return &view->model->stick[s->striker.definition].grip[s->end.grip];
 }
 
-void tb_rigid_stick_place(TbView *view, uint32_t slot) {
+void tb_stick_place(TbView *view, uint32_t slot) {
   TbSlot *s = tb_slot(view, slot);
-  if (s->end.bends) tb_stick_shape(tb_rigid_stick_body(view, slot), s->end.along, s->end.bend);
+  if (s->end.bends) tb_stick_shape(tb_stick_body(view, slot), s->end.along, s->end.bend);
 }
 
-void tb_rigid_stick_step(TbView *view) {
+void tb_stick_step(TbView *view) {
   for (uint32_t slot = 0; slot < TB_MUFFLERS; slot++) {
     if (!has_state(view, slot)) continue;
-    const TbStickBody *body = tb_rigid_stick_body(view, slot);
+    const TbStickBody *body = tb_stick_body(view, slot);
     for (uint32_t i = 0; i < TB_BENDS; i++) {
       view->next.bow[slot][i] =
         body->a[i] * view->now.bow[slot][i] - body->b[i] * view->last.bow[slot][i];
@@ -87,7 +87,7 @@ void tb_rigid_stick_step(TbView *view) {
   }
 }
 
-double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
+double tb_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase) {
   const double *bow = phase->bow[state_of(view, slot)];
   const double *bend = tb_slot(view, slot)->end.bend;
   double sum = 0.0;
@@ -95,27 +95,27 @@ double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phas
   return sum;
 }
 
-void tb_rigid_stick_press(TbView *view, uint32_t slot, double force) {
+void tb_stick_press(TbView *view, uint32_t slot, double force) {
   const uint32_t tip = state_of(view, slot);
-  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  const TbStickBody *body = tb_stick_body(view, slot);
   const double *bend = tb_slot(view, slot)->end.bend;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     view->next.bow[tip][i] += force * (body->g[i] * bend[i]);
   }
 }
 
-double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
-  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+double tb_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other) {
+  const TbStickBody *body = tb_stick_body(view, slot);
   const double *a = tb_slot(view, slot)->end.bend, *b = tb_slot(view, other)->end.bend;
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) sum += a[i] * (body->g[i] * b[i]);
   return sum;
 }
 
-double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next,
-                              const TbPhase *now) {
+double tb_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next,
+                        const TbPhase *now) {
   if (!has_state(view, slot)) return 0.0;
-  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  const TbStickBody *body = tb_stick_body(view, slot);
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     const double q1 = next->bow[slot][i], q0 = now->bow[slot][i];
@@ -125,9 +125,9 @@ double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *
   return 0.5 * sum;
 }
 
-double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
+double tb_stick_loss(const TbView *view, uint32_t slot) {
   if (!has_state(view, slot)) return 0.0;
-  const TbStickBody *body = tb_rigid_stick_body(view, slot);
+  const TbStickBody *body = tb_stick_body(view, slot);
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_BENDS; i++) {
     const double moved = view->next.bow[slot][i] - view->last.bow[slot][i];
@@ -138,8 +138,7 @@ double tb_rigid_stick_loss(const TbView *view, uint32_t slot) {
 
 /* ---- motion --------------------------------------------------------------------------------- */
 
-double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
-                             const double *now) {
+double tb_stick_motion(const TbView *view, uint32_t slot, const double *next, const double *now) {
   const TbSlot *s = tb_slot(view, slot);
   const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
   if (s->kind != TB_SLOT_END) return s->striker.mass * velocity * velocity;
@@ -165,7 +164,7 @@ static double resisted(const TbView *view, const TbSlot *shaft) {
   return 0.5 * view->model->time_step * resistance_of(view, shaft) / shaft->striker.mass;
 }
 
-double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t other) {
+double tb_stick_compliance(const TbView *view, uint32_t slot, uint32_t other) {
   const TbSlot *s = tb_slot(view, slot);
   const TbSlot *shaft = tb_slot(view, shaft_of(view, slot));
   const double k = view->model->time_step, w = resisted(view, shaft);
@@ -175,7 +174,7 @@ double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t oth
          k * k * s->end.cross * s->end.cross * shaft->striker.mass * w / (1.0 + w);
 }
 
-double tb_rigid_stick_free_height(const TbView *view, uint32_t slot) {
+double tb_stick_free_height(const TbView *view, uint32_t slot) {
   const uint32_t at = shaft_of(view, slot);
   const TbSlot *shaft = tb_slot(view, at);
   const double *now = view->now.z, *last = view->last.z;
@@ -189,8 +188,8 @@ double tb_rigid_stick_free_height(const TbView *view, uint32_t slot) {
   return 2.0 * now[slot] - last[slot] - k * k * shaft->end.cross * hand;
 }
 
-double tb_rigid_stick_pull(const TbView *view, uint32_t slot) {
+double tb_stick_pull(const TbView *view, uint32_t slot) {
   const uint32_t other = tb_slot(view, slot)->end.other;
-  return tb_rigid_stick_compliance(view, slot, other) *
+  return tb_stick_compliance(view, slot, other) *
          view->solve.warm.force[view->model->wires.stride + other];
 }

@@ -32,62 +32,61 @@
  * On drums wider than the stick's length, the tip is as near to the stroke's place as it can be
  * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer than 0.03 m to the
  * hoop. */
-#ifndef TB_STICK_RIGID_H
-#define TB_STICK_RIGID_H
+#ifndef TB_STICK_H
+#define TB_STICK_H
 
 #include "state/state.h"
 
 /* One contact of a rod. */
-typedef struct TbRigidStickEnd {
+typedef struct TbStickContact {
   double radius, angle; /* on the head, or on the hoop [m], [deg] */
   double mass;          /* 1/C_jj [kg] */
   double velocity;      /* downwards [m/s] */
   double gap;           /* above the surface that it will strike [m] */
   double along;         /* distance from the tip [m] */
-} TbRigidStickEnd;
+} TbStickContact;
 
-typedef struct TbRigidStick {
-  TbRigidStickEnd tip, shaft;
+typedef struct TbStickContacts {
+  TbStickContact tip, shaft;
   double cross; /* C_12 [1/kg] */
-} TbRigidStick;
+} TbStickContacts;
 
 /* A stick at the requested `radius` and `angle`. */
-TbRigidStick tb_rigid_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
-                                    double radius, double angle);
-TbRigidStick tb_rigid_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
-                                   double radius, double angle);
+TbStickContacts tb_stick_rimshot(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                 double radius, double angle);
+TbStickContacts tb_stick_across(const TaborDrumDef *def, const TbStick *stick, double velocity,
+                                double radius, double angle);
 
 /* In a stroke of the tip alone: heads of mallets, fingers and brushes do not bend. */
-bool tb_rigid_stick_bends(const TbView *view, uint32_t striker);
+bool tb_stick_bends(const TbView *view, uint32_t striker);
 /* The body of a slot whose stick bends, in its grip. */
-const TbStickBody *tb_rigid_stick_body(const TbView *view, uint32_t slot);
+const TbStickBody *tb_stick_body(const TbView *view, uint32_t slot);
 /* Computes the slot's phi from its place along the stick. */
-void tb_rigid_stick_place(TbView *view, uint32_t slot);
+void tb_stick_place(TbView *view, uint32_t slot);
 /* Bow, press and flexibility below need a slot whose stick bends. */
 
 /* Moves all sticks' bending by one step, without forces. */
-void tb_rigid_stick_step(TbView *view);
+void tb_stick_step(TbView *view);
 /* Bending part of the height of a slot's end [m]. */
-double tb_rigid_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase);
+double tb_stick_bow(const TbView *view, uint32_t slot, const TbPhase *phase);
 /* Adds the effect of a force on a slot's end to the bending at the next instant. */
-void tb_rigid_stick_press(TbView *view, uint32_t slot, double force);
+void tb_stick_press(TbView *view, uint32_t slot, double force);
 /* Displacement of one end by bending, one step after a unit force on `other`, which may be the same
  * end [m/N]. */
-double tb_rigid_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other);
-/* Energy of a slot's stick: stored in bending between two instants, counted with its tip; and lost
- * in a step [J]. */
-double tb_rigid_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next,
-                              const TbPhase *now);
-double tb_rigid_stick_loss(const TbView *view, uint32_t slot);
+double tb_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other);
+/* Energy stored in the bending of a slot's stick between two instants [J]; of a pair the tip's slot
+ * has it all. */
+double tb_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next, const TbPhase *now);
+/* Energy that this bending loses in a step [J]. */
+double tb_stick_loss(const TbView *view, uint32_t slot);
 /* What a unit force at the stick's end `other`, which may be the same, does to the height of a slot's end
  * in one step, without bending [m/N]; and this end's next height without contact forces [m]. Both
  * need a slot of TB_SLOT_END. */
-double tb_rigid_stick_compliance(const TbView *view, uint32_t slot, uint32_t other);
-double tb_rigid_stick_free_height(const TbView *view, uint32_t slot);
+double tb_stick_compliance(const TbView *view, uint32_t slot, uint32_t other);
+double tb_stick_free_height(const TbView *view, uint32_t slot);
 /* A slot's part of twice the kinetic energy of its body between two instants [J]. */
-double tb_rigid_stick_motion(const TbView *view, uint32_t slot, const double *next,
-                             const double *now);
+double tb_stick_motion(const TbView *view, uint32_t slot, const double *next, const double *now);
 /* Change of a slot's height in one step by the force at the other end of its body [m]. */
-double tb_rigid_stick_pull(const TbView *view, uint32_t slot);
+double tb_stick_pull(const TbView *view, uint32_t slot);
 
 #endif

@@ -18,7 +18,7 @@
 /* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an instance. A test
    compares them with knob_shown(). */
 #define BATTER_PITCH 271.444
-#define RESONANT_PITCH 308.311
+#define RESONANT_PITCH 307.754
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
   .off = LOWEST_LEVEL, .group = "mics"

@@ -223,6 +223,7 @@ static void random_kits_are_those_of_render(void **state) {
 /* A session has the kit itself, not its file. */
 static void a_session_has_the_own_kit(void **state) {
   (void)state;
+  static const char empty[] = "[kit]\nname = x\n";
   HostState saved = {.count = 0};
   kit_write_random(7);
   PluginHost *const host = open_own_kit(), *const other = open_kit(tabor_kit_count());
@@ -233,7 +234,7 @@ static void a_session_has_the_own_kit(void **state) {
   assert_true(strike(host, 36, 0) > 0);
   assert_true(strike(other, 36, 0) > 0);
   assert_memory_equal(host->sound[0], other->sound[0], sizeof host->sound[0]);
-  host_set_property(&saved, URI_STATE_KIT, LV2_ATOM__String, "[kit]\nname = x\n", 17);
+  host_set_property(&saved, URI_STATE_KIT, LV2_ATOM__String, empty, sizeof empty);
   assert_int_not_equal(host_restore(other, &saved), LV2_STATE_SUCCESS);
   assert_non_null(strstr(other->said, "no drum"));
   host_state_free(&saved);

@@ -40,11 +40,12 @@ if(LILV_FOUND)
 endif()
 
 # Tests that look inside have the plugins in themselves.
-foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_threads)
+foreach(name IN ITEMS test_lv2_models test_lv2_realtime test_lv2_set_path test_lv2_threads)
   set(${name}_SOURCES support/plugin_host.c)
   set(${name}_LIBRARIES ${TABOR_LV2_LIBRARIES})
 endforeach()
 list(APPEND test_lv2_realtime_SOURCES support/counted_calls.c)
+list(APPEND test_lv2_set_path_SOURCES support/midi_writer.c)
 set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
 if(TABOR_WINDOW_FOUND)

@@ -163,13 +163,10 @@ static void set_overheads(float value, TaborKitDef *def) {
 bool kit_knob_is_own(float kit) { return kit >= kit_knobs[KIT_KNOB_KIT].maximum; }
 
 TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error) {
-  if (!kit_knob_is_own(kit))
-    return tabor_kit_def_preset(def, tabor_kit((uint32_t)kit)->name, error);
-  if (own_kit_copy(own, def)) return TABOR_OK;
-  if (error) {
-    *error = (TaborError){.status = TABOR_ERROR_NAME, .message = "no kit file has been loaded"};
-  }
-  return TABOR_ERROR_NAME;
+  const bool is_own = kit_knob_is_own(kit);
+  if (is_own && own_kit_copy(own, def)) return TABOR_OK;
+  const float built_in = is_own ? kit_knobs[KIT_KNOB_KIT].fallback : kit;
+  return tabor_kit_def_preset(def, tabor_kit((uint32_t)built_in)->name, error);
 }
 
 TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, TaborKitDef *def,

@@ -50,7 +50,7 @@ double kit_knob_factor(KitKnobId id, float value) REALTIME;
 int kit_knob_text(KitKnobId id, float value, char *text, size_t size);
 /** True for the value of KIT_KNOB_KIT, its last, that stands for the user's own kit. */
 bool kit_knob_is_own(float kit) REALTIME;
-/** SET-UP. The kit that a value of KIT_KNOB_KIT stands for. TABOR_ERROR_NAME: the user's own, and there is none. */
+/** SET-UP. The kit that a value of KIT_KNOB_KIT stands for; the usual one in place of the user's own while there is none. */
 TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error);
 /** SET-UP. The kit that the knobs describe. A drum that cannot be tuned so far stays as its preset has it. */
 TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, TaborKitDef *def,

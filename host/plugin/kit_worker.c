@@ -127,12 +127,18 @@ static void say_held(KitWorker *worker) {
   if (worker->say) worker->say(worker->context, PLUGIN_HELD_LINE);
 }
 
+static void say_missing(const KitWorker *worker) {
+  if (!kit_knob_is_own(worker->wanted[KIT_KNOB_KIT]) || own_kit_version(worker->own) > 0) return;
+  if (worker->say) worker->say(worker->context, "no kit file has been loaded: the usual kit plays");
+}
+
 void kit_worker_work(KitWorker *worker) {
   unsigned asked = KIT_PHASE_ASKED;
   TaborError error;
   free_retired(worker);
   if (!atomic_compare_exchange_strong(&worker->phase, &asked, KIT_PHASE_BUILDING)) return;
   say_held(worker);
+  say_missing(worker);
   const TaborStatus status = build(worker, &error);
   worker->failed = status != TABOR_OK && status != TABOR_ERROR_CANCELLED;
   if (worker->failed) say(worker, "the kit stays as it is", &error);

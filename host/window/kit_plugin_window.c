@@ -2,7 +2,6 @@
 #include "window/kit_plugin_window.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,9 +51,7 @@ static void follow_kit(KitPluginWindow *window) {
   if (kit == window->shown && version == window->version) return;
   window->shown = kit;
   window->version = version;
-  if (kit_knob_kit(kit, window->shell.own, window->kit, NULL) == TABOR_OK) return;
-  tabor_kit_def_default(window->kit);
-  (void)snprintf(window->kit->name, sizeof window->kit->name, "no kit file loaded");
+  (void)kit_knob_kit(kit, window->shell.own, window->kit, NULL); /* built-in ones are there */
 }
 
 /* ---- what the window shows and does --------------------------------------------------------- */

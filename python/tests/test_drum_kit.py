@@ -20,6 +20,13 @@ def test_kits_are_listed():
     assert all(row.comment for row in tabor.kits())
 
 
+def test_settings_of_drums_that_are_not_there():
+    with pytest.raises(tabor.UnknownNameError, match="no drum 'snar'"):
+        tabor.Kit("standard", {"drum.snar.batter.pitch": "A3"})
+    added = tabor.Kit("frame-drums", {"drum.high.preset": "tom-10", "drum.high.x": 1}, quality="draft")
+    assert added.drums[-1] == "high"
+
+
 def test_facts(kit):
     assert kit.drums == ("bodhran", "frame-drum", "string-bodhran", "tabor")
     assert kit.sample_rate == 48000

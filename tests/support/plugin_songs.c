@@ -328,12 +328,13 @@ static void write_drum(FILE *file, uint32_t number, uint32_t drums, uint64_t *ra
   fprintf(file, "x = %.3f\ny = %.3f\nheight = %.3f\n", between(random, -1, 1),
           between(random, -1, 1), between(random, 0.3, 0.9));
   fprintf(file, "tilt = %.0f\nfacing = %.0f\n", between(random, 0, 90), between(random, 0, 360));
-  fprintf(file, "gain = %.2f\npan = %.3f\nwake = %.2f\nchoke = %u\n", between(random, -12, 12),
+  fprintf(file, "gain = %.2f\npan = %.3f\nwake = %.2f\nchoke = %u\n", between(random, -30, -12),
           between(random, -1, 1), between(random, 0.1, 2), below(random, 3));
   fprintf(file, "strike.velocity = %.3f\n", between(random, 1, 6));
   write_notes(file, number, drums);
 }
 
+/* So soft that play, which clips what is beyond full scale, has nothing to clip. */
 void kit_write_random(uint64_t seed) {
   static const char *const rooms[] = {"none", "booth", "studio", "hall"};
   const uint32_t drums = 1u + below(&seed, brief ? 2 : 4);
@@ -341,7 +342,7 @@ void kit_write_random(uint64_t seed) {
   song_path(path, sizeof path, "kit.ini");
   FILE *const file = fopen(path, "w");
   assert_non_null(file);
-  fprintf(file, "[kit]\nname = random\noverheads = %.2f\n", between(&seed, -12, 6));
+  fprintf(file, "[kit]\nname = random\noverheads = %.2f\n", between(&seed, -24, -6));
   if (below(&seed, 3) == 0) {
     fprintf(file, "coupling = off\n");
   } else {

@@ -79,6 +79,7 @@ class Kit:
         self._def = ffi.new("TaborKitDef *")
         self._define(kit)
         for key, value in (settings or {}).items():
+            self._require_drum(key)
             check(lib.tabor_kit_def_set, self._def, encoded(key, "key"), encoded(str(value), "value"))
         check(lib.tabor_kit_def_validate, self._def)
         self._drums = tuple(text(self._def.drum[i].name) for i in range(self._def.drum_count))
@@ -96,13 +97,26 @@ class Kit:
         with open(kit, encoding="utf-8") as file:
             ini = file.read()
         lib.tabor_kit_def_default(self._def)
+        begun = set()
         for section, key, value in pairs(ini):
+            if key is None and section in begun:
+                raise Error(f"section [{section}] occurs twice", "value", section)
+            begun.add(section)
             if section.startswith("note."):
                 continue
             if key is None:
                 check(lib.tabor_kit_def_section, self._def, encoded(section, "section"))
             else:
                 check(lib.tabor_kit_def_set, self._def, encoded(f"{section}.{key}", "key"), encoded(value, "value"))
+
+    def _require_drum(self, key: str) -> None:
+        """A setting of a drum that is not there is a mistake, unless its preset is given."""
+        words = key.split(".")
+        if words[0] != "drum" or len(words) < 3 or words[2:] == ["preset"]:
+            return
+        if lib.tabor_kit_def_find(self._def, encoded(words[1], "drum")) < 0:
+            raise UnknownNameError(f"{key}: the kit has no drum {words[1]!r}; a setting 'drum.{words[1]}.preset' adds it", "name",
+                                   key, words[1])
 
     def _placed(self, drum: int) -> Definition:
         """The drum as it stands in the kit."""

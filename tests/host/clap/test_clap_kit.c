@@ -350,7 +350,7 @@ static void files_that_are_no_kits(void **state) {
   char path[256];
   ClapHost *const host = open_kit(tabor_kit_count());
   assert_non_null(strstr(host->said, "no kit file has been loaded"));
-  assert_true(strike(host, 38, 1) == 0);
+  assert_true(strike(host, 38, 1) > 1e-3);
   assert_false(load_file(host, "/nonexistent/kit.ini"));
   assert_non_null(strstr(host->refused, "/nonexistent/kit.ini: No such file"));
   song_write_all();

@@ -163,16 +163,16 @@ Outcome kit_take_write(KitTake *take, PlayedFn *played, void *context) {
   return outcome == OUTCOME_OK ? deliver(take) : outcome;
 }
 
-uint64_t kit_take_dropped(const KitTake *take, uint32_t drum) {
+TaborStatistics kit_take_statistics(const KitTake *take, uint32_t drum) {
   TaborStatistics statistics;
   tabor_drum_statistics(tabor_kit_drum(take->kit, drum), &statistics);
-  return statistics.dropped_events;
+  return statistics;
 }
 
 void kit_take_warn(const KitTake *take) {
   const double largest = audio_largest(take->format.audio.encoding);
   uint64_t lost = tabor_kit_dropped(take->kit);
-  for (uint32_t i = 0; i < drums_of(take); i++) lost += kit_take_dropped(take, i);
+  for (uint32_t i = 0; i < drums_of(take); i++) lost += kit_take_statistics(take, i).dropped_events;
   if (take->peak > largest) {
     warn("the peak of %+.1f dBFS saturates; --gain %.1f avoids it", 20 * log10(take->peak),
          floor(10 * (take->format.gain_db - 20 * log10(take->peak / largest))) / 10);

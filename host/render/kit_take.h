@@ -51,8 +51,8 @@ Outcome kit_format_read(const Arguments *arguments, const TaborKitDef *kit,
 void kit_take_begin(KitTake *take);
 /** Writes the files, and gives them their names. @p played, which may be NULL, hears how far it is. */
 Outcome kit_take_write(KitTake *take, PlayedFn *played, void *context);
-/** Events of one drum that were dropped. */
-uint64_t kit_take_dropped(const KitTake *take, uint32_t drum);
+/** What one drum has played and dropped. */
+TaborStatistics kit_take_statistics(const KitTake *take, uint32_t drum);
 /** Warns of saturation, with the gain that avoids it, and of dropped events. */
 void kit_take_warn(const KitTake *take);
 void kit_take_free(KitTake *take);

@@ -142,10 +142,11 @@ static double real_time_factor(const KitTake *take) {
 static Outcome print_json(const KitRendering *r) {
   json_t *drums = json_array(), *unknown = json_array(), *outputs = json_array();
   for (uint32_t i = 0; i < r->def.drum_count; i++) {
+    const TaborStatistics statistics = kit_take_statistics(&r->take, i);
     drums =
       json_with_item(drums, json_pack("{s:o, s:I, s:I}", "name", json_text(r->def.drum[i].name),
-                                      "strokes", (json_int_t)r->midi.strokes[i], "dropped",
-                                      (json_int_t)kit_take_dropped(&r->take, i)));
+                                      "strokes", (json_int_t)statistics.strikes, "dropped",
+                                      (json_int_t)statistics.dropped_events));
   }
   for (int note = 0; note < MIDI_VALUES; note++) {
     if (r->midi.unknown[note] == 0) continue;

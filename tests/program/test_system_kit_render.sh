@@ -26,6 +26,9 @@ if [ "$brief" != brief ]; then
   same "strokes" 'kick 11 snare 12 high-tom 4 low-tom 3 floor-tom 3 ' "$strokes"
   holds "a level for use" "$(json peak) > 0.1 && $(json peak) < 1"
 fi
+run render --kit standard --midi-file groove.mid --quality draft --duration 0.1 --json -o groove.wav
+same "strokes within a tenth of a second" "kick 1, snare 0" \
+  "$(json drums.0.name) $(json drums.0.strokes), $(json drums.1.name) $(json drums.1.strokes)"
 
 # ---- a kit as text ----
 

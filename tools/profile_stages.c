@@ -285,7 +285,7 @@ static void touch_high(Memory *memory) {
   touch(memory, TB_STAGE_HIGH, v->high.force, h->driven * sizeof *v->high.force);
   TOUCH(memory, TB_STAGE_HIGH, w->stride, v->solve.warm.force, memory->model->rest.force,
         v->solve.work.turned);
-  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high.held);
+  TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high.taken);
 }
 
 /* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */

@@ -64,8 +64,8 @@ extern const clap_plugin_state_t kit_state;
 
 /** Notes the value that @p event brings. False: it brings none. */
 bool kit_parameters_take(KitInstance *instance, const clap_event_header_t *event) REALTIME;
-/** MAIN. Turns the knob of the kit to @p kit, and tells the host. */
-void kit_parameters_choose(KitInstance *instance, float kit);
+/** MAIN. Tells the host that knobs and kit are others, by a preset or a state. */
+void kit_parameters_tell(KitInstance *instance);
 /** AUDIO. Turns the player's knobs to the values that were noted. */
 void kit_parameters_turn(KitInstance *instance) REALTIME;
 /** AUDIO. Finds where the channels of @p block go. */

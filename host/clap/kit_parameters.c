@@ -30,8 +30,7 @@ void kit_parameters_turn(KitInstance *instance) {
   }
 }
 
-void kit_parameters_choose(KitInstance *instance, float kit) {
-  atomic_store(&instance->values[KIT_KNOB_KIT], kit);
+void kit_parameters_tell(KitInstance *instance) {
   if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
   if (instance->note_names) instance->note_names->changed(instance->host);
   if (instance->is_open) instance->host->request_process(instance->host);

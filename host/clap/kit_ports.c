@@ -57,21 +57,17 @@ const clap_plugin_render_t kit_render = {.has_hard_realtime_requirement = extens
 
 /* ---- notes ---------------------------------------------------------------------------------- */
 
-/* The kit of the knob; NULL if there is none or memory is short. */
+/* The kit of the knob; NULL if memory is short. */
 static const TaborKitDef *named_kit(KitInstance *instance) {
   const float kit = atomic_load(&instance->values[KIT_KNOB_KIT]);
   const unsigned own = own_kit_version(&instance->own);
-  if (instance->named && instance->named_kit == kit && instance->named_own == own)
-    return instance->named;
-  free(instance->named);
-  instance->named = malloc(sizeof *instance->named);
+  const bool is_named = instance->named_kit == kit && instance->named_own == own;
+  if (instance->named && is_named) return instance->named;
+  if (!instance->named) instance->named = malloc(sizeof *instance->named);
   instance->named_kit = kit;
   instance->named_own = own;
-  if (!instance->named || kit_knob_kit(kit, &instance->own, instance->named, NULL) == TABOR_OK)
-    return instance->named;
-  free(instance->named);
-  instance->named = NULL;
-  return NULL;
+  if (instance->named) (void)kit_knob_kit(kit, &instance->own, instance->named, NULL);
+  return instance->named;
 }
 
 /* What each note plays, by the map of the knob; all by `names` of its notes. Returns their number. */

@@ -119,10 +119,8 @@ static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
   if (!text) return refuse(instance, "it cannot be read");
   const bool is_read = read_state(instance, text);
   free(text);
-  if (!is_read) return false;
-  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
-  if (instance->is_open) instance->host->request_process(instance->host);
-  return true;
+  if (is_read) kit_parameters_tell(instance);
+  return is_read;
 }
 
 const clap_plugin_state_t kit_state = {.save = save, .load = load};

@@ -112,7 +112,10 @@ static bool kit_from(const clap_plugin_t *plugin, uint32_t kind, const char *loc
   char message[MESSAGE];
   float value;
   const bool is_read = read_kit(instance, &place, &value, message);
-  if (is_read) kit_parameters_choose(instance, value);
+  if (is_read) {
+    atomic_store(&instance->values[KIT_KNOB_KIT], value);
+    kit_parameters_tell(instance);
+  }
   return answer(instance->host, &place, is_read, message);
 }
 

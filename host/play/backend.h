@@ -6,7 +6,7 @@
 #ifndef TABOR_HOST_BACKEND_H
 #define TABOR_HOST_BACKEND_H
 
-#include "base/message.h"
+#include "base/options.h"
 
 #define BACKEND_WIDEST 64 /* most channels of a device that are used */
 
@@ -55,7 +55,8 @@ extern const Backend backend_portaudio; /* backend_portaudio.c */
 extern const Backend backend_null;      /* backend_thread.c: paced by a clock, inaudible */
 extern const Backend backend_file;      /* backend_thread.c: as fast as possible */
 
-/** Finds the backend called @p name; refuses an unknown name. */
-Outcome backend_find(const char *name, const Backend **backend);
+/** Reads --backend, --device and --buffer, the latter two to @p request. Refuses an unknown backend, and what does not go with
+ * it. */
+Outcome backend_read(const Arguments *arguments, const Backend **backend, BackendRequest *request);
 
 #endif

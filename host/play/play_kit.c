@@ -22,7 +22,6 @@
 #include "play/take_writer.h"
 #include "strokes/humanize_options.h"
 
-#define DEFAULT_BUFFER 128
 #define TURN 0.05     /* [s] between two looks at signals and the device */
 #define SIGNALLED 128 /* exit status of a program that a signal ended, less its number */
 
@@ -57,27 +56,12 @@ static Outcome check_options(const Arguments *arguments) {
                             "a kit is played by MIDI, and heard in its own mix");
 }
 
-/* It ends by itself, and only a song plays the kit. */
-static Outcome check_waiting(const Arguments *arguments, const KitSession *s) {
-  if (!s->record.records) return refuse("--backend file needs --record FILE");
-  if (s->duration == 0) return refuse("--kit and --backend file need --duration");
-  if (!arguments_has(arguments, "midi-in")) return OUTCOME_OK;
-  return refuse("--midi-in: with --backend file nothing is heard live");
-}
-
 static Outcome read_device(const Arguments *arguments, KitSession *s) {
-  static const NumberField buffer = {"--buffer", 16, 4096, true};
-  const char *const name = arguments_value(arguments, "backend");
-  double frames = DEFAULT_BUFFER;
-  s->device = (BackendRequest){.device = arguments_value(arguments, "device"), .channels = 2};
-  Outcome outcome = arguments_number(arguments, &buffer, &frames);
-  if (outcome == OUTCOME_OK) outcome = backend_find(name ? name : "portaudio", &s->backend);
-  if (outcome != OUTCOME_OK) return outcome;
-  s->device.buffer = (uint32_t)frames;
+  s->device.channels = 2;
   if (arguments_has(arguments, "rate")) s->device.rate = s->model.sample_rate;
-  if (s->backend->waits) return check_waiting(arguments, s);
-  if (!s->device.device || s->backend == &backend_portaudio) return OUTCOME_OK;
-  return refuse("--device: only --backend portaudio has devices");
+  const Outcome outcome = backend_read(arguments, &s->backend, &s->device);
+  if (outcome != OUTCOME_OK || !s->backend->waits || s->duration > 0) return outcome;
+  return refuse("--kit and --backend file need --duration");
 }
 
 /* The recording may replace nothing that is read. */
@@ -267,6 +251,7 @@ static Outcome report(KitSession *s) {
 }
 
 static void close_all(KitSession *s) {
+  (void)finish_recording(s); /* nothing, unless opening failed */
   midi_input_close(s->input);
   if (s->backend && s->stream) s->backend->close(s->stream);
   record_request_free(&s->record);

@@ -14,7 +14,6 @@
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
 
-#define DEFAULT_BUFFER 128
 #define DEFAULT_HUMANIZE 0.3
 
 const Option play_options[] = {
@@ -61,16 +60,13 @@ static Outcome read_flags(const Arguments *arguments, PlayRequest *request) {
 static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
   static const NumberField gain = {"--gain", -120, 120, false};
   static const NumberField duration = {"--duration", 0.01, 86400, false};
-  static const NumberField buffer = {"--buffer", 16, 4096, true};
-  double gain_db = 0, frames = DEFAULT_BUFFER;
+  double gain_db = 0;
   Outcome outcome = arguments_number(arguments, &gain, &gain_db);
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &request->duration);
-  if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &buffer, &frames);
   if (outcome == OUTCOME_OK) {
     outcome = humanize_read(arguments, DEFAULT_HUMANIZE, &request->humanizer);
   }
   request->gain = pow(10, gain_db / 20);
-  request->device.buffer = (uint32_t)frames;
   return outcome;
 }
 
@@ -127,20 +123,7 @@ static Outcome read_mics(const Arguments *arguments, PlayRequest *request) {
 }
 
 static Outcome read_backend(const Arguments *arguments, PlayRequest *request) {
-  const char *const name = arguments_value(arguments, "backend");
-  request->device.device = arguments_value(arguments, "device");
-  const Outcome outcome = backend_find(name ? name : "portaudio", &request->backend);
-  if (outcome != OUTCOME_OK) return outcome;
-  if (request->device.device && request->backend != &backend_portaudio) {
-    return refuse("--device: only --backend portaudio has devices");
-  }
-  if (request->backend->waits && arguments_has(arguments, "midi-in")) {
-    return refuse("--midi-in: with --backend file nothing is heard live");
-  }
-  if (request->backend->waits && !arguments_has(arguments, "record")) {
-    return refuse("--backend file needs --record FILE");
-  }
-  return OUTCOME_OK;
+  return backend_read(arguments, &request->backend, &request->device);
 }
 
 static Outcome read_record(const Arguments *arguments, PlayRequest *request) {

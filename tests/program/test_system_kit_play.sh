@@ -46,6 +46,7 @@ refused "need --duration" play --kit standard --backend file --record take.wav
 refused "--midi-in" play --kit standard --backend file --duration 1 --record take.wav --midi-in all
 cp song.mid song.wav
 refused "would overwrite --midi-file" "${short[@]}" --midi-file song.wav --record song.wav
+refused "--device: only" play --kit standard --backend file --duration 1 --record take.wav --device x
 refused "--device: only" "${short[@]}" --device 'JACK: system'
 refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1
 

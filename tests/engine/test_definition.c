@@ -447,6 +447,9 @@ static void test_set_refusals(void **state) {
   refuse_set("resonant.damping_k", "5.1", TABOR_ERROR_RANGE, "5.1 is outside 0 to 5 m/s");
   refuse_set("batter.muffle_strength", "30.1", TABOR_ERROR_RANGE, "outside 0 to 30 N s/m");
   refuse_set("batter.muffle_radius", "0.61", TABOR_ERROR_RANGE, "outside 0 to 0.6 m");
+  refuse_set("batter.ring_radius", "0.61", TABOR_ERROR_RANGE, "outside 0 to 0.6 m");
+  refuse_set("resonant.ring_width", "0", TABOR_ERROR_RANGE, "outside 0.001 to 1.2 m");
+  refuse_set("resonant.ring_strength", "-1", TABOR_ERROR_RANGE, "outside 0 to 30 N s/m");
   refuse_set("resonant.tension", "99", TABOR_ERROR_RANGE, "outside 100 to 20000 N/m");
   refuse_set("resonant.damping_0", "x", TABOR_ERROR_VALUE, "is not a number");
   refuse_set("striker.stick.kind", "rake", TABOR_ERROR_VALUE, "stick, mallet, finger, brush");
@@ -712,7 +715,8 @@ static void test_random_texts(void **state) {
   const TaborStatus status = tabor_drum_def_validate(&def, &error);
   assert_true(status == TABOR_OK || strncmp(error.key, "strike.", 7) == 0 ||
               strncmp(error.key, "wire", 4) == 0 || strncmp(error.key, "mic.", 4) == 0 ||
-              strstr(error.key, ".muffle_radius") || strstr(error.key, ".lug_"));
+              strstr(error.key, ".muffle_radius") || strstr(error.key, ".ring_radius") ||
+              strstr(error.key, ".lug_"));
 }
 
 /* Numbers as text ------------------------------------------------------------------------------ */
@@ -917,7 +921,7 @@ static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
 /* Each of its keys brings the second head, with defaults for the others. */
 static void test_second_head(void **state) {
   (void)state;
-  enum { KEYS = 14 + TABOR_MAX_LUGS };
+  enum { KEYS = 17 + TABOR_MAX_LUGS };
   TaborDrumDef one, two;
   tabor_drum_def_default(&one);
   tabor_drum_def_default(&two);
@@ -950,7 +954,7 @@ static void test_second_head(void **state) {
 
 static void test_second_head_keys(void **state) {
   (void)state;
-  enum { KEYS = 14 }; /* but for lugs' own values, which are not set */
+  enum { KEYS = 17 }; /* but for lugs' own values, which are not set */
   TaborDrumDef def, copy;
   char all[8192];
   tabor_drum_def_default(&def);
@@ -959,7 +963,7 @@ static void test_second_head_keys(void **state) {
   assert_non_null(strstr(all, "shell.stand_damping batter.tension "));
   assert_non_null(strstr(all, "shell.absorption shell.surface_density "));
   assert_non_null(strstr(
-    all, "batter.muffle_strength batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
+    all, "batter.ring_strength batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
   must_set(&def, "resonant.damping_0", "17");
   assert_int_equal(list_keys(&def, all, sizeof all), count + KEYS);
   assert_non_null(strstr(all, "batter.lug_seed resonant.tension "));
@@ -1030,6 +1034,18 @@ static void test_between_heads(void **state) {
   must_set(&def, "batter.muffle_radius", "0.3");
   refuse_def(&def, TABOR_ERROR_RANGE, "batter.muffle_radius", "is not below shell.radius, 0.1651");
   must_set(&def, "batter.muffle_radius", "0.165");
+  must_set(&def, "batter.ring_radius", "0.15");
+  must_set(&def, "batter.ring_width", "0.0303"); /* of a ring that is not there */
+  must_set(&def, "resonant.muffle_radius", "0");
+  must_validate(&def);
+  must_set(&def, "batter.ring_strength", "0.4");
+  refuse_def(&def, TABOR_ERROR_RANGE, "batter.ring_radius",
+             "0.15: with ring_width 0.0303 m the ring reaches beyond shell.radius, 0.1651 m");
+  must_set(&def, "batter.ring_width", "0.03");
+  must_validate(&def);
+  must_set(&def, "resonant.ring_radius", "0.16");
+  must_set(&def, "resonant.ring_strength", "1");
+  refuse_def(&def, TABOR_ERROR_RANGE, "resonant.ring_radius", "with ring_width 0.03 m");
   must_set(&def, "wires.head", "batter");
   def.two_headed = 0; /* and nobody looks at the head that is gone */
   must_validate(&def);

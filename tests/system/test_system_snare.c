@@ -332,7 +332,7 @@ static void hard_strokes_glide(void **state) {
   TaborDrumDef def = drum_of("snare-14x5.5-off");
   def.batter.tension = 1500.0;
   def.batter.damping_0 = def.resonant.damping_0 = 16.0; /* it rings while it glides */
-  def.batter.damping_k = def.resonant.damping_k = def.batter.muffle_strength = 0.0;
+  def.batter.damping_k = def.resonant.damping_k = def.batter.ring_strength = 0.0;
   def.wires.count = 0;
   def.air.gravity = 0.0; /* zero is where the head comes to rest */
   static const double SPEEDS[] = {0.5, 6.0, 8.0};

@@ -57,8 +57,9 @@ static bool is_newer(const TaborParameter *p) {
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
-         strcmp(p->key, "damping_k") == 0 || strcmp(p->key, "bristles") == 0 ||
-         strcmp(p->key, "spread") == 0 || strcmp(p->key, "sweep_speed") == 0;
+         strcmp(p->key, "damping_k") == 0 || strncmp(p->key, "ring_", 5) == 0 ||
+         strcmp(p->key, "bristles") == 0 || strcmp(p->key, "spread") == 0 ||
+         strcmp(p->key, "sweep_speed") == 0;
 }
 
 /* On every other drum, of its own seed, so that older trials stay what they were. */
@@ -88,6 +89,15 @@ static void draw_hoop(uint64_t seed, TaborHoopDef *hoop) {
 
 static double draw_key(uint64_t *seed, const char *key) {
   return draw_value(seed, tabor_parameter_find(key));
+}
+
+/* On every other head. */
+static void draw_ring(uint64_t seed, const TaborDrumDef *def, TaborHeadDef *head) {
+  if (physics_random(&seed) % 2) return;
+  const double outer = physics_uniform(&seed, 0.001, def->shell.radius);
+  head->ring_width = physics_uniform(&seed, 0.001, outer);
+  head->ring_radius = outer - 0.5 * head->ring_width;
+  head->ring_strength = draw_key(&seed, "batter.ring_strength");
 }
 
 /* Hoops and shells of all kinds; one in three of either is at rest, or moves with the other. */
@@ -120,6 +130,8 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   def->striker[0].bending_frequency = draw_key(&more, "striker.any.bending_frequency");
   def->batter.damping_k = draw_key(&more, "batter.damping_k");
   def->resonant.damping_k = draw_key(&more, "resonant.damping_k");
+  draw_ring(seed + 5, def, &def->batter);
+  draw_ring(seed + 6, def, &def->resonant);
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {

@@ -199,7 +199,8 @@ typedef struct TaborShellDef {
  * (sigma0 + sigma_k K + sigma1 K^2)/2 [1/s]. Without bending stiffness the mode has
  * omega = c K, c = sqrt(T/rho), so sigma_k alone gives all modes the loss factor 1/Q = sigma_k/c.
  * Large deflections raise the tension: dT = S/(2 A) Int |grad w|^2 dA, A the head's area
- * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head.
+ * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head, and so may a ring of
+ * felt, which exerts -c w_t/A per area on what it covers, of area A.
  * Where two defaults are given, the first is for the batter head, the second for the resonant
  * head.
  *
@@ -223,7 +224,12 @@ typedef struct TaborHeadDef {
   double muffle_radius;
   double muffle_angle;    /**< the damper's direction [deg], -360 to 360, default 0 */
   double muffle_strength; /**< the damper's c [N s/m], 0 (none) to 30, default 0 */
-  uint32_t lug_count;     /**< 3 to 16, default 10 */
+  double ring_radius;     /**< of the middle of the felt ring [m], 0 to 0.6, default 0.1 */
+  /** The felt ring's width [m], 0.001 to 1.2, default 0.03. Its outer edge lies on the head; one that would reach
+   * beyond the centre is a disc. */
+  double ring_width;
+  double ring_strength; /**< the whole ring's c [N s/m], 0 (none) to 30, default 0 */
+  uint32_t lug_count;   /**< 3 to 16, default 10 */
   /** Largest relative deviation of the tension at a lug, 0 to 0.5, default 0. The deviations are
    * drawn at random, with a mean of 0. */
   double lug_spread;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "acoustics/cavity_pressure.h"
+#include "acoustics/felt_ring.h"
 #include "acoustics/rim_radiation.h"
 #include "definition/definition.h"
 
@@ -39,7 +40,8 @@ typedef struct Enclosed {
   TbShellOrder outside; /* without a shell: of a high order */
   TbCavityOrder cavity;
   TbCavityMics inside;
-  double azimuth; /* a_m */
+  double azimuth;                /* a_m */
+  const double *rings[TB_HEADS]; /* loss of felt rings: see felt_ring.h */
 } Enclosed;
 
 /* Speed of sound along a shell's wall [m/s], sqrt(E/rho): 8.5 GPa and 700 kg/m3 of plywood. Metal has 5000. */
@@ -203,6 +205,7 @@ static void add_head_parts(const Enclosed *e, uint32_t h, const double *v, Parts
     parts->largest[h] = v[i] < 0.0 ? -size : size;
     if (size >= fmax(fabs(parts->largest[0]), fabs(parts->largest[1]))) parts->strongest = i;
   }
+  parts->head_loss += tb_felt_ring_loss(e->rings[h], e->air->count, v);
 }
 
 /* v: outward amplitudes of the heads, cavity coordinates, then those of the rim. */
@@ -532,6 +535,14 @@ static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShellMesh *sh
   return true;
 }
 
+static bool prepare_rings(Enclosed *e, TbArena *scratch) {
+  for (uint32_t h = 0; h < e->drum.cavity.heads; h++) {
+    const double radius = e->drum.cavity.radius;
+    if (!tb_felt_ring_matrix(e->drum.heads[h], radius, scratch, e->air, &e->rings[h])) return false;
+  }
+  return true;
+}
+
 TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
                                  const TbAirOrder *air, const TbRim *rim, const TbShellMesh *shell,
                                  TbModeLimits limit, TbHeadOrder *order, TbHeadMode *modes,
@@ -542,7 +553,7 @@ TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbAren
   const double top_zero = CAVITY_BASIS * air->zeros[air->count - 1];
   if (!tb_cavity_order_prepare(&e.cavity, scratch, &e.drum.cavity, air->m, top_zero,
                                highest_coordinate(&e.drum, limit.heads)) ||
-      !prepare_outside(&e, scratch, shell) ||
+      !prepare_outside(&e, scratch, shell) || !prepare_rings(&e, scratch) ||
       (def->air.density > 0.0 && !tb_cavity_mics_prepare(&e.inside, scratch, def, &e.cavity))) {
     return TABOR_ERROR_MEMORY;
   }

@@ -3,7 +3,7 @@
  * sound.
  *
  * Losses of a mode v of unit modal mass, decay rate 1/2 v^T C v:
- *   heads: rho (sigma0 + sigma_k K + sigma1 K^2) per area, as for a single head;
+ *   heads: rho (sigma0 + sigma_k K + sigma1 K^2) per area, as for a single head, and felt_ring.h;
  *   cavity: friction, heat conduction and absorption at its walls, P/(2E) (cavity.h);
  *   rim: rim.h;
  *   outside: the radiation resistance of both heads and of the rim at the mode's frequency.

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "acoustics/cavity_eigen.h"
+#include "acoustics/felt_ring.h"
 #include "acoustics/rim_radiation.h"
 #include "math/eigen.h"
 
@@ -13,7 +14,8 @@ static const double PI = 3.14159265358979323846;
 typedef struct OrderWork {
   const TaborDrumDef *def;
   const TbRim *rim;
-  double azimuth; /* a_m */
+  double azimuth;     /* a_m */
+  const double *ring; /* loss of a felt ring: see felt_ring.h */
   bool lossless;
 } OrderWork;
 
@@ -98,6 +100,7 @@ static Own own_parts(const OrderWork *work, const TbAirOrder *air, const double 
     own.loss += share * batter->surface_density * (batter->damping_0 + film) -
                 lifted * batter->surface_density * film;
   }
+  own.loss += tb_felt_ring_loss(work->ring, air->count, v);
   own.mass += tb_rim_mass(work->rim, rim) + tb_rim_missing_mass(work->rim, air, rim);
   own.stiffness += tb_rim_stiffness(work->rim, rim);
   return own;
@@ -200,10 +203,10 @@ static TaborStatus finish_modes(const OrderWork *work, TbArena *arena, const TbA
 TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbArena *scratch,
                                  const TbAirOrder *air, const TbRim *rim, TbModeLimits limit,
                                  TbHeadOrder *order, TbHeadMode *modes, uint32_t room) {
-  const OrderWork work = {.def = def,
-                          .rim = rim,
-                          .azimuth = air->m ? PI : 2.0 * PI,
-                          .lossless = def->quality.losses == 0};
+  OrderWork work = {.def = def,
+                    .rim = rim,
+                    .azimuth = air->m ? PI : 2.0 * PI,
+                    .lossless = def->quality.losses == 0};
   const uint32_t size = air->count + rim->count;
   double *eigenvalues = tb_arena_doubles(scratch, size);
   double *vectors = tb_arena_doubles(scratch, (size_t)size * size);
@@ -212,7 +215,10 @@ TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbAren
     order->edge = tb_arena_doubles(arena, size);
     order->hoop = tb_arena_doubles(arena, size);
   }
-  if (scratch->failed || arena->failed) return TABOR_ERROR_MEMORY;
+  if (scratch->failed || arena->failed ||
+      !tb_felt_ring_matrix(&def->batter, def->shell.radius, scratch, air, &work.ring)) {
+    return TABOR_ERROR_MEMORY;
+  }
   const TaborStatus status = solve_order(&work, scratch, air, eigenvalues, vectors);
   if (status != TABOR_OK) return status;
   return finish_modes(&work, arena, air, eigenvalues, vectors, limit, order, modes, room);

@@ -104,6 +104,20 @@ static TaborStatus check_lugs(const TaborHeadDef *head, const char *section, Tab
   return TABOR_OK;
 }
 
+/* A felt ring that reaches beyond the edge of its head. */
+static TaborStatus check_ring(const TaborDrumDef *def, const TaborHeadDef *head,
+                              const char *section, TaborError *error) {
+  const double outer = head->ring_radius + 0.5 * head->ring_width;
+  if (head->ring_strength == 0.0 || outer <= def->shell.radius) return TABOR_OK;
+  char key[TB_DEF_KEY_SIZE], value[TB_NUMBER_SIZE];
+  (void)snprintf(key, sizeof key, "%s.ring_radius", section);
+  tb_number_print(head->ring_radius, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, 0,
+                      fmax(0.0, def->shell.radius - 0.5 * head->ring_width),
+                      "%s = %s: with ring_width %g m the ring reaches beyond shell.radius, %g m",
+                      key, value, head->ring_width, def->shell.radius);
+}
+
 /* A drum with two heads encloses its air; the boundary says what surrounds a single head. The
  * damper's strength is live: its place counts even where it does nothing yet. */
 static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
@@ -121,7 +135,11 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
   }
   TaborStatus status = check_place(def, "batter.muffle_radius", def->batter.muffle_radius, error);
   if (status == TABOR_OK) status = check_lugs(&def->batter, "batter", error);
+  if (status == TABOR_OK) status = check_ring(def, &def->batter, "batter", error);
   if (status == TABOR_OK && two_headed) status = check_lugs(&def->resonant, "resonant", error);
+  if (status == TABOR_OK && two_headed) {
+    status = check_ring(def, &def->resonant, "resonant", error);
+  }
   if (status != TABOR_OK || !two_headed) return status;
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }

@@ -6,6 +6,7 @@
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
+#include "acoustics/felt_ring.h"
 #include "acoustics/head_waves.h"
 #include "acoustics/single_head.h"
 #include "definition/definition.h"
@@ -135,7 +136,8 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   const double upward = head ? -1.0 : 1.0; /* shapes are upward, fields of outward motion */
   for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= upward * c->scale;
   c->decay_rate = 0.5 * side->head->surface_density / mass *
-                  (side->head->damping_0 + tb_head_film_loss(side->head, wavenumber));
+                  (side->head->damping_0 + tb_head_film_loss(side->head, wavenumber) +
+                   tb_felt_ring_sigma(side->head, radius, m, zero, slope));
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;

@@ -2,6 +2,13 @@
 #include "drums/drum_file.h"
 
 #include <stdio.h>
+#include <string.h>
+
+/* Sections of kit files, which a drum has not. */
+static bool is_of_kit(const char *section) {
+  return strcmp(section, "kit") == 0 || strncmp(section, "drum.", 5) == 0 ||
+         strncmp(section, "note.", 5) == 0;
+}
 
 /* A PresetPairFn: a section or a "key = value" of a preset file into the definition. */
 static bool set_pair(void *def, const char *section, const char *key, const char *value,
@@ -13,7 +20,8 @@ static bool set_pair(void *def, const char *section, const char *key, const char
   const TaborStatus status = key ? tabor_drum_def_set(def, full, value, &error)
                                  : tabor_drum_def_section(def, section, &error);
   if (status == TABOR_OK) return true;
-  (void)snprintf(message, size, "%s", error.message);
+  const char *const hint = is_of_kit(section) ? "; is this file a kit, not a drum?" : "";
+  (void)snprintf(message, size, "%s%s", error.message, hint);
   return false;
 }
 

@@ -19,7 +19,8 @@ static bool set_pair(void *context, const char *section, const char *key, const 
   const TaborStatus status = key ? tabor_kit_def_set(reader->def, full, value, &error)
                                  : tabor_kit_def_section(reader->def, section, &error);
   if (status == TABOR_OK) return true;
-  (void)snprintf(message, size, "%s", error.message);
+  const char *const hint = strcmp(section, "drum") == 0 ? "; is this file a drum, not a kit?" : "";
+  (void)snprintf(message, size, "%s%s", error.message, hint);
   return false;
 }
 

@@ -126,11 +126,18 @@ def test_the_program_reads_what_is_written(program, tmp_path):
 
 
 @pytest.mark.parametrize("ini, said", [
-    ("[batter]\ntension", "line 2"), ("tension = 3", "line 1"), ("[better]\n", "better"),
-    ("[batter]\ntension = 1e9\n", "batter.tension")])
+    ("[batter]\ntension", "line 2"), ("tension = 3", "line 1"), ("[better]\n", "line 1: .*better"),
+    ("[batter]\ntension = 1e9\n", "line 2: batter.tension"), ("[batter]\n[batter]\n", "line 2: .*twice")])
 def test_a_wrong_preset_file_is_refused(ini, said):
     with pytest.raises(tabor.Error, match=said):
         tabor.Definition.from_ini(ini)
+
+
+def test_an_error_of_a_file_names_file_and_line(tmp_path):
+    (tmp_path / "mine.ini").write_text("[batter]\n\ntensoin = 3000\n", encoding="utf-8")
+    with pytest.raises(tabor.UnknownNameError, match=r"mine\.ini:3: .*tension") as raised:
+        tabor.Definition.load(tmp_path / "mine.ini")
+    assert raised.value.key == "batter.tensoin"
 
 
 @pytest.mark.parametrize("name", [preset.name for preset in tabor.presets()])

@@ -65,7 +65,10 @@ def test_the_program_says_the_same(kit, program_sound, tmp_path):
     assert np.array_equal(kit.render([("tabor", tabor.strike(0, velocity=10))], 0.2), theirs)
 
 
-def test_what_is_refused(kit):
+def test_what_is_refused(kit, tmp_path):
+    (tmp_path / "drum.ini").write_text("\n[drum]\nname = x\n", encoding="utf-8")
+    with pytest.raises(tabor.Error, match=r"drum\.ini:2: a kit has no section 'drum'"):
+        tabor.Kit(tmp_path / "drum.ini")
     with pytest.raises(tabor.Error, match="did you mean"):
         tabor.Kit("standart")
     with pytest.raises(tabor.Error, match="kit has no key"):

@@ -51,8 +51,12 @@ for key in kit drum.snare.drum; do
     "$status $(wc -l < "$out") $(grep -c "a kit file cannot hold this text: 'a ; b'" "$err")"
 done
 refused "--kit and 'tom-12': the kit has the drums" show tom-12 --kit jazz
+run show tom-12
+cp "$out" drum.ini
+refused "drum.ini:3: a kit has no section 'drum'; is this file a drum, not a kit?" show --kit ./drum.ini
 run show --kit standard
 cp "$out" shown.ini
+refused "unknown section 'kit'; is this file a kit, not a drum?" show ./shown.ini
 
 # ---- the same sound however it is made ----
 

@@ -10,7 +10,7 @@ import shutil
 from numbers import Integral
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
-from ._ini import pairs
+from ._ini import read_pairs
 from ._library import Error, check, choice_of, encoded, ffi, lib, text
 
 #: A parameter's value: a number, or the word of a choice, or text.
@@ -134,13 +134,20 @@ class Definition(Mapping[str, Value]):
         Error
             A line is not understood, or a value is not allowed.
         """
+        return cls._read(ini, "")
+
+    @classmethod
+    def _read(cls, ini: str, name: str) -> Definition:
         made = cls()
         lib.tabor_drum_def_clear(made._c)
-        for section, key, value in pairs(ini):
+
+        def take(section: str, key: Optional[str], value: str) -> None:
             if key is None:
                 check(lib.tabor_drum_def_section, made._c, encoded(section, "section"))
             else:
                 made[f"{section}.{key}"] = value
+
+        read_pairs(ini, name, take)
         made.validate()
         return made
 
@@ -166,7 +173,7 @@ class Definition(Mapping[str, Value]):
             A line is not understood, or a value is not allowed.
         """
         with open(path, encoding="utf-8") as file:
-            return cls.from_ini(file.read())
+            return cls._read(file.read(), os.fspath(path))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes a preset file, which `load` and the program `tabor` read back to an equal definition.

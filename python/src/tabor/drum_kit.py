@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._ini import pairs
+from ._ini import read_pairs
 from ._kit_maps import MAPS
 from ._library import Error, UnknownNameError, check, encoded, ffi, fields, lib, text
 from ._numbers import number, whole
@@ -97,17 +97,16 @@ class Kit:
         with open(kit, encoding="utf-8") as file:
             ini = file.read()
         lib.tabor_kit_def_default(self._def)
-        begun = set()
-        for section, key, value in pairs(ini):
-            if key is None and section in begun:
-                raise Error(f"section [{section}] occurs twice", "value", section)
-            begun.add(section)
-            if section.startswith("note."):
-                continue
-            if key is None:
-                check(lib.tabor_kit_def_section, self._def, encoded(section, "section"))
-            else:
-                check(lib.tabor_kit_def_set, self._def, encoded(f"{section}.{key}", "key"), encoded(value, "value"))
+        read_pairs(ini, os.fspath(kit), self._take)
+
+    def _take(self, section: str, key: Optional[str], value: str) -> None:
+        """A section or a pair of a kit file."""
+        if section.startswith("note."):
+            return
+        if key is None:
+            check(lib.tabor_kit_def_section, self._def, encoded(section, "section"))
+        else:
+            check(lib.tabor_kit_def_set, self._def, encoded(f"{section}.{key}", "key"), encoded(value, "value"))
 
     def _require_drum(self, key: str) -> None:
         """A setting of a drum that is not there is a mistake, unless its preset is given."""

@@ -17,8 +17,8 @@
 #define OFF_AT_0(word) .fallback = NAN, .off = 0, .off_word = (word)
 /* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an instance. A test
    compares them with knob_shown(). */
-#define BATTER_PITCH 271.444
-#define RESONANT_PITCH 307.754
+#define BATTER_PITCH 270.296
+#define RESONANT_PITCH 304.944
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
   .off = LOWEST_LEVEL, .group = "mics"

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "acoustics/cavity_eigen.h"
+#include "acoustics/felt_ring.h"
 
 /* By fixed-point passes from the head alone. */
 double tb_head_wave_frequency(const TaborHeadDef *head, const TaborAirDef *air, double wavenumber,
@@ -19,6 +20,13 @@ double tb_head_wave_frequency(const TaborHeadDef *head, const TaborAirDef *air, 
     omega = sqrt(stiffness / *mass);
   }
   return omega;
+}
+
+double tb_head_wave_decay_rate(const TaborHeadDef *head, double radius, uint32_t m, double zero,
+                               double slope, double mass) {
+  const double sigma = head->damping_0 + tb_head_film_loss(head, zero / radius) +
+                       tb_felt_ring_sigma(head, radius, m, zero, slope);
+  return 0.5 * head->surface_density / mass * sigma;
 }
 
 double tb_head_wave_number(const TaborHeadDef *head, const TaborAirDef *air, double omega) {

@@ -11,6 +11,11 @@
 double tb_head_wave_frequency(const TaborHeadDef *head, const TaborAirDef *air, double wavenumber,
                               double *mass);
 
+/* Decay rate [1/s] that the losses of head (head.h) and felt ring (felt_ring.h) give to one Bessel function by itself;
+ * `mass` as above, `slope`: J_{m+1}(zero). */
+double tb_head_wave_decay_rate(const TaborHeadDef *head, double radius, uint32_t m, double zero,
+                               double slope, double mass);
+
 /* Wavenumber of a wave of frequency omega. */
 double tb_head_wave_number(const TaborHeadDef *head, const TaborAirDef *air, double omega);
 

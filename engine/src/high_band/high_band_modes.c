@@ -6,7 +6,6 @@
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
-#include "acoustics/felt_ring.h"
 #include "acoustics/head_waves.h"
 #include "acoustics/single_head.h"
 #include "definition/definition.h"
@@ -124,7 +123,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
                     TbHighMode *c) {
   const TaborDrumDef *def = b->drum->def;
   const Side *side = &b->sides[head];
-  const double radius = b->drum->head->radius, wavenumber = zero / radius;
+  const double radius = b->drum->head->radius;
   double mass, resistance;
   *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope, .in_head = 1.0};
   c->omega = frequency(b, side, zero, &mass);
@@ -135,9 +134,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   c->scale = 1.0 / sqrt(mass * norm);
   const double upward = head ? -1.0 : 1.0; /* shapes are upward, fields of outward motion */
   for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= upward * c->scale;
-  c->decay_rate = 0.5 * side->head->surface_density / mass *
-                  (side->head->damping_0 + tb_head_film_loss(side->head, wavenumber) +
-                   tb_felt_ring_sigma(side->head, radius, m, zero, slope));
+  c->decay_rate = tb_head_wave_decay_rate(side->head, radius, m, zero, slope, mass);
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;

@@ -5,7 +5,6 @@
 
 #include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
-#include "acoustics/felt_ring.h"
 #include "acoustics/head_waves.h"
 #include "definition/definition.h"
 #include "math/bessel.h"
@@ -43,9 +42,8 @@ static bool prepare_waves(TbHighCavity *cavity, TbArena *arena, uint32_t head) {
     double mass;
     waves->omega[i] = tb_head_wave_frequency(film, &cavity->def->air, wavenumber, &mass);
     waves->amplitude[i] = 1.0 / sqrt(mass * area * 0.5 * slope * slope);
-    const double sigma = film->damping_0 + tb_head_film_loss(film, wavenumber) +
-                         tb_felt_ring_sigma(film, radius, functions->m, functions->zeros[i], slope);
-    waves->decay_rate[i] = 0.5 * film->surface_density / mass * sigma;
+    waves->decay_rate[i] =
+      tb_head_wave_decay_rate(film, radius, functions->m, functions->zeros[i], slope, mass);
   }
   return true;
 }

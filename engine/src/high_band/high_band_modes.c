@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
 #include "acoustics/head_waves.h"
 #include "acoustics/single_head.h"

@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "acoustics/cavity_eigen.h"
 #include "acoustics/closed_drum_modes.h"
 #include "acoustics/head_waves.h"
 #include "definition/definition.h"

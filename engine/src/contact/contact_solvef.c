@@ -266,8 +266,13 @@ static void give_trial(TbSolve *solve, const TbTrial *trial, TbSolveOutcome *out
   move_grid(solve, trial->t);
 }
 
-/* Whether the forces of begin() will do: they agree with the laws to `enough`, and balance. */
-static bool settles_at_once(TbSolve *solve, TbStartF size, float enough, TbSolveOutcome *outcome) {
+/* Whether the forces of begin() will do: they agree with the laws to `enough`, and balance.
+ *
+ * Near a drum's rest they agree to rounding, and change so little that no way along their change balances them. Then they
+ * will do as they are if what they gain or lose is within the window of a balance. If it is not, no iteration in this
+ * precision makes them better: `rounded`. */
+static bool settles_at_once(TbSolve *solve, TbStartF size, float enough, bool *rounded,
+                            TbSolveOutcome *outcome) {
   const TbSolveWorkF *work = &solve->workf;
   TbTrial trial = trial_of(solve);
   take_grid(solve);
@@ -275,7 +280,13 @@ static bool settles_at_once(TbSolve *solve, TbStartF size, float enough, TbSolve
   solve->in.kernelsf->try_forces(&trial);
   try_slots(solve, work->yield, &trial);
   if (goes_astray(trial.way, size) || !(trial.balance.miss <= enough)) return false;
-  if (!balance_trial(solve, &trial)) return false;
+  const TbTrial still = trial;
+  if (!balance_trial(solve, &trial)) {
+    *rounded = still.balance.miss <= NOISE * size.force;
+    if (!*rounded || REAL_SIZE(still.balance.value) > BALANCE_WINDOW * still.balance.size)
+      return false;
+    trial = still;
+  }
   outcome->iterations = 1;
   give_trial(solve, &trial, outcome);
   return true;
@@ -286,9 +297,11 @@ static bool solve_contacts(TbSolve *solve, TbSolveOutcome *outcome) {
   TbStartF size;
   const float first = begin(solve, &size);
   const float enough = (float)solve->in.tolerance * first + NOISE * size.force;
+  bool rounded = false;
   outcome->iterations = 0;
-  if (solve->in.cap > 0 && first > 0.0f && settles_at_once(solve, size, enough, outcome))
+  if (solve->in.cap > 0 && first > 0.0f && settles_at_once(solve, size, enough, &rounded, outcome))
     return true;
+  if (rounded) return false;
   solve->in.kernelsf->change(total_rows(solve), work->b, work->product_last, work->s);
   apply_laws(solve, work->s);
   return iterate(solve, size, outcome);

@@ -23,6 +23,9 @@ TREBLE = (2000.0, 12000.0)
 TREBLE_TEXTURE = (2000.0, 10000.0)
 BODY = (100.0, 600.0)
 FRAME = 0.005  # [s]: levels of decays are means over frames
+LATE = (0.15, 0.7)  # [s]: what is heard between these is late
+LATE_OCTAVES = (500, 1000, 2000, 4000)
+NOISE_FRAMES, ABOVE_NOISE, FEWEST_FRAMES = 40, 12.0, 25  # the last frames are noise; [dB]
 SHORTEST = 0.6  # [s]: a shorter sound is followed by silence
 SPECTRUM_SIZE = 1 << 16
 
@@ -133,6 +136,25 @@ def decays(sound):
         if octave <= 4000:
             found[f"te_{octave}"] = backward_decay_time(band)
     return found
+
+
+def late_decay_time(band):
+    """60 dB time [ms] of a line through the levels from LATE on, until they are near the noise; NaN if that is soon."""
+    levels = frame_levels(band)
+    first, last = (round(limit / FRAME) for limit in LATE)
+    noisy = np.flatnonzero(levels[first:] < np.median(levels[-NOISE_FRAMES:]) + ABOVE_NOISE)
+    count = min(last - first, noisy[0] if noisy.size else levels.size - first)
+    if count < FEWEST_FRAMES:
+        return np.nan
+    slope = np.polyfit(FRAME * np.arange(count), levels[first:first + count], 1)[0]
+    return -60e3 / slope if slope < 0.0 else np.nan
+
+
+def late_decays(sound, rate):
+    """How what is heard after 0.15 s dies away: late_decay_time() by octave."""
+    sound = prepared(sound, rate)
+    return {octave: float(late_decay_time(band_passed(sound, octave / np.sqrt(2.0), octave * np.sqrt(2.0))))
+            for octave in LATE_OCTAVES}
 
 
 # ---- attack, texture, partials -------------------------------------------------------------------

@@ -2,23 +2,6 @@
 #include "drums/stereo_pair.h"
 
 #include <math.h>
-#include <string.h>
-
-static bool is_room_chosen(const Arguments *arguments) {
-  static const char key[] = "room.kind=";
-  size_t position = 0;
-  const char *setting;
-  while ((setting = arguments_next(arguments, "set", &position)) != NULL) {
-    if (strncmp(setting, key, sizeof key - 1) == 0) return true;
-  }
-  return false;
-}
-
-/* A preset's booth is that of its close microphones. */
-static bool needs_room(const Arguments *arguments, const TaborDrumDef *def) {
-  if (def->room.kind == TABOR_ROOM_NONE) return true;
-  return def->room.kind == TABOR_ROOM_BOOTH && !is_room_chosen(arguments);
-}
 
 Outcome stereo_pair_take(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
                          double *gain) {
@@ -32,7 +15,7 @@ Outcome stereo_pair_take(const Arguments *arguments, TaborDrumDef *def, uint32_t
   }
   mics[0] = (uint32_t)left;
   mics[1] = (uint32_t)right;
-  if (needs_room(arguments, def)) def->room.kind = TABOR_ROOM_STUDIO;
+  if (def->room.kind == TABOR_ROOM_NONE) def->room.kind = TABOR_ROOM_STUDIO;
   *gain *= pow(10, STEREO_GAIN_DB / 20);
   return OUTCOME_OK;
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stereo_pair.h
- * The option --stereo: a drum's microphones left and right, in a room: in the one that `--set room.kind` or the preset
- * chooses, but not in a preset's booth.
+ * The option --stereo: a drum's microphones left and right, in the room of the drum, or in a studio if it has none.
  */
 #ifndef TABOR_HOST_STEREO_PAIR_H
 #define TABOR_HOST_STEREO_PAIR_H
@@ -14,7 +13,7 @@
 
 /** A row of the option tables for stereo_pair_take(). */
 #define OPTION_STEREO                                                                              \
-  { "stereo", 0, NULL, "the microphones left and right, in the preset's room or a studio" }
+  { "stereo", 0, NULL, "the microphones left and right, in the drum's room or a studio" }
 /** For --stereo: chooses the pair of @p def, in its room or in a studio, and raises @p gain by STEREO_GAIN_DB. */
 Outcome stereo_pair_take(const Arguments *arguments, TaborDrumDef *def, uint32_t mics[2],
                          double *gain);

@@ -23,7 +23,7 @@ def test_facts():
     assert (room.info.kind, room.info.length, room.info.height) == ("hall", 20, 9)
     assert room.info.decay == pytest.approx(1.5, rel=0.01)
     assert room.feeds == ("left", "right") == tuple(room.mics[i] for i in room.info.feed)
-    assert tabor.Room("snare-14x5.5").info.kind == "booth"
+    assert tabor.Room("snare-14x5.5").info.kind == "studio"
     assert tabor.Room("tom-12").info.kind == "none"
 
 

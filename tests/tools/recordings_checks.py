@@ -69,6 +69,13 @@ class Features(unittest.TestCase):
                                    ("t20_ms", 1.0 / 3.0), ("t40_ms", 2.0 / 3.0)):
                 self.near(found[name], 1e3 * t60 * expected, 0.06)
 
+    def test_a_late_decay_is_that_of_the_slower_part(self):
+        late, hiss = (np.random.default_rng(SEED + i).standard_normal(time().size) for i in (1, 2))
+        early, late = noise(0.15), decaying(0.6) * late
+        for octave, found in sound_features.late_decays(early + 0.03 * late + 3e-5 * hiss, RATE).items():
+            self.near(found, 600.0, 0.1)
+        self.assertTrue(math.isnan(sound_features.late_decays(early + 0.03 * hiss, RATE)[1000]))
+
     def test_what_never_falls_has_no_time(self):
         found = features(np.sin(2.0 * np.pi * 500.0 * time()), RATE)
         self.assertTrue(math.isnan(found["t40_ms"]))
@@ -188,6 +195,21 @@ class Judgement(unittest.TestCase):
             values[name] -= 30.0
         self.assertEqual(drums.count_inside("texture", values, self.recorded["snare/top"])[0], 0)
         self.assertEqual(drums.count_inside("spectrum", values, self.recorded["snare/top"])[0], 60)
+
+    def test_the_late_sound_is_the_room_whatever_was_struck(self):
+        """Four wooden drums in one room; a shell of aluminium rings on itself."""
+        times = {}
+        for stroke in ("stroke", "cross-stick"):
+            found = []
+            for path in CLIPS.glob(f"*/{stroke}-*-top.flac"):
+                if "aluminium" in path.parent.name:
+                    continue
+                sound, rate = soundfile.read(path, always_2d=True)
+                found.append(sound_features.late_decays(sound[:, 0], rate)[1000])
+            self.assertEqual(len(found), 4)
+            self.assertLess(max(found) / min(found), 1.15, found)
+            times[stroke] = np.median(found)
+        self.assertLess(abs(times["stroke"] / times["cross-stick"] - 1.0), 0.1, times)
 
     def test_recorded_clips_are_nearest_to_their_own_class(self):
         count = 0

@@ -28,9 +28,10 @@ static const double gain_db = 12; /* of a pair of microphones, as `tabor render 
 /** A drum in a room, heard by its microphones left and right, as `tabor render --stereo` plays it, or by chosen ones,
  * as with --mic. */
 typedef struct WebDrum {
-  TaborDrumDef def;  /**< before it is built */
-  uint32_t channels; /**< 0 before it is built, unless microphones are chosen */
-  bool is_pair;      /**< no microphones are chosen */
+  TaborDrumDef def;    /**< before it is built */
+  bool is_room_chosen; /**< by drum_set() */
+  uint32_t channels;   /**< 0 before it is built, unless microphones are chosen */
+  bool is_pair;        /**< no microphones are chosen */
   TaborModel *model;
   TaborDrum *drum;
   TaborRoom *room;
@@ -78,7 +79,9 @@ EXPORT("drum_create") WebDrum *web_drum_create(const char *preset) {
 /* Before drum_build(). False with an error; the definition is then as before. */
 EXPORT("drum_set") bool web_drum_set(WebDrum *web, const char *key, const char *value) {
   web->error.status = tabor_drum_def_set(&web->def, key, value, &web->error);
-  return web->error.status == TABOR_OK;
+  if (web->error.status != TABOR_OK) return false;
+  if (strcmp(key, "room.kind") == 0) web->is_room_chosen = true;
+  return true;
 }
 
 /* Another channel, in place of the pair. False if the drum has no such microphone, or all channels are taken. */
@@ -170,7 +173,7 @@ static void choose_pair(WebDrum *web) {
   web->channels = 2;
   web->mics[0] = (uint32_t)tabor_drum_def_find_mic(&web->def, "left");
   web->mics[1] = (uint32_t)tabor_drum_def_find_mic(&web->def, "right");
-  if (room->kind == TABOR_ROOM_NONE) room->kind = TABOR_ROOM_STUDIO;
+  if (room->kind == TABOR_ROOM_NONE && !web->is_room_chosen) room->kind = TABOR_ROOM_STUDIO;
 }
 
 static TaborStatus build_view(WebDrum *web) {

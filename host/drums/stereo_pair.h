@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stereo_pair.h
- * The option --stereo: a drum's microphones left and right, in the room of the drum, or in a studio if it has none.
+ * The option --stereo: a drum's microphones left and right, in the room of the drum, or in a studio if it has none and
+ * `--set room.kind` does not ask for that.
  */
 #ifndef TABOR_HOST_STEREO_PAIR_H
 #define TABOR_HOST_STEREO_PAIR_H

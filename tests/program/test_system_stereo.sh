@@ -17,6 +17,8 @@ other_bytes "another room" hall.wav stereo.wav
 done_quietly render "${short[@]}" --stereo --set room.level=0 -o dry.wav
 done_quietly render "${short[@]}" --mic left --mic right --gain 12 -o free.wav
 same_bytes "a room of level 0 is free air" dry.wav free.wav
+done_quietly render "${short[@]}" --stereo --set room.kind=none -o asked.wav
+same_bytes "so is none, where it is asked for" asked.wav free.wav
 done_quietly render "${short[@]}" --stereo --gain 3 -o gain.wav
 done_quietly render "${short[@]}" --stereo --set room.kind=studio --gain 3 -o gain-2.wav
 same_bytes "a gain on top" gain.wav gain-2.wav

@@ -54,6 +54,10 @@ def band_passed(sound, low, high, order=4, both_ways=False):
     return signal.sosfiltfilt(sections, sound) if both_ways else signal.sosfilt(sections, sound)
 
 
+def octave_band(sound, centre):
+    return band_passed(sound, centre / np.sqrt(2.0), centre * np.sqrt(2.0))
+
+
 # ---- spectrum ------------------------------------------------------------------------------------
 
 
@@ -129,7 +133,7 @@ def decays(sound):
     levels = frame_levels(sound)
     found = {"t20_ms": fall_time(levels, 20.0), "t40_ms": fall_time(levels, 40.0)}
     for octave in OCTAVES:
-        band = band_passed(sound, octave / np.sqrt(2.0), octave * np.sqrt(2.0))
+        band = octave_band(sound, octave)
         levels = frame_levels(band)
         found[f"d20_{octave}"] = fall_time(levels, 20.0)
         found[f"d40_{octave}"] = fall_time(levels, 40.0)
@@ -153,8 +157,7 @@ def late_decay_time(band):
 def late_decays(sound, rate):
     """How what is heard after 0.15 s dies away: late_decay_time() by octave."""
     sound = prepared(sound, rate)
-    return {octave: float(late_decay_time(band_passed(sound, octave / np.sqrt(2.0), octave * np.sqrt(2.0))))
-            for octave in LATE_OCTAVES}
+    return {octave: float(late_decay_time(octave_band(sound, octave))) for octave in LATE_OCTAVES}
 
 
 # ---- attack, texture, partials -------------------------------------------------------------------

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "kit/kit_threads.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
@@ -12,9 +13,9 @@ enum { SPINS = 200 }; /* looks at the round before a thread yields to others */
 struct KitThreads {
   pthread_t threads[TABOR_KIT_DRUMS];
   uint32_t count;
-  TaborKitJob *job;
+  uint32_t drums;   /* of the kit: never changes */
+  TaborKitJob *job; /* this and `kit` belong to whoever got a drum of the round */
   void *kit;
-  uint32_t drums;
   atomic_uint round; /* number of the newest */
   atomic_uint next;  /* drum to begin with */
   atomic_uint left;  /* drums that are not done */
@@ -49,14 +50,16 @@ static void *work(void *context) {
   return NULL;
 }
 
-/* A TaborKitRun. `left` is set before `next`: a thread that is late from the last round finds no drum until then. */
+/* A TaborKitRun. `next` is set last: a thread that is late from the round before finds no drum until then, and
+ * whoever finds one also sees the round's job. */
 static void run(void *context, TaborKitJob *job, void *kit, uint32_t count) {
   KitThreads *const threads = context;
   unsigned spins = 0;
+  assert(count == threads->drums);
+  (void)count;
   threads->job = job;
   threads->kit = kit;
-  threads->drums = count;
-  atomic_store(&threads->left, count);
+  atomic_store(&threads->left, threads->drums);
   atomic_store(&threads->next, 0u);
   atomic_fetch_add(&threads->round, 1u);
   take_drums(threads);

@@ -347,21 +347,32 @@ static void strokes_act_again_after_a_flood(void **state) {
   (void)state;
   TaborDrum *drum = script_drum(model);
   TaborStatistics statistics;
+  const TaborEvent reset = {.type = TABOR_EVENT_RESET};
   fill_flood(0);
   for (uint32_t i = 0; i < TABOR_BURST / TABOR_MAX_ACTIVE; i++) {
     tabor_drum_process(drum, flood, FLOOD, NULL, 0);
-    tabor_drum_reset(drum);
+    tabor_drum_process(drum, &reset, 1, NULL, 0);
   }
   tabor_drum_process(drum, flood, 1, NULL, 0);
   tabor_drum_statistics(drum, &statistics);
   assert_int_equal(statistics.dropped_events, 1); /* a reset is no way around the bound */
-  tabor_drum_reset(drum);                         /* of a drum at rest: free */
+  tabor_drum_process(drum, &reset, 1, NULL, 0);   /* of a drum at rest: free */
   /* 8 strokes, a reset that counts like 7, and one stroke made the burst; a reset came on top of it. */
   tabor_drum_process(drum, NULL, 0, NULL, (7 + 1) * TABOR_BURST_FRAMES);
   tabor_drum_process(drum, flood, 2, NULL, 0);
   tabor_drum_statistics(drum, &statistics);
   assert_int_equal(statistics.strikes, 1);
   assert_int_equal(statistics.dropped_events, 1);
+  tabor_drum_reset(drum); /* as a new one: without debt */
+  TaborDrum *fresh = script_drum(model);
+  TaborStatistics expected;
+  tabor_drum_process(drum, flood, FLOOD, NULL, 0);
+  tabor_drum_statistics(drum, &statistics);
+  tabor_drum_process(fresh, flood, FLOOD, NULL, 0);
+  tabor_drum_statistics(fresh, &expected);
+  assert_int_equal(statistics.strikes, expected.strikes);
+  assert_int_equal(statistics.dropped_events, expected.dropped_events);
+  tabor_drum_destroy(fresh);
   tabor_drum_destroy(drum);
 }
 

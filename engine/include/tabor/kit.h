@@ -226,15 +226,16 @@ TABOR_API const TaborKitDef *tabor_kit_definition(const TaborKit *kit);
  * @param frames  samples of each output; may be 0: all events then act at once.
  *
  * The output does not depend on the division into blocks. The latency is 0. The work is bounded: each drum bounds its
- * own, and takes 256 events at most within 64 frames; further ones are dropped and counted in tabor_kit_dropped().
+ * own as tabor_drum_process() says, and counts what it drops. A stroke silences the other drums of its choke group even
+ * if its own drum drops it.
  */
 TABOR_API void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uint32_t count,
                                  const TaborKitOutputs *outputs, uint32_t frames);
 /** True if every drum and the room are silent: the outputs are then exactly 0 until the next event. */
 TABOR_API bool tabor_kit_is_silent(const TaborKit *kit);
-/** Brings all drums and the room to rest. */
+/** Brings all drums and the room to rest, by tabor_drum_reset() and tabor_room_reset(): the kit is as a new one. */
 TABOR_API void tabor_kit_reset(TaborKit *kit);
-/** Number of events that no drum was given, beside those that drums dropped. */
+/** Number of events that were addressed to no drum of the kit. The drums' own statistics count those that drums dropped. */
 TABOR_API uint64_t tabor_kit_dropped(const TaborKit *kit);
 /** Number of bytes that tabor_kit_state_save() writes; it changes with the drums' models. */
 TABOR_API size_t tabor_kit_state_size(const TaborKit *kit);

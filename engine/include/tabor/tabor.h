@@ -1043,7 +1043,7 @@ TABOR_API void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *event
                                         uint32_t frames);
 /** True if everything has died away: the output is then exactly 0 until the next event. */
 TABOR_API bool tabor_drum_is_silent(const TaborDrum *drum);
-/** Brings the drum to rest, like TABOR_EVENT_RESET. */
+/** Makes the drum as a new one of its model: brings it to rest, like TABOR_EVENT_RESET, and forgets what events have cost. */
 TABOR_API void tabor_drum_reset(TaborDrum *drum);
 /** Copies the counters to @p statistics. */
 TABOR_API void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics);

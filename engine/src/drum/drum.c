@@ -135,6 +135,19 @@ static void silence(TaborDrum *drum, const TaborEvent *event) {
   if (tb_silence(drum)) tb_event_charge(&drum->state->event_debt, tb_event_price(event));
 }
 
+static TbAirEnergy booked(const TbState *state) {
+  const TbLedgerState *const ledger = &state->ledger;
+  return (TbAirEnergy){.radiated = ledger->sums.radiated - ledger->radiated_beyond,
+                       .work = ledger->sound_work};
+}
+
+TbAirEnergy tb_drum_air_energy(const TaborDrum *drum) {
+  TbAirEnergy energy = booked(drum->state);
+  energy.radiated += drum->forgotten.radiated;
+  energy.work += drum->forgotten.work;
+  return energy;
+}
+
 /* A drum at rest has only its counters and its gain to set back. */
 static void forget(TbState *state) {
   state->ledger = (TbLedgerState){.sound_work = 0.0};
@@ -143,6 +156,7 @@ static void forget(TbState *state) {
 
 static void reset(TaborDrum *drum) {
   const uint32_t debt = drum->state->event_debt;
+  drum->forgotten = tb_drum_air_energy(drum);
   tb_tails_end(&drum->tails);
   if (drum->at_rest) {
     forget(drum->state);
@@ -211,37 +225,46 @@ static void one_frame(TaborDrum *drum, TbView *view, uint32_t heard, TbFrameAir 
   for (uint32_t i = 0; i < route->count; i++) sound[i] *= gain;
 }
 
-/* The end of the events that act at a frame, from `next` on; late ones act at the last frame. */
-static uint32_t end_of_due(const TaborEvent *events, uint32_t count, uint32_t next, uint32_t frame,
-                           bool last) {
-  while (next < count && (last || events[next].frame <= frame)) next++;
-  return next;
+static const TaborEvent *listed(const TbEventList *list, uint32_t index) {
+  return (const TaborEvent *)(const void *)((const char *)list->first + index * list->stride);
 }
 
-/* The last reset among the events from .. end, which leaves nothing of those before it but their
- * swaps; `from` if there is none. */
-static uint32_t last_reset(const TaborEvent *events, uint32_t from, uint32_t end) {
-  for (uint32_t i = end; i > from; i--) {
-    if (events[i - 1].type == TABOR_EVENT_RESET && fields_finite(&events[i - 1])) return i - 1;
+static const TaborEvent *addressed(const TbEventList *list, uint32_t index) {
+  return list->address ? list->address(list->context, index) : listed(list, index);
+}
+
+/* The end of the events that act at a frame of the block; late ones act at its last frame. */
+static uint32_t end_of_due(const TbEventList *list, uint32_t frame, bool last) {
+  uint32_t end = list->next;
+  while (end < list->count && (last || listed(list, end)->frame <= frame)) end++;
+  return end;
+}
+
+/* The last reset among the events up to `end`, which leaves nothing of those before it but their
+ * swaps; the next event if there is none. */
+static uint32_t last_reset(const TbEventList *list, uint32_t end) {
+  for (uint32_t i = end; i > list->next; i--) {
+    const TaborEvent *const event = addressed(list, i - 1);
+    if (event && event->type == TABOR_EVENT_RESET && fields_finite(event)) return i - 1;
   }
-  return from;
+  return list->next;
 }
 
-/* Carries out the events of a frame in their order. */
-static uint32_t act_due(TaborDrum *drum, TbView *view, const TaborEvent *events, uint32_t count,
-                        uint32_t next, uint32_t frame, bool last) {
-  const uint32_t end = end_of_due(events, count, next, frame, last);
-  const uint32_t first = last_reset(events, next, end);
-  for (; next < end; next++) {
-    const TaborEvent *event = &events[next];
+/* Carries out the events of a frame of the block in their order. */
+static void act_due(TaborDrum *drum, TbView *view, TbEventList *list, uint32_t frame, bool last) {
+  const uint32_t end = end_of_due(list, frame, last);
+  const uint32_t first = last_reset(list, end);
+  for (; list->next < end; list->next++) {
+    const uint32_t i = list->next;
+    const TaborEvent *const event = addressed(list, i);
+    if (!event) continue;
     const bool swaps = event->type == TABOR_EVENT_SWAP || event->type == TABOR_EVENT_REPLACE;
-    if (next < first && !swaps) continue;
+    if (i < first && !swaps) continue;
     TaborStatistics *statistics = &drum->state->ledger.statistics;
-    statistics->late_events += event->frame > frame;
-    statistics->misordered_events += next > 0 && event->frame < events[next - 1].frame;
+    statistics->late_events += listed(list, i)->frame > frame;
+    statistics->misordered_events += i > 0 && listed(list, i)->frame < listed(list, i - 1)->frame;
     if (!act(drum, view, event)) drum->state->ledger.statistics.dropped_events++;
   }
-  return next;
 }
 
 static TbFrameAir air_of_frame(const TbDrumAir *air, uint32_t frame) {
@@ -252,15 +275,14 @@ static TbFrameAir air_of_frame(const TbDrumAir *air, uint32_t frame) {
                       .tap = air->tapped ? air->tap : TB_NO_TAP};
 }
 
-void tb_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
-                     const TbDrumAir *air, float *const *outputs, uint32_t frames) {
+void tb_drum_process(TaborDrum *drum, TbEventList events, const TbDrumAir *air,
+                     float *const *outputs, uint32_t frames) {
   const TbFpMode mode = tb_fp_enter();
   TbView view = tb_view(drum->state, drum->model);
   double sound[TABOR_MAX_MICS];
-  uint32_t next = 0;
-  if (frames == 0) act_due(drum, &view, events, count, 0, 0, true);
+  if (frames == 0) act_due(drum, &view, &events, events.start, events.last);
   for (uint32_t frame = 0; frame < frames; frame++) {
-    next = act_due(drum, &view, events, count, next, frame, frame + 1 == frames);
+    act_due(drum, &view, &events, events.start + frame, events.last && frame + 1 == frames);
     TbFrameAir around = air ? air_of_frame(air, frame) : (TbFrameAir){.tap = TB_NO_TAP};
     one_frame(drum, &view, heard_outputs(drum, outputs), &around, sound);
     store(drum, outputs, frame, sound);
@@ -269,9 +291,13 @@ void tb_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
   tb_fp_leave(mode);
 }
 
+static TbEventList own_events(const TaborEvent *events, uint32_t count) {
+  return (TbEventList){.first = events, .stride = sizeof *events, .count = count, .last = true};
+}
+
 void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
                         float *const *outputs, uint32_t frames) {
-  tb_drum_process(drum, events, count, NULL, outputs, frames);
+  tb_drum_process(drum, own_events(events, count), NULL, outputs, frames);
 }
 
 void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_t count,
@@ -281,12 +307,16 @@ void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_
     air.mic = sound->mic;
     air.incident = sound->pressure;
   }
-  tb_drum_process(drum, events, count, &air, outputs, frames);
+  tb_drum_process(drum, own_events(events, count), &air, outputs, frames);
 }
 
 bool tabor_drum_is_silent(const TaborDrum *drum) { return drum->state->asleep && !drum->tails; }
 
-void tabor_drum_reset(TaborDrum *drum) { reset(drum); }
+void tabor_drum_reset(TaborDrum *drum) {
+  reset(drum);
+  drum->state->event_debt = 0;
+  drum->forgotten = (TbAirEnergy){.radiated = 0.0};
+}
 
 /* ---- queries -------------------------------------------------------------------------------- */
 

@@ -11,6 +11,12 @@ typedef struct TbRoute {
   uint32_t count; /* outputs */
 } TbRoute;
 
+/* What a drum gives to the air and takes from it, as its ledger sums it [J]. */
+typedef struct TbAirEnergy {
+  double radiated; /* below the two-way bandwidth */
+  double work;     /* of sound from outside */
+} TbAirEnergy;
+
 struct TaborDrum {
   TaborAllocator allocator;
   TaborModel *model; /* one reference is the drum's */
@@ -18,7 +24,8 @@ struct TaborDrum {
   TbTail *spare;     /* for the next silence; of the same model */
   TbTail *tails;     /* what is still heard of before, the newest first */
   TbRoute route;
-  bool at_rest; /* the state is that after a reset, but for counters, gain and debt */
+  bool at_rest;          /* the state is that after a reset, but for counters, gain and debt */
+  TbAirEnergy forgotten; /* what reset events have taken out of the ledger */
 };
 
 /* Mapping from the modes of an old model to those of a new one. */
@@ -54,9 +61,25 @@ typedef struct TbDrumAir {
   float *tapped;         /* [frames], out [Pa] */
 } TbDrumAir;
 
+/* Returns event `index` as the drum is to carry it out, or NULL if it is not for this drum. */
+typedef const TaborEvent *TbEventAddress(const void *context, uint32_t index);
+
+/* Events of a block of which a drum plays a piece. A list for several drums holds others' events, too. */
+typedef struct TbEventList {
+  const TaborEvent *first;
+  size_t stride;           /* from one event to the next [bytes] */
+  uint32_t next, count;    /* those before `next` have acted */
+  uint32_t start;          /* frame of the block at which the piece begins */
+  bool last;               /* of the block's pieces: later events act at its last frame */
+  TbEventAddress *address; /* NULL: all events are for the drum */
+  const void *context;     /* for `address` */
+} TbEventList;
+
 /* tabor_drum_process() in other sound; `air` may be NULL. Audio-safe. */
-void tb_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
-                     const TbDrumAir *air, float *const *outputs, uint32_t frames);
+void tb_drum_process(TaborDrum *drum, TbEventList events, const TbDrumAir *air,
+                     float *const *outputs, uint32_t frames);
+/* Energies since tabor_drum_reset(), whatever reset events there were. Audio-safe. */
+TbAirEnergy tb_drum_air_energy(const TaborDrum *drum);
 /* An output for each microphone. */
 TbRoute tb_route_plain(const TaborModel *model);
 /* Outputs as a caller has chosen them. */

@@ -13,45 +13,50 @@
 
 /* ---- events ---------------------------------------------------------------------------------- */
 
-static void give(TaborKit *kit, uint32_t drum, const TaborEvent *event, uint32_t frame) {
-  TbKitVoice *const voice = &kit->voices[drum];
-  if (voice->count == TB_KIT_EVENTS) {
-    kit->dropped++;
-    return;
+/* A drum of the piece, as its events know it. */
+typedef struct Listener {
+  const TaborKit *kit;
+  uint32_t drum;
+} Listener;
+
+static bool is_choked(const Listener *by, const TaborKitEvent *event) {
+  const TbKitVoice *const voices = by->kit->voices;
+  if (event->event.type != TABOR_EVENT_STRIKE || event->drum >= by->kit->def.drum_count) {
+    return false;
   }
-  voice->events[voice->count] = *event;
-  voice->events[voice->count++].frame = frame;
+  return voices[by->drum].choke != 0 && voices[by->drum].choke == voices[event->drum].choke;
 }
 
-/* A stroke silences the other drums of its group. */
-static void choke_others(TaborKit *kit, uint32_t drum, uint32_t frame) {
-  const TaborEvent silence = {.type = TABOR_EVENT_SILENCE};
-  const uint32_t group = kit->voices[drum].choke;
-  for (uint32_t i = 0; group != 0 && i < kit->def.drum_count; i++) {
-    if (i != drum && kit->voices[i].choke == group) give(kit, i, &silence, frame);
-  }
+/* A TbEventAddress. A stroke silences the other drums of its group. */
+static const TaborEvent *address(const void *context, uint32_t index) {
+  static const TaborEvent SILENCE = {.type = TABOR_EVENT_SILENCE};
+  const Listener *const to = context;
+  const TaborKitEvent *const event = &to->kit->now.events[index];
+  if (event->drum == to->drum || event->drum == TABOR_KIT_ALL) return &event->event;
+  return is_choked(to, event) ? &SILENCE : NULL;
 }
 
-static void address(TaborKit *kit, const TaborKitEvent *event, uint32_t frame) {
-  if (event->drum == TABOR_KIT_ALL) {
-    for (uint32_t i = 0; i < kit->def.drum_count; i++) give(kit, i, &event->event, frame);
-  } else if (event->drum >= kit->def.drum_count) {
-    kit->dropped++;
-  } else {
-    if (event->event.type == TABOR_EVENT_STRIKE) choke_others(kit, event->drum, frame);
-    give(kit, event->drum, &event->event, frame);
-  }
+static TbEventList events_for(const Listener *listener) {
+  const TbKitPiece *const piece = &listener->kit->now;
+  return (TbEventList){.first = piece->events ? &piece->events->event : NULL,
+                       .stride = sizeof *piece->events,
+                       .next = piece->next,
+                       .count = piece->count,
+                       .start = piece->start,
+                       .last = piece->last,
+                       .address = address,
+                       .context = listener};
 }
 
-/* Hands out the events that act before frame `end` of the block; returns the next one. */
-static uint32_t hand_out(TaborKit *kit, const TaborKitEvent *events, uint32_t count, uint32_t next,
-                         uint32_t from, uint32_t end, bool last) {
-  for (uint32_t i = 0; i < kit->def.drum_count; i++) kit->voices[i].count = 0;
-  for (; next < count && (last || events[next].event.frame < end); next++) {
-    const uint32_t frame = events[next].event.frame;
-    address(kit, &events[next], frame > from ? frame - from : 0);
+/* Passes over the piece's events once the drums have played them; counts those that are for none. */
+static void pass_events(TaborKit *kit) {
+  TbKitPiece *const piece = &kit->now;
+  const uint32_t end = piece->start + piece->frames;
+  for (; piece->next < piece->count; piece->next++) {
+    const TaborKitEvent *const event = &piece->events[piece->next];
+    if (!piece->last && event->event.frame >= end) return;
+    kit->dropped += event->drum >= kit->def.drum_count && event->drum != TABOR_KIT_ALL;
   }
-  return next;
 }
 
 /* ---- the air between drums ------------------------------------------------------------------- */
@@ -112,9 +117,9 @@ static void say(TaborKit *kit, TbKitVoice *voice, const float *said, uint32_t fr
 static bool air_is_passive(const TaborKit *kit) {
   double radiated = 0.0, work = 0.0;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
-    const TbState *const state = kit->voices[i].drum->state;
-    radiated += state->ledger.sums.radiated - state->ledger.radiated_beyond;
-    work += state->ledger.sound_work;
+    const TbAirEnergy energy = tb_drum_air_energy(kit->voices[i].drum);
+    radiated += energy.radiated;
+    work += energy.work;
   }
   return work <= TB_KIT_CAUGHT * radiated;
 }
@@ -133,8 +138,9 @@ static void play(void *context, uint32_t drum) {
   TaborKit *const kit = context;
   const TbFpMode mode = tb_fp_enter();
   TbKitVoice *const voice = &kit->voices[drum];
-  const TaborKitOutputs *const to = kit->outputs;
-  const uint32_t frames = kit->frames;
+  const TaborKitOutputs *const to = kit->now.outputs;
+  const uint32_t frames = kit->now.frames;
+  const Listener listener = {.kit = kit, .drum = drum};
   float said[TB_KIT_PIECE];
   float *outputs[TABOR_MAX_MICS];
   const bool coupled = kit->def.coupled && voice->air != TB_NO_MIC;
@@ -149,7 +155,7 @@ static void play(void *context, uint32_t drum) {
     outputs[mic] = is_wanted(voice, mic, to ? to->mic[drum] : NULL) ? voice->sound[mic] : NULL;
     memset(voice->sound[mic], 0, frames * sizeof(float));
   }
-  tb_drum_process(voice->drum, voice->events, voice->count, &air, outputs, frames);
+  tb_drum_process(voice->drum, events_for(&listener), &air, outputs, frames);
   memcpy(voice->heard, said, frames * sizeof *said); /* only said once all drums have heard */
   if (tabor_drum_model(voice->drum) != voice->model) tb_kit_voice_bind(kit, drum);
   tb_fp_leave(mode);
@@ -159,9 +165,7 @@ static double sample_of(const TbKitVoice *voice, uint32_t mic, uint32_t frame) {
   return mic == TB_NO_MIC ? 0.0 : (double)voice->sound[mic][frame];
 }
 
-static void play_all(TaborKit *kit, const TaborKitOutputs *outputs, uint32_t frames) {
-  kit->outputs = outputs;
-  kit->frames = frames;
+static void play_all(TaborKit *kit) {
   if (kit->run) {
     kit->run(kit->run_context, play, kit, kit->def.drum_count);
     return;
@@ -197,12 +201,14 @@ static void give_mics(const TbKitVoice *voice, uint32_t at, uint32_t frames,
   }
 }
 
-static void play_piece(TaborKit *kit, const TaborKitOutputs *outputs, uint32_t at,
-                       uint32_t frames) {
+static void play_piece(TaborKit *kit) {
+  const TaborKitOutputs *const outputs = kit->now.outputs;
+  const uint32_t at = kit->now.start, frames = kit->now.frames;
   Mix mix;
   float *none[2] = {NULL, NULL};
   memset(&mix, 0, sizeof mix);
-  play_all(kit, outputs, frames);
+  play_all(kit);
+  pass_events(kit);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     TbKitVoice *const voice = &kit->voices[i];
     if (kit->def.coupled) say(kit, voice, voice->heard, frames);
@@ -234,13 +240,15 @@ static uint32_t next_piece(const TaborKit *kit, uint32_t left) {
 void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uint32_t count,
                        const TaborKitOutputs *outputs, uint32_t frames) {
   const TbFpMode mode = tb_fp_enter();
-  uint32_t next = 0, at = 0;
+  kit->now = (TbKitPiece){.events = events, .count = count, .outputs = outputs};
   do {
-    const uint32_t part = next_piece(kit, frames - at);
-    next = hand_out(kit, events, count, next, at, at + part, at + part == frames);
-    play_piece(kit, outputs, at, part);
-    at += part;
-  } while (at < frames);
+    TbKitPiece *const piece = &kit->now;
+    piece->frames = next_piece(kit, frames - piece->start);
+    piece->last = piece->start + piece->frames == frames;
+    play_piece(kit);
+    piece->start += piece->frames;
+  } while (kit->now.start < frames);
+  kit->now = (TbKitPiece){.events = NULL};
   tb_fp_leave(mode);
 }
 
@@ -283,41 +291,75 @@ const TaborKitDef *tabor_kit_definition(const TaborKit *kit) { return &kit->def;
 
 static const double LOUDEST = 1e15; /* as of a drum's state */
 
-/* Before the drums' states, each with its ring, and the room's. */
+/* What a saved state begins with. Each drum's sound in the air and its own state follow, then the room's state, then
+ * a checksum of all these bytes. */
 typedef struct StateHead {
-  uint64_t size, frame, dropped, muffled, sum; /* sum: of all rings */
+  uint64_t size, frame, dropped, muffled;
   double passed[TABOR_KIT_DRUMS][2];
+  TbAirEnergy forgotten[TABOR_KIT_DRUMS];
 } StateHead;
 
 static size_t ring_bytes(const TaborKit *kit) { return kit->ring * sizeof(float); }
 
 size_t tabor_kit_state_size(const TaborKit *kit) {
-  size_t size = sizeof(StateHead) + tabor_room_state_size(kit->room);
+  size_t size = sizeof(StateHead) + tabor_room_state_size(kit->room) + sizeof(uint64_t);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     size += tabor_drum_state_size(kit->voices[i].drum) + ring_bytes(kit);
   }
   return size;
 }
 
-void tabor_kit_state_save(const TaborKit *kit, void *bytes) {
+static StateHead head_of(const TaborKit *kit) {
   StateHead head = {.size = tabor_kit_state_size(kit),
                     .frame = kit->frame,
                     .dropped = kit->dropped,
                     .muffled = kit->muffled};
-  char *at = (char *)bytes + sizeof head;
+  for (uint32_t i = 0; i < kit->def.drum_count; i++) {
+    memcpy(head.passed[i], kit->voices[i].passed, sizeof head.passed[i]);
+    head.forgotten[i] = kit->voices[i].drum->forgotten;
+  }
+  return head;
+}
+
+void tabor_kit_state_save(const TaborKit *kit, void *bytes) {
+  const StateHead head = head_of(kit);
+  char *at = bytes;
+  memcpy(at, &head, sizeof head);
+  at += sizeof head;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     const TbKitVoice *const voice = &kit->voices[i];
     memcpy(at, voice->said, ring_bytes(kit));
-    head.sum = head.sum * 31u + tb_checksum(at, ring_bytes(kit));
-    memcpy(head.passed[i], voice->passed, sizeof voice->passed);
-    tabor_drum_state_save(voice->drum, at + ring_bytes(kit));
-    at += ring_bytes(kit) + tabor_drum_state_size(voice->drum);
+    at += ring_bytes(kit);
+    tabor_drum_state_save(voice->drum, at);
+    at += tabor_drum_state_size(voice->drum);
   }
   tabor_room_state_save(kit->room, at);
-  memcpy(bytes, &head, sizeof head);
+  const uint64_t sum = tb_checksum(bytes, head.size - sizeof sum);
+  memcpy((char *)bytes + head.size - sizeof sum, &sum, sizeof sum);
 }
 
-/* Of the rings' frames those count that come before the kit's. */
+static bool is_sound(double value) { return fabs(value) <= LOUDEST; }
+
+static bool check_head(const TaborKit *kit, const StateHead *head) {
+  bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1;
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
+    sound &= is_sound(head->passed[i][0]) && is_sound(head->passed[i][1]) &&
+             is_sound(head->forgotten[i].radiated) && is_sound(head->forgotten[i].work);
+  }
+  return sound;
+}
+
+static void load_head(TaborKit *kit, const StateHead *head) {
+  kit->frame = head->frame;
+  kit->dropped = head->dropped;
+  kit->muffled = head->muffled != 0;
+  for (uint32_t i = 0; i < kit->def.drum_count; i++) {
+    memcpy(kit->voices[i].passed, head->passed[i], sizeof head->passed[i]);
+    kit->voices[i].drum->forgotten = head->forgotten[i];
+  }
+}
+
+/* How long a drum has been silent before the kit's frame. */
 static uint32_t quiet_frames(const TaborKit *kit, const TbKitVoice *voice) {
   uint32_t quiet = 0;
   while (quiet < kit->ring &&
@@ -327,41 +369,37 @@ static uint32_t quiet_frames(const TaborKit *kit, const TbKitVoice *voice) {
   return quiet;
 }
 
-static bool load_ring(TaborKit *kit, TbKitVoice *voice, const char *bytes, uint64_t *sum) {
+static bool load_ring(TaborKit *kit, TbKitVoice *voice, const char *bytes) {
   memcpy(voice->said, bytes, ring_bytes(kit));
-  *sum = *sum * 31u + tb_checksum(bytes, ring_bytes(kit));
-  bool sounds = true;
-  for (uint32_t i = 0; i < kit->ring; i++) sounds &= fabs((double)voice->said[i]) <= LOUDEST;
+  bool sound = true;
+  for (uint32_t i = 0; i < kit->ring; i++) sound &= is_sound((double)voice->said[i]);
   voice->quiet = quiet_frames(kit, voice);
-  return sounds;
+  return sound;
 }
 
-static bool load(TaborKit *kit, const char *at, const StateHead *head) {
-  uint64_t sum = 0;
-  kit->frame = head->frame;
-  kit->dropped = head->dropped;
-  kit->muffled = head->muffled != 0;
+static bool load_parts(TaborKit *kit, const char *at) {
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     TbKitVoice *const voice = &kit->voices[i];
     const size_t size = tabor_drum_state_size(voice->drum);
-    if (!load_ring(kit, voice, at, &sum)) return false;
-    for (int k = 0; k < 2; k++) {
-      if (!(fabs(head->passed[i][k]) <= LOUDEST)) return false;
-      voice->passed[k] = head->passed[i][k];
-    }
-    if (tabor_drum_state_load(voice->drum, at + ring_bytes(kit), size) != TABOR_OK) return false;
-    at += ring_bytes(kit) + size;
+    if (!load_ring(kit, voice, at)) return false;
+    at += ring_bytes(kit);
+    if (tabor_drum_state_load(voice->drum, at, size) != TABOR_OK) return false;
+    at += size;
   }
-  return sum == head->sum &&
-         tabor_room_state_load(kit->room, at, tabor_room_state_size(kit->room)) == TABOR_OK;
+  return tabor_room_state_load(kit->room, at, tabor_room_state_size(kit->room)) == TABOR_OK;
 }
 
 TaborStatus tabor_kit_state_load(TaborKit *kit, const void *bytes, size_t size) {
   StateHead head;
+  uint64_t sum;
   if (!bytes || size != tabor_kit_state_size(kit)) return TABOR_ERROR_STATE;
   memcpy(&head, bytes, sizeof head);
-  if (head.size != size) return TABOR_ERROR_STATE;
-  if (load(kit, (const char *)bytes + sizeof head, &head)) return TABOR_OK;
+  memcpy(&sum, (const char *)bytes + size - sizeof sum, sizeof sum);
+  if (sum != tb_checksum(bytes, size - sizeof sum) || !check_head(kit, &head)) {
+    return TABOR_ERROR_STATE;
+  }
+  load_head(kit, &head);
+  if (load_parts(kit, (const char *)bytes + sizeof head)) return TABOR_OK;
   tabor_kit_reset(kit);
   return TABOR_ERROR_STATE;
 }

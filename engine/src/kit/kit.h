@@ -22,7 +22,6 @@
 #define TB_KIT_HIGHEST 1000.0 /* [Hz] */
 #define TB_KIT_CAUGHT 0.25
 #define TB_KIT_LOUDEST 200.0f /* [Pa]: 140 dB */
-#define TB_KIT_EVENTS 256u    /* of a drum in a piece at most */
 
 /* One drum, and what it is in the mix. */
 typedef struct TbKitVoice {
@@ -38,26 +37,32 @@ typedef struct TbKitVoice {
   float *said;                      /* [ring] pressure at its microphone of the air, by frames */
   double passed[2];                 /* memory of the low-pass on it */
   uint32_t quiet;                   /* frames since it was not 0, up to the ring's length */
-  TaborEvent events[TB_KIT_EVENTS]; /* of the piece */
-  uint32_t count;
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;
+
+/* What is computed at once: some frames of a block. */
+typedef struct TbKitPiece {
+  const TaborKitEvent *events; /* [count] of the block; those before `next` have acted */
+  uint32_t count, next;
+  uint32_t start, frames; /* of the block */
+  bool last;              /* of the block's pieces */
+  const TaborKitOutputs *outputs;
+} TbKitPiece;
 
 struct TaborKit {
   TaborAllocator allocator;
   TaborKitDef def;
   TbKitVoice *voices; /* [def.drum_count] */
   TaborRoom *room;
-  uint32_t piece; /* frames at once */
-  double low[3];  /* the low-pass of the air: gain, and two feedbacks */
-  bool muffled;   /* the air is silent: see air_is_passive() */
-  uint32_t ring;  /* length of each ring, a power of 2 */
-  uint64_t frame; /* since the last reset */
-  uint64_t dropped;
+  uint32_t piece;   /* frames at once */
+  double low[3];    /* the low-pass of the air: gain, and two feedbacks */
+  bool muffled;     /* the air is silent: see air_is_passive() */
+  uint32_t ring;    /* length of each ring, a power of 2 */
+  uint64_t frame;   /* since the last reset */
+  uint64_t dropped; /* events for drums that are not there */
   TaborKitRun *run; /* or NULL */
   void *run_context;
-  const TaborKitOutputs *outputs; /* of the piece: for the drums */
-  uint32_t frames;
+  TbKitPiece now; /* for the drums */
 };
 
 /* Factor of a gain in decibels; -120 dB is silence. Audio-safe. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What tabor_model_create() and its like refuse, and how they say it. */
 #define _POSIX_C_SOURCE 200809L
+#include "model/build_estimate.h"
 #include "physics.h"
 
 static void options_out_of_range_are_named_with_their_value_and_range(void **state) {
@@ -156,12 +157,13 @@ static void the_dearest_parameter_is_named(void **state) {
   assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < many_points.seconds);
 }
 
-/* A bass drum has no wires, and at reference as many modes as a model may have, at half the bandwidth, too. */
+/* A bass drum has no wires. At reference its model took 3.7 s, at half the two-way bandwidth 2.4 s, and at half the
+ * bandwidth 3.7 s on one core. */
 static void what_saves_nothing_is_not_named(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("bass-drum-22");
   const TaborModelEstimate most = estimate_of(&def, TABOR_QUALITY_REFERENCE);
-  assert_string_equal(most.key, "quality.level");
+  assert_string_equal(most.key, "quality.two_way_bandwidth");
   assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < 0.5 * most.seconds);
 }
 
@@ -184,6 +186,78 @@ static void a_limit_refuses_what_takes_more(void **state) {
   options.most_bytes = 100000000;
   assert_int_equal(tabor_model_create(&def, &options, &model, &error), TABOR_ERROR_LIMIT);
   assert_non_null(strstr(error.message, "100 MB"));
+}
+
+static TaborModelEstimate draft_estimate(const char *preset, const char *key, const char *value) {
+  TaborDrumDef def = physics_preset(preset);
+  TaborModelOptions options;
+  TaborModelEstimate estimate;
+  TaborError error;
+  if (tabor_drum_def_set(&def, key, value, &error) != TABOR_OK) fail_msg("%s", error.message);
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_DRAFT;
+  if (tabor_model_estimate(&def, &options, &estimate, &error) != TABOR_OK) {
+    fail_msg("%s", error.message);
+  }
+  return estimate;
+}
+
+/* These took 3.4 s, 0.11 s and, for the pitch in the deep shell, 1.9 s on one core of a server. */
+static void slow_air_and_pitches_in_deep_shells_are_estimated(void **state) {
+  (void)state;
+  const TaborModelEstimate slow = draft_estimate("marching-14x12", "air.sound_speed", "100");
+  assert_true(slow.seconds > 3.4 / 3.0 && slow.seconds < 3.4 * 3.0);
+  const TaborModelEstimate deep = draft_estimate("tom-12", "shell.depth", "1.5");
+  assert_true(deep.seconds > 0.11 / 3.0 && deep.seconds < 0.11 * 3.0);
+  TaborDrumDef def = physics_preset("tom-12");
+  def.shell.depth = 1.5;
+  def.batter.pitch = 630.0;
+  TaborModelOptions options;
+  TaborModelEstimate pitched;
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_DRAFT;
+  assert_int_equal(tabor_model_estimate(&def, &options, &pitched, NULL), TABOR_OK);
+  assert_true(pitched.seconds > 1.9 / 3.0 && pitched.seconds < 1.9 * 3.0);
+}
+
+static bool wrong_estimate; /* all builds are said to take no time */
+
+TaborStatus __real_tb_build_estimate(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                                     const TaborAllocator *allocator, TaborModelEstimate *estimate,
+                                     TaborError *error);
+TaborStatus __wrap_tb_build_estimate(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                                     const TaborAllocator *allocator, TaborModelEstimate *estimate,
+                                     TaborError *error);
+TaborStatus __wrap_tb_build_estimate(const TaborDrumDef *def, uint32_t quality, double sample_rate,
+                                     const TaborAllocator *allocator, TaborModelEstimate *estimate,
+                                     TaborError *error) {
+  const TaborStatus status =
+    __real_tb_build_estimate(def, quality, sample_rate, allocator, estimate, error);
+  if (wrong_estimate) estimate->seconds = 0.0;
+  return status;
+}
+
+/* A limit that every build exceeds, by an estimate that is too low: the search for a pitch is ended, and so is
+ * what comes after it. */
+static void a_limit_ends_what_was_estimated_too_low(void **state) {
+  (void)state;
+  for (int pitched = 0; pitched < 2; pitched++) {
+    TaborDrumDef def = physics_preset("snare-14x5.5");
+    TaborModelOptions options = counted_options(TABOR_QUALITY_DRAFT);
+    TaborModel *model = NULL;
+    TaborError error;
+    if (pitched) def.batter.pitch = 200.0;
+    options.most_seconds = 1e-6;
+    now_bytes = 0;
+    wrong_estimate = true;
+    const TaborStatus status = tabor_model_create(&def, &options, &model, &error);
+    wrong_estimate = false;
+    assert_int_equal(status, TABOR_ERROR_LIMIT);
+    assert_null(model);
+    assert_int_equal(now_bytes, 0);
+    assert_non_null(strstr(error.message, "longer to build than the limit of 1e-6 s: lower "));
+    assert_non_null(tabor_parameter_find(error.key));
+  }
 }
 
 /* ---- progress and cancellation ----------------------------------------------------------------- */
@@ -241,6 +315,8 @@ int main(void) {
     cmocka_unit_test(the_dearest_parameter_is_named),
     cmocka_unit_test(what_saves_nothing_is_not_named),
     cmocka_unit_test(a_limit_refuses_what_takes_more),
+    cmocka_unit_test(slow_air_and_pitches_in_deep_shells_are_estimated),
+    cmocka_unit_test(a_limit_ends_what_was_estimated_too_low),
     cmocka_unit_test(a_build_can_be_cancelled_anywhere),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

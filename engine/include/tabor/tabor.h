@@ -632,16 +632,19 @@ typedef struct TaborModelOptions {
     allocator; /**< if both functions are NULL, the C library's, which is the default */
   TaborBuildProgress progress; /**< may be NULL, the default */
   void *progress_context;      /**< passed to progress */
-  /** Most seconds that the build may take by tabor_model_estimate(); 0, the default, is no limit. A model that needs
-   * more is refused with TABOR_ERROR_LIMIT, whose key is that of the parameter to lower. */
+  /** Most seconds of processor time that the build may take, with the search for a pitch; 0, the default, is no limit. A
+   * model that takes more by tabor_model_estimate() is refused at once, and a build that takes more is ended, 50 ms
+   * later at most on a processor of today, with TABOR_ERROR_LIMIT, whose key is that of the parameter to lower. (On Windows and in
+   * WebAssembly, which have no such clock, the time of day counts.) */
   double most_seconds;
-  size_t most_bytes; /**< most memory in the same way */
+  size_t most_bytes; /**< most memory by tabor_model_estimate() */
 } TaborModelOptions;
 
 /** What building a model takes. */
 typedef struct TaborModelEstimate {
-  double seconds; /**< on one core of a server of 2024; right within a factor of 3 */
-  size_t bytes;   /**< memory while it is built; right within a factor of 3 */
+  double
+    seconds; /**< of processor time on one core of a server of 2024; for most definitions right within a factor of 3 */
+  size_t bytes; /**< memory while it is built; right within a factor of 3 */
   char
     key[TABOR_NAME_SIZE]; /**< of the parameter that costs most of it, as `quality.wire_points` */
 } TaborModelEstimate;
@@ -696,8 +699,9 @@ typedef struct TaborModeInfo {
 /** Fills in the defaults. */
 TABOR_API void tabor_model_options_default(TaborModelOptions *options);
 /**
- * Says what tabor_model_create() would take, in some milliseconds. On an error, those of tabor_drum_def_tune(), or
- * TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for @p options, *estimate is 0.
+ * Says what tabor_model_create() would take, in some milliseconds. A pitch is not looked for, and one that the head cannot
+ * have is not refused here. On an error, those of tabor_drum_def_validate(), or TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for
+ * @p options, *estimate is 0.
  */
 TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def,
                                            const TaborModelOptions *options,

@@ -166,6 +166,26 @@ double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth) {
   return modes_below(&drum, 2.0 * PI * bandwidth);
 }
 
+/* About so many zeros of J_m or J_m' lie below z [DLMF, 10.20]: its phase in the WKB approximation, over pi. */
+static double zeros_below(double m, double z) {
+  if (!(z > m)) return 0.0;
+  return (sqrt(z * z - m * m) - m * acos(m / z)) / PI + 0.25;
+}
+
+double tb_closed_drum_order_size(const TaborDrumDef *def, double m, double basis_top,
+                                 double limit) {
+  const TbCavityEigen drum = coupled_of(def);
+  double size = drum.cavity.heads * zeros_below(m, basis_top);
+  if (!tb_has_cavity(def)) return size;
+  const double k = highest_coordinate(&drum, limit) / drum.cavity.sound_speed;
+  const double axial = PI / drum.cavity.depth; /* step of the wavenumber along the axis */
+  for (uint32_t l = 0; l * axial < k; l++) {
+    const double across = drum.cavity.radius * sqrt(k * k - l * axial * l * axial);
+    size += zeros_below(m, fmin(CAVITY_BASIS * basis_top, across));
+  }
+  return size;
+}
+
 double tb_closed_drum_air_top(const TaborDrumDef *def, double limit) {
   const TbCavityEigen drum = coupled_of(def);
   return fmin(limit, highest_coordinate(&drum, limit));

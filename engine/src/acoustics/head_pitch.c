@@ -9,9 +9,6 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Bessel functions with zeros up to here make up the mode: more of them change the pitch by less than 0.1 cents. */
-static const double BASIS_TOP = 40.0;
-
 /* A pitch this near to the wanted one, relatively, ends the search: 0.002 cents. */
 static const double NEAR = 1e-6;
 /* So does a bracket this narrow, relatively. */
@@ -21,10 +18,9 @@ static bool meets_shell(const TaborDrumDef *def) {
   return tb_has_cavity(def) && def->air.density > 0.0;
 }
 
-bool tb_pitch_air_prepare(TbPitchAir *air, const TaborDrumDef *def,
-                          const TaborAllocator *allocator) {
-  const uint32_t count = tb_bessel_zeros(1, BASIS_TOP, air->zeros, TB_PITCH_ZEROS);
-  tb_arena_prepare(&air->arena, allocator);
+bool tb_pitch_air_prepare(TbPitchAir *air, const TaborDrumDef *def, const TbArena *beside) {
+  const uint32_t count = tb_bessel_zeros(1, TB_PITCH_TOP, air->zeros, TB_PITCH_ZEROS);
+  tb_arena_beside(&air->arena, beside);
   return tb_air_order_prepare(&air->order, &air->arena, 1, air->zeros, count) &&
          (!meets_shell(def) || tb_shell_prepare(&air->shell, &air->arena,
                                                 def->shell.depth / def->shell.radius, NULL, 0));
@@ -41,6 +37,11 @@ static TaborDrumDef held_drum(const TaborDrumDef *def, TaborHead which, double t
   held.two_headed = 0;
   held.mic_count = 0;
   return held;
+}
+
+double tb_head_pitch_size(const TaborDrumDef *def, TaborHead which, double tension) {
+  const TaborDrumDef held = held_drum(def, which, tension);
+  return tb_closed_drum_order_size(&held, 1.0, TB_PITCH_TOP, INFINITY);
 }
 
 TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborHead which,

@@ -15,6 +15,8 @@
 #include "acoustics/shell_radiation.h"
 
 enum { TB_PITCH_ZEROS = 16 };
+/* Bessel functions with zeros up to here make up the mode: more of them change the pitch by less than 0.1 cents. */
+#define TB_PITCH_TOP 40.0
 
 /* What does not depend on heads: the air around the shell of one drum. */
 typedef struct TbPitchAir {
@@ -24,15 +26,18 @@ typedef struct TbPitchAir {
   TbShellMesh shell;
 } TbPitchAir;
 
-/* Prepares the air of the valid definition `def`. Returns false if memory ran out. */
-bool tb_pitch_air_prepare(TbPitchAir *air, const TaborDrumDef *def,
-                          const TaborAllocator *allocator);
+/* Prepares the air of the valid definition `def`, with the allocator and the watch of `beside`. Returns false if
+ * memory ran out or the watch has ended it. */
+bool tb_pitch_air_prepare(TbPitchAir *air, const TaborDrumDef *def, const TbArena *beside);
 void tb_pitch_air_release(TbPitchAir *air);
 
 /* Sets *pitch [Hz] of head `which` of the same drum at this tension [N/m] in place of its own. Returns
  * TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_head_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborHead which,
                           double tension, double *pitch);
+
+/* About how many coordinates tb_head_pitch() solves for. */
+double tb_head_pitch_size(const TaborDrumDef *def, TaborHead which, double tension);
 
 /* Sets *tension, from `least` to `most` [N/m], to the one with this pitch. Returns TABOR_ERROR_RANGE if
  * there is none. */

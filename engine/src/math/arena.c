@@ -5,7 +5,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+
+#include "math/thread_time.h"
 
 struct TbArenaChunk {
   TbArenaChunk *next;
@@ -49,18 +50,18 @@ void tb_arena_beside(TbArena *arena, const TbArena *other) {
 static const double GLANCE = 0.005; /* [s] of processor time between two questions to the watch */
 
 static void ask(TbWatch *watch) {
-  const double done = watch->done + watch->part * watch->stage,
-               now = (double)clock() / CLOCKS_PER_SEC;
-  if (watch->cancelled || fabs(now - watch->asked) < GLANCE) return;
+  const double done = watch->done + watch->part * watch->stage, now = tb_thread_time();
+  watch->late |= watch->limit > 0.0 && now - watch->began > watch->limit;
+  if (!watch->go_on || watch->cancelled || fabs(now - watch->asked) < GLANCE) return;
   watch->asked = now;
   watch->cancelled = !watch->go_on(done < 1.0 ? done : 1.0, watch->context);
 }
 
 bool tb_arena_go_on(TbArena *arena) {
   TbWatch *watch = arena->watch;
-  if (!watch || !watch->go_on) return !arena->failed;
+  if (!watch || !(watch->go_on || watch->limit > 0.0)) return !arena->failed;
   ask(watch);
-  arena->failed |= watch->cancelled;
+  arena->failed |= watch->cancelled || watch->late;
   return !arena->failed;
 }
 

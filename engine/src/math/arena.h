@@ -11,14 +11,15 @@
 
 typedef struct TbArenaChunk TbArenaChunk;
 
-/* Who waits for what is built: hears how far it is, and may end it. */
+/* Who waits for what is built: hears how far it is, and may end it. So does a limit on processor time. */
 typedef struct TbWatch {
   TaborBuildProgress go_on; /* or NULL */
   void *context;
-  double done, stage; /* parts of the whole: before this stage, and of this stage */
-  double part;        /* of this stage that is done */
-  double asked;       /* when go_on was called last [s] */
-  bool cancelled;
+  double done, stage;   /* parts of the whole: before this stage, and of this stage */
+  double part;          /* of this stage that is done */
+  double began, limit;  /* of the thread's time [s]; 0: no limit */
+  double asked;         /* when go_on was called last [s] */
+  bool cancelled, late; /* go_on ended it; the limit did */
 } TbWatch;
 
 typedef struct TbArena {

@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "acoustics/closed_drum_modes.h"
+#include "acoustics/head_pitch.h"
 #include "acoustics/head_waves.h"
 #include "definition/definition.h"
 #include "model/quality_level.h"
+#include "model/tuning.h"
 #include "model/wires.h"
 
 static const double PI = 3.14159265358979323846;
@@ -15,14 +17,16 @@ static const double PI = 3.14159265358979323846;
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
 typedef struct Sizes {
-  double modes;         /* sine copies counted */
-  double classes;       /* of symmetry: 1, 2 or 4 */
-  double wires, points; /* of contact: `points` of all wires together */
-  double half;          /* points of a wire that are not images of others */
-  double lines;         /* across, of all classes */
-  double used;          /* points of the grid of one class */
-  double waves;         /* one-way Bessel functions that the wires feel */
-  double top_zero;      /* of the one-way band */
+  double modes;          /* sine copies counted */
+  double squares, cubes; /* sums over all orders of the eigenproblems' sizes */
+  double classes;        /* of symmetry: 1, 2 or 4 */
+  double wires, points;  /* of contact: `points` of all wires together */
+  double half;           /* points of a wire that are not images of others */
+  double lines;          /* across, of all classes */
+  double used;           /* points of the grid of one class */
+  double waves;          /* one-way Bessel functions that the wires feel */
+  double top_zero;       /* of the one-way band */
+  double top_wavenumber; /* of sound at its top [1/m] */
 } Sizes;
 
 static double wave_zero(const TaborDrumDef *def, const TaborHeadDef *head, double frequency) {
@@ -35,6 +39,16 @@ static double mode_count(const TaborDrumDef *def, double bandwidth) {
   if (tb_is_two_headed(def)) return tb_closed_drum_mode_count(def, bandwidth);
   const double z = wave_zero(def, &def->batter, bandwidth);
   return fmax(1.0, 0.25 * z * z - 0.5 * z);
+}
+
+/* Sums over orders, of which a sample is looked at. */
+static void order_sizes(const TaborDrumDef *def, double basis_top, double limit, Sizes *s) {
+  const double step = fmax(1.0, basis_top / 32.0);
+  for (double m = 0.0; m < basis_top; m += step) {
+    const double size = 1.0 + tb_closed_drum_order_size(def, m, basis_top, limit);
+    s->squares += step * size * size;
+    s->cubes += step * size * size * size;
+  }
 }
 
 static double largest_row(const TbWires *wires, const double *place) {
@@ -75,11 +89,13 @@ static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sam
   TbWires wires;
   double bandwidth;
   tb_arena_prepare(&scratch, allocator);
-  (void)tb_head_basis(def, level.bandwidth, limits, &bandwidth);
+  const double basis_top = tb_head_basis(def, level.bandwidth, limits, &bandwidth);
   const TaborStatus status =
     tb_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
   *s = (Sizes){.modes = fmin(limits.modes, mode_count(def, bandwidth)), .classes = 1.0};
   s->top_zero = wave_zero(def, &def->batter, level.top);
+  s->top_wavenumber = 2.0 * PI * level.top / def->air.sound_speed;
+  order_sizes(def, basis_top, 2.0 * PI * bandwidth, s);
   if (status == TABOR_OK && wires.count > 0) {
     const TaborHeadDef *head = wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
     const double from = wave_zero(def, head, bandwidth), to = wave_zero(def, head, level.top);
@@ -93,14 +109,34 @@ static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sam
 
 /* ---- time and memory ------------------------------------------------------------------------ */
 
+/* An eigenproblem of one order, without what comes of its modes. */
+static double eigen_seconds(double squares, double cubes) { return 2e-7 * squares + 4e-10 * cubes; }
+
+/* A search takes some seven trials. */
+static double tuning_seconds(const TaborDrumDef *def, TaborHead which, const TaborHeadDef *pitched,
+                             double tension) {
+  if (pitched->pitch == 0) return 0.0;
+  const double size = tb_head_pitch_size(def, which, tension);
+  return 0.004 + 7.0 * eigen_seconds(size * size, size * size * size);
+}
+
+/* Eigenproblems; then what each mode meets of the air: outside a shell a boundary integral, at an open head sums over
+ * its Bessel functions. */
+static double head_seconds(const TaborDrumDef *def, const Sizes *s) {
+  const double eigen = 0.001 + eigen_seconds(s->squares, s->cubes);
+  if (def->air.density == 0.0) return eigen;
+  if (!tb_has_cavity(def)) return eigen + 2e-6 * s->squares;
+  return eigen + (tb_is_two_headed(def) ? 0.018 : 0.003) + 4.5e-5 * s->modes;
+}
+
 /* Shapes of modes and their principal components; twice if one-way modes stand beside them. */
 static double grid_seconds(const Sizes *s) {
   const double passes = s->waves > 0.0 ? 2.0 : 1.0;
   const double shapes =
     s->modes * s->half * (s->wires * s->wires + s->lines * s->half + 3.0 * s->used);
   const double square = s->used * s->used;
-  return passes * 1.7e-9 * shapes + 6e-10 * s->waves * square +
-         (s->waves > 0.0 ? 2.2e-9 * s->classes * square * s->used : 0.0);
+  return passes * 2.4e-9 * shapes + 6e-10 * s->waves * square +
+         (s->waves > 0.0 ? 3e-9 * s->classes * square * s->used : 0.0);
 }
 
 /* Compliances, contact laws, and the wires at rest. */
@@ -110,20 +146,40 @@ static double contact_seconds(const Sizes *s) {
          2e-9 * s->wires * cells * cells * cells;
 }
 
+/* Microphones, and the one-way modes that they hear. An open head's fields are integrals over the wavenumber, the
+ * longer the farther away the microphone is. */
+static double high_band_seconds(const TaborDrumDef *def, const Sizes *s) {
+  const double each = 2e-5 * s->modes, zero = s->top_zero;
+  if (def->air.density == 0.0) return each;
+  if (tb_is_two_headed(def)) return 0.025 + 2.0 * each + 1.4e-6 * zero * zero;
+  if (tb_has_cavity(def)) return each + 6e-7 * zero * zero;
+  double far = 0.0;
+  for (uint32_t i = 0; i < def->mic_count; i++) {
+    far = fmax(far, hypot(def->mic[i].radius, def->mic[i].height));
+  }
+  return zero * (1.2e-6 * zero + s->top_wavenumber * (2e-6 * def->shell.radius + 8e-9 * far));
+}
+
 double tb_build_seconds(const TbBuildCost *cost) {
-  return cost->heads + cost->grid + cost->contacts + cost->high_band;
+  return cost->tuning + cost->heads + cost->grid + cost->contacts + cost->high_band;
 }
 
 TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double sample_rate,
                           const TaborAllocator *allocator, TbBuildCost *cost, TaborError *error) {
   Sizes s;
-  const TaborStatus status = measure(def, quality, sample_rate, allocator, &s, error);
+  TaborDrumDef tuned = *def;
+  tb_tune_roughly(&tuned);
+  const TaborStatus status = measure(&tuned, quality, sample_rate, allocator, &s, error);
   const double cells = s.wires > 0.0 ? s.points / s.wires : 0.0;
   *cost = (TbBuildCost){
-    .heads = 0.05 + 1.4e-8 * s.modes * s.modes,
+    .tuning = tuning_seconds(def, TABOR_HEAD_BATTER, &def->batter, tuned.batter.tension) +
+              (tb_is_two_headed(def)
+                 ? tuning_seconds(def, TABOR_HEAD_RESONANT, &def->resonant, tuned.resonant.tension)
+                 : 0.0),
+    .heads = head_seconds(def, &s),
     .grid = grid_seconds(&s),
     .contacts = contact_seconds(&s),
-    .high_band = 0.03 + 5e-6 * s.top_zero * s.top_zero,
+    .high_band = high_band_seconds(def, &s),
     /* Tables between modes and points in both precisions; shapes at all points, four times; squares of classes;
      * each wire's answers */
     .bytes = 4e6 + 2e3 * s.modes + 24.0 * s.modes * s.used + 32.0 * s.modes * s.wires * s.half +

@@ -7,6 +7,7 @@
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
+#include "math/thread_time.h"
 #include "model/build_estimate.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
@@ -416,9 +417,9 @@ static TaborStatus memory_error(TaborError *error) {
                       "out of memory while building a model");
 }
 
-/* Checks both, puts options or defaults into `chosen`, and the definition with tensions into `tuned`. */
+/* Checks both, and puts options or defaults into `chosen`. */
 static TaborStatus resolve(const TaborDrumDef *def, const TaborModelOptions *options,
-                           TaborModelOptions *chosen, TaborDrumDef *tuned, TaborError *error) {
+                           TaborModelOptions *chosen, TaborError *error) {
   tabor_model_options_default(chosen);
   if (options) *chosen = *options;
   TaborStatus status = tabor_drum_def_validate(def, error);
@@ -426,8 +427,7 @@ static TaborStatus resolve(const TaborDrumDef *def, const TaborModelOptions *opt
   if (status != TABOR_OK) return status;
   chosen->allocator = tb_allocator_resolve(&chosen->allocator);
   if (chosen->quality == TABOR_QUALITY_DEFAULT) chosen->quality = def->quality.level;
-  *tuned = *def;
-  return tb_tune(tuned, &chosen->allocator, error);
+  return TABOR_OK;
 }
 
 /* To two digits, as an estimate is right within a factor. */
@@ -448,11 +448,11 @@ static TaborStatus limit_error(const TaborModelEstimate *estimate, bool slow, do
                       limit, slow ? "s" : "MB", estimate->key);
 }
 
-static TaborStatus check_limits(const TaborDrumDef *tuned, const TaborModelOptions *options,
+static TaborStatus check_limits(const TaborDrumDef *def, const TaborModelOptions *options,
                                 TaborError *error) {
   TaborModelEstimate estimate;
   if (options->most_seconds <= 0.0 && options->most_bytes == 0) return TABOR_OK;
-  const TaborStatus status = tb_build_estimate(tuned, options->quality, options->sample_rate,
+  const TaborStatus status = tb_build_estimate(def, options->quality, options->sample_rate,
                                                &options->allocator, &estimate, error);
   if (status != TABOR_OK) return status;
   if (options->most_seconds > 0.0 && estimate.seconds > options->most_seconds) {
@@ -467,12 +467,11 @@ static TaborStatus check_limits(const TaborDrumDef *tuned, const TaborModelOptio
 TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOptions *options,
                                  TaborModelEstimate *estimate, TaborError *error) {
   TaborModelOptions chosen;
-  TaborDrumDef tuned;
   if (!estimate) return tb_error_null(error, "place for the estimate");
   *estimate = (TaborModelEstimate){0};
-  const TaborStatus status = resolve(def, options, &chosen, &tuned, error);
+  const TaborStatus status = resolve(def, options, &chosen, error);
   if (status != TABOR_OK) return status;
-  return tb_build_estimate(&tuned, chosen.quality, chosen.sample_rate, &chosen.allocator, estimate,
+  return tb_build_estimate(def, chosen.quality, chosen.sample_rate, &chosen.allocator, estimate,
                            error);
 }
 
@@ -493,21 +492,16 @@ static TbLevel start(TaborModel *model, const TaborModelOptions *options) {
   return level;
 }
 
-static TaborStatus build_watched(TaborModel *model, const TaborModelOptions *options,
-                                 TaborError *error) {
-  TbWatch watch = {.go_on = options->progress, .context = options->progress_context};
-  const TbLevel level = start(model, options);
-  TbBuildCost cost;
-  TbArena scratch;
-  model->arena.watch = &watch;
-  tb_arena_beside(&scratch, &model->arena);
-  TaborStatus status = tb_build_cost(&model->def, options->quality, options->sample_rate,
-                                     &options->allocator, &cost, error);
-  if (status == TABOR_OK) status = build(model, &scratch, &level, &cost, error);
-  if (status == TABOR_OK && options->progress) (void)options->progress(1.0, watch.context);
-  tb_arena_release(&scratch);
-  model->arena.watch = NULL;
-  return watch.cancelled ? TABOR_ERROR_CANCELLED : status;
+/* What took longer than its limit, though it was estimated to keep it. */
+static TaborStatus late_error(const TaborDrumDef *def, const TaborModelOptions *options,
+                              TaborError *error) {
+  TaborModelEstimate estimate;
+  const TaborStatus status = tb_build_estimate(def, options->quality, options->sample_rate,
+                                               &options->allocator, &estimate, error);
+  if (status != TABOR_OK) return status;
+  return tb_error_set(error, TABOR_ERROR_LIMIT, estimate.key, NULL, NAN, NAN,
+                      "this model takes longer to build than the limit of %g s: lower %s",
+                      options->most_seconds, estimate.key);
 }
 
 static TaborStatus build_error(TaborStatus status, TaborError *error) {
@@ -524,14 +518,47 @@ static TaborStatus build_error(TaborStatus status, TaborError *error) {
   }
 }
 
+/* Tunes the heads of model->def, then computes the rest. */
+static TaborStatus tune_and_build(TaborModel *model, const TaborModelOptions *options,
+                                  TaborError *error) {
+  TbBuildCost cost;
+  TbArena scratch;
+  TaborStatus status = tb_build_cost(&model->def, options->quality, options->sample_rate,
+                                     &options->allocator, &cost, error);
+  if (status != TABOR_OK) return status;
+  begin_stage(model->arena.watch, cost.tuning / tb_build_seconds(&cost));
+  status = tb_tune(&model->def, &model->arena, error);
+  if (status != TABOR_OK) return status;
+  const TbLevel level = start(model, options);
+  tb_arena_beside(&scratch, &model->arena);
+  status = build(model, &scratch, &level, &cost, error);
+  tb_arena_release(&scratch);
+  return status;
+}
+
+/* Builds the model of `def`, which is in model->def, and explains what ends it. */
+static TaborStatus build_watched(TaborModel *model, const TaborDrumDef *def,
+                                 const TaborModelOptions *options, TaborError *error) {
+  TbWatch watch = {.go_on = options->progress,
+                   .context = options->progress_context,
+                   .began = tb_thread_time(),
+                   .limit = options->most_seconds};
+  model->arena.watch = &watch;
+  const TaborStatus status = tune_and_build(model, options, error);
+  model->arena.watch = NULL;
+  if (watch.cancelled) return build_error(TABOR_ERROR_CANCELLED, error);
+  if (watch.late) return late_error(def, options, error);
+  if (status == TABOR_OK && options->progress) (void)options->progress(1.0, watch.context);
+  return build_error(status, error);
+}
+
 TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                TaborModel **out, TaborError *error) {
   TaborModelOptions chosen;
-  TaborDrumDef tuned;
   if (!out) return tb_error_null(error, "place for the model");
   *out = NULL;
-  TaborStatus status = resolve(def, options, &chosen, &tuned, error);
-  if (status == TABOR_OK) status = check_limits(&tuned, &chosen, error);
+  TaborStatus status = resolve(def, options, &chosen, error);
+  if (status == TABOR_OK) status = check_limits(def, &chosen, error);
   if (status != TABOR_OK) return status;
 
   const TaborAllocator allocator = chosen.allocator;
@@ -540,15 +567,15 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   memset(model, 0, sizeof *model);
   atomic_init(&model->references, 1u);
   tb_arena_prepare(&model->arena, &allocator);
-  model->def = tuned;
+  model->def = *def;
   if (error) error->status = TABOR_OK;
-  status = build_watched(model, &chosen, error);
+  status = build_watched(model, def, &chosen, error);
   if (status == TABOR_OK) {
     *out = model;
-    return TABOR_OK;
+  } else {
+    tabor_model_release(model);
   }
-  tabor_model_release(model);
-  return build_error(status, error);
+  return status;
 }
 
 TaborModel *tabor_model_retain(TaborModel *model) {

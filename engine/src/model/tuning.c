@@ -55,13 +55,13 @@ static TaborStatus tune_head(const TbPitchAir *air, TaborDrumDef *def, TaborHead
   return TABOR_OK;
 }
 
-TaborStatus tb_tune(TaborDrumDef *def, const TaborAllocator *allocator, TaborError *error) {
+TaborStatus tb_tune(TaborDrumDef *def, const TbArena *beside, TaborError *error) {
   const bool two = tb_is_two_headed(def);
   if (def->batter.pitch == 0 && !(two && def->resonant.pitch != 0)) return TABOR_OK;
   TaborDrumDef tuned = *def;
   TbPitchAir air;
   TaborStatus status = TABOR_OK;
-  if (!tb_pitch_air_prepare(&air, def, allocator)) {
+  if (!tb_pitch_air_prepare(&air, def, beside)) {
     status = refuse_computation(TABOR_ERROR_MEMORY, error);
   }
   if (status == TABOR_OK) status = tune_head(&air, &tuned, TABOR_HEAD_BATTER, error);
@@ -71,10 +71,37 @@ TaborStatus tb_tune(TaborDrumDef *def, const TaborAllocator *allocator, TaborErr
   return status;
 }
 
-TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error) {
-  TaborStatus status = tabor_drum_def_validate(def, error);
+/* The mode (1,1) of a head with the air's mass rho0/K on each side (head.h). */
+static void tune_roughly(const TaborDrumDef *def, TaborHeadDef *head) {
+  static const double ZERO = 3.8317059702075125, PI = 3.14159265358979323846; /* of J_1 */
+  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_BATTER_TENSION)->info;
+  if (head->pitch == 0) return;
+  const double k = ZERO / def->shell.radius, omega = 2.0 * PI * head->pitch;
+  const double mass = head->surface_density + 2.0 * def->air.density / k;
+  head->tension = 1.0;
+  const double unit = tb_head_stiffness(head, k);
+  head->tension = 1.0 + (omega * omega * mass - unit) / (k * k);
+  head->tension = fmin(range->maximum, fmax(range->minimum, head->tension));
+  head->pitch = 0;
+}
+
+void tb_tune_roughly(TaborDrumDef *def) {
+  tune_roughly(def, &def->batter);
+  if (tb_is_two_headed(def)) tune_roughly(def, &def->resonant);
+}
+
+/* Without a watch, in the C library's memory. */
+static TbArena plain_arena(void) {
+  TbArena arena;
   const TaborAllocator allocator = tb_allocator_resolve(&(TaborAllocator){.context = NULL});
-  if (status == TABOR_OK) status = tb_tune(def, &allocator, error);
+  tb_arena_prepare(&arena, &allocator);
+  return arena;
+}
+
+TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error) {
+  const TbArena arena = plain_arena();
+  TaborStatus status = tabor_drum_def_validate(def, error);
+  if (status == TABOR_OK) status = tb_tune(def, &arena, error);
   return status == TABOR_OK ? tb_error_clear(error) : status;
 }
 
@@ -88,11 +115,11 @@ static TaborStatus check_head(const TaborDrumDef *def, uint32_t head, TaborError
 
 static TaborStatus pitch_at_tension(const TaborDrumDef *def, TaborHead which, double *pitch,
                                     TaborError *error) {
-  const TaborAllocator allocator = tb_allocator_resolve(&(TaborAllocator){.context = NULL});
+  const TbArena arena = plain_arena();
   const double tension = which == TABOR_HEAD_RESONANT ? def->resonant.tension : def->batter.tension;
   TbPitchAir air;
   TaborStatus status = TABOR_ERROR_MEMORY;
-  if (tb_pitch_air_prepare(&air, def, &allocator)) {
+  if (tb_pitch_air_prepare(&air, def, &arena)) {
     status = tb_head_pitch(&air, def, which, tension, pitch);
   }
   tb_pitch_air_release(&air);

@@ -13,11 +13,14 @@ static float sound[FRAMES];
 
 int main(void) {
   TaborDrumDef def;
+  TaborModelOptions options;
   TaborModel *model = NULL;
   TaborDrum *drum = NULL;
   TaborError error;
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_LIVE;
   if (tabor_drum_def_preset(&def, "tabor", &error) != TABOR_OK ||
-      tabor_model_create(&def, NULL, &model, &error) != TABOR_OK ||
+      tabor_model_create(&def, &options, &model, &error) != TABOR_OK ||
       tabor_drum_create(model, &drum, &error) != TABOR_OK) {
     (void)fprintf(stderr, "minimal: %s\n", error.message);
     tabor_model_release(model);

@@ -26,10 +26,10 @@ _tabor_option() {
     }' | sed 's/^ *//'
 }
 
-# The words that the text of an option lists: "draft, live, studio or reference (default ...".
+# The words that the text of an option lists: "draft, live, studio or reference (default ...", "of normal and buzz, ...".
 _tabor_choices() {
-  sed -nE 's/^[A-Z]+ +((([a-z0-9]+), )*([a-z0-9]+) or ([a-z0-9]+))( .*|$)/\1/p' <<<"$1" |
-    sed -E 's/,| or / /g'
+  sed -nE 's/^[A-Z]+ +(of )?((([a-z0-9]+), )*([a-z0-9]+) (or|and) ([a-z0-9]+))([ ,].*|$)/\2/p' <<<"$1" |
+    sed -E 's/,| or | and / /g'
 }
 
 # The preset that the line so far names, to ask the program about its keys and microphones.
@@ -44,6 +44,21 @@ _tabor_preset() {
 }
 
 _tabor_presets() { "$_tabor_program" presets 2>/dev/null | sed -E 's/ .*//'; }
+
+_tabor_kits() { "$_tabor_program" presets --kits 2>/dev/null | sed -E 's/ .*//'; }
+
+# Sound outputs, by the part of their names behind the colon, as words of the command line.
+_tabor_devices() {
+  local name
+  "$_tabor_program" devices 2>/dev/null | sed -nE 's/^[^:]*: *(.*): [0-9]+ channels, .*/\1/p' | sed 's/ (default)$//' |
+    while IFS= read -r name; do printf '%q\n' "$name"; done
+}
+
+# Values of key $1 of the preset, if it takes words: the program lists them when it refuses another one.
+_tabor_values() {
+  # shellcheck disable=SC2046
+  "$_tabor_program" show $(_tabor_preset) --set "$1=?" 2>&1 >/dev/null | sed -nE '/ is none of: / { s/.* is none of: //; s/,//g; p; }'
+}
 
 # Keys of the preset, as "batter.tension=".
 _tabor_keys() {
@@ -68,8 +83,15 @@ _tabor_complete_value() {
       compopt -o nospace
       mapfile -t COMPREPLY < <(compgen -W "$(_tabor_keys)" -- "$3") ;;
     NAME)
-      if [ "$2" != --mic ]; then return; fi
-      mapfile -t COMPREPLY < <(compgen -W "$(_tabor_mics)" -- "$3") ;;
+      case $2 in
+        --mic) mapfile -t COMPREPLY < <(compgen -W "$(_tabor_mics)" -- "$3") ;;
+        --device) mapfile -t COMPREPLY < <(_tabor_devices | awk -v start="${3//\\/\\\\}" 'index($0, start) == 1') ;;
+      esac ;;
+    KIT) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -W "$(_tabor_kits)" -- "$3"; compgen -f -- "$3") ;;
+    LIST)
+      local listed= # what stands before the last comma
+      if [[ $3 == *,* ]]; then listed=${3%,*},; fi
+      mapfile -t COMPREPLY < <(compgen -P "$listed" -W "$(_tabor_choices "$text")" -- "${3##*,}") ;;
     FILE | FOLDER | DIRECTORY | DIR) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$3") ;;
     *) mapfile -t COMPREPLY < <(compgen -W "$(_tabor_choices "$text")" -- "$3") ;;
   esac
@@ -82,9 +104,17 @@ _tabor() {
     mapfile -t COMPREPLY < <(compgen -W "$(_tabor_help "")" -- "$word")
     return
   fi
-  # bash takes '=' for a word of its own: --quality=live is three.
-  if [ "$word" = "=" ]; then word=; fi
-  if [ "$before" = "=" ]; then before=${COMP_WORDS[COMP_CWORD - 2]}; fi
+  # bash takes '=' for a word of its own: --quality=live is three, and --set wires.count=4 four.
+  local key=
+  if [ "$word" = "=" ]; then
+    word= key=$before
+  elif [ "$before" = "=" ]; then
+    key=${COMP_WORDS[COMP_CWORD - 2]} before=$key
+  fi
+  if [[ $key == [a-z]*.* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$(_tabor_values "$key")" -- "$word")
+    return
+  fi
   if [[ $before == -* ]] && _tabor_complete_value "$command" "$before" "$word"; then return; fi
   if [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$(_tabor_help "$command")" -- "$word")

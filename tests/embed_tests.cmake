@@ -39,10 +39,12 @@ set_tests_properties(test_shared_build PROPERTIES FIXTURES_SETUP shared_build CO
 tabor_add_embed_test(test_shared_library NEEDS_SHARED)
 tabor_add_embed_test(test_install NEEDS_SHARED)
 tabor_add_embed_test(test_subproject)
+set_tests_properties(test_subproject PROPERTIES COST 100) # it builds the engine twice
 # It builds everything but the tests.
 tabor_add_embed_test(test_first_page)
 set_tests_properties(test_first_page PROPERTIES TIMEOUT 3600 COST 150)
 tabor_add_embed_test(test_embedding)
+tabor_add_embed_test(test_other_systems)
 tabor_add_embed_test(test_manual)
 tabor_add_embed_test(test_packages NEEDS_SHARED)
 tabor_add_embed_test(test_abi NEEDS_SHARED)

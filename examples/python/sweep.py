@@ -22,6 +22,7 @@ import io
 import itertools
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -30,7 +31,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, NamedTuple, Sequence, Tuple
 
 import dask
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, LocalCluster, as_completed, get_worker
 from distributed.scheduler import KilledWorker
 
 STROKE_FIELDS = ("velocity", "midi", "radius", "angle", "striker")
@@ -108,7 +109,7 @@ def said(program: str, *arguments: str) -> str:
 
 def perform(job: Job, program: str) -> Tuple[str, bytes]:
     """Renders a job: what was refused, or "", and the bytes of the sound file."""
-    with tempfile.TemporaryDirectory(prefix="tabor-") as folder:
+    with tempfile.TemporaryDirectory(dir=get_worker().local_directory) as folder:  # goes with the worker
         preset = job["preset"]
         if preset is None:
             preset = os.path.join(folder, "drum.ini")
@@ -232,9 +233,15 @@ def read_options(arguments: Sequence[str]) -> argparse.Namespace:
     return options
 
 
+def terminate(number: int, frame: object) -> None:
+    """A termination ends the workers and removes their folders, as an interrupt does."""
+    sys.exit(128 + number)
+
+
 def main() -> int:
     """Does what of the sweep is not there yet."""
     options = read_options(sys.argv[1:])
+    signal.signal(signal.SIGTERM, terminate)
     try:
         version = json.loads(said(options.program, "--version", "--json"))["version"]
         jobs = {name_of(job): job for job in make_jobs(options, version)}

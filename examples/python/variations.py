@@ -42,7 +42,8 @@ def main() -> None:
     options = parser.parse_args()
 
     def progress(done: int, total: int) -> None:
-        print(f"\r{done} of {total}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+        if sys.stderr.isatty():
+            print(f"\r{done} of {total}", end="\n" if done == total else "", file=sys.stderr, flush=True)
 
     drums = variations(options.preset, options.count, options.seed)
     start, used = time.perf_counter(), time.process_time()

@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: MIT
 import json
-import os
-import signal
-import threading
-import time
 
 import numpy as np
 import pytest
@@ -59,16 +55,3 @@ def test_an_estimate_names_what_to_lower():
     estimate = tabor.Model.estimate(largest, sample_rate=192000, quality="reference")
     assert estimate.seconds > 60 and estimate.bytes > 1e9 and estimate.key == "wires.count"
     assert tabor.Model.estimate("tabor").seconds < 1
-
-
-def test_ctrl_c_ends_a_build():
-    start = time.process_time()
-    tabor.Model("piccolo-13x3.5", quality="studio")
-    whole = time.process_time() - start
-    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
-    start = time.process_time()
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        tabor.Model("piccolo-13x3.5", quality="studio")
-    assert time.process_time() - start < 0.5 * whole
-    timer.join()

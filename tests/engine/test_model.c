@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* What tabor_model_create() and its like refuse, and how they say it. */
-#define _POSIX_C_SOURCE 200809L
 #include "model/build_estimate.h"
 #include "physics.h"
 
@@ -79,22 +78,32 @@ static TaborDrumDef largest_drum(void) {
 /* The memory, which a test can count, is right within the factor of 3 that the header promises. */
 static size_t most_bytes, now_bytes;
 
+enum { ALIGNMENT = 64 };
+
+/* Stands before each block of memory. Not every system has an aligned allocation that free() takes back. */
+typedef struct Counted {
+  void *start; /* of malloc() */
+  size_t size;
+} Counted;
+
 static void *counted_allocate(size_t size, void *context) {
   (void)context;
-  size_t *memory = NULL;
-  if (posix_memalign((void **)&memory, 64, size + 64) != 0) return NULL;
-  *memory = size;
+  char *const start = malloc(size + sizeof(Counted) + ALIGNMENT);
+  if (!start) return NULL;
+  char *const least = start + sizeof(Counted);
+  char *const memory = least + (ALIGNMENT - (uintptr_t)least % ALIGNMENT);
+  ((Counted *)memory)[-1] = (Counted){start, size};
   now_bytes += size;
   if (now_bytes > most_bytes) most_bytes = now_bytes;
-  return memory + 8;
+  return memory;
 }
 
 static void counted_release(void *memory, void *context) {
   (void)context;
   if (!memory) return;
-  size_t *const first = (size_t *)memory - 8;
-  now_bytes -= *first;
-  free(first);
+  const Counted *const counted = (Counted *)memory - 1;
+  now_bytes -= counted->size;
+  free(counted->start);
 }
 
 static TaborModelOptions counted_options(uint32_t quality) {

@@ -8,7 +8,7 @@
 install_tree "$STATIC_BUILD" "$scratch/tree"
 use_pkg_config "$scratch/tree"
 read -ra flags <<<"$(pkg-config --cflags --libs tabor)"
-strict=(-std=c11 -O2 -Wall -Wextra -Werror -I"$scratch")
+strict=(-std=c11 -O2 -Wall -Wextra -Werror -I"$scratch" -I"$SOURCE/examples")
 
 awk '/^```c$/ { piece++; inside = 1; next } /^```$/ { inside = 0 } inside { print > (piece == 1 ? "whole.c" : "pieces.c") }' \
   "$SOURCE/docs/embedding.md"
@@ -17,8 +17,10 @@ quietly "$CC" "${strict[@]}" whole.c "${flags[@]}" -o whole
 lines=$(grep -c '[^ ]' whole.c)
 ((lines >= 25 && lines <= 35)) || complain "the program has $lines lines"
 ./whole
-[ "$(stat -c %s snare.raw)" = $((4 * 96000)) ] || complain "the program writes two seconds"
-strokes=$(od -An -v -t f4 -w4 snare.raw | awk '
+header=44 # bytes
+[ "$(stat -c %s snare.wav)" = $((header + 4 * 96000)) ] || complain "the program does not write two seconds"
+"$TABOR" analyze snare.wav >log || complain "the program writes no sound file"
+strokes=$(od -An -v -t f4 -w4 -j $header snare.wav | awk '
   { level = $1 < 0 ? -$1 : $1; if (level > peak[int(NR / 24000)]) peak[int(NR / 24000)] = level }
   END { for (i = 0; i < 4; i++) count += peak[i] > 0.05; print count }')
 [ "$strokes" = 4 ] || complain "$strokes of its 4 strokes are heard"

@@ -15,6 +15,7 @@ quietly "$python" "$examples/tension_sweep.py" --preset frame-drum --steps 3 -o 
 quietly "$python" -W error "$examples/tutorial.py" -o tutorial
 [ "$(find tutorial -name '[1-8]-*.png' -size +8k | wc -l)" = 8 ] || complain "lessons without a picture: $(ls -l tutorial)"
 quietly "$python" -W error "$examples/variations.py" --count 2 --duration 0.1 --preset tom-12 -o sounds.npy
+if grep -q $'\r' log; then complain "a file has the progress that is for terminals"; fi
 quietly "$python" -c "import numpy; assert numpy.load('sounds.npy').shape == (2, 1, 1, 4800)"
 
 has_python_tools || { skip_part "types of the Python package: $no_python_tools"; exit 0; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Completion in bash: commands, options, choices, presets, keys and microphones, as the program has them.
+# Completion in bash: commands, options, choices, presets, kits, keys, their values, microphones and outputs, as the program has them.
 completion=$(cd "$(dirname "$0")/../../host" && pwd)/completion.bash
 # shellcheck source=tests/support/host_checks.sh
 . "$(dirname "$0")/../support/host_checks.sh"
@@ -41,6 +41,25 @@ completes "wires.strainer= wires.strainer_travel=" render snare-14x5.5 --set wir
 completes "" render frame-drum --mic near
 completes "near" render snare-14x5.5 -o x.wav --mic ne
 completes "" play --device to
+completes "frame-drums" play --kit fr
+completes "frame-drums jazz marching standard" library --kit ""
+completes "buzz normal" library --techniques ""
+completes "normal,buzz" library --techniques normal,b
+completes "booth hall none studio" render --set room.kind =
+completes "studio" render --set room.kind = st
+completes "studio" render --set = room.kind = st
+completes "" render --set wires.count = 2
+
+# A machine with sound outputs: their names have blanks and colons.
+cat >with-outputs <<END
+#!/bin/sh
+if [ "\$1" != devices ]; then exec "$TABOR" "\$@"; fi
+echo "ALSA: Card One: Analog (hw:0,0) (default): 2 channels, 48000 Hz, 8.7 ms"
+echo "JACK Audio Connection Kit: system: 2 channels, 48000 Hz, 5.3 ms"
+END
+chmod +x with-outputs
+TABOR=./with-outputs completes "Card\\ One:\\ Analog\\ \\(hw:0\\,0\\)" play --device 'Card\ O'
+TABOR=./with-outputs completes "system" play --device s
 touch own.ini other.wav
 completes "own.ini" render ow
 completes "other.wav" render -o ot

@@ -88,6 +88,21 @@ holds "the jobs of the killed worker are done again" "$(calls) > 12"
 kill $survivor $scheduler
 wait $survivor $scheduler
 
+# ---- a sweep that is terminated, with its workers at work ----
+
+rm -f calls held
+touch hold
+mkdir temporary
+env -u DASK_TEMPORARY_DIRECTORY TMPDIR="$work/temporary" \
+  "$python" "$source/examples/python/sweep.py" "${study[@]}" -o ended --workers 2 >"$out" 2>"$err" &
+child=$!
+check "it is at its fourth job" wait_for test -e held
+kill -TERM $child
+wait $child
+same "status of a terminated sweep" 143 $?
+rm hold
+same "its workers leave nothing behind" "" "$(ls temporary)"
+
 # ---- wrong requests ----
 
 says() {

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ._library import Error, check, choice_of, ffi, fields, index_of, lib, saved_state, text
 from ._numbers import whole
+from ._pieces import Piece, pieces
 from .definition import Definition
 from .events import TECHNIQUES, TYPES, Event, Placed, live_parameter, place
 from .model import Model, model_of
@@ -184,8 +185,11 @@ class Drum:
         Raises
         ------
         ValueError
-            An event is later than these frames, or needs what the drum has not. The drum then stays as it is, as
-            after every other exception.
+            An event is later than these frames, or needs what the drum has not. The drum then stays as it is.
+        KeyboardInterrupt
+            Ctrl-C, or what else a signal's handler raises, ends the call after some milliseconds of sound. The drum can be
+            used: it has played the frames that `statistics` counts, with their events, and none of the later ones. `out` has
+            their sound.
         """
         frames = whole("process: frames", frames, 0, _MOST_FRAMES)
         if out is None:
@@ -196,14 +200,19 @@ class Drum:
 
     def _play(self, placed: Sequence[Placed], out: NDArray[np.float32]) -> None:
         """As `process`, into an array that fits, with events that have their frames."""
-        rows = pointers(out)
         with self._lock:
             prepared = self._prepare(placed)
             try:
-                self._swaps += prepared.swaps
-                lib.tabor_drum_process(self._c, prepared.events, len(placed), rows, out.shape[1])
+                for piece in pieces(out.shape[1], list(prepared.events)):
+                    self._advance(prepared, piece, pointers(out[:, piece.start:piece.start + piece.frames]))
             finally:
                 self._settle(prepared)
+
+    def _advance(self, prepared: _Prepared, piece: Piece, rows: Any) -> None:
+        """Plays the next piece."""
+        end = piece.first + piece.events
+        self._swaps += [swap for swap in prepared.swaps[piece.first:end] if swap is not None]
+        lib.tabor_drum_process(self._c, prepared.events + piece.first, piece.events, rows, piece.frames)
 
     def trace(self, frames: int, events: Sequence[Event] = ()) -> NDArray[np.void]:
         """Plays on and returns what moves, instead of the sound.
@@ -219,6 +228,11 @@ class Drum:
         -------
         ndarray of TRACE, shape (frames,)
             A row after each sample.
+
+        Raises
+        ------
+        ValueError, KeyboardInterrupt
+            As from `process`.
         """
         frames = whole("trace: frames", frames, 0, _MOST_FRAMES)
         placed = place(events, self._model.sample_rate, frames)
@@ -226,29 +240,22 @@ class Drum:
         with self._lock:
             prepared = self._prepare(placed)
             try:
-                self._swaps += prepared.swaps
-                self._trace(placed, prepared.events, rows)
+                self._trace(prepared, rows)
             finally:
                 self._settle(prepared)
         return rows
 
-    def _trace(self, placed: Sequence[Placed], events: Any, rows: NDArray[np.void]) -> None:
+    def _trace(self, prepared: _Prepared, rows: NDArray[np.void]) -> None:
         """Plays sample by sample, and fills a row after each."""
         probe, ledger = ffi.new("TaborProbe *"), ffi.new("TaborLedger *")
         start = self._statistics().frames + 1
-        at = 0
-        for frame in range(len(rows)):
-            first = at
-            while at < len(placed) and placed[at][0] == frame:
-                events[at].frame = 0
-                at += 1
-            lib.tabor_drum_process(self._c, events + first, at - first, ffi.NULL, 1)
+        for piece in pieces(len(rows), list(prepared.events), 1):
+            self._advance(prepared, piece, ffi.NULL)
             lib.tabor_drum_probe(self._c, probe)
             lib.tabor_drum_ledger(self._c, ledger)
-            rows[frame] = ((start + frame) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
-                           probe.striker_force, probe.wire_force, ledger.stored)
-        if at < len(placed):  # a trace of no frames
-            lib.tabor_drum_process(self._c, events + at, len(placed) - at, ffi.NULL, 0)
+            rows[piece.start:piece.start + piece.frames] = (
+                (start + piece.start) / self._model.sample_rate, probe.head, probe.wire, probe.striker,
+                probe.striker_force, probe.wire_force, ledger.stored)
 
     def _prepare(self, placed: Sequence[Placed]) -> _Prepared:
         """The events for the library. Changes nothing, so that an event may be refused."""
@@ -256,10 +263,11 @@ class Drum:
         for frame, event in placed:
             model = models[-1]
             values = _values(frame, event, model)
+            swap = None
             if "model" in event.fields:
                 models.append(event.fields["model"])
-                swaps.append(self._swap(model, models[-1]))
-                values["swap"] = swaps[-1]
+                swap = values["swap"] = self._swap(model, models[-1])
+            swaps.append(swap)
             made.append(values)
         return _Prepared(ffi.new("TaborEvent[]", made), swaps, models)
 
@@ -378,7 +386,7 @@ class _Prepared(NamedTuple):
     """Events as the library takes them, with what must live as long as they do."""
 
     events: Any
-    swaps: List[Any]
+    swaps: List[Any]  # of each event; None of most
     models: List[Model]  # before the first event, and after each swap
 
 

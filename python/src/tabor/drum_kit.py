@@ -14,6 +14,7 @@ from ._ini import read_pairs
 from ._kit_maps import MAPS
 from ._library import Error, UnknownNameError, check, encoded, ffi, fields, lib, text
 from ._numbers import number, whole
+from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
 from .events import Event, place
@@ -161,15 +162,19 @@ class Kit:
         ValueError
             An event is later than these frames, is for no drum of the kit, or is a swap, which kits do not take. The kit
             then stays as it is.
+        KeyboardInterrupt
+            Ctrl-C ends the call as that of `Drum.process`: the kit can be used, and has played the frames that `statistics`
+            counts.
         """
         frames = whole("process: frames", frames, 0, _MOST_FRAMES)
         made = ffi.new("TaborKitEvent[]", self._prepare(events, frames))
         out = np.empty((2, frames), np.float32)
         outputs = ffi.new("TaborKitOutputs *")
-        for side in range(2):
-            outputs.stereo[side] = ffi.cast("float *", out[side].ctypes.data)
         with self._lock:
-            lib.tabor_kit_process(self._c, made, len(made), outputs, frames)
+            for piece in pieces(frames, [row.event for row in made], KIT_PIECE):
+                for side in range(2):
+                    outputs.stereo[side] = ffi.cast("float *", out[side, piece.start:].ctypes.data)
+                lib.tabor_kit_process(self._c, made + piece.first, piece.events, outputs, piece.frames)
         return out
 
     def midi_events(self, path: Path, *, notes_of: Optional[str] = None,
@@ -242,6 +247,11 @@ class Kit:
         -------
         ndarray of float32, shape (2, frames)
             The stereo mix.
+
+        Raises
+        ------
+        ValueError, KeyboardInterrupt
+            As from `process`.
         """
         frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
         if isinstance(events, (str, os.PathLike)):

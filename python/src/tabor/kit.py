@@ -34,6 +34,11 @@ class _Jobs:
         """True once a job has failed, or all are given up."""
         return self.error is not None
 
+    def go_on(self, done: float) -> None:
+        """Hears of a model's build, and ends it once the jobs are given up."""
+        if self.stopped():
+            raise InterruptedError("the jobs are given up")
+
     def add(self, jobs: Sequence[_Job]) -> None:
         """Adds jobs, to be done in this order."""
         with self._changed:
@@ -219,7 +224,7 @@ def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Happening]] =
     def build(drum: Playable, places: Sequence[int]) -> _Job:
         def job() -> None:
             try:
-                model = model_of(drum, rate, quality)
+                model = model_of(drum, rate, quality, jobs.go_on)
                 setting = Setting(model, heard_mics(model, mics))
             except Error as error:
                 raise _marked(error, places[0]) from None

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,23 +66,30 @@ def _resolved(definition: Union[Definition, str], sample_rate: Optional[float],
     return definition, options
 
 
-class _Interruption:
-    """Lets Python's signal handlers run while the library builds a model, and keeps what they raise."""
+#: Hears how far a build is, from 0 to 1; what it raises ends the build.
+Progress = Callable[[float], object]
 
-    def __init__(self, options: Any) -> None:
+
+class _Interruption:
+    """Lets Python's signal handlers and `progress` run while the library builds a model, and keeps what they raise."""
+
+    def __init__(self, options: Any, progress: Optional[Progress]) -> None:
+        self._progress = progress
         self.raised: Optional[BaseException] = None
         self._call = ffi.callback("bool(double, void *)", self._go_on, error=False, onerror=self._keep)
         options.progress = self._call
 
     def _go_on(self, done: float, context: Any) -> bool:
+        if self._progress:
+            self._progress(done)
         return True  # a signal's handler runs here, as in any Python code
 
     def _keep(self, kind: Any, raised: BaseException, traceback: Any) -> None:
         self.raised = raised
 
 
-def _create(definition: Definition, options: Any, model: Any) -> None:
-    interruption = _Interruption(options)
+def _create(definition: Definition, options: Any, model: Any, progress: Optional[Progress]) -> None:
+    interruption = _Interruption(options, progress)
     try:
         check(lib.tabor_model_create, definition._c, options, model)
     except Error:
@@ -102,6 +109,9 @@ class Model:
         [Hz], 22,050 to 192,000; 48,000 unless given.
     quality : {"live", "draft", "studio", "reference", "definition"}, optional
         Accuracy against cost; ``"definition"``: as ``quality.level`` of the definition says. ``"live"`` unless given.
+    progress : callable, optional
+        Called as ``progress(done)`` in the calling thread every few milliseconds, with `done` from 0 to 1. What it raises
+        ends the build.
 
     Raises
     ------
@@ -115,10 +125,10 @@ class Model:
     """
 
     def __init__(self, definition: Union[Definition, str], sample_rate: Optional[float] = None,
-                 quality: Optional[str] = None) -> None:
+                 quality: Optional[str] = None, *, progress: Optional[Progress] = None) -> None:
         definition, options = _resolved(definition, sample_rate, quality)
         model = ffi.new("TaborModel **")
-        _create(definition, options, model)
+        _create(definition, options, model, progress)
         self._c = ffi.gc(model[0], lib.tabor_model_release)
         self._definition = Definition._of(lib.tabor_model_definition(self._c)[0])
         self._rate = float(options.sample_rate)
@@ -173,10 +183,11 @@ class Model:
 Playable = Union[Model, Definition, str]
 
 
-def model_of(playable: Playable, sample_rate: Optional[float] = None, quality: Optional[str] = None) -> Model:
+def model_of(playable: Playable, sample_rate: Optional[float] = None, quality: Optional[str] = None,
+             progress: Optional[Progress] = None) -> Model:
     """The model itself, or one that is computed."""
     if not isinstance(playable, Model):
-        return Model(playable, sample_rate, quality)
+        return Model(playable, sample_rate, quality, progress=progress)
     if sample_rate not in (None, playable.sample_rate):
         raise ValueError(f"the model is for {playable.sample_rate:g} Hz, not for {sample_rate:g} Hz")
     if quality not in (None, playable.info.quality):

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._numbers import number
+from ._pieces import PIECE
 from .drum import Drum, chosen
 from .events import Event, Placed, place, strike
 from .midi import Path, midi_events
@@ -19,8 +20,6 @@ from .room import Room, RoomFade
 
 #: What happens to a drum: events, or the name of a MIDI file.
 Happening = Union[Sequence[Event], Path]
-
-_BLOCK = 4800  # frames between two looks at whether to stop
 
 # When a sound has died away, as the program has it (host/sound/ring_out.h).
 _RING_OUT_BLOCK = 256  # frames between two looks at the energy; the length of the sound depends on it
@@ -58,10 +57,10 @@ class Setting:
         """Plays events on a fresh drum, into an array of shape (heard, frames)."""
         frames = out.shape[1]
         playing = _Playing(self, self._place(events, frames))
-        for start in range(0, frames, _BLOCK):
+        for start in range(0, frames, PIECE):
             if stopped():
                 return
-            out[:, start:start + _BLOCK] = playing.play(min(_BLOCK, frames - start))[:self.heard]
+            out[:, start:start + PIECE] = playing.play(min(PIECE, frames - start))[:self.heard]
 
     def ring_out(self, events: Happening, stopped: Callable[[], bool] = lambda: False) -> NDArray[np.float32]:
         """Plays events on a fresh drum until it has died away; an array of shape (heard, frames)."""

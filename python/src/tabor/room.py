@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._library import Error, check, ffi, fields, lib, saved_state
+from ._pieces import pieces
 from .definition import Definition
 from .drum import chosen, pointers
 
@@ -107,6 +108,11 @@ class Room:
         -------
         ndarray of float32, shape (len(mics), frames)
             The drum in its room. The sound does not depend on the division into blocks.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            Ctrl-C ends the call after some milliseconds of sound; the room can be used, and has heard the block's beginning.
         """
         sound = np.array(dry, np.float32, order="C", ndmin=2)
         if sound.ndim != 2 or len(sound) != len(self._mics):
@@ -116,21 +122,24 @@ class Room:
 
     def _add(self, sound: NDArray[np.float32]) -> None:
         """As `process`, in place, for rows that are contiguous."""
-        rows, places = pointers(sound), ffi.new("float *[]", int(lib.TABOR_MAX_MICS))
-        for row, place in enumerate(self._places):
-            places[place] = rows[row]
         with self._lock:
-            lib.tabor_room_process(self._c, ffi.cast("const float *const *", places), places, sound.shape[1])
+            for piece in pieces(sound.shape[1], ()):
+                places = self._placed(sound[:, piece.start:piece.start + piece.frames])
+                lib.tabor_room_process(self._c, ffi.cast("const float *const *", places), places, piece.frames)
 
     def _add_tail(self, sound: NDArray[np.float32], weights: NDArray[np.float32]) -> None:
         """Adds what still sounds, times a weight for each frame; it hears nothing."""
         tail = np.zeros(sound.shape, np.float32)
-        rows, places = pointers(tail), ffi.new("float *[]", int(lib.TABOR_MAX_MICS))
+        with self._lock:
+            lib.tabor_room_process(self._c, ffi.NULL, self._placed(tail), sound.shape[1])
+        sound += weights * tail
+
+    def _placed(self, sound: NDArray[np.float32]) -> Any:
+        """Pointers to the rows, each at the place of its microphone."""
+        rows, places = pointers(sound), ffi.new("float *[]", int(lib.TABOR_MAX_MICS))
         for row, place in enumerate(self._places):
             places[place] = rows[row]
-        with self._lock:
-            lib.tabor_room_process(self._c, ffi.NULL, places, sound.shape[1])
-        sound += weights * tail
+        return places
 
     @property
     def is_silent(self) -> bool:

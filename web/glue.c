@@ -47,6 +47,9 @@ typedef struct WebDrum {
   char text[TABOR_TEXT_SIZE];       /**< for JavaScript, until the next call */
   TaborView *view;
   float pictures[PICTURES * MOST_VALUES]; /**< of the last block, one after the other */
+  MidiMap map;
+  MidiToEvents midi;
+  WebMidiAction midi_action;
 } WebDrum;
 
 /* ---- presets -------------------------------------------------------------------------------- */
@@ -130,6 +133,26 @@ EXPORT("drum_text") const char *web_drum_text(WebDrum *web, const char *key) {
 /* For the functions of definition_glue.c; another one once it is built. */
 EXPORT("drum_definition") const TaborDrumDef *web_drum_definition(const WebDrum *web) {
   return definition(web);
+}
+
+/* Begins to play MIDI on the drum as it is defined now, by the default map of docs/midi.md. */
+EXPORT("drum_begin_midi") void web_drum_begin_midi(WebDrum *web) {
+  MidiBinding binding;
+  midi_map_default(&web->map);
+  midi_binding_make(&web->map, definition(web), &binding);
+  midi_to_events_begin(&web->midi, &web->map, &binding);
+}
+
+/* What a message does, until the next call. It does not act on the drum. */
+EXPORT("drum_take_midi")
+const WebMidiAction *web_drum_take_midi(WebDrum *web, uint32_t status, uint32_t first,
+                                        uint32_t second) {
+  const MidiMessage message = web_midi_message(status, first, second);
+  MidiAction action;
+  const bool acts = midi_to_events_take(&web->midi, &message, &action);
+  web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
+  if (acts && action.type == MIDI_ACTION_EVENT) web->midi_action = web_midi_action(0, &action.event);
+  return &web->midi_action;
 }
 
 /* NULL past the last. */

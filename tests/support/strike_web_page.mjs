@@ -98,7 +98,7 @@ async function play(page) {
     await page.keyboard.press(key);
     await page.waitForTimeout(60);
   }
-  for (const [note, velocity] of [[38, 100], [36, 10], [40, 64], [35, 64], [38, 0]]) {
+  for (const [note, velocity] of [[38, 100], [36, 10], [40, 64], [37, 64], [39, 127], [35, 64], [38, 0]]) {
     await sendMidi(page, 0x99, note, velocity);
     await page.waitForTimeout(60);
   }
@@ -107,7 +107,7 @@ async function play(page) {
 }
 
 /** Number of strokes that play() makes. */
-const STROKES = 13;
+const STROKES = 15;
 
 async function save(page, link, file) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByText(link).click()]);
@@ -160,11 +160,11 @@ async function recordDrums(browser) {
   await page.context().close();
 }
 
-/** Notes of all drums of a kit, among them a rimshot, a cross-stick and one that no drum has. */
+/** All notes, among them rimshots, a cross-stick and those that no drum of the kit has. */
 async function playNotes(page) {
-  for (const [note, velocity] of [[36, 100], [38, 90], [42, 80], [48, 70], [45, 127], [41, 64], [40, 100], [37, 64], [36, 20]]) {
-    await sendMidi(page, 0x99, note, velocity);
-    await page.waitForTimeout(70);
+  for (let note = 0; note < 128; note++) {
+    await sendMidi(page, 0x99, note, 1 + ((note * 37) % 127));
+    await page.waitForTimeout(30);
   }
   await page.waitForTimeout(800);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A drum in an engine of its own, whose memory goes with it. index.d.ts describes it.
-import { LEDGER, textAt, withText } from "./engine.js";
+import { LEDGER, change, textAt, withText } from "./engine.js";
 
 const BLOCK = 128; // frames that the engine computes at once at most (web/glue.c)
 const OWN_STRIKER = -1; // of the definition
@@ -85,8 +85,7 @@ export class Drum {
   }
 
   #set(key, value) {
-    const engine = this.#engine;
-    withText(engine, key, (k) => withText(engine, String(value), (v) => engine.drum_set(this.#drum, k, v)));
+    change(this.#engine, this.#engine.drum_set, this.#drum, [key, String(value)]);
     this.#check();
   }
 

@@ -2,7 +2,7 @@
 // Builds drums beside the page. A message { bytes, preset, settings, quality, rate } is answered by { progress }s and then by
 // { drum, memory, facts } or { error }. `memory` holds the drum, at the address `drum`.
 // `settings` are keys and values as [["batter.pitch", "A3"]]. A preset may be a kit (kits.js); its facts have `drums`.
-import { startEngine, textAt, withText } from "./engine.js";
+import { change, startEngine, textAt, withText } from "./engine.js";
 import { kitOf } from "./kits.js";
 
 const TRIALS = 2; // the first is dearer: the engine is still being compiled
@@ -86,11 +86,6 @@ function looksOf({ number }) {
 
 function factsOf(engine, drum) {
   return { ...looksOf(definitionOfDrum(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
-}
-
-/** Changes the definition by `set` of the engine; false with an error. */
-function change(engine, set, instrument, [key, value]) {
-  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
 }
 
 function buildDrum(engine, { preset, settings, quality, rate }) {

@@ -54,6 +54,11 @@ export function textAt(engine, address) {
   return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
 }
 
+/** Changes the definition of a drum or a kit by `set` of the engine; false with an error. */
+export function change(engine, set, instrument, [key, value]) {
+  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
+}
+
 /** Calls `use` with the address of a text. */
 export function withText(engine, text, use) {
   const bytes = new TextEncoder().encode(`${text}\0`);

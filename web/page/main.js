@@ -6,8 +6,8 @@ import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
 import { FilmView } from "./film_view.js";
 import { actionOf } from "./keys.js";
-import { kitOf, listedKit, settingsOfKit, strokeOf } from "./kits.js";
-import { listenToMidi } from "./midi.js";
+import { kitOf, listedKit, settingsOfKit } from "./kits.js";
+import { MidiMap, listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
@@ -29,6 +29,7 @@ const spectrum = new SpectrumView(element("spectrum"));
 const controls = new DrumControls(element("drum-controls"), link, changeDrum);
 let presets = []; // { name, comment }, kits with a name of the list
 let sound = null;
+let midi = null;
 let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
 let hasMoved = false; // it was changed while it sounded
@@ -152,6 +153,7 @@ function useDrum(built) {
   }
   const isFirst = !facts;
   facts = built;
+  midi.follow(preset(), settings());
   hasMoved = false;
   if (!drums()[last.drum]) last.drum = 0;
   last = { drum: last.drum, share: 0, angle: drums()[last.drum].angle };
@@ -186,15 +188,16 @@ function moveStrainer(value) {
   sound.setStrainer(value);
 }
 
-function setSnares(on) {
+const setSnares = (on) => setStrainer(on ? facts.preset.strainer || 1 : 0);
+
+function setStrainer(strainer) {
   const own = facts.preset.strainer;
-  const strainer = on ? own || 1 : 0;
   if (strainer === own) link.delete("wires.strainer");
   else link.set("wires.strainer", strainer);
   showLink();
-  element("snares").checked = on;
+  element("snares").checked = strainer > 0;
   moveStrainer(strainer);
-  view.setSnares(on);
+  view.setSnares(strainer > 0);
 }
 
 /* Of a kit there is none. */
@@ -216,20 +219,23 @@ function stepPreset(step) {
 /* ---- strokes ---- */
 
 /* A place is a share of the radius, so that it is the same on every drum. */
-function strike({ drum = 0, share, angle, velocity, technique = 0 }) {
+function strike({ drum = 0, share, ...stroke }) {
   sound.start();
-  if (!facts) return;
-  const radius = Math.min(share, 1) * drums()[drum].radius;
-  last = { drum, share: Math.min(share, 1), angle, velocity };
+  if (facts) strikePlace({ drum, radius: Math.min(share, 1) * drums()[drum].radius, ...stroke });
+}
+
+/* `radius` is in metres. */
+function strikePlace({ drum, radius, angle, velocity, technique = 0 }) {
+  const share = radius / drums()[drum].radius;
+  last = { drum, share, angle, velocity };
   if (facts.drums) controls.select(facts.drums[drum]); // the drum that was struck last is the one to tune
   sound.strike({ drum, velocity, radius, angle, technique });
 }
 
 /* Where the drum's own stroke goes. */
-function strikeDrum(drum, velocity, technique = 0, isCentre = false) {
+function strikeDrum(drum, velocity) {
   const { radius, place, angle } = drums()[drum];
-  const share = technique === CROSS_STICK ? CROSS_STICK_PLACE : place / radius;
-  strike({ drum, share: isCentre ? 0 : share, angle, velocity, technique });
+  strike({ drum, share: place / radius, angle, velocity });
 }
 
 function strikeWith(technique) {
@@ -253,17 +259,11 @@ function strikeAt(event) {
   strike({ ...place, velocity: velocityOf(event), technique: place.share > 1 ? RIM : 0 });
 }
 
-/* Notes strike where the drum's own stroke does. */
-function actByMidi({ note, velocity, technique, isCentre, snares }) {
-  if (!facts) return;
-  if (snares !== undefined) {
-    if (!element("snares").disabled) setSnares(snares);
-  } else if (facts.drums) {
-    const stroke = strokeOf(facts.drums, note);
-    if (stroke) strikeDrum(stroke.drum, velocity, stroke.technique);
-  } else if (technique !== null) {
-    strikeDrum(0, velocity, technique, isCentre);
-  }
+function actByMidi(message) {
+  sound.start();
+  const action = facts && midi.take(message);
+  if (action?.kind === "stroke") strikePlace(action);
+  if (action?.kind === "strainer") setStrainer(action.value);
 }
 
 function connectMidi() {
@@ -314,7 +314,7 @@ function toggleRecording() {
   const begins = !recorder;
   element("record").setAttribute("aria-pressed", String(begins));
   element("record").textContent = begins ? "Stop recording" : "Record";
-  if (begins) recorder = new Recorder(CHANNELS, RATE, command(), facts.drums);
+  if (begins) recorder = new Recorder(CHANNELS, RATE, command(), facts.drums, midi);
   sound.record(begins);
 }
 
@@ -362,8 +362,7 @@ async function load(file) {
   return response.arrayBuffer();
 }
 
-async function listPresets(bytes) {
-  const engine = await startEngine(bytes);
+function listPresets(engine) {
   const list = (count, name, comment) =>
     Array.from({ length: count }, (_, i) => ({ name: textAt(engine, name(i)), comment: textAt(engine, comment(i)) }));
   const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment);
@@ -434,7 +433,9 @@ function listen() {
 
 async function begin() {
   const bytes = await load("tabor.wasm");
-  presets = await listPresets(bytes);
+  const engine = await startEngine(bytes);
+  presets = listPresets(engine);
+  midi = new MidiMap(engine);
   sound = new Sound(bytes);
   fillPresets();
   showSpeed();

@@ -151,7 +151,8 @@ const WebMidiAction *web_drum_take_midi(WebDrum *web, uint32_t status, uint32_t 
   MidiAction action;
   const bool acts = midi_to_events_take(&web->midi, &message, &action);
   web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
-  if (acts && action.type == MIDI_ACTION_EVENT) web->midi_action = web_midi_action(0, &action.event);
+  if (acts && action.type == MIDI_ACTION_EVENT)
+    web->midi_action = web_midi_action(0, &action.event);
   return &web->midi_action;
 }
 
@@ -424,6 +425,13 @@ EXPORT("drum_process") const float *web_drum_process(WebDrum *web, uint32_t film
 EXPORT("drum_ledger") const TaborLedger *web_drum_ledger(WebDrum *web) {
   tabor_drum_ledger(web->drum, &web->ledger);
   return &web->ledger;
+}
+
+/* Events that the engine did not carry out (TaborStatistics). */
+EXPORT("drum_dropped_events") double web_drum_dropped_events(const WebDrum *web) {
+  TaborStatistics statistics;
+  tabor_drum_statistics(web->drum, &statistics);
+  return (double)statistics.dropped_events;
 }
 
 /* Everything has died away, but perhaps in the room. */

@@ -16,9 +16,9 @@ IMPORT("progress") void report_progress(double done);
 
 /* What a MIDI message does, as numbers for JavaScript. */
 typedef struct WebMidiAction {
-  double kind;  /* a WebMidiKind */
-  double drum;  /* of a kit */
-  double value; /* speed of the stick [m/s]; position of the strainer */
+  double kind;                     /* a WebMidiKind */
+  double drum;                     /* of a kit */
+  double value;                    /* speed of the stick [m/s]; position of the strainer */
   double radius, angle, technique; /* of a stroke [m], [deg] */
 } WebMidiAction;
 

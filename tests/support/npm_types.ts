@@ -14,7 +14,8 @@ export async function play(): Promise<[Float32Array[], Ledger]> {
   drum.strike();
   const channels: Float32Array[] = [...drum.process(128), ...(await render(name, [{ ...stroke, time: 1 }], { duration: 2 }))];
   drum.reset();
-  return [channels, drum.ledger()];
+  const dropped: number = drum.droppedEvents;
+  return [dropped > 0 ? [] : channels, drum.ledger()];
 }
 
 export const told = (error: unknown): string => (error instanceof TaborError ? `${error.key} ${error.minimum}` : "");

@@ -4,7 +4,7 @@ import { LEDGER, change, textAt, withText } from "./engine.js";
 
 const BLOCK = 128; // frames that the engine computes at once at most (web/glue.c)
 const OWN_STRIKER = -1; // of the definition
-const MOST_EVENTS = 64; // of a block, one of which is the drum's own
+const MOST_EVENTS = 63; // of a block, beside the drum's own (web/glue.h)
 const QUALITIES = ["draft", "live", "studio", "reference"]; // the engine counts from 1
 // By the engine's numbers; "buzz" and "sweep" need a hand that lifts the stick again.
 const TECHNIQUES = { normal: 0, rimshot: 2, "cross-stick": 3, rim: 4 };
@@ -18,7 +18,13 @@ export class TaborError extends RangeError {
   }
 }
 
+/** What WebAssembly would refuse, or convert, only once the event is due. */
+function needNumber(key, value) {
+  if (typeof value !== "number") throw new TypeError(`${key} = ${String(value)}: its type is ${typeof value}, not number`);
+}
+
 function wholeFrom(key, value, minimum) {
+  needNumber(key, value);
   if (Number.isInteger(value) && value >= minimum) return;
   throw new TaborError(`${key} = ${value}: allowed: whole numbers from ${minimum} on`, key, value, minimum, Infinity);
 }
@@ -35,8 +41,9 @@ function oneOf(key, value, allowed) {
   throw new TaborError(`${key} = '${value}': allowed: ${allowed.join(", ")}`, key, value);
 }
 
-function inRange(key, value, minimum, maximum, unit) {
-  if (value >= minimum && value <= maximum) return Number(value);
+export function inRange(key, value, minimum, maximum, unit) {
+  needNumber(key, value);
+  if (value >= minimum && value <= maximum) return value;
   const range = `${minimum} to ${maximum}${unit && ` ${unit}`}`;
   throw new TaborError(`${key} = ${value}: allowed: ${range}`, key, value, minimum, maximum);
 }
@@ -49,6 +56,7 @@ export class Drum {
 
   static async create(preset, { quality = "live", sampleRate = 48000, set = {}, mics = [], progress } = {}) {
     const number = 1 + QUALITIES.indexOf(oneOf("quality", quality, QUALITIES));
+    needNumber("sampleRate", sampleRate);
     const drum = new Drum(await start(progress), preset);
     for (const [key, value] of Object.entries(set)) drum.#set(key, value);
     for (const name of mics) drum.#addMic(name);
@@ -138,6 +146,10 @@ export class Drum {
     return Boolean(this.#engine.drum_is_silent(this.#drum));
   }
 
+  get droppedEvents() {
+    return this.#engine.drum_dropped_events(this.#drum);
+  }
+
   get roomEnergy() {
     return this.#engine.room_energy(this.#drum);
   }
@@ -185,20 +197,23 @@ export class Drum {
 
   /* ---- sound ---- */
 
-  /** Hands the engine the events of the next frames. */
-  #send(frames) {
-    const due = this.#events.findIndex(({ frame }) => frame >= this.#frame + frames);
-    const events = this.#events.splice(0, due < 0 ? this.#events.length : due);
-    if (events.length >= MOST_EVENTS) throw new TaborError(`more than ${MOST_EVENTS - 1} events within ${frames} frames`);
-    for (const { frame, send } of events) send(frame - this.#frame);
+  /**
+   * Hands the engine the events of the next block, and returns its length, at most `most` frames. Where events are too many for
+   * one block, it ends before them; where they are at one frame, after 0 frames. The sound does not depend on the division.
+   */
+  #send(most) {
+    const end = Math.min(this.#frame + most, this.#events[MOST_EVENTS]?.frame ?? Infinity);
+    const later = this.#events.findIndex(({ frame }) => frame >= end);
+    const due = end === this.#frame ? MOST_EVENTS : later < 0 ? this.#events.length : later;
+    for (const { frame, send } of this.#events.splice(0, due)) send(frame - this.#frame);
+    return end - this.#frame;
   }
 
   process(frames) {
     wholeFrom("frames", frames, 0);
     const channels = this.mics.map(() => new Float32Array(frames));
     for (let done = 0; done < frames; ) {
-      const count = Math.min(BLOCK, frames - done);
-      this.#send(count);
+      const count = this.#send(Math.min(BLOCK, frames - done));
       const address = this.#engine.drum_play(this.#drum, count);
       const { buffer } = this.#engine.memory;
       channels.forEach((channel, i) => channel.set(new Float32Array(buffer, address + 4 * BLOCK * i, count), done));

@@ -59,7 +59,7 @@ export interface Ledger {
   residual: number;
 }
 
-/** A value that is refused. Nothing was changed. */
+/** A value that is refused. Nothing was changed. A number of another type, as `3n` or `"3"`, is a TypeError instead. */
 export class TaborError extends RangeError {
   /** the key that is wrong, "" if there is none */
   readonly key: string;
@@ -103,6 +103,11 @@ export class Drum {
   process(frames: number): Float32Array[];
 
   ledger(): Ledger;
+  /**
+   * Strokes and changes that were not carried out, since the drum was created or reset: there are 8 sticks, and each is free
+   * again once its stroke has ended.
+   */
+  readonly droppedEvents: number;
   /** Everything has died away. */
   readonly isSilent: boolean;
   /** Energy of what the room holds, of no unit. */

@@ -59,6 +59,12 @@ export class DrumControls {
     return keys.length > 0;
   }
 
+  /** What was built has other values than were chosen, within what is possible: the controls show them. */
+  limit(settings, now) {
+    for (const [key, value] of settings) this.#settings.set(key, value);
+    this.#place(now);
+  }
+
   /** What was chosen has been built. */
   keep() {
     this.#kept = this.settings;

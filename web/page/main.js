@@ -140,7 +140,7 @@ function failBuild(reason) {
     return fail(reason);
   }
   if (!controls.clear()) return fail(reason);
-  refused = reason;
+  refused ||= reason;
   changeDrum();
 }
 
@@ -153,7 +153,6 @@ function useDrum(built) {
   }
   const isFirst = !facts;
   facts = built;
-  midi.follow(preset(), settings());
   hasMoved = false;
   if (!drums()[last.drum]) last.drum = 0;
   last = { drum: last.drum, share: 0, angle: drums()[last.drum].angle };
@@ -165,12 +164,23 @@ function useDrum(built) {
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
   controls.show(drums()[last.drum]);
+  if (facts.limited.length > 0) {
+    controls.limit(facts.limited, drums()[last.drum].now);
+    showLink();
+  }
   controls.keep();
-  say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
+  midi.follow(preset(), settings());
+  say(["Ready", ...remarks()].join(", "));
   refused = "";
   sound.play();
   gapsBefore = sound.gaps ?? 0;
   showSnares();
+}
+
+/* What is not as it was asked for. */
+function remarks() {
+  const limits = facts.limited.map(([key, note]) => `${key} is ${note}: its head can go no further`);
+  return refused ? [`but not as the address says: ${refused}`, ...limits] : limits;
 }
 
 /* They may have been switched while the drum was built. */
@@ -389,7 +399,10 @@ function fillPresets() {
   select.append(...groups);
   const wanted = presets.some(({ name }) => name === link.get("drum"));
   select.value = wanted ? link.get("drum") : "snare-14x5.5";
-  if (!wanted && link.has("drum")) refused = `there is no drum '${link.get("drum")}'`;
+  if (!wanted && link.has("drum")) {
+    controls.clear(); // what was changed of that drum means nothing to another one
+    refused = `there is no drum '${link.get("drum")}', this is ${select.value} instead`;
+  }
   const quality = element("quality");
   quality.value = link.get("quality") ?? "automatic";
   if (quality.selectedIndex >= 0) return;

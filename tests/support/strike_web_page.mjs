@@ -18,7 +18,9 @@ const { chromium } = require("playwright-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 const WAIT = 120_000; // [ms]; nothing here fails because a machine is slow
+const INSECURE = "insecure.test"; // a name for this machine that browsers do not trust as localhost
 const flags = [
+  `--host-resolver-rules=MAP ${INSECURE} 127.0.0.1`,
   "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
 ];
@@ -341,6 +343,69 @@ async function strikeWithoutSnares(browser) {
   await page.context().close();
 }
 
+/** Keeps the page's audio contexts in window.contexts. While window.lacksModules is true, their modules are not there. */
+function keepContexts() {
+  const addModule = globalThis.AudioWorklet?.prototype.addModule; // there is none where browsers do not trust the address
+  globalThis.contexts = [];
+  const Original = globalThis.AudioContext;
+  globalThis.AudioContext = class extends Original {
+    constructor(...options) {
+      super(...options);
+      globalThis.contexts.push(this);
+    }
+  };
+  if (!addModule) return;
+  AudioWorklet.prototype.addModule = function (url) {
+    return addModule.call(this, globalThis.lacksModules ? new URL("nosuch.js", url) : url);
+  };
+}
+
+const untilItRuns = (page) => page.waitForFunction(() => globalThis.contexts.at(-1).state === "running");
+
+/** A page whose errors are expected. */
+async function openUnwatched(browser, address) {
+  const page = await (await browser.newContext()).newPage();
+  page.setDefaultTimeout(WAIT);
+  await page.addInitScript(keepContexts);
+  await page.goto(address);
+  await status(page, "Ready");
+  return page;
+}
+
+/** Sound that was stopped goes on when the page is shown again and at a gesture, also from the state that iOS alone has. */
+async function interrupt(browser) {
+  const page = await openUnwatched(browser, address);
+  await page.getByRole("heading").click();
+  await untilItRuns(page);
+  await page.evaluate(() => globalThis.contexts[0].suspend());
+  await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
+  await untilItRuns(page);
+  await page.evaluate(async () => {
+    await globalThis.contexts[0].suspend();
+    Object.defineProperty(globalThis.contexts[0], "state", { get: () => "interrupted", configurable: true });
+  });
+  await page.getByRole("heading").click();
+  await page.evaluate(() => delete globalThis.contexts[0].state);
+  await untilItRuns(page);
+  await page.context().close();
+}
+
+/** A module that could not be loaded is loaded at the next gesture; where there are no worklets, the page says why. */
+async function lackSound(browser) {
+  const page = await openUnwatched(browser, address);
+  await page.evaluate(() => { globalThis.lacksModules = true; });
+  await page.getByRole("heading").click();
+  await status(page, "There is no sound");
+  await page.evaluate(() => { globalThis.lacksModules = false; });
+  await page.getByRole("heading").click();
+  await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
+  await page.context().close();
+  const insecure = await openUnwatched(browser, address.replace("127.0.0.1", INSECURE));
+  await insecure.mouse.click(...(await placeOf(insecure, 0.1, 0.2)));
+  await status(insecure, "There is no sound: browsers play it only from an address that begins with https:// or http://localhost");
+  await insecure.context().close();
+}
+
 const look = (page, canvas) => page.evaluate((id) => document.getElementById(id).toDataURL(), canvas);
 
 /** How many different pictures a canvas shows within a second. */
@@ -351,6 +416,33 @@ async function countPictures(page, canvas) {
     await page.waitForTimeout(50);
   }
   return pictures.size;
+}
+
+/** What level and spectrum show: dBFS, and the points of the picture that are drawn. */
+const shownSound = (page) => page.evaluate(() => {
+  const spectrum = document.getElementById("spectrum");
+  const upperHalf = new OffscreenCanvas(spectrum.width, Math.round(spectrum.height / 2)).getContext("2d", { willReadFrequently: true });
+  upperHalf.drawImage(spectrum, 0, 0);
+  const { data } = upperHalf.getImageData(0, 0, upperHalf.canvas.width, upperHalf.canvas.height);
+  return { level: document.getElementById("level").value, points: data.filter((value, i) => i % 4 === 3 && value > 0).length };
+});
+
+/** Level and spectrum of a stroke stay while its film runs. */
+async function watchSoundOfFilm(browser) {
+  const page = await open(browser, {});
+  await choose(page, "frame-drum", "draft"); // it dies away sooner than its film ends
+  await page.getByRole("combobox", { name: "How many times slower" }).selectOption("300");
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.2)));
+  await page.locator("#motion-text", { hasText: /^[1-9].* ms/ }).waitFor();
+  const first = await shownSound(page);
+  await page.locator("#motion-text", { hasText: /^[12]\d.* ms/ }).waitFor();
+  const later = await shownSound(page);
+  console.log(`# while the film runs: ${JSON.stringify([first, later])}`);
+  if (later.level < first.level) complain(`the level falls from ${first.level} to ${later.level} during the film`);
+  if (later.points < 0.9 * first.points) complain(`the spectrum falls from ${first.points} to ${later.points} points during the film`);
+  await page.getByRole("checkbox", { name: "Slow motion" }).press(" ");
+  await page.waitForFunction((held) => document.getElementById("level").value < held - 10, later.level);
+  await page.context().close();
 }
 
 /** Slow motion of heads, wires and stick follows a stroke, from the side and from above, and can be switched off. */
@@ -424,7 +516,10 @@ try {
   await followLinks(browser);
   await operate(browser);
   await strikeWithoutSnares(browser);
+  await interrupt(browser);
+  await lackSound(browser);
   await watchSlowMotion(browser);
+  await watchSoundOfFilm(browser);
   await watchLittleMotion(browser);
   await touch(browser);
   if (seconds) await playLong(browser);

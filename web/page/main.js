@@ -34,6 +34,8 @@ let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
 let hasMoved = false; // it was changed while it sounded
 let refused = ""; // why the drum is not as the link says
+let shownPeak = 0; // full scale is 1
+let beginsFilm = false; // a stroke for another film came since the last level
 let gapsBefore = 0; // in the sound of other drums
 let recorder = null;
 let last = { drum: 0, share: 0, angle: 0, speed: 1 }; // the last stroke
@@ -62,12 +64,17 @@ function showFacts() {
   element("comment").textContent = presets.find(({ name }) => name === element("preset").value).comment;
 }
 
-function showLevel(peak) {
+/* While a stroke is shown in slow motion, its level and spectrum stay. */
+function showLevel(now) {
+  const isHeld = film.isOn && !beginsFilm;
+  const peak = isHeld ? Math.max(now, shownPeak) : now;
+  shownPeak = peak;
+  beginsFilm = false;
   const level = peak > 0 ? 20 * Math.log10(peak) : -Infinity;
   element("level").value = Math.max(level, FLOOR);
   element("decibels").value = level < FLOOR ? "−∞ dB" : `${level.toFixed(0).replace("-", "−")} dB`;
   view.setLevel(level);
-  if (peak > 0) spectrum.show(sound.analyser);
+  if (peak > 0) spectrum.show(sound.analyser, isHeld);
 }
 
 function showLedger(ledger) {
@@ -211,8 +218,10 @@ function setStrainer(strainer) {
 }
 
 /* Of a kit there is none. */
+const isFilmed = () => element("slow").checked && !isKit();
+
 function showSlowMotion() {
-  const on = element("slow").checked && !isKit();
+  const on = isFilmed();
   element("slow").disabled = isKit();
   element("slowness").disabled = !on;
   film.setOn(on);
@@ -415,10 +424,12 @@ function listen() {
     progress: showProgress,
     built: useDrum,
     failed: failBuild,
+    silent: (reason) => say(`There is no sound: ${reason}`, true),
     started: () => { element("record").disabled = false; },
     struck: (stroke) => {
       const drum = drums()[stroke.drum];
       if (drum) view.mark(stroke.drum, stroke.radius / drum.radius, stroke.angle, stroke.velocity);
+      if (isFilmed()) beginsFilm ||= film.expect();
       recorder?.addStroke(stroke);
     },
     level: ({ peak }) => showLevel(peak),
@@ -442,6 +453,7 @@ function listen() {
   addEventListener("keydown", pressKey);
   addEventListener("hashchange", () => location.reload()); // somebody has put in another link
   addEventListener("pointerup", () => { if (facts) sound.start(); }); // when a touch allows sound
+  document.addEventListener("visibilitychange", () => { if (!document.hidden) sound.resume(); });
 }
 
 async function begin() {

@@ -165,16 +165,17 @@ EXPORT("mic_name") const char *web_mic_name(const WebDrum *web, uint32_t index) 
 
 static bool pass_progress(double done, void *context) {
   (void)context;
-  report_progress(done);
-  return true;
+  return report_progress(done);
 }
 
-static TaborStatus build_model(WebDrum *web, uint32_t quality, double rate) {
+static TaborStatus build_model(WebDrum *web, uint32_t quality, double rate, WebLimit most) {
   TaborModelOptions options;
   tabor_model_options_default(&options);
   options.sample_rate = rate;
   options.quality = quality;
   options.progress = pass_progress;
+  options.most_seconds = most.seconds;
+  options.most_bytes = (size_t)most.bytes;
   return tabor_model_create(&web->def, &options, &web->model, &web->error);
 }
 
@@ -205,10 +206,10 @@ static TaborStatus build_view(WebDrum *web) {
   return tabor_view_create(web->model, &grid, &web->view, &web->error);
 }
 
-static TaborStatus build(WebDrum *web, uint32_t quality, double rate) {
+static TaborStatus build(WebDrum *web, uint32_t quality, double rate, WebLimit most) {
   TaborError *const error = &web->error;
   if (web->channels == 0) choose_pair(web);
-  TaborStatus status = build_model(web, quality, rate);
+  TaborStatus status = build_model(web, quality, rate, most);
   if (status == TABOR_OK) status = tabor_drum_create(web->model, &web->drum, error);
   if (status == TABOR_OK) status = tabor_room_create(&web->def, rate, NULL, &web->room, error);
   if (status == TABOR_OK) status = build_view(web);
@@ -218,9 +219,12 @@ static TaborStatus build(WebDrum *web, uint32_t quality, double rate) {
   return TABOR_OK;
 }
 
-/* Once. False with an error. */
-EXPORT("drum_build") bool web_drum_build(WebDrum *web, uint32_t quality, double rate) {
-  web->error.status = build(web, quality, rate);
+/* Once. False with an error, also if the model takes more than is allowed; 0 is no limit. */
+EXPORT("drum_build")
+bool web_drum_build(WebDrum *web, uint32_t quality, double rate, double most_seconds,
+                    double most_bytes) {
+  const WebLimit most = {most_seconds, most_bytes};
+  web->error.status = build(web, quality, rate, most);
   return web->error.status == TABOR_OK;
 }
 

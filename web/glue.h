@@ -11,8 +11,13 @@ enum { BLOCK = 128, MOST_EVENTS = 64 };
 #define EXPORT(name) __attribute__((export_name(name)))
 #define IMPORT(name) __attribute__((import_module("tabor"), import_name(name)))
 
-/* Hears how far a model is, 0 to 1. */
-IMPORT("progress") void report_progress(double done);
+/* Hears how far a model is, 0 to 1. False ends the build. */
+IMPORT("progress") bool report_progress(double done);
+
+/* What a build may take at most by its estimate (TaborModelOptions): time [s] on a server of 2024, and memory. */
+typedef struct WebLimit {
+  double seconds, bytes;
+} WebLimit;
 
 /* What a MIDI message does, as numbers for JavaScript. */
 typedef struct WebMidiAction {

@@ -131,11 +131,11 @@ EXPORT("kit_destroy") void web_kit_destroy(WebKit *web) {
 
 static bool pass_progress(double done, void *context) {
   const WebKit *const web = context;
-  report_progress((web->building + done) / web->def.drum_count);
-  return true;
+  return report_progress((web->building + done) / web->def.drum_count);
 }
 
-static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, TaborModel **model) {
+static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, WebLimit most,
+                               TaborModel **model) {
   TaborModelOptions options;
   TaborDrumDef placed;
   TaborModelInfo info;
@@ -143,6 +143,8 @@ static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, Tabor
   options.sample_rate = rate;
   options.quality = quality;
   options.progress = pass_progress;
+  options.most_seconds = most.seconds;
+  options.most_bytes = (size_t)most.bytes;
   options.progress_context = web;
   TaborStatus status = tabor_kit_def_place(&web->def, web->building, &placed, &web->error);
   if (status == TABOR_OK) status = tabor_model_create(&placed, &options, model, &web->error);
@@ -152,12 +154,15 @@ static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, Tabor
   return TABOR_OK;
 }
 
-/* Once. False with an error. */
-EXPORT("kit_build") bool web_kit_build(WebKit *web, uint32_t quality, double rate) {
+/* Once. False with an error, also if a drum's model takes more than is allowed. */
+EXPORT("kit_build")
+bool web_kit_build(WebKit *web, uint32_t quality, double rate, double most_seconds,
+                   double most_bytes) {
+  const WebLimit most = {most_seconds, most_bytes};
   TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
   TaborStatus status = tabor_kit_def_validate(&web->def, &web->error);
   for (; status == TABOR_OK && web->building < web->def.drum_count; web->building++) {
-    status = build_model(web, quality, rate, &models[web->building]);
+    status = build_model(web, quality, rate, most, &models[web->building]);
   }
   if (status == TABOR_OK) status = tabor_kit_create(&web->def, models, &web->kit, &web->error);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) tabor_model_release(models[i]);

@@ -95,6 +95,12 @@ if (few.dropped !== 0 || many.dropped !== 192) complain(`dropped: ${few.dropped}
 if (Buffer.compare(few.sound, many.sound) !== 0) complain("of 200 strokes at once others act than of 8");
 if (Buffer.compare(many.sound, parted.sound) !== 0) complain("many strokes depend on the division into blocks");
 
+/* ---- progress ---- */
+
+const heard = [];
+await Drum.create("snare-14x5.5", { quality: "studio", progress: (done) => heard.push(done) });
+if (!(heard.length > 2 && heard.at(-1) === 1 && heard.every((done, i) => i === 0 || done >= heard[i - 1]))) complain(`progress: ${heard}`);
+
 /* ---- facts ---- */
 
 console.log(`version ${await version()}`);
@@ -128,6 +134,11 @@ await refused(create({ "batter.tention": 3000 }), /batter\.tention.*batter\.tens
 await refused(create({ "batter.pitch": "H3" }), /batter\.pitch.*H3/, { key: "batter.pitch", value: "H3" });
 await refused(create({ "batter.pitch": "A8" }), /batter\.pitch/, { key: "batter.pitch" });
 await refused(create({}, { sampleRate: 1000 }), /1000/);
+await refused(create({ "quality.two_way_bandwidth": 22000 }, { quality: "reference", mostSeconds: 1 }),
+  /would take some .* more than the limit of 1 s: lower [a-z._]+/);
+await refused(create({}, { mostBytes: 1e6 }), /more than the limit of 1 MB/);
+await refused(create({}, { mostSeconds: -1 }), /mostSeconds = -1/);
+await refused(create({}, { progress: () => false }), /cancel/);
 await refused(create({}, { quality: "best" }), /quality.*best.*draft, live/);
 await refused(create({}, { mics: ["topp"] }), /mics.*topp.*top/);
 await refused(create({}, { mics: ["top", "top"] }), /twice/);

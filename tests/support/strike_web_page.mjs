@@ -24,6 +24,7 @@ const flags = [
   "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
 ];
+const DEAREST = "wires.count=40&quality.wire_points=400&quality.two_way_bandwidth=22000"; // more than the page builds
 const drums = [["tom-12", "live"], ["snare-14x5.5", "live"], ["snare-14x5.5", "draft"], ["bass-drum-22", "live"]];
 
 let wrong = 0;
@@ -307,9 +308,57 @@ async function followLinks(browser) {
   await page.context().close();
 }
 
+/** A build can be ended, before there is a drum and after. */
+async function cancel(browser) {
+  const context = await browser.newContext();
+  await context.addInitScript(holdWorkers);
+  const page = await context.newPage();
+  page.setDefaultTimeout(WAIT);
+  watch(page);
+  const cancel = page.getByRole("button", { name: "Cancel" });
+  await page.goto(`${address}#drum=snare-14x8&quality=studio`);
+  await cancel.click();
+  await status(page, "Cancelled; choose a drum");
+  await page.evaluate(() => { globalThis.holdsWorkers = false; });
+  await choose(page, "frame-drum", "draft");
+  await page.evaluate(() => { globalThis.holdsWorkers = true; });
+  const before = [await controlsOf(page), page.url()].join();
+  await page.getByRole("combobox", { name: "Drum" }).selectOption("snare-14x8");
+  await cancel.click();
+  await status(page, "Cancelled; this is the drum before");
+  const after = [await controlsOf(page), page.url()].join();
+  if (after !== before) complain(`after a cancelled build the page has ${after} instead of ${before}`);
+  if (await page.getByRole("combobox", { name: "Drum" }).inputValue() !== "frame-drum") complain("a cancelled drum stays chosen");
+  if (await page.getByRole("group", { name: "Tuning" }).isDisabled()) complain("there is nothing to tune after a cancelled build");
+  if (await cancel.isEnabled()) complain("there is something to cancel when nothing is being built");
+  if (await page.evaluate(() => globalThis.held) !== 2) complain("the workers were not held");
+  await context.close();
+}
+
+/** A model that would take for ever is not built. */
+async function limitBuilds(browser) {
+  const page = await open(browser, {});
+  await page.goto("about:blank");
+  await page.goto(`${address}#drum=frame-drum&quality=studio&${DEAREST}`);
+  await status(page, /Ready, but not as the address says: this model would take .* more than the limit of/);
+  await page.context().close();
+}
+
+/** While window.holdsWorkers is true, workers hear nothing: what they build is never ready. window.held counts these messages. */
+function holdWorkers() {
+  globalThis.holdsWorkers = true;
+  globalThis.held = 0;
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (...message) {
+    if (globalThis.holdsWorkers) globalThis.held++;
+    else postMessage.apply(this, message);
+  };
+}
+
 /** Snares off and on by box, key and controller; the energy account adds up. */
 async function operate(browser) {
   const page = await open(browser, {});
+  await choose(page, "snare-14x5.5", "draft");
   const snares = page.getByRole("checkbox", { name: "Snares on" });
   await page.getByRole("button", { name: "MIDI" }).click();
   await status(page, "1 MIDI input");
@@ -334,6 +383,7 @@ async function operate(browser) {
 /** Snares that are off before there is any sound are off at the first stroke; wires then lose next to nothing. */
 async function strikeWithoutSnares(browser) {
   const page = await open(browser, {});
+  await choose(page, "snare-14x5.5", "draft");
   await page.getByRole("checkbox", { name: "Snares on" }).uncheck();
   await page.mouse.click(...(await placeOf(page, 0.3, 0.1)));
   const share = page.getByRole("row", { name: "lost in the wires" }).getByRole("cell").last();
@@ -475,9 +525,11 @@ async function watchSlowMotion(browser) {
   await page.context().close();
 }
 
-/** Somebody who wants little motion gets none unasked. */
-async function watchLittleMotion(browser) {
+/** The page opens on a cheap drum. Somebody who wants little motion gets none unasked. */
+async function openFirst(browser) {
   const page = await open(browser, { reducedMotion: "reduce" });
+  const drum = await page.getByRole("combobox", { name: "Drum" }).inputValue();
+  if (drum !== "tom-12") complain(`the page opens on ${drum}, which may cost more than the machine has`);
   if (await page.getByRole("checkbox", { name: "Slow motion" }).isChecked()) complain("reduced motion is not heeded");
   await page.context().close();
 }
@@ -514,13 +566,15 @@ try {
   await playKit(browser);
   await tune(browser);
   await followLinks(browser);
+  await cancel(browser);
+  await limitBuilds(browser);
   await operate(browser);
   await strikeWithoutSnares(browser);
   await interrupt(browser);
   await lackSound(browser);
   await watchSlowMotion(browser);
   await watchSoundOfFilm(browser);
-  await watchLittleMotion(browser);
+  await openFirst(browser);
   await touch(browser);
   if (seconds) await playLong(browser);
   for (const scheme of ["light", "dark"]) for (const width of [1100, 360]) await picture(browser, scheme, width);

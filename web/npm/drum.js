@@ -8,6 +8,10 @@ const MOST_EVENTS = 63; // of a block, beside the drum's own (web/glue.h)
 const QUALITIES = ["draft", "live", "studio", "reference"]; // the engine counts from 1
 // By the engine's numbers; "buzz" and "sweep" need a hand that lifts the stick again.
 const TECHNIQUES = { normal: 0, rimshot: 2, "cross-stick": 3, rim: 4 };
+// What building a model may take by the engine's estimate: all presets do with less, at "reference" up to 15 s and 0.9 GB.
+const MOST_SECONDS = 30;
+const MOST_BYTES = 2e9;
+const MOST_MEMORY = 2 ** 32 - 1; // of WebAssembly [bytes]
 const SPEEDS = [0.01, 30]; // [m/s]
 
 export class TaborError extends RangeError {
@@ -54,13 +58,16 @@ export class Drum {
   #events = []; // { frame, send }, in the order in which they act
   #frame = 0;
 
-  static async create(preset, { quality = "live", sampleRate = 48000, set = {}, mics = [], progress } = {}) {
+  static async create(preset, { quality = "live", sampleRate = 48000, set = {}, mics = [], progress,
+    mostSeconds = MOST_SECONDS, mostBytes = MOST_BYTES } = {}) {
     const number = 1 + QUALITIES.indexOf(oneOf("quality", quality, QUALITIES));
     needNumber("sampleRate", sampleRate);
+    inRange("mostSeconds", mostSeconds, 0, Infinity, "s");
+    inRange("mostBytes", mostBytes, 0, MOST_MEMORY, "");
     const drum = new Drum(await start(progress), preset);
     for (const [key, value] of Object.entries(set)) drum.#set(key, value);
     for (const name of mics) drum.#addMic(name);
-    drum.#build(number, sampleRate);
+    drum.#build(number, sampleRate, mostSeconds, mostBytes);
     return drum;
   }
 
@@ -104,8 +111,8 @@ export class Drum {
     }
   }
 
-  #build(quality, sampleRate) {
-    this.#engine.drum_build(this.#drum, quality, sampleRate);
+  #build(quality, sampleRate, mostSeconds, mostBytes) {
+    this.#engine.drum_build(this.#drum, quality, sampleRate, mostSeconds, mostBytes);
     this.#check();
     this.sampleRate = sampleRate;
     const names = this.#names(this.#engine.mic_name);

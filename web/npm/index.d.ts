@@ -26,8 +26,15 @@ export interface DrumOptions {
    * channels, left and right, 12 dB louder, in the drum's room or a studio, as with `--stereo`.
    */
   mics?: readonly string[];
-  /** Hears how far the model is, 0 to 1. */
-  progress?: (done: number) => void;
+  /** Hears how far the model is, 0 to 1. If it returns false, the build ends with a TaborError. */
+  progress?: (done: number) => unknown;
+  /**
+   * What building the model may take by the engine's estimate, on one core of a server of 2024: 30 s unless given; 0 is no limit.
+   * A model that takes more is refused with a TaborError whose key is the parameter to lower.
+   */
+  mostSeconds?: number;
+  /** most memory in the same way, 2e9 bytes unless given */
+  mostBytes?: number;
 }
 
 /** What is missing is as in the drum's own stroke. */

@@ -7,6 +7,10 @@ import { change, startEngine, textAt, withText } from "./engine.js";
 import { kitOf } from "./kits.js";
 import { noteText } from "./note.js";
 
+// What building a model may take by the engine's estimate. All presets do with half of it at `studio`; a browser takes several
+// times as long as the estimate says.
+const MOST_SECONDS = 5;
+const MOST_BYTES = 5e8;
 const TRIALS = 2; // the first is dearer: the engine is still being compiled
 const TRIAL_LENGTH = 0.15; // [s]
 const TRIAL_SPEED = 4.5; // [m/s]
@@ -114,7 +118,7 @@ function buildDrum(engine, { preset, settings, quality, rate }) {
   const limited = limitPitches(definitionOfDrum(engine, drum), "", settings);
   for (const setting of limited) change(engine, engine.drum_set, drum, setting);
   const now = settings.length > 0 ? controlsOf(definitionOfDrum(engine, drum)) : own;
-  if (!engine.drum_build(drum, quality, rate)) return { error: error() };
+  if (!engine.drum_build(drum, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
   const instrument = {
     strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),
     process: () => engine.drum_process(drum, 0),
@@ -155,7 +159,7 @@ function buildKit(engine, name, { settings, quality, rate }) {
     return limitPitches(definitionInKit(engine, kit, i), prefix, settings);
   });
   for (const setting of limited) change(engine, engine.kit_set, kit, setting);
-  if (!engine.kit_build(kit, quality, rate)) return { error: error() };
+  if (!engine.kit_build(kit, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
   const drums = own.map((preset, i) => drumOfKit(engine, kit, preset, i));
   const instrument = {
     strike: (speed) => drums.forEach((_, i) => engine.kit_strike(kit, i, speed, 0, 0, 0)), // all at once

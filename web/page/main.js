@@ -12,6 +12,7 @@ import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
 
+const FIRST_DRUM = "tom-12"; // one that slow machines play in real time, too; snare drums take several times as much
 const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
 const GHOST = 1 / 3; // speed of a ghost note, as a share
 const CROSS_STICK = 3; // the engine's number of this technique
@@ -32,6 +33,7 @@ let sound = null;
 let midi = null;
 let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
+let chosen = null; // { preset, quality } in the lists for the drum that sounds, and which it was `built` at
 let hasMoved = false; // it was changed while it sounded
 let refused = ""; // why the drum is not as the link says
 let shownPeak = 0; // full scale is 1
@@ -55,6 +57,7 @@ function fail(reason) {
 function showProgress(done) {
   element("progress").value = done;
   element("progress").classList.toggle("done", done >= 1);
+  element("cancel").disabled = done >= 1;
 }
 
 function showFacts() {
@@ -128,6 +131,7 @@ function chooseQuality() {
 
 /* Another drum is as it came. */
 function chooseDrum() {
+  refused = "";
   controls.clear();
   controls.wait();
   chooseQuality();
@@ -139,11 +143,26 @@ function changeDrum() {
   buildDrum(tried);
 }
 
+/* To the drum that sounds. */
+function goBack() {
+  element("preset").value = chosen.preset;
+  element("quality").value = chosen.quality;
+  tried = chosen.built;
+  controls.revert(drums()[last.drum]);
+  showLink();
+}
+
+function cancelBuild() {
+  sound.cancel();
+  showProgress(1);
+  if (facts) goBack();
+  say(facts ? "Cancelled; this is the drum before" : "Cancelled; choose a drum");
+}
+
 /* The former drum plays on. At first there is none: the link is wrong. */
 function failBuild(reason) {
   if (facts) {
-    controls.revert(drums()[last.drum].now);
-    showLink();
+    goBack();
     return fail(reason);
   }
   if (!controls.clear()) return fail(reason);
@@ -153,13 +172,14 @@ function failBuild(reason) {
 
 /* A machine that cannot play `live` gets `draft`, if the quality is left to the page. */
 function useDrum(built) {
-  const chosen = element("quality").value;
-  if (chosen === "automatic" && tried === "live" && built.load > MOST_LOAD) {
+  const quality = element("quality").value;
+  if (quality === "automatic" && tried === "live" && built.load > MOST_LOAD) {
     buildDrum("draft");
     return;
   }
   const isFirst = !facts;
   facts = built;
+  chosen = { preset: preset(), quality, built: tried };
   hasMoved = false;
   if (!drums()[last.drum]) last.drum = 0;
   last = { drum: last.drum, share: 0, angle: drums()[last.drum].angle };
@@ -407,7 +427,7 @@ function fillPresets() {
   for (const { name } of presets) groups[Number(kitOf(name) !== null)].append(new Option(kitOf(name) ?? name, name));
   select.append(...groups);
   const wanted = presets.some(({ name }) => name === link.get("drum"));
-  select.value = wanted ? link.get("drum") : "snare-14x5.5";
+  select.value = wanted ? link.get("drum") : FIRST_DRUM;
   if (!wanted && link.has("drum")) {
     controls.clear(); // what was changed of that drum means nothing to another one
     refused = `there is no drum '${link.get("drum")}', this is ${select.value} instead`;
@@ -447,6 +467,7 @@ function listen() {
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
   element("slow").addEventListener("change", showSlowMotion);
   element("slowness").addEventListener("change", (event) => film.setSlowness(Number(event.target.value)));
+  element("cancel").addEventListener("click", cancelBuild);
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
   element("midi").hidden = !navigator.requestMIDIAccess;

@@ -26,11 +26,17 @@ export class Sound extends EventTarget {
   /** Builds a drum beside the one that sounds. Events: "progress", then "built" or "failed". Of the sound itself: "started", or
    * "silent" with a reason. */
   build(preset, settings, quality) {
-    this.#worker?.terminate();
+    this.cancel();
     this.#worker = new Worker(new URL("build_worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#hear(data);
     const number = QUALITIES.indexOf(quality);
     this.#worker.postMessage({ bytes: this.#bytes, preset, settings, quality: number, rate: RATE });
+  }
+
+  /** Ends what is being built. */
+  cancel() {
+    this.#worker?.terminate();
+    this.#worker = null;
   }
 
   /** Plays the drum that was built last. */
@@ -119,8 +125,7 @@ export class Sound extends EventTarget {
 
   #hear(data) {
     if ("progress" in data) return this.#tell("progress", data.progress);
-    this.#worker.terminate();
-    this.#worker = null;
+    this.cancel(); // it has done its work
     if (data.error) return this.#tell("failed", data.error);
     this.#built = data;
     this.#tell("built", data.facts);

@@ -22,6 +22,23 @@ EXPORT("definition_pitch") double web_definition_pitch(const TaborDrumDef *def, 
   return tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK ? pitch : 0;
 }
 
+/* The lowest, 0, or highest, 1, pitch that a head can have [Hz], by the tensions that are allowed; 0 if the drum has no such
+ * head. */
+EXPORT("definition_pitch_limit")
+double web_definition_pitch_limit(const TaborDrumDef *def, uint32_t head, uint32_t which) {
+  const char *const key = head == TABOR_HEAD_BATTER ? "batter.tension" : "resonant.tension";
+  const TaborParameter *const tension = tabor_parameter_find(key);
+  TaborDrumDef *const stretched = malloc(sizeof *stretched);
+  if (!stretched) return 0;
+  *stretched = *def;
+  TaborHeadDef *const skin = head == TABOR_HEAD_BATTER ? &stretched->batter : &stretched->resonant;
+  skin->pitch = 0;
+  skin->tension = which == 0 ? tension->minimum : tension->maximum;
+  const double pitch = web_definition_pitch(stretched, head);
+  free(stretched);
+  return pitch;
+}
+
 /* NULL past the last. */
 EXPORT("definition_striker")
 const char *web_definition_striker(const TaborDrumDef *def, uint32_t index) {

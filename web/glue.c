@@ -47,6 +47,9 @@ typedef struct WebDrum {
   char text[TABOR_TEXT_SIZE];       /**< for JavaScript, until the next call */
   TaborView *view;
   float pictures[PICTURES * MOST_VALUES]; /**< of the last block, one after the other */
+  MidiMap map;
+  MidiToEvents midi;
+  WebMidiAction midi_action;
 } WebDrum;
 
 /* ---- presets -------------------------------------------------------------------------------- */
@@ -132,6 +135,27 @@ EXPORT("drum_definition") const TaborDrumDef *web_drum_definition(const WebDrum 
   return definition(web);
 }
 
+/* Begins to play MIDI on the drum as it is defined now, by the default map of docs/midi.md. */
+EXPORT("drum_begin_midi") void web_drum_begin_midi(WebDrum *web) {
+  MidiBinding binding;
+  midi_map_default(&web->map);
+  midi_binding_make(&web->map, definition(web), &binding);
+  midi_to_events_begin(&web->midi, &web->map, &binding);
+}
+
+/* What a message does, until the next call. It does not act on the drum. */
+EXPORT("drum_take_midi")
+const WebMidiAction *web_drum_take_midi(WebDrum *web, uint32_t status, uint32_t first,
+                                        uint32_t second) {
+  const MidiMessage message = web_midi_message(status, first, second);
+  MidiAction action;
+  const bool acts = midi_to_events_take(&web->midi, &message, &action);
+  web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
+  if (acts && action.type == MIDI_ACTION_EVENT)
+    web->midi_action = web_midi_action(0, &action.event);
+  return &web->midi_action;
+}
+
 /* NULL past the last. */
 EXPORT("mic_name") const char *web_mic_name(const WebDrum *web, uint32_t index) {
   return index < web->def.mic_count ? web->def.mic[index].name : NULL;
@@ -141,16 +165,17 @@ EXPORT("mic_name") const char *web_mic_name(const WebDrum *web, uint32_t index) 
 
 static bool pass_progress(double done, void *context) {
   (void)context;
-  report_progress(done);
-  return true;
+  return report_progress(done);
 }
 
-static TaborStatus build_model(WebDrum *web, uint32_t quality, double rate) {
+static TaborStatus build_model(WebDrum *web, uint32_t quality, double rate, WebLimit most) {
   TaborModelOptions options;
   tabor_model_options_default(&options);
   options.sample_rate = rate;
   options.quality = quality;
   options.progress = pass_progress;
+  options.most_seconds = most.seconds;
+  options.most_bytes = (size_t)most.bytes;
   return tabor_model_create(&web->def, &options, &web->model, &web->error);
 }
 
@@ -181,10 +206,10 @@ static TaborStatus build_view(WebDrum *web) {
   return tabor_view_create(web->model, &grid, &web->view, &web->error);
 }
 
-static TaborStatus build(WebDrum *web, uint32_t quality, double rate) {
+static TaborStatus build(WebDrum *web, uint32_t quality, double rate, WebLimit most) {
   TaborError *const error = &web->error;
   if (web->channels == 0) choose_pair(web);
-  TaborStatus status = build_model(web, quality, rate);
+  TaborStatus status = build_model(web, quality, rate, most);
   if (status == TABOR_OK) status = tabor_drum_create(web->model, &web->drum, error);
   if (status == TABOR_OK) status = tabor_room_create(&web->def, rate, NULL, &web->room, error);
   if (status == TABOR_OK) status = build_view(web);
@@ -194,9 +219,12 @@ static TaborStatus build(WebDrum *web, uint32_t quality, double rate) {
   return TABOR_OK;
 }
 
-/* Once. False with an error. */
-EXPORT("drum_build") bool web_drum_build(WebDrum *web, uint32_t quality, double rate) {
-  web->error.status = build(web, quality, rate);
+/* Once. False with an error, also if the model takes more than is allowed; 0 is no limit. */
+EXPORT("drum_build")
+bool web_drum_build(WebDrum *web, uint32_t quality, double rate, double most_seconds,
+                    double most_bytes) {
+  const WebLimit most = {most_seconds, most_bytes};
+  web->error.status = build(web, quality, rate, most);
   return web->error.status == TABOR_OK;
 }
 
@@ -401,6 +429,13 @@ EXPORT("drum_process") const float *web_drum_process(WebDrum *web, uint32_t film
 EXPORT("drum_ledger") const TaborLedger *web_drum_ledger(WebDrum *web) {
   tabor_drum_ledger(web->drum, &web->ledger);
   return &web->ledger;
+}
+
+/* Events that the engine did not carry out (TaborStatistics). */
+EXPORT("drum_dropped_events") double web_drum_dropped_events(const WebDrum *web) {
+  TaborStatistics statistics;
+  tabor_drum_statistics(web->drum, &statistics);
+  return (double)statistics.dropped_events;
 }
 
 /* Everything has died away, but perhaps in the room. */

@@ -6,9 +6,11 @@
  * A kit is first a definition, which kit_create() takes from a built-in kit and kit_set() changes; kit_build() then makes
  * it sound. It plays its mix, as `tabor render --kit`.
  */
+#include <math.h>
 #include <stdlib.h>
 
 #include "glue.h"
+#include "kit/kit_midi.h"
 #include "tabor/kit.h"
 
 typedef struct WebKit {
@@ -20,6 +22,8 @@ typedef struct WebKit {
   TaborKitEvent events[MOST_EVENTS];
   float sound[2][BLOCK];
   TaborLedger ledger;
+  KitMidi *midi; /**< NULL before kit_begin_midi() */
+  WebMidiAction midi_action;
 } WebKit;
 
 /* ---- built-in kits -------------------------------------------------------------------------- */
@@ -78,15 +82,60 @@ EXPORT("kit_stroke") uint32_t web_kit_stroke(const WebKit *web, uint32_t drum, u
   return web->def.drum[drum].notes[note];
 }
 
+/* ---- MIDI ----------------------------------------------------------------------------------- */
+
+/* Begins to play MIDI on the kit as it is defined now. False if there is no memory. */
+EXPORT("kit_begin_midi") bool web_kit_begin_midi(WebKit *web) {
+  if (!web->midi) web->midi = malloc(sizeof *web->midi);
+  if (web->midi) kit_midi_begin(web->midi, &web->def, &kit_midi_setup_default);
+  return web->midi != NULL;
+}
+
+/* What a message does, until the next call. It does not act on the kit. A controller that moves several drums' snares
+ * moves them alike: the first one tells. */
+EXPORT("kit_take_midi")
+const WebMidiAction *web_kit_take_midi(WebKit *web, uint32_t status, uint32_t first,
+                                       uint32_t second) {
+  const MidiMessage message = web_midi_message(status, first, second);
+  TaborKitEvent events[TABOR_KIT_DRUMS];
+  const uint32_t count = kit_midi_take(web->midi, &message, events);
+  web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
+  if (count > 0) web->midi_action = web_midi_action(events[0].drum, &events[0].event);
+  return &web->midi_action;
+}
+
+/* The velocity at which a note plays nearest to a speed [m/s], as a ratio. */
+EXPORT("kit_velocity")
+uint32_t web_kit_velocity(WebKit *web, uint32_t note, double speed) {
+  uint32_t nearest = 1;
+  double least = INFINITY;
+  for (uint32_t velocity = 1; velocity < MIDI_VALUES; velocity++) {
+    const double played = web_kit_take_midi(web, MIDI_NOTE_ON, note, velocity)->value;
+    const double off = fmax(played / speed, speed / played);
+    if (off < least) {
+      least = off;
+      nearest = velocity;
+    }
+  }
+  return nearest;
+}
+
+/* Before it is built. */
+EXPORT("kit_destroy") void web_kit_destroy(WebKit *web) {
+  if (!web) return;
+  free(web->midi);
+  free(web);
+}
+
 /* ---- the kit -------------------------------------------------------------------------------- */
 
 static bool pass_progress(double done, void *context) {
   const WebKit *const web = context;
-  report_progress((web->building + done) / web->def.drum_count);
-  return true;
+  return report_progress((web->building + done) / web->def.drum_count);
 }
 
-static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, TaborModel **model) {
+static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, WebLimit most,
+                               TaborModel **model) {
   TaborModelOptions options;
   TaborDrumDef placed;
   TaborModelInfo info;
@@ -94,6 +143,8 @@ static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, Tabor
   options.sample_rate = rate;
   options.quality = quality;
   options.progress = pass_progress;
+  options.most_seconds = most.seconds;
+  options.most_bytes = (size_t)most.bytes;
   options.progress_context = web;
   TaborStatus status = tabor_kit_def_place(&web->def, web->building, &placed, &web->error);
   if (status == TABOR_OK) status = tabor_model_create(&placed, &options, model, &web->error);
@@ -103,12 +154,15 @@ static TaborStatus build_model(WebKit *web, uint32_t quality, double rate, Tabor
   return TABOR_OK;
 }
 
-/* Once. False with an error. */
-EXPORT("kit_build") bool web_kit_build(WebKit *web, uint32_t quality, double rate) {
+/* Once. False with an error, also if a drum's model takes more than is allowed. */
+EXPORT("kit_build")
+bool web_kit_build(WebKit *web, uint32_t quality, double rate, double most_seconds,
+                   double most_bytes) {
+  const WebLimit most = {most_seconds, most_bytes};
   TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
   TaborStatus status = tabor_kit_def_validate(&web->def, &web->error);
   for (; status == TABOR_OK && web->building < web->def.drum_count; web->building++) {
-    status = build_model(web, quality, rate, &models[web->building]);
+    status = build_model(web, quality, rate, most, &models[web->building]);
   }
   if (status == TABOR_OK) status = tabor_kit_create(&web->def, models, &web->kit, &web->error);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) tabor_model_release(models[i]);

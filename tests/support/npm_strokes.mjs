@@ -77,6 +77,30 @@ const browsers = await import(pathToFileURL(join(package_, "index.js")));
 await browsers.load(await readFile(join(package_, "tabor.wasm")));
 await keep(await browsers.render("piccolo-13x3.5", [{}], { duration: 0.2 }), "piccolo-13x3.5 --stereo --duration 0.2");
 
+/* ---- many events ---- */
+
+/** Strokes at frame 5, and a softer one later, in blocks of some frames: the sound, and how many strokes were dropped. */
+async function crowd(count, blocks) {
+  const drum = await Drum.create("tom-12", { quality: "draft" });
+  for (let i = 0; i < count; i++) drum.strike({ velocity: 2, frame: 5 });
+  drum.strike({ velocity: 1, frame: 3000 });
+  const parts = blocks.map((frames) => drum.process(frames)[0]);
+  return { sound: Buffer.concat(parts.map((part) => Buffer.from(part.buffer))), dropped: drum.droppedEvents };
+}
+
+const few = await crowd(8, [4800]); // as many sticks as the engine has
+const many = await crowd(200, [4800]);
+const parted = await crowd(200, [3, 2, 1, 100, 4694]);
+if (few.dropped !== 0 || many.dropped !== 192) complain(`dropped: ${few.dropped} of 8 strokes, ${many.dropped} of 200`);
+if (Buffer.compare(few.sound, many.sound) !== 0) complain("of 200 strokes at once others act than of 8");
+if (Buffer.compare(many.sound, parted.sound) !== 0) complain("many strokes depend on the division into blocks");
+
+/* ---- progress ---- */
+
+const heard = [];
+await Drum.create("snare-14x5.5", { quality: "studio", progress: (done) => heard.push(done) });
+if (!(heard.length > 2 && heard.at(-1) === 1 && heard.every((done, i) => i === 0 || done >= heard[i - 1]))) complain(`progress: ${heard}`);
+
 /* ---- facts ---- */
 
 console.log(`version ${await version()}`);
@@ -110,6 +134,11 @@ await refused(create({ "batter.tention": 3000 }), /batter\.tention.*batter\.tens
 await refused(create({ "batter.pitch": "H3" }), /batter\.pitch.*H3/, { key: "batter.pitch", value: "H3" });
 await refused(create({ "batter.pitch": "A8" }), /batter\.pitch/, { key: "batter.pitch" });
 await refused(create({}, { sampleRate: 1000 }), /1000/);
+await refused(create({ "quality.two_way_bandwidth": 22000 }, { quality: "reference", mostSeconds: 1 }),
+  /would take some .* more than the limit of 1 s: lower [a-z._]+/);
+await refused(create({}, { mostBytes: 1e6 }), /more than the limit of 1 MB/);
+await refused(create({}, { mostSeconds: -1 }), /mostSeconds = -1/);
+await refused(create({}, { progress: () => false }), /cancel/);
 await refused(create({}, { quality: "best" }), /quality.*best.*draft, live/);
 await refused(create({}, { mics: ["topp"] }), /mics.*topp.*top/);
 await refused(create({}, { mics: ["top", "top"] }), /twice/);
@@ -126,5 +155,27 @@ await refused(() => drum.process(1.5), /frames = 1\.5: allowed: whole/);
 await refused(() => drum.change("batter.tension", 3000), /batter\.tension.*while the drum rings/);
 await refused(() => drum.change("wires.strainer", 2), /wires\.strainer = 2: allowed: 0 to 1/);
 await refused(() => drum.get("wires.number"), /wires\.number/);
+
+/** Of another type than a number: refused at the call, by name and value. */
+async function mistyped(what, text) {
+  try {
+    await what();
+    complain(`accepted: ${what}`);
+  } catch (error) {
+    if (error.constructor !== TypeError || !text.test(error.message)) complain(`${what}: ${error.stack}`);
+  }
+}
+
+await mistyped(() => drum.strike({ velocity: 3n }), /velocity = 3: its type is bigint, not number/);
+await mistyped(() => drum.strike({ velocity: "3" }), /velocity = 3: its type is string/);
+await mistyped(() => drum.strike({ radius: { valueOf: () => 0 } }), /radius = .*: its type is object/);
+await mistyped(() => drum.strike({ angle: 90n }), /angle = 90/);
+await mistyped(() => drum.strike({ frame: 1000000n }), /frame = 1000000/);
+await mistyped(() => drum.change("wires.strainer", 1n), /wires\.strainer = 1/);
+await mistyped(() => drum.process(10n), /frames = 10/);
+await mistyped(create({}, { sampleRate: 48000n }), /sampleRate = 48000/);
+await mistyped(() => render("tom-12", [{ time: 1n }]), /time = 1/);
+await mistyped(() => render("tom-12", [{}], { duration: 1n }), /duration = 1/);
+drum.process(256); // nothing of it is due
 
 process.exitCode = wrong > 0 ? 1 : 0;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // A drum in an engine of its own, whose memory goes with it. index.d.ts describes it.
-import { LEDGER, textAt, withText } from "./engine.js";
+import { LEDGER, change, textAt, withText } from "./engine.js";
 
 const BLOCK = 128; // frames that the engine computes at once at most (web/glue.c)
 const OWN_STRIKER = -1; // of the definition
-const MOST_EVENTS = 64; // of a block, one of which is the drum's own
+const MOST_EVENTS = 63; // of a block, beside the drum's own (web/glue.h)
 const QUALITIES = ["draft", "live", "studio", "reference"]; // the engine counts from 1
 // By the engine's numbers; "buzz" and "sweep" need a hand that lifts the stick again.
 const TECHNIQUES = { normal: 0, rimshot: 2, "cross-stick": 3, rim: 4 };
+// What building a model may take by the engine's estimate: all presets do with less, at "reference" up to 15 s and 0.9 GB.
+const MOST_SECONDS = 30;
+const MOST_BYTES = 2e9;
+const MOST_MEMORY = 2 ** 32 - 1; // of WebAssembly [bytes]
 const SPEEDS = [0.01, 30]; // [m/s]
 
 export class TaborError extends RangeError {
@@ -18,7 +22,13 @@ export class TaborError extends RangeError {
   }
 }
 
+/** What WebAssembly would refuse, or convert, only once the event is due. */
+function needNumber(key, value) {
+  if (typeof value !== "number") throw new TypeError(`${key} = ${String(value)}: its type is ${typeof value}, not number`);
+}
+
 function wholeFrom(key, value, minimum) {
+  needNumber(key, value);
   if (Number.isInteger(value) && value >= minimum) return;
   throw new TaborError(`${key} = ${value}: allowed: whole numbers from ${minimum} on`, key, value, minimum, Infinity);
 }
@@ -35,8 +45,9 @@ function oneOf(key, value, allowed) {
   throw new TaborError(`${key} = '${value}': allowed: ${allowed.join(", ")}`, key, value);
 }
 
-function inRange(key, value, minimum, maximum, unit) {
-  if (value >= minimum && value <= maximum) return Number(value);
+export function inRange(key, value, minimum, maximum, unit) {
+  needNumber(key, value);
+  if (value >= minimum && value <= maximum) return value;
   const range = `${minimum} to ${maximum}${unit && ` ${unit}`}`;
   throw new TaborError(`${key} = ${value}: allowed: ${range}`, key, value, minimum, maximum);
 }
@@ -47,12 +58,16 @@ export class Drum {
   #events = []; // { frame, send }, in the order in which they act
   #frame = 0;
 
-  static async create(preset, { quality = "live", sampleRate = 48000, set = {}, mics = [], progress } = {}) {
+  static async create(preset, { quality = "live", sampleRate = 48000, set = {}, mics = [], progress,
+    mostSeconds = MOST_SECONDS, mostBytes = MOST_BYTES } = {}) {
     const number = 1 + QUALITIES.indexOf(oneOf("quality", quality, QUALITIES));
+    needNumber("sampleRate", sampleRate);
+    inRange("mostSeconds", mostSeconds, 0, Infinity, "s");
+    inRange("mostBytes", mostBytes, 0, MOST_MEMORY, "");
     const drum = new Drum(await start(progress), preset);
     for (const [key, value] of Object.entries(set)) drum.#set(key, value);
     for (const name of mics) drum.#addMic(name);
-    drum.#build(number, sampleRate);
+    drum.#build(number, sampleRate, mostSeconds, mostBytes);
     return drum;
   }
 
@@ -85,8 +100,7 @@ export class Drum {
   }
 
   #set(key, value) {
-    const engine = this.#engine;
-    withText(engine, key, (k) => withText(engine, String(value), (v) => engine.drum_set(this.#drum, k, v)));
+    change(this.#engine, this.#engine.drum_set, this.#drum, [key, String(value)]);
     this.#check();
   }
 
@@ -97,8 +111,8 @@ export class Drum {
     }
   }
 
-  #build(quality, sampleRate) {
-    this.#engine.drum_build(this.#drum, quality, sampleRate);
+  #build(quality, sampleRate, mostSeconds, mostBytes) {
+    this.#engine.drum_build(this.#drum, quality, sampleRate, mostSeconds, mostBytes);
     this.#check();
     this.sampleRate = sampleRate;
     const names = this.#names(this.#engine.mic_name);
@@ -137,6 +151,10 @@ export class Drum {
 
   get isSilent() {
     return Boolean(this.#engine.drum_is_silent(this.#drum));
+  }
+
+  get droppedEvents() {
+    return this.#engine.drum_dropped_events(this.#drum);
   }
 
   get roomEnergy() {
@@ -186,20 +204,23 @@ export class Drum {
 
   /* ---- sound ---- */
 
-  /** Hands the engine the events of the next frames. */
-  #send(frames) {
-    const due = this.#events.findIndex(({ frame }) => frame >= this.#frame + frames);
-    const events = this.#events.splice(0, due < 0 ? this.#events.length : due);
-    if (events.length >= MOST_EVENTS) throw new TaborError(`more than ${MOST_EVENTS - 1} events within ${frames} frames`);
-    for (const { frame, send } of events) send(frame - this.#frame);
+  /**
+   * Hands the engine the events of the next block, and returns its length, at most `most` frames. Where events are too many for
+   * one block, it ends before them; where they are at one frame, after 0 frames. The sound does not depend on the division.
+   */
+  #send(most) {
+    const end = Math.min(this.#frame + most, this.#events[MOST_EVENTS]?.frame ?? Infinity);
+    const later = this.#events.findIndex(({ frame }) => frame >= end);
+    const due = end === this.#frame ? MOST_EVENTS : later < 0 ? this.#events.length : later;
+    for (const { frame, send } of this.#events.splice(0, due)) send(frame - this.#frame);
+    return end - this.#frame;
   }
 
   process(frames) {
     wholeFrom("frames", frames, 0);
     const channels = this.mics.map(() => new Float32Array(frames));
     for (let done = 0; done < frames; ) {
-      const count = Math.min(BLOCK, frames - done);
-      this.#send(count);
+      const count = this.#send(Math.min(BLOCK, frames - done));
       const address = this.#engine.drum_play(this.#drum, count);
       const { buffer } = this.#engine.memory;
       channels.forEach((channel, i) => channel.set(new Float32Array(buffer, address + 4 * BLOCK * i, count), done));

@@ -26,8 +26,15 @@ export interface DrumOptions {
    * channels, left and right, 12 dB louder, in the drum's room or a studio, as with `--stereo`.
    */
   mics?: readonly string[];
-  /** Hears how far the model is, 0 to 1. */
-  progress?: (done: number) => void;
+  /** Hears how far the model is, 0 to 1. If it returns false, the build ends with a TaborError. */
+  progress?: (done: number) => unknown;
+  /**
+   * What building the model may take by the engine's estimate, on one core of a server of 2024: 30 s unless given; 0 is no limit.
+   * A model that takes more is refused with a TaborError whose key is the parameter to lower.
+   */
+  mostSeconds?: number;
+  /** most memory in the same way, 2e9 bytes unless given */
+  mostBytes?: number;
 }
 
 /** What is missing is as in the drum's own stroke. */
@@ -59,7 +66,7 @@ export interface Ledger {
   residual: number;
 }
 
-/** A value that is refused. Nothing was changed. */
+/** A value that is refused. Nothing was changed. A number of another type, as `3n` or `"3"`, is a TypeError instead. */
 export class TaborError extends RangeError {
   /** the key that is wrong, "" if there is none */
   readonly key: string;
@@ -103,6 +110,11 @@ export class Drum {
   process(frames: number): Float32Array[];
 
   ledger(): Ledger;
+  /**
+   * Strokes and changes that were not carried out, since the drum was created or reset: there are 8 sticks, and each is free
+   * again once its stroke has ended.
+   */
+  readonly droppedEvents: number;
   /** Everything has died away. */
   readonly isSilent: boolean;
   /** Energy of what the room holds, of no unit. */

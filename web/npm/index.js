@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drums computed from physics. index.d.ts describes every function.
-import { Drum, TaborError, startWith } from "./drum.js";
+import { Drum, TaborError, inRange, startWith } from "./drum.js";
 import { startEngine, textAt } from "./engine.js";
 
 const BLOCK = 256; // frames between two looks at the energy: the length of the sound depends on it
@@ -57,10 +57,7 @@ export async function version() {
 /* ---- a whole sound ---- */
 
 function frameOf(name, seconds, least, rate) {
-  if (!(seconds >= least && seconds <= LATEST)) {
-    throw new TaborError(`${name} = ${seconds}: allowed: ${least} to ${LATEST} s`, name, seconds, least, LATEST);
-  }
-  return Math.round(seconds * rate);
+  return Math.round(inRange(name, seconds, least, LATEST, "s") * rate);
 }
 
 /** Parts of a sound, until it has died away as `tabor render` has it (host/sound/ring_out.h). */

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Builds drums beside the page. A message { bytes, preset, settings, quality, rate } is answered by { progress }s and then by
 // { drum, memory, facts } or { error }. `memory` holds the drum, at the address `drum`.
-// `settings` are keys and values as [["batter.pitch", "A3"]]. A preset may be a kit (kits.js); its facts have `drums`.
-import { startEngine, textAt, withText } from "./engine.js";
+// `settings` are keys and values as [["batter.pitch", "A3"]]. A pitch that a head cannot have becomes the nearest one that it can:
+// `facts.limited` has such settings. A preset may be a kit (kits.js); its facts have `drums`.
+import { change, startEngine, textAt, withText } from "./engine.js";
 import { kitOf } from "./kits.js";
+import { noteText } from "./note.js";
 
+// What building a model may take by the engine's estimate. All presets do with half of it at `studio`; a browser takes several
+// times as long as the estimate says.
+const MOST_SECONDS = 5;
+const MOST_BYTES = 5e8;
 const TRIALS = 2; // the first is dearer: the engine is still being compiled
 const TRIAL_LENGTH = 0.15; // [s]
 const TRIAL_SPEED = 4.5; // [m/s]
 const BLOCK = 128; // frames
+const HEADS = ["batter", "resonant"]; // in the engine's order
 
 /** Plays a stroke; returns the computing time as a share of its duration. */
 function trial({ strike, process, reset }, rate) {
@@ -38,6 +45,7 @@ function definitionOf(engine, definition) {
   return {
     number: (key) => withText(engine, key, (address) => engine.definition_number(definition, address)),
     pitch: (head) => engine.definition_pitch(definition, head), // [Hz]
+    pitchLimits: (head) => [0, 1].map((which) => engine.definition_pitch_limit(definition, head, which)), // [Hz]
     strikers: () => {
       const names = [];
       for (let name; (name = engine.definition_striker(definition, names.length)); ) names.push(textAt(engine, name));
@@ -52,7 +60,7 @@ const definitionInKit = (engine, kit, drum) => definitionOf(engine, engine.kit_d
 
 /** What the controls are about. Of two heads the batter is the first; what a head lacks is 0. */
 function controlsOf(definition) {
-  const ofHeads = (key) => ["batter", "resonant"].map((head) => definition.number(`${head}.${key}`));
+  const ofHeads = (key) => HEADS.map((head) => definition.number(`${head}.${key}`));
   const strikers = definition.strikers();
   return {
     pitch: [0, 1].map(definition.pitch), // [Hz]
@@ -82,15 +90,22 @@ function looksOf({ number }) {
   };
 }
 
+/** Of the pitches that were set, those beyond what their heads can have, as keys and the nearest notes within. */
+function limitPitches(definition, prefix, settings) {
+  return HEADS.flatMap((name, head) => {
+    const key = `${prefix}${name}.pitch`;
+    if (!settings.some(([set]) => set === key)) return [];
+    const wanted = definition.pitch(head);
+    const [least, most] = definition.pitchLimits(head);
+    if (wanted > most) return [[key, noteText(most, Math.floor)]];
+    return wanted < least ? [[key, noteText(least, Math.ceil)]] : [];
+  });
+}
+
 /* ---- a drum ---- */
 
 function factsOf(engine, drum) {
   return { ...looksOf(definitionOfDrum(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
-}
-
-/** Changes the definition by `set` of the engine; false with an error. */
-function change(engine, set, instrument, [key, value]) {
-  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
 }
 
 function buildDrum(engine, { preset, settings, quality, rate }) {
@@ -100,14 +115,16 @@ function buildDrum(engine, { preset, settings, quality, rate }) {
   if (error()) return { error: error() };
   const own = controlsOf(definitionOfDrum(engine, drum));
   for (const setting of settings) if (!change(engine, engine.drum_set, drum, setting)) return { error: error() };
+  const limited = limitPitches(definitionOfDrum(engine, drum), "", settings);
+  for (const setting of limited) change(engine, engine.drum_set, drum, setting);
   const now = settings.length > 0 ? controlsOf(definitionOfDrum(engine, drum)) : own;
-  if (!engine.drum_build(drum, quality, rate)) return { error: error() };
+  if (!engine.drum_build(drum, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
   const instrument = {
     strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),
     process: () => engine.drum_process(drum, 0),
     reset: () => engine.drum_reset(drum),
   };
-  return { drum, facts: { ...factsOf(engine, drum), preset: own, now }, instrument };
+  return { drum, facts: { ...factsOf(engine, drum), preset: own, now, limited }, instrument };
 }
 
 /* ---- a kit ---- */
@@ -137,7 +154,12 @@ function buildKit(engine, name, { settings, quality, rate }) {
   if (engine.kit_drum_count(kit) > count) {
     return { error: `the kit has no drum '${textAt(engine, engine.kit_drum_name(kit, count))}'` };
   }
-  if (!engine.kit_build(kit, quality, rate)) return { error: error() };
+  const limited = own.flatMap((_, i) => {
+    const prefix = `drum.${textAt(engine, engine.kit_drum_name(kit, i))}.`;
+    return limitPitches(definitionInKit(engine, kit, i), prefix, settings);
+  });
+  for (const setting of limited) change(engine, engine.kit_set, kit, setting);
+  if (!engine.kit_build(kit, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
   const drums = own.map((preset, i) => drumOfKit(engine, kit, preset, i));
   const instrument = {
     strike: (speed) => drums.forEach((_, i) => engine.kit_strike(kit, i, speed, 0, 0, 0)), // all at once
@@ -146,7 +168,7 @@ function buildKit(engine, name, { settings, quality, rate }) {
   };
   const snares = drums.find(({ wires }) => wires.count > 0)?.wires ?? { count: 0, strainer: 0 };
   const facts = { drums, wires: snares, preset: { strainer: snares.strainer }, velocity: drums[0].velocity,
-    modes: engine.kit_mode_count(kit) };
+    modes: engine.kit_mode_count(kit), limited };
   return { drum: kit, facts, instrument };
 }
 

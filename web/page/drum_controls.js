@@ -59,17 +59,23 @@ export class DrumControls {
     return keys.length > 0;
   }
 
+  /** What was built has other values than were chosen, within what is possible: the controls show them. */
+  limit(settings, now) {
+    for (const [key, value] of settings) this.#settings.set(key, value);
+    this.#place(now);
+  }
+
   /** What was chosen has been built. */
   keep() {
     this.#kept = this.settings;
   }
 
-  /** What was chosen cannot be built: back to what was built last, which has `now`. */
-  revert(now) {
-    if (!this.#preset) return; // another drum was on its way
+  /** What was chosen is not built: back to the drum that was built last. */
+  revert(drum) {
     this.clear();
     for (const [key, value] of this.#kept) this.#settings.set(key, value);
-    this.#place(now);
+    if (this.#preset) this.#place(drum.now);
+    else this.show(drum); // another one was on its way
   }
 
   /** Another drum is on its way: there is nothing to move until show(). */

@@ -9,19 +9,25 @@ const NOT_SUPPORTED = 52; // of WASI
 export const LEDGER = ["injected", "control", "stored", "head_loss", "wire_loss", "contact_loss", "damper_loss", "shell_loss",
   "radiated", "removed", "high_band", "residual"];
 
-/** What the engine imports. It asks for no clock while it plays. */
-function importsOf(progress) {
+/** What the engine imports. It asks for the clock while it builds, to know when to tell its progress, and not while it plays. */
+function importsOf(progress, tellTime = () => NOT_SUPPORTED) {
   return {
-    tabor: { progress },
+    tabor: { progress: (done) => Number(progress(done) !== false) },
     env: { emscripten_notify_memory_growth() {} },
-    wasi_snapshot_preview1: { clock_time_get: () => NOT_SUPPORTED },
+    wasi_snapshot_preview1: { clock_time_get: (clock, precision, address) => tellTime(address) },
   };
 }
 
-/** An engine that begins from nothing, of a module or its bytes. `progress` hears how far a model is, 0 to 1. */
+/** An engine that begins from nothing, of a module or its bytes. `progress` hears how far a model is, 0 to 1; if it
+ * returns false, the build ends. */
 export async function startEngine(source, progress = () => {}) {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
-  const instance = await WebAssembly.instantiate(module, importsOf(progress));
+  const tellTime = (address) => {
+    const time = BigInt(Math.round(1e6 * performance.now())); // [ns]
+    new DataView(instance.exports.memory.buffer).setBigUint64(address, time, true);
+    return 0;
+  };
+  const instance = await WebAssembly.instantiate(module, importsOf(progress, tellTime));
   instance.exports._initialize();
   return instance.exports;
 }
@@ -52,6 +58,11 @@ export class ContinuedEngine {
 export function textAt(engine, address) {
   const bytes = new Uint8Array(engine.memory.buffer, address);
   return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+}
+
+/** Changes the definition of a drum or a kit by `set` of the engine; false with an error. */
+export function change(engine, set, instrument, [key, value]) {
+  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
 }
 
 /** Calls `use` with the address of a text. */

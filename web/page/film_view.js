@@ -20,6 +20,7 @@ export class FilmView {
   #setHeights; // of the batter head, which is seen from above
   #facts = null;
   #pictures = null; // Float32Array
+  #isAwaited = false; // a stroke is being filmed
   #most = 1e-3; // height in the film [m]
   #slowness = 100;
   #time = 0; // of the film [s]
@@ -37,12 +38,26 @@ export class FilmView {
   /** Another drum. */
   show(facts) {
     this.#facts = facts;
+    this.#isAwaited = false;
     this.#end();
   }
 
   setOn(on) {
     this.#canvas.parentElement.hidden = !on;
+    this.#isAwaited = false;
     this.#end();
+  }
+
+  /** A stroke is being filmed. False if it is part of a film that has begun. */
+  expect() {
+    const begins = !this.#isAwaited;
+    this.#isAwaited = true;
+    return begins;
+  }
+
+  /** A film is being shown or made. */
+  get isOn() {
+    return this.#isAwaited || this.#pictures !== null;
   }
 
   /** From now on. */
@@ -51,6 +66,7 @@ export class FilmView {
   }
 
   play(pictures) {
+    this.#isAwaited = false;
     if (pictures.length % this.#facts.picture.size) return; // of the drum before
     this.#pictures = pictures;
     this.#most = this.#highest();

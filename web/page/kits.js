@@ -13,14 +13,5 @@ export const kitOf = (listed) => (listed.startsWith(PREFIX) ? listed.slice(PREFI
 /** Keys and values that a kit takes; snares are switched while it plays. */
 export const settingsOfKit = (settings) => settings.filter(([key]) => !key.startsWith("wires."));
 
-/** What a note plays: { drum, technique }, or null. */
-export function strokeOf(drums, note) {
-  for (const [drum, { strokes }] of drums.entries()) {
-    const technique = STROKES.indexOf(strokes[note]);
-    if (technique >= 0) return { drum, technique };
-  }
-  return null;
-}
-
 /** A note that plays a drum so, or -1. */
 export const noteOf = (drums, { drum, technique }) => drums[drum].strokes.indexOf(STROKES[technique]);

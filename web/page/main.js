@@ -6,12 +6,13 @@ import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
 import { FilmView } from "./film_view.js";
 import { actionOf } from "./keys.js";
-import { kitOf, listedKit, settingsOfKit, strokeOf } from "./kits.js";
-import { listenToMidi } from "./midi.js";
+import { kitOf, listedKit, settingsOfKit } from "./kits.js";
+import { MidiMap, listenToMidi } from "./midi.js";
 import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
 
+const FIRST_DRUM = "tom-12"; // one that slow machines play in real time, too; snare drums take several times as much
 const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
 const GHOST = 1 / 3; // speed of a ghost note, as a share
 const CROSS_STICK = 3; // the engine's number of this technique
@@ -29,10 +30,14 @@ const spectrum = new SpectrumView(element("spectrum"));
 const controls = new DrumControls(element("drum-controls"), link, changeDrum);
 let presets = []; // { name, comment }, kits with a name of the list
 let sound = null;
+let midi = null;
 let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
+let chosen = null; // { preset, quality } in the lists for the drum that sounds, and which it was `built` at
 let hasMoved = false; // it was changed while it sounded
 let refused = ""; // why the drum is not as the link says
+let shownPeak = 0; // full scale is 1
+let beginsFilm = false; // a stroke for another film came since the last level
 let gapsBefore = 0; // in the sound of other drums
 let recorder = null;
 let last = { drum: 0, share: 0, angle: 0, speed: 1 }; // the last stroke
@@ -52,6 +57,7 @@ function fail(reason) {
 function showProgress(done) {
   element("progress").value = done;
   element("progress").classList.toggle("done", done >= 1);
+  element("cancel").disabled = done >= 1;
 }
 
 function showFacts() {
@@ -61,12 +67,17 @@ function showFacts() {
   element("comment").textContent = presets.find(({ name }) => name === element("preset").value).comment;
 }
 
-function showLevel(peak) {
+/* While a stroke is shown in slow motion, its level and spectrum stay. */
+function showLevel(now) {
+  const isHeld = film.isOn && !beginsFilm;
+  const peak = isHeld ? Math.max(now, shownPeak) : now;
+  shownPeak = peak;
+  beginsFilm = false;
   const level = peak > 0 ? 20 * Math.log10(peak) : -Infinity;
   element("level").value = Math.max(level, FLOOR);
   element("decibels").value = level < FLOOR ? "−∞ dB" : `${level.toFixed(0).replace("-", "−")} dB`;
   view.setLevel(level);
-  if (peak > 0) spectrum.show(sound.analyser);
+  if (peak > 0) spectrum.show(sound.analyser, isHeld);
 }
 
 function showLedger(ledger) {
@@ -120,6 +131,7 @@ function chooseQuality() {
 
 /* Another drum is as it came. */
 function chooseDrum() {
+  refused = "";
   controls.clear();
   controls.wait();
   chooseQuality();
@@ -131,27 +143,43 @@ function changeDrum() {
   buildDrum(tried);
 }
 
+/* To the drum that sounds. */
+function goBack() {
+  element("preset").value = chosen.preset;
+  element("quality").value = chosen.quality;
+  tried = chosen.built;
+  controls.revert(drums()[last.drum]);
+  showLink();
+}
+
+function cancelBuild() {
+  sound.cancel();
+  showProgress(1);
+  if (facts) goBack();
+  say(facts ? "Cancelled; this is the drum before" : "Cancelled; choose a drum");
+}
+
 /* The former drum plays on. At first there is none: the link is wrong. */
 function failBuild(reason) {
   if (facts) {
-    controls.revert(drums()[last.drum].now);
-    showLink();
+    goBack();
     return fail(reason);
   }
   if (!controls.clear()) return fail(reason);
-  refused = reason;
+  refused ||= reason;
   changeDrum();
 }
 
 /* A machine that cannot play `live` gets `draft`, if the quality is left to the page. */
 function useDrum(built) {
-  const chosen = element("quality").value;
-  if (chosen === "automatic" && tried === "live" && built.load > MOST_LOAD) {
+  const quality = element("quality").value;
+  if (quality === "automatic" && tried === "live" && built.load > MOST_LOAD) {
     buildDrum("draft");
     return;
   }
   const isFirst = !facts;
   facts = built;
+  chosen = { preset: preset(), quality, built: tried };
   hasMoved = false;
   if (!drums()[last.drum]) last.drum = 0;
   last = { drum: last.drum, share: 0, angle: drums()[last.drum].angle };
@@ -163,12 +191,23 @@ function useDrum(built) {
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
   controls.show(drums()[last.drum]);
+  if (facts.limited.length > 0) {
+    controls.limit(facts.limited, drums()[last.drum].now);
+    showLink();
+  }
   controls.keep();
-  say(refused ? `Ready, but not as the address says: ${refused}` : "Ready");
+  midi.follow(preset(), settings());
+  say(["Ready", ...remarks()].join(", "));
   refused = "";
   sound.play();
   gapsBefore = sound.gaps ?? 0;
   showSnares();
+}
+
+/* What is not as it was asked for. */
+function remarks() {
+  const limits = facts.limited.map(([key, note]) => `${key} is ${note}: its head can go no further`);
+  return refused ? [`but not as the address says: ${refused}`, ...limits] : limits;
 }
 
 /* They may have been switched while the drum was built. */
@@ -186,20 +225,23 @@ function moveStrainer(value) {
   sound.setStrainer(value);
 }
 
-function setSnares(on) {
+const setSnares = (on) => setStrainer(on ? facts.preset.strainer || 1 : 0);
+
+function setStrainer(strainer) {
   const own = facts.preset.strainer;
-  const strainer = on ? own || 1 : 0;
   if (strainer === own) link.delete("wires.strainer");
   else link.set("wires.strainer", strainer);
   showLink();
-  element("snares").checked = on;
+  element("snares").checked = strainer > 0;
   moveStrainer(strainer);
-  view.setSnares(on);
+  view.setSnares(strainer > 0);
 }
 
 /* Of a kit there is none. */
+const isFilmed = () => element("slow").checked && !isKit();
+
 function showSlowMotion() {
-  const on = element("slow").checked && !isKit();
+  const on = isFilmed();
   element("slow").disabled = isKit();
   element("slowness").disabled = !on;
   film.setOn(on);
@@ -216,20 +258,23 @@ function stepPreset(step) {
 /* ---- strokes ---- */
 
 /* A place is a share of the radius, so that it is the same on every drum. */
-function strike({ drum = 0, share, angle, velocity, technique = 0 }) {
+function strike({ drum = 0, share, ...stroke }) {
   sound.start();
-  if (!facts) return;
-  const radius = Math.min(share, 1) * drums()[drum].radius;
-  last = { drum, share: Math.min(share, 1), angle, velocity };
+  if (facts) strikePlace({ drum, radius: Math.min(share, 1) * drums()[drum].radius, ...stroke });
+}
+
+/* `radius` is in metres. */
+function strikePlace({ drum, radius, angle, velocity, technique = 0 }) {
+  const share = radius / drums()[drum].radius;
+  last = { drum, share, angle, velocity };
   if (facts.drums) controls.select(facts.drums[drum]); // the drum that was struck last is the one to tune
   sound.strike({ drum, velocity, radius, angle, technique });
 }
 
 /* Where the drum's own stroke goes. */
-function strikeDrum(drum, velocity, technique = 0, isCentre = false) {
+function strikeDrum(drum, velocity) {
   const { radius, place, angle } = drums()[drum];
-  const share = technique === CROSS_STICK ? CROSS_STICK_PLACE : place / radius;
-  strike({ drum, share: isCentre ? 0 : share, angle, velocity, technique });
+  strike({ drum, share: place / radius, angle, velocity });
 }
 
 function strikeWith(technique) {
@@ -253,17 +298,11 @@ function strikeAt(event) {
   strike({ ...place, velocity: velocityOf(event), technique: place.share > 1 ? RIM : 0 });
 }
 
-/* Notes strike where the drum's own stroke does. */
-function actByMidi({ note, velocity, technique, isCentre, snares }) {
-  if (!facts) return;
-  if (snares !== undefined) {
-    if (!element("snares").disabled) setSnares(snares);
-  } else if (facts.drums) {
-    const stroke = strokeOf(facts.drums, note);
-    if (stroke) strikeDrum(stroke.drum, velocity, stroke.technique);
-  } else if (technique !== null) {
-    strikeDrum(0, velocity, technique, isCentre);
-  }
+function actByMidi(message) {
+  sound.start();
+  const action = facts && midi.take(message);
+  if (action?.kind === "stroke") strikePlace(action);
+  if (action?.kind === "strainer") setStrainer(action.value);
 }
 
 function connectMidi() {
@@ -314,7 +353,7 @@ function toggleRecording() {
   const begins = !recorder;
   element("record").setAttribute("aria-pressed", String(begins));
   element("record").textContent = begins ? "Stop recording" : "Record";
-  if (begins) recorder = new Recorder(CHANNELS, RATE, command(), facts.drums);
+  if (begins) recorder = new Recorder(CHANNELS, RATE, command(), facts.drums, midi);
   sound.record(begins);
 }
 
@@ -362,8 +401,7 @@ async function load(file) {
   return response.arrayBuffer();
 }
 
-async function listPresets(bytes) {
-  const engine = await startEngine(bytes);
+function listPresets(engine) {
   const list = (count, name, comment) =>
     Array.from({ length: count }, (_, i) => ({ name: textAt(engine, name(i)), comment: textAt(engine, comment(i)) }));
   const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment);
@@ -389,8 +427,11 @@ function fillPresets() {
   for (const { name } of presets) groups[Number(kitOf(name) !== null)].append(new Option(kitOf(name) ?? name, name));
   select.append(...groups);
   const wanted = presets.some(({ name }) => name === link.get("drum"));
-  select.value = wanted ? link.get("drum") : "snare-14x5.5";
-  if (!wanted && link.has("drum")) refused = `there is no drum '${link.get("drum")}'`;
+  select.value = wanted ? link.get("drum") : FIRST_DRUM;
+  if (!wanted && link.has("drum")) {
+    controls.clear(); // what was changed of that drum means nothing to another one
+    refused = `there is no drum '${link.get("drum")}', this is ${select.value} instead`;
+  }
   const quality = element("quality");
   quality.value = link.get("quality") ?? "automatic";
   if (quality.selectedIndex >= 0) return;
@@ -403,10 +444,12 @@ function listen() {
     progress: showProgress,
     built: useDrum,
     failed: failBuild,
+    silent: (reason) => say(`There is no sound: ${reason}`, true),
     started: () => { element("record").disabled = false; },
     struck: (stroke) => {
       const drum = drums()[stroke.drum];
       if (drum) view.mark(stroke.drum, stroke.radius / drum.radius, stroke.angle, stroke.velocity);
+      if (isFilmed()) beginsFilm ||= film.expect();
       recorder?.addStroke(stroke);
     },
     level: ({ peak }) => showLevel(peak),
@@ -424,17 +467,21 @@ function listen() {
   element("snares").addEventListener("change", (event) => setSnares(event.target.checked));
   element("slow").addEventListener("change", showSlowMotion);
   element("slowness").addEventListener("change", (event) => film.setSlowness(Number(event.target.value)));
+  element("cancel").addEventListener("click", cancelBuild);
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
   element("midi").hidden = !navigator.requestMIDIAccess;
   addEventListener("keydown", pressKey);
   addEventListener("hashchange", () => location.reload()); // somebody has put in another link
   addEventListener("pointerup", () => { if (facts) sound.start(); }); // when a touch allows sound
+  document.addEventListener("visibilitychange", () => { if (!document.hidden) sound.resume(); });
 }
 
 async function begin() {
   const bytes = await load("tabor.wasm");
-  presets = await listPresets(bytes);
+  const engine = await startEngine(bytes);
+  presets = listPresets(engine);
+  midi = new MidiMap(engine);
   sound = new Sound(bytes);
   fillPresets();
   showSpeed();

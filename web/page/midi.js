@@ -1,46 +1,54 @@
 // SPDX-License-Identifier: MIT
-// Notes of MIDI inputs as strokes, by the map of docs/midi.md.
+// What messages of MIDI inputs do. The engine decides by the program's own map (web/midi_glue.c).
+import { change, withText } from "./engine.js";
+import { kitOf } from "./kits.js";
 
-const HEAD_NOTES = [36, 38, 41, 43, 45, 47, 48, 50];
-const CENTRE_NOTE = 36;
-const TECHNIQUES = { 37: 3, 39: 4, 40: 2 }; // cross-stick, rim, rimshot, by the engine's numbers
-const STRAINER = 20; // controller
-const GHOST = { from: 1, to: 20, slowest: 0.3, fastest: 1 }; // velocities and their speeds [m/s]
-const NORMAL = { from: 20, to: 127, slowest: 1, fastest: 10 };
+const KINDS = [null, "stroke", "strainer"]; // WebMidiKind
+const NUMBERS = 6; // of WebMidiAction
 
-/** Speed of a velocity [m/s]; equal steps are equal ratios. */
-function speedOf(velocity) {
-  const span = velocity < NORMAL.from ? GHOST : NORMAL;
-  const x = (velocity - span.from) / (span.to - span.from);
-  return span.slowest * (span.fastest / span.slowest) ** x;
-}
+/** Plays MIDI on the definition of a drum or a kit. It makes no sound. */
+export class MidiMap {
+  #engine;
+  #kind = "drum"; // or "kit": the engine has the same functions for both
+  #instrument = 0; // its address; 0: none yet
 
-/** Velocity of a speed [m/s], rounded and within what MIDI has. */
-export function velocityOf(speed) {
-  const span = speed < NORMAL.slowest ? GHOST : NORMAL;
-  const x = Math.log(speed / span.slowest) / Math.log(span.fastest / span.slowest);
-  return Math.min(Math.max(Math.round(span.from + x * (span.to - span.from)), 1), 127);
-}
+  constructor(engine) {
+    this.#engine = engine;
+  }
 
-/** What a message does: { note, velocity, technique, isCentre }, { snares }, or null. A technique of null: no note of a drum
- * that plays alone. */
-export function actionOf([status, number, value]) {
-  const kind = status & 0xf0;
-  if (kind === 0xb0 && number === STRAINER) return { snares: value >= 64 };
-  if (kind !== 0x90 || value === 0) return null;
-  const technique = TECHNIQUES[number] ?? (HEAD_NOTES.includes(number) ? 0 : null);
-  return { note: number, velocity: speedOf(value), technique, isCentre: number === CENTRE_NOTE };
+  #call(name, ...values) {
+    return this.#engine[`${this.#kind}_${name}`](this.#instrument, ...values);
+  }
+
+  /** Another drum or kit, which the engine has built before: nothing in it is refused. */
+  follow(preset, settings) {
+    if (this.#instrument) this.#call("destroy");
+    const kit = kitOf(preset);
+    this.#kind = kit === null ? "drum" : "kit";
+    this.#instrument = withText(this.#engine, kit ?? preset, this.#engine[`${this.#kind}_create`]);
+    for (const setting of settings) change(this.#engine, this.#engine[`${this.#kind}_set`], this.#instrument, setting);
+    this.#call("begin_midi");
+  }
+
+  /** What a message does: { kind: "stroke", drum, velocity, radius, angle, technique }, { kind: "strainer", value } or null. */
+  take([status, first = 0, second = 0]) {
+    const address = this.#call("take_midi", status, first, second);
+    const [kind, drum, value, radius, angle, technique] = new Float64Array(this.#engine.memory.buffer, address, NUMBERS);
+    if (KINDS[kind] === "stroke") return { kind: "stroke", drum, velocity: value, radius, angle, technique };
+    return KINDS[kind] === "strainer" ? { kind: "strainer", value } : null;
+  }
+
+  /** The velocity at which a note of a kit plays nearest to a speed [m/s]. */
+  velocityOf(note, speed) {
+    return this.#call("velocity", note, speed);
+  }
 }
 
 /** Hears all inputs, also those that come later. `tell` gets their number whenever it changes. */
-export async function listenToMidi(act, tell) {
+export async function listenToMidi(hear, tell) {
   const access = await navigator.requestMIDIAccess();
-  const hear = ({ data }) => {
-    const action = actionOf(data);
-    if (action) act(action);
-  };
   const connect = () => {
-    for (const input of access.inputs.values()) input.onmidimessage = hear;
+    for (const input of access.inputs.values()) input.onmidimessage = ({ data }) => hear(data);
     tell(access.inputs.size);
   };
   access.onstatechange = connect;

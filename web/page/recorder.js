@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A recording under way: its sound, and its strokes for `tabor render`: of a drum for --events, of a kit for --midi-file.
 import { noteOf } from "./kits.js";
-import { velocityOf } from "./midi.js";
 import { midiFile } from "./midi_file.js";
 import { wavFile } from "./wav.js";
 
@@ -16,11 +15,13 @@ export class Recorder {
   #start = null; // frame of the first sample
   #frames = 0;
   #drums; // of a kit
+  #midi; // the kit's MidiMap
 
-  /** `command` is what makes the same sound again of the strokes; `drums` are those of a kit. */
-  constructor(channels, rate, command, drums = null) {
+  /** `command` is what makes the same sound again of the strokes; `drums` are those of a kit, `midi` its MidiMap. */
+  constructor(channels, rate, command, drums = null, midi = null) {
     this.command = command;
     this.#drums = drums;
+    this.#midi = midi;
     this.#channels = channels;
     this.#rate = rate;
   }
@@ -58,9 +59,9 @@ export class Recorder {
 
   /** Their notes strike where the drums' own strokes do, at the nearest velocity. A stroke without a note is left out. */
   #midiOf(strokes) {
-    const notes = strokes.map((stroke) => (
-      { frame: stroke.frame - this.#start, note: noteOf(this.#drums, stroke), velocity: velocityOf(stroke.velocity) }));
-    return midiFile(notes.filter(({ note }) => note >= 0), this.#rate);
+    const notes = strokes.map((stroke) => ({ ...stroke, note: noteOf(this.#drums, stroke) })).filter(({ note }) => note >= 0);
+    return midiFile(notes.map(({ frame, note, velocity }) => (
+      { frame: frame - this.#start, note, velocity: this.#midi.velocityOf(note, velocity) })), this.#rate);
   }
 
   #tableOf(strokes) {

@@ -11,6 +11,7 @@ export class Sound extends EventTarget {
   #worker = null;
   #built = null; // a drum that the audio thread does not have yet
   #context = null;
+  #connecting = null; // a promise, until it fails
   #node = null;
   #analyser = null;
   #waiting = null; // the stroke that came before the audio thread
@@ -22,13 +23,20 @@ export class Sound extends EventTarget {
     this.#bytes = bytes;
   }
 
-  /** Builds a drum beside the one that sounds. Events: "progress", then "built" or "failed". */
+  /** Builds a drum beside the one that sounds. Events: "progress", then "built" or "failed". Of the sound itself: "started", or
+   * "silent" with a reason. */
   build(preset, settings, quality) {
-    this.#worker?.terminate();
+    this.cancel();
     this.#worker = new Worker(new URL("build_worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#hear(data);
     const number = QUALITIES.indexOf(quality);
     this.#worker.postMessage({ bytes: this.#bytes, preset, settings, quality: number, rate: RATE });
+  }
+
+  /** Ends what is being built. */
+  cancel() {
+    this.#worker?.terminate();
+    this.#worker = null;
   }
 
   /** Plays the drum that was built last. */
@@ -44,14 +52,25 @@ export class Sound extends EventTarget {
     this.#send({ type: "drum", drum, memory, isKit: "drums" in facts }, [memory]);
   }
 
-  /** Call in a gesture: browsers refuse sound before one. */
+  /** Call in a gesture: browsers refuse sound before one. A sound that could not be connected is tried anew. */
   start() {
-    if (this.#context) {
-      if (this.#context.state === "suspended") this.#context.resume();
-      return;
+    if (!isSecureContext) {
+      return this.#tell("silent", "browsers play it only from an address that begins with https:// or http://localhost");
     }
-    this.#context = new AudioContext({ sampleRate: RATE, latencyHint: "interactive" });
-    this.#connect().catch((error) => this.#tell("failed", String(error)));
+    if (!globalThis.AudioWorkletNode) return this.#tell("silent", "this browser has no AudioWorklet");
+    this.#connecting ??= this.#connect().catch((error) => {
+      this.#connecting = null;
+      this.#context?.close(); // it would not load a module that has failed again
+      this.#context = null;
+      this.#tell("silent", error.message);
+    });
+    this.resume();
+  }
+
+  /** Goes on after a phone call, another tab or whatever else has stopped the sound: "suspended", on iOS "interrupted". */
+  resume() {
+    if (!this.#context || this.#context.state === "running") return;
+    this.#context.resume().catch(() => {}); // refused before a gesture: the next one tries again
   }
 
   strike(stroke) {
@@ -85,13 +104,14 @@ export class Sound extends EventTarget {
   }
 
   async #connect() {
+    this.#context = new AudioContext({ sampleRate: RATE, latencyHint: "interactive" });
     await this.#context.audioWorklet.addModule(new URL("drum_worklet.js", import.meta.url));
     this.#node = new AudioWorkletNode(this.#context, "tabor-drum", {
       numberOfInputs: 0,
       outputChannelCount: [CHANNELS],
     });
     this.#node.port.onmessage = ({ data }) => this.#tell(data.type, data);
-    this.#node.onprocessorerror = () => this.#tell("failed", "the audio thread has stopped");
+    this.#node.onprocessorerror = () => this.#tell("silent", "the audio thread has stopped");
     this.#node.connect(this.#context.destination);
     this.#analyser = new AnalyserNode(this.#context, { fftSize: SPECTRUM_FRAMES, smoothingTimeConstant: 0.5 });
     this.#node.connect(this.#analyser);
@@ -105,8 +125,7 @@ export class Sound extends EventTarget {
 
   #hear(data) {
     if ("progress" in data) return this.#tell("progress", data.progress);
-    this.#worker.terminate();
-    this.#worker = null;
+    this.cancel(); // it has done its work
     if (data.error) return this.#tell("failed", data.error);
     this.#built = data;
     this.#tell("built", data.facts);

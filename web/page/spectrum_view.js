@@ -9,16 +9,19 @@ const MARKS = [100, 1000, 10000]; // [Hz]
 
 export class SpectrumView {
   #canvas;
-  #decibels = null;
+  #decibels = null; // what is shown
+  #now = null;
 
   constructor(canvas) {
     this.#canvas = canvas;
   }
 
-  /** Draws what an AnalyserNode hears. */
-  show(analyser) {
-    this.#decibels ??= new Float32Array(analyser.frequencyBinCount);
-    analyser.getFloatFrequencyData(this.#decibels);
+  /** Draws what an AnalyserNode hears; if `isHeld`, the greatest that it has heard since the last time that it was not. */
+  show(analyser, isHeld) {
+    this.#now ??= new Float32Array(analyser.frequencyBinCount);
+    this.#decibels ??= new Float32Array(analyser.frequencyBinCount).fill(-Infinity);
+    analyser.getFloatFrequencyData(this.#now);
+    this.#now.forEach((now, i) => { this.#decibels[i] = isHeld ? Math.max(now, this.#decibels[i]) : now; });
     const canvas = this.#canvas;
     canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
     canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);

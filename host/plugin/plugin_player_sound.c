@@ -31,11 +31,11 @@ static float to_sample(double sum) { return fabs(sum) >= (double)FLT_MIN ? (floa
 
 /* ---- sound in ------------------------------------------------------------------------------- */
 
-static const double MOST_SOUND = 100.0; /* of an input, times full scale */
-
 static double limited(float sample) REALTIME;
 static double limited(float sample) {
-  return isfinite(sample) ? fmin(fmax((double)sample, -MOST_SOUND), MOST_SOUND) : 0;
+  return isfinite(sample)
+           ? fmin(fmax((double)sample, -DRUM_PLAYER_MOST_INPUT), DRUM_PLAYER_MOST_INPUT)
+           : 0;
 }
 
 /* A loudspeaker plays the mean of both channels at the place of the drum's first microphone. */

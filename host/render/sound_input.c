@@ -7,6 +7,7 @@
 #include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "files/audio_clip.h"
+#include "sound/drum_player.h"
 
 static Outcome read_mic(const Arguments *arguments, const TaborDrumDef *def, uint32_t *mic) {
   const char *const name = arguments_value(arguments, "input-mic");
@@ -20,6 +21,19 @@ static Outcome read_mic(const Arguments *arguments, const TaborDrumDef *def, uin
   return OUTCOME_OK;
 }
 
+/* Limits what no recording holds, as the plugins do, and says so. */
+static void limit_clip(const char *name, const AudioClip *clip) {
+  double peak = 0;
+  for (size_t i = 0; i < clip->count; i++) {
+    peak = fmax(peak, fabs(clip->samples[i]));
+    clip->samples[i] =
+      fmin(fmax(clip->samples[i], -DRUM_PLAYER_MOST_INPUT), DRUM_PLAYER_MOST_INPUT);
+  }
+  if (peak <= DRUM_PLAYER_MOST_INPUT) return;
+  warn("--input " INPUT ": its peak of %+.0f dBFS is limited to %+.0f dBFS", INPUT_OF(name),
+       20 * log10(peak), 20 * log10(DRUM_PLAYER_MOST_INPUT));
+}
+
 static Outcome take_clip(const char *name, const AudioClip *clip, double rate, double level,
                          SoundInput *input) {
   if (clip->rate != rate) {
@@ -30,6 +44,7 @@ static Outcome take_clip(const char *name, const AudioClip *clip, double rate, d
   input->pressure = calloc(clip->count, sizeof *input->pressure);
   if (!input->pressure) return fail_memory();
   input->count = (uint32_t)clip->count;
+  limit_clip(name, clip);
   for (size_t i = 0; i < clip->count; i++) input->pressure[i] = (float)(level * clip->samples[i]);
   return OUTCOME_OK;
 }

@@ -32,6 +32,17 @@ done_quietly render "${linear[@]}" --strike velocity=1 -o stroke.wav
 done_quietly render "${linear[@]}" --strike velocity=1 --input silence.wav -o both.wav
 same_bytes "a stroke in silence" stroke.wav both.wav
 
+# ---- louder than any recording ----
+
+"$SYNTHESISE" loud.wav 48000 1 0.3 0 -300 100,540,0
+"$SYNTHESISE" louder.wav 48000 1 0.3 0 -300 100,600,0
+run render "${linear[@]}" --input loud.wav -o limited.wav
+same "a sound of +540 dBFS is played" 0 "$status"
+same "its limit is said" "warning: --input 'loud.wav': its peak of +540 dBFS is limited to +40 dBFS" "$(sed 's/^tabor: //' "$err")"
+run render "${linear[@]}" --input louder.wav -o louder-limited.wav
+same_bytes "a louder one sounds alike" limited.wav louder-limited.wav
+holds "as what the limit sounds like" "$(peak limited.wav) > 1 && $(peak limited.wav) < 1e5"
+
 # ---- refused ----
 
 refused "--input-level and --input-mic need --input" render tom-12 --input-level 2

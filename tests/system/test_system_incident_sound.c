@@ -122,6 +122,67 @@ static void the_ledger_closes(void **state) {
   }
 }
 
+/* The ledger's promise in noise of half a second at one level [Pa]; tabor.h has its two parts. */
+static void play_noise(TaborModel *model, double pascals, uint64_t *random) {
+  static const double FLOOR = 2e-12; /* [W] */
+  static const uint32_t LENGTH = RATE / 2 / BLOCK * BLOCK;
+  TaborDrum *drum = physics_drum(model);
+  TaborModelInfo info;
+  TaborLedger ledger;
+  TaborStatistics statistics;
+  for (uint32_t at = 0; at < LENGTH; at += BLOCK) {
+    float in[BLOCK];
+    for (int i = 0; i < BLOCK; i++) in[i] = (float)(pascals * physics_uniform(random, -1.0, 1.0));
+    const TaborSound outside = {.mic = 0, .pressure = in};
+    tabor_drum_process_sound(drum, NULL, 0, &outside, NULL, BLOCK);
+  }
+  tabor_drum_ledger(drum, &ledger);
+  tabor_drum_statistics(drum, &statistics);
+  tabor_model_info(model, &info);
+  const double time = (double)LENGTH / RATE, put_in = ledger.injected + fabs(ledger.control);
+  const double bound = fmax(physics_residual(info.quality) * put_in, FLOOR * time);
+  print_message("%g Pa: injected %.3g J, residual %.2g J, bound %.2g J\n", pascals, ledger.injected,
+                ledger.residual, bound);
+  assert_true(ledger.injected > 0.0 && isfinite(ledger.stored));
+  assert_true(ledger.residual >= -bound);
+  if (statistics.newton_capped == 0) assert_true(ledger.residual <= bound);
+  tabor_drum_destroy(drum);
+}
+
+static void no_level_of_noise_creates_energy(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"marching-14x12", "tom-12"};
+  static const double LEVELS[] = {1e-4, 1e-2, 0.1, 1.0, 1e2, 1e5, 1e9, 3e38};
+  uint64_t random = physics_seed();
+  for (size_t i = 0; i < 2; i++) {
+    TaborDrumDef def = physics_preset(PRESETS[i]);
+    if (brief) def = physics_small(&def);
+    TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+    for (size_t k = 0; k < sizeof LEVELS / sizeof *LEVELS; k++)
+      play_noise(model, LEVELS[k], &random);
+    tabor_model_release(model);
+  }
+}
+
+/* Sound beyond the air's own pressure sounds like sound of that pressure; what is no number is silence. */
+static void sound_is_limited_to_the_pressure_of_the_air(void **state) {
+  (void)state;
+  static const float LOUD[3][4] = {
+    {1e5f, -1e5f, 0.0f, 1e5f}, {3e38f, -2e7f, NAN, INFINITY}, {2e5f, -INFINITY, -NAN, 1e5f}};
+  const TaborDrumDef preset = physics_preset("tom-12"), def = physics_small(&preset);
+  float heard[3][BLOCK];
+  for (int i = 0; i < 3; i++) {
+    float in[BLOCK] = {0.0f}, *outputs[TABOR_MAX_MICS] = {heard[i]};
+    TaborDrum *drum = drum_of(&def, TABOR_QUALITY_LIVE);
+    memcpy(in, LOUD[i], sizeof LOUD[i]);
+    const TaborSound outside = {.mic = 0, .pressure = in};
+    tabor_drum_process_sound(drum, NULL, 0, &outside, outputs, BLOCK);
+    assert_memory_equal(heard[i], heard[0], sizeof heard[0]);
+    tabor_drum_destroy(drum);
+  }
+  assert_true(heard[0][BLOCK - 1] != 0.0f);
+}
+
 /* ---- silence --------------------------------------------------------------------------------- */
 
 static double nothing(uint32_t frame) {
@@ -207,6 +268,8 @@ int main(int argc, char **argv) {
   };
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_ledger_closes),
+    cmocka_unit_test(no_level_of_noise_creates_energy),
+    cmocka_unit_test(sound_is_limited_to_the_pressure_of_the_air),
     cmocka_unit_test(silence_in_is_silence_out),
     cmocka_unit_test(a_reset_at_rest_forgets_the_work_of_sound),
     cmocka_unit_test(blocks_and_states_change_no_bit),

@@ -828,8 +828,10 @@ typedef struct TaborStatistics {
  * injected + control = stored + head_loss + wire_loss + contact_loss + damper_loss + shell_loss
  *                      + radiated + removed + residual.
  * The magnitude of the residual is at most 1e-9 of injected + |control| at `studio` and
- * `reference`, 1e-6 at `draft` and `live`. The exception is a contact solver stopped at its cap
- * (newton_capped), where a drum may lose more energy, but never gains any.
+ * `reference`; at `draft` and `live` it is at most 1e-6 of that, or 2e-12 J for each second that wires rest on a head,
+ * whichever is larger. (Contacts in single precision know the work of the wires' own rest forces to 1.5e-6, so that
+ * this part falls with the motion, and not with its square; see docs/limits.md.) The exception is a contact solver
+ * stopped at its cap (newton_capped), where a drum may lose more energy, but never gains any.
  */
 typedef struct TaborLedger {
   /** Kinetic energy of launched strikers, and the work of pressing hands, their springs and sound from outside. */
@@ -1039,8 +1041,8 @@ TABOR_API void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uin
  * tabor_drum_process() while sound from outside drives the heads, and through them the wires: a loudspeaker in front
  * of a snare drum, or another drum. @p sound may be NULL. Its source stands at the place of a microphone, which is
  * used backwards: the heads are pushed as that microphone would hear them move (engine/src/air/incident_sound.h has
- * the equation). It acts on the modes up to the two-way bandwidth. Sound below 2e-5 Pa counts as silence; any other
- * wakes a drum that sleeps. The ledger counts its work as injected.
+ * the equation). It acts on the modes up to the two-way bandwidth. Sound below 2e-5 Pa counts as silence, and so does what is
+ * no number; any other wakes a drum that sleeps. Sound beyond 1e5 Pa, the air's own pressure, is limited to it. The ledger counts its work as injected.
  */
 TABOR_API void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_t count,
                                         const TaborSound *sound, float *const *outputs,

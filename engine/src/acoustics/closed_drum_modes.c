@@ -8,6 +8,7 @@
 #include "acoustics/felt_ring.h"
 #include "acoustics/rim_radiation.h"
 #include "definition/definition.h"
+#include "math/portable_math.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -169,7 +170,8 @@ double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth) {
 /* About so many zeros of J_m or J_m' lie below z [DLMF, 10.20]: its phase in the WKB approximation, over pi. */
 static double zeros_below(double m, double z) {
   if (!(z > m)) return 0.0;
-  return (sqrt(z * z - m * m) - m * acos(m / z)) / PI + 0.25;
+  const double side = sqrt(z * z - m * m);
+  return side / PI - m * tb_arc_degrees(side, m) / 180.0 + 0.25;
 }
 
 double tb_closed_drum_order_size(const TaborDrumDef *def, double m, double basis_top,

@@ -13,7 +13,8 @@
  * nearest point of a head is left out: p0 is that of sound which arrives there at its instant. The force does
  * the work F_j (q_j(n + 1) - q_j(n - 1))/2, which the ledger counts as injected.
  *
- * Limits: the modes of the high band, hoop and sticks do not hear. Audio-safe. */
+ * Limits: the modes of the high band, hoop and sticks do not hear; sound louder than TB_INCIDENT_MOST is clipped.
+ * Audio-safe. */
 #ifndef TB_INCIDENT_SOUND_H
 #define TB_INCIDENT_SOUND_H
 
@@ -21,6 +22,11 @@
 
 /* Pressure that counts as silence [Pa]: the threshold of hearing. */
 #define TB_INCIDENT_LEAST 2e-5
+
+/* The loudest [Pa]: the air's own pressure, below which no sound can take it. Up to here created energy stays within a
+ * ten millionth of what came in (tests/system/test_system_incident_sound.c); far beyond, heads stretch so much in a
+ * step that it does not. */
+#define TB_INCIDENT_MOST 1e5
 
 /* True if it acts in this step. */
 bool tb_incident_pushes(const TbView *view);

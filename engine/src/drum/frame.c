@@ -42,14 +42,21 @@ static void respond(TbView *view, double *pressure) {
   }
 }
 
+/* What is no number is silence. */
+static double limited(double pressure) {
+  if (!(fabs(pressure) >= TB_INCIDENT_LEAST)) return 0.0;
+  if (fabs(pressure) <= TB_INCIDENT_MOST) return pressure;
+  return pressure < 0.0 ? -TB_INCIDENT_MOST : TB_INCIDENT_MOST;
+}
+
 /* Returns the pressure of the frame before. */
 static double take_sound(TbView *view, const TbFrameAir *air) {
   TbState *state = view->state;
   const double before = state->incident;
-  const double size = air ? fabs(air->incident) : 0.0;
-  const bool wakes = size >= TB_INCIDENT_LEAST && size >= air->wake;
+  const double incident = air ? limited(air->incident) : 0.0;
+  const bool wakes = incident != 0.0 && fabs(incident) >= air->wake;
   if (wakes) state->asleep = state->quiet_checks = 0;
-  state->incident = size >= TB_INCIDENT_LEAST && !state->asleep ? air->incident : 0.0;
+  state->incident = state->asleep ? 0.0 : incident;
   view->incident.mic = air ? air->mic : 0;
   view->incident.low = air && air->low;
   view->mics.tap = air ? air->tap : TB_NO_TAP;

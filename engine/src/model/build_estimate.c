@@ -8,6 +8,7 @@
 #include "acoustics/head_pitch.h"
 #include "acoustics/head_waves.h"
 #include "definition/definition.h"
+#include "math/portable_math.h"
 #include "model/quality_level.h"
 #include "model/tuning.h"
 #include "model/wires.h"
@@ -155,7 +156,7 @@ static double high_band_seconds(const TaborDrumDef *def, const Sizes *s) {
   if (tb_has_cavity(def)) return each + 6e-7 * zero * zero;
   double far = 0.0;
   for (uint32_t i = 0; i < def->mic_count; i++) {
-    far = fmax(far, hypot(def->mic[i].radius, def->mic[i].height));
+    far = fmax(far, tb_hypot(def->mic[i].radius, def->mic[i].height));
   }
   return zero * (1.2e-6 * zero + s->top_wavenumber * (2e-6 * def->shell.radius + 8e-9 * far));
 }

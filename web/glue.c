@@ -148,11 +148,11 @@ EXPORT("drum_take_midi")
 const WebMidiAction *web_drum_take_midi(WebDrum *web, uint32_t status, uint32_t first,
                                         uint32_t second) {
   const MidiMessage message = web_midi_message(status, first, second);
-  MidiAction action;
-  const bool acts = midi_to_events_take(&web->midi, &message, &action);
+  MidiAction actions[MIDI_MOST_ACTIONS];
+  const uint32_t count = midi_to_events_take(&web->midi, &message, actions);
   web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
-  if (acts && action.type == MIDI_ACTION_EVENT)
-    web->midi_action = web_midi_action(0, &action.event);
+  if (count > 0 && actions[0].type == MIDI_ACTION_EVENT)
+    web->midi_action = web_midi_action(0, &actions[0].event);
   return &web->midi_action;
 }
 

@@ -97,7 +97,7 @@ EXPORT("kit_take_midi")
 const WebMidiAction *web_kit_take_midi(WebKit *web, uint32_t status, uint32_t first,
                                        uint32_t second) {
   const MidiMessage message = web_midi_message(status, first, second);
-  TaborKitEvent events[TABOR_KIT_DRUMS];
+  TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   const uint32_t count = kit_midi_take(web->midi, &message, events);
   web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
   if (count > 0) web->midi_action = web_midi_action(events[0].drum, &events[0].event);

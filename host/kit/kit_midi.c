@@ -152,13 +152,16 @@ static bool event_of(const MidiAction *action, TaborEvent *event) {
 }
 
 static uint32_t take_for(KitMidi *midi, uint32_t drum, const MidiMessage *message,
-                         TaborKitEvent *event) {
-  MidiAction action;
-  if (!midi_to_events_take(&midi->drums[drum], message, &action)) return 0;
-  event->drum = drum;
-  if (!event_of(&action, &event->event)) return 0;
-  midi->strokes[drum] += event->event.type == TABOR_EVENT_STRIKE;
-  return 1;
+                         TaborKitEvent *events) {
+  MidiAction actions[MIDI_MOST_ACTIONS];
+  const uint32_t acts = midi_to_events_take(&midi->drums[drum], message, actions);
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < acts; i++) {
+    if (!event_of(&actions[i], &events[count].event)) continue;
+    midi->strokes[drum] += events[count].event.type == TABOR_EVENT_STRIKE;
+    events[count++].drum = drum;
+  }
+  return count;
 }
 
 /* A prefix is for one note only, whichever drum that is for. */
@@ -210,7 +213,7 @@ static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEve
 }
 
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
-                       TaborKitEvent events[TABOR_KIT_DRUMS]) {
+                       TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) {
   uint32_t count = 0;
   switch (midi_kind(message)) {
   case MIDI_NOTE_ON:

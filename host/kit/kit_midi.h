@@ -17,6 +17,7 @@
 #include "midi/midi_to_events.h"
 
 #define KIT_MIDI_NOBODY 0xff
+#define KIT_MIDI_MOST_EVENTS (MIDI_MOST_ACTIONS * TABOR_KIT_DRUMS) /**< of one message */
 /**
  * Address of a note with a sample (kit_samples.h): this and the General MIDI note. The velocity of a stroke is its strength,
  * 0 to 1; TABOR_EVENT_SILENCE chokes the sample.
@@ -54,7 +55,7 @@ void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *s
 void kit_midi_rest(KitMidi *midi) REALTIME;
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
-                       TaborKitEvent events[TABOR_KIT_DRUMS]) REALTIME;
+                       TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
 /** Name of a note of General MIDI's percussion, as "closed hi-hat"; NULL for others. */
 const char *kit_midi_note_name(int note);
 

@@ -10,8 +10,8 @@
 
 /* Makes room for what a message may do. */
 static bool grow(KitSong *song, size_t *room) {
-  if (song->count + TABOR_KIT_DRUMS <= *room) return true;
-  const size_t larger = 2 * *room + 4 * TABOR_KIT_DRUMS;
+  if (song->count + KIT_MIDI_MOST_EVENTS <= *room) return true;
+  const size_t larger = 2 * *room + 4 * KIT_MIDI_MOST_EVENTS;
   TaborKitEvent *const events = realloc(song->events, larger * sizeof *events);
   if (!events) return false;
   song->events = events;
@@ -53,12 +53,12 @@ static Outcome check(const char *name, const MidiFile *file, const KitMidi *midi
   return refuse("%s: no note in it plays a drum of the kit", input_name(name));
 }
 
-Outcome kit_song_read(const char *name, KitMidi *midi, Humanizer humanizer, double rate,
+Outcome kit_song_read(const Arguments *arguments, KitMidi *midi, Humanizer humanizer, double rate,
                       KitSong *song) {
+  const char *const name = arguments_value(arguments, "midi-file");
   MidiFile file = {0};
   *song = (KitSong){0};
-  if (!*name) return refuse("--midi-file needs the name of a file");
-  Outcome outcome = midi_file_read(name, &file);
+  Outcome outcome = midi_file_of_arguments(arguments, &file);
   MidiPlace *const places = outcome == OUTCOME_OK ? midi_order(&file, rate) : NULL;
   if (outcome == OUTCOME_OK && !places) outcome = fail_memory();
   if (outcome == OUTCOME_OK) outcome = take_messages(&file, places, midi, &humanizer, song);

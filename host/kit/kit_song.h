@@ -7,7 +7,7 @@
 #define TABOR_HOST_KIT_SONG_H
 
 #include "kit/kit_midi.h"
-#include "midi/midi_file.h"
+#include "midi/midi_file_input.h"
 #include "strokes/humanize.h"
 
 typedef struct KitSong {
@@ -17,10 +17,10 @@ typedef struct KitSong {
 } KitSong;
 
 /**
- * Reads MIDI file @p name for the kit of @p midi at @p rate [Hz]; strokes are scattered by @p humanizer. Refuses a file in
+ * Reads the file of --midi-file for the kit of @p midi at @p rate [Hz]; strokes are scattered by @p humanizer. Refuses a file in
  * which no note plays a drum. Free with kit_song_free(), whatever the outcome.
  */
-Outcome kit_song_read(const char *name, KitMidi *midi, Humanizer humanizer, double rate,
+Outcome kit_song_read(const Arguments *arguments, KitMidi *midi, Humanizer humanizer, double rate,
                       KitSong *song);
 /** Prints the notes that play no drum, each once, with its name and number of strokes. */
 void kit_song_note(const char *name, const KitMidi *midi);

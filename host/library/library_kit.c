@@ -50,7 +50,7 @@ static Outcome check_count(const TaborKitDef *def, const LibraryShape *shape) {
 /* What the kit's first note for it does at this velocity. */
 static void take_stroke(const LibrarySound *sound, KitMidi *midi, TaborEvent *event) {
   const MidiMessage note = {0x99, {sound->keys[0], (uint8_t)sound->midi}};
-  TaborKitEvent events[TABOR_KIT_DRUMS];
+  TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   kit_midi_rest(midi);
   if (kit_midi_take(midi, &note, events) == 1) *event = events[0].event;
 }

@@ -14,6 +14,17 @@ static void bind_preset(MidiToEvents *drum, uint32_t preset) {
   midi_binding_make(drum->map, &def, &drum->binding);
 }
 
+/* Makes room for what a message may do. */
+static bool grow(MidiSong *song, size_t *room) {
+  if (song->count + MIDI_MOST_ACTIONS <= *room) return true;
+  const size_t larger = 2 * *room + 64;
+  MidiSongItem *const items = realloc(song->items, larger * sizeof *items);
+  if (!items) return false;
+  song->items = items;
+  *room = larger;
+  return true;
+}
+
 /* The preset chosen once more changes nothing. */
 static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
   if (action->type != MIDI_ACTION_PRESET) return true;
@@ -23,20 +34,32 @@ static bool changes(MidiSong *song, const MidiAction *action, int *preset) {
   return true;
 }
 
-static void take_messages(const MidiPlace *places, MidiToEvents *drum, MidiSong *song) {
+static void add_item(MidiSong *song, const MidiAction *action, const MidiToEvents *drum,
+                     uint32_t frame) {
+  song->items[song->count] = (MidiSongItem){.frame = frame,
+                                            .place = song->count,
+                                            .head_radius = drum->binding.head_radius,
+                                            .action = *action};
+  song->count++;
+}
+
+static bool take_messages(const MidiPlace *places, MidiToEvents *drum, MidiSong *song) {
   const MidiFile *const file = &song->file;
   int preset = song->first_preset;
+  size_t room = 0;
   for (size_t i = 0; i < file->count && song->presets <= MIDI_SONG_MOST_PRESETS; i++) {
-    MidiSongItem *const item = &song->items[song->count];
-    if (!midi_to_events_take(drum, &file->events[places[i].index].message, &item->action)) continue;
-    if (!changes(song, &item->action, &preset)) continue;
-    if (item->action.type == MIDI_ACTION_PRESET) bind_preset(drum, item->action.preset);
-    item->frame = places[i].frame;
-    item->place = i;
-    item->head_radius = drum->binding.head_radius;
-    song->count++;
+    MidiAction actions[MIDI_MOST_ACTIONS];
+    const uint32_t count =
+      midi_to_events_take(drum, &file->events[places[i].index].message, actions);
+    if (!grow(song, &room)) return false;
+    for (uint32_t k = 0; k < count; k++) {
+      if (!changes(song, &actions[k], &preset)) continue;
+      if (actions[k].type == MIDI_ACTION_PRESET) bind_preset(drum, actions[k].preset);
+      add_item(song, &actions[k], drum, places[i].frame);
+    }
   }
   song->counts = drum->counts;
+  return true;
 }
 
 /* ---- what acts first ---- */
@@ -86,13 +109,10 @@ Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef
   MidiBinding binding;
   MidiToEvents drum;
   MidiPlace *const places = midi_order(&song->file, rate);
-  free(song->items);
-  song->items = calloc(song->file.count + 1, sizeof *song->items);
   song->count = song->presets = 0;
   midi_binding_make(map, def, &binding);
   midi_to_events_begin(&drum, map, &binding);
-  const bool complete = places && song->items;
-  if (complete) take_messages(places, &drum, song);
+  const bool complete = places && take_messages(places, &drum, song);
   if (complete) settle(song);
   free(places);
   return complete ? OUTCOME_OK : fail_memory();
@@ -130,8 +150,7 @@ Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const Tab
   const char *const name = arguments_value(arguments, "midi-file");
   *song = (MidiSong){.first_preset = drum_listed_preset(arguments)};
   if (!name) return OUTCOME_OK;
-  if (!*name) return refuse("--midi-file needs the name of a file");
-  Outcome outcome = midi_file_read(name, &song->file);
+  Outcome outcome = midi_file_of_arguments(arguments, &song->file);
   if (outcome == OUTCOME_OK) outcome = check_times(name, &song->file);
   if (outcome == OUTCOME_OK) outcome = midi_song_compose(song, map, def, rate);
   return outcome == OUTCOME_OK ? check_counts(name, map, song) : outcome;

@@ -12,15 +12,12 @@
 #define TABOR_HOST_MIDI_SONG_H
 
 #include "base/options.h"
-#include "midi/midi_file.h"
+#include "midi/midi_file_input.h"
 #include "midi/midi_to_events.h"
 
 #define MIDI_SONG_LONGEST 3600 /**< latest time of the last message [s] */
 #define MIDI_SONG_MOST_STROKES 100000
 #define MIDI_SONG_MOST_PRESETS 1000 /**< program changes that have an effect */
-
-#define OPTION_MIDI_FILE                                                                           \
-  { "midi-file", 0, "FILE", "strokes from a MIDI file, '-' for standard input; see below" }
 
 typedef struct MidiSongItem {
   uint32_t frame;     /**< since the start */

@@ -14,6 +14,8 @@ static const uint32_t FIRST_HAND = 0xFFFF0000; /* ids of hands; of strokes they 
 static const uint32_t FIRST_BUZZ = 0xFFFF0100; /* ids of held sticks, one for each note */
 static const double BUZZ_PRESSURE = 0.5;       /* of the range, until key pressure tells */
 
+enum { MODULATION = 1, EXPRESSION = 11, RESET_ALL_CONTROLLERS = 121 };
+
 /* ---- binding ---- */
 
 static MidiParameter find_parameter(const TaborDrumDef *def, const char *key) {
@@ -305,16 +307,41 @@ static bool move(MidiToEvents *drum, uint8_t number, MidiAction *action) {
   return false;
 }
 
+static bool set_control(MidiToEvents *drum, uint8_t number, uint8_t value, MidiAction *action) {
+  drum->values[number] = value;
+  drum->moved[number] = true;
+  return move(drum, number, action);
+}
+
+/* What RP-015 of MIDI's manufacturers resets: see midi_to_events.h. */
+static const struct {
+  uint8_t number, value;
+} RESET_VALUES[] = {{EXPRESSION, 127}, {MODULATION, 0}};
+
+static uint32_t reset_controls(MidiToEvents *drum, uint8_t channel,
+                               MidiAction actions[MIDI_MOST_ACTIONS]) {
+  uint32_t count = 0;
+  drum->prefixes[channel] = 0;
+  for (size_t i = 0; i < sizeof RESET_VALUES / sizeof *RESET_VALUES; i++) {
+    if (!drum->moved[RESET_VALUES[i].number]) continue;
+    actions[count] = (MidiAction){0};
+    count += set_control(drum, RESET_VALUES[i].number, RESET_VALUES[i].value, &actions[count]);
+  }
+  for (uint32_t hand = 0; hand < 2; hand++) {
+    actions[count] = (MidiAction){0};
+    count += press_hand(drum, hand, 0, &actions[count]);
+  }
+  return count;
+}
+
 static bool take_control(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t number = message->data[0];
-  drum->values[number] = message->data[1];
-  drum->moved[number] = true;
   if (number == MIDI_HIGH_RESOLUTION_PREFIX &&
       drum->map->controls[number].target == MIDI_TARGET_NONE) {
     drum->prefixes[midi_channel(message)] = message->data[1];
     return false;
   }
-  return move(drum, number, action);
+  return set_control(drum, number, message->data[1], action);
 }
 
 /* ---- all of them ---- */
@@ -326,9 +353,12 @@ static bool choose_preset(const MidiToEvents *drum, uint8_t program, MidiAction 
   return true;
 }
 
-bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
-  const int channel = drum->map->channel;
-  if (channel != MIDI_OMNI && channel != midi_channel(message)) return false;
+static bool resets_controls(const MidiToEvents *drum, const MidiMessage *message) {
+  return midi_kind(message) == MIDI_CONTROL && message->data[0] == RESET_ALL_CONTROLLERS &&
+         drum->map->controls[RESET_ALL_CONTROLLERS].target == MIDI_TARGET_NONE;
+}
+
+static bool take_one(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   *action = (MidiAction){0};
   switch (midi_kind(message)) {
   case MIDI_NOTE_OFF:
@@ -341,4 +371,12 @@ bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message, MidiAct
   case MIDI_CHANNEL_PRESSURE: return take_channel_pressure(drum, message, action);
   default: return false;
   }
+}
+
+uint32_t midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
+                             MidiAction actions[MIDI_MOST_ACTIONS]) {
+  const int channel = drum->map->channel;
+  if (channel != MIDI_OMNI && channel != midi_channel(message)) return 0;
+  if (resets_controls(drum, message)) return reset_controls(drum, midi_channel(message), actions);
+  return take_one(drum, message, actions) ? 1 : 0;
 }

@@ -2,12 +2,16 @@
 /**
  * @file midi_to_events.h
  * Converts MIDI messages to actions of a drum: events for the engine, and gain, preset changes and silence.
- * A message is a bounded amount of work and gives at most one action. There are no side effects.
+ * A message is a bounded amount of work and gives at most MIDI_MOST_ACTIONS actions. There are no side effects.
  *
  * Strokes take radius and angle from the controllers, or from the preset's [strike] until a controller has
  * moved. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
  * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. 6 N s/m mutes best; a stronger hand would hold the
  * head still under it and let the rest of the head ring.
+ *
+ * Controller 121 undoes what MIDI's RP-015 names: expression (11) goes to 127, modulation (1) to 0, if they have moved; hands
+ * that pressure has laid on the head are lifted, and a prefix is forgotten. Volume (7) and the places of strokes (16, 17) and the
+ * strainer (20) stay.
  *
  * A sweep note starts at the position of strokes and circles the centre. Its speed is proportional to the
  * velocity and equals the brush's sweep_speed at 64. Controllers of the position then move the brush. Key
@@ -42,6 +46,7 @@ typedef struct MidiParameter {
 } MidiParameter;
 
 #define MIDI_NO_BRUSH UINT32_MAX
+#define MIDI_MOST_ACTIONS 4 /**< of one message */
 
 /** The map resolved for one drum. Plain data: copy it by assignment. */
 typedef struct MidiBinding {
@@ -82,8 +87,8 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
 /** AUDIO. Starts; @p map must outlive @p drum. */
 void midi_to_events_begin(MidiToEvents *drum, const MidiMap *map,
                           const MidiBinding *binding) REALTIME;
-/** AUDIO. True if @p message has an effect, which is then in *action. */
-bool midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
-                         MidiAction *action) REALTIME;
+/** AUDIO. Writes what @p message does to @p actions; returns how many actions. */
+uint32_t midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
+                             MidiAction actions[MIDI_MOST_ACTIONS]) REALTIME;
 
 #endif

@@ -14,6 +14,7 @@
 #include "kit/kit_options.h"
 #include "kit/kit_player.h"
 #include "midi/midi_input.h"
+#include "midi/midi_mask.h"
 #include "platform/clock.h"
 #include "platform/process.h"
 #include "play/backend.h"
@@ -33,6 +34,7 @@ typedef struct KitSession {
   KitSong song;
   KitSamples samples;
   Humanizer song_scatter, live_scatter;
+  MidiMask mask;
   KitMidiSetup midi;
   double gain, duration;
   bool quiet, json;
@@ -85,6 +87,7 @@ static Outcome read_numbers(const Arguments *arguments, KitSession *s) {
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &s->duration);
   if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0.3, &s->live_scatter);
   if (outcome == OUTCOME_OK) outcome = kit_midi_setup_read(arguments, &s->midi);
+  if (outcome == OUTCOME_OK) outcome = midi_mask_read(arguments, &s->mask.time);
   if (outcome == OUTCOME_OK) {
     outcome = model_options_read(arguments, &s->def.drum[0].def, &s->model);
   }
@@ -110,7 +113,7 @@ static Outcome read_song(const Arguments *arguments, KitSession *s) {
   }
   if (!name) return OUTCOME_OK;
   const Outcome outcome =
-    kit_song_read(name, &s->song_midi, s->song_scatter, s->model.sample_rate, &s->song);
+    kit_song_read(arguments, &s->song_midi, s->song_scatter, s->model.sample_rate, &s->song);
   if (outcome == OUTCOME_OK && !s->quiet) kit_song_note(name, &s->song_midi);
   return outcome;
 }
@@ -139,7 +142,8 @@ static Outcome start_recorder(KitSession *s) {
 /* A MidiInputFn. */
 static void receive(void *context, double time, const MidiMessage *message) {
   KitSession *const s = context;
-  TaborKitEvent events[TABOR_KIT_DRUMS];
+  TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
+  if (!midi_mask_passes(&s->mask, message, time)) return;
   const uint32_t count = kit_midi_take(&s->live_midi, message, events);
   for (uint32_t i = 0; i < count; i++) {
     if (events[i].drum < s->def.drum_count) {

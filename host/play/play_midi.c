@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "play/play_midi.h"
+#include "midi/midi_mask.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -16,6 +17,7 @@ struct PlayMidi {
   MidiToEvents drum;
   double bound; /* when the drum was looked at [s] */
   Humanizer humanizer;
+  MidiMask mask;
   Player *player;
   ModelBuilder *builder;
   MidiInput *input;
@@ -81,16 +83,8 @@ int play_midi_learned(PlayMidi *midi) {
   return learned;
 }
 
-static void receive(void *context, double time, const MidiMessage *message) {
-  PlayMidi *const midi = context;
-  const double now = stopwatch_seconds(CLOCK_MONOTONIC);
-  MidiAction action;
-  if (now - midi->bound > BINDING_AGE) bind(midi, now);
-  learn(midi, message, now);
-  const bool acts = midi_to_events_take(&midi->drum, message, &action);
-  atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
-  if (!acts) return;
-  Cue cue = play_midi_cue(&action, player_frame_at(midi->player, time));
+static void act(PlayMidi *midi, const MidiAction *action, double time, double now) {
+  Cue cue = play_midi_cue(action, player_frame_at(midi->player, time));
   humanize(&midi->humanizer, midi->drum.binding.head_radius, &cue.message.event);
   if (cue.preset) {
     (void)model_builder_program(midi->builder, cue.message.frame, cue.preset); /* it says */
@@ -98,6 +92,18 @@ static void receive(void *context, double time, const MidiMessage *message) {
   } else {
     (void)player_send(midi->player, SOURCE_MIDI, &cue.message); /* counts what it drops */
   }
+}
+
+static void receive(void *context, double time, const MidiMessage *message) {
+  PlayMidi *const midi = context;
+  const double now = stopwatch_seconds(CLOCK_MONOTONIC);
+  MidiAction actions[MIDI_MOST_ACTIONS];
+  if (now - midi->bound > BINDING_AGE) bind(midi, now);
+  learn(midi, message, now);
+  if (!midi_mask_passes(&midi->mask, message, time)) return;
+  const uint32_t count = midi_to_events_take(&midi->drum, message, actions);
+  atomic_store(&midi->ignored, midi->drum.counts.ignored_notes);
+  for (uint32_t i = 0; i < count; i++) act(midi, &actions[i], time, now);
 }
 
 Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder *builder,
@@ -108,6 +114,7 @@ Outcome play_midi_open(const PlayRequest *request, Player *player, ModelBuilder 
   midi->learned = -1;
   midi->map = request->midi_map;
   midi->humanizer = request->humanizer;
+  midi->mask.time = request->mask_time;
   midi->player = player;
   midi->builder = builder;
   midi_to_events_begin(&midi->drum, &midi->map, &(MidiBinding){0});

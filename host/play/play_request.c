@@ -10,6 +10,7 @@
 #include "kit/kit_args.h"
 #include "kit/kit_options.h"
 #include "midi/midi_input.h"
+#include "midi/midi_mask.h"
 #include "midi/midi_options.h"
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
@@ -30,6 +31,8 @@ const Option play_options[] = {
   OPTION_SET,
   OPTION_EVENTS,
   OPTION_MIDI_FILE,
+  OPTION_STRICT,
+  OPTION_MASK_TIME,
   OPTION_KIT,
   OPTION_MIDI_IN,
   OPTION_MAP,
@@ -85,6 +88,7 @@ static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
   const char *const wanted = arguments_value(arguments, "midi-in");
   Outcome outcome = midi_map_read(arguments, &request->def, &request->midi_map);
   if (wanted && !*wanted) return refuse("--midi-in needs a part of a name");
+  if (outcome == OUTCOME_OK) outcome = midi_mask_read(arguments, &request->mask_time);
   if (outcome == OUTCOME_OK) {
     outcome = midi_song_read(arguments, &request->midi_map, &request->def,
                              request->model.sample_rate, &request->song);

@@ -23,9 +23,10 @@ typedef struct PlayRequest {
   double gain;                   /**< factor */
   Humanizer humanizer;
   MidiMap midi_map;
-  MidiSong song;   /**< from --midi-file */
-  Keymap keymap;   /**< actions of the computer keyboard */
-  double duration; /**< [s], or 0: no limit */
+  double mask_time; /**< [s] */
+  MidiSong song;    /**< from --midi-file */
+  Keymap keymap;    /**< actions of the computer keyboard */
+  double duration;  /**< [s], or 0: no limit */
   const Backend *backend;
   BackendRequest device;
   RecordRequest record; /**< its rate is the device's */

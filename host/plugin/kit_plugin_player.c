@@ -91,7 +91,7 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
 }
 
 void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message, uint32_t frame) {
-  TaborKitEvent events[TABOR_KIT_DRUMS];
+  TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   if (!player->now) return;
   const uint32_t count = kit_midi_take(&player->now->midi, message, events);
   for (uint32_t i = 0; i < count; i++) {

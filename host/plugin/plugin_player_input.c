@@ -251,16 +251,20 @@ static void take_preset(PluginPlayer *player, uint32_t preset) {
 
 void plugin_player_begin_frame(PluginPlayer *player) { player->chosen_before = player->chosen; }
 
-void plugin_player_take(PluginPlayer *player, const MidiMessage *midi, uint32_t ahead) {
-  MidiAction action;
+static void act(PluginPlayer *player, const MidiAction *action, uint32_t ahead) {
   PlayerMessage message;
-  if (!midi_to_events_take(&player->midi, midi, &action)) return;
-  if (player_message_from_midi(&action, player->core.position + ahead, &message)) {
+  if (player_message_from_midi(action, player->core.position + ahead, &message)) {
     humanize(&player->humanizer, player->midi.binding.head_radius, &message.event);
     push(player, &message);
   } else {
-    take_preset(player, action.preset);
+    take_preset(player, action->preset);
   }
+}
+
+void plugin_player_take(PluginPlayer *player, const MidiMessage *midi, uint32_t ahead) {
+  MidiAction actions[MIDI_MOST_ACTIONS];
+  const uint32_t count = midi_to_events_take(&player->midi, midi, actions);
+  for (uint32_t i = 0; i < count; i++) act(player, &actions[i], ahead);
 }
 
 /* Of the program changes at one frame the last counts; one to the drum that is there already does nothing. */

@@ -64,7 +64,7 @@ static Outcome read_song(const Arguments *arguments, KitRendering *r) {
   if (outcome != OUTCOME_OK) return outcome;
   kit_midi_begin(&r->midi, &r->def, &setup);
   for (int i = 0; i < MIDI_VALUES; i++) r->midi.has_sample[i] = r->samples.notes[i].path != NULL;
-  outcome = kit_song_read(name, &r->midi, humanizer, r->model.sample_rate, &r->take.song);
+  outcome = kit_song_read(arguments, &r->midi, humanizer, r->model.sample_rate, &r->take.song);
   const bool ends = r->take.format.frames > 0 && r->take.song.last_frame >= r->take.format.frames;
   if (outcome == OUTCOME_OK && ends && !r->quiet) {
     note("'%s' goes on until %.10g s; the sound stops at --duration", name,

@@ -11,6 +11,7 @@
 #include "drums/stereo_pair.h"
 #include "kit/kit_args.h"
 #include "kit/kit_options.h"
+#include "midi/midi_mask.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
 #include "strokes/humanize_options.h"
@@ -28,6 +29,8 @@ const Option render_options[] = {
   OPTION_EVENTS,
   {"replay", 0, "FILE", "play what 'tabor play --log FILE' has written, to the bit; see below"},
   OPTION_MIDI_FILE,
+  OPTION_STRICT,
+  OPTION_MASK_TIME,
   OPTION_KIT,
   OPTION_MAP,
   OPTION_PLACE_CC,
@@ -235,9 +238,10 @@ static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *reques
 /* What a log has of its own. */
 static Outcome check_replay(const Arguments *arguments) {
   static const char *const excluded[] = {
-    "strike",         "events",   "midi-file", "midi-map",    "midi-channel", "velocity-curve",
-    "velocity-range", "humanize", "seed",      "set",         "rate",         "quality",
-    "gain",           "stereo",   "input",     "input-level", "input-mic",
+    "strike",         "events",         "midi-file", "midi-map", "midi-channel",
+    "velocity-curve", "velocity-range", "humanize",  "seed",     "set",
+    "rate",           "quality",        "gain",      "stereo",   "input",
+    "input-level",    "input-mic",      "mask-time", "strict",
   };
   for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;

@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char message[1000] = "";
   MidiSong song = {.first_preset = 0};
   const MessageCapture before = message_capture(message, sizeof message);
-  Outcome outcome = midi_file_parse("input", data, size, &song.file);
+  Outcome outcome = midi_file_parse("input", data, size, false, &song.file);
   if (outcome == OUTCOME_OK) {
     check_file(&song.file);
     outcome = midi_song_compose(&song, &map, &def, 48000.0);

@@ -6,6 +6,13 @@
 #include "midi/midi_map_file.h"
 #include "midi/midi_to_events.h"
 
+static void require_finite(const MidiAction *action) {
+  fuzz_require(isfinite(action->event.velocity) && isfinite(action->event.radius) &&
+                 isfinite(action->event.angle) && isfinite(action->event.value) &&
+                 isfinite(action->value),
+               "actions are finite");
+}
+
 static void play_every_message(const MidiMap *map, const char *preset) {
   TaborDrumDef def;
   MidiBinding binding;
@@ -17,12 +24,9 @@ static void play_every_message(const MidiMap *map, const char *preset) {
     for (unsigned first = 0; first < 128; first++) {
       const MidiMessage message = {.status = (uint8_t)(kind << 4 | (first & 15u)),
                                    .data = {(uint8_t)first, (uint8_t)(127 - first)}};
-      MidiAction action;
-      if (!midi_to_events_take(&drum, &message, &action)) continue;
-      fuzz_require(isfinite(action.event.velocity) && isfinite(action.event.radius) &&
-                     isfinite(action.event.angle) && isfinite(action.event.value) &&
-                     isfinite(action.value),
-                   "actions are finite");
+      MidiAction actions[MIDI_MOST_ACTIONS];
+      const uint32_t count = midi_to_events_take(&drum, &message, actions);
+      for (uint32_t i = 0; i < count; i++) require_finite(&actions[i]);
     }
   }
 }

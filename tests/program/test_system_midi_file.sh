@@ -208,7 +208,7 @@ cp song.mid take.wav
 refused "would overwrite the MIDI file 'take.wav'" play --midi-file take.wav --record take.wav
 refused "nothing is heard live" play --backend file --record played.wav --midi-in x
 refused "--midi-in needs" play --midi-in ''
-refused "bad.mid: not a Standard MIDI File" play --midi-file bad.mid
+refused "bad.mid: byte 0: not a Standard MIDI File" play --midi-file bad.mid
 failed "missing.mid': No such file" play --midi-file missing.mid
 
 # ---- maps ----
@@ -291,21 +291,53 @@ refused "velocity-range 'x': unknown; there are: normal, full" render --velocity
 refused "midi-channel '0': out of range; allowed: 1 to 16" render --midi-channel 0
 done_quietly render "${short[@]}" --midi-channel omni --duration 0.1 -o omni.wav
 
+# ---- controller 121, and a mask time ----
+
+# Half a second after it, nothing is left of a hand and of expression.
+song reset.mid 0 "00 d97f 00 b90b00 10 b97900 8350 992664"
+song plain.mid 0 "8360 992664"
+done_quietly render tom-12 -q --quality draft --format float --midi-file reset.mid -o reset.wav
+done_quietly render tom-12 -q --quality draft --format float --midi-file plain.mid -o plain-again.wav
+same_bytes "controller 121 undoes a hand and expression" reset.wav plain-again.wav
+song twice.mid 0 "00 992664 01 99261e 8360 992664" # a tick: 5.2 ms
+song once.mid 0 "00 992664 8361 992664"
+done_quietly render -q --quality draft --format float --midi-file twice.mid -o twice.wav
+done_quietly render -q --quality draft --format float --midi-file once.mid -o once.wav
+other_bytes "a double trigger sounds" twice.wav once.wav
+for mask in 6 400; do
+  done_quietly render -q --quality draft --format float --midi-file twice.mid --mask-time $mask -o masked.wav
+  same_bytes "a double trigger within $mask ms does not" masked.wav once.wav
+done
+done_quietly render -q --kit standard --quality draft --format float --midi-file twice.mid --mask-time 6 -o kit-masked.wav
+done_quietly render -q --kit standard --quality draft --format float --midi-file once.mid -o kit-once.wav
+same_bytes "nor on a kit" kit-masked.wav kit-once.wav
+refused "--mask-time '2000'.*0 to 1000" render --midi-file twice.mid --mask-time 2000
+
 # ---- files that are none ----
 
 refused "midi-file needs" render --midi-file ''
 failed "missing.mid': No such file" render --midi-file missing.mid
 failed "it is a folder" render --midi-file .
 refused "larger than 16777216 bytes" render --midi-file /dev/zero
-refused "standard input: not a Standard MIDI File" render --midi-file - </dev/null
-refused "bad.mid: not a Standard MIDI File" render --midi-file bad.mid
+refused "standard input: byte 0: not a Standard MIDI File" render --midi-file - </dev/null
+refused "bad.mid: byte 0: not a Standard MIDI File" render --midi-file bad.mid
 song bad.mid 2 "00 992664"
 refused "bad.mid: byte 8: format 2; allowed: 0 and 1" render --midi-file bad.mid
 song song.mid 1 "00 992664" "00 992664"
 head -c 40 song.mid >bad.mid
 refused "bad.mid: byte 30: the file ends 6 bytes before its chunk of 8 does" render --midi-file bad.mid
 head -c 30 song.mid >bad.mid
-refused "bad.mid: byte 30: the file ends after 1 of its 2 tracks" render --midi-file bad.mid
+warned() { # warned WORDS ARGUMENT...: succeeds with one warning, which --strict refuses
+  local words=$1
+  shift
+  run "$@"
+  same "status of: $*" 0 "$status"
+  check "warning of: $* ($(cat "$err"))" grep -q "warning: $words" "$err"
+  refused "$words.*--strict" "$@" --strict
+}
+warned "bad.mid: byte 10: 2 tracks are announced, 1 are there" render -q --quality draft --midi-file bad.mid -o warned.wav
+warned "bad.mid: byte 10: 2 tracks are announced" render -q --kit standard --quality draft --midi-file bad.mid -o warned.wav
+warned "bad.mid: byte 10: 2 tracks are announced" play -q --no-ui --quality draft --backend file --midi-file bad.mid --record warned.wav
 song bad.mid 0 "00 2664"
 refused "bad.mid: byte 23, track 1: data without a status byte" render --midi-file bad.mid
 song bad.mid 0 ""

@@ -2,7 +2,7 @@
 #include "plugin_songs.h"
 
 #include "drums/stereo_pair.h"
-#include "midi/midi_file.h" /* both before cmocka, which takes the name of fail() */
+#include "midi/midi_file_input.h" /* both before cmocka, which takes the name of fail() */
 #include <math.h>
 #include <setjmp.h>
 #include <sndfile.h>
@@ -61,7 +61,7 @@ void song_end(void) {
   assert_non_null(stream);
   assert_int_equal(fwrite(song.writer.bytes, 1, song.writer.length, stream), song.writer.length);
   assert_int_equal(fclose(stream), 0);
-  assert_int_equal(midi_file_read(path, &file), OUTCOME_OK);
+  assert_int_equal(midi_file_read(path, false, &file), OUTCOME_OK);
   assert_true(file.count <= MOST_MESSAGES);
   song.count = file.count;
   for (size_t i = 0; i < file.count; i++) {

@@ -33,6 +33,7 @@ Outcome fail(const char *format, ...) {
 }
 
 void note(const char *format, ...) { KEEP(format); }
+void warn(const char *format, ...) { KEEP(format); }
 
 Outcome fail_memory(void) { return fail("out of memory"); }
 const char *input_name(const char *name) {

@@ -12,7 +12,7 @@
 
 static TaborKitDef *kit;
 static KitMidi *midi;
-static TaborKitEvent events[TABOR_KIT_DRUMS];
+static TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
 
 static int prepare(void **state) {
   (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The reader of Standard MIDI Files against another one, libsmf: messages and times of random files. */
-#include "midi/midi_file.h"
+#include "midi/midi_file_input.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -52,7 +52,7 @@ static void test_random_files(void **state) {
   size_t messages = 0;
   for (uint64_t seed = 1; seed <= FILES; seed++) {
     midi_write_random(&writer, seed);
-    if (midi_file_parse("song.mid", writer.bytes, writer.length, &file) != OUTCOME_OK)
+    if (midi_file_parse("song.mid", writer.bytes, writer.length, false, &file) != OUTCOME_OK)
       fail_msg("%s", said);
     smf_t *const smf = smf_load_from_memory(writer.bytes, (int)writer.length);
     assert_non_null(smf);

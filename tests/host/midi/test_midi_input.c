@@ -77,7 +77,6 @@ void midi_port_close(MidiPort *port) {
   if (port) atomic_store(&port->open, false);
 }
 
-void warn(const char *format, ...) { (void)format; }
 
 /* ---- what is received ---- */
 

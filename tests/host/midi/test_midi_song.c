@@ -12,18 +12,22 @@
 
 static MidiSong song;
 
-/* Composes the song of these messages, at 1000 Hz. */
-static void compose(const MidiFileEvent *events, size_t count) {
+static void compose_at(double rate) {
   MidiMap map;
   TaborDrumDef def;
   midi_map_default(&map);
   assert_int_equal(tabor_drum_def_preset(&def, tabor_preset(0)->name, NULL), TABOR_OK);
+  assert_int_equal(midi_song_compose(&song, &map, &def, rate), OUTCOME_OK);
+}
+
+/* Composes the song of these messages, at 1000 Hz. */
+static void compose(const MidiFileEvent *events, size_t count) {
   midi_song_free(&song);
   song.first_preset = 0;
   song.file.events = malloc(count * sizeof *events);
   song.file.count = count;
   memcpy(song.file.events, events, count * sizeof *events);
-  assert_int_equal(midi_song_compose(&song, &map, &def, 1000.0), OUTCOME_OK);
+  compose_at(1000.0);
 }
 
 static void expect(size_t index, uint32_t frame, MidiActionType type) {
@@ -53,6 +57,17 @@ static void actions_come_at_their_frames(void **state) {
   free(strokes);
 }
 
+static void a_song_is_composed_again_for_another_rate(void **state) {
+  (void)state;
+  const MidiFileEvent events[] = {{0.1, {0x99, {38, 100}}}, {0.25, {0x99, {38, 1}}}};
+  compose(events, 2);
+  compose_at(2000.0);
+  assert_int_equal(song.count, 2);
+  expect(0, 200, MIDI_ACTION_EVENT);
+  expect(1, 500, MIDI_ACTION_EVENT);
+  assert_int_equal(song.counts.strokes, 2);
+}
+
 /* The last program change at a frame wins, and acts before all else there; one to the current preset does nothing. */
 static void the_last_program_at_a_frame_acts_first(void **state) {
   (void)state;
@@ -80,6 +95,7 @@ static int clean_up(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(actions_come_at_their_frames),
+    cmocka_unit_test(a_song_is_composed_again_for_another_rate),
     cmocka_unit_test(the_last_program_at_a_frame_acts_first),
   };
   return cmocka_run_group_tests(tests, NULL, clean_up);

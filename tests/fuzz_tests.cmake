@@ -5,7 +5,8 @@
 set(TABOR_FUZZ_SEED 1 CACHE STRING "Seed of the mutations that the fuzz targets try as tests")
 add_custom_target(fuzz-targets)
 
-# tabor_add_fuzz_target(NAME RUNS LIBRARY [CORPUS GLOB...]): fuzz/corpus/NAME is its corpus, too.
+# tabor_add_fuzz_target(NAME RUNS LIBRARY [CORPUS GLOB...]): fuzz/corpus/NAME is its corpus, too. It links the engine with
+# sanitizers. test_fuzz_reach.sh says what of the sources its corpus must reach.
 function(tabor_add_fuzz_target name runs library)
   cmake_parse_arguments(of "" "" "CORPUS" ${ARGN})
   if(NOT TARGET ${library})
@@ -14,15 +15,18 @@ function(tabor_add_fuzz_target name runs library)
   set(target fuzz_${name})
   add_executable(${target} fuzz/${target}.c fuzz/fuzz.c)
   tabor_target_defaults(${target})
+  set_target_properties(${target} PROPERTIES TABOR_SANITIZED_ENGINE ON)
   target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/fuzz")
   target_link_libraries(${target} PRIVATE ${library} m)
   add_dependencies(fuzz-targets ${target})
+  file(GLOB corpus CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name}/*" ${of_CORPUS})
   if(TABOR_FUZZ)
     target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    list(JOIN corpus "," seeds) # as -seed_inputs=@FILE takes them
+    file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${target}.seeds" "${seeds}")
     return()
   endif()
   target_sources(${target} PRIVATE fuzz/replay.c)
-  file(GLOB corpus CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name}/*" ${of_CORPUS})
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/fuzz/${name}") # where the last input stays if it breaks something
   file(MAKE_DIRECTORY "${folder}")
   add_test(NAME ${target} COMMAND ${target} ${runs} ${TABOR_FUZZ_SEED} ${corpus} WORKING_DIRECTORY "${folder}")
@@ -53,4 +57,11 @@ if(TARGET fuzz_clap)
                                           ${CMAKE_DL_LIBS})
 elseif(TABOR_CLAP_MISSING AND NOT TABOR_FUZZ)
   tabor_add_skipped_test(fuzz_clap "there are no CLAP headers: tools/setup --plugins brings them")
+endif()
+
+# What of the sources the corpora reach, in a build of its own with clang.
+if(TARGET tabor-host AND NOT TABOR_FUZZ AND NOT TABOR_SANITIZE AND NOT TABOR_COVERAGE)
+  tabor_add_script_test(test_fuzz_reach "${PROJECT_SOURCE_DIR}" "${CMAKE_COMMAND}"
+                        "${CMAKE_CURRENT_BINARY_DIR}/fuzz_reach" "$<$<BOOL:${TABOR_BUILD_CLAP}>:${TABOR_CLAP_INCLUDE_DIR}>")
+  set_tests_properties(test_fuzz_reach PROPERTIES COST 100)
 endif()

@@ -103,6 +103,75 @@ static void bad_text_is_refused_and_changes_nothing(void **state) {
   free(def);
 }
 
+/* Of a kit's key, of a drum's, and of a drum's that stands without the drum. */
+static void a_mistaken_key_is_told_the_right_one(void **state) {
+  (void)state;
+  TaborKitDef *def = new_kit();
+  set(def, "drum.a.preset", "tom-12");
+  refuse(def, "kit.couplnig", "0", TABOR_ERROR_KEY, "did you mean 'coupling'");
+  refuse(def, "drum.a.heihgt", "1", TABOR_ERROR_KEY, "did you mean 'height'");
+  refuse(def, "batter.tension", "2000", TABOR_ERROR_KEY, "'drum.NAME.batter.tension'");
+  TaborError error = {0};
+  assert_int_equal(tabor_kit_def_set(def, "pedal", "1", &error), TABOR_ERROR_KEY);
+  assert_null(strstr(error.message, "NAME")); /* no drum has this either */
+  free(def);
+}
+
+static void names_and_texts_have_a_longest(void **state) {
+  (void)state;
+  TaborKitDef *def = new_kit();
+  char key[TABOR_NAME_LENGTH + 16], text[sizeof def->comment + 1];
+  snprintf(key, sizeof key, "drum.%0*d.x", TABOR_NAME_LENGTH, 7);
+  set(def, key, "1");
+  assert_int_equal(strlen(def->drum[0].name), TABOR_NAME_LENGTH);
+  snprintf(key, sizeof key, "drum.%0*d.x", TABOR_NAME_LENGTH + 1, 7);
+  refuse(def, key, "1", TABOR_ERROR_KEY, "a drum's name has 1 to");
+  memset(text, 'x', sizeof text - 1);
+  text[sizeof text - 1] = '\0';
+  refuse(def, "kit.comment", text, TABOR_ERROR_VALUE, "longer than");
+  text[sizeof text - 2] = '\0';
+  set(def, "kit.comment", text);
+  assert_string_equal(def->comment, text);
+  free(def);
+}
+
+static void a_section_begins_its_drum(void **state) {
+  (void)state;
+  TaborKitDef *def = new_kit();
+  TaborError error = {0};
+  assert_int_equal(tabor_kit_def_section(def, "kit", &error), TABOR_OK);
+  assert_int_equal(tabor_kit_def_section(def, "room", &error), TABOR_OK);
+  assert_int_equal(def->drum_count, 0);
+  for (int twice = 0; twice < 2; twice++) {
+    assert_int_equal(tabor_kit_def_section(def, "drum.a", &error), TABOR_OK);
+    assert_int_equal(def->drum_count, 1);
+  }
+  TaborKitDef *other = new_kit();
+  set(other, "drum.a.gain", "0");
+  assert_memory_equal(&def->drum[0], &other->drum[0],
+                      sizeof def->drum[0]); /* as by its first key */
+  assert_int_equal(tabor_kit_def_section(def, "drum.a.b", &error), TABOR_ERROR_KEY);
+  assert_int_equal(tabor_kit_def_section(def, "pedal", &error), TABOR_ERROR_KEY);
+  assert_int_equal(def->drum_count, 1);
+  free(other);
+  free(def);
+}
+
+static void the_limits_of_numbers_are_allowed(void **state) {
+  (void)state;
+  TaborKitDef *def = new_kit();
+  set(def, "drum.a.x", "-5");
+  set(def, "drum.a.y", "5");
+  set(def, "drum.a.choke", "15");
+  set(def, "drum.a.head", "0, 127");
+  assert_true(def->drum[0].x == -5.0 && def->drum[0].y == 5.0 && def->drum[0].choke == 15);
+  assert_int_equal(def->drum[0].notes[0], TABOR_KIT_STROKE_HEAD);
+  assert_int_equal(def->drum[0].notes[127], TABOR_KIT_STROKE_HEAD);
+  set(def, "drum.a.head", "");
+  assert_int_equal(def->drum[0].notes[127], TABOR_KIT_STROKE_NONE);
+  free(def);
+}
+
 static void a_kit_has_sixteen_drums_and_one_drum_a_note(void **state) {
   (void)state;
   TaborKitDef *def = new_kit();
@@ -152,6 +221,10 @@ int main(void) {
     cmocka_unit_test(built_in_kits_are_valid),
     cmocka_unit_test(text_sets_fields),
     cmocka_unit_test(bad_text_is_refused_and_changes_nothing),
+    cmocka_unit_test(a_mistaken_key_is_told_the_right_one),
+    cmocka_unit_test(names_and_texts_have_a_longest),
+    cmocka_unit_test(a_section_begins_its_drum),
+    cmocka_unit_test(the_limits_of_numbers_are_allowed),
     cmocka_unit_test(a_kit_has_sixteen_drums_and_one_drum_a_note),
     cmocka_unit_test(a_tilted_drum_sees_the_overheads_turned),
   };

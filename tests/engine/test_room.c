@@ -713,6 +713,22 @@ static double total_of_lines(const TaborRoom *room) {
   return sum;
 }
 
+/* The lines take half the energy of a feed: the matrix and the rows of both feeds are orthogonal. */
+static void lines_take_half_of_a_feeds_energy(void **state) {
+  (void)state;
+  const double rounding = 1e-6;
+  for (uint32_t kind = TABOR_ROOM_BOOTH; kind <= TABOR_ROOM_HALL; kind++) {
+    const TaborDrumDef def = drum_in(kind);
+    TaborRoom *room = room_of(&def, 48000.0);
+    for (uint32_t feed = 0; feed < 2; feed++) {
+      free(response_of(room, feed, 1));
+      const double expected = 0.5 * 0.89; /* of a microphone whose distance is sqrt(0.89) m */
+      assert_true(fabs(total_of_lines(room) / expected - 1.0) < rounding);
+    }
+    tabor_room_destroy(room);
+  }
+}
+
 /* The corners of every range, at the lowest and highest rate: nothing grows once the feeds are silent. */
 static void no_room_grows(void **state) {
   (void)state;
@@ -819,6 +835,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(a_saved_state_continues_to_the_same_bit),
     cmocka_unit_test(damaged_and_forged_states_are_refused),
     cmocka_unit_test(rooms_fall_asleep_and_wake),
+    cmocka_unit_test(lines_take_half_of_a_feeds_energy),
     cmocka_unit_test(no_room_grows),
     cmocka_unit_test(drums_without_a_pair_feed_their_farthest_microphone),
     cmocka_unit_test(kinds_have_the_sizes_and_decays_of_the_header),

@@ -41,6 +41,7 @@ for kit in standard jazz marching frame-drums; do
 done
 run show --kit standard --set drum.snare.batter.pitch=B3 --set kit.coupling=off --set note.42.sample=hat.wav
 check "changes are shown" grep -qx 'coupling = off' "$out"
+same "what a preset has is not shown again" 0 "$(grep -c '^batter\.[^p]' "$out")"
 check "samples are shown" grep -qx 'sample = hat.wav' "$out"
 check "a changed head is shown" grep -q '^batter.pitch = 246.94' "$out"
 run show --kit standard --set "note.42.sample=$(printf 'x%.0s' {1..1000}).wav"

@@ -99,6 +99,95 @@ static void a_kit_is_its_drums_rendered_alone_and_summed(void **state) {
   free(def);
 }
 
+static void outputs_of_drums_that_a_kit_lacks_stay_as_they_are(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12"};
+  static float before[64], mic[64], part[64];
+  TaborKitDef *def = kit_of(1, PRESETS);
+  TaborKit *kit = new_kit(def);
+  for (int i = 0; i < 64; i++) before[i] = mic[i] = part[i] = (float)i;
+  TaborKitOutputs outputs = {.stereo = {NULL}};
+  outputs.mic[1][0] = mic;
+  outputs.drum[1][0] = part;
+  tabor_kit_process(kit, NULL, 0, &outputs, 64);
+  assert_memory_equal(mic, before, sizeof before);
+  assert_memory_equal(part, before, sizeof before);
+  tabor_kit_destroy(kit);
+  free(def);
+}
+
+/* An event past the end of its block acts at the block's last frame, as one of a drum does. */
+static void late_events_act_at_the_end_of_their_block(void **state) {
+  (void)state;
+  enum { BLOCK = 200 };
+  static const char *const PRESETS[] = {"tom-12", "tom-12"};
+  static float late[LENGTH], last[LENGTH];
+  TaborKitDef *def = kit_of(2, PRESETS);
+  TaborKit *kit = new_kit(def);
+  for (int i = 0; i < 2; i++) {
+    float *const to = i == 0 ? late : last;
+    const TaborKitEvent event = stroke(def, 1, i == 0 ? BLOCK + 300 : BLOCK - 1, 4.0);
+    tabor_kit_reset(kit);
+    tabor_kit_process(kit, &event, 1, &(TaborKitOutputs){.stereo = {to}}, BLOCK);
+    tabor_kit_process(kit, NULL, 0, &(TaborKitOutputs){.stereo = {to + BLOCK}}, LENGTH - BLOCK);
+  }
+  assert_memory_equal(late, last, sizeof late);
+  assert_false(tabor_kit_is_silent(kit));
+  const TaborKitEvent nobody = {.drum = 2, .event = {.frame = BLOCK, .type = TABOR_EVENT_RESET}};
+  tabor_kit_process(kit, &nobody, 1, NULL, BLOCK);
+  assert_int_equal(tabor_kit_dropped(kit), 1);
+  tabor_kit_destroy(kit);
+  free(def);
+}
+
+/* What a kit of one drum in the middle adds by its room is what the drum's own room adds. */
+static void a_room_is_as_loud_for_a_kit_as_for_its_drum(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12"};
+  static float dry[LENGTH], both[LENGTH], alone[2][LENGTH], wet[2][LENGTH];
+  const double rounding = 1e-3; /* of sums in float */
+  TaborKitDef *def = kit_of(1, PRESETS);
+  set(def, "drum.d0.height", "0.7"); /* as high as drums stand in a room */
+  const TaborKitEvent event = stroke(def, 0, 0, 4.0);
+  for (int i = 0; i < 2; i++) {
+    if (i == 1) set(def, "room.kind", "studio");
+    TaborKit *kit = new_kit(def);
+    tabor_kit_process(kit, &event, 1, &(TaborKitOutputs){.stereo = {i ? both : dry}}, LENGTH);
+    tabor_kit_destroy(kit);
+  }
+  TaborModel *model = placed_model(def, 0);
+  TaborDrum *drum = physics_drum(model);
+  TaborDrumDef placed = *tabor_model_definition(model);
+  const int mics[2] = {tabor_drum_def_find_mic(&placed, TABOR_KIT_LEFT),
+                       tabor_drum_def_find_mic(&placed, TABOR_KIT_RIGHT)};
+  const TaborMicDef pair[2] = {placed.mic[mics[0]], placed.mic[mics[1]]};
+  memcpy(placed.mic, pair, sizeof pair); /* late sound differs by the microphone's number */
+  placed.mic_count = 2;
+  placed.room = def->room;
+  TaborRoom *room;
+  assert_int_equal(tabor_room_create(&placed, RATE, NULL, &room, NULL), TABOR_OK);
+  float *to[TABOR_MAX_MICS] = {NULL};
+  to[mics[0]] = alone[0];
+  to[mics[1]] = alone[1];
+  tabor_drum_process(drum, &event.event, 1, to, LENGTH);
+  tabor_room_process(room, (const float *[]){alone[0], alone[1]}, (float *[]){wet[0], wet[1]},
+                     LENGTH);
+  const double scale = placed.full_scale / def->full_scale;
+  double energy = 0.0, error = 0.0;
+  for (int f = 0; f < LENGTH; f++) {
+    const double expected = scale * (double)wet[0][f];
+    const double difference = (double)both[f] - (double)dry[f] - expected;
+    energy += expected * expected;
+    error += difference * difference;
+  }
+  print_message("energy of the room %.3g, difference %.1g of it\n", energy, error / energy);
+  assert_true(energy > 0.0 && error < rounding * rounding * energy);
+  tabor_room_destroy(room);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  free(def);
+}
+
 /* Plays the events in blocks of a size. */
 static void play_in_blocks(TaborKit *kit, const TaborKitEvent *events, uint32_t count,
                            uint32_t block, float *left, float *right) {
@@ -313,6 +402,8 @@ static void damaged_states_are_refused(void **state) {
   tabor_kit_state_save(other, after);
   assert_memory_equal(before, after, size);
   assert_int_equal(tabor_kit_state_load(other, bytes, size), TABOR_OK);
+  tabor_kit_state_save(other, after);
+  assert_memory_equal(bytes, after, size); /* the good one is loaded whole */
   free(before);
   free(after);
   free(bytes);
@@ -490,6 +581,9 @@ int main(int argc, char **argv) {
   };
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_kit_is_its_drums_rendered_alone_and_summed),
+    cmocka_unit_test(outputs_of_drums_that_a_kit_lacks_stay_as_they_are),
+    cmocka_unit_test(late_events_act_at_the_end_of_their_block),
+    cmocka_unit_test(a_room_is_as_loud_for_a_kit_as_for_its_drum),
     cmocka_unit_test(blocks_and_saved_states_change_no_bit),
     cmocka_unit_test(a_stroke_chokes_its_group),
     cmocka_unit_test(a_flood_of_events_sounds_alike_in_all_blocks),

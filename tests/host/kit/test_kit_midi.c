@@ -169,6 +169,23 @@ static void a_map_by_name_finds_samples(void **state) {
   assert_int_equal(midi->unknown[60], 1);
 }
 
+/* A note-on of velocity 0 ends a note, which a sample does not hear; key pressure of a grabbed cymbal chokes it. */
+static void a_sample_is_struck_and_choked_but_not_ended(void **state) {
+  (void)state;
+  kit_midi_begin(midi, kit, &kit_midi_setup_default);
+  midi->has_sample[49] = true;
+  assert_int_equal(take(0x99, 49, 1), 1);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_STRIKE);
+  assert_int_equal(take(0x99, 49, 0), 0);
+  assert_int_equal(take(0x89, 49, 64), 0);
+  assert_int_equal(take(0xA9, 49, 0), 0);
+  assert_int_equal(take(0xA9, 49, 1), 0);
+  assert_int_equal(take(0xA9, 49, 2), 1);
+  assert_int_equal(events[0].drum, KIT_MIDI_SAMPLE + 49);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_SILENCE);
+  assert_int_equal(midi->unknown[49], 0);
+}
+
 static double radius_after(uint8_t controller, uint8_t value, uint8_t note) {
   assert_int_equal(take(0xB9, controller, value), 0);
   assert_int_equal(take(0x99, note, 100), 1);
@@ -265,6 +282,7 @@ int main(void) {
     cmocka_unit_test_setup_teardown(key_pressure_lays_a_hand_on_the_notes_drum, prepare, clean_up),
     cmocka_unit_test_setup_teardown(other_channels_are_passed_over, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_map_by_name_translates_notes, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_sample_is_struck_and_choked_but_not_ended, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_map_by_name_finds_samples, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_place_moves_its_drum_alone, prepare, clean_up),
     cmocka_unit_test_setup_teardown(the_controllers_of_places_can_be_chosen, prepare, clean_up),

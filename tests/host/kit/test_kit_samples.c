@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* Sound files that stand for what a kit does not model. */
+#include "base/message.h"
 #include "kit/kit_samples.h" /* before cmocka, whose fail() is a macro */
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
+#include <sndfile.h>
 
 enum { FRAMES = 1000, FADE = 100 };
 
@@ -118,12 +122,58 @@ static void sections_are_read_or_refused(void **state) {
   }
 }
 
+/* A file of 8 frames, 0.5 and, if there are two, -0.25. */
+static void write_file(const char *name, int channels) {
+  SF_INFO info = {
+    .samplerate = 48000, .channels = channels, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT};
+  SNDFILE *file = sf_open(name, SFM_WRITE, &info);
+  assert_non_null(file);
+  float sound[16];
+  for (int i = 0; i < 8 * channels; i++) sound[i] = channels == 2 && i % 2 ? -0.25f : 0.5f;
+  assert_int_equal(sf_writef_float(file, sound, 8), 8);
+  sf_close(file);
+}
+
+/* 20 dB are a factor of 10 in pressure. */
+static void files_are_read_with_their_gain(void **state) {
+  KitSamples *samples = *state;
+  static const char *const NAMES[] = {"test_kit_samples-mono.wav", "test_kit_samples-pair.wav"};
+  static const char *const SECTIONS[] = {"note.51", "note.52"}, *const GAINS[] = {"-20", "6.0206"};
+  char message[200];
+  for (int i = 0; i < 2; i++) {
+    write_file(NAMES[i], i + 1);
+    assert_true(kit_samples_set(samples, "kit.ini", SECTIONS[i], "sample", NAMES[i], message, 200));
+    assert_true(kit_samples_set(samples, "kit.ini", SECTIONS[i], "gain", GAINS[i], message, 200));
+  }
+  assert_int_equal(kit_samples_load(samples, 48000.0), OUTCOME_OK);
+  const KitSample *mono = &samples->notes[51], *pair = &samples->notes[52];
+  assert_true(mono->frames == 8 && pair->frames == 8);
+  assert_null(mono->sound[1]);
+  for (int f = 0; f < 8; f++) {
+    assert_true(fabsf(mono->sound[0][f] - 0.05f) < 1e-6f);
+    assert_true(fabsf(pair->sound[0][f] - 1.0f) < 1e-5f);
+    assert_true(fabsf(pair->sound[1][f] + 0.5f) < 1e-5f);
+  }
+  assert_true(samples->fade == 720); /* 15 ms */
+  KitSamples other;
+  kit_samples_begin(&other);
+  assert_true(kit_samples_set(&other, "kit.ini", "note.51", "sample", NAMES[0], message, 200));
+  const MessageCapture before = message_capture(message, sizeof message);
+  const Outcome outcome = kit_samples_load(&other, 44100.0);
+  message_release(before);
+  assert_int_not_equal(outcome, OUTCOME_OK);
+  assert_non_null(strstr(message, "48000 Hz"));
+  kit_samples_free(&other);
+  for (int i = 0; i < 2; i++) remove(NAMES[i]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test_setup_teardown(a_stroke_plays_the_sample_from_its_frame_on, prepare, clean_up),
     cmocka_unit_test_setup_teardown(blocks_change_nothing_and_a_stroke_chokes_its_group, prepare,
                                     clean_up),
     cmocka_unit_test_setup_teardown(a_choke_fades_the_sample_and_its_group, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(files_are_read_with_their_gain, prepare, clean_up),
     cmocka_unit_test_setup_teardown(sections_are_read_or_refused, prepare, clean_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

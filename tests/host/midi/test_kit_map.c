@@ -87,7 +87,10 @@ static void rims_of_yamaha_are_open_or_closed(void **state) {
   stands_for(31, 38, MIDI_STROKE_NONE);
   stands_for(34, 38, MIDI_STROKE_RIMSHOT);
   stands_for(27, 38, MIDI_STROKE_CROSS_STICK);
-  stands_for(47, 47, MIDI_STROKE_NONE);
+  for (uint8_t tom = 0; tom < 3; tom++) {
+    static const uint8_t TOMS[] = {48, 47, 43};
+    stands_for(TOMS[tom], TOMS[tom], MIDI_STROKE_NONE);
+  }
   stands_for(78, 46, MIDI_STROKE_NONE);
   stands_for(79, 42, MIDI_STROKE_NONE);
   stands_for(52, 51, MIDI_STROKE_NONE);

@@ -57,6 +57,8 @@ typedef struct ClapState {
 const clap_plugin_entry_t *clap_host_entry(const char *binary);
 /** Creates the plugin @p id at its defaults; not active. */
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
+/** The same with a host that has no extensions, as hosts that scan have none. */
+ClapHost *clap_host_scan(const clap_plugin_entry_t *entry, const char *id);
 void clap_host_close(ClapHost *host);
 /** Activates at 48 kHz. */
 void clap_host_activate(ClapHost *host);

@@ -31,20 +31,16 @@ static float single(double value) {
   return (float)fmin(fmax(value, -(double)FLT_MAX), (double)FLT_MAX);
 }
 
-/* The position of a value on a logarithmic scale. */
+/* A parameter whose scale is bent has the range 0 to 1. */
 static double to_parameter(const Instance *instance, KnobId id, double value) {
   const KnobRange *const range = &instance->ranges[id];
-  if (!range->logarithmic) return value;
-  const double least = (double)range->minimum, most = (double)range->maximum;
-  return fmin(fmax(log(value / least) / log(most / least), 0), 1);
+  return knob_is_bent(range) ? knob_position(range, value) : value;
 }
 
 static double to_knob(const Instance *instance, KnobId id, double parameter) REALTIME;
 static double to_knob(const Instance *instance, KnobId id, double parameter) {
   const KnobRange *const range = &instance->ranges[id];
-  if (!range->logarithmic) return parameter;
-  const double least = (double)range->minimum, most = (double)range->maximum;
-  return least * pow(most / least, fmin(fmax(parameter, 0), 1));
+  return knob_is_bent(range) ? knob_at_position(range, parameter) : parameter;
 }
 
 void parameters_set(Instance *instance, KnobId id, double value) {
@@ -85,9 +81,21 @@ static float offset_of(const Instance *instance, KnobId id, float value) {
   return single(to_knob(instance, id, from + amount) - (double)value);
 }
 
+/* Where the head could not have the pitch that was asked for, the knob goes where the drum is. */
+static void follow_head(Instance *instance, KnobId id) REALTIME;
+static void follow_head(Instance *instance, KnobId id) {
+  float asked, given;
+  if (!plugin_player_take_given(&instance->player, id, &asked, &given)) return;
+  if (!atomic_compare_exchange_strong(&instance->values[id], &asked, given)) return;
+  atomic_store(&instance->has_moved, true);
+  instance->host->request_callback(instance->host);
+}
+
 void parameters_turn(void *shell) {
   Instance *const instance = shell;
   KnobId id;
+  follow_head(instance, KNOB_BATTER_PITCH);
+  follow_head(instance, KNOB_RESONANT_PITCH);
   for (uint32_t i = 0; (id = knob_at(instance->set, i)) < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[id]);
     plugin_player_turn(&instance->player, id, value);
@@ -149,6 +157,10 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   info->max_value = of_range(instance, id, range->maximum);
   info->default_value = of_range(instance, id, range->fallback);
   return true;
+}
+
+void parameters_tell(Instance *instance) {
+  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
 }
 
 double parameters_value(const Instance *instance, KnobId id) {

@@ -181,6 +181,13 @@ clap_id clap_host_id(KnobId knob) {
   return id;
 }
 
+double clap_host_pitch(double hertz) {
+  TaborDrumDef usual;
+  assert_int_equal(tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL), TABOR_OK);
+  const KnobRange range = knob_range(KNOB_BATTER_PITCH, &usual);
+  return knob_position(&range, hertz);
+}
+
 static ClapEvent *add(ClapHost *host, uint32_t time, uint16_t type, size_t size) {
   assert_true(host->event_count < CLAP_EVENTS);
   ClapEvent *const event = &host->events[host->event_count++];

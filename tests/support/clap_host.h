@@ -68,6 +68,8 @@ const void *clap_host_extension(const ClapHost *host, const char *id);
 
 /** Id of the parameter of a knob. */
 clap_id clap_host_id(KnobId knob);
+/** The parameter's value at which the pitch of a head is @p hertz. */
+double clap_host_pitch(double hertz);
 /** Adds an event for the next block; call in order of time. */
 void clap_host_set_id(ClapHost *host, uint32_t time, clap_id id, double value);
 void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value);

@@ -31,15 +31,17 @@ static float single(double value) {
   return (float)fmin(fmax(value, -(double)FLT_MAX), (double)FLT_MAX);
 }
 
-/* A parameter whose scale is bent has the range 0 to 1. */
+/* A parameter whose scale is bent has the range 0 to 1. CLAP knows no switch that enables, but one that bypasses. */
 static double to_parameter(const Instance *instance, KnobId id, double value) {
   const KnobRange *const range = &instance->ranges[id];
+  if (id == KNOB_ENABLED) return 1 - value;
   return knob_is_bent(range) ? knob_position(range, value) : value;
 }
 
 static double to_knob(const Instance *instance, KnobId id, double parameter) REALTIME;
 static double to_knob(const Instance *instance, KnobId id, double parameter) {
   const KnobRange *const range = &instance->ranges[id];
+  if (id == KNOB_ENABLED) return parameter >= 0.5 ? 0 : 1;
   return knob_is_bent(range) ? knob_at_position(range, parameter) : parameter;
 }
 
@@ -120,8 +122,9 @@ static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char
   const KnobId id = knob_of(instance, param);
   double plain;
   if (id == KNOB_COUNT) return false;
-  if (knobs[id].choices) return choice_find(knobs[id].choices, text, value);
-  if (!knob_text_read(id, &instance->ranges[id], text, &plain)) return false;
+  const bool is_read = knobs[id].choices ? choice_find(knobs[id].choices, text, &plain)
+                                         : knob_text_read(id, &instance->ranges[id], text, &plain);
+  if (!is_read) return false;
   *value = to_parameter(instance, id, plain);
   return true;
 }
@@ -151,10 +154,14 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   info->flags = CLAP_PARAM_IS_AUTOMATABLE;
   if (knobs[id].choices) info->flags |= CLAP_PARAM_IS_STEPPED | CLAP_PARAM_IS_ENUM;
   if (knob_is_modulated(id)) info->flags |= CLAP_PARAM_IS_MODULATABLE;
-  (void)snprintf(info->name, sizeof info->name, "%s", knobs[id].name);
+  if (id == KNOB_ENABLED) info->flags |= CLAP_PARAM_IS_BYPASS;
+  (void)snprintf(info->name, sizeof info->name, "%s",
+                 id == KNOB_ENABLED ? "Bypass" : knobs[id].name);
   (void)snprintf(info->module, sizeof info->module, "%s", module_of(&knobs[id]));
-  info->min_value = of_range(instance, id, range->minimum);
-  info->max_value = of_range(instance, id, range->maximum);
+  const double ends[] = {of_range(instance, id, range->minimum),
+                         of_range(instance, id, range->maximum)};
+  info->min_value = fmin(ends[0], ends[1]);
+  info->max_value = fmax(ends[0], ends[1]);
   info->default_value = of_range(instance, id, range->fallback);
   return true;
 }

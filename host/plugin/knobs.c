@@ -267,6 +267,16 @@ const Knob knobs[KNOB_COUNT] = {
                 .scale = KNOB_IN_PER_CENT,
                 .off = NAN,
                 .comment = "0: the sound that comes in alone; 1: the drum alone."},
+  [KNOB_ENABLED] = {.symbol = "enabled",
+                    .name = "Enabled",
+                    .group = "input",
+                    .kind = KNOB_SETTING,
+                    RANGE(0, 1),
+                    .fallback = 1,
+                    .unit = "",
+                    .choices = "Bypassed|Enabled",
+                    .off = NAN,
+                    .comment = "0: the sound that comes in passes through, whatever the mix is."},
 };
 
 const KnobGroup knob_groups[KNOB_GROUPS] = {
@@ -301,6 +311,7 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_SOUND,
   KNOB_MIX,
   KNOB_STICK,
+  KNOB_ENABLED,
 };
 
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def) {

@@ -44,8 +44,9 @@ typedef enum KnobId {
   KNOB_VELOCITY_RANGE,
   KNOB_STICK, /**< stick_choice.h */
   KNOB_ROOM,  /**< stereo plugin only, as the levels */
-  KNOB_SOUND, /**< of the effect only, as the next */
+  KNOB_SOUND, /**< of the effect only, as those behind it */
   KNOB_MIX,
+  KNOB_ENABLED, /**< 0: what comes in passes through */
   KNOB_COUNT
 } KnobId;
 
@@ -147,7 +148,7 @@ static inline bool knob_is_level(KnobId id) REALTIME {
 
 /** True for a knob that a plugin has. */
 static inline bool knob_is_in(KnobSet set, KnobId id) REALTIME {
-  if (id == KNOB_SOUND || id == KNOB_MIX) return set == KNOBS_EFFECT;
+  if (id >= KNOB_SOUND && id <= KNOB_ENABLED) return set == KNOBS_EFFECT;
   return set != KNOBS_MULTI || !(knob_is_level(id) || id == KNOB_ROOM);
 }
 

@@ -32,3 +32,22 @@ Outcome folder_create(const char *folder) {
   if (folder_make(folder) || errno == EEXIST) return OUTCOME_OK;
   return fail("cannot create the folder '%s': %s", folder, strerror(errno));
 }
+
+static Outcome create_parent(const char *folder) {
+  const size_t length = path_folder_length(folder);
+  if (length < 2) return OUTCOME_OK;
+  char *const parent = malloc(length);
+  if (!parent) return fail_memory();
+  memcpy(parent, folder, length - 1);
+  parent[length - 1] = '\0';
+  const Outcome outcome = folder_create_whole(parent);
+  free(parent);
+  return outcome;
+}
+
+Outcome folder_create_whole(const char *folder) {
+  if (folder_make(folder)) return OUTCOME_OK;
+  if (errno != ENOENT) return folder_create(folder);
+  const Outcome outcome = create_parent(folder);
+  return outcome == OUTCOME_OK ? folder_create(folder) : outcome;
+}

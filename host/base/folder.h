@@ -16,5 +16,7 @@ char *folder_path(const char *folder, const char *file);
 Outcome folder_check(const char *path);
 /** Creates @p folder unless it exists. */
 Outcome folder_create(const char *folder);
+/** The same with the folders that it lies in. */
+Outcome folder_create_whole(const char *folder);
 
 #endif

@@ -48,7 +48,7 @@ static void use(void *shell, const PluginDrum *drum) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++)
     parameters_set(instance, (KnobId)i, (double)drum->values[i]);
   instance_restore(instance, &drum->saved);
-  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
+  parameters_tell(instance);
   mark_changed(instance);
 }
 

@@ -35,8 +35,10 @@ static const clap_host_timer_support_t *timers_of(const clap_plugin_t *plugin) {
   return host->get_extension(host, CLAP_EXT_TIMER_SUPPORT);
 }
 
+/* Hosts ask while they scan, too, when they have no timers yet: create() looks for those. */
 static bool is_api_supported(const clap_plugin_t *plugin, const char *api, bool floating) {
-  return strcmp(api, CLAP_WINDOW_API_X11) == 0 && !floating && timers_of(plugin);
+  (void)plugin;
+  return strcmp(api, CLAP_WINDOW_API_X11) == 0 && !floating;
 }
 
 static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, bool *floating) {
@@ -60,10 +62,11 @@ static Gui *make_gui(const clap_plugin_t *plugin) {
 /* What was undone and compared stays from one window to the next. */
 static bool create(const clap_plugin_t *plugin, const char *api, bool floating) {
   GuiLink *const link = link_of(plugin);
-  if (!is_api_supported(plugin, api, floating)) return false;
+  const clap_host_timer_support_t *const timers = timers_of(plugin);
+  if (!is_api_supported(plugin, api, floating) || !timers) return false;
   if (!link->gui) link->gui = make_gui(plugin);
   if (!link->gui) return false;
-  link->gui->timers = timers_of(plugin);
+  link->gui->timers = timers;
   link->gui->timer = CLAP_INVALID_ID;
   window_scale(link->gui->kind, link->gui->window, 1);
   return true;

@@ -267,7 +267,10 @@ static void reset(const clap_plugin_t *plugin) {
   if (instance->is_open) plugin_player_rest(&instance->player);
 }
 
-static void on_main_thread(const clap_plugin_t *plugin) { (void)plugin; }
+static void on_main_thread(const clap_plugin_t *plugin) {
+  Instance *const instance = instance_of(plugin);
+  if (atomic_exchange(&instance->has_moved, false)) parameters_tell(instance);
+}
 
 /* ---- extensions ----------------------------------------------------------------------------- */
 

@@ -35,6 +35,7 @@ typedef struct Instance {
   _Atomic float modulations[KNOB_COUNT]; /**< in the units of parameters */
   _Atomic float room_decay;              /**< of the drum's definition [s], 0: by kind */
   atomic_bool is_offline;                /**< the host renders, and is in no hurry */
+  atomic_bool has_moved;                 /**< a knob has, of which the host does not know */
 
   /* main thread */
   SavedState saved; /**< the drum, while the instance is not open */

@@ -95,6 +95,20 @@ static void use_fallbacks(const Instance *instance, KnobValues *read) {
   }
 }
 
+/* Earlier versions passed over a pitch that the head cannot have. The drum stays as it was, and the knob shows its pitch. */
+static void settle_pitches(SavedState *saved, KnobValues *read) {
+  TaborDrumDef tuned = saved->def;
+  TaborError error;
+  while (tabor_drum_def_tune(&tuned, &error) != TABOR_OK) {
+    const KnobId id = knob_of_refused_pitch(&error);
+    if (id == KNOB_COUNT) return;
+    *knob_field(&tuned, id) = *knob_field(&saved->def, id) = 0;
+    const float shown = (float)knob_decimal((float)knob_shown(&saved->def, id));
+    if (read->values[id] == read->seen[id]) read->values[id] = shown;
+    read->seen[id] = shown;
+  }
+}
+
 static bool read_state(Instance *instance, char *text) {
   KnobValues read;
   SavedState saved;
@@ -106,6 +120,7 @@ static bool read_state(Instance *instance, char *text) {
   if (!definition) return refuse(instance, "a control in it is no number");
   if (!definition_read(definition, strlen(definition), &saved.def, &error))
     return refuse(instance, error.message);
+  settle_pitches(&saved, &read);
   memcpy(saved.seen, read.seen, sizeof saved.seen);
   for (uint32_t i = 0; i < KNOB_COUNT; i++)
     parameters_set(instance, (KnobId)i, (double)read.values[i]);
@@ -119,8 +134,7 @@ static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
   if (!text) return refuse(instance, "it cannot be read");
   const bool is_read = read_state(instance, text);
   free(text);
-  if (is_read && instance->params)
-    instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
+  if (is_read) parameters_tell(instance);
   return is_read;
 }
 

@@ -31,20 +31,18 @@ static float single(double value) {
   return (float)fmin(fmax(value, -(double)FLT_MAX), (double)FLT_MAX);
 }
 
-/* The position of a value on a logarithmic scale. */
+/* A parameter whose scale is bent has the range 0 to 1. CLAP knows no switch that enables, but one that bypasses. */
 static double to_parameter(const Instance *instance, KnobId id, double value) {
   const KnobRange *const range = &instance->ranges[id];
-  if (!range->logarithmic) return value;
-  const double least = (double)range->minimum, most = (double)range->maximum;
-  return fmin(fmax(log(value / least) / log(most / least), 0), 1);
+  if (id == KNOB_ENABLED) return 1 - value;
+  return knob_is_bent(range) ? knob_position(range, value) : value;
 }
 
 static double to_knob(const Instance *instance, KnobId id, double parameter) REALTIME;
 static double to_knob(const Instance *instance, KnobId id, double parameter) {
   const KnobRange *const range = &instance->ranges[id];
-  if (!range->logarithmic) return parameter;
-  const double least = (double)range->minimum, most = (double)range->maximum;
-  return least * pow(most / least, fmin(fmax(parameter, 0), 1));
+  if (id == KNOB_ENABLED) return parameter >= 0.5 ? 0 : 1;
+  return knob_is_bent(range) ? knob_at_position(range, parameter) : parameter;
 }
 
 void parameters_set(Instance *instance, KnobId id, double value) {
@@ -85,9 +83,21 @@ static float offset_of(const Instance *instance, KnobId id, float value) {
   return single(to_knob(instance, id, from + amount) - (double)value);
 }
 
+/* Where the head could not have the pitch that was asked for, the knob goes where the drum is. */
+static void follow_head(Instance *instance, KnobId id) REALTIME;
+static void follow_head(Instance *instance, KnobId id) {
+  float asked, given;
+  if (!plugin_player_take_given(&instance->player, id, &asked, &given)) return;
+  if (!atomic_compare_exchange_strong(&instance->values[id], &asked, given)) return;
+  atomic_store(&instance->has_moved, true);
+  instance->host->request_callback(instance->host);
+}
+
 void parameters_turn(void *shell) {
   Instance *const instance = shell;
   KnobId id;
+  follow_head(instance, KNOB_BATTER_PITCH);
+  follow_head(instance, KNOB_RESONANT_PITCH);
   for (uint32_t i = 0; (id = knob_at(instance->set, i)) < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[id]);
     plugin_player_turn(&instance->player, id, value);
@@ -112,8 +122,9 @@ static bool text_to_value(const clap_plugin_t *plugin, clap_id param, const char
   const KnobId id = knob_of(instance, param);
   double plain;
   if (id == KNOB_COUNT) return false;
-  if (knobs[id].choices) return choice_find(knobs[id].choices, text, value);
-  if (!knob_text_read(id, &instance->ranges[id], text, &plain)) return false;
+  const bool is_read = knobs[id].choices ? choice_find(knobs[id].choices, text, &plain)
+                                         : knob_text_read(id, &instance->ranges[id], text, &plain);
+  if (!is_read) return false;
   *value = to_parameter(instance, id, plain);
   return true;
 }
@@ -143,12 +154,20 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   info->flags = CLAP_PARAM_IS_AUTOMATABLE;
   if (knobs[id].choices) info->flags |= CLAP_PARAM_IS_STEPPED | CLAP_PARAM_IS_ENUM;
   if (knob_is_modulated(id)) info->flags |= CLAP_PARAM_IS_MODULATABLE;
-  (void)snprintf(info->name, sizeof info->name, "%s", knobs[id].name);
+  if (id == KNOB_ENABLED) info->flags |= CLAP_PARAM_IS_BYPASS;
+  (void)snprintf(info->name, sizeof info->name, "%s",
+                 id == KNOB_ENABLED ? "Bypass" : knobs[id].name);
   (void)snprintf(info->module, sizeof info->module, "%s", module_of(&knobs[id]));
-  info->min_value = of_range(instance, id, range->minimum);
-  info->max_value = of_range(instance, id, range->maximum);
+  const double ends[] = {of_range(instance, id, range->minimum),
+                         of_range(instance, id, range->maximum)};
+  info->min_value = fmin(ends[0], ends[1]);
+  info->max_value = fmax(ends[0], ends[1]);
   info->default_value = of_range(instance, id, range->fallback);
   return true;
+}
+
+void parameters_tell(Instance *instance) {
+  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
 }
 
 double parameters_value(const Instance *instance, KnobId id) {

@@ -19,6 +19,8 @@ void parameters_turn(void *shell) REALTIME;
 /** Sets a knob to @p value, within its range; what is no number does nothing. */
 void parameters_set(Instance *instance, KnobId id, double value) REALTIME;
 
+/** MAIN. Tells the host that knobs have moved of which it does not know. */
+void parameters_tell(Instance *instance);
 /** The id of a knob's parameter, and its value as the host sees it. */
 clap_id parameters_id(KnobId id);
 double parameters_value(const Instance *instance, KnobId id);

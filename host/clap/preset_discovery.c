@@ -9,11 +9,11 @@
 #include "clap/kit_instance.h"
 #include "clap/presets.h"
 #include "drums/drum_file.h"
+#include "drums/user_presets.h"
 #include "kit/kit_file.h"
 #include "platform/files.h"
 
 #define MESSAGE (2 * TABOR_TEXT_SIZE)
-#define PATH 4096
 
 static const clap_preset_discovery_provider_descriptor_t provider_descriptor = {
   .clap_version = CLAP_VERSION_INIT, .id = "tabor.presets", .name = "Tabor", .vendor = "Tabor"};
@@ -25,28 +25,15 @@ typedef struct Provider {
 
 /* ---- places --------------------------------------------------------------------------------- */
 
-/* The folder "tabor" of the user's data. False if there is none. */
-static bool find_user_folder(char path[PATH]) {
-#ifdef _WIN32
-  const char *const data = getenv("APPDATA"), *const home = NULL;
-#else
-  const char *const data = getenv("XDG_DATA_HOME"), *const home = getenv("HOME");
-#endif
+static bool find_user_folder(char path[USER_PRESET_PATH]) {
   FileStatus status;
-  int length = -1;
-  if (data && *data) {
-    length = snprintf(path, PATH, "%s/tabor", data);
-  } else if (home && *home) {
-    length = snprintf(path, PATH, "%s/.local/share/tabor", home);
-  }
-  if (length < 0 || length >= PATH) return false;
-  return file_status(path, &status) && status.kind == FILE_KIND_FOLDER;
+  return user_folder(path) && file_status(path, &status) && status.kind == FILE_KIND_FOLDER;
 }
 
 static bool declare_user_folder(const clap_preset_discovery_indexer_t *indexer) {
   static const clap_preset_discovery_filetype_t files = {
     .name = "Tabor drum or kit", .description = "INI file", .file_extension = "ini"};
-  char path[PATH];
+  char path[USER_PRESET_PATH];
   const clap_preset_discovery_location_t location = {.flags = CLAP_PRESET_DISCOVERY_IS_USER_CONTENT,
                                                      .name = "My drums and kits",
                                                      .kind = CLAP_PRESET_DISCOVERY_LOCATION_FILE,

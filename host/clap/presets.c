@@ -68,7 +68,7 @@ static void load_drum(Instance *instance, const TaborDrumDef *def) {
     saved.seen[i] = atomic_load(&instance->values[i]);
   }
   instance_restore(instance, &saved);
-  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
+  parameters_tell(instance);
 }
 
 static bool drum_from(const clap_plugin_t *plugin, uint32_t kind, const char *location,

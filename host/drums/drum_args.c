@@ -149,8 +149,15 @@ static Outcome apply_setting(const char *setting, TaborDrumDef *def) {
   return set_key(def, "--set", key, equals + 1);
 }
 
+const char *preset_file(const char *preset, char room[USER_PRESET_PATH]) {
+  if (preset_is_file(preset)) return preset;
+  return preset_place(preset) < 0 ? user_preset_find(preset, room) : NULL;
+}
+
 static Outcome load_preset(const char *preset, TaborDrumDef *def) {
-  return preset_is_file(preset) ? load_file(preset, def) : load_builtin(preset, def);
+  char room[USER_PRESET_PATH];
+  const char *const file = preset_file(preset, room);
+  return file ? load_file(file, def) : load_builtin(preset, def);
 }
 
 Outcome drum_load_preset(const char *preset, TaborDrumDef *def) {

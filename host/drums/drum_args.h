@@ -9,10 +9,13 @@
 #include "base/options.h"
 #include "drums/default_preset.h"
 #include "drums/shared_models.h"
+#include "drums/user_presets.h"
 
 /** Help text of commands for PRESET. */
 #define PRESET_NOTES                                                                               \
-  "PRESET is a name that 'tabor presets' lists, or a file: with a '/' in it, or ending in .ini.\n" \
+  "PRESET is a name that 'tabor presets' lists, one that ':save NAME' of 'tabor play' gave, or "   \
+  "a\n"                                                                                            \
+  "file: with a '/' in it, or ending in .ini.\n"                                                   \
   "Without one it is " DEFAULT_PRESET ".\n"
 
 /** Rows of the option tables for the options that drum_load() and model_options_read() read. */
@@ -27,6 +30,11 @@
 const char *preset_argument(const Arguments *arguments);
 /** True if @p preset is a file: it has a folder part or ends in ".ini". */
 bool preset_is_file(const char *preset);
+/**
+ * Returns the file of @p preset: itself, or the user's of that name (user_presets.h), written to @p room. NULL if no file has
+ * it: the built-in presets come first.
+ */
+const char *preset_file(const char *preset, char room[USER_PRESET_PATH]);
 /** Start of the file names for a preset. */
 typedef struct PresetStem {
   const char *text;

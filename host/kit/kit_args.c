@@ -40,6 +40,20 @@ static Outcome load_builtin(const char *name, TaborKitDef *def) {
   return refuse("%s; 'tabor presets --kits' lists them, and files end in .ini", error.message);
 }
 
+static bool is_builtin(const char *name) {
+  uint32_t i = 0;
+  while (i < tabor_kit_count() && strcmp(tabor_kit(i)->name, name) != 0) i++;
+  return i < tabor_kit_count();
+}
+
+/* By name the built-in kits come before the user's. */
+static Outcome load(const char *kit, TaborKitDef *def, KitSamples *samples) {
+  char room[USER_PRESET_PATH];
+  const char *file = preset_is_file(kit) ? kit : NULL;
+  if (!file && !is_builtin(kit)) file = user_preset_find(kit, room);
+  return file ? load_file(file, def, samples) : load_builtin(kit, def);
+}
+
 /* A drum that is not there is a mistake, unless its preset is given. */
 static Outcome check_drum(const TaborKitDef *def, const char *key) {
   static const char prefix[] = "drum.";
@@ -100,7 +114,7 @@ Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *sampl
   char message[2 * TABOR_TEXT_SIZE];
   kit_samples_begin(samples);
   if (!*kit) return refuse("--kit needs the name of a kit");
-  Outcome outcome = preset_is_file(kit) ? load_file(kit, def, samples) : load_builtin(kit, def);
+  Outcome outcome = load(kit, def, samples);
   while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {
     outcome = apply_setting(setting, def, samples);
   }

@@ -41,6 +41,8 @@ static void put_knob(KnobSet set, KnobId id) {
   if (knob->choices) put_choices(knob->choices);
   if (!isnan(knob->off)) put_word(knob_off_word(knob), knob->off);
   if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
+  if (id == KNOB_ENABLED)
+    put("\t\tlv2:portProperty lv2:toggled ;\n\t\tlv2:designation lv2:enabled ;\n");
   if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
   put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
   put_text(knob->comment);

@@ -6,9 +6,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/folder.h"
 #include "base/number.h"
+#include "drums/drum_args.h"
+#include "drums/drum_file.h"
 #include "drums/preset_text.h"
+#include "drums/user_presets.h"
 #include "midi/midi_map_file.h"
+#include "platform/files.h"
 #include "play/player_words.h"
 #include "ui/command_words.h"
 
@@ -58,25 +63,8 @@ static uint64_t frame_at(const Controls *controls, double time) {
   return player_frame_at(controls->player, time);
 }
 
-static void remember(Controls *controls, const FormerSetting *former) {
-  if (controls->former_count == CONTROLS_UNDO) {
-    controls->former_count--;
-    memmove(controls->former, controls->former + 1, controls->former_count * sizeof *former);
-  }
-  controls->former[controls->former_count++] = *former;
-}
-
-/* A change that can be taken back. */
 static Outcome change(Controls *controls, double time, const char *key, const char *value) {
-  TaborDrumDef def;
-  FormerSetting former = {0};
-  model_builder_definition(controls->builder, &def);
-  (void)snprintf(former.key, sizeof former.key, "%s", key);
-  const TaborStatus known = tabor_drum_def_get(&def, key, former.value, sizeof former.value, NULL);
-  const Outcome outcome =
-    model_builder_set(controls->builder, frame_at(controls, time), "set", key, value);
-  if (outcome == OUTCOME_OK && known == TABOR_OK) remember(controls, &former);
-  return outcome;
+  return model_builder_set(controls->builder, frame_at(controls, time), "set", key, value);
 }
 
 static void set_number(Controls *controls, double time, const char *key, double value) {
@@ -112,7 +100,6 @@ static void switch_muffle(Controls *controls, double time) {
 
 /* Another drum has its own. */
 static void forget_switches(Controls *controls) {
-  controls->former_count = 0;
   controls->strainer = 1;
   controls->muffle = MUFFLE;
 }
@@ -369,29 +356,65 @@ static void run_set(Controls *controls, const char *text, double time) {
   set_words(controls, time, key, value);
 }
 
-static void run_undo(Controls *controls, const char *text, double time) {
-  (void)text;
-  if (controls->former_count == 0) {
-    (void)refuse("undo: nothing was set since this drum was chosen");
-    return;
-  }
-  const FormerSetting *const former = &controls->former[--controls->former_count];
-  const uint64_t frame = frame_at(controls, time);
-  if (model_builder_set(controls->builder, frame, "undo", former->key, former->value) != OUTCOME_OK)
-    return;
-  char words[128];
+/* A pitch is kept as the tension that it gives. */
+static const char *kept_as(const char *key) {
+  if (strcmp(key, "batter.pitch") == 0) return "batter.tension";
+  return strcmp(key, "resonant.pitch") == 0 ? "resonant.tension" : key;
+}
+
+static void tell_again(Controls *controls, const char *changed) {
+  const char *const key = kept_as(changed);
+  char words[128], value[TABOR_TEXT_SIZE];
   TaborDrumDef def;
   model_builder_definition(controls->builder, &def);
-  player_words_write(&def, former->key, words, sizeof words);
-  tell(controls, "%s = %.100s again%s", former->key, former->value, words);
+  if (tabor_drum_def_get(&def, key, value, sizeof value, NULL) != TABOR_OK) {
+    tell(controls, "%s as before", key);
+    return;
+  }
+  player_words_write(&def, key, words, sizeof words);
+  tell(controls, "%s = %.100s again%s", key, value, words);
+}
+
+static void run_undo(Controls *controls, const char *text, double time) {
+  char key[DRUM_KEY_SIZE];
+  (void)text;
+  if (model_builder_undo(controls->builder, frame_at(controls, time), key) == OUTCOME_OK)
+    tell_again(controls, key);
+}
+
+static void run_redo(Controls *controls, const char *text, double time) {
+  char key[DRUM_KEY_SIZE];
+  (void)text;
+  if (model_builder_redo(controls->builder, frame_at(controls, time), key) == OUTCOME_OK)
+    tell_again(controls, key);
+}
+
+/* Names the file of a user's preset, and makes its folder. Nothing else may have the name, or lie there. */
+static Outcome plan_user_preset(const char *name, char path[USER_PRESET_PATH]) {
+  char message[2 * TABOR_TEXT_SIZE];
+  TaborDrumDef def;
+  if (preset_place(name) >= 0)
+    return refuse("save %s: that is a built-in drum; a name of your own, or a path as ./%s.ini",
+                  name, name);
+  if (!user_folder(path))
+    return refuse("save %s: there is no HOME for it; a path, as ./%s.ini", name, name);
+  const Outcome outcome = folder_create_whole(path);
+  if (outcome != OUTCOME_OK) return outcome;
+  if (!user_preset_path(name, path)) return refuse("save: the name is too long");
+  if (file_exists(path) && drum_file_read(path, &def, message, sizeof message) != PRESET_FILE_OK)
+    return refuse("save %s: %s is no drum, and stays", name, path);
+  return OUTCOME_OK;
 }
 
 static void run_save(Controls *controls, const char *text, double time) {
-  (void)time;
+  char room[USER_PRESET_PATH];
+  const bool is_file = preset_is_file(text);
+  const char *const path = is_file ? text : room;
   TaborDrumDef def;
+  (void)time;
   model_builder_definition(controls->builder, &def);
-  if (preset_text_save(&def, "'tabor play'", text) != OUTCOME_OK) return;
-  tell(controls, "saved %s", text);
+  if (!is_file && plan_user_preset(text, room) != OUTCOME_OK) return;
+  if (preset_text_save(&def, "'tabor play'", path) == OUTCOME_OK) tell(controls, "saved %s", path);
 }
 
 static void run_preset(Controls *controls, const char *text, double time) {
@@ -450,10 +473,10 @@ static void run_quit(Controls *controls, const char *text, double time) {
 
 static void run_command(Controls *controls, const char *text, double time) {
   static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
-    [COMMAND_LEARN] = run_learn, [COMMAND_UNDO] = run_undo,         [COMMAND_SAVE] = run_save,
-    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
-    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
-    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
+    [COMMAND_LEARN] = run_learn,     [COMMAND_UNDO] = run_undo,   [COMMAND_REDO] = run_redo,
+    [COMMAND_SAVE] = run_save,       [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,
+    [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize,
+    [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
   };
   CommandWord command;
   const char *rest;

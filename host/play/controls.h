@@ -16,13 +16,6 @@
 
 #define CONTROLS_HANDS 3u /**< two that alternate buzzes, and one with the brush */
 #define CONTROLS_TEXT_SIZE 512
-#define CONTROLS_UNDO 32u /**< settings that can be taken back */
-
-/** A setting as it was before a change. */
-typedef struct FormerSetting {
-  char key[2 * TABOR_NAME_SIZE];
-  char value[TABOR_TEXT_SIZE];
-} FormerSetting;
 
 typedef struct Controls {
   Player *player;
@@ -37,10 +30,7 @@ typedef struct Controls {
   double muffle;     /**< damping when the muffle is switched on [N s/m] */
   double last_place; /**< radius of the last stroke, as a fraction of the head's */
   double last_speed; /**< of the last stroke [m/s] */
-  /** Changes of settings since the drum was chosen, the last CONTROLS_UNDO of them, oldest first. */
-  FormerSetting former[CONTROLS_UNDO];
-  unsigned former_count;
-  unsigned hand; /**< hand of the next buzz, 0 or 1 */
+  unsigned hand;     /**< hand of the next buzz, 0 or 1 */
   /** Time at which each hand lifts its buzzing stick, the last hand its sweeping brush [s]; 0: none held. */
   double release_time[CONTROLS_HANDS];
   char learns[TABOR_NAME_SIZE]; /**< what the next controller will move, or "" */

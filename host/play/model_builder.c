@@ -29,6 +29,7 @@ struct ModelBuilder {
   pthread_mutex_t lock;
   pthread_cond_t changed;
   TaborDrumDef wanted;
+  DrumHistory history; /* of wanted, since its preset was chosen */
   char preset[TABOR_TEXT_SIZE], built_preset[TABOR_TEXT_SIZE];
   uint64_t frame;              /* for the newest request */
   uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
@@ -303,6 +304,8 @@ Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *wha
   if (outcome == OUTCOME_OK) {
     const TaborParameter *const parameter = tabor_parameter_find(key);
     const bool live = parameter && parameter->live;
+    const DrumState before = {builder->wanted, builder->options.quality};
+    drum_history_add(&builder->history, key, &before);
     builder->wanted = def;
     builder->is_listed = false;
     if (strcmp(key, "quality.level") == 0) builder->options.quality = def.quality.level;
@@ -312,6 +315,68 @@ Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *wha
   (void)pthread_mutex_unlock(&builder->lock);
   return outcome;
 }
+
+/* ---- undoing -------------------------------------------------------------------------------- */
+
+/* "" if @p def has no such key. */
+static void read_value(const TaborDrumDef *def, const char *key, char value[TABOR_TEXT_SIZE]) {
+  if (tabor_drum_def_get(def, key, value, TABOR_TEXT_SIZE, NULL) != TABOR_OK) *value = '\0';
+}
+
+static bool is_same(const TaborDrumDef *a, const TaborDrumDef *b, const char *key) {
+  char values[2][TABOR_TEXT_SIZE];
+  read_value(a, key, values[0]);
+  read_value(b, key, values[1]);
+  return strcmp(values[0], values[1]) == 0;
+}
+
+/* Under lock. Moves what is live; true if the rest needs another model. */
+static bool move_to(ModelBuilder *builder, uint64_t frame, const TaborDrumDef *def) {
+  const TaborDrumDef before = builder->wanted;
+  char key[DRUM_KEY_SIZE];
+  bool rebuilds = false;
+  builder->wanted = *def;
+  for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
+    if (is_same(&before, def, key)) continue;
+    const TaborParameter *const parameter = tabor_parameter_find(key);
+    const bool live = parameter && parameter->live;
+    if (live) send_live(builder, frame, parameter, key);
+    if (!live || outgrows(builder, key)) rebuilds = true;
+  }
+  for (uint32_t i = 0; !rebuilds && tabor_drum_def_key(&before, i, key, sizeof key); i++) {
+    rebuilds = !is_same(&before, def, key); /* it has gone */
+  }
+  return rebuilds;
+}
+
+/* Goes one step through the history, if there is one. */
+static bool travel(ModelBuilder *builder, uint64_t frame, char key[DRUM_KEY_SIZE],
+                   bool (*step)(DrumHistory *, DrumState *, char *)) {
+  (void)pthread_mutex_lock(&builder->lock);
+  DrumState state = {builder->wanted, builder->options.quality};
+  const bool travels = !builder->stops && step(&builder->history, &state, key);
+  if (travels) {
+    const bool rebuilds = move_to(builder, frame, &state.def);
+    const bool is_other_quality = builder->options.quality != state.quality;
+    builder->is_listed = false;
+    builder->options.quality = state.quality;
+    if (rebuilds || is_other_quality) request(builder, frame);
+  }
+  (void)pthread_mutex_unlock(&builder->lock);
+  return travels;
+}
+
+Outcome model_builder_undo(ModelBuilder *builder, uint64_t frame, char key[DRUM_KEY_SIZE]) {
+  if (travel(builder, frame, key, drum_history_undo)) return OUTCOME_OK;
+  return refuse("undo: nothing was set since this drum was chosen");
+}
+
+Outcome model_builder_redo(ModelBuilder *builder, uint64_t frame, char key[DRUM_KEY_SIZE]) {
+  if (travel(builder, frame, key, drum_history_redo)) return OUTCOME_OK;
+  return refuse("redo: nothing was undone since the last change");
+}
+
+/* ---- presets -------------------------------------------------------------------------------- */
 
 /* A program change to the preset that is there already does nothing. */
 static Outcome choose_preset(ModelBuilder *builder, uint64_t frame, const char *preset,
@@ -327,6 +392,7 @@ static Outcome choose_preset(ModelBuilder *builder, uint64_t frame, const char *
     builder->wanted = def;
     builder->is_listed = preset_place(preset) >= 0;
     builder->presets++;
+    drum_history_clear(&builder->history);
     (void)snprintf(builder->preset, sizeof builder->preset, "%s", preset);
     if (!builder->stops) request(builder, frame);
   }

@@ -13,6 +13,7 @@
 #ifndef TABOR_HOST_MODEL_BUILDER_H
 #define TABOR_HOST_MODEL_BUILDER_H
 
+#include "play/drum_history.h"
 #include "play/log_writer.h"
 #include "sound/player.h"
 
@@ -46,6 +47,12 @@ void model_builder_destroy(ModelBuilder *builder);
  */
 Outcome model_builder_set(ModelBuilder *builder, uint64_t frame, const char *what, const char *key,
                           const char *value);
+/**
+ * Takes the newest change by model_builder_set() since the drum was chosen back, or makes one again that was taken back.
+ * Writes its key to @p key. Refuses if there is none.
+ */
+Outcome model_builder_undo(ModelBuilder *builder, uint64_t frame, char key[DRUM_KEY_SIZE]);
+Outcome model_builder_redo(ModelBuilder *builder, uint64_t frame, char key[DRUM_KEY_SIZE]);
 /** Changes to a preset, by name or from a file. Discards all earlier settings. */
 Outcome model_builder_preset(ModelBuilder *builder, uint64_t frame, const char *preset);
 /** Changes to a built-in preset by a MIDI program change; does nothing if it plays already, unmodified. */

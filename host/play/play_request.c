@@ -156,10 +156,12 @@ static Outcome protect_from(const OutputFile *output, const char *kind, const Ar
   static const struct {
     const char *option, *what;
   } files[] = {{"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}};
+  char room[USER_PRESET_PATH];
   const char *name;
   size_t position = 0;
-  if (preset_is_file(preset) && output_overwrites(output, preset)) {
-    return refuse("the %s would overwrite the preset '%s'", kind, preset);
+  const char *const file = preset_file(preset, room);
+  if (file && output_overwrites(output, file)) {
+    return refuse("the %s would overwrite the preset '%s'", kind, file);
   }
   for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
     name = arguments_value(arguments, files[i].option);

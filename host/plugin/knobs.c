@@ -3,13 +3,15 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "drums/stereo_pair.h"
 #include "plugin/stick_choice.h"
 
 #define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */
-#define HIGHEST_PITCH 900  /* [Hz], of the presets' heads */
+#define LOWEST_PITCH 20    /* [Hz] and the highest: between them are those of the presets' heads */
+#define HIGHEST_PITCH 900
 
 #define ENGINE_RANGE .minimum = NAN, .maximum = NAN
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
@@ -112,18 +114,21 @@ const Knob knobs[KNOB_COUNT] = {
      .group = "heads",
      .kind = KNOB_REBUILD,
      RANGE(0, HIGHEST_PITCH),
+     .least = LOWEST_PITCH,
      .fallback = BATTER_PITCH,
      .off = 0,
      .scale = KNOB_IN_NOTES,
      .comment = "What a tuner reads at a lug of the struck head. Turning it moves the tension; the "
                 "drum goes on ringing while it is retuned, which takes some tenths of a second. 0: "
-                "the tension leads. A pitch that the head cannot reach has no effect."},
+                "the tension leads. Of a pitch that the head cannot reach it takes the nearest "
+                "that it can."},
   [KNOB_RESONANT_PITCH] = {.symbol = "resonant_pitch",
                            .name = "Resonant head pitch",
                            .key = "resonant.pitch",
                            .group = "heads",
                            .kind = KNOB_REBUILD,
                            RANGE(0, HIGHEST_PITCH),
+                           .least = LOWEST_PITCH,
                            .fallback = RESONANT_PITCH,
                            .off = 0,
                            .scale = KNOB_IN_NOTES,
@@ -262,6 +267,16 @@ const Knob knobs[KNOB_COUNT] = {
                 .scale = KNOB_IN_PER_CENT,
                 .off = NAN,
                 .comment = "0: the sound that comes in alone; 1: the drum alone."},
+  [KNOB_ENABLED] = {.symbol = "enabled",
+                    .name = "Enabled",
+                    .group = "input",
+                    .kind = KNOB_SETTING,
+                    RANGE(0, 1),
+                    .fallback = 1,
+                    .unit = "",
+                    .choices = "Bypassed|Enabled",
+                    .off = NAN,
+                    .comment = "0: the sound that comes in passes through, whatever the mix is."},
 };
 
 const KnobGroup knob_groups[KNOB_GROUPS] = {
@@ -296,6 +311,7 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_SOUND,
   KNOB_MIX,
   KNOB_STICK,
+  KNOB_ENABLED,
 };
 
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def) {
@@ -347,7 +363,8 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual) {
     .minimum = (float)choose(knob->minimum, parameter ? parameter->minimum : 0),
     .maximum = (float)choose(knob->maximum, parameter ? parameter->maximum : 0),
     .fallback = (float)choose(knob->fallback, field ? *field : 0),
-    .logarithmic = parameter && parameter->logarithmic,
+    .logarithmic = parameter && parameter->logarithmic && knob->least == 0,
+    .least = (float)knob->least,
     .unit = knob->unit || !parameter ? knob->unit : parameter->unit,
   };
 }
@@ -367,16 +384,38 @@ KnobId knob_on_first_page(KnobSet set, uint32_t place) {
   return KNOB_COUNT;
 }
 
+/* The part of the way of a bent knob at whose beginning it is off. */
+#define OFF_WAY 0.01
+
+static double ratio(double from, double to, double value) REALTIME;
+static double ratio(double from, double to, double value) {
+  return fmin(fmax(log(value / from) / log(to / from), 0), 1);
+}
+
 double knob_position(const KnobRange *range, double value) {
   const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
-  if (range->logarithmic) return log(value / least) / log(most / least);
-  return (value - least) / (most - least);
+  if (range->least > 0) {
+    const double way = ratio((double)range->least, most, value);
+    return value <= least ? 0 : OFF_WAY + (1 - OFF_WAY) * way;
+  }
+  return range->logarithmic ? ratio(least, most, value) : (value - least) / (most - least);
 }
 
 double knob_at_position(const KnobRange *range, double position) {
   const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
   const double way = fmin(fmax(position, 0), 1);
+  if (range->least > 0) {
+    if (way < OFF_WAY / 2) return least;
+    const double on = fmax((way - OFF_WAY) / (1 - OFF_WAY), 0);
+    return (double)range->least * pow(most / (double)range->least, on);
+  }
   return range->logarithmic ? least * pow(most / least, way) : least + way * (most - least);
+}
+
+KnobId knob_of_refused_pitch(const TaborError *error) {
+  if (error->status != TABOR_ERROR_RANGE) return KNOB_COUNT;
+  if (strcmp(error->key, knobs[KNOB_BATTER_PITCH].key) == 0) return KNOB_BATTER_PITCH;
+  return strcmp(error->key, knobs[KNOB_RESONANT_PITCH].key) == 0 ? KNOB_RESONANT_PITCH : KNOB_COUNT;
 }
 
 double knob_factor(KnobId id, float value) {

@@ -44,8 +44,9 @@ typedef enum KnobId {
   KNOB_VELOCITY_RANGE,
   KNOB_STICK, /**< stick_choice.h */
   KNOB_ROOM,  /**< stereo plugin only, as the levels */
-  KNOB_SOUND, /**< of the effect only, as the next */
+  KNOB_SOUND, /**< of the effect only, as those behind it */
   KNOB_MIX,
+  KNOB_ENABLED, /**< 0: what comes in passes through */
   KNOB_COUNT
 } KnobId;
 
@@ -84,6 +85,7 @@ typedef struct Knob {
   double fallback;         /**< default; NaN: the preset's */
   const char *unit;        /**< unit; NULL: the engine's */
   const char *choices;     /**< words separated by '|', for 0, 1, ...; or NULL */
+  double least;            /**< KnobRange.least, or 0 */
   double off;              /**< value that switches the knob off, or NaN */
   const char *off_word;    /**< its name; NULL: "Off" */
   const char *top_word;    /**< name of the maximum, or NULL */
@@ -108,6 +110,9 @@ static inline double knob_turned_or(KnobTurn turn, double otherwise) REALTIME {
 typedef struct KnobRange {
   float minimum, maximum, fallback;
   bool logarithmic;
+  /** Not 0: below it there is only the minimum, which is off. From it on the way is in equal ratios, though the port's range
+   * is not logarithmic, since that begins at 0. */
+  float least;
   const char *unit; /**< "" for a pure number */
 } KnobRange;
 
@@ -143,7 +148,7 @@ static inline bool knob_is_level(KnobId id) REALTIME {
 
 /** True for a knob that a plugin has. */
 static inline bool knob_is_in(KnobSet set, KnobId id) REALTIME {
-  if (id == KNOB_SOUND || id == KNOB_MIX) return set == KNOBS_EFFECT;
+  if (id >= KNOB_SOUND && id <= KNOB_ENABLED) return set == KNOBS_EFFECT;
   return set != KNOBS_MULTI || !(knob_is_level(id) || id == KNOB_ROOM);
 }
 
@@ -176,8 +181,14 @@ KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
 /** SET-UP. The same in a plugin: the effect is heard under the snares unless told otherwise. */
 KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
 /** Where @p value stands on the knob's way, 0 to 1 within its range; and the value there. */
-double knob_position(const KnobRange *range, double value);
-double knob_at_position(const KnobRange *range, double position);
+double knob_position(const KnobRange *range, double value) REALTIME;
+double knob_at_position(const KnobRange *range, double position) REALTIME;
+/** True if the knob's way is not in proportion to its value. */
+static inline bool knob_is_bent(const KnobRange *range) REALTIME {
+  return range->logarithmic || range->least > 0;
+}
+/** The knob of the pitch that @p error refuses since the head cannot have it; KNOB_COUNT if it is about something else. */
+KnobId knob_of_refused_pitch(const TaborError *error);
 /** The striker of the drum's default stroke. */
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */

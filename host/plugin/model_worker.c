@@ -152,21 +152,26 @@ static void say(const ModelWorker *worker, const char *what, const TaborError *e
   if (worker->say) worker->say(worker->context, line);
 }
 
-/* The pitch that an error is about; NULL if it is about something else. */
-static double *pitch_of(TaborDrumDef *def, const TaborError *error) {
-  if (strcmp(error->key, "batter.pitch") == 0) return &def->batter.pitch;
-  if (strcmp(error->key, "resonant.pitch") == 0) return &def->resonant.pitch;
-  return NULL;
+/* A pitch that was turned where the head cannot follow becomes the nearest that it can have. One that the drum was saved
+ * with is passed over, as ever. */
+static double nearest_pitch(const ModelWorker *worker, const Reply *reply, KnobId id,
+                            const TaborError *error) {
+  const KnobTurn turn = worker->request.turns[id];
+  const bool is_turned = reply->restoration == worker->request.restoration && turn.is_turned;
+  if (!is_turned || !isnan(reply->given[id])) return 0;
+  return fmin(fmax(turn.value, error->minimum), error->maximum);
 }
 
-/* Tensions for pitches. A pitch that this drum's head cannot have is passed over. */
-static void tune(const ModelWorker *worker, TaborDrumDef *def) {
+/* Tensions for pitches. */
+static void tune(const ModelWorker *worker, Reply *reply) {
   TaborError error;
-  while (tabor_drum_def_tune(def, &error) == TABOR_ERROR_RANGE) {
-    double *const pitch = pitch_of(def, &error);
-    if (!pitch) return; /* building the model refuses it */
-    *pitch = 0;
-    say(worker, "the head keeps its tension", &error);
+  while (tabor_drum_def_tune(&reply->def, &error) != TABOR_OK) {
+    const KnobId id = knob_of_refused_pitch(&error);
+    if (id == KNOB_COUNT) return; /* building the model refuses it */
+    const double pitch = nearest_pitch(worker, reply, id, &error);
+    *knob_field(&reply->def, id) = pitch;
+    if (pitch > 0) reply->given[id] = (float)pitch;
+    say(worker, pitch > 0 ? "the nearest pitch plays" : "the head keeps its tension", &error);
   }
 }
 
@@ -181,7 +186,8 @@ static void compose_model(const ModelWorker *worker, Reply *reply) {
     if (grip.is_turned) set_field(def, &def->hand.grip, grip.value);
   }
   stick_choice_take(request->stick, def);
-  tune(worker, def);
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) reply->given[i] = NAN;
+  tune(worker, reply);
 }
 
 /* What the audio thread has to know of the model. */

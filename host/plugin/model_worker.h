@@ -68,14 +68,16 @@ typedef struct Request {
 typedef struct Reply {
   uint32_t number, restoration; /**< of the request, or the newest restoration */
   int32_t program;
-  float seen[KNOB_KEYS];   /**< restored values of the ports; NaN: any value */
-  TaborDrum *drum;         /**< the drum, the first time; then NULL */
-  TaborSwap *swap;         /**< for the drum; NULL without drum: no change */
-  RoomMix *room;           /**< another room, NULL for the one before */
-  bool is_news;            /**< false: the request was answered before; ignore the rest */
-  bool cancelled;          /**< the build was ended; ignore the rest and ask again */
-  bool failed;             /**< nothing was built; ignore the fields below */
-  bool begins_anew;        /**< the swap replaces the drum */
+  float seen[KNOB_KEYS]; /**< restored values of the ports; NaN: any value */
+  TaborDrum *drum;       /**< the drum, the first time; then NULL */
+  TaborSwap *swap;       /**< for the drum; NULL without drum: no change */
+  RoomMix *room;         /**< another room, NULL for the one before */
+  bool is_news;          /**< false: the request was answered before; ignore the rest */
+  bool cancelled;        /**< the build was ended; ignore the rest and ask again */
+  bool failed;           /**< nothing was built; ignore the fields below */
+  bool begins_anew;      /**< the swap replaces the drum */
+  /** Of pitches that the head cannot have: the nearest that it can, a value of the port; otherwise NaN. */
+  float given[KNOB_KEYS];
   TaborDrumDef def;        /**< of the model */
   double built[KNOB_KEYS]; /**< values of the knobs' keys; NaN: the drum has no such part */
   MidiBinding binding;     /**< MIDI binding of the model, without values set by MIDI */

@@ -33,7 +33,7 @@ static void prepare_knobs(PluginPlayer *player) {
     player->levels[i] = fader_at(0, player->rate);
     if (i >= KNOB_KEYS) continue;
     player->seen[i] = player->ranges[i].fallback;
-    player->built[i] = NAN;
+    player->built[i] = player->given[i] = NAN;
     if (knobs[i].kind == KNOB_LIVE) player->ids[i] = tabor_parameter_find(knobs[i].key)->id;
   }
 }

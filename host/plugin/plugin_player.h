@@ -72,6 +72,7 @@ typedef struct PluginPlayer {
   int32_t chosen;            /**< program that messages are for; none after a turn of a knob */
   int32_t chosen_before;     /**< the same, before the current frame */
   float seen[KNOB_COUNT];    /**< values of the ports; NaN: not yet known */
+  float given[KNOB_KEYS];    /**< values that the drum has instead of seen, or NaN */
   float offsets[KNOB_COUNT]; /**< by which the host modulates knobs */
   double built[KNOB_KEYS];   /**< values of the model; NaN: the drum has no such part */
   double built_grip;
@@ -104,6 +105,11 @@ void plugin_player_end(PluginPlayer *player);
 void plugin_player_rest(PluginPlayer *player) REALTIME;
 /** Sets knob @p id to @p value, the value of its port. */
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
+/**
+ * Says once that knob @p id stands at *asked, where the head cannot follow, and that the drum has *given: there the shell moves
+ * the knob, if it can. False if there is nothing to say.
+ */
+bool plugin_player_take_given(PluginPlayer *player, KnobId id, float *asked, float *given) REALTIME;
 /**
  * Adds @p offset to what knob @p id does, without moving the knob. No effect on knobs that
  * knob_is_modulated() denies.

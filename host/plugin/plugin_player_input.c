@@ -155,6 +155,12 @@ void plugin_player_export(PluginPlayer *player, bool exports) {
   if (player->quality > PLUGIN_LIVE_QUALITY) set_quality(player);
 }
 
+/* Of an effect that is not enabled there is none. What is not known yet will follow. */
+static double part_of_drum(const PluginPlayer *player) {
+  const float mix = player->seen[KNOB_MIX];
+  return player->seen[KNOB_ENABLED] == 0 || isnan(mix) ? 0 : knob_decimal(mix);
+}
+
 static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_once) {
   switch (id) {
   case KNOB_VELOCITY_CURVE: player->map.response.curve = (MidiCurve)lroundf(value); break;
@@ -176,7 +182,8 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
   case KNOB_SOUND:
     fade_to(player, &player->sound, HEARING_THRESHOLD * knob_factor(id, value), at_once);
     break;
-  case KNOB_MIX: fade_to(player, &player->mix, knob_decimal(value), at_once); break;
+  case KNOB_MIX:
+  case KNOB_ENABLED: fade_to(player, &player->mix, part_of_drum(player), at_once); break;
   default: turn_level(player, id, factor_of(player, id), at_once); break;
   }
 }

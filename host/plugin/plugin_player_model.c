@@ -46,6 +46,19 @@ static void change_model(PluginPlayer *player, const Reply *reply) {
   player->swap = reply->swap;
 }
 
+/* Unless something else was asked for meanwhile. */
+static void note_given(PluginPlayer *player, const Reply *reply) {
+  if (reply->number != player->request.number) return;
+  memcpy(player->given, reply->given, sizeof player->given);
+}
+
+bool plugin_player_take_given(PluginPlayer *player, KnobId id, float *asked, float *given) {
+  *asked = player->seen[id];
+  *given = player->given[id];
+  player->given[id] = NAN;
+  return !isnan(*given);
+}
+
 static void begin_anew(PluginPlayer *player) {
   memset(player->moved, 0, sizeof player->moved);
   player->grip_moved = false;
@@ -66,6 +79,7 @@ static void land(PluginPlayer *player, const Reply *reply) {
   player->answered_restoration = reply->restoration;
   if (reply->restoration != player->request.restoration) take_restoration(player, reply);
   if (reply->failed) return;
+  note_given(player, reply);
   if (reply->begins_anew) begin_anew(player);
   if (reply->drum) {
     drum_player_set_drum(&player->core, reply->drum, reply->def.striker_count);

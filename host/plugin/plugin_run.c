@@ -35,8 +35,9 @@ static bool go_on(PluginRun *run) {
   uint32_t frame = run->at;
   while (run->events->find(run->shell, run->frames, &frame)) {
     if (plugin_player_is_full(run->player)) play_until(run, frame);
-    turn_at(run, frame);
-    if (has_to_wait(run)) return false;
+    if (!run->has_turned) turn_at(run, frame);
+    run->has_turned = has_to_wait(run);
+    if (run->has_turned) return false;
     take_at(run, frame);
     if (has_to_wait(run)) return false;
   }

@@ -29,6 +29,8 @@ typedef struct PluginRun {
   void *shell;
   uint32_t at, frames; /**< played so far, and all */
   bool waits;          /**< for every model: the host renders, and is in no hurry */
+  bool
+    has_turned; /**< the knobs of the next frame have been turned; its messages wait for a model */
 } PluginRun;
 
 /** AUDIO. Plays a block in real time. True if a worker has to run now. */

@@ -114,10 +114,12 @@ static Outcome protect(const RenderRequest *request, const char *name, const cha
 
 Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *request) {
   const char *const preset = preset_argument(arguments);
+  char room[USER_PRESET_PATH];
   const char *events;
   size_t position = 0;
   Outcome outcome = OUTCOME_OK;
-  if (preset_is_file(preset)) outcome = protect(request, preset, "preset");
+  const char *const file = preset_file(preset, room);
+  if (file) outcome = protect(request, file, "preset");
   while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
     outcome = protect(request, events, "events");
   }

@@ -112,6 +112,19 @@ types 'type :undo\r' 'wait undo: nothing was set' 'type :set batter.tension 5000
 same "a saved drum is the drum as it stands" 1 "$(grep -c '^tension = 5000 ' mine.ini)"
 "$TABOR" show mine.ini >"$out"
 same "it reads back" "$(tail -n +2 mine.ini)" "$(tail -n +2 "$out")"
+export XDG_DATA_HOME="$PWD/data"
+types 'type :set batter.tension 5000\r' 'wait batter.tension = 5000' 'type :set batter.pitch A3\r' 'wait batter.pitch = A3' \
+  'type :undo\r' 'wait batter.tension = 5000 again' 'type :redo\r' 'wait (Batter head pitch A3)' 'type :redo\r' 'wait redo: nothing was undone' \
+  'type :undo\r' 'wait batter.tension = 5000 again' 'type :save frame-drum\r' 'wait that is a built-in drum' \
+  'type :save mine\r' 'wait /data/tabor/mine.ini' 'type :save ./other.ini\r' 'wait saved ./other.ini' \
+  'type :preset mine\r' 'wait tabor  mine' 'type :preset tom-12\r' 'wait tabor  tom-12'
+same "one's own drum is saved in one's own folder" "$(cat other.ini)" "$(cat data/tabor/mine.ini)"
+"$TABOR" show mine >"$out"
+same "it is found by its name" "$(tail -n +2 other.ini)" "$(tail -n +2 "$out")"
+"$TABOR" show --kit jazz >data/tabor/club.ini
+types 'type :save club\r' 'wait club.ini is no drum'
+"$TABOR" show --kit club >"$out"
+same "so is a kit" "$(tail -n +2 data/tabor/club.ini)" "$(tail -n +2 "$out")"
 types 'type :preset tom-12\r' 'wait tabor  tom-12' 'type ]' 'wait tabor  floor-tom-16' 'type [[' \
   'gone floor-tom-16' 'type b' 'wait snares off' 'type b' 'wait snares on' 'type n' 'wait muffle on' \
   'type n' 'wait muffle off' 'type ?' 'wait ghost notes' 'type ?' 'gone ghost notes' \

@@ -82,6 +82,12 @@ static const void *extension(const clap_host_t *host, const char *id) {
   return strcmp(id, CLAP_EXT_PRESET_LOAD) == 0 ? &presets : NULL;
 }
 
+static const void *no_extension(const clap_host_t *host, const char *id) {
+  (void)host;
+  (void)id;
+  return NULL;
+}
+
 const clap_plugin_entry_t *clap_host_entry(const char *binary) {
   void *const library = dlopen(binary, RTLD_NOW | RTLD_LOCAL);
   if (!library) fail_msg("%s", dlerror());
@@ -105,7 +111,9 @@ static void find_ports(ClapHost *host) {
   }
 }
 
-ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
+typedef const void *ExtensionFn(const clap_host_t *host, const char *id);
+
+static ClapHost *open_with(const clap_plugin_entry_t *entry, const char *id, ExtensionFn *of_host) {
   const clap_plugin_factory_t *const factory = entry->get_factory(CLAP_PLUGIN_FACTORY_ID);
   ClapHost *const host = calloc(1, sizeof *host);
   assert_non_null(factory);
@@ -116,7 +124,7 @@ ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
                              .vendor = "",
                              .url = "",
                              .version = "1",
-                             .get_extension = extension,
+                             .get_extension = of_host,
                              .request_restart = request,
                              .request_process = request_block,
                              .request_callback = request_callback};
@@ -126,6 +134,14 @@ ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
   assert_true(host->plugin->init(host->plugin));
   find_ports(host);
   return host;
+}
+
+ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
+  return open_with(entry, id, extension);
+}
+
+ClapHost *clap_host_scan(const clap_plugin_entry_t *entry, const char *id) {
+  return open_with(entry, id, no_extension);
 }
 
 void clap_host_activate(ClapHost *host) {
@@ -163,6 +179,13 @@ clap_id clap_host_id(KnobId knob) {
   clap_id id = 0;
   while (knob_ports[id] != knob) id++;
   return id;
+}
+
+double clap_host_pitch(double hertz) {
+  TaborDrumDef usual;
+  assert_int_equal(tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL), TABOR_OK);
+  const KnobRange range = knob_range(KNOB_BATTER_PITCH, &usual);
+  return knob_position(&range, hertz);
 }
 
 static ClapEvent *add(ClapHost *host, uint32_t time, uint16_t type, size_t size) {

@@ -57,6 +57,8 @@ typedef struct ClapState {
 const clap_plugin_entry_t *clap_host_entry(const char *binary);
 /** Creates the plugin @p id at its defaults; not active. */
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
+/** The same with a host that has no extensions, as hosts that scan have none. */
+ClapHost *clap_host_scan(const clap_plugin_entry_t *entry, const char *id);
 void clap_host_close(ClapHost *host);
 /** Activates at 48 kHz. */
 void clap_host_activate(ClapHost *host);
@@ -66,6 +68,8 @@ const void *clap_host_extension(const ClapHost *host, const char *id);
 
 /** Id of the parameter of a knob. */
 clap_id clap_host_id(KnobId knob);
+/** The parameter's value at which the pitch of a head is @p hertz. */
+double clap_host_pitch(double hertz);
 /** Adds an event for the next block; call in order of time. */
 void clap_host_set_id(ClapHost *host, uint32_t time, clap_id id, double value);
 void clap_host_set(ClapHost *host, uint32_t time, KnobId knob, double value);

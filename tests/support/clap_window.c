@@ -33,6 +33,15 @@ void open_window(Opened *opened, double scale) {
   assert_true(opened->inner != 0);
 }
 
+void scan_window(const char *id) {
+  ClapHost *const host = clap_host_scan(&clap_entry, id);
+  const clap_plugin_gui_t *const gui = clap_host_extension(host, CLAP_EXT_GUI);
+  assert_true(gui->is_api_supported(host->plugin, CLAP_WINDOW_API_X11, false));
+  assert_false(gui->is_api_supported(host->plugin, CLAP_WINDOW_API_X11, true));
+  assert_false(gui->create(host->plugin, CLAP_WINDOW_API_X11, false));
+  clap_host_close(host);
+}
+
 void close_window(Opened *opened) {
   opened->gui->destroy(opened->host->plugin);
   assert_int_equal(opened->host->timers, 0);

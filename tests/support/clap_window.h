@@ -9,6 +9,7 @@
 #include "clap_host.h"
 #include "x11_server.h"
 
+extern const clap_plugin_entry_t clap_entry;
 extern X11Server server; /**< of all windows of a test */
 
 typedef struct Opened {
@@ -17,6 +18,8 @@ typedef struct Opened {
   xcb_window_t outer, inner;
 } Opened;
 
+/** A host that scans is told of the window of the plugin @p id, and cannot open it for want of timers. */
+void scan_window(const char *id);
 /** Opens a window of opened->host and asserts what is due. */
 void open_window(Opened *opened, double scale);
 void close_window(Opened *opened);

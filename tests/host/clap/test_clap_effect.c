@@ -50,6 +50,37 @@ static void play_burst(ClapHost *host, uint32_t block, Take *take) {
   }
 }
 
+/* Whatever the mix is, to the bit, and the host knows the switch. */
+static void bypassed_it_passes_on_what_comes_in(void **state) {
+  (void)state;
+  Take take;
+  take_open(&take, 2);
+  ClapHost *const host = open_effect(1);
+  const clap_plugin_params_t *const params = clap_host_extension(host, CLAP_EXT_PARAMS);
+  clap_param_info_t info = {.id = CLAP_INVALID_ID};
+  for (uint32_t i = 0; params->get_info(host->plugin, i, &info); i++)
+    if (info.flags & CLAP_PARAM_IS_BYPASS) break;
+  assert_true(info.flags & CLAP_PARAM_IS_BYPASS);
+  assert_true(info.min_value == 0 && info.max_value == 1 && info.default_value == 0);
+  clap_host_set_id(host, 0, info.id, 1);
+  clap_host_run(host, CLAP_BLOCK); /* its fade */
+  play_burst(host, 100, &take);
+  double peak = 0;
+  for (uint32_t i = 0; i < take.frames; i++) {
+    assert_true(take.sound[0][i] == burst_at(i) && take.sound[1][i] == burst_at(i));
+    peak = fmax(peak, fabs((double)take.sound[0][i]));
+  }
+  assert_true(peak > 0.01);
+  clap_host_set_id(host, 0, info.id, 0);
+  clap_host_run(host, CLAP_BLOCK);
+  play_burst(host, 100, &take);
+  uint32_t same = 0;
+  for (uint32_t i = 0; i < take.frames; i++) same += take.sound[0][i] == burst_at(i);
+  assert_true(same < take.frames / 2);
+  clap_host_close(host);
+  take_close(&take);
+}
+
 static void the_drum_is_that_of_render(void **state) {
   (void)state;
   static const uint32_t blocks[] = {CLAP_BLOCK, 100, 1};
@@ -152,8 +183,11 @@ int main(int argc, char **argv) {
   if (!songs_begin(argv[1], true)) return 1;
   burst_make();
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(the_drum_is_that_of_render), cmocka_unit_test(the_mix_is_a_sum),
-    cmocka_unit_test(silence_and_bad_samples),    cmocka_unit_test(no_sample_is_subnormal),
+    cmocka_unit_test(bypassed_it_passes_on_what_comes_in),
+    cmocka_unit_test(the_drum_is_that_of_render),
+    cmocka_unit_test(the_mix_is_a_sum),
+    cmocka_unit_test(silence_and_bad_samples),
+    cmocka_unit_test(no_sample_is_subnormal),
     cmocka_unit_test(louder_sound_rattles_more),
   };
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -26,8 +26,6 @@
 
 enum { FRAMES = 2400 };
 
-extern const clap_plugin_entry_t clap_entry;
-
 static TaborKitDef kit; /* standard */
 
 /* Without what drums hear of each other, so that a drum that was not struck is silent. */
@@ -201,6 +199,11 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   close_host(&opened);
 }
 
+static void a_host_that_scans_is_told_of_it(void **state) {
+  (void)state;
+  scan_window(ID_KIT);
+}
+
 static void nothing_stays_of_a_window(void **state) {
   (void)state;
   const int openings = getenv("OPENINGS") ? atoi(getenv("OPENINGS")) : 50;
@@ -227,6 +230,7 @@ static int run(void) {
     cmocka_unit_test(controls_turn_and_the_host_is_told),
     cmocka_unit_test(kits_are_chosen_and_settings_compared),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),
+    cmocka_unit_test(a_host_that_scans_is_told_of_it),
     cmocka_unit_test(nothing_stays_of_a_window),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -19,7 +19,7 @@
 /* Of the range: texts have six digits, per cent have four, and notes have whole cents. */
 #define TEXT_TOLERANCE 1e-5
 #define PER_CENT_TOLERANCE 1e-4 /* of the root of a value: half of 0.01 %, twice for the square */
-#define NOTE_TOLERANCE 2.9e-4   /* half a cent */
+#define NOTE_TOLERANCE 7.7e-5   /* of the way from 20 to 900 Hz: half a cent */
 
 static const clap_plugin_entry_t *entry;
 
@@ -133,6 +133,35 @@ static void test_defaults_are_in_range(void **state) {
   clap_host_close(host);
 }
 
+/* Scales in equal ratios begin at 0, to the bit, and end at 1. */
+static void test_logarithmic_scales_are_whole(void **state) {
+  (void)state;
+  static const KnobId ids[] = {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION,
+                               KNOB_STICK_HARDNESS, KNOB_BATTER_PITCH,     KNOB_RESONANT_PITCH};
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
+    const clap_param_info_t info = info_of(host, clap_host_id(ids[i]));
+    assert_int_equal(info.id, clap_host_id(ids[i]));
+    if (info.min_value != 0 || info.max_value != 1)
+      fail_msg("%s: %.9g to %.9g", info.name, info.min_value, info.max_value);
+  }
+  clap_host_close(host);
+}
+
+/* An octave has the same way everywhere, and off is the beginning alone. */
+static void test_pitches_are_in_equal_ratios(void **state) {
+  (void)state;
+  const double octave = clap_host_pitch(440) - clap_host_pitch(220);
+  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+  char text[64];
+  assert_true(fabs(clap_host_pitch(80) - clap_host_pitch(40) - octave) < 1e-12);
+  assert_true(clap_host_pitch(900) == 1 && clap_host_pitch(0) == 0);
+  assert_true(octave > 0.15); /* it was 0.024 from 22 Hz on, and 0.5 from 450 Hz on */
+  text_of(host, clap_host_id(KNOB_BATTER_PITCH), clap_host_pitch(20), text);
+  assert_string_equal(text, "Eb0 +49 ct");
+  clap_host_close(host);
+}
+
 static void set(ClapHost *host, KnobId knob, double value) {
   clap_host_set(host, 0, knob, value);
   clap_host_flush(host);
@@ -176,8 +205,8 @@ static void test_texts_have_units(void **state) {
   says(host, KNOB_BATTER_TENSION, 0.5, "1414.21 N/m");
   says(host, KNOB_BATTER_TENSION, 1, "20000 N/m");
   says(host, KNOB_BATTER_PITCH, 0, "Off");
-  says(host, KNOB_BATTER_PITCH, 220, "A3");
-  says(host, KNOB_BATTER_PITCH, 221.53, "A3 +12 ct");
+  says(host, KNOB_BATTER_PITCH, clap_host_pitch(220), "A3");
+  says(host, KNOB_BATTER_PITCH, clap_host_pitch(221.53), "A3 +12 ct");
   says(host, KNOB_BATTER_MUFFLING, 0, "Open");
   says(host, KNOB_BATTER_MUFFLING, 7.5, "50 %"); /* a quarter of the range */
   says(host, KNOB_STRAINER, 0, "Off");
@@ -200,7 +229,7 @@ static void test_texts_have_units(void **state) {
 }
 
 static double tolerance_of(KnobId id, double value, double range) {
-  if (knobs[id].scale == KNOB_IN_NOTES) return NOTE_TOLERANCE * value;
+  if (knobs[id].scale == KNOB_IN_NOTES) return NOTE_TOLERANCE;
   if (knobs[id].scale == KNOB_IN_ROOTS) return PER_CENT_TOLERANCE * sqrt(value * range);
   return TEXT_TOLERANCE * range;
 }
@@ -241,11 +270,11 @@ static void reads(const ClapHost *host, KnobId knob, const char *text, double ex
 static void test_texts_of_players_are_read(void **state) {
   (void)state;
   ClapHost *const host = clap_host_open(entry, ID_DRUM);
-  reads(host, KNOB_BATTER_PITCH, "A3", 220);
-  reads(host, KNOB_BATTER_PITCH, "A#3 -5", 220 * pow(2, 95 / 1200.0));
-  reads(host, KNOB_BATTER_PITCH, "220 Hz", 220);
+  reads(host, KNOB_BATTER_PITCH, "A3", clap_host_pitch(220));
+  reads(host, KNOB_BATTER_PITCH, "A#3 -5", clap_host_pitch(220 * pow(2, 95 / 1200.0)));
+  reads(host, KNOB_BATTER_PITCH, "220 Hz", clap_host_pitch(220));
   reads(host, KNOB_BATTER_PITCH, "off", 0);
-  reads(host, KNOB_BATTER_PITCH, "2000", 900); /* the highest */
+  reads(host, KNOB_BATTER_PITCH, "2000", 1); /* the highest */
   reads(host, KNOB_BATTER_MUFFLING, "open", 0);
   reads(host, KNOB_BATTER_MUFFLING, "50 %", 7.5);
   reads(host, KNOB_BATTER_MUFFLING, "-50", 0);
@@ -317,6 +346,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_the_multi_plugin_has_no_mix),
     cmocka_unit_test(test_there_are_no_others),
     cmocka_unit_test(test_defaults_are_in_range),
+    cmocka_unit_test(test_logarithmic_scales_are_whole),
+    cmocka_unit_test(test_pitches_are_in_equal_ratios),
     cmocka_unit_test(test_values_stay_in_range),
     cmocka_unit_test(test_texts_have_units),
     cmocka_unit_test(test_texts_are_read_back),

@@ -243,8 +243,8 @@ static void shows_pitch(const ClapHost *host, KnobId id, const TaborDrumDef *def
   double pitch;
   const bool is_there = tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK;
   const double shown = clap_host_value(host, id);
-  if (is_there && fabs(shown - pitch) > SIX_DIGITS * pitch) {
-    fail_msg("%s: %g, not %g Hz", knobs[id].symbol, shown, pitch);
+  if (is_there && fabs(shown - clap_host_pitch(pitch)) > SIX_DIGITS) {
+    fail_msg("%s: %g, not that of %g Hz", knobs[id].symbol, shown, pitch);
   }
 }
 

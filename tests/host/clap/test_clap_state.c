@@ -17,9 +17,10 @@
 #include <cmocka.h>
 
 #define FRAMES 6000u
-#define PART 500u    /* frames of a block */
-#define GLIDE 4000u  /* frames in which live parameters reach their values */
-#define FRAME_DRUM 1 /* place of the preset among the built-in ones */
+#define PART 500u           /* frames of a block */
+#define GLIDE 4000u         /* frames in which live parameters reach their values */
+#define HIGHEST_PITCH 522.5 /* [Hz] that the batter head of the usual drum can have */
+#define FRAME_DRUM 1        /* place of the preset among the built-in ones */
 
 static const clap_plugin_entry_t *entry;
 static float first[FRAMES], second[FRAMES];
@@ -326,7 +327,7 @@ static void test_a_pitch_leads_the_tension(void **state) {
   (void)state;
   ClapHost *const host = open_active();
   record_anew(host, first);
-  set(host, KNOB_BATTER_PITCH, 250);
+  set(host, KNOB_BATTER_PITCH, clap_host_pitch(250));
   record_anew(host, second);
   assert_false(is_same(first, second));
   set(host, KNOB_BATTER_TENSION, 0.9);
@@ -336,6 +337,47 @@ static void test_a_pitch_leads_the_tension(void **state) {
   record_anew(host, first);
   assert_false(is_same(first, second));
   clap_host_close(host);
+}
+
+/* The head takes the nearest pitch, and the knob goes there, of which the host is told. */
+static void test_a_pitch_out_of_reach_is_the_nearest(void **state) {
+  (void)state;
+  ClapHost *const host = open_active(), *const other = open_active(), *const copy = open_drum();
+  set(host, KNOB_BATTER_PITCH, clap_host_pitch(850));
+  set(other, KNOB_BATTER_PITCH, clap_host_pitch(HIGHEST_PITCH));
+  record_anew(host, first);
+  record_anew(other, second);
+  assert_same(first, second);
+  assert_true(clap_host_value(host, KNOB_BATTER_PITCH) == clap_host_pitch(HIGHEST_PITCH));
+  assert_int_equal(host->callbacks, 1);
+  host->plugin->on_main_thread(host->plugin);
+  assert_int_equal(host->rescans, 1);
+  host->plugin->on_main_thread(host->plugin);
+  assert_int_equal(host->rescans, 1);
+  assert_non_null(strstr(host->said, "the nearest pitch plays: batter.pitch = 850"));
+  clap_host_save(host, &saved);
+  assert_true(clap_host_load(copy, &saved));
+  assert_true(clap_host_value(copy, KNOB_BATTER_PITCH) == clap_host_pitch(HIGHEST_PITCH));
+  record_anew(copy, second);
+  assert_same(first, second);
+  clap_host_close(host);
+  clap_host_close(other);
+  clap_host_close(copy);
+}
+
+/* In sessions from before it did nothing: the drum is as it was, and the knob shows its pitch. */
+static void test_an_old_pitch_out_of_reach_is_none(void **state) {
+  (void)state;
+  replace("batter_pitch ", "batter_pitch 44548000 44548000\ncolour "); /* 850 */
+  replace_in(&again, "batter.pitch = ", "batter.pitch = 850\nshell.colour = ");
+  ClapHost *const copy = open_drum();
+  assert_true(clap_host_load(copy, &again));
+  const double shown = clap_host_value(copy, KNOB_BATTER_PITCH);
+  assert_true(shown > 0 && shown <= clap_host_pitch(HIGHEST_PITCH));
+  record_anew(copy, second);
+  assert_same(left_sound, second);
+  assert_true(clap_host_value(copy, KNOB_BATTER_PITCH) == shown);
+  clap_host_close(copy);
 }
 
 /* A value outside of a parameter's range, from a version whose range was wider, is brought into it. */
@@ -393,6 +435,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_old_sessions_have_no_pitch),
     cmocka_unit_test(test_values_that_stay_change_no_bit),
     cmocka_unit_test(test_a_pitch_leads_the_tension),
+    cmocka_unit_test(test_a_pitch_out_of_reach_is_the_nearest),
+    cmocka_unit_test(test_an_old_pitch_out_of_reach_is_none),
     cmocka_unit_test(test_values_are_in_range),
     cmocka_unit_test(test_the_drum_outlives_a_change_of_rate),
   };

@@ -29,8 +29,6 @@ enum {
 }; /* beside wires and the mark of the newest stroke */
 enum { FRAMES = 2400 };
 
-extern const clap_plugin_entry_t clap_entry;
-
 static Opened open_host(const char *id, double scale) {
   Opened opened = {.host = clap_host_open(&clap_entry, id)};
   clap_host_set(opened.host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
@@ -322,6 +320,11 @@ static void it_has_any_size(void **state) {
 }
 
 /* Connections to the server are files. Whoever destroys the outer window first does no harm. */
+static void a_host_that_scans_is_told_of_it(void **state) {
+  (void)state;
+  scan_window(ID_DRUM);
+}
+
 static void nothing_stays_of_a_window(void **state) {
   (void)state;
   const int openings = getenv("OPENINGS") ? atoi(getenv("OPENINGS")) : 50;
@@ -357,6 +360,7 @@ static int run(void) {
     cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),
     cmocka_unit_test(it_has_any_size),
+    cmocka_unit_test(a_host_that_scans_is_told_of_it),
     cmocka_unit_test(nothing_stays_of_a_window),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -182,7 +182,7 @@ static void test_symbols_do_not_change(void **state) {
     "freewheel",    "ready",          SHARED_KNOBS, "level_pair",       "level_top",
     "level_bottom", "level_near",     "level_far",  "velocity_range",   "level_inside",
     "batter_pitch", "resonant_pitch", "room",       "wires_unevenness", "sound_level",
-    "mix",          "stick"};
+    "mix",          "stick",          "enabled"};
   check_symbols(URI_EFFECT, effect, sizeof effect / sizeof effect[0]);
   check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }

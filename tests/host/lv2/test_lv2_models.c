@@ -169,7 +169,7 @@ static double tension_for(const char *key, const char *pitch, bool resonant) {
 /* Drums with the same tensions share a model. */
 static bool are_alike(void) { return model_cache_count() == 1; }
 
-/* A pitch counts whatever the tension says, until it is 0 again; one out of reach does nothing. */
+/* A pitch counts whatever the tension says, until it is 0 again; one out of reach is the nearest. */
 static void test_a_pitch_takes_the_place_of_the_tension(void **state) {
   (void)state;
   PluginHost *const one = open_at_draft(URI_DRUM, HOST_WORKER_AT_ONCE), *const other =
@@ -187,9 +187,10 @@ static void test_a_pitch_takes_the_place_of_the_tension(void **state) {
   turn(other, KNOB_BATTER_TENSION, 3000);
   assert_false(are_alike());
   turn(one, KNOB_BATTER_PITCH, 850); /* the resonant head keeps its own */
-  assert_non_null(strstr(one->said, "the head keeps its tension: batter.pitch = 850 is outside"));
+  assert_non_null(strstr(one->said, "the nearest pitch plays: batter.pitch = 850 is outside"));
+  turn(other, KNOB_BATTER_PITCH, 522.5);
   assert_true(are_alike());
-  turn(one, KNOB_BATTER_PITCH, 220);
+  turn(other, KNOB_BATTER_PITCH, 0);
   assert_false(are_alike());
   turn(one, KNOB_BATTER_PITCH, 0);
   assert_true(are_alike());

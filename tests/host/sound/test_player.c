@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A drum being played: messages act at their frames whatever the device's blocks are. */
+#include "drums/preset_text.h"
 #include "platform/clock.h"
 #include "player_script.h"
 
@@ -13,7 +14,7 @@
 
 #include <cmocka.h>
 
-enum { FRAMES = 24000 };
+enum { FRAMES = 24000, DRUM_TEXT = 65536 };
 
 static const char PRESET[] = "tabor";
 
@@ -369,6 +370,85 @@ static void presets_with_less_are_played_all_the_same(void **state) {
   stage_close(stage);
 }
 
+static Outcome append(void *text, const char *piece, size_t size) {
+  (void)strncat(text, piece, size);
+  return OUTCOME_OK;
+}
+
+static const char *write_drum(const TaborDrumDef *def, char text[DRUM_TEXT]) {
+  *text = '\0';
+  assert_int_equal(preset_text_write(def, "a test", append, text), OUTCOME_OK);
+  assert_true(strlen(text) < DRUM_TEXT - 1);
+  return text;
+}
+
+/* Whatever a change has replaced comes back: a pitch replaces a tension, a wire's own value none. */
+static void changes_are_undone_and_redone(void **state) {
+  (void)state;
+  static const struct {
+    const char *key, *value;
+  } changes[] = {{"batter.tension", "3100"}, {"batter.pitch", "A3"},
+                 {"wires.strainer", "0.25"}, {"wire.3.tension", "7"},
+                 {"wires.head", "batter"},   {"quality.level", "live"},
+                 {"mic.top.gain", "0.5"},    {"striker.stick.mass", "0.06"}};
+  enum { CHANGES = sizeof changes / sizeof *changes };
+  static TaborDrumDef defs[CHANGES + 1];
+  static char texts[2][DRUM_TEXT];
+  TaborDrumDef def;
+  char key[DRUM_KEY_SIZE];
+  Stage *const stage = stage_open("snare-14x5.5", TABOR_QUALITY_DRAFT, true, 48000);
+  ModelBuilder *const builder = stage->builder;
+  model_builder_definition(builder, &defs[0]);
+  for (int i = 0; i < CHANGES; i++) {
+    assert_int_equal(model_builder_set(builder, 0, "set", changes[i].key, changes[i].value),
+                     OUTCOME_OK);
+    model_builder_definition(builder, &defs[i + 1]);
+  }
+  for (int i = CHANGES; i-- > 0;) {
+    assert_int_equal(model_builder_undo(builder, 0, key), OUTCOME_OK);
+    assert_string_equal(key, changes[i].key);
+    model_builder_definition(builder, &def);
+    assert_string_equal(write_drum(&def, texts[0]), write_drum(&defs[i], texts[1]));
+  }
+  assert_int_equal(model_builder_undo(builder, 0, key), OUTCOME_REFUSED);
+  for (int i = 0; i < CHANGES; i++) {
+    assert_int_equal(model_builder_redo(builder, 0, key), OUTCOME_OK);
+    assert_string_equal(key, changes[i].key);
+    model_builder_definition(builder, &def);
+    assert_string_equal(write_drum(&def, texts[0]), write_drum(&defs[i + 1], texts[1]));
+  }
+  assert_int_equal(model_builder_redo(builder, 0, key), OUTCOME_REFUSED);
+  assert_true(strcmp(write_drum(&def, texts[0]), write_drum(&defs[0], texts[1])) != 0);
+  /* a change takes what was undone away, and another drum everything */
+  assert_int_equal(model_builder_undo(builder, 0, key), OUTCOME_OK);
+  assert_int_equal(model_builder_set(builder, 0, "set", "batter.tension", "3200"), OUTCOME_OK);
+  assert_int_equal(model_builder_redo(builder, 0, key), OUTCOME_REFUSED);
+  assert_int_equal(model_builder_program(builder, 0, "frame-drum"), OUTCOME_OK);
+  assert_int_equal(model_builder_undo(builder, 0, key), OUTCOME_REFUSED);
+  stage_close(stage);
+}
+
+/* What is live is moved at once, and the drum plays at the quality of before. */
+static void what_is_undone_is_heard(void **state) {
+  (void)state;
+  char key[DRUM_KEY_SIZE];
+  PlayStatus status;
+  Stage *const stage = stage_open("snare-14x5.5", TABOR_QUALITY_DRAFT, true, 48000);
+  ModelBuilder *const builder = stage->builder;
+  const double tension = tabor_model_definition(stage_model(stage))->batter.tension;
+  assert_int_equal(model_builder_set(builder, 0, "set", "batter.pitch", "A3"), OUTCOME_OK);
+  assert_int_equal(model_builder_set(builder, 0, "set", "quality.level", "live"), OUTCOME_OK);
+  stage_block(stage, 2000);
+  assert_true(tabor_model_definition(stage_model(stage))->batter.tension != tension);
+  assert_int_equal(model_builder_undo(builder, 2000, key), OUTCOME_OK);
+  model_builder_status(builder, &status);
+  assert_int_equal(status.quality, TABOR_QUALITY_DRAFT);
+  assert_int_equal(model_builder_undo(builder, 2000, key), OUTCOME_OK);
+  stage_block(stage, 4000);
+  assert_true(tabor_model_definition(stage_model(stage))->batter.tension == tension);
+  stage_close(stage);
+}
+
 /* A change is built by another thread while the drum is played; what moved meanwhile is not lost. */
 static void changes_come_while_it_rings(void **state) {
   (void)state;
@@ -589,6 +669,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(silences_at_once_are_one),
     cmocka_unit_test(a_stroke_before_another_silence_is_silent),
     cmocka_unit_test(presets_with_less_are_played_all_the_same),
+    cmocka_unit_test(changes_are_undone_and_redone),
+    cmocka_unit_test(what_is_undone_is_heard),
     cmocka_unit_test(changes_come_while_it_rings),
     cmocka_unit_test(presets_passed_over_are_silent),
     cmocka_unit_test(a_program_change_once_more_does_nothing),

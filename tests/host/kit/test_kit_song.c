@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "base/message.h"
+#include "midi/midi_mask.h"
 #include "midi_writer.h"
 
 enum { STROKES = 1000, RATE = 48000, TICKS = 96 }; /* 96 ticks of a quarter: half a second */
@@ -40,9 +41,17 @@ static void write_song(uint32_t strokes, uint8_t first) {
 }
 
 static Outcome read_song(double amount) {
+  static const Option options[] = {OPTION_MIDI_FILE, OPTION_STRICT, OPTION_MASK_TIME, {0}};
+  static const Command command = {.name = "render", .options = options};
+  static char program[] = "render", option[] = "--midi-file", name[] = "test_kit_song.mid";
+  char *const words[] = {program, option, name};
+  Arguments arguments;
   assert_int_equal(tabor_kit_def_preset(&kit, "standard", NULL), TABOR_OK);
+  assert_int_equal(arguments_read(&command, 3, words, &arguments), OUTCOME_OK);
   kit_midi_begin(&midi, &kit, &kit_midi_setup_default);
-  return kit_song_read(NAME, &midi, humanizer(amount, 1), RATE, &song);
+  const Outcome outcome = kit_song_read(&arguments, &midi, humanizer(amount, 1), RATE, &song);
+  arguments_free(&arguments);
+  return outcome;
 }
 
 static void a_long_song_keeps_every_stroke(void **state) {

@@ -3,7 +3,6 @@
 # and $STALLS.
 
 if(TARGET tabor-program)
-  pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
   add_executable(host_inspect support/host_inspect.c)
   tabor_target_defaults(host_inspect)
   target_link_libraries(host_inspect PRIVATE PkgConfig::JANSSON PkgConfig::SNDFILE m)

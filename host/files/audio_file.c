@@ -8,6 +8,7 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "files/wav_header.h"
 #include "platform/paths.h"
 
 #define FLAC_CHANNELS 8u
@@ -77,17 +78,27 @@ double audio_least(AudioEncoding encoding) {
 
 /* ---- writing ---- */
 
-/* True if a WAV file could pass 4 GiB, which its header cannot express. */
-static bool may_need_rf64(const AudioFormat *format) {
+/* True if a WAV file could pass 4 GiB, which a plain header cannot express: then the header is our own. */
+static bool has_own_header(const AudioFormat *format, const OutputFile *output) {
   const uint64_t frame_size = (uint64_t)format->channels * sizeof(float); /* at most */
-  return format->container == AUDIO_WAV && format->most_frames > (UINT32_MAX - 65536) / frame_size;
+  return format->container == AUDIO_WAV && output->kind != OUTPUT_STREAMED &&
+         format->most_frames > (UINT32_MAX - 65536) / frame_size;
 }
 
-static int sndfile_format(const AudioFormat *format) {
+static int sndfile_format(const AudioFile *file) {
   static const int containers[] = {SF_FORMAT_WAV, SF_FORMAT_FLAC, SF_FORMAT_AU};
   static const int encodings[] = {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT};
-  const int container = may_need_rf64(format) ? SF_FORMAT_RF64 : containers[format->container];
-  return container | encodings[format->encoding];
+  const int container =
+    file->own_header ? SF_FORMAT_RAW | SF_ENDIAN_LITTLE : containers[file->format.container];
+  return container | encodings[file->format.encoding];
+}
+
+static WavFormat wav_format(const AudioFormat *format) {
+  static const uint32_t bits[] = {16, 24, 32};
+  return (WavFormat){.is_float = format->encoding == AUDIO_FLOAT,
+                     .bits = bits[format->encoding],
+                     .rate = format->rate,
+                     .channels = format->channels};
 }
 
 /* libsndfile's own message is the second choice. */
@@ -97,22 +108,53 @@ static Outcome sound_failure(const AudioFile *file, SNDFILE *stream) {
   return fail("cannot write '%s': %s", file->output->name, sf_strerror(stream));
 }
 
+static Outcome write_at(const AudioFile *file, off_t place, const void *bytes, size_t size) {
+  const int descriptor = file->output->descriptor;
+  const off_t before = lseek(descriptor, 0, SEEK_CUR);
+  const bool written = before >= 0 && lseek(descriptor, place, SEEK_SET) == place &&
+                       write(descriptor, bytes, size) == (ssize_t)size &&
+                       lseek(descriptor, before, SEEK_SET) == before;
+  return written ? OUTCOME_OK : output_failure(file->output);
+}
+
+static Outcome write_header(const AudioFile *file) {
+  const WavFormat format = wav_format(&file->format);
+  uint8_t header[WAV_HEADER_MOST];
+  wav_header(&format, file->frames, header);
+  return write_at(file, 0, header, wav_header_size(&format));
+}
+
+/* Chunks have an even number of bytes. */
+static Outcome complete_header(const AudioFile *file) {
+  const WavFormat format = wav_format(&file->format);
+  const uint64_t size = wav_data_size(&format, file->frames);
+  const Outcome outcome = write_header(file);
+  if (outcome != OUTCOME_OK || size % 2 == 0) return outcome;
+  return write_at(file, (off_t)(wav_header_size(&format) + size), "", 1);
+}
+
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output) {
-  *file = (AudioFile){.output = output, .format = *format};
+  *file =
+    (AudioFile){.output = output, .format = *format, .own_header = has_own_header(format, output)};
   file->buffer = malloc((size_t)format->channels * AUDIO_BLOCK * sizeof(int));
   if (!file->buffer) return fail_memory();
   SF_INFO info = {.samplerate = (int)format->rate,
                   .channels = (int)format->channels,
-                  .format = sndfile_format(format)};
+                  .format = sndfile_format(file)};
+  const WavFormat wav = wav_format(format);
+  long before = 0;
   errno = 0;
+  if (file->own_header) {
+    const Outcome outcome = write_header(file);
+    if (outcome != OUTCOME_OK) return outcome;
+    before = wav_header_size(&wav);
+    if (lseek(output->descriptor, before, SEEK_SET) < 0) return output_failure(output);
+  }
   file->stream = output->kind == OUTPUT_STREAMED
                    ? sf_open_fd(output->descriptor, SFM_WRITE, &info, SF_FALSE)
-                   : sndfile_io_open(&file->io, output->descriptor, &info);
+                   : sndfile_io_open(&file->io, output->descriptor, before, &info);
   if (!file->stream) return sound_failure(file, NULL);
   (void)sf_command(file->stream, SFC_SET_ADD_PEAK_CHUNK, NULL, SF_FALSE); /* holds the time */
-  if (may_need_rf64(format)) { /* what turns out to be short is a WAV all the same */
-    (void)sf_command(file->stream, SFC_RF64_AUTO_DOWNGRADE, NULL, SF_TRUE);
-  }
   return OUTCOME_OK;
 }
 
@@ -154,6 +196,7 @@ Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames
 /* libsndfile keeps no samples to itself: all of them are in the file. */
 Outcome audio_file_refresh(AudioFile *file) {
   errno = 0;
+  if (file->own_header) return write_header(file);
   (void)sf_command(file->stream, SFC_UPDATE_HEADER_NOW, NULL, 0);
   return file->io.error == 0 ? OUTCOME_OK : sound_failure(file, file->stream);
 }
@@ -179,6 +222,8 @@ Outcome audio_file_finish(AudioFile *file) {
   file->stream = NULL;
   errno = 0;
   if (sf_close(stream) != 0 || file->io.error != 0) return sound_failure(file, NULL);
+  const Outcome outcome = file->own_header ? complete_header(file) : OUTCOME_OK;
+  if (outcome != OUTCOME_OK) return outcome;
   return file->output->kind == OUTPUT_STREAMED ? OUTCOME_OK : verify(file);
 }
 

@@ -29,7 +29,8 @@ typedef struct AudioFormat {
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
-  SndfileIo io; /**< destination of stream, unless that is a pipe */
+  bool own_header; /**< a WAV of unknown length: see wav_header.h */
+  SndfileIo io;    /**< destination of stream, unless that is a pipe */
   SNDFILE *stream;
   void *buffer; /**< the encoded samples of one block */
   uint64_t frames;

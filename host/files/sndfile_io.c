@@ -15,12 +15,15 @@ static sf_count_t file_length(void *context) {
   SndfileIo *const io = context;
   FileStatus status;
   if (!file_status_of(io->descriptor, &status)) return record(io, -1);
-  return (sf_count_t)status.size;
+  const sf_count_t size = (sf_count_t)status.size;
+  return size > io->before ? size - io->before : 0;
 }
 
 static sf_count_t seek(sf_count_t offset, int whence, void *context) {
   SndfileIo *const io = context;
-  return record(io, lseek(io->descriptor, offset, whence));
+  const sf_count_t place =
+    lseek(io->descriptor, whence == SEEK_SET ? io->before + offset : offset, whence);
+  return record(io, place < 0 ? place : place - io->before);
 }
 
 static sf_count_t tell_place(void *context) { return seek(0, SEEK_CUR, context); }
@@ -43,8 +46,8 @@ static sf_count_t write_all(const void *bytes, sf_count_t size, void *context) {
   return done;
 }
 
-SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, SF_INFO *info) {
-  *io = (SndfileIo){.descriptor = descriptor};
+SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, long before, SF_INFO *info) {
+  *io = (SndfileIo){.descriptor = descriptor, .before = before};
   SF_VIRTUAL_IO calls = {.get_filelen = file_length,
                          .seek = seek,
                          .read = read_some,

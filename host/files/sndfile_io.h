@@ -12,10 +12,11 @@
 
 typedef struct SndfileIo {
   int descriptor; /**< descriptor of a seekable file */
+  long before;    /**< bytes at its beginning that are not libsndfile's */
   int error;      /**< errno of the first call that failed, or 0 */
 } SndfileIo;
 
-/** Opens the file for writing; @p io must outlive the result. */
-SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, SF_INFO *info);
+/** Opens the file for writing behind its first @p before bytes; @p io must outlive the result. */
+SNDFILE *sndfile_io_open(SndfileIo *io, int descriptor, long before, SF_INFO *info);
 
 #endif

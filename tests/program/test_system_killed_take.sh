@@ -30,6 +30,12 @@ samples() {
   if [[ $1 == *.wav ]]; then start=$(($(grep -abo -m 1 data "$1" | head -n 1 | cut -d: -f1) + 8)); fi
   tail -c +$((start + 1)) "$1" | head -c $(($2 * frame_bytes))
 }
+# tag FILE: the format tag of a WAV file; 1 is plain PCM, 65534 WAVE_FORMAT_EXTENSIBLE, which trackers refuse.
+tag() {
+  local at
+  at=$(grep -abo -m 1 'fmt ' "$1" | head -n 1 | cut -d: -f1)
+  od -An -t u2 -j $((at + 8)) -N 2 "$1" | tr -d ' '
+}
 frames_of() { "$INSPECT" sound "$1" | cut -d' ' -f5; }
 same_samples() { cmp <(samples "$1" "$3") <(samples "$2" "$3"); }
 
@@ -81,6 +87,7 @@ one_take() {
   kill_take "$@" || return 1
   same "status of a program that is killed" "status 137" "$(grep '^status' typed)"
   same "files" "$(printf '%s\n' "${name%.*}.part.${name##*.}" take.part.log | sort)" "$(printf '%s\n' take* | sort)"
+  if [[ $name == *.wav ]]; then same "the tag of $name" 1 "$(tag "${name%.*}.part.wav")"; fi
   check_replay "$name"
   read -r lost_sound lost_log < <(awk "BEGIN { played = $second + $delay
     print played - $recorded / $rate, played - $logged / $rate }")
@@ -90,7 +97,7 @@ one_take() {
 
 # ---- killed at random ----
 
-# With a known length the file is a WAV from the start; without, it may become an RF64.
+# Without a known length the file may become an RF64.
 for ((take = 1; take <= takes; take++)); do
   case $((take % 3)) in
     1) in_time 0.5 "take $take" one_take take.wav $take --duration 60 ;;
@@ -117,6 +124,7 @@ check "a free name is found for the log" wait_for grep -qs played take.part-2.lo
 kill -INT $player
 wait $player
 same "status after SIGINT" 130 $?
+same "the tag of a take that SIGINT ended" 1 "$(tag take.wav)"
 same "files" "take.log take.part-2.wav take.part.log take.part.wav take.wav" "$(echo take*)"
 same "what was left stays" "$before" "$(cksum take.part*)"
 

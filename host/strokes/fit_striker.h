@@ -10,7 +10,10 @@
 
 /** Gives a stroke striker 0 if the drum, with @p strikers strikers, lacks its striker. */
 static inline void fit_striker(TaborEvent *event, uint32_t strikers) {
-  if (event->type == TABOR_EVENT_STRIKE && event->striker >= strikers) event->striker = 0;
+  const bool plucks = event->technique == TABOR_TECHNIQUE_PLUCK; /* a wire, not a striker */
+  if (event->type == TABOR_EVENT_STRIKE && !plucks && event->striker >= strikers) {
+    event->striker = 0;
+  }
 }
 
 #endif

@@ -88,12 +88,13 @@ const char *const technique_names[TECHNIQUE_NAMES] = {
   [TABOR_TECHNIQUE_NORMAL] = "normal",   [TABOR_TECHNIQUE_BUZZ] = "buzz",
   [TABOR_TECHNIQUE_RIMSHOT] = "rimshot", [TABOR_TECHNIQUE_CROSS_STICK] = "cross-stick",
   [TABOR_TECHNIQUE_RIM] = "rim",         [TABOR_TECHNIQUE_SWEEP] = "sweep",
+  [TABOR_TECHNIQUE_PLUCK] = "pluck",
 };
 
 /* The order in which they are suggested. */
 static const TaborTechnique techniques[TECHNIQUE_NAMES] = {
-  TABOR_TECHNIQUE_NORMAL, TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
-  TABOR_TECHNIQUE_RIM,    TABOR_TECHNIQUE_BUZZ,    TABOR_TECHNIQUE_SWEEP};
+  TABOR_TECHNIQUE_NORMAL, TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_RIM,
+  TABOR_TECHNIQUE_BUZZ,   TABOR_TECHNIQUE_SWEEP,   TABOR_TECHNIQUE_PLUCK};
 
 static const char *technique_at(const void *list, size_t index) {
   (void)list;
@@ -148,22 +149,56 @@ static Outcome read_event(Stroke *stroke, const Label *label, const char *value)
   return refuse("%s '%s': unknown%s", label->text, value, hint);
 }
 
+static Outcome read_wire(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 1, TABOR_MAX_WIRES, true};
+  return number_read(&field, value, &stroke->pluck.wire);
+}
+
+static Outcome read_place(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 0, 1, false};
+  return number_read(&field, value, &stroke->pluck.place);
+}
+
+static Outcome read_displacement(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 1e-6, 0.05, false};
+  return number_read(&field, value, &stroke->pluck.displacement);
+}
+
+static Outcome read_pull(Stroke *stroke, const Label *label, const char *value) {
+  const NumberField field = {label->text, 1e-4, 10, false};
+  return number_read(&field, value, &stroke->pluck.pull);
+}
+
 #define SETS_VELOCITY 2u
+#define SETS_RADIUS 4u
+#define SETS_ANGLE 8u
+#define SETS_STRIKER 16u
 #define SETS_PRESSURE 64u
 #define SETS_HOLD 128u
+#define SETS_WIRE 1024u
+#define SETS_PLACE 2048u
+#define SETS_DISPLACEMENT 4096u
+#define SETS_PULL 8192u
+#define SETS_OF_PLUCKS (SETS_WIRE | SETS_PLACE | SETS_DISPLACEMENT | SETS_PULL)
+#define SETS_OF_OTHERS                                                                             \
+  (SETS_VELOCITY | SETS_RADIUS | SETS_ANGLE | SETS_STRIKER | SETS_PRESSURE | SETS_HOLD)
 
 static const StrokeField fields[STROKE_FIELDS] = {
   {"time", read_time, 1},
   {"velocity", read_velocity, SETS_VELOCITY},
   {"midi", read_midi, SETS_VELOCITY},
-  {"radius", read_radius, 4},
-  {"angle", read_angle, 8},
-  {"striker", read_striker, 16},
+  {"radius", read_radius, SETS_RADIUS},
+  {"angle", read_angle, SETS_ANGLE},
+  {"striker", read_striker, SETS_STRIKER},
   {"technique", read_technique, 32},
   {"pressure", read_pressure, SETS_PRESSURE},
   {"hold", read_hold, SETS_HOLD},
   {"id", read_id, 256},
   {"event", read_event, 512},
+  {"wire", read_wire, SETS_WIRE},
+  {"place", read_place, SETS_PLACE},
+  {"displacement", read_displacement, SETS_DISPLACEMENT},
+  {"pull", read_pull, SETS_PULL},
 };
 
 static const char *field_name_at(const void *list, size_t index) {
@@ -199,6 +234,7 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
                   .where = where,
                   .hold = STROKE_HOLD,
                   .response = midi_response_default,
+                  .pluck = {.wire = 1, .place = 0.3, .displacement = 3e-3, .pull = 0.01},
                   .event = {.type = TABOR_EVENT_STRIKE,
                             .striker = striker > 0 ? (uint32_t)striker : 0,
                             .velocity = def->strike.velocity,
@@ -244,7 +280,42 @@ static Outcome fit_technique(const Stroke *stroke, const TaborEvent *event) {
   return OUTCOME_OK;
 }
 
+/* The name of the first field in a set of which the stroke has one. */
+static const char *field_among(const Stroke *stroke, unsigned set) {
+  size_t i = 0;
+  while (!(fields[i].sets & set & stroke->set)) i++;
+  return fields[i].name;
+}
+
+/* A finger on a wire: its fields of the event are those of tabor.h. */
+static Outcome complete_pluck(const Stroke *stroke, TaborEvent *event) {
+  const uint32_t wires = stroke->def->wires.count;
+  const Pluck *const pluck = &stroke->pluck;
+  if (wires == 0) return refuse("%s technique 'pluck': the drum has no wires", stroke->where);
+  if (pluck->wire > wires) {
+    return refuse("%s wire '%.10g': out of range; allowed: 1 to %u", stroke->where, pluck->wire,
+                  wires);
+  }
+  if (stroke->set & SETS_OF_OTHERS) {
+    return refuse("%s %s: a pluck has none; it has wire, place, displacement and pull",
+                  stroke->where, field_among(stroke, SETS_OF_OTHERS));
+  }
+  event->striker = (uint32_t)pluck->wire - 1;
+  event->radius = pluck->place;
+  event->angle = 0;
+  event->value = pluck->displacement;
+  event->velocity = pluck->displacement / pluck->pull;
+  return OUTCOME_OK;
+}
+
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event) {
+  const bool plucks =
+    event->type == TABOR_EVENT_STRIKE && event->technique == TABOR_TECHNIQUE_PLUCK;
+  if (plucks) return complete_pluck(stroke, event);
+  if (stroke->set & SETS_OF_PLUCKS) {
+    return refuse("%s %s: only strokes of technique pluck have one", stroke->where,
+                  field_among(stroke, SETS_OF_PLUCKS));
+  }
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
   if (event->type == TABOR_EVENT_MOVE) event->value = 0; /* seconds: from row to row */
   if (event->type != TABOR_EVENT_STRIKE) return OUTCOME_OK;

@@ -12,9 +12,10 @@
 #include "base/message.h"
 #include "midi/midi_speed.h"
 
-/** Number of fields: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event */
-#define STROKE_FIELDS 11
-#define TECHNIQUE_NAMES (TABOR_TECHNIQUE_SWEEP + 1)
+/** Number of fields: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event; and of a pluck wire,
+    place, displacement, pull */
+#define STROKE_FIELDS 15
+#define TECHNIQUE_NAMES (TABOR_TECHNIQUE_PLUCK + 1)
 
 #define STROKE_HOLD 0.5        /**< default duration of a buzz or a sweep [s] */
 #define STROKE_MOST_ID 1000000 /**< the program itself uses larger ids */
@@ -24,6 +25,14 @@ extern const char *const technique_names[TECHNIQUE_NAMES];
 
 typedef struct StrokeField StrokeField;
 
+/** What a pluck has in place of a stroke's velocity, radius, angle and striker. */
+typedef struct Pluck {
+  double wire;         /**< from 1 */
+  double place;        /**< part of its length, 0 to 1 */
+  double displacement; /**< [m] */
+  double pull;         /**< time until the finger lets go [s] */
+} Pluck;
+
 /** A stroke whose fields are being read. */
 typedef struct Stroke {
   const TaborDrumDef *def;
@@ -32,6 +41,7 @@ typedef struct Stroke {
   double time;           /**< [s] */
   double hold;           /**< duration until a buzz or a sweep is lifted [s] */
   MidiResponse response; /**< for the field midi */
+  Pluck pluck;
   TaborEvent event;
 } Stroke;
 
@@ -39,7 +49,8 @@ typedef struct Stroke {
 bool stroke_says_hold(const Stroke *stroke);
 /** True of a buzz or a sweep, which a hand presses until it lifts the stick. */
 bool stroke_is_held(const TaborEvent *event);
-/** Call after all fields were read: fills in the values that depend on several fields. Refused are a sweep without a brush or
+/** Call after all fields were read: fills in the values that depend on several fields. Refused are a pluck on a drum without
+    that wire, fields of a pluck for others and the reverse, a sweep without a brush or
     with a speed out of the range of sweep_speed, a rimshot or a cross-stick with a brush, and pressure or hold of a
     stroke that is not held. */
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);

@@ -89,3 +89,23 @@ def test_events_say_what_they_are(snare):
     assert repr(tabor.swap(0, snare)) == "tabor.swap(0, model=<tabor.Model 'tabor', 48000 Hz, draft>)"
     for event in (event, tabor.damp(0.1, 3), tabor.move(0.25, 0.1, 30, seconds=1), tabor.release(1, id=2)):
         assert eval(repr(event)) == event
+
+
+def test_a_pluck_is_the_programs(program_sound):
+    """Wires are numbered from 1; the bits are those of `tabor render`."""
+    rendered = program_sound("snare-14x5.5", "--quality", "draft", "--duration", "0.2", "--mic", "top",
+                             "--set", "room.kind=none", "--strike",
+                             "technique=pluck,wire=3,place=0.4,displacement=0.002,pull=0.02")
+    drum = tabor.Drum(tabor.Model("snare-14x5.5", quality="draft"), mics=["top"])
+    played = drum.process(9600, [tabor.pluck(0, 3, place=0.4, displacement=0.002, pull=0.02)])
+    assert drum.statistics().strikes == 1
+    assert np.array_equal(rendered, played)
+
+
+def test_a_pluck_needs_its_wire():
+    drum = tabor.Drum(tabor.Model("tom-12", quality="draft"))
+    with pytest.raises(tabor.Error, match="wire 1: the drum has 0"):
+        drum.process(10, [tabor.pluck()])
+    for wrong in ({"wire": 0}, {"wire": 41}, {"place": 1.1}, {"displacement": 0.0}, {"pull": 11}):
+        with pytest.raises(tabor.Error):
+            tabor.pluck(**wrong)

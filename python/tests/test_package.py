@@ -60,13 +60,14 @@ def test_tuples_have_the_fields_of_the_structs(struct):
 def test_every_kind_of_event_has_a_function():
     from tabor.events import TYPES
     enumerators = _library.ffi.typeof("TaborEventType").elements
-    assert sorted(TYPES.values()) == sorted(enumerators)
+    kinds = [kind for kind in TYPES if kind != "pluck"]  # a stroke of its own technique
+    assert sorted(TYPES[kind] for kind in kinds) == sorted(enumerators)
     assert set(TYPES) <= set(tabor.__all__)
 
 
 def test_names_are_those_of_the_library():
     from tabor import model, room
-    for words, enum in ((tabor.TECHNIQUES, "TaborTechnique"), (model._PARTS, "TaborModePart"),
+    for words, enum in (((*tabor.TECHNIQUES, "pluck"), "TaborTechnique"), (model._PARTS, "TaborModePart"),
                         (room._KINDS, "TaborRoomKind"), (model._LEVELS[1:], "TaborQuality")):
         said = [name.split("_", 2)[2].lower().replace("_", "-")
                 for _, name in sorted(_library.ffi.typeof(enum).elements.items())]

@@ -110,7 +110,7 @@ refused "FIELD=VALUE" render --strike velocity=2,
 refused "FIELD=VALUE" render --strike ,velocity=2
 refused "unknown field 'velocty'; did you mean 'velocity'" render --strike velocty=2
 refused "unknown field ''" render --strike =2
-refused "unknown field 'foo'; there are: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event$" \
+refused "unknown field 'foo'; there are: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event, wire, place, displacement, pull$" \
   render --strike foo=2
 refused "time: given twice" render --strike time=1,time=2
 refused "given twice" render --strike velocity=1,midi=3
@@ -131,7 +131,12 @@ done
 refused "striker 'stik'.*did you mean 'stick'" render --strike striker=stik
 refused "striker ''" render --strike striker=
 refused "striker 'foo': the drum has no such striker; there are: stick$" render tabor --strike striker=foo
-refused "technique 'foo': unknown; there are: normal, rimshot, cross-stick, rim, buzz, sweep$" render --strike technique=foo
+refused "technique 'foo': unknown; there are: normal, rimshot, cross-stick, rim, buzz, sweep, pluck$" render --strike technique=foo
+refused "technique 'pluck': the drum has no wires" render tom-12 --strike technique=pluck
+refused "wire '21': out of range; allowed: 1 to 20" render snare-14x5.5 --strike technique=pluck,wire=21
+refused "velocity: a pluck has none; it has wire, place, displacement and pull" render --strike technique=pluck,velocity=3
+refused "wire: only strokes of technique pluck have one" render --strike wire=1
+refused "place '1.5'.*0 to 1" render --strike technique=pluck,place=1.5
 refused "technique 'sweep': striker 'stick' is no brush$" render --strike technique=sweep,striker=stick
 refused "technique 'cross-stick': striker 'brush' is a brush, which has no shaft to meet the hoop$" render snare-14x5.5 --strike technique=cross-stick,striker=brush
 refused "--strike hold: only strokes of technique buzz or sweep have one$" render --strike technique=rimshot,hold=1

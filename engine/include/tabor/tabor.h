@@ -163,7 +163,9 @@ typedef enum TaborTechnique {
   /** The stick strikes only the hoop, at the stroke's angle. */
   TABOR_TECHNIQUE_RIM,
   /** A hand draws a brush over the head until it is released. */
-  TABOR_TECHNIQUE_SWEEP
+  TABOR_TECHNIQUE_SWEEP,
+  /** A finger pulls a wire away from the head and lets go. */
+  TABOR_TECHNIQUE_PLUCK
 } TaborTechnique;
 
 /** The shell, which holds the heads. */
@@ -742,7 +744,10 @@ typedef enum TaborEventType {
   /** A stroke: id, striker, velocity, radius, angle, technique; value is the pressure of a buzz or
    * a sweep, 0 to 1. A sweep circles the centre at this radius, counter-clockwise, at this
    * velocity (up to 5 m/s) until it is moved. A pressed striker with the same id, unless that is
-   * 0, is taken away: one hand holds one stick. */
+   * 0, is taken away: one hand holds one stick. A pluck has other fields: striker is the index of the wire, radius the
+   * place along it as a part of its length, 0 to 1, value the displacement to which the finger would pull it if it
+   * touched nothing [m], 0 to 0.05, and velocity the mean speed of the pull [m/s]: it lets go after value/velocity, 0.1 ms to
+   * 10 s. Its work is booked as injected. A swap lets go. */
   TABOR_EVENT_STRIKE = 1,
   /** Presses strikers in play onto the head, or changes their pressure: id (0 for all), value. The
    * values 0 to 1 are 0.3 to 8 N in equal ratios at a grip of 0.5. Pressed strikers bounce (a

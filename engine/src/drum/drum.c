@@ -14,9 +14,11 @@
 #include "step/live_params.h"
 #include "step/reset.h"
 #include "step/state_check.h"
+#include "step/wire_clearance.h"
 #include "strikers/brush.h"
 #include "strikers/stick.h"
 #include "strikers/strokes.h"
+#include "wires/pluck.h"
 
 static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
@@ -40,7 +42,19 @@ static bool fields_finite(const TaborEvent *event) {
 
 /* ---- events --------------------------------------------------------------------------------- */
 
+static bool pluck(TbView *view, const TaborEvent *event) {
+  const double displacement = clamp(event->value, 0.0, 0.05);
+  const double time = clamp(displacement / clamp(event->velocity, 1e-6, 1e6), 1e-4, 10.0);
+  if (!tb_pluck(view, event->striker, clamp(event->radius, 0.0, 1.0), displacement, time)) {
+    return false;
+  }
+  tb_wire_clearance_end(view);
+  view->state->ledger.statistics.strikes++;
+  return true;
+}
+
 static bool strike(TbView *view, const TaborEvent *event) {
+  if (event->technique == TABOR_TECHNIQUE_PLUCK) return pluck(view, event);
   if (event->striker >= view->model->def.striker_count) return false;
   if (event->technique > TABOR_TECHNIQUE_SWEEP) return false;
   const TbStroke stroke = {.id = event->id,

@@ -97,7 +97,7 @@ static const double LOUD_AIR = 10.0; /* [Pa] */
 /* A stick, or loud sound from outside, raises the tension within a few steps. */
 static bool is_driven(const TbView *view) {
   const TbState *state = view->state;
-  if (fabs(view->incident.now) > LOUD_AIR) return true;
+  if (fabs(view->incident.now) > LOUD_AIR || state->wires.flung) return true;
   for (uint32_t slot = 0; state->strikers.mask >> slot; slot++) {
     if (tb_slot_strikes(&state->strikers.slots[slot])) return true;
   }

@@ -4,6 +4,7 @@
 #include "air/incident_sound.h"
 #include "step/energy.h"
 #include "strikers/striker_hold.h"
+#include "wires/pluck.h"
 
 /* next = last + t (next - last). */
 static void shorten(uint32_t n, double *next, const double *last, double t) {
@@ -25,7 +26,8 @@ static double energy_and_losses(const TbView *view) {
   const TbLosses losses = tb_losses(view);
   const TbHoldWork hands = tb_hold_work(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
-         losses.shell + losses.wires + hands.lost - hands.done - tb_incident_work(view);
+         losses.shell + losses.wires + hands.lost - hands.done - tb_incident_work(view) -
+         tb_pluck_work(view);
 }
 
 bool tb_energy_guard(TbView *view) {

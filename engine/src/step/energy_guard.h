@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The last resort against energy created by a capped solve. It holds for any contact forces.
  *
- * If the new energy and the losses of modes and wires exceed the old energy and the work of hands and of sound from outside,
+ * If the new energy and the losses of modes and wires exceed the old energy and the work of hands, of fingers that pluck and of sound from outside,
  * every x(n+1) becomes x(n-1) + t (x(n+1) - x(n-1)). t in [0, 1] is near the largest value for
  * which new energy and losses do not exceed the old energy and the work. The sum of new energy and
  * losses is convex in t. At t = 0 it is exactly the old energy, since the energy between two

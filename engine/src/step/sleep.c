@@ -10,6 +10,7 @@
 #include "step/reset.h"
 #include "step/wire_clearance.h"
 #include "strikers/brush.h"
+#include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
@@ -117,9 +118,10 @@ void tb_sleep_check(TbView *view) {
   }
   clear_vanished(view);
   tb_wire_clearance_begin(view);
+  tb_pluck_calm(view);
   tb_wire_motion_of(view)->settle(view);
   const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
-                     !parameter_moves(state) && !tb_brush_moves(state);
+                     !parameter_moves(state) && !tb_brush_moves(state) && !tb_pluck_acts(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
 }

@@ -7,6 +7,7 @@
 #include "model/state_layout.h"
 #include "state/event_budget.h"
 #include "step/live_params.h"
+#include "wires/pluck.h"
 
 /* No number of a drum comes near this, whatever its unit. Its cube times the largest stiffness, and
  * what microphones make of it, are still finite. */
@@ -150,11 +151,25 @@ static bool brushes(const TbState *state) {
   return true;
 }
 
+/* A finger is on a wire of the drum, between two of its inner nodes. */
+static bool plucks(const TaborModel *model, const TbState *state) {
+  for (uint32_t w = 0; w < TABOR_MAX_WIRES; w++) {
+    const TbPluck *pluck = &state->wires.plucks[w];
+    const bool right = pluck->steps > 0 && w < model->wires.count && pluck->done < pluck->steps &&
+                       pluck->node >= 1 && pluck->node + 2 <= model->wires.wires[w].cells;
+    const bool none = pluck->steps == 0 && pluck->done == 0;
+    if (!(right || none) || !(pluck->share >= 0.0 && pluck->share <= 1.0)) return false;
+    if (!within(pluck->force, MOST)) return false;
+  }
+  return true;
+}
+
 /* ---- the rest of the head of a state -------------------------------------------------------- */
 
 static bool flags(const TaborModel *model, const TbState *state) {
   const bool wires = model->wires.count > 0;
   return state->newest < 3u && state->asleep <= 1u && state->wires.lifted <= (wires ? 1u : 0u) &&
+         state->wires.flung <= (wires ? TB_FLUNG : 0u) &&
          state->high.wires_hold <= (wires ? 1u : 0u) && state->airborne <= 1u &&
          state->hushed <= 1u && state->event_debt <= TB_DEBT_MOST &&
          state->mics.heard >> model->def.mic_count == 0;
@@ -185,7 +200,8 @@ static bool numbers(const TbState *state) {
 
 static bool head(const TaborModel *model, const TbState *state) {
   return flags(model, state) && microphones(model, state) && numbers(state) &&
-         tb_live_params_in_range(state) && slots(model, state) && brushes(state);
+         tb_live_params_in_range(state) && slots(model, state) && brushes(state) &&
+         plucks(model, state);
 }
 
 /* ---- arrays --------------------------------------------------------------------------------- */

@@ -19,6 +19,7 @@
 #include "strikers/stick.h"
 #include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
+#include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
 #ifdef TABOR_PROFILE
@@ -43,6 +44,7 @@ static void free_wires(TbView *view) {
                                   wires->inner, now->v + TB_WIRE_FRONT, last->v + TB_WIRE_FRONT,
                                   view->bend + TB_WIRE_FRONT, next->v + TB_WIRE_FRONT);
   for (uint32_t w = 0; w < wires->count; w++) pull_rest(view, w);
+  tb_pluck_pull(view);
 }
 
 /* Where head and wires would be without contact forces, into view->next. */
@@ -178,9 +180,9 @@ static void book_losses(TbView *view, bool shortened) {
   sums->shell_loss += losses.shell;
   sums->wire_loss += losses.wires;
   const TbHoldWork hands = tb_hold_work(view);
-  const double sound = tb_incident_work(view);
+  const double sound = tb_incident_work(view), plucks = tb_pluck_work(view);
   view->state->ledger.sound_work += sound;
-  sums->injected += hands.done + sound;
+  sums->injected += hands.done + sound + plucks;
   sums->damper_loss += hands.lost;
 }
 
@@ -246,6 +248,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   /* f, s, next.q -> next.high, delay lines, pressure */
   tb_mic_output(view, heard, unchanged, pressure);
   TB_STAGE(OTHER);
+  tb_pluck_follow(view); /* fingers that are done let go */
   view->state->airborne = !outcome.contact;
   view->state->clock++;
   tb_view_rotate(view);           /* next becomes now */

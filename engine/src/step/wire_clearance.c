@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "heads/coupling.h"
+#include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
 static const double LEAST_GAP = 3e-3; /* [m] */
@@ -52,7 +53,7 @@ static void rest_phase(const TbView *view, TbPhase *phase) {
 
 void tb_wire_clearance_begin(TbView *view) {
   TbState *state = view->state;
-  if (state->wires.lifted || view->model->wires.count == 0) return;
+  if (state->wires.lifted || view->model->wires.count == 0 || tb_pluck_acts(state)) return;
   state->wires.gap = least_gap(view);
   if (!(state->wires.gap > LEAST_GAP) || !out_of_reach(view) || !lie_still(view)) return;
   state->wires.lifted = 1;

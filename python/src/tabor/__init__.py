@@ -16,7 +16,7 @@ from ._library import Error, UnknownNameError, version
 from .definition import Definition, Parameter, Preset, Value, parameters, presets
 from .drum import TRACE, Drum, Ledger, Probe, Statistics
 from .drum_kit import Kit, KitEvent, kits
-from .events import (TECHNIQUES, Event, change, damp, gain, move, press, release, replace, reset, silence, strike,
+from .events import (TECHNIQUES, Event, change, damp, gain, move, pluck, press, release, replace, reset, silence, strike,
                      swap)
 from .kit import render_kit
 from .midi import midi_events
@@ -29,6 +29,6 @@ __version__ = version()
 __all__ = [
     "Definition", "Drum", "Error", "Event", "Kit", "KitEvent", "Ledger", "MODE", "Model", "ModelEstimate", "ModelInfo", "Parameter",
     "Playable", "Preset", "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
-    "change", "damp", "gain", "kits", "midi_events", "move", "parameters", "presets", "press", "release", "render",
+    "change", "damp", "gain", "kits", "midi_events", "move", "parameters", "pluck", "presets", "press", "release", "render",
     "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",
 ]

@@ -397,6 +397,8 @@ def _values(frame: int, event: Event, model: Model) -> Dict[str, Any]:
     values.update(frame=frame, type=TYPES[event.kind])
     if event.kind == "strike":
         _complete_stroke(values, event, model.definition)
+    elif event.kind == "pluck":
+        values.update(_pluck(event, model.definition))
     elif event.kind == "change":
         key = event.fields["key"]
         values["parameter"] = live_parameter(key).id
@@ -415,6 +417,16 @@ def _complete_stroke(values: Dict[str, Any], event: Event, definition: Definitio
     technique = event.fields.get("technique")
     values["technique"] = (usual.technique if technique is None
                            else choice_of(TECHNIQUES, technique, "technique"))
+
+
+def _pluck(event: Event, definition: Definition) -> Dict[str, Any]:
+    """The members that a pluck has in place of a stroke's."""
+    wire, wires = event.fields["wire"], definition._c.wires.count
+    if wire > wires:
+        raise Error(f"pluck: wire {wire}: the drum has {wires}", "range", "wire", str(wire), 1, wires)
+    displacement = event.fields["displacement"]
+    return {"technique": lib.TABOR_TECHNIQUE_PLUCK, "striker": wire - 1, "radius": event.fields["place"],
+            "value": displacement, "velocity": displacement / event.fields["pull"]}
 
 
 def _destroyer(swaps: List[Any]) -> Callable[[Any], None]:

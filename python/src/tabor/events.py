@@ -72,6 +72,10 @@ def _id(what: str, value: Any) -> int:
     return whole(what, value, 0, _LARGEST_ID)
 
 
+def _wire(what: str, value: Any) -> int:
+    return whole(what, value, 1, lib.TABOR_MAX_WIRES)
+
+
 def _model(what: str, value: Any) -> Model:
     if not isinstance(value, Model):
         raise TypeError(f"{what.partition(':')[0]}: a Model is needed, not {value!r}")
@@ -82,6 +86,7 @@ _FIELDS: Dict[str, Dict[str, _Check]] = {
     "strike": {"velocity": _unless_none(_within(0.01, 30)), "radius": _unless_none(_within(0)),
                "angle": _unless_none(_within()), "striker": _unless_none(_word), "technique": _unless_none(_technique),
                "pressure": _within(0, 1), "id": _id},
+    "pluck": {"wire": _wire, "place": _within(0, 1), "displacement": _within(1e-6, 0.05), "pull": _within(1e-4, 10)},
     "press": {"pressure": _within(0, 1), "id": _id},
     "move": {"radius": _within(0), "angle": _within(), "seconds": _within(0, 60), "id": _id},
     "damp": {"strength": _within(0, 100), "radius": _within(0), "angle": _within(), "id": _id},
@@ -158,6 +163,30 @@ def strike(time: float = 0.0, velocity: Optional[float] = None, *, radius: Optio
     """
     return Event(time, "strike", {"velocity": velocity, "radius": radius, "angle": angle, "striker": striker,
                                   "technique": technique, "pressure": pressure, "id": id})
+
+
+def pluck(time: float = 0.0, wire: int = 1, *, place: float = 0.3, displacement: float = 3e-3,
+          pull: float = 0.01) -> Event:
+    """A finger pulls a wire away from its head and lets go.
+
+    Parameters
+    ----------
+    time : float
+        When it begins to pull [s], from the start of the call that plays it.
+    wire : int
+        Number of the wire, from 1.
+    place : float
+        Where along the wire, as a part of its length, 0 to 1.
+    displacement : float
+        How far the finger would pull the wire if it touched nothing [m], 1e-6 to 0.05.
+    pull : float
+        Time until it lets go [s], 1e-4 to 10.
+
+    Returns
+    -------
+    Event
+    """
+    return Event(time, "pluck", {"wire": wire, "place": place, "displacement": displacement, "pull": pull})
 
 
 def press(time: float, pressure: float, *, id: int = 0) -> Event:
@@ -351,7 +380,7 @@ def reset(time: float) -> Event:
 
 #: The library's type of each kind of event.
 TYPES: Dict[str, int] = {
-    "strike": lib.TABOR_EVENT_STRIKE, "press": lib.TABOR_EVENT_PRESS, "damp": lib.TABOR_EVENT_DAMP,
+    "strike": lib.TABOR_EVENT_STRIKE, "pluck": lib.TABOR_EVENT_STRIKE, "press": lib.TABOR_EVENT_PRESS, "damp": lib.TABOR_EVENT_DAMP,
     "release": lib.TABOR_EVENT_RELEASE, "change": lib.TABOR_EVENT_PARAMETER, "swap": lib.TABOR_EVENT_SWAP,
     "reset": lib.TABOR_EVENT_RESET, "move": lib.TABOR_EVENT_MOVE, "silence": lib.TABOR_EVENT_SILENCE,
     "gain": lib.TABOR_EVENT_GAIN, "replace": lib.TABOR_EVENT_REPLACE}

@@ -28,7 +28,7 @@ _tabor_option() {
 
 # The words that the text of an option lists: "draft, live, studio or reference (default ...", "of normal and buzz, ...".
 _tabor_choices() {
-  sed -nE 's/^[A-Z]+ +(of )?((([a-z0-9]+), )*([a-z0-9]+) (or|and) ([a-z0-9]+))([ ,].*|$)/\2/p' <<<"$1" |
+  sed -nE 's/^[A-Z]+ +(of )?((([a-z0-9-]+), )*([a-z0-9-]+) (or|and) ([a-z0-9-]+))([ ,].*|$)/\2/p' <<<"$1" |
     sed -E 's/,| or | and / /g'
 }
 

@@ -56,8 +56,6 @@ static Outcome prepare(Bench *bench) {
   return outcome;
 }
 
-static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
-
 /* Plays the block from @p start on; returns its processor time. *next is the next stroke. */
 static double time_block(Bench *bench, uint32_t start, uint32_t *next) {
   TaborEvent events[STROKES];
@@ -69,9 +67,9 @@ static double time_block(Bench *bench, uint32_t start, uint32_t *next) {
     events[count] = bench->strokes[*next];
     events[count++].frame -= start;
   }
-  const double before = processor_time();
+  const double before = processor_seconds();
   tabor_drum_process(bench->drum, events, count, outputs, frames);
-  return processor_time() - before;
+  return processor_seconds() - before;
 }
 
 static void play(Bench *bench) {
@@ -94,11 +92,11 @@ static void play(Bench *bench) {
 static void rest(Bench *bench) {
   float *outputs[TABOR_MAX_MICS] = {bench->sound};
   tabor_drum_reset(bench->drum);
-  const double before = processor_time();
+  const double before = processor_seconds();
   for (uint32_t i = 0; i < bench->blocks; i++) {
     tabor_drum_process(bench->drum, NULL, 0, outputs, bench->block);
   }
-  bench->best_idle = fmin(bench->best_idle, processor_time() - before);
+  bench->best_idle = fmin(bench->best_idle, processor_seconds() - before);
 }
 
 static int compare_times(const void *left, const void *right) {

@@ -80,8 +80,8 @@ static Outcome read_side(KitSample *sample, uint32_t channel, double rate, Audio
   const Outcome outcome = audio_clip_read(sample->path, &whole, clip);
   if (outcome != OUTCOME_OK) return outcome;
   if (clip->rate != rate) {
-    return refuse("'%s': its rate is %u Hz, that of the kit %.10g Hz", sample->path,
-                  (unsigned)clip->rate, rate);
+    return refuse("'%s': its rate is %u Hz, that of the kit %.10g Hz; --rate %u fits", sample->path,
+                  (unsigned)clip->rate, rate, (unsigned)clip->rate);
   }
   float *const sound = calloc(clip->count + 1, sizeof *sound);
   if (!sound) return fail_memory();

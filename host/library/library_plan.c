@@ -17,10 +17,13 @@
 static const uint32_t single_key = 38;
 static const uint32_t keys[LIBRARY_MOST_POSITIONS] = {36, 38, 41, 43, 45, 47, 48, 50};
 
-/* As many keys above the head's that no two techniques share one. */
+/* As many keys from the head's that no two techniques share one. */
 const LibraryTechnique library_techniques[LIBRARY_TECHNIQUES] = {
-  {"normal", TABOR_TECHNIQUE_NORMAL, 0},
-  {"buzz", TABOR_TECHNIQUE_BUZZ, 24},
+  {"normal", TABOR_TECHNIQUE_NORMAL, 0, true},
+  {"rimshot", TABOR_TECHNIQUE_RIMSHOT, 48, true},
+  {"cross-stick", TABOR_TECHNIQUE_CROSS_STICK, 72, true},
+  {"rim", TABOR_TECHNIQUE_RIM, -24, false},
+  {"buzz", TABOR_TECHNIQUE_BUZZ, 24, true},
 };
 
 /* ---- velocities ---- */
@@ -39,11 +42,11 @@ void library_set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers) {
 
 /* ---- places ---- */
 
-static void set_place(LibrarySound *sound, const TaborDrumDef *def, uint32_t up, uint32_t place,
+static void set_place(LibrarySound *sound, const TaborDrumDef *def, int up, uint32_t place,
                       uint32_t places) {
   const double head = def->shell.radius;
   const uint32_t key = places == 1 ? single_key : keys[place];
-  sound->keys[0] = (uint8_t)(key + up);
+  sound->keys[0] = (uint8_t)((int)key + up);
   sound->key_count = 1;
   if (places == 1) {
     sound->radius_share = (uint32_t)lround(100 * sound->event.radius / head);
@@ -78,6 +81,10 @@ static bool set_name(LibrarySound *sound, const char *stem, uint32_t takes) {
 
 /* ---- all of them ---- */
 
+static uint32_t places_of(const LibraryShape *shape, const LibraryTechnique *technique) {
+  return technique->places ? shape->positions : 1;
+}
+
 /* Sound @p index of one technique. */
 static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shape,
                                const LibraryTechnique *technique, uint32_t index) {
@@ -86,27 +93,29 @@ static LibrarySound make_sound(const TaborDrumDef *def, const LibraryShape *shap
                         .technique = technique->name,
                         .event = stroke_default(def, "[strike]").event};
   sound.event.technique = (uint32_t)technique->technique;
-  set_place(&sound, def, technique->up, layer / shape->velocities, shape->positions);
+  set_place(&sound, def, technique->up, layer / shape->velocities, places_of(shape, technique));
   library_set_layer(&sound, layer % shape->velocities, shape->velocities);
   sound.event.velocity = midi_speed(shape->response, sound.midi);
   return sound;
 }
 
-static uint32_t count_of_technique(const LibraryShape *shape) {
-  return shape->positions * shape->velocities * shape->takes;
+static uint32_t count_of_technique(const LibraryShape *shape, const LibraryTechnique *technique) {
+  return places_of(shape, technique) * shape->velocities * shape->takes;
 }
 
 uint32_t library_count(const LibraryShape *shape) {
-  uint32_t techniques = 0;
-  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) techniques += shape->techniques[i];
-  return techniques * count_of_technique(shape);
+  uint32_t count = 0;
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (shape->techniques[i]) count += count_of_technique(shape, &library_techniques[i]);
+  }
+  return count;
 }
 
 /* False without memory. */
 static bool add_technique(const TaborDrumDef *def, const char *stem,
                           const LibraryTechnique *technique, Humanizer *player, LibraryPlan *plan) {
   const LibraryShape *const shape = &plan->shape;
-  for (uint32_t i = 0; i < count_of_technique(shape); i++) {
+  for (uint32_t i = 0; i < count_of_technique(shape, technique); i++) {
     LibrarySound *const sound = &plan->sounds[plan->count++];
     *sound = make_sound(def, shape, technique, i);
     humanize(player, def->shell.radius, &sound->event);

@@ -20,13 +20,14 @@
 #define LIBRARY_MOST_POSITIONS 8
 #define LIBRARY_MOST_TAKES 32
 #define LIBRARY_MOST_SOUNDS 4096
-#define LIBRARY_TECHNIQUES 2
+#define LIBRARY_TECHNIQUES 5
 
 /** A technique of libraries, with the keys of its positions. */
 typedef struct LibraryTechnique {
   const char *name;
   TaborTechnique technique;
-  uint32_t up; /**< semitones of its keys above the keys of the head */
+  int up;      /**< semitones of its keys above the keys of the head */
+  bool places; /**< whether its strokes differ by their place on the head */
 } LibraryTechnique;
 
 extern const LibraryTechnique library_techniques[LIBRARY_TECHNIQUES];

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/folder.h"
+#include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "kit/kit_args.h"
 #include "library/library_kit.h"
@@ -23,7 +24,8 @@ const Option library_options[] = {
   {"velocities", 0, "N", "velocity layers, 1 to 127 (default 8)"},
   {"positions", 0, "N", "places from the centre outwards, 1 to 8 (default 3); see below"},
   {"takes", 0, "N", "round robins, 1 to 32: strokes that differ by --humanize (default 4)"},
-  {"techniques", 0, "LIST", "of normal and buzz, as normal,buzz (default normal)"},
+  {"techniques", 0, "LIST",
+   "of normal, rimshot, cross-stick, rim and buzz, as normal,buzz (default normal)"},
   OPTION_HUMANIZE("0.3, of one take 0"),
   OPTION_SEED,
   OPTION_VELOCITY_CURVE,
@@ -82,21 +84,30 @@ static Outcome read_scatter(const Arguments *arguments, LibraryRequest *request,
                 (unsigned)shape->takes);
 }
 
-/* One word of the list, "rimshot" of "normal,rimshot": what strokes refuse, strokes say. */
-static Outcome add_technique(const TaborDrumDef *def, const char *word, size_t length,
-                             LibraryShape *shape) {
-  Stroke stroke = stroke_default(def, "--techniques:");
-  const StrokeField *const field = stroke_field("technique", strlen("technique"));
-  const Outcome outcome = stroke_set(&stroke, field, word, length);
-  if (outcome != OUTCOME_OK) return outcome;
+static bool has_technique(const TaborDrumDef *def, size_t index) {
+  const uint32_t striker = stroke_default(def, "").event.striker;
+  return striker_can(&def->striker[striker], library_techniques[index].technique);
+}
+
+/* A name of those that the drum's own striker can play. */
+static const char *technique_at(const void *def, size_t index) {
   for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
-    if (stroke.event.technique != (uint32_t)library_techniques[i].technique) continue;
-    if (shape->techniques[i]) return refuse("--techniques: '%.*s' given twice", (int)length, word);
+    if (has_technique(def, i) && index-- == 0) return library_techniques[i].name;
+  }
+  return NULL;
+}
+
+/* One word of the list, "rimshot" of "normal,rimshot". */
+static Outcome add_technique(const TaborDrumDef *def, const char *word, LibraryShape *shape) {
+  for (size_t i = 0; i < LIBRARY_TECHNIQUES; i++) {
+    if (!has_technique(def, i) || strcmp(word, library_techniques[i].name) != 0) continue;
+    if (shape->techniques[i]) return refuse("--techniques: '%s' given twice", word);
     shape->techniques[i] = true;
     return OUTCOME_OK;
   }
-  return refuse("--techniques '%.*s': libraries have no keys for it; allowed: normal, buzz",
-                (int)length, word);
+  char hint[160];
+  suggest_choice(hint, sizeof hint, word, "", technique_at, def);
+  return refuse("--techniques '%s': not for libraries of this drum%s", word, hint);
 }
 
 static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *def,
@@ -105,8 +116,10 @@ static Outcome read_techniques(const Arguments *arguments, const TaborDrumDef *d
   Outcome outcome = OUTCOME_OK;
   if (!text) text = library_techniques[0].name;
   while (text && outcome == OUTCOME_OK) {
+    char word[40];
     const size_t length = strcspn(text, ",");
-    outcome = add_technique(def, text, length, shape);
+    (void)snprintf(word, sizeof word, "%.*s", (int)length, text);
+    outcome = add_technique(def, word, shape);
     text = text[length] ? text + length + 1 : NULL;
   }
   return outcome;

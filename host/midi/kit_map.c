@@ -74,6 +74,8 @@ static const KitMapNote alesis[] = {
   {47, 45, RIMSHOT},   /* tom 2, rim */
   {43, 43, AS_IN_KIT}, /* tom 3 */
   {58, 43, RIMSHOT},   /* tom 3, rim */
+  {41, 41, AS_IN_KIT}, /* tom 4 */
+  {39, 41, RIMSHOT},   /* tom 4, rim */
   {46, 46, AS_IN_KIT}, /* open hi-hat */
   {23, 46, AS_IN_KIT}, /* hi-hat half open */
   {42, 42, AS_IN_KIT}, /* closed hi-hat */

@@ -12,6 +12,7 @@
 #include "base/interrupt.h"
 #include "drums/drum_args.h"
 #include "platform/clock.h"
+#include "strokes/duration.h"
 #include "strokes/stroke_options.h"
 
 #define LOOK_AHEAD 1.0 /* [s] by which cues are known to the player */
@@ -60,14 +61,13 @@ static Outcome add_song(LiveSession *session) {
   return outcome;
 }
 
-/* As in rendering, what would not be heard is a mistake. */
 static Outcome check_duration(const LiveSession *session) {
   const PlayRequest *const request = session->request;
   const double rate = request->model.sample_rate,
                last = (double)cue_queue_last_stroke(&session->queue);
   if (request->duration == 0 || last < round(request->duration * rate)) return OUTCOME_OK;
-  return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s",
-                arguments_value(request->arguments, "duration"), last / rate);
+  return duration_too_short(request->arguments, arguments_has(request->arguments, "midi-file"),
+                            last / rate, request->quiet);
 }
 
 static Outcome read_score(LiveSession *session) {

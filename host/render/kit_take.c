@@ -69,12 +69,12 @@ static void compute(KitTake *take, uint32_t frames) {
     pair[1] = take->sound[i][1];
   }
   const uint32_t count = take_events(take, first, (uint64_t)take->position + frames);
-  const double start = stopwatch_seconds(CLOCK_MONOTONIC);
+  const double start = process_seconds();
   tabor_kit_process(take->kit, take->song.events + first, count, &outputs, frames);
   if (!take->split && take->samples) {
     kit_samples_add(take->samples, take->sound[0][0], take->sound[0][1], frames);
   }
-  take->computing += stopwatch_seconds(CLOCK_MONOTONIC) - start;
+  take->computing += process_seconds() - start;
   take->position += frames;
 }
 

@@ -37,7 +37,7 @@ typedef struct KitTake {
   /* What came of it. */
   uint32_t position; /**< frames written */
   double peak;       /**< with the gain */
-  double computing;  /**< processor time [s] */
+  double computing;  /**< processor time of all threads [s] */
   bool sounding;     /**< the kit still sounds at the end */
 } KitTake;
 

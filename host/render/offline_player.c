@@ -144,9 +144,6 @@ OfflineDrops offline_player_drops(const OfflinePlayer *player) {
 
 /* ---- sound ---- */
 
-/* This thread's: others may play other drums. */
-static double processor_time(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
-
 /* Frames from @p at on in the block. */
 static void interleave(OfflinePlayer *player, uint32_t at, uint32_t frames) {
   const RenderRequest *const request = player->request;
@@ -167,9 +164,9 @@ static Outcome play(OfflinePlayer *player, uint32_t at, uint32_t end) {
     if (player->core.input) {
       sound_input_take(&player->request->input, player->position, frames, player->input);
     }
-    const double start = processor_time();
+    const double start = processor_seconds();
     drum_player_play(&player->core, take_message, player, frames);
-    player->computing += processor_time() - start;
+    player->computing += processor_seconds() - start;
     interleave(player, at, frames);
     player->position += frames;
     at += frames;

@@ -14,6 +14,7 @@
 #include "midi/midi_mask.h"
 #include "midi/midi_options.h"
 #include "render/render_outputs.h"
+#include "strokes/duration.h"
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
 
@@ -70,7 +71,7 @@ static Outcome read_gain(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
-/* Of a song, the beginning may be enough. A stick may be lifted after the end. */
+/* A stick may be lifted after the end. */
 static Outcome read_duration(const Arguments *arguments, RenderRequest *request) {
   static const NumberField field = {"--duration", 0.01, 3600, false};
   const char *const text = arguments_value(arguments, "duration");
@@ -81,15 +82,9 @@ static Outcome read_duration(const Arguments *arguments, RenderRequest *request)
   request->frames = (uint32_t)llround(duration * request->model.sample_rate);
   const uint32_t last = render_request_last_stroke(request);
   if (last < request->frames) return OUTCOME_OK;
-  if (arguments_has(arguments, "midi-file") || request->input.count > 0) {
-    if (!request->quiet) {
-      note("what is played goes on until %.10g s; the sound stops at %s s",
-           last / request->model.sample_rate, text);
-    }
-    return OUTCOME_OK;
-  }
-  return refuse("--duration '%.80s': too short; the last stroke comes at %.10g s", text,
-                last / request->model.sample_rate);
+  return duration_too_short(arguments,
+                            arguments_has(arguments, "midi-file") || request->input.count > 0,
+                            last / request->model.sample_rate, request->quiet);
 }
 
 static bool has_mic(const RenderRequest *request, uint32_t mic) {

@@ -258,20 +258,21 @@ bool stroke_is_held(const TaborEvent *event) {
          (event->technique == TABOR_TECHNIQUE_BUZZ || event->technique == TABOR_TECHNIQUE_SWEEP);
 }
 
-/* A brush has no shaft that could meet the hoop, and nothing else sweeps. */
+bool striker_can(const TaborStrikerDef *striker, TaborTechnique technique) {
+  const bool brush = striker->kind == TABOR_STRIKER_BRUSH;
+  if (technique == TABOR_TECHNIQUE_SWEEP) return brush;
+  return !brush ||
+         (technique != TABOR_TECHNIQUE_RIMSHOT && technique != TABOR_TECHNIQUE_CROSS_STICK);
+}
+
 static Outcome fit_technique(const Stroke *stroke, const TaborEvent *event) {
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
   const char *const technique = technique_names[event->technique];
-  const bool brush = striker->kind == TABOR_STRIKER_BRUSH;
-  const bool shaft =
-    event->technique == TABOR_TECHNIQUE_RIMSHOT || event->technique == TABOR_TECHNIQUE_CROSS_STICK;
-  if (event->technique == TABOR_TECHNIQUE_SWEEP && !brush) {
-    return refuse("%s technique '%s': striker '%s' is no brush", stroke->where, technique,
-                  striker->name);
-  }
-  if (shaft && brush) {
-    return refuse("%s technique '%s': striker '%s' is a brush, which has no shaft to meet the hoop",
-                  stroke->where, technique, striker->name);
+  if (!striker_can(striker, (TaborTechnique)event->technique)) {
+    return refuse("%s technique '%s': striker '%s' is %s", stroke->where, technique, striker->name,
+                  event->technique == TABOR_TECHNIQUE_SWEEP
+                    ? "no brush"
+                    : "a brush, which has no shaft to meet the hoop");
   }
   if (stroke->set & (SETS_PRESSURE | SETS_HOLD) && !stroke_is_held(event)) {
     return refuse("%s %s: only strokes of technique buzz or sweep have one", stroke->where,

@@ -45,6 +45,8 @@ typedef struct Stroke {
   TaborEvent event;
 } Stroke;
 
+/** Whether a striker can play a technique: a brush has no shaft that could meet the hoop, and nothing else sweeps. */
+bool striker_can(const TaborStrikerDef *striker, TaborTechnique technique);
 /** True if a field has set the hold. */
 bool stroke_says_hold(const Stroke *stroke);
 /** True of a buzz or a sweep, which a hand presses until it lifts the stick. */

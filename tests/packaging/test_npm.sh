@@ -18,6 +18,7 @@ export npm_config_offline=true npm_config_cache=$scratch/cache npm_config_update
 quietly npm pack --silent "$SOURCE/build/web/npm"
 packed=$(echo tabor-*.tgz)
 echo "The package: $(wc -c <"$packed") bytes"
+says_size "$SOURCE/docs/web.md" 'The package is' "$(wc -c <"$packed")"
 tar -tzf "$packed" | sort >files
 printf 'package/%s\n' LICENSE README.md drum.js engine.js index.d.ts index.js node.js package.json tabor.wasm | sort |
   diff - files || complain "the package has other files"

@@ -21,6 +21,7 @@ quietly "$SOURCE/tools/web" --build
 bytes=$(tar -C "$SOURCE/build/web/page" -cf - . | gzip -9 | wc -c)
 echo "The page: $bytes bytes compressed"
 [ "$bytes" -le $most_bytes ] || complain "the page has more than $most_bytes bytes"
+says_size "$SOURCE/docs/web.md" 'Its files are' "$bytes"
 
 serve_folder "$SOURCE/build/web/page"
 mkdir takes

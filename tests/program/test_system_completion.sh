@@ -43,7 +43,7 @@ completes "near" render snare-14x5.5 -o x.wav --mic ne
 completes "" play --device to
 completes "frame-drums" play --kit fr
 completes "frame-drums jazz marching standard" library --kit ""
-completes "buzz normal" library --techniques ""
+completes "buzz cross-stick normal rim rimshot" library --techniques ""
 completes "normal,buzz" library --techniques normal,b
 completes "booth hall none studio" render --set room.kind =
 completes "studio" render --set room.kind = st

@@ -348,6 +348,9 @@ song song.mid 0 "00 992664 60 992664"
 # The beginning of a song, to the bit.
 run render tabor --quality draft --rate 22050 --format float --midi-file song.mid --duration 0.4 -o begun.wav
 check "a song goes on after --duration" grep -qx 'what is played goes on until 0.5 s; the sound stops at 0.4 s' "$err"
+run play tabor --no-ui --quality draft --rate 22050 --backend file --record beginning.wav --midi-file song.mid --duration 0.4
+same "the beginning of a song is played" 0 $status
+check "a song goes on after its --duration is played" grep -qx 'what is played goes on until 0.5 s; the sound stops at 0.4 s' "$err"
 play whole.wav
 same "the beginning" "$(tail -c 35280 begun.wav | md5sum)" "$(tail -c 52920 whole.wav | head -c 35280 | md5sum)"
 cp song.mid take.wav

@@ -54,3 +54,11 @@ use_pkg_config() {
 
 # library_folder FOLDER: prints the folder of the tree's library.
 library_folder() { dirname "$(find "$1" -name 'libtabor.*' | head -n 1)"; }
+
+# says_size PAGE WORDS BYTES: the page says after these words how many kB it is, to 2 %.
+says_size() {
+  local said
+  said=$(grep -oE "$2 (some )?[0-9]+ kB" "$1" | grep -oE '[0-9]+' | head -n 1)
+  awk "BEGIN { exit !(${said:-0} * 1000 >= 0.98 * $3 && ${said:-0} * 1000 <= 1.02 * $3) }" ||
+    complain "${1##*/}: '$2 ${said:-no} kB', but it has $3 bytes"
+}

@@ -48,9 +48,9 @@ extern "C" {
 
 /** @name Microphones that a kit adds to each drum: its overheads, and the one by which drums hear each other */
 /** @{ */
-#define TABOR_KIT_LEFT "left"
-#define TABOR_KIT_RIGHT "right"
-#define TABOR_KIT_AIR "kit"
+#define TABOR_KIT_LEFT "left"   /**< the left overhead */
+#define TABOR_KIT_RIGHT "right" /**< the right overhead */
+#define TABOR_KIT_AIR "kit"     /**< by which the other drums hear the drum */
 /** @} */
 
 /** What a note does to a drum. */
@@ -68,7 +68,8 @@ typedef enum TaborKitStroke {
 typedef struct TaborKitDrumDef {
   char name[TABOR_NAME_SIZE]; /**< 1 to TABOR_NAME_LENGTH letters, digits, '-' and '_' */
   TaborDrumDef def;           /**< the drum itself; its room is not used */
-  double x, y;                /**< place [m], -5 to 5 */
+  double x;                   /**< place, to the right [m], -5 to 5 */
+  double y;                   /**< place, away from the player [m], -5 to 5 */
   double height;              /**< of the batter head above the floor [m], 0.05 to 3, default 0.7 */
   /** Angle between the drum's axis and the vertical [deg], 0 to 180: 0, the default, is a head that looks up, 90 the
    * batter head of a bass drum. */
@@ -98,7 +99,8 @@ typedef struct TaborKitDef {
   double
     full_scale; /**< pressure at the overheads that gives 1.0 in the mix [Pa], 1e-3 to 1e5, default 20 */
   double overhead_spacing;               /**< between the overheads [m], 0.1 to 5, default 1 */
-  double overhead_x, overhead_y;         /**< place of their middle [m], -5 to 5 */
+  double overhead_x;                     /**< place of their middle, as of a drum [m], -5 to 5 */
+  double overhead_y;                     /**< likewise [m], -5 to 5 */
   double overhead_height;                /**< above the floor [m], 0.3 to 5, default 1.6 */
   TaborRoomDef room;                     /**< around the kit; heard through the overheads */
   uint32_t drum_count;                   /**< 0 to TABOR_KIT_DRUMS; a kit that plays needs one */
@@ -190,6 +192,7 @@ typedef struct TaborKitOutputs {
  * @param models  [def->drum_count]: the models of the drums, built from what tabor_kit_def_place() gives, at one sample
  *                rate and with one allocator. The kit keeps references. They may be built in parallel.
  * @param kit     receives the kit; NULL on an error.
+ * @param error   says what is wrong; may be NULL.
  *
  * Errors: those of tabor_kit_def_validate() and tabor_room_create(), TABOR_ERROR_ARGUMENT for models that do not fit,
  * TABOR_ERROR_MEMORY.

@@ -97,13 +97,15 @@ static void rims_of_yamaha_are_open_or_closed(void **state) {
 }
 
 /* [AlesisNitro] */
-static void alesis_has_a_half_open_hi_hat(void **state) {
+static void alesis_has_four_toms_and_a_half_open_hi_hat(void **state) {
   (void)state;
   use("alesis");
   stands_for(23, 46, MIDI_STROKE_NONE);
   stands_for(21, 46, MIDI_STROKE_NONE);
   stands_for(40, 38, MIDI_STROKE_RIMSHOT);
   stands_for(47, 45, MIDI_STROKE_RIMSHOT);
+  stands_for(41, 41, MIDI_STROKE_NONE);
+  stands_for(39, 41, MIDI_STROKE_RIMSHOT);
   stands_for(37, KIT_MAP_NOTHING, MIDI_STROKE_NONE);
 }
 
@@ -132,7 +134,7 @@ int main(void) {
     cmocka_unit_test(other_notes_stand_for_nothing),
     cmocka_unit_test(rims_of_roland_are_rimshots),
     cmocka_unit_test(rims_of_yamaha_are_open_or_closed),
-    cmocka_unit_test(alesis_has_a_half_open_hi_hat),
+    cmocka_unit_test(alesis_has_four_toms_and_a_half_open_hi_hat),
     cmocka_unit_test(plugins_have_rimshots_of_toms),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

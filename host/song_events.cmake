@@ -19,8 +19,8 @@ list(TRANSFORM TABOR_SONG_EVENTS PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
 function(tabor_add_midi_library)
   add_library(tabor-midi MODULE ${TABOR_SONG_EVENTS})
   tabor_target_defaults(tabor-midi)
-  set_target_properties(tabor-midi PROPERTIES C_VISIBILITY_PRESET hidden PREFIX lib BUILD_RPATH "$ORIGIN"
-                                              BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN")
+  set_target_properties(tabor-midi PROPERTIES C_VISIBILITY_PRESET hidden PREFIX lib BUILD_WITH_INSTALL_RPATH ON
+                                              INSTALL_RPATH "$ORIGIN")
   target_include_directories(tabor-midi PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
   target_compile_options(tabor-midi PRIVATE -ffp-contract=off) # the same bits as the program
   target_link_libraries(tabor-midi PRIVATE Tabor::tabor)

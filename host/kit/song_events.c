@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "kit/song_events.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "kit/kit_song.h"
@@ -12,10 +13,21 @@ struct SongEvents {
   KitSong song;
 };
 
+size_t song_events_most_bytes(void) { return MIDI_FILE_LIMIT; }
+
 SongEvents *song_events_read(const void *bytes, size_t size) {
   SongEvents *const song = calloc(1, sizeof *song);
   if (!song) return NULL;
-  if (midi_file_decode(bytes, size, &song->file, &song->report) != MIDI_FILE_NO_MEMORY) return song;
+  if (size > MIDI_FILE_LIMIT) {
+    (void)snprintf(song->report.error, MIDI_FILE_TEXT, "the file is larger than %d bytes",
+                   MIDI_FILE_LIMIT);
+    return song;
+  }
+  switch (midi_file_decode(bytes, size, &song->file, &song->report)) {
+  case MIDI_FILE_OK: return song;
+  case MIDI_FILE_REFUSED: song->report.lines = 0; return song; /* the error says enough */
+  case MIDI_FILE_NO_MEMORY: break;
+  }
   song_events_free(song);
   return NULL;
 }
@@ -62,11 +74,13 @@ static bool list_items(const MidiSong *song, KitSong *list) {
   return true;
 }
 
-bool song_events_of_drum(SongEvents *song, const TaborDrumDef *def, int preset, double rate) {
+bool song_events_of_drum(SongEvents *song, const TaborDrumDef *def, bool programs, int preset,
+                         double rate) {
   MidiMap map;
   MidiSong drum = {.file = song->file, .first_preset = preset};
   if (!begin(song)) return false;
   midi_map_default(&map);
+  map.programs = programs;
   const bool complete = midi_song_compose(&drum, &map, def, rate) &&
                         midi_song_check(&drum, &map, song->report.error) &&
                         list_items(&drum, &song->song);

@@ -16,7 +16,9 @@
 /** A file that was read, and its events once it was composed. */
 typedef struct SongEvents SongEvents;
 
-/** Reads @p size bytes. NULL without memory. Free with song_events_free(). */
+/** The largest size of a file [bytes]. */
+TABOR_API size_t song_events_most_bytes(void);
+/** Reads @p size bytes; more than allowed are refused. NULL without memory. Free with song_events_free(). */
 TABOR_API SongEvents *song_events_read(const void *bytes, size_t size);
 /** Why the file or its song is refused; "" if it is not. */
 TABOR_API const char *song_events_error(const SongEvents *song);
@@ -25,11 +27,11 @@ TABOR_API uint32_t song_events_warning_count(const SongEvents *song);
 /** One of these lines. */
 TABOR_API const char *song_events_warning(const SongEvents *song, uint32_t index);
 /**
- * Composes the song for the drum @p def at @p rate [Hz], by the default map. @p preset is the number of the built-in preset that
- * @p def is, or -1. False without memory, or with an error.
+ * Composes the song for the drum @p def at @p rate [Hz], by the default map; program changes do nothing unless @p programs.
+ * @p preset is the number of the built-in preset that @p def is, or -1. False without memory, or with an error.
  */
-TABOR_API bool song_events_of_drum(SongEvents *song, const TaborDrumDef *def, int preset,
-                                   double rate);
+TABOR_API bool song_events_of_drum(SongEvents *song, const TaborDrumDef *def, bool programs,
+                                   int preset, double rate);
 /**
  * Composes the song for the drums of @p kit at @p rate [Hz]. @p map is the number of a map by name, or -1 for General MIDI;
  * with a map @p snare_place and @p toms_place are the controllers of a stroke's radius. False without memory, or with an error.

@@ -172,16 +172,17 @@ def test_wrong_files_are_refused(tmp_path, snare):
 
 def test_what_touches_no_note_is_a_warning(tmp_path, snare, standard):
     path = song(tmp_path / "song.mid", [note(0, 38, 90), (1, b"\xff\x51\x03\0\0\0"), control(2, 7, 200)])
-    with pytest.warns(tabor.MidiWarning, match=r"song\.mid: byte 27, track 1: a tempo of 0") as said:
+    with pytest.warns(tabor.MidiWarning) as said:
         events = tabor.midi_events(path, snare)
     assert len(events) == 1 and len(said) == 2 and said[0].filename == __file__
+    assert "song.mid: byte 27, track 1: a tempo of 0" in str(said[0].message)
     for refused in (lambda: tabor.midi_events(path, snare, strict=True), lambda: standard.midi_events(path, strict=True)):
         with pytest.raises(tabor.Error, match="a tempo of 0 .* strict=True"):
             refused()
     path = song(tmp_path / "song.mid", [note(0, 38, 90)] + 10 * [control(2, 7, 200)])
-    with pytest.warns(tabor.MidiWarning, match="2 more warnings") as said:
+    with pytest.warns(tabor.MidiWarning) as said:
         assert len(standard.midi_events(path)) == 1
-    assert len(said) == 9
+    assert len(said) == 9 and str(said[8].message).endswith("song.mid: 2 more warnings")
 
 
 @pytest.fixture(scope="module")

@@ -88,7 +88,7 @@ FILES = {
     # what messages do
     "controller_121": file((0, b"\xb9\x0b\x28"), (0, b"\xd9\x50"), (0, KICK), (6, b"\xb9\x79\x00"), (6, SNARE)),
     "double_trigger_and_note_off": file((0, SNARE), (1, b"\x99\x26\x20"), (1, b"\x89\x26\x40"), (6, b"\x99\x26\x00"), (6, KICK)),
-    "no_stroke": file((0, b"\x99\x64\x40"), (6, b"\xb9\x07\x40")),
+    "a_warning_and_no_stroke": file((0, b"\x99\x64\x40"), (6, b"\xb9\x07\xc8")),
 }
 
 

@@ -15,8 +15,6 @@ from .model import Model
 #: The name of a MIDI file.
 Path = Union[str, "os.PathLike[str]"]
 
-_MOST_BYTES = 16 * 1024 * 1024  # MIDI_FILE_LIMIT
-
 
 class MidiWarning(UserWarning):
     """Something in a MIDI file is wrong and was passed over; it touches no note."""
@@ -55,7 +53,8 @@ def midi_events(path: Path, model: Model, *, strict: bool = False) -> List[Event
         Something is wrong and was passed over.
     """
     definition, rate = model.definition, model.sample_rate
-    rows = composed(path, strict, midi_lib.song_events_of_drum, definition._c, _listed_preset(definition), rate)
+    rows = composed(path, strict, midi_lib.song_events_of_drum, definition._c, True,
+                    _listed_preset(definition), rate)
     models: Dict[int, Model] = {}
     for row in rows:
         preset = row.event.index
@@ -75,9 +74,7 @@ def composed(path: Path, strict: bool, compose: Callable[..., bool], *arguments:
     """Reads a file, warns of it, and gives its events as an array of TaborKitEvent."""
     name = os.fspath(path)
     with open(path, "rb") as opened:
-        content = opened.read(_MOST_BYTES + 1)
-    if len(content) > _MOST_BYTES:
-        raise Error(f"{name}: the file is larger than {_MOST_BYTES} bytes", "value")
+        content = opened.read(midi_lib.song_events_most_bytes() + 1)
     song = ffi.gc(midi_lib.song_events_read(content, len(content)), midi_lib.song_events_free)
     if not song:
         raise MemoryError

@@ -101,9 +101,8 @@ bool song_events_of_kit(SongEvents *song, const TaborKitDef *kit, int map, uint3
   KitMidi *const midi = malloc(sizeof *midi);
   if (!midi) return false;
   kit_midi_begin(midi, kit, &setup);
-  const bool complete =
-    kit_song_compose(&song->song, &song->file, midi, humanizer(0, 0), rate) &&
-    kit_song_check(midi, song->report.error);
+  const bool complete = kit_song_compose(&song->song, &song->file, midi, humanizer(0, 0), rate) &&
+                        kit_song_check(midi, song->report.error);
   free(midi);
   return complete;
 }

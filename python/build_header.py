@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Makes the module tabor._header from the C headers, so that both always say the same.
 
-    python build_header.py TABOR.H KIT.H _HEADER.PY
+    python build_header.py TABOR.H KIT.H SONG_EVENTS.H _HEADER.PY
 """
 
 import re

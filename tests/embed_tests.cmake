@@ -51,8 +51,9 @@ tabor_add_embed_test(test_abi NEEDS_SHARED)
 tabor_add_embed_test(test_jack_example)
 tabor_add_embed_test(test_python NEEDS_SHARED)
 tabor_add_embed_test(test_python_examples NEEDS_SHARED)
+tabor_add_embed_test(test_midi_files NEEDS_SHARED)
 # They build the engine for WebAssembly.
 tabor_add_embed_test(test_web)
 tabor_add_embed_test(test_npm)
-# Both build in build/web.
-set_tests_properties(test_web test_npm PROPERTIES RESOURCE_LOCK web_build)
+# They build in build/web.
+set_tests_properties(test_midi_files test_web test_npm PROPERTIES RESOURCE_LOCK web_build)

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "glue.h"
+#include "kit/song_events.h"
 
 enum { PICTURES = 4, WIRE_POINTS = 17, PICTURE_STICKS = 4, STICK_VALUES = 4 };
 
@@ -154,6 +155,12 @@ const WebMidiAction *web_drum_take_midi(WebDrum *web, uint32_t status, uint32_t 
   if (count > 0 && actions[0].type == MIDI_ACTION_EVENT)
     web->midi_action = web_midi_action(0, &actions[0].event);
   return &web->midi_action;
+}
+
+/* Makes a file's events of the drum as it is defined now. False without memory, or with song_error(). */
+EXPORT("drum_compose")
+bool web_drum_compose(const WebDrum *web, SongEvents *song, double rate) {
+  return song_events_of_drum(song, definition(web), false, -1, rate);
 }
 
 /* NULL past the last. */

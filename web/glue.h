@@ -19,17 +19,18 @@ typedef struct WebLimit {
   double seconds, bytes;
 } WebLimit;
 
-/* What a MIDI message does, as numbers for JavaScript. */
+/* What a MIDI message or an event of a file does, as numbers for JavaScript. */
 typedef struct WebMidiAction {
   double kind;                     /* a WebMidiKind */
   double drum;                     /* of a kit */
   double value;                    /* speed of the stick [m/s]; position of the strainer */
   double radius, angle, technique; /* of a stroke [m], [deg] */
+  double frame;                    /* of a file's event, from its beginning */
 } WebMidiAction;
 
 typedef enum WebMidiKind { WEB_MIDI_NOTHING, WEB_MIDI_STROKE, WEB_MIDI_STRAINER } WebMidiKind;
 
-/* The action of an event that a message gave; WEB_MIDI_NOTHING for what JavaScript does not play: pressure, grip. */
+/* The action of an event that a message or a file gave; WEB_MIDI_NOTHING for what JavaScript does not play: pressure, grip, gain. */
 WebMidiAction web_midi_action(uint32_t drum, const TaborEvent *event);
 
 MidiMessage web_midi_message(uint32_t status, uint32_t first, uint32_t second);

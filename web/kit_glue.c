@@ -11,6 +11,7 @@
 
 #include "glue.h"
 #include "kit/kit_midi.h"
+#include "kit/song_events.h"
 #include "tabor/kit.h"
 
 typedef struct WebKit {
@@ -102,6 +103,11 @@ const WebMidiAction *web_kit_take_midi(WebKit *web, uint32_t status, uint32_t fi
   web->midi_action = (WebMidiAction){.kind = WEB_MIDI_NOTHING};
   if (count > 0) web->midi_action = web_midi_action(events[0].drum, &events[0].event);
   return &web->midi_action;
+}
+
+/* Makes a file's events of the kit as it is defined now. False without memory, or with song_error(). */
+EXPORT("kit_compose") bool web_kit_compose(const WebKit *web, SongEvents *song, double rate) {
+  return song_events_of_kit(song, &web->def, -1, 0, 0, rate);
 }
 
 /* The velocity at which a note plays nearest to a speed [m/s], as a ratio. */

@@ -3,7 +3,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "midi/midi_order.h"
 #include "midi/midi_song.h"
@@ -19,11 +18,11 @@ static bool grow(KitSong *song, size_t *room) {
   return true;
 }
 
-static Outcome take_messages(const MidiFile *file, const MidiPlace *places, KitMidi *midi,
-                             Humanizer *humanizer, KitSong *song) {
+static bool take_messages(const MidiFile *file, const MidiPlace *places, KitMidi *midi,
+                          Humanizer *humanizer, KitSong *song) {
   size_t room = 0;
   for (size_t i = 0; i < file->count; i++) {
-    if (!grow(song, &room)) return fail_memory();
+    if (!grow(song, &room)) return false;
     TaborKitEvent *const events = song->events + song->count;
     const uint32_t count = kit_midi_take(midi, &file->events[places[i].index].message, events);
     for (uint32_t k = 0; k < count; k++) {
@@ -34,52 +33,25 @@ static Outcome take_messages(const MidiFile *file, const MidiPlace *places, KitM
     song->count += count;
     if (count > 0) song->last_frame = places[i].frame;
   }
-  return OUTCOME_OK;
+  return true;
 }
 
-static Outcome check(const char *name, const MidiFile *file, const KitMidi *midi) {
-  const double last = file->count > 0 ? file->events[file->count - 1].time : 0;
+bool kit_song_compose(KitSong *song, const MidiFile *file, KitMidi *midi, Humanizer humanizer,
+                      double rate) {
+  MidiPlace *const places = midi_order(file, rate);
+  *song = (KitSong){0};
+  const bool complete = places && take_messages(file, places, midi, &humanizer, song);
+  free(places);
+  return complete;
+}
+
+bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]) {
   uint64_t strokes = 0;
   for (uint32_t i = 0; i < midi->count; i++) strokes += midi->strokes[i];
-  if (last > MIDI_SONG_LONGEST) {
-    return refuse("%s: its last event comes at %.10g s; allowed: up to %d", input_name(name), last,
-                  MIDI_SONG_LONGEST);
-  }
-  if (strokes > MIDI_SONG_MOST_STROKES) {
-    return refuse("%s: too many strokes; allowed: up to %d", input_name(name),
-                  MIDI_SONG_MOST_STROKES);
-  }
-  if (strokes > 0) return OUTCOME_OK;
-  return refuse("%s: no note in it plays a drum of the kit", input_name(name));
-}
-
-Outcome kit_song_read(const Arguments *arguments, KitMidi *midi, Humanizer humanizer, double rate,
-                      KitSong *song) {
-  const char *const name = arguments_value(arguments, "midi-file");
-  MidiFile file = {0};
-  *song = (KitSong){0};
-  Outcome outcome = midi_file_of_arguments(arguments, &file);
-  MidiPlace *const places = outcome == OUTCOME_OK ? midi_order(&file, rate) : NULL;
-  if (outcome == OUTCOME_OK && !places) outcome = fail_memory();
-  if (outcome == OUTCOME_OK) outcome = take_messages(&file, places, midi, &humanizer, song);
-  if (outcome == OUTCOME_OK) outcome = check(name, &file, midi);
-  free(places);
-  midi_file_free(&file);
-  return outcome;
-}
-
-void kit_song_note(const char *name, const KitMidi *midi) {
-  char text[1024] = "";
-  size_t length = 0;
-  for (int i = 0; i < MIDI_VALUES && length < sizeof text - 80; i++) {
-    const char *const known = kit_midi_note_name(midi->general[i]);
-    if (midi->unknown[i] == 0) continue;
-    const int written =
-      snprintf(text + length, sizeof text - length, "%s%d%s%s (%llu)", length > 0 ? ", " : "", i,
-               known ? " " : "", known ? known : "", (unsigned long long)midi->unknown[i]);
-    length += written > 0 ? (size_t)written : 0;
-  }
-  if (length > 0) note("%s: notes that play no drum of the kit: %s", input_name(name), text);
+  if (!midi_song_check_strokes(strokes, error)) return false;
+  if (strokes > 0) return true;
+  (void)snprintf(error, MIDI_FILE_TEXT, "no note in it plays a drum of the kit");
+  return false;
 }
 
 void kit_song_free(KitSong *song) {

@@ -7,7 +7,7 @@
 #define TABOR_HOST_KIT_SONG_H
 
 #include "kit/kit_midi.h"
-#include "midi/midi_file_input.h"
+#include "midi/midi_file.h"
 #include "strokes/humanize.h"
 
 typedef struct KitSong {
@@ -17,13 +17,13 @@ typedef struct KitSong {
 } KitSong;
 
 /**
- * Reads the file of --midi-file for the kit of @p midi at @p rate [Hz]; strokes are scattered by @p humanizer. Refuses a file in
- * which no note plays a drum. Free with kit_song_free(), whatever the outcome.
+ * Converts @p file, whose times are checked (midi_song_check_time()), for the kit of @p midi at @p rate [Hz]; strokes are scattered by
+ * @p humanizer. False without memory. Free with kit_song_free(), whatever the outcome.
  */
-Outcome kit_song_read(const Arguments *arguments, KitMidi *midi, Humanizer humanizer, double rate,
-                      KitSong *song);
-/** Prints the notes that play no drum, each once, with its name and number of strokes. */
-void kit_song_note(const char *name, const KitMidi *midi);
+bool kit_song_compose(KitSong *song, const MidiFile *file, KitMidi *midi, Humanizer humanizer,
+                      double rate);
+/** Refuses what has no stroke, or too many: false, and the reason in @p error. */
+bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]);
 void kit_song_free(KitSong *song);
 
 #endif

@@ -452,6 +452,15 @@ static MidiFileStatus give_times(Reader *reader, MidiFile *file) {
 
 /* ---- files ---- */
 
+/* Those that are not told are counted in one line. */
+static void count_warnings(MidiFileReport *report) {
+  const uint32_t most = MIDI_FILE_MOST_WARNINGS;
+  report->lines = report->warnings < most ? report->warnings : most;
+  if (report->warnings == report->lines) return;
+  (void)snprintf(report->warning[report->lines++], MIDI_FILE_TEXT, "%u more warnings",
+                 (unsigned)(report->warnings - most));
+}
+
 MidiFileStatus midi_file_decode(const void *bytes, size_t size, MidiFile *file,
                                 MidiFileReport *report) {
   *file = (MidiFile){0};
@@ -462,6 +471,7 @@ MidiFileStatus midi_file_decode(const void *bytes, size_t size, MidiFile *file,
   if (status == MIDI_FILE_OK) status = check_tracks(&reader);
   if (status == MIDI_FILE_OK) status = give_times(&reader, file);
   free(reader.entries);
+  count_warnings(report);
   return status;
 }
 

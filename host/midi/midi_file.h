@@ -43,9 +43,10 @@ typedef enum MidiFileStatus { MIDI_FILE_OK, MIDI_FILE_REFUSED, MIDI_FILE_NO_MEMO
 
 /** What was wrong. */
 typedef struct MidiFileReport {
-  char error[MIDI_FILE_TEXT]; /**< of a file that was refused */
-  uint32_t warnings;
-  char warning[MIDI_FILE_MOST_WARNINGS][MIDI_FILE_TEXT]; /**< the first ones */
+  char error[MIDI_FILE_TEXT];                                /**< of a file that was refused */
+  uint32_t warnings;                                         /**< all of them */
+  uint32_t lines;                                            /**< that tell of them */
+  char warning[MIDI_FILE_MOST_WARNINGS + 1][MIDI_FILE_TEXT]; /**< the last may count others */
 } MidiFileReport;
 
 /** Reads a file from @p size bytes in memory. Free with midi_file_free(), whatever the status. */

@@ -6,15 +6,6 @@
 #include "base/input_file.h"
 #include "midi/midi_mask.h"
 
-static void print_warnings(const char *name, const MidiFileReport *report) {
-  for (uint32_t i = 0; i < report->warnings && i < MIDI_FILE_MOST_WARNINGS; i++) {
-    warn("%s: %s", input_name(name), report->warning[i]);
-  }
-  if (report->warnings > MIDI_FILE_MOST_WARNINGS) {
-    warn("%s: %u more warnings", input_name(name), report->warnings - MIDI_FILE_MOST_WARNINGS);
-  }
-}
-
 Outcome midi_file_parse(const char *name, const void *bytes, size_t size, bool strict,
                         MidiFile *file) {
   MidiFileReport report;
@@ -27,7 +18,7 @@ Outcome midi_file_parse(const char *name, const void *bytes, size_t size, bool s
     midi_file_free(file);
     return refuse("%s: %s; --strict", input_name(name), report.warning[0]);
   }
-  print_warnings(name, &report);
+  for (uint32_t i = 0; i < report.lines; i++) warn("%s: %s", input_name(name), report.warning[i]);
   return OUTCOME_OK;
 }
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "midi/midi_song.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "drums/drum_args.h"
 #include "midi/midi_order.h"
 
 /* What follows is meant for another preset. */
@@ -104,8 +104,7 @@ static void settle(MidiSong *song) {
 
 /* ---- the whole song ---- */
 
-Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def,
-                          double rate) {
+bool midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def, double rate) {
   MidiBinding binding;
   MidiToEvents drum;
   MidiPlace *const places = midi_order(&song->file, rate);
@@ -115,72 +114,40 @@ Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef
   const bool complete = places && take_messages(places, &drum, song);
   if (complete) settle(song);
   free(places);
-  return complete ? OUTCOME_OK : fail_memory();
+  return complete;
 }
 
-/* The file is in order of time. */
-static Outcome check_times(const char *name, const MidiFile *file) {
+bool midi_song_check_time(const MidiFile *file, char error[MIDI_FILE_TEXT]) {
   const double last = file->count > 0 ? file->events[file->count - 1].time : 0;
-  if (last <= MIDI_SONG_LONGEST) return OUTCOME_OK;
-  return refuse("%s: its last event comes at %.10g s; allowed: up to %d", input_name(name), last,
-                MIDI_SONG_LONGEST);
+  if (last <= MIDI_SONG_LONGEST) return true;
+  (void)snprintf(error, MIDI_FILE_TEXT, "its last event comes at %.10g s; allowed: up to %d", last,
+                 MIDI_SONG_LONGEST);
+  return false;
 }
 
-static Outcome check_counts(const char *name, const MidiMap *map, const MidiSong *song) {
+bool midi_song_check_strokes(uint64_t strokes, char error[MIDI_FILE_TEXT]) {
+  if (strokes <= MIDI_SONG_MOST_STROKES) return true;
+  (void)snprintf(error, MIDI_FILE_TEXT, "too many strokes; allowed: up to %d",
+                 MIDI_SONG_MOST_STROKES);
+  return false;
+}
+
+bool midi_song_check(const MidiSong *song, const MidiMap *map, char error[MIDI_FILE_TEXT]) {
   const unsigned long long ignored = song->counts.ignored_notes;
-  if (song->counts.strokes > MIDI_SONG_MOST_STROKES) {
-    return refuse("%s: too many strokes; allowed: up to %d", input_name(name),
-                  MIDI_SONG_MOST_STROKES);
-  }
+  if (!midi_song_check_strokes(song->counts.strokes, error)) return false;
   if (song->presets > MIDI_SONG_MOST_PRESETS) {
-    return refuse("%s: too many program changes; allowed: up to %d", input_name(name),
-                  MIDI_SONG_MOST_PRESETS);
+    (void)snprintf(error, MIDI_FILE_TEXT, "too many program changes; allowed: up to %d",
+                   MIDI_SONG_MOST_PRESETS);
+    return false;
   }
-  if (song->counts.strokes > 0) return OUTCOME_OK;
-  if (map->channel == MIDI_OMNI) {
-    return refuse("%s: no note in it is a stroke: %llu are not in the map", input_name(name),
-                  ignored);
+  if (song->counts.strokes > 0) return true;
+  char channel[40] = "in it";
+  if (map->channel != MIDI_OMNI) {
+    (void)snprintf(channel, sizeof channel, "on channel %d", map->channel + 1);
   }
-  return refuse("%s: no note on channel %d is a stroke: %llu are not in the map", input_name(name),
-                map->channel + 1, ignored);
-}
-
-Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
-                       double rate, MidiSong *song) {
-  const char *const name = arguments_value(arguments, "midi-file");
-  *song = (MidiSong){.first_preset = drum_listed_preset(arguments)};
-  if (!name) return OUTCOME_OK;
-  Outcome outcome = midi_file_of_arguments(arguments, &song->file);
-  if (outcome == OUTCOME_OK) outcome = check_times(name, &song->file);
-  if (outcome == OUTCOME_OK) outcome = midi_song_compose(song, map, def, rate);
-  return outcome == OUTCOME_OK ? check_counts(name, map, song) : outcome;
-}
-
-Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count) {
-  size_t kept = 0;
-  *count = 0;
-  *events = calloc(song->count + 1, sizeof **events);
-  if (!*events) return fail_memory();
-  for (size_t i = 0; i < song->count; i++) {
-    const MidiSongItem item = song->items[i];
-    if (item.action.type == MIDI_ACTION_EVENT) {
-      (*events)[*count] = item.action.event;
-      (*events)[(*count)++].frame = item.frame;
-    } else {
-      song->items[kept++] = item;
-    }
-  }
-  song->count = kept;
-  return OUTCOME_OK;
-}
-
-void midi_song_note(const Arguments *arguments, const MidiSong *song) {
-  const unsigned long long ignored = song->counts.ignored_notes;
-  if (ignored == 0) return;
-  const bool is_kits = ignored >= song->counts.strokes; /* half of the notes find no drum */
-  note("%s: %llu of %llu notes are not in the map and were passed over%s",
-       input_name(arguments_value(arguments, "midi-file")), ignored, ignored + song->counts.strokes,
-       is_kits ? "; --kit standard plays a drum track on several drums" : "");
+  (void)snprintf(error, MIDI_FILE_TEXT, "no note %s is a stroke: %llu are not in the map", channel,
+                 ignored);
+  return false;
 }
 
 void midi_song_free(MidiSong *song) {

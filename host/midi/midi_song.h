@@ -11,8 +11,7 @@
 #ifndef TABOR_HOST_MIDI_SONG_H
 #define TABOR_HOST_MIDI_SONG_H
 
-#include "base/options.h"
-#include "midi/midi_file_input.h"
+#include "midi/midi_file.h"
 #include "midi/midi_to_events.h"
 
 #define MIDI_SONG_LONGEST 3600 /**< latest time of the last message [s] */
@@ -36,20 +35,14 @@ typedef struct MidiSong {
   MidiCounts counts;
 } MidiSong;
 
-/**
- * Reads the file of --midi-file, if given, with @p map for the drum @p def at @p rate [Hz]. Refuses a file
- * without any stroke. Free with midi_song_free(), whatever the outcome.
- */
-Outcome midi_song_read(const Arguments *arguments, const MidiMap *map, const TaborDrumDef *def,
-                       double rate, MidiSong *song);
-/** Converts the same song again, for another @p rate [Hz]. */
-Outcome midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def, double rate);
-/**
- * Moves the events out of the song, which keeps the other actions. The caller frees *events with free().
- */
-Outcome midi_song_take_events(MidiSong *song, TaborEvent **events, size_t *count);
-/** Prints the number of ignored notes, if there were any. */
-void midi_song_note(const Arguments *arguments, const MidiSong *song);
+/** Refuses a file that is longer than MIDI_SONG_LONGEST: false, and the reason in @p error. To be asked before a song is composed. */
+bool midi_song_check_time(const MidiFile *file, char error[MIDI_FILE_TEXT]);
+/** Converts the song's file with @p map for the drum @p def at @p rate [Hz], also once more for another one. False without memory. */
+bool midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def, double rate);
+/** Refuses a composed song that has no stroke, or too much of something: false, and the reason in @p error. */
+bool midi_song_check(const MidiSong *song, const MidiMap *map, char error[MIDI_FILE_TEXT]);
+/** The same for the number of strokes alone, of a drum or a kit. */
+bool midi_song_check_strokes(uint64_t strokes, char error[MIDI_FILE_TEXT]);
 void midi_song_free(MidiSong *song);
 
 #endif

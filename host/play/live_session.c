@@ -50,8 +50,10 @@ static Outcome read_strokes(LiveSession *session, Strokes *strokes) {
 static Outcome add_song(LiveSession *session) {
   PlayRequest *const request = session->request;
   MidiSong *const song = &request->song;
-  Outcome outcome =
-    midi_song_compose(song, &request->midi_map, &request->def, request->model.sample_rate);
+  Outcome outcome = OUTCOME_OK;
+  if (!midi_song_compose(song, &request->midi_map, &request->def, request->model.sample_rate)) {
+    return fail_memory();
+  }
   for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
     const MidiSongItem *const item = &song->items[i];
     Cue cue = play_midi_cue(&item->action, item->frame);

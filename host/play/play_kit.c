@@ -13,6 +13,7 @@
 #include "kit/kit_build.h"
 #include "kit/kit_options.h"
 #include "kit/kit_player.h"
+#include "kit/kit_song_input.h"
 #include "midi/midi_input.h"
 #include "midi/midi_mask.h"
 #include "platform/clock.h"

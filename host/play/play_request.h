@@ -7,7 +7,7 @@
 #define TABOR_HOST_PLAY_REQUEST_H
 
 #include "base/options.h"
-#include "midi/midi_song.h"
+#include "midi/midi_song_input.h"
 #include "play/backend.h"
 #include "play/record_request.h"
 #include "strokes/humanize.h"

@@ -12,6 +12,7 @@
 #include "kit/kit_args.h"
 #include "kit/kit_build.h"
 #include "kit/kit_options.h"
+#include "kit/kit_song_input.h"
 #include "kit/kit_threads.h"
 #include "render/kit_take.h"
 #include "render/render_batch.h"

@@ -8,7 +8,7 @@
 
 #include "drums/shared_models.h"
 #include "files/audio_file.h"
-#include "midi/midi_song.h"
+#include "midi/midi_song_input.h"
 #include "render/replay.h"
 #include "render/sound_input.h"
 #include "strokes/strokes.h"

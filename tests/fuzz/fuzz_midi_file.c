@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "fuzz.h"
+#include "midi/midi_file_input.h"
 #include "midi/midi_song.h"
 
 static void check_file(const MidiFile *file) {
@@ -24,10 +25,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char message[1000] = "";
   MidiSong song = {.first_preset = 0};
   const MessageCapture before = message_capture(message, sizeof message);
-  Outcome outcome = midi_file_parse("input", data, size, false, &song.file);
+  const Outcome outcome = midi_file_parse("input", data, size, false, &song.file);
   if (outcome == OUTCOME_OK) {
     check_file(&song.file);
-    outcome = midi_song_compose(&song, &map, &def, 48000.0);
+    fuzz_require(midi_song_compose(&song, &map, &def, 48000.0), "there is memory");
   }
   message_release(before);
   fuzz_require(outcome == OUTCOME_OK || message[0] != '\0', "a refusal has a reason");

@@ -13,8 +13,8 @@ no_python_tools="the packages of python/requirements.txt are not in build/python
 # import_package PYTHON: puts the package, as a wheel has it, where this Python finds it.
 import_package() {
   cp -r "$SOURCE/python/src" package
-  quietly "$1" "$SOURCE/python/build_header.py" "$SOURCE/engine/include/tabor/"{tabor,kit}.h package/tabor/_header.py
-  quietly "$1" "$SOURCE/python/build_kit_maps.py" "$SOURCE/host/midi/kit_map.c" package/tabor/_kit_maps.py
-  cp -L "$SHARED_BUILD/engine/libtabor.so" package/tabor/
+  quietly "$1" "$SOURCE/python/build_header.py" "$SOURCE/engine/include/tabor/"{tabor,kit}.h "$SOURCE/host/kit/song_events.h" \
+    package/tabor/_header.py
+  cp -L "$SHARED_BUILD/engine/libtabor.so" "$SHARED_BUILD/host/libtabor-midi.so" package/tabor/
   export PYTHONPATH=$PWD/package PYTHONDONTWRITEBYTECODE=1
 }

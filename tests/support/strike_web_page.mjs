@@ -149,7 +149,7 @@ async function checkAccess(page, where) {
 async function prepareToRecord(page) {
   await page.getByRole("heading").click(); // a gesture without a stroke
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
-  await page.getByRole("button", { name: "MIDI" }).click();
+  await page.getByRole("button", { name: "MIDI", exact: true }).click();
   await status(page, "1 MIDI input");
 }
 
@@ -212,6 +212,52 @@ async function playKit(browser) {
   if (kit !== "kit:standard") complain(`the link restores ${kit}`);
   await page.locator("#drum").press("d");
   if ((await controlsOf(page)) !== moved) complain(`the link restores ${await controlsOf(page)} and not ${moved}`);
+  await page.context().close();
+}
+
+/** A MIDI file of one track, whose bytes are these. */
+function songOf(name, ...track) {
+  const length = [0, 0, 0, track.length + 4];
+  const head = [..."MThd"].map((letter) => letter.charCodeAt(0)).concat(0, 0, 0, 6, 0, 0, 0, 1, 0, 96);
+  const body = [..."MTrk"].map((letter) => letter.charCodeAt(0)).concat(length, track, 0, 0xff, 0x2f, 0);
+  return { name, mimeType: "audio/midi", buffer: Buffer.from([...head, ...body]) };
+}
+
+const untilSung = (page) => page.getByRole("button", { name: "MIDI file", pressed: false }).waitFor();
+
+/** Files are chosen and dropped; strokes, warnings and refusals are those of the program. */
+async function playFiles(browser) {
+  const page = await open(browser, { acceptDownloads: true });
+  await prepareToRecord(page);
+  const song = songOf("song.mid", 0, 0x99, 36, 100, 24, 38, 80, 24, 0xf8, 24, 0x99, 40, 127);
+  const playSong = async () => {
+    await page.locator("#song-file").setInputFiles(song);
+    await status(page, "Playing song.mid; byte 30, track 1: a system message F8, which no file may hold, is passed over");
+    await untilSung(page);
+    await page.waitForTimeout(500);
+  };
+  await choose(page, "tom-12", "draft");
+  const table = await recordTake(page, `take${++takes}`, playSong, "Strokes (CSV)", "csv");
+  const rows = readFileSync(table, "utf8").trim().split("\n").slice(1).map((row) => row.split(","));
+  const blocks = rows.map(([time]) => Math.round(((time - rows[0][0]) * 48000) / 128));
+  if (blocks.join() !== "0,46,140") complain(`the strokes of a file come at the blocks ${blocks}`); // of frames 0, 6000, 18000
+  await choose(page, "kit:frame-drums", "draft");
+  await recordTake(page, `take${++takes}`, playSong, "Strokes (MIDI)", "mid");
+  await choose(page, "snare-14x5.5", "draft");
+  await page.locator("#song-file").setInputFiles(songOf("off.mid", 0, 0x99, 38, 80, 1, 0xb9, 20, 0));
+  await page.getByRole("checkbox", { name: "Snares on", checked: false }).waitFor();
+  await untilSung(page);
+  await page.locator("#song-file").setInputFiles(songOf("none.mid", 0, 0x99, 100, 80));
+  await status(page, "none.mid: no note in it is a stroke: 1 are not in the map");
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(["RIFF"], "wrong.mid"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  await status(page, "wrong.mid: byte 0: not a Standard MIDI File: it does not begin with a header 'MThd'");
+  await page.locator("#song-file").setInputFiles(songOf("long.mid", 0, 0x99, 38, 80, 0xff, 0x7f, 0x99, 38, 80));
+  await page.getByRole("button", { name: "Stop file" }).click();
+  await untilSung(page);
   await page.context().close();
 }
 
@@ -360,7 +406,7 @@ async function operate(browser) {
   const page = await open(browser, {});
   await choose(page, "snare-14x5.5", "draft");
   const snares = page.getByRole("checkbox", { name: "Snares on" });
-  await page.getByRole("button", { name: "MIDI" }).click();
+  await page.getByRole("button", { name: "MIDI", exact: true }).click();
   await status(page, "1 MIDI input");
   await snares.uncheck();
   await page.getByRole("heading").click();
@@ -564,6 +610,7 @@ const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, ar
 try {
   await recordDrums(browser);
   await playKit(browser);
+  await playFiles(browser);
   await tune(browser);
   await followLinks(browser);
   await cancel(browser);

@@ -5,10 +5,12 @@
 //   { type: "drum", drum, memory, isKit }    another drum or kit, as build_worker.js makes it; the former fades out
 //   { type: "strike", drum, velocity, radius, angle, technique }    drum: of a kit
 //   { type: "strainer", value }          1: the snares are on, 0: off
+//   { type: "song", actions }            what a MIDI file does from now on, in order of frames: { kind: "stroke" or "strainer", frame, ... }
 //   { type: "record", on }
 //   { type: "film", on }                 pictures of what follows a stroke
 //
-// Messages from it: { type: "playing" } for each new drum; { type: "struck", frame, ... } for each stroke;
+// Messages from it: { type: "playing" } for each new drum; { type: "strained", value } and { type: "sung" }, of a MIDI file: the snares,
+// and its end; { type: "struck", frame, ... } for each stroke;
 // { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last };
 // { type: "filmed", pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
 import { ContinuedEngine, LEDGER } from "./engine.js";
@@ -121,6 +123,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   coming = null; // is being copied
   waiting = []; // strokes that came before the first drum
   strainer = null; // where the snares were put since the drum was chosen
+  song = null; // { actions, next, start: the frame of its beginning }
   module = null;
   peak = 0;
   levelBlocks = 0;
@@ -150,6 +153,7 @@ class DrumProcessor extends AudioWorkletProcessor {
       case "drum": return this.change(message);
       case "strike": return this.strike(message);
       case "strainer": return this.setStrainer(message.value);
+      case "song": return this.beginSong(message.actions);
       case "film": return this.setFilms(message.on);
       case "record": return message.on ? this.beginRecording() : this.sendRecording(true);
     }
@@ -184,6 +188,29 @@ class DrumProcessor extends AudioWorkletProcessor {
       const size = this.films ? this.voice.picturesSize : 0;
       if (size > 0) this.film ??= { pictures: new Float32Array(FILM_BLOCKS * size), blocks: 0 };
     }
+  }
+
+  /** It begins with the next block that a drum plays. */
+  beginSong(actions) {
+    this.song = { actions, next: 0, start: null };
+  }
+
+  /** What is due in the next block. */
+  playSong() {
+    const { song } = this;
+    song.start ??= this.frame;
+    while (song.next < song.actions.length && song.start + song.actions[song.next].frame < this.frame + BLOCK) {
+      this.actOfSong(song.actions[song.next++]);
+    }
+    if (song.next < song.actions.length) return;
+    this.song = null;
+    this.port.postMessage({ type: "sung" });
+  }
+
+  actOfSong({ kind, ...action }) {
+    if (kind === "stroke") return this.strike(action);
+    this.setStrainer(action.value);
+    this.port.postMessage({ type: "strained", value: action.value });
   }
 
   setFilms(on) {
@@ -244,6 +271,7 @@ class DrumProcessor extends AudioWorkletProcessor {
 
   process(_, [outputs]) {
     if (this.coming) this.bringDrum();
+    if (this.song && this.voice) this.playSong();
     if (this.voice) this.voice.process(!!this.film).forEach((channel, i) => outputs[i].set(channel));
     if (this.film) this.addPictures();
     if (this.former && !this.former.addFade(outputs)) this.former = null;

@@ -66,8 +66,10 @@ export function change(engine, set, instrument, [key, value]) {
 }
 
 /** Calls `use` with the address of a text. */
-export function withText(engine, text, use) {
-  const bytes = new TextEncoder().encode(`${text}\0`);
+export const withText = (engine, text, use) => withBytes(engine, new TextEncoder().encode(`${text}\0`), use);
+
+/** Calls `use` with the address of a copy of these bytes. */
+export function withBytes(engine, bytes, use) {
   const address = engine.malloc(bytes.length);
   new Uint8Array(engine.memory.buffer).set(bytes, address);
   const result = use(address);

@@ -132,6 +132,7 @@ function chooseQuality() {
 /* Another drum is as it came. */
 function chooseDrum() {
   refused = "";
+  endSong();
   controls.clear();
   controls.wait();
   chooseQuality();
@@ -197,6 +198,7 @@ function useDrum(built) {
   }
   controls.keep();
   midi.follow(preset(), settings());
+  element("song").disabled = false;
   say(["Ready", ...remarks()].join(", "));
   refused = "";
   sound.play();
@@ -228,12 +230,16 @@ function moveStrainer(value) {
 const setSnares = (on) => setStrainer(on ? facts.preset.strainer || 1 : 0);
 
 function setStrainer(strainer) {
+  showStrainer(strainer);
+  moveStrainer(strainer);
+}
+
+function showStrainer(strainer) {
   const own = facts.preset.strainer;
   if (strainer === own) link.delete("wires.strainer");
   else link.set("wires.strainer", strainer);
   showLink();
   element("snares").checked = strainer > 0;
-  moveStrainer(strainer);
   view.setSnares(strainer > 0);
 }
 
@@ -309,6 +315,46 @@ function connectMidi() {
   sound.start();
   const tell = (count) => say(count === 1 ? "1 MIDI input" : `${count} MIDI inputs`);
   listenToMidi(actByMidi, tell).catch((error) => say(`No MIDI: ${error.message}`, true));
+}
+
+/* ---- MIDI files ---- */
+
+function showSong(isPlaying) {
+  element("song").setAttribute("aria-pressed", String(isPlaying));
+  element("song").textContent = isPlaying ? "Stop file" : "MIDI file";
+}
+
+const isSinging = () => element("song").getAttribute("aria-pressed") === "true";
+
+function endSong() {
+  if (isSinging()) sound.playSong([]);
+  showSong(false);
+}
+
+function chooseSong() {
+  sound.start();
+  if (isSinging()) endSong();
+  else element("song-file").click();
+}
+
+async function playSong(file) {
+  if (!file || !facts) return;
+  const { said, actions } = await midi.readSong(file, RATE);
+  if (!actions) return say(`${file.name}: ${said.join("; ")}`, true);
+  say([`Playing ${file.name}`, ...said].join("; "));
+  showSong(true);
+  sound.playSong(actions);
+}
+
+function chooseSongFile() {
+  playSong(element("song-file").files[0]);
+  element("song-file").value = ""; // so that the same file can be chosen again
+}
+
+function dropSong(event) {
+  if (!event.dataTransfer.types.includes("Files")) return;
+  event.preventDefault();
+  if (event.type === "drop") playSong(event.dataTransfer.files[0]);
 }
 
 /* ---- keys ---- */
@@ -455,6 +501,11 @@ function listen() {
     level: ({ peak }) => showLevel(peak),
     ledger: showLedger,
     recorded: addRecorded,
+    sung: () => showSong(false),
+    strained: ({ value }) => {
+      hasMoved = true;
+      showStrainer(value);
+    },
     filmed: ({ pictures }) => film.play(pictures),
   };
   for (const [type, use] of Object.entries(heard)) {
@@ -470,6 +521,9 @@ function listen() {
   element("cancel").addEventListener("click", cancelBuild);
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
+  element("song").addEventListener("click", chooseSong);
+  element("song-file").addEventListener("change", chooseSongFile);
+  for (const type of ["dragover", "drop"]) addEventListener(type, dropSong);
   element("midi").hidden = !navigator.requestMIDIAccess;
   addEventListener("keydown", pressKey);
   addEventListener("hashchange", () => location.reload()); // somebody has put in another link

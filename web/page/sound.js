@@ -15,6 +15,7 @@ export class Sound extends EventTarget {
   #node = null;
   #analyser = null;
   #waiting = null; // the stroke that came before the audio thread
+  #song = null; // likewise
   #strainer = null; // where the snares were put before
   #films = false;
 
@@ -83,6 +84,12 @@ export class Sound extends EventTarget {
     else this.#strainer = value;
   }
 
+  /** Plays what a MIDI file does, instead of what another one does; none ends it. Event: "sung" at its end. */
+  playSong(actions) {
+    if (this.#node) this.#send({ type: "song", actions });
+    else this.#song = actions;
+  }
+
   /** Whether strokes are filmed: "filmed" then tells the pictures. */
   film(on) {
     this.#films = on;
@@ -120,6 +127,7 @@ export class Sound extends EventTarget {
     this.#sendDrum();
     if (this.#strainer !== null) this.setStrainer(this.#strainer);
     if (this.#waiting) this.strike(this.#waiting);
+    if (this.#song) this.playSong(this.#song);
     this.#tell("started");
   }
 

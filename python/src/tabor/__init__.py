@@ -19,7 +19,7 @@ from .drum_kit import Kit, KitEvent, kits
 from .events import (TECHNIQUES, Event, change, damp, gain, move, pluck, press, release, replace, reset, silence, strike,
                      swap)
 from .kit import render_kit
-from .midi import midi_events
+from .midi import MidiWarning, midi_events
 from .model import MODE, QUALITIES, Model, ModelEstimate, ModelInfo, Playable
 from .rendering import render, trace
 from .room import Room, RoomInfo
@@ -27,7 +27,7 @@ from .room import Room, RoomInfo
 __version__ = version()
 
 __all__ = [
-    "Definition", "Drum", "Error", "Event", "Kit", "KitEvent", "Ledger", "MODE", "Model", "ModelEstimate", "ModelInfo", "Parameter",
+    "Definition", "Drum", "Error", "Event", "Kit", "KitEvent", "Ledger", "MODE", "MidiWarning", "Model", "ModelEstimate", "ModelInfo", "Parameter",
     "Playable", "Preset", "Probe", "QUALITIES", "Room", "RoomInfo", "Statistics", "TECHNIQUES", "TRACE", "UnknownNameError", "Value",
     "change", "damp", "gain", "kits", "midi_events", "move", "parameters", "pluck", "presets", "press", "release", "render",
     "render_kit", "replace", "reset", "silence", "strike", "swap", "trace", "version",

@@ -64,15 +64,18 @@ def encoded(string: str, what: str) -> bytes:
     return string.encode("utf-8")
 
 
+def _beside(library: str) -> str:
+    """A library of the package."""
+    ending = {"darwin": ".dylib", "win32": ".dll"}.get(sys.platform, ".so")
+    return str(Path(__file__).with_name(library + ending))
+
+
 def _path() -> str:
     """The library: that of the package, unless the environment names another one."""
-    names = {"darwin": "libtabor.dylib", "win32": "libtabor.dll"}
-    beside = Path(__file__).with_name(names.get(sys.platform, "libtabor.so"))
-    return os.environ.get("TABOR_LIBRARY") or str(beside)
+    return os.environ.get("TABOR_LIBRARY") or _beside("libtabor")
 
 
-def _open() -> Any:
-    path = _path()
+def _open(path: str) -> Any:
     try:
         return ffi.dlopen(path)
     except OSError as error:
@@ -80,7 +83,9 @@ def _open() -> Any:
                           path=path) from error
 
 
-lib: Any = _open()
+lib: Any = _open(_path())
+#: What MIDI files do: host/kit/song_events.h.
+midi_lib: Any = _open(_beside("libtabor-midi"))
 
 
 def version() -> str:

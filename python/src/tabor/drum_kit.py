@@ -5,28 +5,23 @@ from __future__ import annotations
 
 import os
 import threading
+from itertools import count, takewhile
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._ini import read_pairs
-from ._kit_maps import MAPS
-from ._library import Error, UnknownNameError, check, encoded, ffi, fields, lib, text
+from ._library import Error, UnknownNameError, check, encoded, ffi, fields, index_of, lib, midi_lib, text
 from ._numbers import number, whole
 from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
 from .events import Event, place
-from .midi import KitPart, Path, kit_midi_events
+from .midi import Path, composed, event_of
 from .model import Model
 
 _MOST_FRAMES = 2**31 - 1
-#: Techniques of the strokes that a note may play (TaborKitStroke).
-_STROKES = {1: "normal", 2: "rimshot", 3: "cross-stick", 4: "rim"}
-#: General MIDI's notes of the drums whose places have a controller each.
-_SNARE_NOTES, _TOM_NOTES = (37, 38, 40), (41, 43, 45, 47, 48, 50)
-
 #: An event and the name of the drum that it is for; None: all drums.
 KitEvent = Tuple[Optional[str], Event]
 
@@ -41,6 +36,11 @@ def kits() -> Tuple[Preset, ...]:
     """
     rows = [lib.tabor_kit(i) for i in range(lib.tabor_kit_count())]
     return tuple(Preset(text(row.name), text(row.comment)) for row in rows)
+
+
+def _maps() -> List[str]:
+    """Names of the maps of `Kit.midi_events`."""
+    return [text(name) for name in takewhile(bool, map(midi_lib.song_events_map_name, count()))]
 
 
 class Kit:
@@ -178,7 +178,7 @@ class Kit:
         return out
 
     def midi_events(self, path: Path, *, notes_of: Optional[str] = None,
-                    place_cc: Tuple[int, int] = (16, 18)) -> List[KitEvent]:
+                    place_cc: Tuple[int, int] = (16, 18), strict: bool = False) -> List[KitEvent]:
         """The strokes and other events of a MIDI file, as `tabor render --kit --midi-file` plays them.
 
         Parameters
@@ -190,6 +190,8 @@ class Kit:
             built-in ones.
         place_cc : (int, int), optional
             With `notes_of`: controllers, 0 to 119, of a stroke's place on the snare drum and on the toms.
+        strict : bool
+            Whether to refuse a file in which anything is wrong, instead of a `MidiWarning`.
 
         Returns
         -------
@@ -198,36 +200,23 @@ class Kit:
 
         Raises
         ------
-        ImportError
-            The package `mido` is not there.
         OSError
             The file cannot be read.
         Error
             It is not a MIDI file, none of its notes plays a drum, there is no such map, or the kit has notes that buzz or
             sweep, which the program alone plays.
         """
-        parts = [self._part(drum, notes_of, place_cc) for drum in range(len(self._drums))]
-        return [(self._drums[drum], event) for drum, event in kit_midi_events(path, self._models, parts)]
-
-    def _part(self, drum: int, notes_of: Optional[str], place_cc: Tuple[int, int]) -> KitPart:
-        """What a file's messages are to one drum."""
-        own = self._notes_of(drum)
-        if notes_of is None:
-            return KitPart(own)
-        if notes_of not in MAPS:
-            raise UnknownNameError(f"no map is called {notes_of!r}; there are {', '.join(MAPS)}", "name", "notes_of", notes_of)
-        notes = {note: _STROKES.get(stroke, own[general]) for note, (general, stroke) in MAPS[notes_of].items()
-                 if general in own}
+        self._refuse_held()
         snare, toms = (whole("place_cc", controller, 0, 119) for controller in place_cc)
-        places = [snare] * any(note in own for note in _SNARE_NOTES) + [toms] * any(note in own for note in _TOM_NOTES)
-        return KitPart(notes, frozenset(places), frozenset())
+        chosen = -1 if notes_of is None else index_of(_maps(), notes_of, "map")
+        rows = composed(path, strict, midi_lib.song_events_of_kit, self._def, chosen, snare, toms, self.sample_rate)
+        return [(self._drums[row.drum], event_of(row.event, self.sample_rate, {})) for row in rows]
 
-    def _notes_of(self, drum: int) -> Dict[int, str]:
-        strokes = {note: stroke for note, stroke in enumerate(self._def.drum[drum].notes) if stroke}
-        held = [note for note, stroke in strokes.items() if stroke not in _STROKES]
-        if held:
-            raise Error(f"note {held[0]} of {self._drums[drum]} is held: `tabor render --kit` plays such notes", "value")
-        return {note: _STROKES[stroke] for note, stroke in strokes.items()}
+    def _refuse_held(self) -> None:
+        for drum, name in enumerate(self._drums):
+            for note, stroke in enumerate(self._def.drum[drum].notes):
+                if stroke in (lib.TABOR_KIT_STROKE_BUZZ, lib.TABOR_KIT_STROKE_SWEEP):
+                    raise Error(f"note {note} of {name} is held: `tabor render --kit` plays such notes", "value")
 
     def render(self, events: Union[Path, Sequence[KitEvent]], duration: float, *,
                notes_of: Optional[str] = None) -> NDArray[np.float32]:

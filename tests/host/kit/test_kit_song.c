@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A MIDI file as events of a kit: every message of a long file, each at its frame. */
-#include "kit/kit_song.h" /* before cmocka, whose fail() is a macro */
+#include "kit/kit_song_input.h" /* before cmocka, whose fail() is a macro */
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+#include "kit/kit_song_input.h"
+
+#include <stdio.h>
+
+#include "midi/midi_song.h"
+
+Outcome kit_song_read(const Arguments *arguments, KitMidi *midi, Humanizer humanizer, double rate,
+                      KitSong *song) {
+  const char *const name = arguments_value(arguments, "midi-file");
+  char error[MIDI_FILE_TEXT] = "";
+  MidiFile file = {0};
+  *song = (KitSong){0};
+  Outcome outcome = midi_file_of_arguments(arguments, &file);
+  if (outcome == OUTCOME_OK && midi_song_check_time(&file, error)) {
+    if (!kit_song_compose(song, &file, midi, humanizer, rate)) {
+      outcome = fail_memory();
+    } else {
+      (void)kit_song_check(midi, error);
+    }
+  }
+  midi_file_free(&file);
+  return *error ? refuse("%s: %s", input_name(name), error) : outcome;
+}
+
+void kit_song_note(const char *name, const KitMidi *midi) {
+  char text[1024] = "";
+  size_t length = 0;
+  for (int i = 0; i < MIDI_VALUES && length < sizeof text - 80; i++) {
+    const char *const known = kit_midi_note_name(midi->general[i]);
+    if (midi->unknown[i] == 0) continue;
+    const int written =
+      snprintf(text + length, sizeof text - length, "%s%d%s%s (%llu)", length > 0 ? ", " : "", i,
+               known ? " " : "", known ? known : "", (unsigned long long)midi->unknown[i]);
+    length += written > 0 ? (size_t)written : 0;
+  }
+  if (length > 0) note("%s: notes that play no drum of the kit: %s", input_name(name), text);
+}

@@ -50,10 +50,6 @@ double tb_cavity_mode_omega(const TbCavity *cavity, double zero, uint32_t axial)
   return cavity->sound_speed * tb_hypot(zero / cavity->radius, (double)axial * PI / cavity->depth);
 }
 
-/* A tom's lowest orders have 220 coordinates below 16 kHz, a deep shell under a tense head would have thousands. Where
- * this bites, the lowest orders end first and the highest not at all, so that together they fade out. */
-enum { MOST_COORDINATES = 640 };
-
 static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double top) {
   uint32_t total = 0;
   for (uint32_t p = 0; p < order->radial_count; p++) {
@@ -66,7 +62,7 @@ static uint32_t keep_below(TbCavityOrder *order, const TbCavity *cavity, double 
 
 static bool list_modes(TbCavityOrder *order, TbArena *arena, const TbCavity *cavity, double top) {
   uint32_t total = keep_below(order, cavity, top);
-  while (total > MOST_COORDINATES) total = keep_below(order, cavity, top *= 0.97);
+  while (total > TB_CAVITY_COORDINATES) total = keep_below(order, cavity, top *= 0.97);
   order->modes = tb_arena_take(arena, total + 1u, sizeof *order->modes);
   if (!order->modes) return false;
   for (uint32_t p = 0; p < order->radial_count; p++) {
@@ -262,8 +258,8 @@ static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
 double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega) {
-  if (cavity->density == 0.0) return 0.0;     /* no air, no pressure */
-  double along[MOST_COORDINATES + 1] = {0.0}; /* at the side, by l */
+  if (cavity->density == 0.0) return 0.0;          /* no air, no pressure */
+  double along[TB_CAVITY_COORDINATES + 1] = {0.0}; /* at the side, by l */
   Wall side = {0.0, 0.0}, ends = {0.0, 0.0};
   uint32_t next = 0, axial = 0;
   for (uint32_t p = 0; p < order->radial_count; p++) {

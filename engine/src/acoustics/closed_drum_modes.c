@@ -177,15 +177,16 @@ static double zeros_below(double m, double z) {
 double tb_closed_drum_order_size(const TaborDrumDef *def, double m, double basis_top,
                                  double limit) {
   const TbCavityEigen drum = coupled_of(def);
-  double size = drum.cavity.heads * zeros_below(m, basis_top);
-  if (!tb_has_cavity(def)) return size;
+  const double heads = drum.cavity.heads * zeros_below(m, basis_top);
+  double air = 0.0;
+  if (!tb_has_cavity(def)) return heads;
   const double k = highest_coordinate(&drum, limit) / drum.cavity.sound_speed;
   const double axial = PI / drum.cavity.depth; /* step of the wavenumber along the axis */
   for (uint32_t l = 0; l * axial < k; l++) {
     const double across = drum.cavity.radius * sqrt(k * k - l * axial * l * axial);
-    size += zeros_below(m, fmin(CAVITY_BASIS * basis_top, across));
+    air += zeros_below(m, fmin(CAVITY_BASIS * basis_top, across));
   }
-  return size;
+  return heads + fmin(air, TB_CAVITY_COORDINATES);
 }
 
 double tb_closed_drum_air_top(const TaborDrumDef *def, double limit) {

@@ -125,7 +125,7 @@ static double tuning_seconds(const TaborDrumDef *def, TaborHead which, const Tab
  * its Bessel functions. */
 static double head_seconds(const TaborDrumDef *def, const Sizes *s) {
   const double eigen = 0.001 + eigen_seconds(s->squares, s->cubes);
-  if (def->air.density == 0.0) return eigen;
+  if (def->air.density == 0.0) return 0.6 * eigen; /* nothing couples the air's coordinates */
   if (!tb_has_cavity(def)) return eigen + 2e-6 * s->squares;
   return eigen + (tb_is_two_headed(def) ? 0.018 : 0.003) + 4.5e-5 * s->modes;
 }
@@ -151,14 +151,16 @@ static double contact_seconds(const Sizes *s) {
  * longer the farther away the microphone is. */
 static double high_band_seconds(const TaborDrumDef *def, const Sizes *s) {
   const double each = 2e-5 * s->modes, zero = s->top_zero;
-  if (def->air.density == 0.0) return each;
+  if (def->air.density == 0.0) return (tb_is_two_headed(def) ? 0.5 : 0.15) * each;
   if (tb_is_two_headed(def)) return 0.025 + 2.0 * each + 1.4e-6 * zero * zero;
   if (tb_has_cavity(def)) return each + 6e-7 * zero * zero;
   double far = 0.0;
   for (uint32_t i = 0; i < def->mic_count; i++) {
     far = fmax(far, tb_hypot(def->mic[i].radius, def->mic[i].height));
   }
-  return zero * (1.2e-6 * zero + s->top_wavenumber * (2e-6 * def->shell.radius + 8e-9 * far));
+  const double baffle = def->shell.boundary == TABOR_BOUNDARY_BAFFLED ? 1.5 : 1.0;
+  return baffle * zero *
+         (1.2e-6 * zero + s->top_wavenumber * (2e-6 * def->shell.radius + 8e-9 * far));
 }
 
 double tb_build_seconds(const TbBuildCost *cost) {

@@ -83,6 +83,15 @@ static float offset_of(const Instance *instance, KnobId id, float value) {
   return single(to_knob(instance, id, from + amount) - (double)value);
 }
 
+/* CLAP declares this call thread-safe: hosts only note that they are to call back on their main thread. The compiler cannot
+ * know that of a pointer. */
+static void ask_for_main_thread(const clap_host_t *host) REALTIME;
+static void ask_for_main_thread(const clap_host_t *host) {
+  typedef void RequestFn(const clap_host_t *) REALTIME;
+  RequestFn *const request = (RequestFn *)host->request_callback;
+  request(host);
+}
+
 /* Where the head could not have the pitch that was asked for, the knob goes where the drum is. */
 static void follow_head(Instance *instance, KnobId id) REALTIME;
 static void follow_head(Instance *instance, KnobId id) {
@@ -90,7 +99,7 @@ static void follow_head(Instance *instance, KnobId id) {
   if (!plugin_player_take_given(&instance->player, id, &asked, &given)) return;
   if (!atomic_compare_exchange_strong(&instance->values[id], &asked, given)) return;
   atomic_store(&instance->has_moved, true);
-  instance->host->request_callback(instance->host);
+  ask_for_main_thread(instance->host);
 }
 
 void parameters_turn(void *shell) {

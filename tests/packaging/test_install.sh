@@ -14,12 +14,12 @@ try_programs() {
   "$2" rhythm.wav tabor >rhythm.csv
   if [ ! -e reference.wav ]; then
     "$TABOR" render tabor --quality live --events rhythm.csv --duration 4.5 --format float -q -o reference.wav
-    "$TABOR" render tabor --quality live --duration 1 --format float -q -o stroke.wav
+    "$TABOR" render tabor --quality live --duration 1 --format float -q -o strike-reference.wav
   fi
   same_sound "$1, C" rhythm.wav reference.wav
   if [ -z "${3-}" ]; then return; fi
   "$3" strike.wav tabor >strike.txt
-  same_sound "$1, C++" strike.wav stroke.wav
+  same_sound "$1, C++" strike.wav strike-reference.wav
 }
 
 # What the README shows, compiled with no more than it says.
@@ -60,20 +60,21 @@ for kind in static shared; do
     quietly "$CMAKE" -S cpp_only -B cpp_only/build -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_PREFIX_PATH="$tree"
     quietly "$CMAKE" --build cpp_only/build
     "cpp_only/build/strike" strike.wav tabor >strike.txt
-    same_sound "find_package in C++ alone, $kind" strike.wav stroke.wav
+    same_sound "find_package in C++ alone, $kind" strike.wav strike-reference.wav
     rm -r cpp_only/build
   fi
   try_programs "pkg-config, $kind" ./sequencer "${CXX:+./strike}"
   quietly "$CC" -std=c11 "${strict[@]}" readme.c "${flags[@]}" -o readme
-  ./readme >"readme-$kind.txt"
+  ./readme
+  mv stroke.wav "readme-$kind.wav"
 
   [ "$(pkg-config --modversion tabor)" = "$("$TABOR" --version | cut -d ' ' -f 2)" ] ||
     complain "tabor.pc and the program say different versions"
   unset LD_LIBRARY_PATH
   "$tree/bin/tabor" --version >/dev/null || complain "the installed program, $kind, does not run"
 done
-cmp readme-static.txt readme-shared.txt
-test -s readme-static.txt
+cmp readme-static.wav readme-shared.wav
+test -s readme-static.wav
 
 # Linking a static library of a shared installation's kind is what Libs.private is for.
 read -ra flags <<<"$(pkg-config --static --cflags --libs tabor)"

@@ -140,7 +140,7 @@ static void play_noise(TaborModel *model, double pascals, uint64_t *random) {
   tabor_drum_statistics(drum, &statistics);
   tabor_model_info(model, &info);
   const double time = (double)LENGTH / RATE, put_in = ledger.injected + fabs(ledger.control);
-  const double bound = fmax(physics_residual(info.quality) * put_in, FLOOR * time);
+  const double bound = physics_residual(info.quality) * put_in + FLOOR * time;
   print_message("%g Pa: injected %.3g J, residual %.2g J, bound %.2g J\n", pascals, ledger.injected,
                 ledger.residual, bound);
   assert_true(ledger.injected > 0.0 && isfinite(ledger.stored));

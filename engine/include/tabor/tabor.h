@@ -833,8 +833,8 @@ typedef struct TaborStatistics {
  * injected + control = stored + head_loss + wire_loss + contact_loss + damper_loss + shell_loss
  *                      + radiated + removed + residual.
  * The magnitude of the residual is at most 1e-9 of injected + |control| at `studio` and
- * `reference`; at `draft` and `live` it is at most 1e-6 of that, or 2e-12 J for each second that wires rest on a head,
- * whichever is larger. (Contacts in single precision know the work of the wires' own rest forces to 1.5e-6, so that
+ * `reference`; at `draft` and `live` it is at most 1e-6 of that, and 2e-12 J on top of it for each second that wires
+ * rest on a head. (Contacts in single precision know the work of the wires' own rest forces to 1.5e-6, so that
  * this part falls with the motion, and not with its square; see docs/limits.md.) The exception is a contact solver
  * stopped at its cap (newton_capped), where a drum may lose more energy, but never gains any.
  */

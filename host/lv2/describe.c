@@ -120,7 +120,7 @@ static void put_property(const char *uri, const char *name, const char *label, c
 static void put_properties(void) {
   put_property(URI_STATE_VERSION, "", "version of the state", "int");
   put_property(URI_STATE_DEFINITION, "", "definition of the drum", "string");
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     put_property(URI_STATE_CONTROL, knobs[i].symbol, knobs[i].name, "float");
   }
 }
@@ -175,13 +175,13 @@ static void put_preset_port(KnobId id, double value, bool *first) {
   *first = false;
 }
 
-static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_KEYS]) {
+static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_SEEN]) {
   char *const text = definition_write(def);
   if (!text) turtle_fail("out of memory");
   put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
       STATE_VERSION, URI_STATE_DEFINITION);
   put_text(text);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     if (isnan(values[i])) continue;
     put(" ;\n\t\t<%s%s> \"", URI_STATE_CONTROL, knobs[i].symbol);
     put_number(values[i]);
@@ -193,11 +193,11 @@ static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_K
 
 static void put_preset(const TaborPresetInfo *preset) {
   TaborDrumDef def;
-  double values[KNOB_KEYS];
+  double values[KNOB_SEEN];
   bool first = true;
   if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) turtle_fail(preset->name);
   put_preset_header(preset);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     values[i] = knob_shown(&def, (KnobId)i);
     put_preset_port((KnobId)i, values[i], &first);
   }

@@ -40,7 +40,7 @@ static void choose(void *shell, const char *preset) {
   PluginDrum drum;
   memcpy(drum.values, ui->values, sizeof drum.values);
   if (tabor_drum_def_preset(&drum.saved.def, preset, NULL) != TABOR_OK) return;
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     const double shown = knob_shown(&drum.saved.def, (KnobId)i);
     if (!isnan(shown)) drum.values[i] = (float)knob_decimal((float)shown);
   }

@@ -25,6 +25,7 @@
 #  include "lv2/uris.h"
 #  include "midi/kit_map.h"
 #  include "plugin/definition_text.h"
+#  include "plugin/knob_text.h"
 
 static const char *bundle;
 static LilvWorld *world;
@@ -157,12 +158,12 @@ static void test_symbols_do_not_change(void **state) {
     "events",     "out_left",         "out_right",    "freewheel",    "ready",
     SHARED_KNOBS, "level_pair",       "level_top",    "level_bottom", "level_near",
     "level_far",  "velocity_range",   "level_inside", "batter_pitch", "resonant_pitch",
-    "room",       "wires_unevenness", "stick"};
+    "room",       "wires_unevenness", "stick",        "drum"};
   static const char *const multi[] = {
-    "events",       "out_top",        "out_bottom",       "out_near",
-    "out_far",      "out_left",       "out_right",        "freewheel",
-    "ready",        SHARED_KNOBS,     "velocity_range",   "out_inside",
-    "batter_pitch", "resonant_pitch", "wires_unevenness", "stick"};
+    "events",         "out_top",    "out_bottom",   "out_near",       "out_far",
+    "out_left",       "out_right",  "freewheel",    "ready",          SHARED_KNOBS,
+    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch", "wires_unevenness",
+    "stick",          "drum"};
   static const char *const kit[] = {"events",      "out_left",   "out_right",      "out_1_left",
                                     "out_1_right", "out_2_left", "out_2_right",    "out_3_left",
                                     "out_3_right", "out_4_left", "out_4_right",    "out_5_left",
@@ -177,12 +178,30 @@ static void test_symbols_do_not_change(void **state) {
                                     "tune_7",      "tune_8"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
-  static const char *const effect[] = {
-    "events",       "in_left",        "in_right",   "out_left",         "out_right",
-    "freewheel",    "ready",          SHARED_KNOBS, "level_pair",       "level_top",
-    "level_bottom", "level_near",     "level_far",  "velocity_range",   "level_inside",
-    "batter_pitch", "resonant_pitch", "room",       "wires_unevenness", "sound_level",
-    "mix",          "stick",          "enabled"};
+  static const char *const effect[] = {"events",
+                                       "in_left",
+                                       "in_right",
+                                       "out_left",
+                                       "out_right",
+                                       "freewheel",
+                                       "ready",
+                                       SHARED_KNOBS,
+                                       "level_pair",
+                                       "level_top",
+                                       "level_bottom",
+                                       "level_near",
+                                       "level_far",
+                                       "velocity_range",
+                                       "level_inside",
+                                       "batter_pitch",
+                                       "resonant_pitch",
+                                       "room",
+                                       "wires_unevenness",
+                                       "sound_level",
+                                       "mix",
+                                       "stick",
+                                       "enabled",
+                                       "drum"};
   check_symbols(URI_EFFECT, effect, sizeof effect / sizeof effect[0]);
   check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }
@@ -266,6 +285,40 @@ static void test_knobs(void **state) {
       if (port.index < KNOB_KEYS) check_key((KnobId)port.index);
     }
   }
+}
+
+/* Numbers for ever: sessions of users have them, and programs of MIDI. They are the engine's drums. */
+static void test_choices_of_the_drum_do_not_change(void **state) {
+  (void)state;
+  static const char *const drums[] = {"tabor",
+                                      "frame-drum",
+                                      "bodhran-piano-string",
+                                      "bodhran-d-string",
+                                      "bodhran-d-string-tensioned",
+                                      "snare-14x5.5",
+                                      "snare-14x5.5-off",
+                                      "snare-14x6.5-loose",
+                                      "piccolo-13x3.5",
+                                      "marching-14x12",
+                                      "tom-12",
+                                      "floor-tom-16",
+                                      "bass-drum-22",
+                                      "timpani-26",
+                                      "snare-14x8",
+                                      "snare-14x5-steel",
+                                      "tom-10",
+                                      "bass-drum-18"};
+  const uint32_t count = sizeof drums / sizeof drums[0];
+  const KnobRange range = knob_range(KNOB_DRUM, &usual);
+  char word[64];
+  assert_true(tabor_preset_count() >= count);
+  assert_true(range.maximum == (float)tabor_preset_count() - 1);
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    (void)knob_label(KNOB_DRUM, &range, i, word, sizeof word);
+    assert_string_equal(word, tabor_preset(i)->name);
+    if (i < count) assert_string_equal(word, drums[i]);
+  }
+  assert_string_equal(tabor_preset((uint32_t)range.fallback)->name, DEFAULT_PRESET);
 }
 
 static void check_kit_knob(const LilvPlugin *plugin, const LilvPort *port, const KitKnob *knob) {
@@ -448,6 +501,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_symbols_are_unique),
     cmocka_unit_test(test_symbols_do_not_change),
     cmocka_unit_test(test_knobs),
+    cmocka_unit_test(test_choices_of_the_drum_do_not_change),
     cmocka_unit_test(test_knobs_of_the_kit),
     cmocka_unit_test(test_choices_of_the_kit_do_not_change),
     cmocka_unit_test(test_what_hosts_look_for),

@@ -32,14 +32,15 @@ static void put_knob(KnobSet set, KnobId id) {
   const KnobRange range = knob_range_in(set, id, &usual);
   put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
   put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
-  put_range(knob_decimal(range.fallback), knob_decimal(range.minimum), knob_decimal(range.maximum));
+  const double minimum = knob_decimal(port_minimum(&range));
+  put_range(knob_decimal(range.fallback), minimum, knob_decimal(range.maximum));
   put_unit(range.unit);
-  if (range.logarithmic) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
+  if (knob_is_bent(&range)) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
   if (knob->kind == KNOB_REBUILD || id == KNOB_QUALITY) {
     put("\t\tlv2:portProperty pprops:expensive ;\n");
   }
   if (knob->choices) put_choices(knob->choices);
-  if (!isnan(knob->off)) put_word(knob_off_word(knob), knob->off);
+  if (!isnan(knob->off)) put_word(knob_off_word(knob), fmax(knob->off, minimum));
   if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
   if (id == KNOB_ENABLED)
     put("\t\tlv2:portProperty lv2:toggled ;\n\t\tlv2:designation lv2:enabled ;\n");
@@ -170,7 +171,7 @@ static void put_preset_port(KnobId id, double value, bool *first) {
   if (isnan(value)) return;
   put("%s[ lv2:symbol \"%s\" ; pset:value ", *first ? " ;\n\tlv2:port " : " ,\n\t\t",
       knobs[id].symbol);
-  put_number(value);
+  put_number(fmax(value, knobs[id].least));
   put(" ]");
   *first = false;
 }

@@ -123,7 +123,7 @@ static void turn_knob(Instrument *instrument, KnobId id) REALTIME;
 static void turn_knob(Instrument *instrument, KnobId id) {
   const KnobRange *const range = &instrument->ranges[id];
   const float value = knob_value(instrument, id);
-  plugin_player_turn(&instrument->player, id, fminf(fmaxf(value, range->minimum), range->maximum));
+  plugin_player_turn(&instrument->player, id, port_to_knob(range, value));
 }
 
 static void turn_knobs(void *shell) REALTIME;

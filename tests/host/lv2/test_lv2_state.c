@@ -149,7 +149,8 @@ static void test_live_knobs_are_found_as_they_were_left(void **state) {
   host_close(copy);
 }
 
-/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. */
+/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. Some hosts bring a port into its range,
+ * which begins at 20 Hz. */
 static void test_old_sessions_have_no_pitch(void **state) {
   (void)state;
   static const float none = 0;
@@ -164,7 +165,8 @@ static void test_old_sessions_have_no_pitch(void **state) {
   for (int knobs_first = 0; knobs_first <= 1; knobs_first++) {
     PluginHost *const copy = open_drum();
     memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
-    copy->knobs[KNOB_BATTER_PITCH] = copy->knobs[KNOB_RESONANT_PITCH] = none;
+    copy->knobs[KNOB_BATTER_PITCH] = none;
+    copy->knobs[KNOB_RESONANT_PITCH] = 20;
     if (knobs_first) host_run(copy, 10);
     assert_int_equal(host_restore(copy, &saved), LV2_STATE_SUCCESS);
     record(copy, second, 0, NULL);

@@ -296,7 +296,7 @@ static bool begin(Instance *instance) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     instance->ranges[i] = knob_range_in(instance->set, (KnobId)i, &instance->saved.def);
     instance->values[i] = instance->ranges[i].fallback;
-    if (i < KNOB_KEYS) instance->saved.seen[i] = instance->ranges[i].fallback;
+    if (i < KNOB_SEEN) instance->saved.seen[i] = instance->ranges[i].fallback;
   }
   return true;
 }

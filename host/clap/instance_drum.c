@@ -23,7 +23,7 @@ void instance_restore(Instance *instance, const SavedState *saved) {
 void instance_save(Instance *instance, SavedState *saved) {
   *saved = instance->saved;
   if (instance->is_open) model_worker_save(&instance->worker, saved);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     if (isnan(saved->seen[i])) saved->seen[i] = atomic_load(&instance->values[i]);
   }
 }

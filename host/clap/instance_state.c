@@ -23,7 +23,7 @@ static size_t write_head(const Instance *instance, const SavedState *saved, char
   size_t length = (size_t)snprintf(text, HEAD_LIMIT, FIRST_LINE);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[i]);
-    const float seen = i < KNOB_KEYS ? saved->seen[i] : value;
+    const float seen = i < KNOB_SEEN ? saved->seen[i] : value;
     stream_float_digits(value, digits[0]);
     stream_float_digits(seen, digits[1]);
     length += (size_t)snprintf(text + length, HEAD_LIMIT - length, "%s %s %s\n", knobs[i].symbol,
@@ -87,12 +87,14 @@ static char *read_knobs(char *text, KnobValues *read) {
   return text + strlen(DEFINITION);
 }
 
-/* What a state does not say. Without a pitch in it, the tension leads. */
+/* What a state does not say. Without a pitch in it, the tension leads; without a drum's number, the drum stays wherever the
+ * host puts the knob first. */
 static void use_fallbacks(const Instance *instance, KnobValues *read) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const bool is_pitch = i == KNOB_BATTER_PITCH || i == KNOB_RESONANT_PITCH;
     read->values[i] = read->seen[i] = is_pitch ? 0 : instance->ranges[i].fallback;
   }
+  read->seen[KNOB_DRUM] = NAN;
 }
 
 /* Earlier versions passed over a pitch that the head cannot have. The drum stays as it was, and the knob shows its pitch. */

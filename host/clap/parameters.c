@@ -92,9 +92,10 @@ static void ask_for_main_thread(const clap_host_t *host) {
   request(host);
 }
 
-/* Where the head could not have the pitch that was asked for, the knob goes where the drum is. */
-static void follow_head(Instance *instance, KnobId id) REALTIME;
-static void follow_head(Instance *instance, KnobId id) {
+/* Where the head could not have the pitch that was asked for, or MIDI has chosen another drum, the knob goes where the drum
+ * is. */
+static void follow_drum(Instance *instance, KnobId id) REALTIME;
+static void follow_drum(Instance *instance, KnobId id) {
   float asked, given;
   if (!plugin_player_take_given(&instance->player, id, &asked, &given)) return;
   if (!atomic_compare_exchange_strong(&instance->values[id], &asked, given)) return;
@@ -105,8 +106,10 @@ static void follow_head(Instance *instance, KnobId id) {
 void parameters_turn(void *shell) {
   Instance *const instance = shell;
   KnobId id;
-  follow_head(instance, KNOB_BATTER_PITCH);
-  follow_head(instance, KNOB_RESONANT_PITCH);
+  follow_drum(instance, KNOB_DRUM);
+  follow_drum(instance, KNOB_BATTER_PITCH);
+  follow_drum(instance, KNOB_RESONANT_PITCH);
+  plugin_player_turn(&instance->player, KNOB_DRUM, atomic_load(&instance->values[KNOB_DRUM]));
   for (uint32_t i = 0; (id = knob_at(instance->set, i)) < KNOB_COUNT; i++) {
     const float value = atomic_load(&instance->values[id]);
     plugin_player_turn(&instance->player, id, value);

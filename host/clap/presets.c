@@ -60,10 +60,10 @@ static bool read_drum(const Place *place, TaborDrumDef *def, char *message) {
   return false;
 }
 
-/* Knobs stand where the drum is; of parts that it lacks, where they stood. */
+/* Knobs stand where the drum is; of parts that it lacks, where they stood. So does KNOB_DRUM with a drum of the user's. */
 static void load_drum(Instance *instance, const TaborDrumDef *def) {
   SavedState saved = {.def = *def};
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     parameters_set(instance, (KnobId)i, knob_shown(def, (KnobId)i)); /* a NaN does nothing */
     saved.seen[i] = atomic_load(&instance->values[i]);
   }

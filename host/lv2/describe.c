@@ -32,14 +32,15 @@ static void put_knob(KnobSet set, KnobId id) {
   const KnobRange range = knob_range_in(set, id, &usual);
   put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
   put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
-  put_range(knob_decimal(range.fallback), knob_decimal(range.minimum), knob_decimal(range.maximum));
+  const double minimum = knob_decimal(port_minimum(&range));
+  put_range(knob_decimal(range.fallback), minimum, knob_decimal(range.maximum));
   put_unit(range.unit);
-  if (range.logarithmic) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
+  if (knob_is_bent(&range)) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
   if (knob->kind == KNOB_REBUILD || id == KNOB_QUALITY) {
     put("\t\tlv2:portProperty pprops:expensive ;\n");
   }
   if (knob->choices) put_choices(knob->choices);
-  if (!isnan(knob->off)) put_word(knob_off_word(knob), knob->off);
+  if (!isnan(knob->off)) put_word(knob_off_word(knob), fmax(knob->off, minimum));
   if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
   if (id == KNOB_ENABLED)
     put("\t\tlv2:portProperty lv2:toggled ;\n\t\tlv2:designation lv2:enabled ;\n");
@@ -120,7 +121,7 @@ static void put_property(const char *uri, const char *name, const char *label, c
 static void put_properties(void) {
   put_property(URI_STATE_VERSION, "", "version of the state", "int");
   put_property(URI_STATE_DEFINITION, "", "definition of the drum", "string");
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     put_property(URI_STATE_CONTROL, knobs[i].symbol, knobs[i].name, "float");
   }
 }
@@ -170,18 +171,18 @@ static void put_preset_port(KnobId id, double value, bool *first) {
   if (isnan(value)) return;
   put("%s[ lv2:symbol \"%s\" ; pset:value ", *first ? " ;\n\tlv2:port " : " ,\n\t\t",
       knobs[id].symbol);
-  put_number(value);
+  put_number(fmax(value, knobs[id].least));
   put(" ]");
   *first = false;
 }
 
-static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_KEYS]) {
+static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_SEEN]) {
   char *const text = definition_write(def);
   if (!text) turtle_fail("out of memory");
   put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
       STATE_VERSION, URI_STATE_DEFINITION);
   put_text(text);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     if (isnan(values[i])) continue;
     put(" ;\n\t\t<%s%s> \"", URI_STATE_CONTROL, knobs[i].symbol);
     put_number(values[i]);
@@ -193,11 +194,11 @@ static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_K
 
 static void put_preset(const TaborPresetInfo *preset) {
   TaborDrumDef def;
-  double values[KNOB_KEYS];
+  double values[KNOB_SEEN];
   bool first = true;
   if (tabor_drum_def_preset(&def, preset->name, NULL) != TABOR_OK) turtle_fail(preset->name);
   put_preset_header(preset);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     values[i] = knob_shown(&def, (KnobId)i);
     put_preset_port((KnobId)i, values[i], &first);
   }

@@ -13,14 +13,16 @@ static Instrument *instrument_of(const Ui *ui) { return ui->instance; }
 
 static ModelWorker *worker(void *ui) { return &instrument_of(ui)->worker; }
 
-static float value(void *ui, KnobId id) { return ((Ui *)ui)->values[id]; }
+static float value(void *ui, KnobId id) {
+  return port_to_knob(&instrument_of(ui)->ranges[id], ((Ui *)ui)->values[id]);
+}
 
 static void begin(void *ui, KnobId id) { ui_grab(ui, id, true); }
 static void end(void *ui, KnobId id) { ui_grab(ui, id, false); }
 
 static void turn(void *ui, KnobId id, double to) {
-  const KnobRange *const range = &instrument_of(ui)->ranges[id];
-  ui_turn(ui, id, fminf(fmaxf((float)knob_decimal((float)to), range->minimum), range->maximum));
+  const float exact = (float)knob_decimal((float)to);
+  ui_turn(ui, id, port_of_knob(&instrument_of(ui)->ranges[id], exact));
 }
 
 static void save(void *ui, SavedState *saved) { model_worker_save(worker(ui), saved); }
@@ -36,11 +38,10 @@ static void use(void *ui, const PluginDrum *drum) {
 
 /* Knobs of parts that the drum lacks stay where they are. */
 static void choose(void *shell, const char *preset) {
-  const Ui *const ui = shell;
   PluginDrum drum;
-  memcpy(drum.values, ui->values, sizeof drum.values);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) drum.values[i] = value(shell, (KnobId)i);
   if (tabor_drum_def_preset(&drum.saved.def, preset, NULL) != TABOR_OK) return;
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     const double shown = knob_shown(&drum.saved.def, (KnobId)i);
     if (!isnan(shown)) drum.values[i] = (float)knob_decimal((float)shown);
   }

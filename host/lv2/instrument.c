@@ -19,7 +19,7 @@ static void map_uris(Urids *urids, LV2_URID_Map *map) {
   urids->atom_string = map->map(map->handle, LV2_ATOM__String);
   urids->version = map->map(map->handle, URI_STATE_VERSION);
   urids->definition = map->map(map->handle, URI_STATE_DEFINITION);
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     char uri[128];
     (void)snprintf(uri, sizeof uri, "%s%s", URI_STATE_CONTROL, knobs[i].symbol);
     urids->controls[i] = map->map(map->handle, uri);
@@ -119,15 +119,20 @@ static float knob_value(const Instrument *instrument, uint32_t id) {
   return port && !isnan(last) ? last : instrument->ranges[id].fallback;
 }
 
+static void turn_knob(Instrument *instrument, KnobId id) REALTIME;
+static void turn_knob(Instrument *instrument, KnobId id) {
+  const KnobRange *const range = &instrument->ranges[id];
+  const float value = knob_value(instrument, id);
+  plugin_player_turn(&instrument->player, id, port_to_knob(range, value));
+}
+
 static void turn_knobs(void *shell) REALTIME;
 static void turn_knobs(void *shell) {
   Instrument *const instrument = shell;
   KnobId id;
+  turn_knob(instrument, KNOB_DRUM);
   for (uint32_t i = 0; (id = knob_at(instrument->set, i)) < KNOB_COUNT; i++) {
-    const KnobRange *const range = &instrument->ranges[id];
-    const float value = knob_value(instrument, id);
-    plugin_player_turn(&instrument->player, id,
-                       fminf(fmaxf(value, range->minimum), range->maximum));
+    turn_knob(instrument, id);
   }
 }
 

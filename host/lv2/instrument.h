@@ -20,7 +20,7 @@
 typedef struct Urids {
   LV2_URID sequence, midi, atom_int, atom_float, atom_string;
   LV2_URID version, definition; /**< properties of a saved state */
-  LV2_URID controls[KNOB_KEYS]; /**< properties of a saved state, too */
+  LV2_URID controls[KNOB_SEEN]; /**< properties of a saved state, too */
 } Urids;
 
 typedef struct Instrument {

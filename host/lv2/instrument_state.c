@@ -15,7 +15,7 @@
 static LV2_State_Status store_controls(const Urids *urids, const SavedState *saved,
                                        LV2_State_Store_Function store, LV2_State_Handle state) {
   LV2_State_Status status = LV2_STATE_SUCCESS;
-  for (uint32_t i = 0; i < KNOB_KEYS && status == LV2_STATE_SUCCESS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN && status == LV2_STATE_SUCCESS; i++) {
     const float *const value = &saved->seen[i];
     if (isnan(*value)) continue;
     status = store(state, urids->controls[i], value, sizeof *value, urids->atom_float, PLAIN);
@@ -135,7 +135,7 @@ static LV2_State_Status restore(LV2_Handle handle, LV2_State_Retrieve_Function r
   if (is_empty(&source)) return LV2_STATE_SUCCESS;
   LV2_State_Status status = check_version(&source);
   if (status == LV2_STATE_SUCCESS) status = read_definition(&source, &saved.def);
-  for (uint32_t i = 0; i < KNOB_KEYS && status == LV2_STATE_SUCCESS; i++) {
+  for (uint32_t i = 0; i < KNOB_SEEN && status == LV2_STATE_SUCCESS; i++) {
     status = read_control(&source, (KnobId)i, &saved.seen[i]);
   }
   if (status == LV2_STATE_SUCCESS) model_worker_restore(&instrument->worker, &saved);

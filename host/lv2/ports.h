@@ -13,6 +13,7 @@
 #ifndef TABOR_LV2_PORTS_H
 #define TABOR_LV2_PORTS_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -39,6 +40,22 @@ typedef struct Port {
 /** Number of audio inputs and outputs of a plugin. */
 static inline uint32_t port_inputs(KnobSet set) REALTIME { return set == KNOBS_EFFECT ? 2 : 0; }
 static inline uint32_t port_outputs(KnobSet set) { return set == KNOBS_MULTI ? 7 : 2; }
+
+/**
+ * Ports of pitches are logarithmic, so their range cannot begin at 0, where the knob is off: it begins at the lowest pitch,
+ * which is off there, as is all below. Sessions from before have 0.
+ */
+static inline float port_minimum(const KnobRange *range) REALTIME {
+  return range->least > 0 ? range->least : range->minimum;
+}
+/** The knob's value at a value of its port, and the port's at one of the knob. */
+static inline float port_to_knob(const KnobRange *range, float value) REALTIME {
+  if (range->least > 0 && value <= range->least) return range->minimum;
+  return fminf(fmaxf(value, range->minimum), range->maximum);
+}
+static inline float port_of_knob(const KnobRange *range, float value) REALTIME {
+  return fminf(fmaxf(value, port_minimum(range)), range->maximum);
+}
 
 /** Port number @p number of a plugin. */
 static inline Port port_at(KnobSet set, uint32_t number) REALTIME {

@@ -146,6 +146,21 @@ const Knob knobs[KNOB_COUNT] = {
                        .comment =
                          "How unevenly the snares lie and how far they are bent, times what "
                          "the drum says; 0: straight wires side by side."},
+  [KNOB_DRUM] = {.symbol = "drum",
+                 .name = "Drum",
+                 .group = "drum",
+                 .kind = KNOB_REBUILD,
+                 RANGE(0, 17),
+                 .fallback = 5, /* DEFAULT_PRESET */
+                 .unit = "",
+                 .choices =
+                   "tabor|frame-drum|bodhran-piano-string|bodhran-d-string|"
+                   "bodhran-d-string-tensioned|snare-14x5.5|snare-14x5.5-off|snare-14x6.5-loose|"
+                   "piccolo-13x3.5|marching-14x12|tom-12|floor-tom-16|bass-drum-22|timpani-26|"
+                   "snare-14x8|snare-14x5-steel|tom-10|bass-drum-18",
+                 .off = NAN,
+                 .comment = "Turning it takes another drum, as a program change of MIDI does. A "
+                            "drum that was changed or loaded stays until then."},
   [KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                            .name = "Velocity curve",
                            .group = "stick",
@@ -280,8 +295,8 @@ const Knob knobs[KNOB_COUNT] = {
 };
 
 const KnobGroup knob_groups[KNOB_GROUPS] = {
-  {"heads", "Heads"},      {"snares", "Snares"},  {"stick", "Stick"},    {"output", "Output"},
-  {"mics", "Microphones"}, {"input", "Sound in"}, {"physics", "Physics"}};
+  {"drum", "Drum"},     {"heads", "Heads"},      {"snares", "Snares"},  {"stick", "Stick"},
+  {"output", "Output"}, {"mics", "Microphones"}, {"input", "Sound in"}, {"physics", "Physics"}};
 
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
@@ -312,6 +327,7 @@ const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_MIX,
   KNOB_STICK,
   KNOB_ENABLED,
+  KNOB_DRUM,
 };
 
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def) {
@@ -344,9 +360,18 @@ static double pitch_of(const TaborDrumDef *def, TaborHead head) {
   return knob_decimal((float)pitch);
 }
 
+/* As a knob has it. */
+static double number_of(const TaborDrumDef *def) {
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    if (strcmp(tabor_preset(i)->name, def->name) == 0) return i;
+  }
+  return NAN;
+}
+
 double knob_shown(const TaborDrumDef *def, KnobId id) {
   TaborDrumDef copy = *def;
   const double *const field = knob_field(&copy, id);
+  if (id == KNOB_DRUM) return number_of(def);
   if (!field) return NAN;
   if (id == KNOB_BATTER_PITCH) return pitch_of(def, TABOR_HEAD_BATTER);
   return id == KNOB_RESONANT_PITCH ? pitch_of(def, TABOR_HEAD_RESONANT) : *field;

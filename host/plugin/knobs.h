@@ -31,6 +31,7 @@ typedef enum KnobId {
   KNOB_BATTER_PITCH,
   KNOB_RESONANT_PITCH,
   KNOB_UNEVENNESS,
+  KNOB_DRUM, /**< a built-in preset, by its place in tabor_preset() */
   KNOB_VELOCITY_CURVE,
   KNOB_HUMANIZE,
   KNOB_QUALITY,
@@ -51,6 +52,8 @@ typedef enum KnobId {
 } KnobId;
 
 #define KNOB_KEYS (KNOB_UNEVENNESS + 1) /**< number of knobs for keys */
+/** Number of knobs of which a saved drum says where they stood: those for keys, and KNOB_DRUM. */
+#define KNOB_SEEN (KNOB_DRUM + 1)
 
 /** Knobs of a plugin. */
 typedef enum KnobSet {
@@ -121,7 +124,7 @@ typedef struct KnobGroup {
   const char *symbol, *name; /**< displayed name */
 } KnobGroup;
 
-enum { KNOB_GROUPS = 7 };
+enum { KNOB_GROUPS = 8 };
 
 /** What players turn most: the first page of controls. */
 enum { KNOB_PAGE = 8 };
@@ -194,8 +197,9 @@ TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /**
- * SET-UP. The value at which a knob with a key shows the drum @p def; NaN if the drum has no such part. It is the
- * field's, but a head without a pitch shows the one that its tension gives. This takes some hundredths of a second.
+ * SET-UP. The value at which a knob below KNOB_SEEN shows the drum @p def; NaN if the drum has no such part, or is not
+ * named like a built-in one. It is the field's, but a head without a pitch shows the one that its tension gives. This
+ * takes some hundredths of a second.
  */
 double knob_shown(const TaborDrumDef *def, KnobId id);
 /** Converts a value of a LEVEL or GAIN knob [dB] to a factor; the lowest level gives 0. */

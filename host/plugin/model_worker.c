@@ -38,7 +38,7 @@ bool model_worker_begin(ModelWorker *worker, double rate, bool stereo) {
   worker->options.progress = goes_on;
   worker->options.progress_context = worker;
   worker->program = worker->composed_program = MODEL_WORKER_NO_PROGRAM;
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) worker->base_seen[i] = NAN;
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) worker->base_seen[i] = NAN;
   memcpy(worker->composed_seen, worker->base_seen, sizeof worker->base_seen);
   midi_map_default(&worker->map);
   if (tabor_drum_def_preset(&worker->base, DEFAULT_PRESET, NULL) != TABOR_OK) return false;
@@ -86,7 +86,7 @@ void model_worker_restore(ModelWorker *worker, const SavedState *saved) {
 }
 
 static void forget_ports(float *seen) {
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) seen[i] = NAN;
+  for (uint32_t i = 0; i < KNOB_SEEN; i++) seen[i] = NAN;
 }
 
 /* What was restored, or chosen by MIDI, and is not built yet, counts as much as what is. */

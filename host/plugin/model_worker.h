@@ -57,7 +57,7 @@ typedef struct Request {
   uint32_t choice;           /**< counts program choices by MIDI, repeated ones too */
   KnobTurn turns[KNOB_KEYS]; /**< of knobs, since then */
   KnobTurn strainer, grip;   /**< by MIDI, since then */
-  float seen[KNOB_KEYS];     /**< values of the ports; a change is a turn of the knob */
+  float seen[KNOB_SEEN];     /**< values of the ports; a change is a turn of the knob */
   uint32_t quality;          /**< a TaborQuality */
   bool is_held;              /**< quality is below the knob's, since this is no export */
   uint32_t room;             /**< a TaborRoomKind; stereo plugin */
@@ -68,7 +68,7 @@ typedef struct Request {
 typedef struct Reply {
   uint32_t number, restoration; /**< of the request, or the newest restoration */
   int32_t program;
-  float seen[KNOB_KEYS]; /**< restored values of the ports; NaN: any value */
+  float seen[KNOB_SEEN]; /**< restored values of the ports; NaN: any value */
   TaborDrum *drum;       /**< the drum, the first time; then NULL */
   TaborSwap *swap;       /**< for the drum; NULL without drum: no change */
   RoomMix *room;         /**< another room, NULL for the one before */
@@ -114,9 +114,9 @@ typedef struct ModelWorker {
   /* under lock */
   pthread_mutex_t lock;
   TaborDrumDef base;          /**< definition restored last */
-  float base_seen[KNOB_KEYS]; /**< values of the ports then; NaN: unknown */
+  float base_seen[KNOB_SEEN]; /**< values of the ports then; NaN: unknown */
   TaborDrumDef composed;      /**< of the newest reply, without values set by MIDI */
-  float composed_seen[KNOB_KEYS];
+  float composed_seen[KNOB_SEEN];
   uint32_t composed_restoration;
   int32_t composed_program;
 
@@ -132,7 +132,7 @@ typedef struct ModelWorker {
 /** The saved state of an instance. */
 typedef struct SavedState {
   TaborDrumDef def;
-  float seen[KNOB_KEYS]; /**< values of its ports; NaN: unknown */
+  float seen[KNOB_SEEN]; /**< values of its ports; NaN: unknown */
 } SavedState;
 
 /* SET-UP */

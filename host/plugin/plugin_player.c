@@ -26,14 +26,17 @@ static bool bind_presets(PluginPlayer *player) {
 
 static void prepare_knobs(PluginPlayer *player) {
   player->sound = player->mix = fader_at(0, player->rate);
+  player->restored_drum = NAN;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const KnobId id = (KnobId)i;
     player->ranges[i] = knob_range(id, &player->worker->base);
     player->seen[i] = NAN;
     player->levels[i] = fader_at(0, player->rate);
-    if (i >= KNOB_KEYS) continue;
+    if (i >= KNOB_SEEN) continue;
     player->seen[i] = player->ranges[i].fallback;
-    player->built[i] = player->given[i] = NAN;
+    player->given[i] = NAN;
+    if (i >= KNOB_KEYS) continue;
+    player->built[i] = NAN;
     if (knobs[i].kind == KNOB_LIVE) player->ids[i] = tabor_parameter_find(knobs[i].key)->id;
   }
 }

@@ -69,10 +69,13 @@ typedef struct PluginPlayer {
   Request request;
   uint32_t asked, asked_restoration;       /**< of the newest request that was made */
   uint32_t answered, answered_restoration; /**< of the newest reply that was taken */
-  int32_t chosen;            /**< program that messages are for; none after a turn of a knob */
-  int32_t chosen_before;     /**< the same, before the current frame */
-  float seen[KNOB_COUNT];    /**< values of the ports; NaN: not yet known */
-  float given[KNOB_KEYS];    /**< values that the drum has instead of seen, or NaN */
+  int32_t chosen;         /**< program that messages are for; none after a turn of a knob */
+  int32_t chosen_before;  /**< the same, before the current frame */
+  float seen[KNOB_COUNT]; /**< values of the ports; NaN: not yet known */
+  /** Where KNOB_DRUM stood when the drum was saved that is restored; NaN: unknown, or another drum was chosen since. A host
+   * that puts the knob there, before the drum or after it, chooses no drum. */
+  float restored_drum;
+  float given[KNOB_SEEN];    /**< values that the drum has instead of seen, or NaN */
   float offsets[KNOB_COUNT]; /**< by which the host modulates knobs */
   double built[KNOB_KEYS];   /**< values of the model; NaN: the drum has no such part */
   double built_grip;
@@ -103,11 +106,11 @@ void plugin_player_end(PluginPlayer *player);
 
 /** Resets the player to its start, but keeps the values of the knobs. */
 void plugin_player_rest(PluginPlayer *player) REALTIME;
-/** Sets knob @p id to @p value, the value of its port. */
+/** Sets knob @p id to @p value, the value of its port. KNOB_DRUM comes first, since other knobs turn its drum. */
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
 /**
- * Says once that knob @p id stands at *asked, where the head cannot follow, and that the drum has *given: there the shell moves
- * the knob, if it can. False if there is nothing to say.
+ * Says once that knob @p id stands at *asked, and that the drum has *given, since the head cannot follow or MIDI has chosen
+ * another drum: there the shell moves the knob, if it can. False if there is nothing to say.
  */
 bool plugin_player_take_given(PluginPlayer *player, KnobId id, float *asked, float *given) REALTIME;
 /**

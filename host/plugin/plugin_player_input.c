@@ -223,11 +223,51 @@ static void turn_key(PluginPlayer *player, KnobId id, double value) {
   }
 }
 
+/* ---- drums ---------------------------------------------------------------------------------- */
+
+/* A restored drum that is on its way takes the place of what is chosen meanwhile. */
+static bool is_restoring(const PluginPlayer *player) {
+  return player->request.restoration != atomic_load(&player->worker->restoration);
+}
+
+/* The messages that follow are meant for the preset. */
+static void take_preset(PluginPlayer *player, uint32_t preset) {
+  if ((int32_t)preset == player->chosen) return;
+  player->chosen = (int32_t)preset;
+  player->midi.binding = player->bindings[preset];
+}
+
+void plugin_player_begin_frame(PluginPlayer *player) { player->chosen_before = player->chosen; }
+
+/* Of the program changes at one frame the last counts; one to the drum that is there already does nothing. */
+bool plugin_player_has_choice(const PluginPlayer *player) {
+  return player->chosen != player->chosen_before;
+}
+
+void plugin_player_choose(PluginPlayer *player) {
+  player->restored_drum = NAN;
+  player->request.program = player->chosen;
+  player->request.choice++;
+  player->request.number++;
+  plugin_player_forget_turns(&player->request);
+  if (!is_restoring(player)) player->given[KNOB_DRUM] = (float)player->chosen;
+  atomic_store(&player->worker->program, player->chosen);
+}
+
+static void turn_drum(PluginPlayer *player, float value) {
+  plugin_player_begin_frame(player);
+  take_preset(player, (uint32_t)lroundf(value));
+  if (plugin_player_has_choice(player)) plugin_player_choose(player);
+}
+
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) {
   const float before = player->seen[id];
   if (value == before || isnan(value)) return;
+  if (id == KNOB_DRUM && is_restoring(player)) return; /* it will say where the knob stood */
   player->seen[id] = value;
-  if (id < KNOB_KEYS) {
+  if (id == KNOB_DRUM) {
+    if (!isnan(before) && value != player->restored_drum) turn_drum(player, value);
+  } else if (id < KNOB_KEYS) {
     turn_key(player, id, knob_decimal(value));
   } else {
     turn_setting(player, id, value, isnan(before));
@@ -249,15 +289,6 @@ void plugin_player_modulate(PluginPlayer *player, KnobId id, float offset) {
 
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
-/* The messages that follow are meant for the preset. */
-static void take_preset(PluginPlayer *player, uint32_t preset) {
-  if ((int32_t)preset == player->chosen) return;
-  player->chosen = (int32_t)preset;
-  player->midi.binding = player->bindings[preset];
-}
-
-void plugin_player_begin_frame(PluginPlayer *player) { player->chosen_before = player->chosen; }
-
 static void act(PluginPlayer *player, const MidiAction *action, uint32_t ahead) {
   PlayerMessage message;
   if (player_message_from_midi(action, player->core.position + ahead, &message)) {
@@ -272,19 +303,6 @@ void plugin_player_take(PluginPlayer *player, const MidiMessage *midi, uint32_t 
   MidiAction actions[MIDI_MOST_ACTIONS];
   const uint32_t count = midi_to_events_take(&player->midi, midi, actions);
   for (uint32_t i = 0; i < count; i++) act(player, &actions[i], ahead);
-}
-
-/* Of the program changes at one frame the last counts; one to the drum that is there already does nothing. */
-bool plugin_player_has_choice(const PluginPlayer *player) {
-  return player->chosen != player->chosen_before;
-}
-
-void plugin_player_choose(PluginPlayer *player) {
-  player->request.program = player->chosen;
-  player->request.choice++;
-  player->request.number++;
-  plugin_player_forget_turns(&player->request);
-  atomic_store(&player->worker->program, player->chosen);
 }
 
 void plugin_player_strike(PluginPlayer *player, double velocity, double radius, double angle) {

@@ -14,6 +14,9 @@ static void take_restoration(PluginPlayer *player, const Reply *reply) {
   for (uint32_t i = 0; i < KNOB_KEYS; i++) {
     if (!isnan(reply->seen[i])) player->seen[i] = reply->seen[i];
   }
+  player->restored_drum = reply->seen[KNOB_DRUM];
+  if (isnan(player->restored_drum)) player->seen[KNOB_DRUM] = NAN; /* it is where it stands next */
+  player->given[KNOB_DRUM] = NAN;
 }
 
 static void read_model(PluginPlayer *player, const Reply *reply) {
@@ -49,14 +52,14 @@ static void change_model(PluginPlayer *player, const Reply *reply) {
 /* Unless something else was asked for meanwhile. */
 static void note_given(PluginPlayer *player, const Reply *reply) {
   if (reply->number != player->request.number) return;
-  memcpy(player->given, reply->given, sizeof player->given);
+  memcpy(player->given, reply->given, sizeof reply->given);
 }
 
 bool plugin_player_take_given(PluginPlayer *player, KnobId id, float *asked, float *given) {
   *asked = player->seen[id];
   *given = player->given[id];
   player->given[id] = NAN;
-  return !isnan(*given);
+  return !isnan(*given) && *given != *asked;
 }
 
 static void begin_anew(PluginPlayer *player) {

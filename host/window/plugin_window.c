@@ -62,7 +62,7 @@ static void note_drum(void *context, void *setting) {
   shell->save(shell->instance, &drum->saved);
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     drum->values[i] = shell->value(shell->instance, (KnobId)i);
-    if (i < KNOB_KEYS && isnan(drum->saved.seen[i])) drum->saved.seen[i] = drum->values[i];
+    if (i < KNOB_SEEN && isnan(drum->saved.seen[i])) drum->saved.seen[i] = drum->values[i];
   }
 }
 

@@ -80,6 +80,9 @@ static void test_ids_do_not_change(void **state) {
   const clap_param_info_t stick = info_of(host, SYMBOLS); /* behind the two of the effect */
   assert_int_equal(stick.id, SYMBOLS + 2);
   assert_string_equal(stick.name, "Stick");
+  const clap_param_info_t drum = info_of(host, SYMBOLS + 1); /* behind another one of the effect */
+  assert_int_equal(drum.id, SYMBOLS + 4);
+  assert_string_equal(drum.name, "Drum");
   clap_host_close(host);
 }
 
@@ -89,7 +92,7 @@ static void test_the_multi_plugin_has_no_mix(void **state) {
   ClapHost *const host = clap_host_open(entry, ID_DRUM_MULTI);
   const uint32_t count = params_of(host)->count(host->plugin);
   double value;
-  assert_int_equal(count, SYMBOLS + 1 - 7); /* and the stick */
+  assert_int_equal(count, SYMBOLS + 2 - 7); /* and the stick and the drum */
   for (uint32_t i = 0; i < count; i++) {
     const clap_param_info_t info = info_of(host, i);
     assert_string_equal(info.name, knobs[knob_ports[info.id]].name);

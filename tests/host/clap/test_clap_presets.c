@@ -219,8 +219,8 @@ static bool load(ClapHost *host, uint32_t kind, const char *location, const char
 }
 
 /* In free air. */
-static ClapHost *open_drum(void) {
-  ClapHost *const host = clap_host_open(entry, ID_DRUM);
+static ClapHost *open_plugin(const char *id) {
+  ClapHost *const host = clap_host_open(entry, id);
   clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_DRAFT));
   clap_host_set(host, 0, KNOB_ROOM, TABOR_ROOM_NONE);
   clap_host_flush(host);
@@ -228,9 +228,11 @@ static ClapHost *open_drum(void) {
   return host;
 }
 
+static ClapHost *open_drum(void) { return open_plugin(ID_DRUM); }
+
 /* Of the left side, after `program` was chosen by MIDI, if it is one. */
 static void record(ClapHost *host, int program, float *sound) {
-  clap_host_activate(host);
+  if (!host->is_active) clap_host_activate(host);
   if (program >= 0) clap_host_midi(host, 0, &(MidiMessage){0xC9, {(uint8_t)program, 0}});
   clap_host_run(host, FRAMES); /* what a preset replaces fades */
   clap_host_midi(host, 0, &(MidiMessage){0x99, {38, 100}});
@@ -259,6 +261,7 @@ static void test_parameters_show_the_drum(void **state) {
     if (!load(host, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL, name)) fail_msg("%s", name);
     assert_string_equal(host->loaded, name);
     assert_int_equal(host->rescans, i + 1);
+    assert_true(clap_host_value(host, KNOB_DRUM) == i);
     const double muffling = clap_host_value(host, KNOB_BATTER_MUFFLING);
     const double *const field = knob_field(&def, KNOB_BATTER_MUFFLING);
     if (field && fabs(muffling - *field) > 1e-6 * fabs(*field)) fail_msg("%s: %g", name, muffling);
@@ -281,6 +284,44 @@ static void test_a_loaded_drum_sounds_as_one_chosen_by_midi(void **state) {
   assert_true(peak > 1e-3);
   clap_host_close(host);
   clap_host_close(chosen);
+}
+
+/* With another control at the same frame, which turns the new drum. */
+static void test_the_parameter_chooses_a_drum_as_midi_does(void **state) {
+  (void)state;
+  static float one[FRAMES], other[FRAMES];
+  static const char *const plugins[] = {ID_DRUM, ID_EFFECT};
+  for (size_t i = 0; i < sizeof plugins / sizeof plugins[0]; i++) {
+    ClapHost *const host = open_plugin(plugins[i]), *const chosen = open_plugin(plugins[i]);
+    clap_host_activate(host);
+    clap_host_set(host, 0, KNOB_BATTER_TENSION, 0.5);
+    clap_host_set(host, 0, KNOB_DRUM, 1);
+    clap_host_run(host, 2);
+    record(host, -1, one);
+    clap_host_activate(chosen);
+    clap_host_midi(chosen, 0, &(MidiMessage){0xC9, {1, 0}});
+    clap_host_run(chosen, 1);
+    clap_host_set(chosen, 0, KNOB_BATTER_TENSION, 0.5);
+    clap_host_run(chosen, 1);
+    record(chosen, -1, other);
+    assert_memory_equal(one, other, sizeof one);
+    clap_host_close(host);
+    clap_host_close(chosen);
+  }
+}
+
+static void test_the_parameter_follows_a_program_change(void **state) {
+  (void)state;
+  ClapHost *const host = open_drum();
+  clap_host_activate(host);
+  clap_host_midi(host, 0, &(MidiMessage){0xC9, {1, 0}});
+  clap_host_run(host, 1);
+  clap_host_run(host, 1);
+  assert_true(clap_host_value(host, KNOB_DRUM) == 1);
+  assert_int_equal(host->callbacks, 1);
+  host->plugin->on_main_thread(host->plugin);
+  assert_int_equal(host->rescans, 1);
+  clap_host_close(host);
 }
 
 static void test_a_drum_is_loaded_from_a_file(void **state) {
@@ -374,6 +415,8 @@ int main(int argc, char **argv) {
                                     remove_user_folder),
     cmocka_unit_test(test_parameters_show_the_drum),
     cmocka_unit_test(test_a_loaded_drum_sounds_as_one_chosen_by_midi),
+    cmocka_unit_test(test_the_parameter_chooses_a_drum_as_midi_does),
+    cmocka_unit_test(test_the_parameter_follows_a_program_change),
     cmocka_unit_test(test_what_is_no_preset_changes_nothing),
     cmocka_unit_test(test_pages_have_parameters_of_the_plugin),
   };

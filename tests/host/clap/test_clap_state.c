@@ -278,6 +278,54 @@ static void test_unknown_lines_are_passed_over(void **state) {
   clap_host_close(copy);
 }
 
+/* ---- the number of the drum ----------------------------------------------------------------- */
+
+static void set_all_as_left(ClapHost *host) {
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
+    if (knob_is_in(KNOBS_STEREO, (KnobId)i)) clap_host_set(host, 0, (KnobId)i, left_values[i]);
+  }
+}
+
+/* As hosts do that set all parameters, too; and in real time, where the drum is on its way. */
+static void test_a_restored_drum_stays_when_its_number_is_set(void **state) {
+  (void)state;
+  ClapHost *const copy = open_active();
+  assert_true(left_values[KNOB_DRUM] == FRAME_DRUM);
+  clap_host_render(copy, false);
+  assert_true(clap_host_load(copy, &left));
+  set_all_as_left(copy);
+  clap_host_run(copy, 1);
+  clap_host_save(copy, &again);
+  assert_same_state(&left, &again);
+  clap_host_render(copy, true);
+  clap_host_run(copy, 1);
+  set_all_as_left(copy);
+  clap_host_run(copy, 1);
+  clap_host_save(copy, &again);
+  assert_same_state(&left, &again);
+  record_anew(copy, second);
+  assert_same(left_sound, second);
+  clap_host_close(copy);
+}
+
+/* Sessions from before have no such line: what comes first is where the drum was left. */
+static void test_old_sessions_keep_their_drum(void **state) {
+  (void)state;
+  for (int number = 0; number <= 5; number += 5) {
+    ClapHost *const copy = open_drum();
+    replace("\ndrum ", "\ncolour ");
+    assert_true(clap_host_load(copy, &again));
+    clap_host_set(copy, 0, KNOB_DRUM, number);
+    clap_host_flush(copy);
+    record_anew(copy, second);
+    assert_same(left_sound, second);
+    set(copy, KNOB_DRUM, number + 1);
+    record_anew(copy, second);
+    assert_false(is_same(left_sound, second));
+    clap_host_close(copy);
+  }
+}
+
 /* ---- pitches -------------------------------------------------------------------------------- */
 
 static void sounds_as_left_without_pitch(void) {
@@ -430,6 +478,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_a_preset_that_is_on_its_way_is_saved),
     cmocka_unit_test(test_a_parameter_acts_on_a_restored_drum),
     cmocka_unit_test(test_both_plugins_read_each_others_states),
+    cmocka_unit_test(test_a_restored_drum_stays_when_its_number_is_set),
+    cmocka_unit_test(test_old_sessions_keep_their_drum),
     cmocka_unit_test(test_wrong_states_change_nothing),
     cmocka_unit_test(test_unknown_lines_are_passed_over),
     cmocka_unit_test(test_old_sessions_have_no_pitch),

@@ -25,6 +25,7 @@
 #  include "lv2/uris.h"
 #  include "midi/kit_map.h"
 #  include "plugin/definition_text.h"
+#  include "plugin/knob_text.h"
 
 static const char *bundle;
 static LilvWorld *world;
@@ -157,12 +158,12 @@ static void test_symbols_do_not_change(void **state) {
     "events",     "out_left",         "out_right",    "freewheel",    "ready",
     SHARED_KNOBS, "level_pair",       "level_top",    "level_bottom", "level_near",
     "level_far",  "velocity_range",   "level_inside", "batter_pitch", "resonant_pitch",
-    "room",       "wires_unevenness", "stick"};
+    "room",       "wires_unevenness", "stick",        "drum"};
   static const char *const multi[] = {
-    "events",       "out_top",        "out_bottom",       "out_near",
-    "out_far",      "out_left",       "out_right",        "freewheel",
-    "ready",        SHARED_KNOBS,     "velocity_range",   "out_inside",
-    "batter_pitch", "resonant_pitch", "wires_unevenness", "stick"};
+    "events",         "out_top",    "out_bottom",   "out_near",       "out_far",
+    "out_left",       "out_right",  "freewheel",    "ready",          SHARED_KNOBS,
+    "velocity_range", "out_inside", "batter_pitch", "resonant_pitch", "wires_unevenness",
+    "stick",          "drum"};
   static const char *const kit[] = {"events",      "out_left",   "out_right",      "out_1_left",
                                     "out_1_right", "out_2_left", "out_2_right",    "out_3_left",
                                     "out_3_right", "out_4_left", "out_4_right",    "out_5_left",
@@ -177,12 +178,30 @@ static void test_symbols_do_not_change(void **state) {
                                     "tune_7",      "tune_8"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
-  static const char *const effect[] = {
-    "events",       "in_left",        "in_right",   "out_left",         "out_right",
-    "freewheel",    "ready",          SHARED_KNOBS, "level_pair",       "level_top",
-    "level_bottom", "level_near",     "level_far",  "velocity_range",   "level_inside",
-    "batter_pitch", "resonant_pitch", "room",       "wires_unevenness", "sound_level",
-    "mix",          "stick",          "enabled"};
+  static const char *const effect[] = {"events",
+                                       "in_left",
+                                       "in_right",
+                                       "out_left",
+                                       "out_right",
+                                       "freewheel",
+                                       "ready",
+                                       SHARED_KNOBS,
+                                       "level_pair",
+                                       "level_top",
+                                       "level_bottom",
+                                       "level_near",
+                                       "level_far",
+                                       "velocity_range",
+                                       "level_inside",
+                                       "batter_pitch",
+                                       "resonant_pitch",
+                                       "room",
+                                       "wires_unevenness",
+                                       "sound_level",
+                                       "mix",
+                                       "stick",
+                                       "enabled",
+                                       "drum"};
   check_symbols(URI_EFFECT, effect, sizeof effect / sizeof effect[0]);
   check_symbols(URI_KIT, kit, sizeof kit / sizeof kit[0]);
 }
@@ -204,7 +223,7 @@ static void check_range(const LilvPlugin *plugin, const LilvPort *port, const Kn
   assert_true(lilv_node_is_float(fallback) && lilv_node_is_float(minimum) &&
               lilv_node_is_float(maximum));
   assert_true(lilv_node_as_float(fallback) == range->fallback);
-  assert_true(lilv_node_as_float(minimum) == range->minimum);
+  assert_true(lilv_node_as_float(minimum) == port_minimum(range));
   assert_true(lilv_node_as_float(maximum) == range->maximum);
   assert_true(range->minimum <= range->fallback && range->fallback <= range->maximum);
   assert_true(range->minimum < range->maximum);
@@ -232,10 +251,11 @@ static void check_knob(KnobSet set, const LilvPlugin *plugin, const LilvPort *po
   assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
   check_range(plugin, port, &range);
   const bool ratios = port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#logarithmic");
-  assert_int_equal(ratios, range.logarithmic);
-  if (ratios) assert_true(range.minimum > 0);
+  assert_int_equal(ratios, knob_is_bent(&range));
+  if (ratios) assert_true(port_minimum(&range) > 0);
   if (!isnan(knobs[id].off)) {
-    assert_true(point_of(plugin, port, knob_off_word(&knobs[id])) == (float)knobs[id].off);
+    assert_true(point_of(plugin, port, knob_off_word(&knobs[id])) ==
+                fmaxf((float)knobs[id].off, port_minimum(&range)));
   }
   if (knobs[id].top_word) {
     assert_true(point_of(plugin, port, knobs[id].top_word) == range.maximum);
@@ -266,6 +286,40 @@ static void test_knobs(void **state) {
       if (port.index < KNOB_KEYS) check_key((KnobId)port.index);
     }
   }
+}
+
+/* Numbers for ever: sessions of users have them, and programs of MIDI. They are the engine's drums. */
+static void test_choices_of_the_drum_do_not_change(void **state) {
+  (void)state;
+  static const char *const drums[] = {"tabor",
+                                      "frame-drum",
+                                      "bodhran-piano-string",
+                                      "bodhran-d-string",
+                                      "bodhran-d-string-tensioned",
+                                      "snare-14x5.5",
+                                      "snare-14x5.5-off",
+                                      "snare-14x6.5-loose",
+                                      "piccolo-13x3.5",
+                                      "marching-14x12",
+                                      "tom-12",
+                                      "floor-tom-16",
+                                      "bass-drum-22",
+                                      "timpani-26",
+                                      "snare-14x8",
+                                      "snare-14x5-steel",
+                                      "tom-10",
+                                      "bass-drum-18"};
+  const uint32_t count = sizeof drums / sizeof drums[0];
+  const KnobRange range = knob_range(KNOB_DRUM, &usual);
+  char word[64];
+  assert_true(tabor_preset_count() >= count);
+  assert_true(range.maximum == (float)tabor_preset_count() - 1);
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    (void)knob_label(KNOB_DRUM, &range, i, word, sizeof word);
+    assert_string_equal(word, tabor_preset(i)->name);
+    if (i < count) assert_string_equal(word, drums[i]);
+  }
+  assert_string_equal(tabor_preset((uint32_t)range.fallback)->name, DEFAULT_PRESET);
 }
 
 static void check_kit_knob(const LilvPlugin *plugin, const LilvPort *port, const KitKnob *knob) {
@@ -373,7 +427,7 @@ static void set_knob(const char *symbol, void *context, const void *value, uint3
     const KnobRange range = knob_range((KnobId)i, &usual);
     if (strcmp(knobs[i].symbol, symbol) != 0) continue;
     memcpy(&host->knobs[i], value, size);
-    assert_true(host->knobs[i] >= range.minimum && host->knobs[i] <= range.maximum);
+    assert_true(host->knobs[i] >= port_minimum(&range) && host->knobs[i] <= range.maximum);
     return;
   }
   fail_msg("a preset sets '%s', which is no knob", symbol);
@@ -448,6 +502,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_symbols_are_unique),
     cmocka_unit_test(test_symbols_do_not_change),
     cmocka_unit_test(test_knobs),
+    cmocka_unit_test(test_choices_of_the_drum_do_not_change),
     cmocka_unit_test(test_knobs_of_the_kit),
     cmocka_unit_test(test_choices_of_the_kit_do_not_change),
     cmocka_unit_test(test_what_hosts_look_for),

@@ -149,7 +149,8 @@ static void test_live_knobs_are_found_as_they_were_left(void **state) {
   host_close(copy);
 }
 
-/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. */
+/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. Some hosts bring a port into its range,
+ * which begins at 20 Hz. */
 static void test_old_sessions_have_no_pitch(void **state) {
   (void)state;
   static const float none = 0;
@@ -164,7 +165,8 @@ static void test_old_sessions_have_no_pitch(void **state) {
   for (int knobs_first = 0; knobs_first <= 1; knobs_first++) {
     PluginHost *const copy = open_drum();
     memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
-    copy->knobs[KNOB_BATTER_PITCH] = copy->knobs[KNOB_RESONANT_PITCH] = none;
+    copy->knobs[KNOB_BATTER_PITCH] = none;
+    copy->knobs[KNOB_RESONANT_PITCH] = 20;
     if (knobs_first) host_run(copy, 10);
     assert_int_equal(host_restore(copy, &saved), LV2_STATE_SUCCESS);
     record(copy, second, 0, NULL);
@@ -213,6 +215,74 @@ static void test_a_knob_acts_on_a_restored_drum(void **state) {
   record(host, first, 0, NULL);
   record(copy, second, 0, NULL);
   assert_same(first, second);
+  host_close(host);
+  host_close(copy);
+}
+
+/* ---- the number of the drum ----------------------------------------------------------------- */
+
+static void test_the_port_chooses_a_drum_as_midi_does(void **state) {
+  (void)state;
+  PluginHost *const host = open_drum(), *const chosen = open_drum();
+  host->knobs[KNOB_DRUM] = FRAME_DRUM;
+  choose(chosen, FRAME_DRUM);
+  host_run(host, 100);
+  host_run(chosen, 100);
+  record(host, first, 0, NULL);
+  record(chosen, second, 0, NULL);
+  assert_same(first, second);
+  host_close(host);
+  host_close(chosen);
+}
+
+/* One that was chosen by its port and turned since. Hosts set ports before the state, after it, or still later. */
+static void test_a_restored_drum_stays_when_its_port_is_set(void **state) {
+  (void)state;
+  PluginHost *const host = open_drum();
+  HostState saved;
+  host->knobs[KNOB_DRUM] = FRAME_DRUM;
+  host_run(host, 100);
+  host->knobs[KNOB_BATTER_TENSION] = 2500;
+  host_run(host, 100);
+  host_save(host, &saved);
+  restart(host);
+  record(host, first, 0, NULL);
+  for (int when = 0; when < 3; when++) {
+    PluginHost *const copy = open_drum();
+    if (when == 0) memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
+    if (when == 0) host_run(copy, 10);
+    assert_int_equal(host_restore(copy, &saved), LV2_STATE_SUCCESS);
+    if (when == 2) host_run(copy, 10);
+    memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
+    host_run(copy, 10);
+    restart(copy);
+    record(copy, second, 0, NULL);
+    assert_same(first, second);
+    host_close(copy);
+  }
+  host_state_free(&saved);
+  host_close(host);
+}
+
+/* Sessions from before do not say where the port stood: it is where it stands first. */
+static void test_old_sessions_keep_their_drum(void **state) {
+  (void)state;
+  PluginHost *const host = open_changed(), *const copy = open_drum();
+  HostState saved;
+  host_save(host, &saved);
+  (void)snprintf(host_property(&saved, URI_STATE_CONTROL "drum")->uri, 16, "urn:none");
+  assert_int_equal(host_restore(copy, &saved), LV2_STATE_SUCCESS);
+  memcpy(copy->knobs, host->knobs, sizeof copy->knobs);
+  copy->knobs[KNOB_DRUM] = 0;
+  restart(host);
+  record(host, first, 0, NULL);
+  record(copy, second, 0, NULL);
+  assert_same(first, second);
+  copy->knobs[KNOB_DRUM] = 10;
+  restart(copy);
+  record(copy, second, 0, NULL);
+  assert_false(is_same(first, second));
+  host_state_free(&saved);
   host_close(host);
   host_close(copy);
 }
@@ -343,6 +413,9 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_a_preset_that_is_on_its_way_is_saved),
     cmocka_unit_test(test_what_was_restored_is_saved_before_it_is_built),
     cmocka_unit_test(test_a_knob_acts_on_a_restored_drum),
+    cmocka_unit_test(test_the_port_chooses_a_drum_as_midi_does),
+    cmocka_unit_test(test_a_restored_drum_stays_when_its_port_is_set),
+    cmocka_unit_test(test_old_sessions_keep_their_drum),
     cmocka_unit_test(test_wrong_states_change_nothing),
     cmocka_unit_test(test_an_empty_state_changes_nothing),
     cmocka_unit_test(test_unknown_keys_are_passed_over),

@@ -13,7 +13,8 @@
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
 
-#define DRUM_PLAYER_MOST_INPUT 100.0 /**< of a sound that plays to a drum, times full scale: +40 dBFS */
+#define DRUM_PLAYER_MOST_INPUT                                                                     \
+  100.0 /**< of a sound that plays to a drum, times full scale: +40 dBFS */
 #define DRUM_PLAYER_BLOCK ROOM_MIX_PIECE /**< most frames of a block */
 #define DRUM_PLAYER_EVENTS 256 /**< most events of a frame; further ones act one frame later */
 

@@ -77,7 +77,6 @@ void midi_port_close(MidiPort *port) {
   if (port) atomic_store(&port->open, false);
 }
 
-
 /* ---- what is received ---- */
 
 static atomic_uint received, last_note;

@@ -155,8 +155,9 @@ static bool brushes(const TbState *state) {
 static bool plucks(const TaborModel *model, const TbState *state) {
   for (uint32_t w = 0; w < TABOR_MAX_WIRES; w++) {
     const TbPluck *pluck = &state->wires.plucks[w];
-    const bool right = pluck->steps > 0 && w < model->wires.count && pluck->done < pluck->steps &&
-                       pluck->node >= 1 && pluck->node + 2 <= model->wires.wires[w].cells;
+    const bool right = pluck->steps > 0 && state->wires.flung > 0 && w < model->wires.count &&
+                       pluck->done < pluck->steps && pluck->node >= 1 &&
+                       pluck->node + 2 <= model->wires.wires[w].cells;
     const bool none = pluck->steps == 0 && pluck->done == 0;
     if (!(right || none) || !(pluck->share >= 0.0 && pluck->share <= 1.0)) return false;
     if (!within(pluck->force, MOST)) return false;

@@ -58,6 +58,7 @@ static uint32_t first_node(const TbView *view, uint32_t wire) {
 }
 
 void tb_pluck_pull(TbView *view) {
+  if (view->state->wires.flung == 0) return; /* no finger is on a wire */
   for (uint32_t w = 0; w < view->model->wires.count; w++) {
     const TbPluck *pluck = &view->state->wires.plucks[w];
     if (pluck->steps == 0) continue;
@@ -70,6 +71,7 @@ void tb_pluck_pull(TbView *view) {
 
 double tb_pluck_work(const TbView *view) {
   double work = 0.0;
+  if (view->state->wires.flung == 0) return work;
   for (uint32_t w = 0; w < view->model->wires.count; w++) {
     const TbPluck *pluck = &view->state->wires.plucks[w];
     if (pluck->steps == 0) continue;
@@ -82,6 +84,7 @@ double tb_pluck_work(const TbView *view) {
 }
 
 void tb_pluck_follow(TbView *view) {
+  if (view->state->wires.flung == 0) return; /* no finger is on a wire */
   for (uint32_t w = 0; w < view->model->wires.count; w++) {
     TbPluck *pluck = &view->state->wires.plucks[w];
     if (pluck->steps > 0 && ++pluck->done >= pluck->steps) *pluck = (TbPluck){.steps = 0};

@@ -44,13 +44,6 @@ static Outcome load_builtin(const char *name, TaborDrumDef *def) {
   return refuse("%s; 'tabor presets' lists them, and files end in .ini", error.message);
 }
 
-int preset_place(const char *preset) {
-  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
-    if (strcmp(tabor_preset(i)->name, preset) == 0) return (int)i;
-  }
-  return -1;
-}
-
 /* The room stays when the drum changes. */
 static bool changes_drum(const char *setting) { return strncmp(setting, "room.", 5) != 0; }
 

@@ -8,6 +8,7 @@
 
 #include "base/options.h"
 #include "drums/default_preset.h"
+#include "drums/preset_place.h"
 #include "drums/shared_models.h"
 #include "drums/user_presets.h"
 
@@ -52,8 +53,6 @@ void drum_keep_mics(const TaborDrumDef *first, const TaborModel *model, TaborSwa
  * --set adds no microphone or striker: a new name adds one in a file, but is taken for a mistake on the command
  * line. */
 Outcome drum_load(const Arguments *arguments, TaborDrumDef *def);
-/** Index of a preset in the list of built-in presets; -1 for a file. */
-int preset_place(const char *preset);
 /** Index of the preset that drum_load() reads; -1 for a file or if --set may have changed it. */
 int drum_listed_preset(const Arguments *arguments);
 /** The same for a preset without any --set. */

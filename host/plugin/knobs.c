@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/preset_place.h"
 #include "drums/stereo_pair.h"
 #include "plugin/stick_choice.h"
 
@@ -362,10 +363,8 @@ static double pitch_of(const TaborDrumDef *def, TaborHead head) {
 
 /* As a knob has it. */
 static double number_of(const TaborDrumDef *def) {
-  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
-    if (strcmp(tabor_preset(i)->name, def->name) == 0) return i;
-  }
-  return NAN;
+  const int place = preset_place(def->name);
+  return place < 0 ? NAN : place;
 }
 
 double knob_shown(const TaborDrumDef *def, KnobId id) {

@@ -364,7 +364,8 @@ static double pitch_of(const TaborDrumDef *def, TaborHead head) {
 /* As a knob has it. */
 static double number_of(const TaborDrumDef *def) {
   const int place = preset_place(def->name);
-  return place < 0 ? NAN : place;
+  if (place < 0) return NAN;
+  return place;
 }
 
 double knob_shown(const TaborDrumDef *def, KnobId id) {

@@ -216,49 +216,26 @@ const clap_plugin_params_t instance_params = {.count = count,
 
 /* ---- pages of remote controls --------------------------------------------------------------- */
 
-#define NO_KNOB KNOB_COUNT
-
-/* The first page has what players turn most, the second the physics behind it. Ids of pages never change. */
-static const struct {
-  clap_id id;
-  const char *section, *name;
-  KnobId knobs[CLAP_REMOTE_CONTROLS_COUNT];
-} pages[] = {
-  {0, "Drum", "Tuning", KNOB_FIRST_PAGE},
-  {2,
-   "Drum",
-   "Physics",
-   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_UNEVENNESS,
-    KNOB_STICK_HARDNESS, KNOB_QUALITY, NO_KNOB, NO_KNOB}},
-  {1,
-   "Drum",
-   "Stick",
-   {KNOB_STICK_HARDNESS, KNOB_STRIKE_RADIUS, KNOB_STRIKE_ANGLE, KNOB_VELOCITY_CURVE,
-    KNOB_VELOCITY_RANGE, KNOB_HUMANIZE, KNOB_STICK, NO_KNOB}},
-  {3,
-   "Microphones",
-   "Levels",
-   {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR,
-    KNOB_LEVEL_INSIDE, KNOB_ROOM, KNOB_GAIN}},
-};
-
-/* The last page is for the stereo plugin. */
 static uint32_t page_count(const clap_plugin_t *plugin) {
-  return sizeof pages / sizeof pages[0] - !instance_of(plugin)->stereo;
+  uint32_t count = 0;
+  while (knob_page(instance_of(plugin)->set, count)) count++;
+  return count;
 }
 
 static bool get_page(const clap_plugin_t *plugin, uint32_t index,
                      clap_remote_controls_page_t *page) {
   const KnobSet set = instance_of(plugin)->set;
-  if (index >= page_count(plugin)) return false;
+  const KnobPage *const shown = knob_page(set, index);
+  if (!shown) return false;
   memset(page, 0, sizeof *page);
-  page->page_id = pages[index].id;
-  (void)snprintf(page->section_name, sizeof page->section_name, "%s", pages[index].section);
-  (void)snprintf(page->page_name, sizeof page->page_name, "%s", pages[index].name);
-  for (uint32_t i = 0; i < CLAP_REMOTE_CONTROLS_COUNT; i++) {
-    const KnobId id = pages[index].knobs[i];
-    const bool is_there = id != NO_KNOB && knob_is_in(set, id);
-    page->param_ids[i] = is_there ? parameters_id(id) : CLAP_INVALID_ID;
+  page->page_id = shown->id;
+  (void)snprintf(page->section_name, sizeof page->section_name, "%s", shown->section);
+  (void)snprintf(page->page_name, sizeof page->page_name, "%s", shown->name);
+  _Static_assert((int)KNOB_PAGE == (int)CLAP_REMOTE_CONTROLS_COUNT,
+                 "a page has the room of a host's");
+  for (uint32_t i = 0; i < KNOB_PAGE; i++) {
+    const bool is_there = i < shown->count && knob_is_in(set, shown->knobs[i]);
+    page->param_ids[i] = is_there ? parameters_id(shown->knobs[i]) : CLAP_INVALID_ID;
   }
   return true;
 }

@@ -213,18 +213,22 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_LEVEL_TOP] = {.symbol = "level_top",
                       .name = "Top microphone",
                       LEVEL(LOWEST_LEVEL),
+                      .mic = "top",
                       .comment = "Level of the microphone close above the struck head."},
   [KNOB_LEVEL_BOTTOM] = {.symbol = "level_bottom",
                          .name = "Bottom microphone",
                          LEVEL(LOWEST_LEVEL),
+                         .mic = "bottom",
                          .comment = "Level of the microphone close below the drum."},
   [KNOB_LEVEL_NEAR] = {.symbol = "level_near",
                        .name = "Near microphone",
                        LEVEL(LOWEST_LEVEL),
+                       .mic = "near",
                        .comment = "Level of the microphone at the player's side."},
   [KNOB_LEVEL_FAR] = {.symbol = "level_far",
                       .name = "Far microphone",
                       LEVEL(LOWEST_LEVEL),
+                      .mic = "far",
                       .comment = "Level of the microphone some way off."},
   [KNOB_VELOCITY_RANGE] = {.symbol = "velocity_range",
                            .name = "Velocity range",
@@ -251,6 +255,7 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_LEVEL_INSIDE] = {.symbol = "level_inside",
                          .name = "Inside microphone",
                          LEVEL(LOWEST_LEVEL),
+                         .mic = "inside",
                          .comment = "Level of the microphone inside the shell of snares and bass "
                                     "drums."},
   [KNOB_ROOM] = {.symbol = "room",
@@ -298,6 +303,34 @@ const Knob knobs[KNOB_COUNT] = {
 const KnobGroup knob_groups[KNOB_GROUPS] = {
   {"drum", "Drum"},     {"heads", "Heads"},      {"snares", "Snares"},  {"stick", "Stick"},
   {"output", "Output"}, {"mics", "Microphones"}, {"input", "Sound in"}, {"physics", "Physics"}};
+
+const KnobPage knob_pages[KNOB_PAGES] = {
+  {0,
+   "Drum",
+   "Tuning",
+   8,
+   {KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,
+    KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN}},
+  {2,
+   "Drum",
+   "Physics",
+   6,
+   {KNOB_BATTER_TENSION, KNOB_RESONANT_TENSION, KNOB_WIRE_TENSION, KNOB_UNEVENNESS,
+    KNOB_STICK_HARDNESS, KNOB_QUALITY}},
+  {1,
+   "Drum",
+   "Stick",
+   7,
+   {KNOB_STICK_HARDNESS, KNOB_STRIKE_RADIUS, KNOB_STRIKE_ANGLE, KNOB_VELOCITY_CURVE,
+    KNOB_VELOCITY_RANGE, KNOB_HUMANIZE, KNOB_STICK}},
+  {3,
+   "Microphones",
+   "Levels",
+   8,
+   {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM, KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR,
+    KNOB_LEVEL_INSIDE, KNOB_ROOM, KNOB_GAIN}},
+  {4, "Sound in", "Sound in", 3, {KNOB_SOUND, KNOB_MIX, KNOB_ENABLED}},
+};
 
 const KnobId knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
@@ -354,6 +387,11 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   }
 }
 
+bool knob_has_part(TaborDrumDef *def, KnobId id) {
+  if (id < KNOB_KEYS) return knob_field(def, id) != NULL;
+  return !knobs[id].mic || tabor_drum_def_find_mic(def, knobs[id].mic) >= 0;
+}
+
 /* As a port has it: a host that sets the port to its default does not turn the knob. */
 static double pitch_of(const TaborDrumDef *def, TaborHead head) {
   double pitch;
@@ -401,10 +439,16 @@ KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual) {
   return range;
 }
 
-KnobId knob_on_first_page(KnobSet set, uint32_t place) {
-  static const KnobId page[KNOB_PAGE] = KNOB_FIRST_PAGE;
-  for (uint32_t i = 0; i < KNOB_PAGE; i++) {
-    if (knob_is_in(set, page[i]) && place-- == 0) return page[i];
+const KnobPage *knob_page(KnobSet set, uint32_t place) {
+  for (uint32_t i = 0; i < KNOB_PAGES; i++) {
+    if (knob_is_in(set, knob_pages[i].knobs[0]) && place-- == 0) return &knob_pages[i];
+  }
+  return NULL;
+}
+
+KnobId knob_on_page(KnobSet set, const KnobPage *page, uint32_t place) {
+  for (uint32_t i = 0; i < page->count; i++) {
+    if (knob_is_in(set, page->knobs[i]) && place-- == 0) return page->knobs[i];
   }
   return KNOB_COUNT;
 }

@@ -87,6 +87,7 @@ typedef struct Knob {
   double minimum, maximum; /**< range; NaN: the engine's */
   double fallback;         /**< default; NaN: the preset's */
   const char *unit;        /**< unit; NULL: the engine's */
+  const char *mic;         /**< the microphone whose level it is, or NULL */
   const char *choices;     /**< words separated by '|', for 0, 1, ...; or NULL */
   double least;            /**< KnobRange.least, or 0 */
   double off;              /**< value that switches the knob off, or NaN */
@@ -126,16 +127,20 @@ typedef struct KnobGroup {
 
 enum { KNOB_GROUPS = 8 };
 
-/** What players turn most: the first page of controls. */
-enum { KNOB_PAGE = 8 };
-#define KNOB_FIRST_PAGE                                                                            \
-  {                                                                                                \
-    KNOB_BATTER_PITCH, KNOB_RESONANT_PITCH, KNOB_BATTER_MUFFLING, KNOB_RESONANT_MUFFLING,          \
-      KNOB_STRAINER, KNOB_STRIKE_RADIUS, KNOB_ROOM, KNOB_GAIN                                      \
-  }
+enum { KNOB_PAGE = 8, KNOB_PAGES = 5 };
+
+/** A page of controls, in the window and of a host's remote control. Its id never changes. */
+typedef struct KnobPage {
+  uint32_t id;
+  const char *section, *name;
+  uint32_t count;
+  KnobId knobs[KNOB_PAGE];
+} KnobPage;
 
 extern const Knob knobs[KNOB_COUNT];
 extern const KnobGroup knob_groups[KNOB_GROUPS];
+/** In the order in which they are turned over: the first has what players turn most. */
+extern const KnobPage knob_pages[KNOB_PAGES];
 /** All knobs, in the order of the ports. */
 extern const KnobId knob_ports[KNOB_COUNT];
 
@@ -164,8 +169,11 @@ static inline KnobId knob_at(KnobSet set, uint32_t place) REALTIME {
   return KNOB_COUNT;
 }
 
-/** Knob number @p place of the first page, of those that a plugin has; KNOB_COUNT past the last. */
-KnobId knob_on_first_page(KnobSet set, uint32_t place);
+/** Page number @p place of those that a plugin has; NULL past the last. A plugin has all knobs of a page or none, but for a
+ * knob that other pages have as well. */
+const KnobPage *knob_page(KnobSet set, uint32_t place);
+/** Knob number @p place of a page, of those that a plugin has; KNOB_COUNT past the last. */
+KnobId knob_on_page(KnobSet set, const KnobPage *page, uint32_t place);
 
 /** True for a knob that hosts may modulate: it is live, and a gain or a level. */
 static inline bool knob_is_modulated(KnobId id) REALTIME {
@@ -194,6 +202,8 @@ static inline bool knob_is_bent(const KnobRange *range) REALTIME {
 KnobId knob_of_refused_pitch(const TaborError *error);
 /** The striker of the drum's default stroke. */
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
+/** True if the drum has the part that the knob turns. */
+bool knob_has_part(TaborDrumDef *def, KnobId id);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /**

@@ -190,5 +190,6 @@ void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale)
   paint_paper(cairo, scale);
   draw_drum(cairo, picture);
   for (uint32_t i = 0; i < picture->controls; i++) draw_control(cairo, i, &picture->control[i]);
+  paint_button(cairo, BUTTON_PAGE, scene->page, true);
   paint_frame(cairo, scene->title, scene->is_second, scene->can_undo, picture->meters);
 }

@@ -51,6 +51,7 @@ static void push_button(DrumWindow *window, Button button) {
   case BUTTON_NEXT: shell->step_preset(shell->context, 1); break;
   case BUTTON_COMPARE: shell->compare(shell->context); break;
   case BUTTON_UNDO: shell->undo(shell->context); break;
+  case BUTTON_PAGE: shell->turn_page(shell->context); break;
   default: break;
   }
 }

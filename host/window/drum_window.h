@@ -2,7 +2,7 @@
 /**
  * @file drum_window.h
  * The window of a plugin with one drum: the drum from above, which is struck where it is clicked, head and wires as they
- * move, microphones that can be dragged, the first page of controls, presets, two drums to compare, undo and meters.
+ * move, microphones that can be dragged, pages of controls, presets, two drums to compare, undo and meters.
  *
  * It knows nothing of plugin formats: a shell tells it what to show, and is told what was done. All functions are for the
  * main thread.
@@ -14,7 +14,7 @@
 
 #include "window/painting.h"
 
-#define DRUM_WINDOW_CONTROLS 8 /**< most controls */
+#define DRUM_WINDOW_CONTROLS 8 /**< most controls of a page */
 
 /** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
 typedef struct DrumMic {
@@ -27,9 +27,10 @@ typedef struct DrumWindowScene {
   char title[WINDOW_TEXT]; /**< name of the drum */
   bool is_second;          /**< of the two drums to compare the second plays */
   bool can_undo;
-  float peaks[2];        /**< largest sample of each side since the last scene, 1: full scale */
-  const TaborView *view; /**< NULL: the head and the wires are not seen */
-  double radius, depth;  /**< of the drum [m]; depth 0: it has one head */
+  char page[WINDOW_TEXT]; /**< name of the page of controls */
+  float peaks[2];         /**< largest sample of each side since the last scene, 1: full scale */
+  const TaborView *view;  /**< NULL: the head and the wires are not seen */
+  double radius, depth;   /**< of the drum [m]; depth 0: it has one head */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
 } DrumWindowScene;
@@ -44,8 +45,9 @@ typedef struct DrumControl {
 typedef struct DrumWindowShell {
   void *context;
   void (*scene)(void *context, DrumWindowScene *scene);
-  /** Fills @p shown. False: there is no such control. */
+  /** Fills @p shown. False: the page has no such control. */
   bool (*control)(void *context, uint32_t control, DrumControl *shown);
+  void (*turn_page)(void *context); /**< to the next page of controls, after the last the first */
   void (*begin)(void *context, uint32_t control); /**< a hand takes the control */
   void (*move)(void *context, uint32_t control, double position);
   void (*end)(void *context, uint32_t control);

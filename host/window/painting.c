@@ -6,11 +6,12 @@
 
 static const Box BUTTONS[BUTTON_COUNT] = {[BUTTON_BEFORE] = {420, 20, 28, 28},
                                           [BUTTON_NEXT] = {668, 20, 28, 28},
-                                          [BUTTON_COMPARE] = {420, 396, 76, 26},
-                                          [BUTTON_UNDO] = {504, 396, 76, 26}};
+                                          [BUTTON_COMPARE] = {420, 396, 66, 26},
+                                          [BUTTON_UNDO] = {492, 396, 54, 26},
+                                          [BUTTON_PAGE] = {552, 396, 72, 26}};
 static const double TITLE_SIZE = 16, TITLE_GAP = 8;
 static const double TITLE[2] = {558, 40};
-static const Box METER = {600, 396, 96, 10};
+static const Box METER = {632, 396, 64, 10};
 static const double METER_STEP = 16;
 static const double LOWEST_LEVEL = -60; /* [dB] of a meter */
 
@@ -66,7 +67,7 @@ Button button_at(double x, double y) {
   return (Button)found;
 }
 
-static void paint_button(cairo_t *cairo, Button button, const char *text, bool lit) {
+void paint_button(cairo_t *cairo, Button button, const char *text, bool lit) {
   const Box *const box = &BUTTONS[button];
   field(cairo);
   paint_box(cairo, box);

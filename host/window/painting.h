@@ -20,12 +20,13 @@ typedef struct Box {
 
 typedef enum Align { AT_LEFT, AT_MIDDLE, AT_RIGHT } Align;
 
-/** Things that all windows have, at the same places. */
+/** Buttons, at the same places in all windows. */
 typedef enum Button {
   BUTTON_BEFORE,
   BUTTON_NEXT,
   BUTTON_COMPARE,
   BUTTON_UNDO,
+  BUTTON_PAGE, /**< of one drum's window alone */
   BUTTON_COUNT
 } Button;
 
@@ -45,9 +46,10 @@ void paint_text(cairo_t *cairo, double x, double y, Align align, const char *tex
 void paint_box(cairo_t *cairo, const Box *box);
 /** The part of a control's way up to @p position. */
 void paint_way(cairo_t *cairo, const Box *way, double position);
+void paint_button(cairo_t *cairo, Button button, const char *text, bool lit);
 /** The button at a place, or BUTTON_COUNT. */
 Button button_at(double x, double y);
-/** Title, buttons and the meters of two sides, whose peaks are 1 at full scale. */
+/** Title, the buttons of all windows and the meters of two sides, whose peaks are 1 at full scale. */
 void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
                  const double peaks[2]);
 

@@ -22,8 +22,9 @@ struct PluginWindow {
   double radius, depth; /* of the drum [m], and its microphones */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
-  bool is_idle[KNOB_KEYS]; /* knobs of parts that the drum lacks */
-  History history;         /* of PluginDrum */
+  bool is_idle[KNOB_COUNT]; /* knobs of parts that the drum lacks */
+  uint32_t page;            /* of controls */
+  History history;          /* of PluginDrum */
 };
 
 /* ---- the view ------------------------------------------------------------------------------- */
@@ -81,7 +82,7 @@ static void note_looks(PluginWindow *window) {
     window->mics[i] = (DrumMic){.radius = mic->radius, .angle = mic->angle, .height = mic->height};
     memcpy(window->mics[i].name, mic->name, sizeof mic->name);
   }
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) window->is_idle[i] = !knob_field(def, (KnobId)i);
+  for (uint32_t i = 0; i < KNOB_COUNT; i++) window->is_idle[i] = !knob_has_part(def, (KnobId)i);
 }
 
 static void use_drum(void *context, const void *drum) {
@@ -92,11 +93,26 @@ static void use_drum(void *context, const void *drum) {
 
 /* ---- what the window shows and does --------------------------------------------------------- */
 
+static const KnobPage *page_of(const PluginWindow *window) {
+  return knob_page(window->shell.set, window->page);
+}
+
+static KnobId knob_of(const PluginWindow *window, uint32_t number) {
+  return knob_on_page(window->shell.set, page_of(window), number);
+}
+
+static void turn_page(void *context) {
+  PluginWindow *const window = context;
+  window->page++;
+  if (!page_of(window)) window->page = 0;
+}
+
 static void scene(void *context, DrumWindowScene *shown) {
   const PluginWindow *const window = context;
   memcpy(shown->title, window->title, sizeof shown->title);
   shown->is_second = window->history.is_second;
   shown->can_undo = window->history.count > 0;
+  (void)snprintf(shown->page, sizeof shown->page, "%s", page_of(window)->name);
   for (uint32_t side = 0; side < 2; side++)
     shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
   shown->view = window->view;
@@ -108,14 +124,14 @@ static void scene(void *context, DrumWindowScene *shown) {
 
 static bool control(void *context, uint32_t number, DrumControl *shown) {
   const PluginWindow *const window = context;
-  const KnobId id = knob_on_first_page(window->shell.set, number);
+  const KnobId id = knob_of(window, number);
   if (id == KNOB_COUNT) return false;
   const KnobRange *const range = &window->shell.ranges[id];
   const double now = knob_decimal(window->shell.value(window->shell.instance, id));
   (void)snprintf(shown->name, WINDOW_TEXT, "%s", knobs[id].name);
   (void)knob_label(id, range, now, shown->value, WINDOW_TEXT);
   shown->position = knob_position(range, now);
-  shown->is_idle = id < KNOB_KEYS && window->is_idle[id];
+  shown->is_idle = window->is_idle[id];
   if (shown->is_idle) (void)snprintf(shown->value, WINDOW_TEXT, "-");
   return true;
 }
@@ -123,19 +139,19 @@ static bool control(void *context, uint32_t number, DrumControl *shown) {
 static void begin(void *context, uint32_t number) {
   PluginWindow *const window = context;
   history_keep(&window->history);
-  window->shell.begin(window->shell.instance, knob_on_first_page(window->shell.set, number));
+  window->shell.begin(window->shell.instance, knob_of(window, number));
 }
 
 static void move(void *context, uint32_t number, double position) {
   PluginWindow *const window = context;
-  const KnobId id = knob_on_first_page(window->shell.set, number);
+  const KnobId id = knob_of(window, number);
   const double value = knob_at_position(&window->shell.ranges[id], position);
   window->shell.turn(window->shell.instance, id, knobs[id].choices ? round(value) : value);
 }
 
 static void end(void *context, uint32_t number) {
   PluginWindow *const window = context;
-  window->shell.end(window->shell.instance, knob_on_first_page(window->shell.set, number));
+  window->shell.end(window->shell.instance, knob_of(window, number));
 }
 
 static void strike(void *context, double velocity, double radius, double angle) {
@@ -213,6 +229,7 @@ static bool open(void *opened, unsigned long parent) {
   const DrumWindowShell shell = {.context = window,
                                  .scene = scene,
                                  .control = control,
+                                 .turn_page = turn_page,
                                  .begin = begin,
                                  .move = move,
                                  .end = end,

@@ -9,8 +9,8 @@
 #include "tabor/kit.h"
 
 enum {
-  KIT_UNDO_X = 540,
-  KIT_COMPARE_X = 458,
+  KIT_UNDO_X = 519,
+  KIT_COMPARE_X = 453,
   KIT_BUTTON_Y = 410,
   KIT_NEXT_X = 682,
   KIT_NEXT_Y = 34

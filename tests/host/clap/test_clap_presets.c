@@ -373,7 +373,7 @@ static bool has_parameter(const ClapHost *host, clap_id id) {
 
 /* Tensions come second. A host knows a page by its id. */
 static void check_page(uint32_t index, const clap_remote_controls_page_t *page) {
-  static const clap_id ids[] = {0, 2, 1, 3};
+  static const clap_id ids[] = {0, 2, 1, 3, 4};
   assert_int_equal(page->page_id, ids[index]);
   if (index == 0) assert_int_equal(page->param_ids[0], clap_host_id(KNOB_BATTER_PITCH));
   if (index == 1) assert_int_equal(page->param_ids[0], clap_host_id(KNOB_BATTER_TENSION));
@@ -402,6 +402,7 @@ static void test_pages_have_parameters_of_the_plugin(void **state) {
   (void)state;
   check_pages(ID_DRUM, 4);
   check_pages(ID_DRUM_MULTI, 3);
+  check_pages(ID_EFFECT, 5);
 }
 
 int main(int argc, char **argv) {

@@ -194,8 +194,44 @@ static void a_control_turns_and_the_host_is_told(void **state) {
   assert_int_equal(host->turned, clap_host_id(KNOB_STRAINER));
   assert_true(fabs(host->turned_to - 0.25) < 0.01);
   keep_picture(opened.outer, "turned");
-  click(&opened, 540, 410); /* undo */
+  click(&opened, UNDO_X, BUTTON_Y); /* undo */
   assert_true(clap_host_value(host, KNOB_STRAINER) == before);
+  close_host(&opened);
+}
+
+/* Of a page the row @p row, which a hand moves to a quarter of its way. */
+static void drag_row(const Opened *opened, int row) {
+  const int y = CONTROL_Y + CONTROL_ROW * row + 26;
+  drag(opened, CONTROL_X + CONTROL_WIDTH / 2, y, CONTROL_X + CONTROL_WIDTH / 4, y);
+}
+
+static void every_microphone_has_a_level(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  const double quarter = -60 + (12 + 60) / 4.0; /* [dB] */
+  for (int i = 0; i < 3; i++) click(&opened, PAGE_X, BUTTON_Y);
+  for (int row = 0; row < 6; row++) {
+    static const KnobId ids[] = {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM,
+                                 KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR, KNOB_LEVEL_INSIDE};
+    drag_row(&opened, row);
+    assert_true(fabs(clap_host_value(opened.host, ids[row]) - quarter) < 0.5);
+  }
+  keep_picture(opened.outer, "levels");
+  click(&opened, PAGE_X, BUTTON_Y); /* the first page after the last */
+  drag_row(&opened, 4);
+  assert_true(fabs(clap_host_value(opened.host, KNOB_STRAINER) - 0.25) < 0.01);
+  close_host(&opened);
+}
+
+static void a_microphone_that_the_drum_lacks_has_none(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  for (int i = 0; i < 4; i++) click(&opened, 434, 34); /* the frame drum, which has no shell */
+  for (int i = 0; i < 3; i++) click(&opened, PAGE_X, BUTTON_Y);
+  const double before = clap_host_value(opened.host, KNOB_LEVEL_INSIDE);
+  drag_row(&opened, 5);
+  keep_picture(opened.outer, "no-level");
+  assert_true(clap_host_value(opened.host, KNOB_LEVEL_INSIDE) == before);
   close_host(&opened);
 }
 
@@ -204,12 +240,12 @@ static void two_drums_are_compared(void **state) {
   Opened opened = open_host(ID_DRUM, 1);
   ClapHost *const host = opened.host;
   const int y = STRAINER_Y;
-  click(&opened, 458, 410); /* B, as A is */
+  click(&opened, COMPARE_X, BUTTON_Y); /* B, as A is */
   click(&opened, CONTROL_X + CONTROL_WIDTH / 2, y);
   const double b = clap_host_value(host, KNOB_STRAINER);
-  click(&opened, 458, 410);
+  click(&opened, COMPARE_X, BUTTON_Y);
   const double a = clap_host_value(host, KNOB_STRAINER);
-  click(&opened, 458, 410);
+  click(&opened, COMPARE_X, BUTTON_Y);
   print_message("strainer of A %.2f, of B %.2f\n", a, b);
   assert_true(a == 1 && fabs(b - 0.5) < 0.01);
   assert_true(clap_host_value(host, KNOB_STRAINER) == b);
@@ -247,7 +283,7 @@ static double loudness(const Heard *heard, int side) {
   return 10 * log10(sum);
 }
 
-static void undo(const Opened *opened) { click(opened, 540, 410); }
+static void undo(const Opened *opened) { click(opened, UNDO_X, BUTTON_Y); }
 
 static void microphones_are_dragged_and_raised(void **state) {
   (void)state;
@@ -356,6 +392,8 @@ static int run(void) {
     cmocka_unit_test(the_head_is_seen_to_move),
     cmocka_unit_test(it_is_seen_on_another_drum),
     cmocka_unit_test(a_control_turns_and_the_host_is_told),
+    cmocka_unit_test(every_microphone_has_a_level),
+    cmocka_unit_test(a_microphone_that_the_drum_lacks_has_none),
     cmocka_unit_test(two_drums_are_compared),
     cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),

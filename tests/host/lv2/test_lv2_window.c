@@ -89,7 +89,7 @@ static void a_control_is_a_port_of_the_host(void **state) {
   assert_true(fabsf(opened.host->knobs[KNOB_STRAINER] - 0.25f) < 0.01f);
   assert_true(opened.writes == 2 && opened.grabs == 1 && opened.releases == 1);
   host_run(opened.host, 64);
-  click(&opened, 540, 410); /* undo */
+  click(&opened, UNDO_X, BUTTON_Y); /* undo */
   assert_true(opened.host->knobs[KNOB_STRAINER] == before);
   close_host(&opened);
 }
@@ -112,7 +112,7 @@ static void a_preset_comes_with_its_knobs(void **state) {
   assert_true(saved.def.batter.tension == def.batter.tension);
   assert_true(fabs((double)opened.host->knobs[KNOB_BATTER_TENSION] / def.batter.tension - 1) <
               1e-6);
-  click(&opened, 540, 410); /* undo */
+  click(&opened, UNDO_X, BUTTON_Y); /* undo */
   host_wait(opened.host);
   assert_string_equal(name_of(&opened), DEFAULT_PRESET);
   close_host(&opened);
@@ -122,12 +122,12 @@ static void two_drums_are_compared(void **state) {
   (void)state;
   Opened opened;
   open_host(&opened, URI_DRUM, 1);
-  click(&opened, 458, 410); /* B, as A is */
+  click(&opened, COMPARE_X, BUTTON_Y); /* B, as A is */
   click(&opened, CONTROL_X + CONTROL_WIDTH / 2, STRAINER_Y);
   const float b = opened.host->knobs[KNOB_STRAINER];
-  click(&opened, 458, 410);
+  click(&opened, COMPARE_X, BUTTON_Y);
   const float a = opened.host->knobs[KNOB_STRAINER];
-  click(&opened, 458, 410);
+  click(&opened, COMPARE_X, BUTTON_Y);
   assert_true(a == 1 && fabsf(b - 0.5f) < 0.01f);
   assert_true(opened.host->knobs[KNOB_STRAINER] == b);
   close_host(&opened);

@@ -114,11 +114,11 @@ static Outcome give_file(void *context, const char *text, size_t size) {
   return output_write(context, text, size);
 }
 
-Outcome preset_text_save(const TaborDrumDef *def, const char *by, const char *path) {
+Outcome preset_text_save(const char *path, PresetWriterFn *write, const void *what) {
   OutputFile file = OUTPUT_FILE_NONE, *const files[] = {&file};
   Outcome outcome = output_plan(&file, path, false);
   if (outcome == OUTCOME_OK) outcome = output_open(&file, false);
-  if (outcome == OUTCOME_OK) outcome = preset_text_write(def, by, give_file, &file);
+  if (outcome == OUTCOME_OK) outcome = write(what, give_file, &file);
   if (outcome == OUTCOME_OK) outcome = output_complete(&file);
   if (outcome == OUTCOME_OK) outcome = output_deliver(files, 1);
   output_discard(&file);

@@ -36,7 +36,9 @@ typedef Outcome PresetSink(void *context, const char *text, size_t size);
  */
 Outcome preset_text_write(const TaborDrumDef *def, const char *by, PresetSink *sink, void *context);
 
-/** Writes the preset file @p path, complete or not at all; an older file of that name is replaced. */
-Outcome preset_text_save(const TaborDrumDef *def, const char *by, const char *path);
+/** Gives the text of @p what to @p sink. */
+typedef Outcome PresetWriterFn(const void *what, PresetSink *sink, void *context);
+/** Writes the file @p path, complete or not at all; an older file of that name is replaced. */
+Outcome preset_text_save(const char *path, PresetWriterFn *write, const void *what);
 
 #endif

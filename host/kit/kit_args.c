@@ -40,7 +40,7 @@ static Outcome load_builtin(const char *name, TaborKitDef *def) {
   return refuse("%s; 'tabor presets --kits' lists them, and files end in .ini", error.message);
 }
 
-static bool is_builtin(const char *name) {
+bool kit_is_builtin(const char *name) {
   uint32_t i = 0;
   while (i < tabor_kit_count() && strcmp(tabor_kit(i)->name, name) != 0) i++;
   return i < tabor_kit_count();
@@ -50,7 +50,7 @@ static bool is_builtin(const char *name) {
 static Outcome load(const char *kit, TaborKitDef *def, KitSamples *samples) {
   char room[USER_PRESET_PATH];
   const char *file = preset_is_file(kit) ? kit : NULL;
-  if (!file && !is_builtin(kit)) file = user_preset_find(kit, room);
+  if (!file && !kit_is_builtin(kit)) file = user_preset_find(kit, room);
   return file ? load_file(file, def, samples) : load_builtin(kit, def);
 }
 

@@ -9,7 +9,7 @@
 #include <tabor/kit.h>
 
 #include "base/options.h"
-#include "kit/kit_samples.h"
+#include "kit/kit_sample_files.h"
 
 /** Row of an option table for the option that kit_load() reads. */
 #define OPTION_KIT                                                                                 \
@@ -19,6 +19,9 @@
  * drum: the kit has its own. */
 Outcome kit_refuse_options(const Arguments *arguments, const char *const *excluded, size_t count,
                            const char *reason);
+
+/** True for the name of a built-in kit. */
+bool kit_is_builtin(const char *name);
 
 /** Reads --kit: a name that 'tabor presets --kits' lists, or a file: with a '/' in it, or ending in .ini. Applies every
  * --set in order, and validates the result. *samples gets the kit's samples, which are not read yet; free it with

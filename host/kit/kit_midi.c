@@ -83,6 +83,12 @@ void kit_midi_rest(KitMidi *midi) {
   }
 }
 
+uint64_t kit_midi_unknown(const KitMidi *midi) {
+  uint64_t sum = 0;
+  for (int note = 0; note < MIDI_VALUES; note++) sum += midi->unknown[note];
+  return sum;
+}
+
 /* General MIDI's percussion [GeneralMIDI], from note 35 on. */
 const char *kit_midi_note_name(int note) {
   static const char *const NAMES[] = {
@@ -185,7 +191,7 @@ static uint32_t take_for_sample(const KitMidi *midi, const MidiMessage *message,
   const bool choke = chokes(message);
   const bool strikes = midi_kind(message) == MIDI_NOTE_ON && message->data[1] > 0;
   if (!choke && !strikes) return 0;
-  *event = (TaborKitEvent){.drum = KIT_MIDI_SAMPLE + midi->general[message->data[0]]};
+  *event = (TaborKitEvent){.drum = KIT_SAMPLE + midi->general[message->data[0]]};
   event->event.type = choke ? TABOR_EVENT_SILENCE : TABOR_EVENT_STRIKE;
   if (strikes) event->event.velocity = strength(midi, message);
   return 1;

@@ -15,14 +15,10 @@
 
 #include "midi/kit_map.h"
 #include "midi/midi_to_events.h"
+#include "sound/kit_samples.h"
 
 #define KIT_MIDI_NOBODY 0xff
 #define KIT_MIDI_MOST_EVENTS (MIDI_MOST_ACTIONS * TABOR_KIT_DRUMS) /**< of one message */
-/**
- * Address of a note with a sample (kit_samples.h): this and the General MIDI note. The velocity of a stroke is its strength,
- * 0 to 1; TABOR_EVENT_SILENCE chokes the sample.
- */
-#define KIT_MIDI_SAMPLE 0x1000u
 
 /** What the options for MIDI say. */
 typedef struct KitMidiSetup {
@@ -53,9 +49,12 @@ MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note);
 void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
 /** AUDIO. Forgets what controllers and notes have moved; counts stay. */
 void kit_midi_rest(KitMidi *midi) REALTIME;
-/** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. */
+/** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. One for a sample is addressed to
+ * KIT_SAMPLE and the note of General MIDI. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
+/** Number of strokes on notes that play no drum. */
+uint64_t kit_midi_unknown(const KitMidi *midi) REALTIME;
 /** Name of a note of General MIDI's percussion, as "closed hi-hat"; NULL for others. */
 const char *kit_midi_note_name(int note);
 

@@ -9,7 +9,7 @@
 #include <tabor/kit.h>
 
 #include "drums/preset_text.h"
-#include "kit/kit_samples.h"
+#include "kit/kit_sample_files.h"
 
 /**
  * Gives the text to @p sink, line by line: of each drum its preset and what differs from it. A drum whose name is that of

@@ -55,6 +55,8 @@ int file_open_nowhere(bool to_write);
 /** Another descriptor of the same file, which child processes do not inherit; -1 if there is none. */
 int file_duplicate(int descriptor);
 
+/** The same file from any folder: @p path, which must exist, from the root. The caller frees the result; NULL on an error. */
+char *file_absolute(const char *path);
 /** Follows symbolic links at the end of @p path; the file need not exist. The caller frees the result. */
 char *file_follow_links(const char *path);
 /** Gives the file @p from the second name @p to. Fails if that is taken, or the file system has no such names. */

@@ -113,6 +113,8 @@ static char *read_link(const char *path) {
   return whole;
 }
 
+char *file_absolute(const char *path) { return realpath(path, NULL); }
+
 char *file_follow_links(const char *path) {
   char *followed = strdup(path);
   struct stat status;

@@ -175,6 +175,15 @@ int file_duplicate(int descriptor) { return _dup(descriptor); }
 
 /* ---- names ---- */
 
+char *file_absolute(const char *path) {
+  wchar_t *const wide = wide_from_utf8(path);
+  wchar_t *const whole = wide ? _wfullpath(NULL, wide, 0) : NULL;
+  char *const absolute = whole ? wide_to_utf8(whole) : NULL;
+  free(wide);
+  free(whole);
+  return absolute;
+}
+
 /* Replacing a name that is a symbolic link replaces the link. */
 char *file_follow_links(const char *path) { return _strdup(path); }
 

@@ -194,6 +194,10 @@ static void read_keys(Console *console) {
 static void name_channels(const PlayRequest *request, const TaborDrumDef *def,
                           ScreenState *screen) {
   for (uint32_t i = 0; i < request->channels; i++) {
+    if (request->kit) {
+      (void)snprintf(screen->mics[i], sizeof screen->mics[i], "%s", i == 0 ? "left" : "right");
+      continue;
+    }
     const char *const name = request->def.mic[request->mics[i]].name;
     const int mic = tabor_drum_def_find_mic(def, name);
     (void)snprintf(screen->mics[i], sizeof screen->mics[i], "%s", def->mic[mic < 0 ? 0 : mic].name);
@@ -204,7 +208,12 @@ static void take_drum(Console *console) {
   const PlayRequest *const request = console->session->request;
   ScreenState *const screen = &console->screen;
   TaborDrumDef def;
-  model_builder_definition(console->session->builder, &def);
+  const uint32_t drum = console->controls.drum;
+  model_builder_definition(console->session->builders[drum], &def);
+  if (request->kit) {
+    (void)snprintf(screen->drum, sizeof screen->drum, "%s, %s", request->kit->drum[drum].name,
+                   def.name);
+  }
   name_channels(request, &def, screen);
   screen->head_radius = def.shell.radius;
   screen->has_snares = def.wires.count > 0;
@@ -286,8 +295,10 @@ Outcome console_open(LiveSession *session, Console **created) {
   *created = console;
   if (!console) return fail_memory();
   console->session = session;
-  console->controls = controls_begin(session->player, session->builder, session->facts.rate,
-                                     20 * log10(request->gain), request->humanizer);
+  console->controls =
+    controls_begin(session->player, session->builders, request->kit, session->facts.rate,
+                   20 * log10(request->gain), request->humanizer);
+  console->controls.samples = &request->samples;
   console->controls.midi = session->midi;
   console->controls.midi_map = arguments_value(request->arguments, "midi-map");
   console->escape_time = -ESCAPE_TIME;

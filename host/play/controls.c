@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/folder.h"
@@ -12,6 +13,10 @@
 #include "drums/drum_file.h"
 #include "drums/preset_text.h"
 #include "drums/user_presets.h"
+#include "kit/kit_args.h"
+#include "kit/kit_file.h"
+#include "kit/kit_sample_files.h"
+#include "kit/kit_text.h"
 #include "midi/midi_map_file.h"
 #include "platform/files.h"
 #include "play/player_words.h"
@@ -58,13 +63,17 @@ static void end_text(Controls *controls, MessageCapture before, const char *trou
 
 /* ---- the drum ---- */
 
+static ModelBuilder *builder_of(const Controls *controls) {
+  return controls->builders[controls->drum];
+}
+
 /* The first frame that an event of this time can have. */
 static uint64_t frame_at(const Controls *controls, double time) {
   return player_frame_at(controls->player, time);
 }
 
 static Outcome change(Controls *controls, double time, const char *key, const char *value) {
-  return model_builder_set(controls->builder, frame_at(controls, time), "set", key, value);
+  return model_builder_set(builder_of(controls), frame_at(controls, time), "set", key, value);
 }
 
 static void set_number(Controls *controls, double time, const char *key, double value) {
@@ -75,7 +84,7 @@ static void set_number(Controls *controls, double time, const char *key, double 
 
 static void switch_snares(Controls *controls, double time) {
   TaborDrumDef def;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   if (def.wires.count == 0) {
     (void)refuse("this drum has no snares");
     return;
@@ -88,7 +97,7 @@ static void switch_snares(Controls *controls, double time) {
 
 static void switch_muffle(Controls *controls, double time) {
   TaborDrumDef def;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   const bool was_on = def.batter.muffle_strength > 0;
   if (was_on) controls->muffle = def.batter.muffle_strength;
   if (!was_on && def.batter.muffle_radius == 0) {
@@ -107,10 +116,26 @@ static void forget_switches(Controls *controls) {
 static void step_preset(Controls *controls, int step, double time) {
   PlayStatus status;
   const uint64_t frame = frame_at(controls, time);
-  if (model_builder_step_preset(controls->builder, frame, step) != OUTCOME_OK) return;
+  if (model_builder_step_preset(builder_of(controls), frame, step) != OUTCOME_OK) return;
   forget_switches(controls);
-  model_builder_status(controls->builder, &status);
+  model_builder_status(builder_of(controls), &status);
   tell(controls, "preset %s", status.preset);
+}
+
+/* Its switches are its own. */
+static void choose_drum(Controls *controls, uint32_t drum) {
+  controls->drum = drum;
+  forget_switches(controls);
+  tell(controls, "drum %s", controls->kit->drum[drum].name);
+}
+
+static void step_drum(Controls *controls, int step) {
+  if (!controls->kit) {
+    (void)refuse("there is one drum; --kit plays several");
+    return;
+  }
+  const uint32_t count = controls->kit->drum_count;
+  choose_drum(controls, (controls->drum + (step < 0 ? count - 1 : 1)) % count);
 }
 
 static void set_gain(Controls *controls, double gain_db, double time) {
@@ -130,15 +155,17 @@ static void set_speed(Controls *controls, double speed) {
 /* ---- strokes ---- */
 
 static void send_event(Controls *controls, const TaborEvent *event, double time) {
-  const PlayerMessage message = {
-    .frame = frame_at(controls, time), .type = PLAYER_EVENT, .event = *event};
+  const PlayerMessage message = {.frame = frame_at(controls, time),
+                                 .type = PLAYER_EVENT,
+                                 .drum = controls->drum,
+                                 .event = *event};
   (void)player_send(controls->player, SOURCE_KEYS, &message);
 }
 
 /* A place is a share of the radius, so that it is the same on every drum. */
 static TaborEvent make_stroke(Controls *controls, double place, double speed) {
   TaborDrumDef def;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   const int striker = tabor_drum_def_find_striker(&def, def.strike.striker);
   TaborEvent event = {.type = TABOR_EVENT_STRIKE,
                       .striker = striker > 0 ? (uint32_t)striker : 0,
@@ -179,7 +206,7 @@ static void hold(Controls *controls, TaborEvent *event, double time) {
 /* With the drum's first brush, at its own speed; a key that is held down goes on. */
 static void sweep(Controls *controls, double time) {
   TaborDrumDef def;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   uint32_t brush = 0;
   while (brush < def.striker_count && def.striker[brush].kind != TABOR_STRIKER_BRUSH) brush++;
   if (brush == def.striker_count) {
@@ -239,7 +266,7 @@ static void run_learn(Controls *controls, const char *text, double time) {
   }
   if (midi_control_read("learn", text, &target) != OUTCOME_OK) return;
   (void)snprintf(controls->learns, sizeof controls->learns, "%s", text);
-  play_midi_learn(controls->midi, &target);
+  play_midi_learn(controls->midi, controls->drum, &target);
   if (target.target == MIDI_TARGET_NONE) {
     tell(controls, "move the controller that is to do nothing");
   } else {
@@ -261,7 +288,7 @@ static void keep_learned(Controls *controls, int controller) {
 bool controls_forget_learning(Controls *controls) {
   if (!controls->learns[0]) return false;
   controls->learns[0] = '\0';
-  play_midi_learn(controls->midi, NULL);
+  play_midi_learn(controls->midi, 0, NULL);
   tell(controls, "no controller is learned");
   return true;
 }
@@ -292,6 +319,7 @@ static void act(Controls *controls, const Action *action, double time) {
   case ACTION_SNARES: switch_snares(controls, time); break;
   case ACTION_MUFFLE: switch_muffle(controls, time); break;
   case ACTION_PRESET: step_preset(controls, action->value < 0 ? -1 : 1, time); break;
+  case ACTION_DRUM: step_drum(controls, action->value < 0 ? -1 : 1); break;
   case ACTION_GAIN: set_gain(controls, controls->gain_db + action->value, time); break;
   case ACTION_COMMAND: controls->opens_command = true; break;
   case ACTION_RUN: controls_run(controls, action->text, time); break;
@@ -308,12 +336,23 @@ void controls_act(Controls *controls, const Action *action, double time) {
   end_text(controls, before, trouble);
 }
 
-Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
-                        Humanizer humanizer) {
+#define SNARE_NOTE 38 /* of General MIDI */
+
+static uint32_t first_drum(const TaborKitDef *kit) {
+  uint32_t drum = 0;
+  while (kit && drum < kit->drum_count && kit->drum[drum].notes[SNARE_NOTE] == 0) drum++;
+  return kit && drum < kit->drum_count ? drum : 0;
+}
+
+Controls controls_begin(Player *player, ModelBuilder *const *builders, const TaborKitDef *kit,
+                        double rate, double gain_db, Humanizer humanizer) {
   TaborDrumDef def;
-  model_builder_definition(builder, &def);
+  const uint32_t drum = first_drum(kit);
+  model_builder_definition(builders[drum], &def);
   Controls controls = {.player = player,
-                       .builder = builder,
+                       .builders = builders,
+                       .kit = kit,
+                       .drum = drum,
                        .humanizer = humanizer,
                        .rate = rate,
                        .speed = def.strike.velocity,
@@ -330,10 +369,10 @@ Controls controls_begin(Player *player, ModelBuilder *builder, double rate, doub
 static void set_words(Controls *controls, double time, const char *key, const char *typed) {
   TaborDrumDef def;
   char room[PLAYER_WORD_SIZE], words[128];
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   const char *const value = player_words_read(&def, key, typed, room);
   if (change(controls, time, key, value) != OUTCOME_OK) return;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   player_words_write(&def, key, words, sizeof words);
   const TaborParameter *const parameter = tabor_parameter_find(key);
   const bool is_word = (*value >= 'A' && *value <= 'Z') || (*value >= 'a' && *value <= 'z');
@@ -366,7 +405,7 @@ static void tell_again(Controls *controls, const char *changed) {
   const char *const key = kept_as(changed);
   char words[128], value[TABOR_TEXT_SIZE];
   TaborDrumDef def;
-  model_builder_definition(controls->builder, &def);
+  model_builder_definition(builder_of(controls), &def);
   if (tabor_drum_def_get(&def, key, value, sizeof value, NULL) != TABOR_OK) {
     tell(controls, "%s as before", key);
     return;
@@ -378,32 +417,82 @@ static void tell_again(Controls *controls, const char *changed) {
 static void run_undo(Controls *controls, const char *text, double time) {
   char key[DRUM_KEY_SIZE];
   (void)text;
-  if (model_builder_undo(controls->builder, frame_at(controls, time), key) == OUTCOME_OK)
+  if (model_builder_undo(builder_of(controls), frame_at(controls, time), key) == OUTCOME_OK)
     tell_again(controls, key);
 }
 
 static void run_redo(Controls *controls, const char *text, double time) {
   char key[DRUM_KEY_SIZE];
   (void)text;
-  if (model_builder_redo(controls->builder, frame_at(controls, time), key) == OUTCOME_OK)
+  if (model_builder_redo(builder_of(controls), frame_at(controls, time), key) == OUTCOME_OK)
     tell_again(controls, key);
 }
 
-/* Names the file of a user's preset, and makes its folder. Nothing else may have the name, or lie there. */
-static Outcome plan_user_preset(const char *name, char path[USER_PRESET_PATH]) {
+/* Keeps what the user wrote: a file that is no drum, or no kit, is not replaced by one. */
+static bool may_replace(const Controls *controls, const char *path) {
   char message[2 * TABOR_TEXT_SIZE];
   TaborDrumDef def;
-  if (preset_place(name) >= 0)
-    return refuse("save %s: that is a built-in drum; a name of your own, or a path as ./%s.ini",
-                  name, name);
+  if (!file_exists(path)) return true;
+  if (!controls->kit) {
+    return drum_file_read(path, &def, message, sizeof message) == PRESET_FILE_OK;
+  }
+  const KitFileReader reader = {.def = malloc(sizeof *reader.def)};
+  const bool is_kit =
+    reader.def && kit_file_read(path, &reader, message, sizeof message) == PRESET_FILE_OK;
+  free(reader.def);
+  return is_kit;
+}
+
+/* Names the file of a user's preset, and makes its folder. Nothing else may have the name, or lie there. */
+static Outcome plan_user_preset(const Controls *controls, const char *name,
+                                char path[USER_PRESET_PATH]) {
+  const char *const kind = controls->kit ? "kit" : "drum";
+  if (controls->kit ? kit_is_builtin(name) : preset_place(name) >= 0)
+    return refuse("save %s: that is a built-in %s; a name of your own, or a path as ./%s.ini", name,
+                  kind, name);
   if (!user_folder(path))
     return refuse("save %s: there is no HOME for it; a path, as ./%s.ini", name, name);
   const Outcome outcome = folder_create_whole(path);
   if (outcome != OUTCOME_OK) return outcome;
   if (!user_preset_path(name, path)) return refuse("save: the name is too long");
-  if (file_exists(path) && drum_file_read(path, &def, message, sizeof message) != PRESET_FILE_OK)
-    return refuse("save %s: %s is no drum, and stays", name, path);
+  if (!may_replace(controls, path))
+    return refuse("save %s: %s is no %s, and stays", name, path, kind);
   return OUTCOME_OK;
+}
+
+/* A PresetWriterFn. */
+static Outcome write_drum(const void *def, PresetSink *sink, void *context) {
+  return preset_text_write(def, "'tabor play'", sink, context);
+}
+
+typedef struct KitText {
+  TaborKitDef kit;
+  KitSamples samples;
+} KitText;
+
+/* A PresetWriterFn. */
+static Outcome write_kit(const void *what, PresetSink *sink, void *context) {
+  const KitText *const text = what;
+  return kit_text_write(&text->kit, &text->samples, "'tabor play'", sink, context);
+}
+
+/* With its drums as they are now, and samples where they are, wherever the file will be. */
+static Outcome save_kit(const Controls *controls, const char *path) {
+  KitText *const text = calloc(1, sizeof *text);
+  if (!text) return fail_memory();
+  text->kit = *controls->kit;
+  for (uint32_t i = 0; i < text->kit.drum_count; i++) {
+    model_builder_definition(controls->builders[i], &text->kit.drum[i].def);
+  }
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    const KitSample *const sample = &controls->samples->notes[note];
+    text->samples.notes[note] = (KitSample){.gain_db = sample->gain_db, .choke = sample->choke};
+    if (sample->path) text->samples.notes[note].path = file_absolute(sample->path);
+  }
+  const Outcome outcome = preset_text_save(path, write_kit, text);
+  kit_samples_free(&text->samples);
+  free(text);
+  return outcome;
 }
 
 static void run_save(Controls *controls, const char *text, double time) {
@@ -412,14 +501,28 @@ static void run_save(Controls *controls, const char *text, double time) {
   const char *const path = is_file ? text : room;
   TaborDrumDef def;
   (void)time;
-  model_builder_definition(controls->builder, &def);
-  if (!is_file && plan_user_preset(text, room) != OUTCOME_OK) return;
-  if (preset_text_save(&def, "'tabor play'", path) == OUTCOME_OK) tell(controls, "saved %s", path);
+  if (!is_file && plan_user_preset(controls, text, room) != OUTCOME_OK) return;
+  model_builder_definition(builder_of(controls), &def);
+  const Outcome outcome =
+    controls->kit ? save_kit(controls, path) : preset_text_save(path, write_drum, &def);
+  if (outcome == OUTCOME_OK) tell(controls, "saved %s", path);
+}
+
+static void run_drum(Controls *controls, const char *text, double time) {
+  (void)time;
+  const int drum = controls->kit ? tabor_kit_def_find(controls->kit, text) : -1;
+  if (drum >= 0) {
+    choose_drum(controls, (uint32_t)drum);
+  } else {
+    (void)refuse(controls->kit ? "drum: the kit has no drum '%.80s'"
+                               : "drum %.80s: there is one drum; --kit plays several",
+                 text);
+  }
 }
 
 static void run_preset(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
-  if (model_builder_preset(controls->builder, frame, text) != OUTCOME_OK) return;
+  if (model_builder_preset(builder_of(controls), frame, text) != OUTCOME_OK) return;
   forget_switches(controls);
   tell(controls, "preset %s", text);
 }
@@ -454,6 +557,7 @@ static void run_silence(Controls *controls, const char *text, double time) {
   (void)text;
   const PlayerMessage message = {.frame = frame_at(controls, time),
                                  .type = PLAYER_EVENT,
+                                 .drum = TABOR_KIT_ALL,
                                  .event = {.type = TABOR_EVENT_SILENCE}};
   (void)player_send(controls->player, SOURCE_KEYS, &message);
   tell(controls, "silence");
@@ -473,10 +577,11 @@ static void run_quit(Controls *controls, const char *text, double time) {
 
 static void run_command(Controls *controls, const char *text, double time) {
   static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
-    [COMMAND_LEARN] = run_learn,     [COMMAND_UNDO] = run_undo,   [COMMAND_REDO] = run_redo,
-    [COMMAND_SAVE] = run_save,       [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,
-    [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize,
-    [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
+    [COMMAND_LEARN] = run_learn,       [COMMAND_UNDO] = run_undo,       [COMMAND_REDO] = run_redo,
+    [COMMAND_SAVE] = run_save,         [COMMAND_DRUM] = run_drum,       [COMMAND_SET] = run_set,
+    [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed,
+    [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,
+    [COMMAND_QUIT] = run_quit,
   };
   CommandWord command;
   const char *rest;

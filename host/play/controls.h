@@ -19,9 +19,12 @@
 
 typedef struct Controls {
   Player *player;
-  ModelBuilder *builder;
-  PlayMidi *midi;       /**< live MIDI, or NULL */
-  const char *midi_map; /**< file of --midi-map, or NULL */
+  ModelBuilder *const *builders; /**< of the kit's drums, or of the drum */
+  const TaborKitDef *kit;        /**< or NULL */
+  const KitSamples *samples;     /**< of the kit */
+  uint32_t drum;                 /**< that the keys strike and change: of the kit, else 0 */
+  PlayMidi *midi;                /**< live MIDI, or NULL */
+  const char *midi_map;          /**< file of --midi-map, or NULL */
   Humanizer humanizer;
   double rate;       /**< [Hz] */
   double speed;      /**< speed of strokes [m/s] */
@@ -40,9 +43,10 @@ typedef struct Controls {
   bool is_trouble;               /**< the message reports a failure */
 } Controls;
 
-/** Starts with the speed of the preset's own stroke and a gain of @p gain_db; without MIDI. */
-Controls controls_begin(Player *player, ModelBuilder *builder, double rate, double gain_db,
-                        Humanizer humanizer);
+/** Starts with the speed of the preset's own stroke and a gain of @p gain_db; without MIDI. A kit starts with the drum that
+ * plays the snare drum's note, or the first. */
+Controls controls_begin(Player *player, ModelBuilder *const *builders, const TaborKitDef *kit,
+                        double rate, double gain_db, Humanizer humanizer);
 /** Executes the action of a key pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
 /** Ends the waiting for a controller that was to be learned: false if none was. */

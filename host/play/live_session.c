@@ -5,13 +5,19 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "base/interrupt.h"
 #include "drums/drum_args.h"
+#include "drums/model_build.h"
+#include "kit/kit_build.h"
+#include "kit/kit_sample_files.h"
+#include "kit/kit_song_input.h"
 #include "platform/clock.h"
+#include "platform/process.h"
 #include "strokes/duration.h"
 #include "strokes/stroke_options.h"
 
@@ -47,6 +53,37 @@ static Outcome read_strokes(LiveSession *session, Strokes *strokes) {
   return outcome;
 }
 
+static Outcome add_kit_events(LiveSession *session, const KitSong *song) {
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
+    const TaborKitEvent *const event = &song->events[i];
+    const Cue cue = {.message = {.frame = event->event.frame,
+                                 .type = PLAYER_EVENT,
+                                 .drum = event->drum,
+                                 .event = event->event}};
+    outcome = cue_queue_add(&session->queue, &cue);
+  }
+  return outcome;
+}
+
+static Outcome add_kit_song(LiveSession *session) {
+  const PlayRequest *const request = session->request;
+  const char *const name = arguments_value(request->arguments, "midi-file");
+  if (!name) return OUTCOME_OK;
+  KitMidi *const midi = malloc(sizeof *midi);
+  if (!midi) return fail_memory();
+  KitSong song = {0};
+  play_request_kit_midi(request, midi);
+  Outcome outcome =
+    kit_song_read(request->arguments, midi, request->humanizer, request->model.sample_rate, &song);
+  if (outcome == OUTCOME_OK && !request->quiet) kit_song_note(name, midi);
+  if (outcome == OUTCOME_OK) outcome = add_kit_events(session, &song);
+  session->song_ignored = kit_midi_unknown(midi);
+  kit_song_free(&song);
+  free(midi);
+  return outcome;
+}
+
 static Outcome add_song(LiveSession *session) {
   PlayRequest *const request = session->request;
   MidiSong *const song = &request->song;
@@ -60,6 +97,7 @@ static Outcome add_song(LiveSession *session) {
     humanize(&request->humanizer, item->head_radius, &cue.message.event);
     outcome = cue_queue_add(&session->queue, &cue);
   }
+  session->song_ignored = song->counts.ignored_notes;
   return outcome;
 }
 
@@ -74,6 +112,11 @@ static Outcome check_duration(const LiveSession *session) {
 
 static Outcome read_score(LiveSession *session) {
   Strokes strokes;
+  if (session->request->kit) {
+    const Outcome outcome = add_kit_song(session);
+    cue_queue_sort(&session->queue);
+    return outcome;
+  }
   Outcome outcome = read_strokes(session, &strokes);
   if (outcome == OUTCOME_OK) outcome = cue_queue_add_strokes(&session->queue, &strokes);
   if (outcome == OUTCOME_OK) outcome = add_song(session);
@@ -82,21 +125,73 @@ static Outcome read_score(LiveSession *session) {
   return outcome == OUTCOME_OK ? check_duration(session) : outcome;
 }
 
+static Outcome create_builder(LiveSession *session, const ModelBuilderSetup *part) {
+  ModelBuilderSetup setup = *part;
+  setup.options = session->request->model;
+  setup.waits = session->request->backend->waits;
+  return model_builder_create(&setup, &session->builders[session->drum_count++]);
+}
+
 static Outcome create_drum(LiveSession *session) {
   const PlayRequest *const request = session->request;
-  const ModelBuilderSetup setup = {.preset = request->preset,
-                                   .is_listed = drum_listed_preset(request->arguments) >= 0,
-                                   .def = &request->def,
-                                   .options = request->model,
-                                   .waits = request->backend->waits};
-  return model_builder_create(&setup, &session->builder);
+  ModelBuilderSetup setup = {.preset = request->preset,
+                             .is_listed = drum_listed_preset(request->arguments) >= 0,
+                             .def = &request->def};
+  TaborError error;
+  Outcome outcome = model_build(setup.def, &request->model, &setup.model);
+  if (outcome == OUTCOME_OK) outcome = create_builder(session, &setup);
+  if (outcome == OUTCOME_OK && tabor_drum_create(setup.model, &session->drum, &error) != TABOR_OK) {
+    outcome = report_engine_error(&error);
+  }
+  tabor_model_release(setup.model);
+  return outcome;
+}
+
+static Outcome create_kit(LiveSession *session) {
+  PlayRequest *const request = session->request;
+  const TaborKitDef *const kit = request->kit;
+  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
+  TaborError error;
+  Outcome outcome = kit_samples_load(&request->samples, request->model.sample_rate);
+  if (outcome == OUTCOME_OK) {
+    outcome = kit_models_build(kit, &request->model, process_processors(), models);
+  }
+  for (uint32_t i = 0; i < kit->drum_count && outcome == OUTCOME_OK; i++) {
+    const TaborDrumDef *const def = &kit->drum[i].def;
+    const ModelBuilderSetup setup = {
+      .preset = def->name, .def = def, .model = models[i], .kit = kit, .drum = i};
+    outcome = create_builder(session, &setup);
+  }
+  if (outcome == OUTCOME_OK && tabor_kit_create(kit, models, &session->kit, &error) != TABOR_OK) {
+    outcome = report_engine_error(&error);
+  }
+  kit_models_release(models);
+  return outcome;
+}
+
+static Outcome create_instrument(LiveSession *session) {
+  return session->request->kit ? create_kit(session) : create_drum(session);
+}
+
+static Outcome start_builders(LiveSession *session) {
+  Outcome outcome = OUTCOME_OK;
+  for (uint32_t i = 0; i < session->drum_count && outcome == OUTCOME_OK; i++) {
+    outcome = model_builder_start(session->builders[i], session->player);
+  }
+  return outcome;
+}
+
+static void stop_builders(const LiveSession *session) {
+  for (uint32_t i = 0; i < session->drum_count; i++) model_builder_stop(session->builders[i]);
 }
 
 static Outcome create_player(LiveSession *session) {
   const PlayRequest *const request = session->request;
   PlayerSetup setup = {
-    .drum = model_builder_drum(session->builder),
+    .drum = session->drum,
     .def = &request->def,
+    .kit = session->kit,
+    .samples = &session->request->samples,
     .rate = request->model.sample_rate,
     .channels = request->channels,
     .width = session->facts.width,
@@ -120,12 +215,12 @@ static Outcome start_log(LiveSession *session) {
     .start = {.rate = request->model.sample_rate,
               .gain = request->gain,
               .channels = request->channels},
-    .model = tabor_drum_model(model_builder_drum(session->builder)),
+    .model = tabor_drum_model(session->drum),
     .preset = request->preset,
   };
   memcpy(setup.start.mics, request->mics, sizeof setup.start.mics);
   const Outcome outcome = log_writer_start(&setup, &request->log, &session->log);
-  model_builder_log(session->builder, session->log);
+  model_builder_log(session->builders[0], session->log);
   return outcome;
 }
 
@@ -143,13 +238,13 @@ Outcome live_session_open(LiveSession *session, PlayRequest *request) {
   session->request = request;
   Outcome outcome = open_device(session);
   if (outcome == OUTCOME_OK) outcome = read_score(session);
-  if (outcome == OUTCOME_OK) outcome = create_drum(session);
+  if (outcome == OUTCOME_OK) outcome = create_instrument(session);
   if (outcome == OUTCOME_OK) outcome = create_player(session);
   if (outcome == OUTCOME_OK) outcome = start_log(session);
-  if (outcome == OUTCOME_OK) outcome = model_builder_start(session->builder, session->player);
+  if (outcome == OUTCOME_OK) outcome = start_builders(session);
   if (outcome == OUTCOME_OK) outcome = start_recorder(session);
   if (outcome == OUTCOME_OK && !request->backend->waits) {
-    outcome = play_midi_open(request, session->player, session->builder, &session->midi);
+    outcome = play_midi_open(request, session->player, session->builders, &session->midi);
   }
   return outcome;
 }
@@ -165,7 +260,7 @@ static bool process(void *context, float *samples, uint32_t frames, double now, 
 static bool prepare(void *context, uint32_t frames) {
   LiveSession *const session = context;
   const uint64_t position = player_position(session->player);
-  cue_queue_feed(&session->queue, session->player, session->builder, position + frames);
+  cue_queue_feed(&session->queue, session->player, session->builders[0], position + frames);
   if (session->writer) take_writer_wait(session->writer, frames);
   log_writer_wait(session->log);
   return true;
@@ -174,7 +269,7 @@ static bool prepare(void *context, uint32_t frames) {
 static void feed(LiveSession *session) {
   if (session->request->backend->waits) return; /* its own thread does it */
   const double ahead = LOOK_AHEAD * session->request->model.sample_rate;
-  cue_queue_feed(&session->queue, session->player, session->builder,
+  cue_queue_feed(&session->queue, session->player, session->builders[0],
                  player_position(session->player) + (uint64_t)ahead);
 }
 
@@ -212,8 +307,8 @@ static void announce(LiveSession *session) {
     note("'%s' asks for %u frames at once, not for %u", facts->device, (unsigned)buffer,
          (unsigned)request->device.buffer);
   }
-  note("%s on '%s': %.10g Hz, %u frames at once, %.1f ms from a stroke to its sound",
-       request->preset, facts->device, facts->rate, (unsigned)buffer,
+  note("%s%s on '%s': %.10g Hz, %u frames at once, %.1f ms from a stroke to its sound",
+       request->kit ? "kit " : "", request->preset, facts->device, facts->rate, (unsigned)buffer,
        1000 * live_session_latency(session));
   if (!session->is_urgent) {
     note(
@@ -264,7 +359,13 @@ void live_session_status(LiveSession *session, PlayStatus *status) {
                          .latency = live_session_latency(session)};
   memcpy(status->device, session->facts.device, sizeof status->device);
   player_status(session->player, status);
-  model_builder_status(session->builder, status);
+  for (uint32_t i = 0; i < session->drum_count; i++) {
+    PlayStatus own;
+    model_builder_status(session->builders[i], i == 0 ? status : &own);
+    if (i > 0) status->building |= own.building;
+  }
+  if (session->kit)
+    (void)snprintf(status->preset, sizeof status->preset, "%s", session->request->preset);
   MidiInputStatus midi;
   play_midi_status(session->midi, &midi);
   status->dropped += midi.dropped;
@@ -286,7 +387,7 @@ static Outcome finish_recording(LiveSession *session) {
 static Outcome finish_log(LiveSession *session) {
   LogWriter *const log = session->log;
   session->log = NULL;
-  if (log) model_builder_stop(session->builder); /* it adds models */
+  if (log) stop_builders(session); /* they add models */
   return log_writer_finish(log);
 }
 
@@ -344,8 +445,10 @@ void live_session_close(LiveSession *session, Outcome outcome) {
   if (session->is_lost) leave(outcome);
   play_midi_close(session->midi);
   close_device(session, outcome);
-  model_builder_stop(session->builder);
+  stop_builders(session);
   player_destroy(session->player);
-  model_builder_destroy(session->builder);
+  tabor_drum_destroy(session->drum); /* before swaps whose former drums they may still play */
+  tabor_kit_destroy(session->kit);
+  for (uint32_t i = 0; i < session->drum_count; i++) model_builder_destroy(session->builders[i]);
   cue_queue_free(&session->queue);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file live_session.h
- * A drum played on a device: everything that `tabor play` opens, runs and closes. All functions are for the
+ * A drum or a kit played on a device: everything that `tabor play` opens, runs and closes. All functions are for the
  * user's thread.
  */
 #ifndef TABOR_HOST_LIVE_SESSION_H
@@ -17,13 +17,17 @@ typedef struct LiveSession {
   PlayRequest *request;
   BackendStream *stream;
   BackendFacts facts;
-  ModelBuilder *builder;
+  TaborDrum *drum; /**< or a kit */
+  TaborKit *kit;
+  ModelBuilder *builders[TABOR_KIT_DRUMS]; /**< of each drum of the kit, or of the drum */
+  uint32_t drum_count;
   Player *player;
   TakeWriter *writer;
   LogWriter *log; /**< NULL without --log */
   CueQueue queue;
-  PlayMidi *midi;     /**< live MIDI, or NULL */
-  bool is_urgent;     /**< the audio thread has real-time priority */
+  uint64_t song_ignored; /**< notes of the MIDI file that are not in the map */
+  PlayMidi *midi;        /**< live MIDI, or NULL */
+  bool is_urgent;        /**< the audio thread has real-time priority */
   bool is_lost;       /**< the device failed to open or start, or is gone: closing it could crash */
   uint64_t unwritten; /**< frames missing at the end of a recording that failed */
 } LiveSession;

@@ -21,6 +21,8 @@ typedef struct Pending {
 struct ModelBuilder {
   TaborModelOptions options;
   TaborDrumDef first; /* whose microphones the outputs are */
+  TaborKitDef *kit;   /* or NULL; the thread's, where drums are placed */
+  uint32_t drum;      /* of the kit, else 0 */
   bool waits;
   Player *player;
   LogWriter *log; /* or NULL */
@@ -28,8 +30,8 @@ struct ModelBuilder {
   /* under lock */
   pthread_mutex_t lock;
   pthread_cond_t changed;
-  TaborDrumDef wanted;
-  DrumHistory history; /* of wanted, since its preset was chosen */
+  TaborDrumDef wanted, built; /* in a kit before the drum is placed in it */
+  DrumHistory history;        /* of wanted, since its preset was chosen */
   char preset[TABOR_TEXT_SIZE], built_preset[TABOR_TEXT_SIZE];
   uint64_t frame;              /* for the newest request */
   uint64_t requests, answered; /* numbers of the newest request, and of the newest that was built */
@@ -42,11 +44,18 @@ struct ModelBuilder {
   pthread_t thread;
   TaborModel *model; /* the newest, which the drum has or will have */
   uint32_t models;   /* its number in the log */
-  TaborDrum *drum;
   Pending *pending;
 };
 
 /* ---- the drum to begin with ------------------------------------------------------------------ */
+
+static Outcome copy_kit(ModelBuilder *builder, const TaborKitDef *kit) {
+  if (!kit) return OUTCOME_OK;
+  builder->kit = malloc(sizeof *builder->kit);
+  if (!builder->kit) return fail_memory();
+  *builder->kit = *kit;
+  return OUTCOME_OK;
+}
 
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **created) {
   ModelBuilder *const builder = calloc(1, sizeof *builder);
@@ -55,21 +64,16 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   (void)pthread_mutex_init(&builder->lock, NULL);
   (void)pthread_cond_init(&builder->changed, NULL);
   builder->options = setup->options;
-  builder->first = builder->wanted = *setup->def;
+  builder->first = builder->wanted = builder->built = *setup->def;
+  builder->drum = setup->drum;
   builder->waits = setup->waits;
   builder->is_listed = setup->is_listed;
   (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
   memcpy(builder->built_preset, builder->preset, sizeof builder->preset);
-  TaborError error;
-  const Outcome outcome = model_build(&builder->wanted, &builder->options, &builder->model);
-  if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_drum_create(builder->model, &builder->drum, &error) != TABOR_OK) {
-    return report_engine_error(&error);
-  }
-  return OUTCOME_OK;
+  builder->model = setup->model;
+  tabor_model_retain(builder->model);
+  return copy_kit(builder, setup->kit);
 }
-
-TaborDrum *model_builder_drum(const ModelBuilder *builder) { return builder->drum; }
 
 /* ---- live keys ------------------------------------------------------------------------------ */
 
@@ -95,9 +99,10 @@ static void send_live(ModelBuilder *builder, uint64_t frame, const TaborParamete
   const PlayerMessage message = {
     .frame = frame,
     .type = PLAYER_EVENT,
+    .drum = builder->drum,
     .event = {.type = TABOR_EVENT_PARAMETER,
               .parameter = parameter->id,
-              .index = mic_of(&builder->wanted, key),
+              .index = mic_of(tabor_model_definition(builder->model), key),
               .value = number_of(&builder->wanted, key)},
   };
   (void)player_send(builder->player, SOURCE_CHANGES, &message);
@@ -150,7 +155,7 @@ static Outcome prepare_swap(ModelBuilder *builder, TaborModel *model, TaborSwap 
     free(pending);
     return report_engine_error(&error);
   }
-  drum_keep_mics(&builder->first, model, pending->swap);
+  if (!builder->kit) drum_keep_mics(&builder->first, model, pending->swap);
   pending->next = builder->pending;
   builder->pending = pending;
   *swap = pending->swap;
@@ -163,6 +168,7 @@ static Outcome send_model(ModelBuilder *builder, TaborModel *model, const char *
   const TaborDrumDef *const def = tabor_model_definition(model);
   PlayerMessage message = {.frame = frame,
                            .type = PLAYER_MODEL,
+                           .drum = builder->drum,
                            .strikers = def->striker_count,
                            .model = builder->models + 1,
                            .event = {.type = begins_anew ? TABOR_EVENT_REPLACE : TABOR_EVENT_SWAP}};
@@ -199,9 +205,23 @@ static void wait_for_change(ModelBuilder *builder) {
 /* What cannot be built is not wanted any more, unless something else is already. */
 static void forget_request(ModelBuilder *builder, uint64_t request) {
   if (builder->requests != request) return;
-  builder->wanted = *tabor_model_definition(builder->model);
+  builder->wanted = builder->built;
   builder->is_listed = false;
   memcpy(builder->preset, builder->built_preset, sizeof builder->preset);
+}
+
+/* A kit's drum is built as it stands in the kit. */
+static Outcome build(ModelBuilder *builder, const TaborDrumDef *def,
+                     const TaborModelOptions *options, TaborModel **model) {
+  TaborDrumDef placed = *def;
+  TaborError error;
+  if (builder->kit) {
+    builder->kit->drum[builder->drum].def = *def;
+    if (tabor_kit_def_place(builder->kit, builder->drum, &placed, &error) != TABOR_OK) {
+      return report_engine_error(&error);
+    }
+  }
+  return model_build_quietly(&placed, options, model);
 }
 
 /* Under lock, which is left while the model is built. */
@@ -213,7 +233,7 @@ static void answer(ModelBuilder *builder) {
   TaborModel *model = NULL;
   memcpy(preset, builder->preset, sizeof preset);
   if (!builder->waits) (void)pthread_mutex_unlock(&builder->lock);
-  Outcome outcome = model_build_quietly(&def, &options, &model);
+  Outcome outcome = build(builder, &def, &options, &model);
   if (!builder->waits) (void)pthread_mutex_lock(&builder->lock);
   const bool begins_anew = presets != builder->built_presets;
   if (outcome == OUTCOME_OK) outcome = send_model(builder, model, preset, frame, begins_anew);
@@ -223,6 +243,7 @@ static void answer(ModelBuilder *builder) {
     return;
   }
   memcpy(builder->built_preset, preset, sizeof preset);
+  builder->built = def;
   builder->built_presets = presets;
   if (builder->waits) return;
   wait_for_change(builder);
@@ -265,13 +286,13 @@ void model_builder_stop(ModelBuilder *builder) {
 
 void model_builder_destroy(ModelBuilder *builder) {
   if (!builder) return;
-  tabor_drum_destroy(builder->drum); /* before swaps whose former drums it may still play */
   while (builder->pending) {
     Pending *const pending = builder->pending;
     builder->pending = pending->next;
     free_pending(pending);
   }
   tabor_model_release(builder->model);
+  free(builder->kit);
   (void)pthread_cond_destroy(&builder->changed);
   (void)pthread_mutex_destroy(&builder->lock);
   free(builder);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file model_builder.h
- * Owns the drum that is played and changes it during play.
+ * Changes the drum that is played, or one drum of a kit, during play.
  *
  * A live parameter changes at once. Any other parameter, and another preset, needs a new model, which the
  * builder's thread builds in some tenths of a second. Until then the old model plays on. Then the ringing drum
@@ -25,20 +25,22 @@ typedef struct ModelBuilderSetup {
   bool is_listed;     /**< the preset is built in and def is its definition */
   const TaborDrumDef *def;
   TaborModelOptions options;
+  TaborModel *model; /**< of def, or of the drum as it stands in the kit; retained */
+  /** Kit of which it is drum number `drum`, copied; NULL: it is no kit's. */
+  const TaborKitDef *kit;
+  uint32_t drum;
   bool waits; /**< sound waits for changes */
 } ModelBuilderSetup;
 
-/** Builds the drum. *builder is valid or NULL, whatever the outcome. */
+/** *builder is valid or NULL, whatever the outcome. */
 Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **builder);
-/** Returns the drum for player_create(). Owned by @p builder. */
-TaborDrum *model_builder_drum(const ModelBuilder *builder);
 /** Adds every new model to @p log, which may be NULL. Call before the first change. */
 void model_builder_log(ModelBuilder *builder, LogWriter *log);
 /** Enables changes and sends them to @p player. */
 Outcome model_builder_start(ModelBuilder *builder, Player *player);
 /** Disables changes. Call before the player is destroyed and the log is finished; NULL is allowed. */
 void model_builder_stop(ModelBuilder *builder);
-/** Frees everything, the drum too. Call after the player was destroyed. NULL is allowed. */
+/** Frees everything. Call after the drum or kit was destroyed. NULL is allowed. */
 void model_builder_destroy(ModelBuilder *builder);
 
 /**

@@ -5,9 +5,7 @@
  */
 #include "base/command.h"
 #include "drums/drum_args.h"
-#include "kit/kit_options.h"
 #include "play/console.h"
-#include "play/play_kit.h"
 #include "play/play_report.h"
 
 /* The first thing that went wrong decides. */
@@ -37,10 +35,7 @@ static Outcome play(PlayRequest *request) {
 
 static Outcome run(const Arguments *arguments) {
   PlayRequest request;
-  if (arguments_has(arguments, "kit")) return play_kit(arguments);
-  Outcome outcome = kit_options_refuse(arguments);
-  if (outcome != OUTCOME_OK) return outcome;
-  outcome = play_request_read(arguments, &request);
+  Outcome outcome = play_request_read(arguments, &request);
   if (outcome == OUTCOME_OK) outcome = play(&request);
   play_request_free(&request);
   return outcome;

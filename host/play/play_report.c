@@ -59,6 +59,25 @@ static json_t *log_json(const LiveSession *session) {
                    (json_int_t)player_log_lost(session->player));
 }
 
+/* What a kit has beyond a drum. */
+static json_t *with_kit(json_t *report, const LiveSession *session, const PlayStatus *status) {
+  const TaborKitDef *const kit = session->request->kit;
+  json_t *drums = json_array();
+  if (!kit) return report;
+  for (uint32_t i = 0; i < kit->drum_count; i++) {
+    TaborStatistics statistics;
+    tabor_drum_statistics(tabor_kit_drum(session->kit, i), &statistics);
+    drums = json_with_item(drums, json_pack("{s:o, s:I}", "name", json_text(kit->drum[i].name),
+                                            "strokes", (json_int_t)statistics.strikes));
+  }
+  json_t *const more =
+    json_pack("{s:o, s:o, s:I, s:o}", "kit", json_text(kit->name), "seconds",
+              json_number(status->time), "gaps", (json_int_t)status->xruns, "drums", drums);
+  (void)json_object_update(report, more);
+  json_decref(more);
+  return report;
+}
+
 static json_t *report_json(const LiveSession *session, const PlayStatus *status) {
   double median, worst;
   player_load(session->player, &median, &worst);
@@ -67,7 +86,7 @@ static json_t *report_json(const LiveSession *session, const PlayStatus *status)
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(status->newton_mean), "max",
               (json_int_t)status->newton_max, "capped", (json_int_t)status->newton_capped);
-  const uint64_t ignored = status->ignored_notes + session->request->song.counts.ignored_notes;
+  const uint64_t ignored = status->ignored_notes + session->song_ignored;
   json_t *const device =
     json_pack("{s:s, s:o, s:o, s:I, s:o, s:b}", "backend", session->request->backend->name, "name",
               json_text(status->device), "rate", json_number(status->rate), "buffer",
@@ -116,7 +135,8 @@ Outcome play_report(LiveSession *session) {
   player_load(session->player, &median, &worst);
   warn_of_losses(&status, worst);
   warn_of_lost_messages(session);
-  if (session->request->json) return json_print(report_json(session, &status));
+  if (session->request->json)
+    return json_print(with_kit(report_json(session, &status), session, &status));
   if (!session->request->quiet) note_summary(session, &status);
   return OUTCOME_OK;
 }

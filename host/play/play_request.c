@@ -2,6 +2,7 @@
 #include "play/play_request.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/suggest.h"
@@ -79,16 +80,34 @@ static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
   return path ? keymap_read(path, &request->keymap) : OUTCOME_OK;
 }
 
+static Outcome read_kit(const Arguments *arguments, PlayRequest *request) {
+  static const char *const excluded[] = {"log", "events", "midi-map", "mic"};
+  Outcome outcome = kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                                       "a kit is played by MIDI, and heard in its own mix");
+  if (outcome != OUTCOME_OK) return outcome;
+  request->kit = malloc(sizeof *request->kit);
+  if (!request->kit) return fail_memory();
+  outcome = kit_load(arguments, request->kit, &request->samples);
+  if (outcome != OUTCOME_OK) return outcome;
+  request->preset = request->kit->name;
+  request->def = request->kit->drum[0].def;
+  return kit_midi_setup_read(arguments, &request->kit_midi);
+}
+
 static Outcome read_drum(const Arguments *arguments, PlayRequest *request) {
+  if (arguments_has(arguments, "kit")) return read_kit(arguments, request);
+  const Outcome outcome = kit_options_refuse(arguments);
+  if (outcome != OUTCOME_OK) return outcome;
   request->preset = preset_argument(arguments);
   return drum_load(arguments, &request->def);
 }
 
 static Outcome read_midi(const Arguments *arguments, PlayRequest *request) {
   const char *const wanted = arguments_value(arguments, "midi-in");
-  Outcome outcome = midi_map_read(arguments, &request->def, &request->midi_map);
   if (wanted && !*wanted) return refuse("--midi-in needs a part of a name");
-  if (outcome == OUTCOME_OK) outcome = midi_mask_read(arguments, &request->mask_time);
+  Outcome outcome = midi_mask_read(arguments, &request->mask_time);
+  if (request->kit) return outcome; /* its song is read at the device's rate */
+  if (outcome == OUTCOME_OK) outcome = midi_map_read(arguments, &request->def, &request->midi_map);
   if (outcome == OUTCOME_OK) {
     outcome = midi_song_read(arguments, &request->midi_map, &request->def,
                              request->model.sample_rate, &request->song);
@@ -106,6 +125,11 @@ static Outcome read_model(const Arguments *arguments, PlayRequest *request) {
 static Outcome read_mics(const Arguments *arguments, PlayRequest *request) {
   const char *name;
   size_t position = 0;
+  if (request->kit) {
+    request->channels = request->device.channels = 2;
+    request->mics[1] = 1;
+    return OUTCOME_OK;
+  }
   if (request->def.mic_count == 0) return refuse("the drum has no microphone");
   if (arguments_has(arguments, "stereo")) {
     request->channels = request->device.channels = 2;
@@ -150,16 +174,29 @@ static Outcome read_log(const Arguments *arguments, PlayRequest *request) {
   return refuse("--record and --log: both name the file '%s'", name);
 }
 
+static Outcome protect_samples(const OutputFile *output, const char *kind,
+                               const KitSamples *samples) {
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    const char *const path = samples->notes[note].path;
+    if (path && output_overwrites(output, path)) {
+      return refuse("the %s would overwrite the sample '%s'", kind, path);
+    }
+  }
+  return OUTCOME_OK;
+}
+
 /* @p output, which is @p kind, may replace nothing that is read. */
-static Outcome protect_from(const OutputFile *output, const char *kind, const Arguments *arguments,
-                            const char *preset) {
+static Outcome protect_from(const OutputFile *output, const char *kind,
+                            const PlayRequest *request) {
+  const Arguments *const arguments = request->arguments;
   static const struct {
     const char *option, *what;
-  } files[] = {{"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}};
+  } files[] = {
+    {"keys", "keys"}, {"midi-file", "MIDI file"}, {"midi-map", "MIDI map"}, {"kit", "kit"}};
   char room[USER_PRESET_PATH];
   const char *name;
   size_t position = 0;
-  const char *const file = preset_file(preset, room);
+  const char *const file = request->kit ? NULL : preset_file(request->preset, room);
   if (file && output_overwrites(output, file)) {
     return refuse("the %s would overwrite the preset '%s'", kind, file);
   }
@@ -174,16 +211,16 @@ static Outcome protect_from(const OutputFile *output, const char *kind, const Ar
       return refuse("the %s would overwrite the events '%s'", kind, name);
     }
   }
-  return OUTCOME_OK;
+  return protect_samples(output, kind, &request->samples);
 }
 
 static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
-  const char *const preset = request->preset;
   Outcome outcome = OUTCOME_OK;
+  (void)arguments;
   if (request->record.records)
-    outcome = protect_from(&request->record.output, "recording", arguments, preset);
+    outcome = protect_from(&request->record.output, "recording", request);
   if (outcome != OUTCOME_OK || !request->logs) return outcome;
-  return protect_from(&request->log, "log", arguments, preset);
+  return protect_from(&request->log, "log", request);
 }
 
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
@@ -201,8 +238,17 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
   return outcome;
 }
 
+void play_request_kit_midi(const PlayRequest *request, KitMidi *midi) {
+  kit_midi_begin(midi, request->kit, &request->kit_midi);
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    midi->has_sample[note] = request->samples.notes[note].path != NULL;
+  }
+}
+
 void play_request_free(PlayRequest *request) {
   record_request_free(&request->record);
+  kit_samples_free(&request->samples);
+  free(request->kit);
   output_discard(&request->log);
   midi_song_free(&request->song);
 }

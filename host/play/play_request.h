@@ -7,6 +7,8 @@
 #define TABOR_HOST_PLAY_REQUEST_H
 
 #include "base/options.h"
+#include "kit/kit_midi.h"
+#include "kit/kit_sample_files.h"
 #include "midi/midi_song_input.h"
 #include "play/backend.h"
 #include "play/record_request.h"
@@ -15,12 +17,16 @@
 
 typedef struct PlayRequest {
   const Arguments *arguments;
-  const char *preset;
-  TaborDrumDef def;
+  const char *preset; /**< of the drum, or the kit's name */
+  TaborDrumDef def;   /**< of a kit the first drum's */
+  TaborKitDef *kit;   /**< or NULL */
+  KitSamples samples; /**< of the kit; not read yet */
+  KitMidiSetup kit_midi;
   TaborModelOptions model; /**< the rate is the device's */
   uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index among the definition's microphones */
-  double gain;                   /**< factor */
+  uint32_t mics
+    [TABOR_MAX_MICS]; /**< of each channel: index among the definition's microphones; of a kit, 0 left, 1 right */
+  double gain; /**< factor */
   Humanizer humanizer;
   MidiMap midi_map;
   double mask_time; /**< [s] */
@@ -39,6 +45,8 @@ extern const Option play_options[];
 
 /** Reads the command line, which must outlive the request. Free with play_request_free(), whatever the outcome. */
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request);
+/** Initialises the MIDI of the kit. */
+void play_request_kit_midi(const PlayRequest *request, KitMidi *midi);
 void play_request_free(PlayRequest *request);
 
 #endif

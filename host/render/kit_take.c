@@ -50,11 +50,10 @@ static uint32_t take_events(KitTake *take, size_t first, uint64_t end) {
     TaborKitEvent event = take->song.events[take->next_event];
     if (event.event.frame >= end) break;
     event.event.frame -= take->position;
-    if (event.drum < KIT_MIDI_SAMPLE) {
+    if (event.drum < KIT_SAMPLE) {
       take->song.events[first + count++] = event;
     } else if (take->samples) {
-      kit_samples_take(take->samples, event.drum - KIT_MIDI_SAMPLE, &event.event,
-                       event.event.frame);
+      kit_samples_take(take->samples, event.drum - KIT_SAMPLE, &event.event, event.event.frame);
     }
   }
   return count;

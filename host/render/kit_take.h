@@ -8,7 +8,7 @@
 
 #include "base/options.h"
 #include "files/audio_file.h"
-#include "kit/kit_samples.h"
+#include "kit/kit_sample_files.h"
 #include "kit/kit_song.h"
 #include "render/render_file.h"
 

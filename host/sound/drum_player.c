@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sound/drum_player.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "strokes/fit_striker.h"
@@ -21,27 +22,35 @@ bool player_message_from_midi(const MidiAction *action, uint64_t frame, PlayerMe
 
 /* ---- messages ------------------------------------------------------------------------------- */
 
-static void add_event(DrumPlayer *player, const TaborEvent *event, uint32_t offset) {
-  TaborEvent *const added = &player->events[player->count++];
-  *added = *event;
-  added->frame = offset;
-  fit_striker(added, player->strikers);
-  player->strokes += added->type == TABOR_EVENT_STRIKE;
+static void add_event(DrumPlayer *player, uint32_t drum, const TaborEvent *event, uint32_t offset) {
+  if (drum >= KIT_SAMPLE && drum < KIT_SAMPLE + MIDI_VALUES) {
+    if (player->samples) kit_samples_take(player->samples, drum - KIT_SAMPLE, event, offset);
+    return;
+  }
+  TaborKitEvent *const added = &player->events[player->count++];
+  *added = (TaborKitEvent){.drum = drum, .event = *event};
+  added->event.frame = offset;
+  if (drum < TABOR_KIT_DRUMS) fit_striker(&added->event, player->strikers[drum]);
+  player->strokes += added->event.type == TABOR_EVENT_STRIKE;
 }
 
 static void add_gain(DrumPlayer *player, uint32_t offset) {
   const TaborEvent event = {.type = TABOR_EVENT_GAIN, .value = player->gain * player->expression};
-  add_event(player, &event, offset);
+  if (player->kit) {
+    fader_set(&player->mix, event.value);
+  } else {
+    add_event(player, 0, &event, offset);
+  }
 }
 
 static void change_model(DrumPlayer *player, const PlayerMessage *message, uint32_t offset) {
-  add_event(player, &message->event, offset);
-  player->strikers = message->strikers;
+  add_event(player, message->drum, &message->event, offset);
+  if (message->drum < TABOR_KIT_DRUMS) player->strikers[message->drum] = message->strikers;
 }
 
 static void add(DrumPlayer *player, const PlayerMessage *message, uint32_t offset) {
   switch (message->type) {
-  case PLAYER_EVENT: add_event(player, &message->event, offset); break;
+  case PLAYER_EVENT: add_event(player, message->drum, &message->event, offset); break;
   case PLAYER_MODEL: change_model(player, message, offset); break;
   case PLAYER_GAIN:
     player->gain = message->value;
@@ -57,7 +66,7 @@ static void add(DrumPlayer *player, const PlayerMessage *message, uint32_t offse
 
 /* Never before an event that has been taken already. */
 static uint32_t offset_of(const DrumPlayer *player, const PlayerMessage *message) {
-  const uint32_t first = player->count > 0 ? player->events[player->count - 1].frame : 0;
+  const uint32_t first = player->count > 0 ? player->events[player->count - 1].event.frame : 0;
   const uint64_t offset = message->frame > player->position ? message->frame - player->position : 0;
   return offset > first ? (uint32_t)offset : first;
 }
@@ -65,9 +74,14 @@ static uint32_t offset_of(const DrumPlayer *player, const PlayerMessage *message
 /* Where the events of a block do not fit, it ends before the frame of the last ones, which may be joined by others;
    one frame has DRUM_PLAYER_EVENTS of them at most. So it does not depend on the blocks which events act when. */
 static uint32_t frames_of_full_block(const DrumPlayer *player, uint32_t next) {
-  const uint32_t last = player->events[player->count - 1].frame;
+  const uint32_t last = player->events[player->count - 1].event.frame;
   if (next > last) return next;
-  return player->events[0].frame < last ? last : last + 1;
+  return player->events[0].event.frame < last ? last : last + 1;
+}
+
+/* The gain of a kit's mix begins to move at the beginning of what is computed at once. */
+static bool moves_mix(const DrumPlayer *player, const PlayerMessage *message) {
+  return player->kit && (message->type == PLAYER_GAIN || message->type == PLAYER_EXPRESSION);
 }
 
 /* Adds what acts before frame @p end. Returns the number of frames that can be played with it. */
@@ -77,6 +91,7 @@ static uint32_t gather(DrumPlayer *player, DrumSourceFn *take, void *source, uin
     const uint32_t offset = offset_of(player, next);
     player->has_next = true;
     if (player->count == DRUM_PLAYER_EVENTS) return frames_of_full_block(player, offset);
+    if (offset > 0 && moves_mix(player, next)) return offset;
     add(player, next, offset);
     if (player->witness) player->witness(player->context, next, player->position + offset);
     player->has_next = false;
@@ -103,7 +118,7 @@ static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
 static void add_rooms(DrumPlayer *player, uint32_t count, uint32_t at, uint32_t frames) {
   uint32_t from = 0;
   for (uint32_t i = 0; i < count && player->room; i++) {
-    const TaborEvent *const event = &player->events[i];
+    const TaborEvent *const event = &player->events[i].event;
     if (event->type != TABOR_EVENT_SILENCE) continue;
     play_rooms(player, at + from, event->frame - from);
     room_mix_silence(player->room);
@@ -115,7 +130,7 @@ static void add_rooms(DrumPlayer *player, uint32_t count, uint32_t at, uint32_t 
 /* Number of events that act within @p frames frames. */
 static uint32_t events_within(const DrumPlayer *player, uint32_t frames) {
   uint32_t count = player->count;
-  while (count > 0 && player->events[count - 1].frame >= frames) count--;
+  while (count > 0 && player->events[count - 1].event.frame >= frames) count--;
   return count;
 }
 
@@ -123,7 +138,32 @@ static uint32_t events_within(const DrumPlayer *player, uint32_t frames) {
 static void drop_events(DrumPlayer *player, uint32_t count, uint32_t frames) {
   player->count -= count;
   memmove(player->events, player->events + count, player->count * sizeof *player->events);
-  for (uint32_t i = 0; i < player->count; i++) player->events[i].frame -= frames;
+  for (uint32_t i = 0; i < player->count; i++) player->events[i].event.frame -= frames;
+}
+
+static void compute_drum(DrumPlayer *player, uint32_t count, float *const *outputs, uint32_t at,
+                         uint32_t frames) {
+  const TaborSound outside = {.mic = player->input_mic,
+                              .pressure = player->input ? player->input + at : NULL};
+  TaborEvent events[DRUM_PLAYER_EVENTS];
+  for (uint32_t i = 0; i < count; i++) events[i] = player->events[i].event;
+  tabor_drum_process_sound(player->drum, events, count, &outside, outputs, frames);
+}
+
+static void compute_kit(DrumPlayer *player, uint32_t count, float *const *outputs,
+                        uint32_t frames) {
+  float *const left = outputs[0], *const right = outputs[1];
+  const TaborKitOutputs to = {.stereo = {left, right}};
+  tabor_kit_process(player->kit, player->events, count, &to, frames);
+  if (!left || !right) return;
+  if (player->samples) kit_samples_add(player->samples, left, right, frames);
+  for (uint32_t i = 0; i < frames; i++) {
+    const double gain = fader_next(&player->mix);
+    if (fabsf(left[i]) > player->loudest) player->loudest = fabsf(left[i]);
+    if (fabsf(right[i]) > player->loudest) player->loudest = fabsf(right[i]);
+    left[i] = (float)(gain * (double)left[i]);
+    right[i] = (float)(gain * (double)right[i]);
+  }
 }
 
 static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
@@ -132,17 +172,14 @@ static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
   float *outputs[TABOR_MAX_MICS] = {NULL};
   for (uint32_t i = 0; i < player->outputs; i++) {
     float *const sound = player->sound[i] + at;
-    if (player->drum && played >> i & 1u) {
+    if ((player->drum || player->kit) && played >> i & 1u) {
       outputs[i] = sound;
     } else {
       memset(sound, 0, frames * sizeof *sound);
     }
   }
-  if (player->drum) {
-    const TaborSound outside = {.mic = player->input_mic,
-                                .pressure = player->input ? player->input + at : NULL};
-    tabor_drum_process_sound(player->drum, player->events, count, &outside, outputs, frames);
-  }
+  if (player->drum) compute_drum(player, count, outputs, at, frames);
+  if (player->kit) compute_kit(player, count, outputs, frames);
   add_rooms(player, count, at, frames);
   drop_events(player, count, frames);
   player->position += frames;
@@ -167,9 +204,63 @@ void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) {
 
 void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers) {
   player->drum = drum;
-  player->strikers = strikers;
+  player->strikers[0] = strikers;
   player->count = 0;
   add_gain(player, 0);
+}
+
+void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples, double rate) {
+  const TaborKitDef *const def = tabor_kit_definition(kit);
+  player->kit = kit;
+  player->samples = samples;
+  player->mix = fader_at(player->gain * player->expression, rate);
+  for (uint32_t i = 0; i < def->drum_count; i++) {
+    player->strikers[i] = def->drum[i].def.striker_count;
+  }
+}
+
+/* ---- what they are all together ---------------------------------------------------------------- */
+
+/* A drum of the kit, or the only one; NULL past the last. */
+static const TaborDrum *drum_at(const DrumPlayer *player, uint32_t index) REALTIME;
+static const TaborDrum *drum_at(const DrumPlayer *player, uint32_t index) {
+  if (player->kit) return tabor_kit_drum(player->kit, index);
+  return index == 0 ? player->drum : NULL;
+}
+
+bool drum_player_is_silent(const DrumPlayer *player) {
+  if (player->samples && !kit_samples_are_silent(player->samples)) return false;
+  if (player->kit) return tabor_kit_is_silent(player->kit);
+  return !player->drum || tabor_drum_is_silent(player->drum);
+}
+
+double drum_player_energy(const DrumPlayer *player) {
+  const TaborDrum *drum;
+  double stored = 0;
+  for (uint32_t i = 0; (drum = drum_at(player, i)) != NULL; i++) {
+    TaborLedger ledger;
+    tabor_drum_ledger(drum, &ledger);
+    stored += ledger.stored;
+  }
+  return stored;
+}
+
+void drum_player_statistics(const DrumPlayer *player, TaborStatistics *sum) {
+  const TaborDrum *drum;
+  *sum = (TaborStatistics){0};
+  if (player->kit) sum->dropped_events = tabor_kit_dropped(player->kit);
+  for (uint32_t i = 0; (drum = drum_at(player, i)) != NULL; i++) {
+    TaborStatistics own;
+    tabor_drum_statistics(drum, &own);
+    sum->strikes += own.strikes;
+    sum->solves += own.solves;
+    sum->newton_iterations += own.newton_iterations;
+    sum->newton_capped += own.newton_capped;
+    sum->recovered += own.recovered;
+    sum->dropped_events += own.dropped_events;
+    sum->in_play += own.in_play;
+    if (own.newton_max > sum->newton_max) sum->newton_max = own.newton_max;
+  }
 }
 
 /* The former room hears nothing any more. */
@@ -188,7 +279,7 @@ void drum_player_rest(DrumPlayer *player) {
   player->count = 0;
   player->has_next = false;
   player->expression = 1;
-  if (!player->drum) return;
-  tabor_drum_reset(player->drum);
-  add_gain(player, 0);
+  if (player->kit) tabor_kit_reset(player->kit);
+  if (player->drum) tabor_drum_reset(player->drum);
+  if (player->kit || player->drum) add_gain(player, 0);
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file drum_player.h
- * Plays a drum: messages become events with their frames, and blocks are computed. Render, play and plugins
- * differ in where messages come from and where the sound goes; this is what they share.
+ * Plays a drum or a kit: messages become events with their frames, and blocks are computed. Render, play and plugins
+ * differ in where messages come from and where the sound goes; this is what they share. Outputs of a drum are its
+ * microphones, those of a kit its mix, left and right, with its samples.
  *
  * A message acts at its frame for every block size: the same messages give the same sound to the bit. One
  * whose frame has passed acts at once. Real-time safe.
@@ -10,6 +11,8 @@
 #ifndef TABOR_HOST_DRUM_PLAYER_H
 #define TABOR_HOST_DRUM_PLAYER_H
 
+#include "sound/fader.h"
+#include "sound/kit_samples.h"
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
 
@@ -24,16 +27,20 @@ typedef bool DrumSourceFn(void *source, uint64_t end, PlayerMessage *message) RE
 typedef void DrumWitnessFn(void *context, const PlayerMessage *message, uint64_t frame) REALTIME;
 
 typedef struct DrumPlayer {
-  TaborDrum *drum; /**< NULL: silence, and events are lost */
+  TaborDrum *drum;     /**< or a kit; neither: silence, and events are lost */
+  TaborKit *kit;       /**< its room is its own, and it hears no sound from outside */
+  KitSamples *samples; /**< beside the kit, or NULL */
+  Fader mix;           /**< gain of a kit's mix; a drum has its own */
+  float loudest; /**< largest sample of the kit before this gain, until somebody sets it to 0 */
   uint64_t position;
-  uint32_t outputs;  /**< that the drum was given by tabor_drum_route() */
-  uint32_t heard;    /**< bits of the outputs that anybody hears */
-  uint32_t strikers; /**< of the current model */
-  RoomMix *room;     /**< behind the outputs, or NULL; the host's, as the next */
-  RoomMix *former;   /**< the room before, while it fades; else NULL */
+  uint32_t outputs;                   /**< that the drum was given by tabor_drum_route() */
+  uint32_t heard;                     /**< bits of the outputs that anybody hears */
+  uint32_t strikers[TABOR_KIT_DRUMS]; /**< of the current model of each drum */
+  RoomMix *room;                      /**< behind the outputs, or NULL; the host's, as the next */
+  RoomMix *former;                    /**< the room before, while it fades; else NULL */
   double gain, expression;
-  uint64_t strokes;                      /**< number of strokes that the drum was asked for */
-  TaborEvent events[DRUM_PLAYER_EVENTS]; /**< of the block, not yet played */
+  uint64_t strokes;                         /**< number of strokes that the drum was asked for */
+  TaborKitEvent events[DRUM_PLAYER_EVENTS]; /**< of the block, not yet played */
   uint32_t count;
   PlayerMessage next; /**< taken from the source, but not yet played */
   bool has_next;
@@ -50,6 +57,15 @@ typedef struct DrumPlayer {
 void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTIME;
 /** Gives the player its drum, at rest, with its outputs chosen and with so many strikers. */
 void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers) REALTIME;
+/** Gives the player a kit, at rest, and its samples, which may be NULL; @p rate is theirs [Hz]. */
+void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples,
+                         double rate) REALTIME;
+/** True if drum or kit are silent, and samples; a drum's room is not asked. */
+bool drum_player_is_silent(const DrumPlayer *player) REALTIME;
+/** What is stored in all drums [J]. */
+double drum_player_energy(const DrumPlayer *player) REALTIME;
+/** Counters of the drum, or of all drums of the kit together. */
+void drum_player_statistics(const DrumPlayer *player, TaborStatistics *statistics) REALTIME;
 /** Puts @p room behind the outputs; the one before fades out, and is left then. */
 void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;
 /** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */

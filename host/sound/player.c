@@ -41,9 +41,8 @@ static void set(atomic_ullong *meter, unsigned long long value) {
 
 static void meter_drum(Player *player) {
   PlayerMeters *const meters = &player->meters;
-  const TaborDrum *const drum = player->core.drum;
   TaborStatistics now;
-  tabor_drum_statistics(drum, &now);
+  drum_player_statistics(&player->core, &now);
   set(&meters->strokes, now.strikes);
   set(&meters->solves, now.solves);
   set(&meters->iterations, now.newton_iterations);
@@ -52,7 +51,8 @@ static void meter_drum(Player *player) {
   set(&meters->dropped, now.dropped_events);
   atomic_store_explicit(&meters->newton_max, now.newton_max, memory_order_relaxed);
   atomic_store_explicit(&meters->strikers, now.in_play, memory_order_relaxed);
-  atomic_store_explicit(&meters->sleeping, tabor_drum_is_silent(drum), memory_order_relaxed);
+  atomic_store_explicit(&meters->sleeping, drum_player_is_silent(&player->core),
+                        memory_order_relaxed);
   atomic_store_explicit(&meters->gain, player->core.gain, memory_order_relaxed);
 }
 

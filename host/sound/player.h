@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file player.h
- * Plays a drum: messages in, sound out.
+ * Plays a drum or a kit: messages in, sound out.
  *
  * The audio thread receives only messages. It delivers only sound, numbers and blocks of the
  * recording. Each source of messages (keyboard, MIDI, score, drum changes) is one thread and has its
@@ -18,6 +18,7 @@
 
 #include "base/message.h"
 #include "base/realtime.h"
+#include "sound/kit_samples.h"
 #include "sound/play_status.h"
 #include "sound/player_message.h"
 #include "sound/recording.h"
@@ -36,9 +37,11 @@ typedef enum PlayerSource {
 typedef struct PlayerSetup {
   TaborDrum *drum;         /**< at rest, with its microphones as outputs; owned by the caller */
   const TaborDrumDef *def; /**< of the drum, and of the room */
+  TaborKit *kit;           /**< in place of drum and def; its channels are left and right */
+  KitSamples *samples;     /**< beside the kit, or NULL */
   double rate;             /**< sample rate of the model [Hz] */
   uint32_t channels;       /**< 1 to TABOR_MAX_MICS */
-  uint32_t mics[TABOR_MAX_MICS]; /**< microphone of each channel */
+  uint32_t mics[TABOR_MAX_MICS]; /**< output of each channel */
   uint32_t width;  /**< channels of the device, 0 without one; a single channel feeds them all */
   uint32_t buffer; /**< frames that the device asks for at once, or 0 if it does not say */
   double gain;     /**< factor */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file player_message.h
- * What a drum that is played is asked to do, and at which frame: the one language of render, play and plugins.
+ * What a drum or kit that is played is asked to do, and at which frame: the one language of render, play and plugins.
  */
 #ifndef TABOR_HOST_PLAYER_MESSAGE_H
 #define TABOR_HOST_PLAYER_MESSAGE_H
 
-#include <tabor/tabor.h>
+#include <tabor/kit.h>
 
 #include "midi/midi_to_events.h"
 
@@ -15,15 +15,16 @@
 #define PLAYER_NO_MIC UINT8_MAX /**< the channel has no microphone: it is silent */
 
 typedef enum PlayerMessageType {
-  PLAYER_EVENT,     /**< event: any but swaps and gains, which have types of their own */
+  PLAYER_EVENT, /**< event: any but swaps, and gains of a single drum, which have types of their own */
   PLAYER_MODEL,     /**< event: a swap, with its outputs chosen; see strikers */
   PLAYER_GAIN,      /**< value: output gain, a factor, reached over 5 ms */
   PLAYER_EXPRESSION /**< value: a second such factor, set by MIDI */
 } PlayerMessageType;
 
 typedef struct PlayerMessage {
-  uint64_t frame;    /**< since playing started, or PLAYER_NOW */
-  uint32_t type;     /**< a PlayerMessageType */
+  uint64_t frame; /**< since playing started, or PLAYER_NOW */
+  uint32_t type;  /**< a PlayerMessageType */
+  uint32_t drum;  /**< of a kit, or TABOR_KIT_ALL, or KIT_SAMPLE and a note: of events and models */
   uint32_t strikers; /**< number of strikers of the new model */
   uint32_t model;    /**< number of the new model in a log (log_line.h) */
   double value;

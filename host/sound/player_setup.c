@@ -38,20 +38,31 @@ static void set_end(Player *player, const PlayerSetup *setup) {
   player->end = player->ring_out.most;
 }
 
+static Outcome set_instrument(Player *player, const PlayerSetup *setup) {
+  DrumPlayer *const core = &player->core;
+  if (setup->kit) {
+    drum_player_begin(core, 2, setup->gain);
+    drum_player_set_kit(core, setup->kit, setup->samples, setup->rate);
+    return OUTCOME_OK;
+  }
+  drum_player_begin(core, setup->def->mic_count, setup->gain);
+  drum_player_set_drum(core, setup->drum, setup->def->striker_count);
+  const Outcome outcome = room_create(setup->def, setup->rate, &player->room);
+  if (outcome == OUTCOME_OK) drum_player_set_room(core, &player->room);
+  return outcome;
+}
+
 Outcome player_create(const PlayerSetup *setup, Player **created) {
   Player *const player = process_allocate_aligned(SPSC_QUEUE_LINE, sizeof *player);
   *created = player;
   if (!player) return fail_memory();
   memset(player, 0, sizeof *player);
-  drum_player_begin(&player->core, setup->def->mic_count, setup->gain);
-  drum_player_set_drum(&player->core, setup->drum, setup->def->striker_count);
+  const Outcome outcome = set_instrument(player, setup);
+  if (outcome != OUTCOME_OK) return outcome;
   player->rate = setup->rate;
   player->channels = setup->channels;
   memcpy(player->mics, setup->mics, sizeof player->mics);
   for (uint32_t i = 0; i < setup->channels; i++) player->core.heard |= 1u << setup->mics[i];
-  const Outcome outcome = room_create(setup->def, setup->rate, &player->room);
-  if (outcome != OUTCOME_OK) return outcome;
-  drum_player_set_room(&player->core, &player->room);
   player->width = setup->width;
   player->logs = setup->logs;
   set_end(player, setup);

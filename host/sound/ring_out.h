@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ring_out.h
- * Decides when a rendering without --duration ends: once the drum's energy, and that of the sound in its
+ * Decides when a rendering without --duration ends: once the energy of all drums, and that of the sound in their
  * room, have fallen 90 dB below their largest values since the last stroke, but at least 0.5 s and at most 20 s after that stroke.
  */
 #ifndef TABOR_HOST_RING_OUT_H

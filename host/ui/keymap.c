@@ -68,6 +68,8 @@ void keymap_default(Keymap *keymap) {
   bind_plain(keymap, 'n', ACTION_MUFFLE, 0);
   bind_plain(keymap, '[', ACTION_PRESET, -1);
   bind_plain(keymap, ']', ACTION_PRESET, 1);
+  bind_plain(keymap, ',', ACTION_DRUM, -1);
+  bind_plain(keymap, '.', ACTION_DRUM, 1);
   bind_plain(keymap, '-', ACTION_GAIN, -1);
   bind_plain(keymap, '+', ACTION_GAIN, 1);
   bind_plain(keymap, '=', ACTION_GAIN, 1); /* where '+' needs the shift key */
@@ -169,7 +171,11 @@ static bool read_direction(Line *line, const char *text) {
   const bool next = strcmp(text, "next") == 0;
   line->binding.value = next ? 1 : -1;
   if (next || strcmp(text, "previous") == 0) return true;
-  return refuse_action(line, "allowed: preset next, preset previous; ':preset NAME' for one drum");
+  const char *const word = line->binding.kind == ACTION_DRUM ? "drum" : "preset";
+  char allowed[120];
+  (void)snprintf(allowed, sizeof allowed, "allowed: %s next, %s previous; ':%s NAME' for one drum",
+                 word, word, word);
+  return refuse_action(line, allowed);
 }
 
 static const struct ActionWord {
@@ -177,14 +183,23 @@ static const struct ActionWord {
   ActionKind kind;
   ArgumentReader *read;
 } words[] = {
-  {"none", ACTION_NONE, read_nothing},           {"stroke", ACTION_STROKE, read_place},
-  {"ghost", ACTION_GHOST, read_place},           {"repeat", ACTION_REPEAT, read_nothing},
-  {"rimshot", ACTION_TECHNIQUE, read_technique}, {"cross-stick", ACTION_TECHNIQUE, read_technique},
-  {"rim", ACTION_TECHNIQUE, read_technique},     {"buzz", ACTION_TECHNIQUE, read_technique},
-  {"sweep", ACTION_TECHNIQUE, read_technique},   {"speed", ACTION_SPEED, read_speed},
-  {"snares", ACTION_SNARES, read_nothing},       {"muffle", ACTION_MUFFLE, read_nothing},
-  {"preset", ACTION_PRESET, read_direction},     {"gain", ACTION_GAIN, read_gain},
-  {"command", ACTION_COMMAND, read_nothing},     {"help", ACTION_HELP, read_nothing},
+  {"none", ACTION_NONE, read_nothing},
+  {"stroke", ACTION_STROKE, read_place},
+  {"ghost", ACTION_GHOST, read_place},
+  {"repeat", ACTION_REPEAT, read_nothing},
+  {"rimshot", ACTION_TECHNIQUE, read_technique},
+  {"cross-stick", ACTION_TECHNIQUE, read_technique},
+  {"rim", ACTION_TECHNIQUE, read_technique},
+  {"buzz", ACTION_TECHNIQUE, read_technique},
+  {"sweep", ACTION_TECHNIQUE, read_technique},
+  {"speed", ACTION_SPEED, read_speed},
+  {"snares", ACTION_SNARES, read_nothing},
+  {"muffle", ACTION_MUFFLE, read_nothing},
+  {"preset", ACTION_PRESET, read_direction},
+  {"drum", ACTION_DRUM, read_direction},
+  {"gain", ACTION_GAIN, read_gain},
+  {"command", ACTION_COMMAND, read_nothing},
+  {"help", ACTION_HELP, read_nothing},
   {"quit", ACTION_QUIT, read_nothing},
 };
 #define WORDS (sizeof words / sizeof words[0])

@@ -26,6 +26,7 @@ typedef enum ActionKind {
   ACTION_SNARES,    /**< on or off */
   ACTION_MUFFLE,    /**< on or off */
   ACTION_PRESET,    /**< value: 1: the next, -1: the previous */
+  ACTION_DRUM,      /**< value: 1: the kit's next drum, -1: the previous */
   ACTION_GAIN,      /**< value: change of the gain [dB] */
   ACTION_COMMAND,   /**< opens the command line */
   ACTION_RUN,       /**< text: a command, as on the command line */

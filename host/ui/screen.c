@@ -40,6 +40,9 @@ static void draw_title(const ScreenState *state, Canvas *canvas, int row) {
     canvas_put(canvas, row, column, STYLE_REVERSE, ' ');
   int column = canvas_text(canvas, row, 1, STYLE_REVERSE, "tabor  ");
   column = canvas_print(canvas, row, column, STYLE_REVERSE, "%s", play->preset);
+  if (*state->drum) {
+    column = canvas_print(canvas, row, column, STYLE_REVERSE, " %s %s", dash(canvas), state->drum);
+  }
   if (state->quality) {
     column =
       canvas_print(canvas, row, column, STYLE_REVERSE, " %s %s", dash(canvas), state->quality);
@@ -276,6 +279,7 @@ static const struct {
   {ACTION_SNARES, "snares on and off"},
   {ACTION_MUFFLE, "muffle on and off"},
   {ACTION_PRESET, "another drum"},
+  {ACTION_DRUM, "the drum of a kit that keys play"},
   {ACTION_GAIN, "gain"},
   {ACTION_RUN, "commands of your own"},
   {ACTION_COMMAND, "command, as :set wires.tension 20"},

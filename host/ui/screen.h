@@ -24,9 +24,10 @@ typedef struct ScreenState {
   char mics[TABOR_MAX_MICS][TABOR_NAME_SIZE]; /**< microphone of each channel */
   Meter meters[TABOR_MAX_MICS];               /**< of each channel */
   LoadMeter load;
-  double head_radius; /**< [m] */
-  double speed;       /**< of the next stroke [m/s] */
-  double humanize;    /**< 0 to 1 */
+  char drum[2 * TABOR_NAME_SIZE + 4]; /**< of a kit, which the keys play, and its preset; "" */
+  double head_radius;                 /**< of that drum, or the only one [m] */
+  double speed;                       /**< of the next stroke [m/s] */
+  double humanize;                    /**< 0 to 1 */
   bool has_snares, snares_on, is_muffled;
   char message[SCREEN_MESSAGE_SIZE]; /**< "" for none */
   bool is_trouble;                   /**< the message is an error or warning */

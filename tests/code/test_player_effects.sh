@@ -20,13 +20,13 @@ fail() {
 }
 
 # The engine's functions and the system's that are safe: test_realtime_symbols looks into them.
-header=$source/engine/include/tabor/tabor.h
+headers=$source/engine/include/tabor
 {
   echo '#include <pthread.h>'
   echo '#include <time.h>'
-  echo '#include <tabor/tabor.h>'
+  echo '#include <tabor/kit.h>'
   awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\* @} \*\/$/ { audio = 0 }
-    audio && /^TABOR_API/, audio && /;/ { sub(/;/, " __attribute__((nonblocking));"); print }' "$header"
+    audio && /^TABOR_API/, audio && /;/ { sub(/;/, " __attribute__((nonblocking));"); print }' "$headers/tabor.h" "$headers/kit.h"
   echo 'int clock_gettime(clockid_t, struct timespec *) __attribute__((nonblocking));'
   echo 'pthread_t pthread_self(void) __attribute__((nonblocking));'
 } >"$work/safe.h"
@@ -48,7 +48,7 @@ if [ -n "$clap" ]; then
 else
   skip_part "the CLAP plugins: there are no CLAP headers (tools/setup --plugins brings them)"
 fi
-names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out strokes/humanize
+names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out sound/kit_samples strokes/humanize
   midi/midi_to_events midi/midi_speed midi/midi_stream"
 for name in $names $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"

@@ -21,7 +21,7 @@ audio=$(awk '/^ \* [A-Z-]+: / { audio = $2 == "AUDIO:" || $2 == "ANY:" } /^\/\*\
   "$(dirname "$header")"/*.h | grep -oE '^TABOR_API [^;(]*\(' | grep -oE 'tabor_[a-z0-9_]+')
 
 if [ $# -gt 0 ]; then
-  audio="player_process player_send ask_client kit_player_process $audio"
+  audio="player_process player_send ask_client $audio"
   allowed+=" clock_gettime pthread_self fmax fmin"
 fi
 

@@ -18,11 +18,13 @@ else
   backend=(--backend null)
 fi
 
-# types SCRIPT-LINE...: plays a drum whose strokes die away at once, types, and quits.
+# types SCRIPT-LINE...: plays $played, as a rule a drum whose strokes die away at once, types, and quits.
+dull=(frame-drum --set batter.damping_0=300)
+played=("${dull[@]}")
 types() {
   printf 'wait ? help\n' >script
   printf '%s\n' "$@" 'wait ? help' 'type :quit\r' >>script
-  timeout 300 "$TYPIST" script "$TABOR" play frame-drum --set batter.damping_0=300 --humanize 0 \
+  timeout 300 "$TYPIST" script "$TABOR" play "${played[@]}" --humanize 0 \
     "${backend[@]}" --record take.wav "${options[@]}" >typed
   same "the typist's status" 0 $?
   same "the program's status" "status 0" "$(grep ^status typed)"
@@ -133,6 +135,38 @@ same ":quit and :q quit" "status 0 status 0" "$(for command in quit q; do
   printf 'wait ? help\ntype :%s\\r\n' $command >script
   "$TYPIST" script "$TABOR" play frame-drum --backend null | grep ^status
 done | xargs)"
+
+# ---- a kit: one drum at a time has the keys ----
+
+cat >small.ini <<'END'
+[kit]
+overheads = 6
+[drum.snare]
+preset = snare-14x5.5
+head = 38
+[drum.tom]
+preset = tom-12
+x = 0.5
+head = 48
+[note.42]
+sample = hat.wav
+END
+"$TABOR" render frame-drum --quality draft --duration 0.1 -q -o hat.wav
+played=(--kit ./small.ini --quality draft)
+types 'wait snare, snare-14x5.5' 'type a' 'wait strokes 1  ' 'type b' 'wait snares off' 'type .' 'wait drum tom' \
+  'wait tom, tom-12' 'type b' 'wait this drum has no snares' 'type sd' 'wait strokes 3  ' 'type .' 'wait snare, snare' \
+  'type ,' 'wait tom, tom-12' 'type :drum sanre\r' "wait the kit has no drum 'sanre'" 'type :drum snare\r' 'wait snare, snare' \
+  'type :drum tom\r' 'wait tom, tom-12' 'type :set batter.pitch A3\r' 'wait batter.pitch = A3' 'gone (building)' \
+  'type :undo\r' 'wait again' 'type :redo\r' 'wait (Batter head pitch A3)' 'gone (building)' 'type ]' 'wait tom, floor-tom-16' 'gone (building)' \
+  'type a' 'wait strokes 4  ' 'type :set room.kind=hall\r' 'wait the room stays' 'type :gain -6\r' 'wait gain -6.0 dB' \
+  'type :save standard\r' 'wait that is a built-in kit' 'type :save mine\r' 'wait mine.ini is no kit' \
+  'type :save band\r' 'wait /data/tabor/band.ini' 'type :silence\r' 'wait asleep'
+"$TABOR" show --kit band >"$out"
+same "the kit is saved with its drums as they are" "snare-14x5.5 floor-tom-16" \
+  "$(sed -n 's/^preset = //p' "$out" | xargs)"
+same "and with its samples, wherever it is" "$PWD/hat.wav" "$(sed -n 's/^sample = //p' "$out")"
+played=("${dull[@]}")
+types 'type .' 'wait there is one drum' 'type :drum tom\r' 'wait there is one drum'
 
 # ---- sizes ----
 

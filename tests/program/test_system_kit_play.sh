@@ -42,10 +42,9 @@ refused "unknown kit" play --kit standart --backend null
 refused "--kit and --log" "${short[@]}" --log take.log
 refused "--kit and 'tom-12'" play tom-12 --kit standard --backend null
 refused "needs --record" play --kit standard --backend file --duration 1
-refused "need --duration" play --kit standard --backend file --record take.wav
 refused "--midi-in" play --kit standard --backend file --duration 1 --record take.wav --midi-in all
 cp song.mid song.wav
-refused "would overwrite --midi-file" "${short[@]}" --midi-file song.wav --record song.wav
+refused "would overwrite the MIDI file" "${short[@]}" --midi-file song.wav --record song.wav
 refused "--device: only" play --kit standard --backend file --duration 1 --record take.wav --device x
 refused "--device: only" "${short[@]}" --device 'JACK: system'
 refused "no drum 'snar'" "${short[@]}" --set drum.snar.x=1

@@ -8,10 +8,12 @@ needs jackd2 jack_rec
 . "$(dirname "$0")/../support/jack_server.sh"
 trap 'status=$?; end_jack; leave $status' EXIT
 
-# start_play ARGUMENT...: in the background, until its drum sounds on JACK.
+# start_play ARGUMENT...: in the background, until its drum, or the kit of $instrument, sounds on JACK.
+instrument=frame-drum
 start_play() {
   : >"$err"
-  "$TABOR" play frame-drum --quality draft --humanize 0 "$@" </dev/null >"$out" 2>"$err" &
+  # shellcheck disable=SC2086
+  "$TABOR" play $instrument --quality draft --humanize 0 "$@" </dev/null >"$out" 2>"$err" &
   player=$!
   check "the performance begins" wait_for grep -q "from a stroke to its sound" "$err"
 }
@@ -92,8 +94,13 @@ done
 
 signals=TERM
 if jack_is_alone; then signals="KILL TERM"; else skip_part "a server that is killed: /dev/shm is everybody's"; fi
-for signal in $signals; do
-  start_play --events strokes.csv --record "died-$signal.wav"
+# A quarter of a second before the first stroke, on a snare drum: 480 ticks a quarter, at 120 quarters a minute.
+printf 'MThd\0\0\0\6\0\0\0\1\1\340MTrk\0\0\0\11\201\160\231\46\144\0\377\57\0' >snare.mid
+# dies SIGNAL ARGUMENT...: the server of an instrument that plays ends by SIGNAL.
+dies() {
+  signal=$1
+  shift
+  start_play "$@" --record "died-$signal.wav"
   check "a stroke is recorded" wait_for recorded 0.75 3
   watch_machine
   stop_jack $signal
@@ -113,7 +120,24 @@ for signal in $signals; do
   holds "something was recorded" "$(cat "$private/peak") > 0.001"
   same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
   start_jack
+}
+for signal in $signals; do
+  dies "$signal" --events strokes.csv
+  instrument="--kit standard" dies "$signal" --midi-file snare.mid
 done
+
+# ---- the kit ends as it is told to ----
+
+instrument="--kit standard"
+for signal in INT TERM; do
+  start_play --record "told-$signal.wav"
+  kill -s $signal "$player"
+  wait "$player"
+  status=$?
+  same "status of a kit after SIG$signal" $((128 + $(kill -l $signal))) $status
+  same "nothing is left beside" "" "$(find . -name '.tabor-*' -o -name '*.part*')"
+done
+instrument=frame-drum
 
 # ---- the server dies while the program starts ----
 

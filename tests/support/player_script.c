@@ -24,8 +24,11 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
   ModelBuilderSetup setup = {.preset = preset, .def = &def, .waits = waits};
   tabor_model_options_default(&setup.options);
   setup.options.quality = quality;
+  assert_int_equal(tabor_model_create(&def, &setup.options, &setup.model, NULL), TABOR_OK);
+  assert_int_equal(tabor_drum_create(setup.model, &stage->drum, NULL), TABOR_OK);
   assert_int_equal(model_builder_create(&setup, &stage->builder), OUTCOME_OK);
-  const PlayerSetup player = {.drum = model_builder_drum(stage->builder),
+  tabor_model_release(setup.model);
+  const PlayerSetup player = {.drum = stage->drum,
                               .def = &def,
                               .rate = RATE,
                               .channels = 1,
@@ -45,6 +48,7 @@ Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t
 void stage_close(Stage *stage) {
   model_builder_stop(stage->builder);
   player_destroy(stage->player);
+  tabor_drum_destroy(stage->drum);
   model_builder_destroy(stage->builder);
   free(stage->samples);
   free(stage);

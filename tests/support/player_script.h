@@ -12,6 +12,7 @@ enum { PLAYER_SCRIPT_MOST = 4096 };
 
 /** A player with its drum, and its recording so far. */
 typedef struct Stage {
+  TaborDrum *drum;
   ModelBuilder *builder;
   Player *player;
   uint32_t channels;

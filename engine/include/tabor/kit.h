@@ -208,6 +208,12 @@ TABOR_API void tabor_kit_destroy(TaborKit *kit);
  * the caller's: for an audio thread it must not lock.
  */
 TABOR_API void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context);
+/** @} */
+
+/** @name Looking at kits
+ * ANY: real-time safe. */
+/** @{ */
+
 /** The drum @p drum of a kit, for queries; NULL past the last. */
 TABOR_API const TaborDrum *tabor_kit_drum(const TaborKit *kit, uint32_t drum);
 /** The definition with which the kit was created. */

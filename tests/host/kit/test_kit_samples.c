@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sound files that stand for what a kit does not model. */
 #include "base/message.h"
-#include "kit/kit_samples.h" /* before cmocka, whose fail() is a macro */
+#include "kit/kit_sample_files.h" /* before cmocka, whose fail() is a macro */
 
 #include <math.h>
 #include <setjmp.h>

@@ -389,7 +389,7 @@ static void a_rest_is_a_new_beginning(void **state) {
   assert_int_equal(stage->player.strokes, 2);
   drum_player_rest(&fresh->player);
   assert_int_equal(fresh->player.count, 1); /* the gain alone, at once */
-  assert_int_equal(fresh->player.events[0].type, TABOR_EVENT_GAIN);
+  assert_int_equal(fresh->player.events[0].event.type, TABOR_EVENT_GAIN);
   close_stage(stage);
   close_stage(fresh);
 }
@@ -421,7 +421,7 @@ static void strikers_are_those_of_the_model(void **state) {
   strike(stage, 3200, other); /* the new model has one */
   strike(first, 3200, 0);
   play(stage, 3000, 100);
-  assert_int_equal(stage->player.strikers, 1);
+  assert_int_equal(stage->player.strikers[0], 1);
   assert_true(tabor_swap_done(swap));
   drum_player_rest(&stage->player);
   drum_player_rest(&first->player);
@@ -480,6 +480,98 @@ static void without_a_drum_there_is_silence(void **state) {
   close_stage(stage);
 }
 
+/* ---- kits ----------------------------------------------------------------------------------- */
+
+static TaborKit *kit_of_two(void) {
+  TaborKitDef *const kit_def = calloc(1, sizeof *kit_def);
+  TaborModel *models[2];
+  TaborModelOptions options;
+  TaborKit *kit;
+  assert_non_null(kit_def);
+  tabor_kit_def_default(kit_def);
+  assert_int_equal(tabor_kit_def_section(kit_def, "drum.left", NULL), TABOR_OK);
+  assert_int_equal(tabor_kit_def_set(kit_def, "drum.right.x", "0.6", NULL), TABOR_OK);
+  tabor_model_options_default(&options);
+  options.sample_rate = RATE;
+  options.quality = TABOR_QUALITY_DRAFT;
+  for (uint32_t i = 0; i < 2; i++) {
+    TaborDrumDef placed;
+    kit_def->drum[i].def = def;
+    assert_int_equal(tabor_kit_def_place(kit_def, i, &placed, NULL), TABOR_OK);
+    assert_int_equal(tabor_model_create(&placed, &options, &models[i], NULL), TABOR_OK);
+  }
+  assert_int_equal(tabor_kit_create(kit_def, models, &kit, NULL), TABOR_OK);
+  for (uint32_t i = 0; i < 2; i++) tabor_model_release(models[i]);
+  free(kit_def);
+  return kit;
+}
+
+/* Strokes on both drums and on a sample, a choke, and a gain in the midst of them. */
+static Stage *play_kit(KitSamples *samples, double gain, uint32_t block) {
+  Stage *const stage = calloc(1, sizeof *stage);
+  assert_non_null(stage);
+  TaborKit *const kit = kit_of_two();
+  drum_player_begin(&stage->player, 2, 1);
+  drum_player_set_kit(&stage->player, kit, samples, RATE);
+  stage->player.heard = 3;
+  strike(stage, 10, 0);
+  strike(stage, 10, 0);
+  stage->score.list[1].drum = 1;
+  strike(stage, 33, 0);
+  stage->score.list[2].drum = KIT_SAMPLE + 42;
+  stage->score.list[2].event.velocity = 1;
+  add(stage, (PlayerMessage){.frame = 301, .type = PLAYER_GAIN, .value = gain});
+  add(stage, (PlayerMessage){.frame = 500,
+                             .type = PLAYER_EVENT,
+                             .drum = KIT_SAMPLE + 42,
+                             .event = {.type = TABOR_EVENT_SILENCE}});
+  strike(stage, 700, 0);
+  stage->score.list[5].drum = 77; /* nobody */
+  play(stage, 1600, block);
+  return stage;
+}
+
+static void close_kit(Stage *stage) {
+  tabor_kit_destroy(stage->player.kit);
+  free(stage);
+}
+
+static void a_kit_plays_with_its_samples_in_any_blocks(void **state) {
+  (void)state;
+  static float sound[1000];
+  static KitSamples samples[3];
+  static const uint32_t blocks[3] = {DRUM_PLAYER_BLOCK, 1, 77};
+  Stage *stages[3];
+  for (int i = 0; i < 1000; i++) sound[i] = 0.25f;
+  for (int i = 0; i < 3; i++) {
+    samples[i].fade = 100;
+    samples[i].notes[42] = (KitSample){.sound = {sound}, .frames = 1000};
+    stages[i] = play_kit(&samples[i], 0.5, blocks[i]);
+    assert_memory_equal(stages[i]->sound, stages[0]->sound, sizeof stages[i]->sound);
+  }
+  Stage *const without = play_kit(NULL, 0.5, 100), *const loud = play_kit(NULL, 1, 100);
+  for (int i = 0; i < 1600; i++) {
+    const double sample = (double)(stages[0]->sound[0][i] - without->sound[0][i]);
+    if (i < 33 || i >= 600) assert_true(sample == 0);
+    if (i >= 33 && i < 301) assert_true(fabs(sample - 0.25) < 1e-6);
+    if (i <= 300) assert_true(without->sound[0][i] == loud->sound[0][i]);
+    if (i >= 301 + FADER_TIME * RATE) {
+      assert_true(without->sound[0][i] == 0.5f * loud->sound[0][i]);
+    }
+  }
+  TaborStatistics statistics;
+  drum_player_statistics(&without->player, &statistics);
+  assert_int_equal(statistics.strikes, 2);
+  assert_int_equal(statistics.dropped_events, 1);
+  assert_false(drum_player_is_silent(&without->player));
+  assert_true(drum_player_energy(&without->player) > 0);
+  drum_player_rest(&without->player);
+  assert_true(drum_player_is_silent(&without->player));
+  for (int i = 0; i < 3; i++) close_kit(stages[i]);
+  close_kit(without);
+  close_kit(loud);
+}
+
 /* ---- MIDI ----------------------------------------------------------------------------------- */
 
 static void actions_become_messages(void **state) {
@@ -536,6 +628,7 @@ int main(void) {
     cmocka_unit_test(strikers_are_those_of_the_model),
     cmocka_unit_test(unheard_outputs_are_silent),
     cmocka_unit_test(without_a_drum_there_is_silence),
+    cmocka_unit_test(a_kit_plays_with_its_samples_in_any_blocks),
     cmocka_unit_test(actions_become_messages),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -73,6 +73,12 @@ bool kit_samples_set(KitSamples *samples, const char *file, const char *section,
   return false;
 }
 
+void kit_samples_map(const KitSamples *samples, bool has_sample[MIDI_VALUES]) {
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    has_sample[note] = samples->notes[note].path != NULL;
+  }
+}
+
 /* ---- the files ------------------------------------------------------------------------------- */
 
 static Outcome read_side(KitSample *sample, uint32_t channel, double rate, AudioClip *clip) {

@@ -25,6 +25,8 @@ void kit_samples_begin(KitSamples *samples);
  */
 bool kit_samples_set(KitSamples *samples, const char *file, const char *section, const char *key,
                      const char *value, char *message, size_t size);
+/** Says for each note whether it has a sample. */
+void kit_samples_map(const KitSamples *samples, bool has_sample[MIDI_VALUES]);
 /** Reads the files, for @p rate [Hz]. */
 Outcome kit_samples_load(KitSamples *samples, double rate);
 void kit_samples_free(KitSamples *samples);

@@ -10,7 +10,7 @@
 #include "kit/kit_build.h"
 #include "kit/kit_midi.h"
 #include "library/library_sums.h"
-#include "render/kit_take.h"
+#include "render/render_file.h"
 #include "render/render_options.h"
 #include "strokes/stroke.h"
 
@@ -147,17 +147,7 @@ Outcome library_kit_read(const Arguments *arguments, const LibraryShape *shape,
 }
 
 Outcome library_kit_read_rendering(const Arguments *arguments, LibraryRequest *request) {
-  RenderRequest *const render = &request->render;
-  KitFormat format;
-  const Outcome outcome = kit_format_read(arguments, &request->kit->def, &render->model, &format);
-  if (outcome != OUTCOME_OK) return outcome;
-  render->quiet = arguments_has(arguments, "quiet");
-  render->verbose = arguments_has(arguments, "verbose") && !render->quiet;
-  render->audio = format.audio;
-  render->gain = format.gain;
-  render->gain_db = format.gain_db;
-  render->frames = format.frames;
-  return audio_format_check(&render->audio);
+  return render_kit_format_read(arguments, &request->kit->def, &request->render);
 }
 
 void library_kit_free(LibraryKit *kit) {
@@ -194,32 +184,21 @@ static Outcome make_song(const LibrarySound *sound, double rate, KitSong *song) 
   return OUTCOME_OK;
 }
 
-static Outcome fill(const LibraryRequest *request, const RenderJob *job, KitTake *take) {
-  const LibraryKit *const kit = request->kit;
-  TaborError error;
-  const RenderRequest *const render = &request->render;
-  take->format = (KitFormat){render->audio, render->gain, render->gain_db, render->frames};
-  Outcome outcome = make_song(job->sound, job->rate, &take->song);
-  if (outcome == OUTCOME_OK) outcome = output_plan(&take->outputs[0], job->output, false);
-  take->output_count = 1;
-  if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_kit_create(&kit->def, kit->models, &take->kit, &error) == TABOR_OK) return OUTCOME_OK;
-  return report_engine_error(&error);
+static Outcome fill(const LibraryRequest *request, RenderJob *job) {
+  RenderRequest *const render = &job->request;
+  render_request_clear(render);
+  *render = request->render;
+  render->json = false;
+  render->quiet = !render->verbose;
+  render->kit_models = request->kit->models;
+  render->threads = 1;
+  render->output_count = 1;
+  const Outcome outcome = make_song(job->sound, job->rate, &render->kit_song);
+  return outcome == OUTCOME_OK ? output_plan(&render->outputs[0], job->output, false) : outcome;
 }
 
 Outcome library_kit_render(void *sums, RenderJob *job) {
-  const LibraryRequest *const request = ((const LibrarySums *)sums)->request;
-  KitTake *const take = malloc(sizeof *take);
-  if (!take) return fail_memory();
-  kit_take_begin(take);
-  Outcome outcome = fill(request, job, take);
-  if (outcome == OUTCOME_OK) outcome = kit_take_write(take, render_job_played, job);
-  if (outcome == OUTCOME_OK) kit_take_warn(take);
-  if (outcome == OUTCOME_OK && request->render.verbose) {
-    note("kit %s, %.2f s, peak %.1f dBFS", request->kit->def.name, take->position / job->rate,
-         20 * log10(take->peak));
-  }
-  kit_take_free(take);
-  free(take);
-  return outcome;
+  const Outcome outcome = fill(((const LibrarySums *)sums)->request, job);
+  if (outcome != OUTCOME_OK) return outcome;
+  return render_file(&job->request, render_job_played, job, &job->report);
 }

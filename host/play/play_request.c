@@ -240,9 +240,7 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
 
 void play_request_kit_midi(const PlayRequest *request, KitMidi *midi) {
   kit_midi_begin(midi, request->kit, &request->kit_midi);
-  for (int note = 0; note < MIDI_VALUES; note++) {
-    midi->has_sample[note] = request->samples.notes[note].path != NULL;
-  }
+  kit_samples_map(&request->samples, midi->has_sample);
 }
 
 void play_request_free(PlayRequest *request) {

@@ -107,7 +107,7 @@ uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, 
   const uint32_t frames = most < DRUM_PLAYER_BLOCK ? most : DRUM_PLAYER_BLOCK;
   player->core.heard = 0;
   for (uint32_t mic = 0; mic < PLUGIN_MICS; mic++) {
-    if (hears(player, outputs, (PluginMic)mic)) player->core.heard |= 1u << mic;
+    if (hears(player, outputs, (PluginMic)mic)) player->core.heard |= UINT64_C(1) << mic;
   }
   take_sound(player, outputs, at, frames);
   drum_player_play(&player->core, plugin_player_next, player, frames);

@@ -7,13 +7,12 @@
 
 #include "drums/drum_args.h"
 #include "drums/model_build.h"
+#include "kit/kit_build.h"
 #include "platform/clock.h"
 #include "sound/room_create.h"
 
-Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
-  memset(player, 0, sizeof *player);
-  player->request = request;
-  player->presets.options = &request->model;
+static Outcome open_drum(OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
   Outcome outcome = drum_create(&request->def, &request->model, request->shared, &player->drum);
   if (outcome != OUTCOME_OK) return outcome;
   player->model = (TaborModel *)tabor_drum_model(player->drum);
@@ -21,10 +20,52 @@ Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
   outcome = room_create(&request->def, request->model.sample_rate, &player->room);
   if (outcome != OUTCOME_OK) return outcome;
   drum_player_set_room(&player->core, &player->room);
-  for (uint32_t i = 0; i < request->channels; i++) player->core.heard |= 1u << request->mics[i];
   drum_player_set_drum(&player->core, player->drum, request->def.striker_count);
   if (request->input.pressure) player->core.input = player->input;
   player->core.input_mic = request->input.mic;
+  return OUTCOME_OK;
+}
+
+static Outcome create_kit(OfflinePlayer *player, TaborModel *const *models) {
+  TaborError error;
+  if (tabor_kit_create(player->request->kit, models, &player->kit, &error) == TABOR_OK) {
+    return OUTCOME_OK;
+  }
+  return report_engine_error(&error);
+}
+
+static Outcome build_kit(OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
+  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
+  if (request->kit_models) return create_kit(player, request->kit_models);
+  Outcome outcome = kit_models_build(request->kit, &request->model, request->threads, models);
+  if (outcome == OUTCOME_OK) outcome = create_kit(player, models);
+  kit_models_release(models);
+  return outcome;
+}
+
+/* Samples are in the mix alone, not in the drums' parts of it. */
+static Outcome open_kit(OfflinePlayer *player) {
+  RenderRequest *const request = player->request;
+  const double rate = request->model.sample_rate;
+  Outcome outcome = kit_samples_load(&request->samples, rate);
+  if (outcome == OUTCOME_OK) outcome = build_kit(player);
+  if (outcome != OUTCOME_OK) return outcome;
+  player->threads = kit_threads_begin(player->kit, request->threads);
+  drum_player_begin(&player->core, 2 + 2 * request->kit->drum_count, request->gain);
+  drum_player_set_kit(&player->core, player->kit, request->split ? NULL : &request->samples, rate);
+  return OUTCOME_OK;
+}
+
+Outcome offline_player_open(OfflinePlayer *player, RenderRequest *request) {
+  memset(player, 0, sizeof *player);
+  player->request = request;
+  player->presets.options = &request->model;
+  const Outcome outcome = request->kit ? open_kit(player) : open_drum(player);
+  if (outcome != OUTCOME_OK) return outcome;
+  for (uint32_t i = 0; i < request->channels; i++) {
+    player->core.heard |= UINT64_C(1) << request->mics[i];
+  }
   return OUTCOME_OK;
 }
 
@@ -119,9 +160,21 @@ static bool take_logged(OfflinePlayer *player, uint64_t end, PlayerMessage *mess
   return player->outcome == OUTCOME_OK;
 }
 
+static bool take_of_kit(OfflinePlayer *player, uint64_t end, PlayerMessage *message) {
+  const KitSong *const song = &player->request->kit_song;
+  if (player->next_item == song->count) return false;
+  const TaborKitEvent *const next = &song->events[player->next_item];
+  if (next->event.frame >= end) return false;
+  *message = (PlayerMessage){
+    .frame = next->event.frame, .type = PLAYER_EVENT, .drum = next->drum, .event = next->event};
+  player->next_item++;
+  return true;
+}
+
 /* A DrumSourceFn. */
 static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
   OfflinePlayer *const player = source;
+  if (player->kit) return take_of_kit(player, end, message);
   const MidiSongItem *const item = next_item(player);
   const TaborEvent *const event = next_event(player);
   if (player->outcome != OUTCOME_OK) return false;
@@ -137,7 +190,7 @@ static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
 
 OfflineDrops offline_player_drops(const OfflinePlayer *player) {
   TaborStatistics statistics;
-  tabor_drum_statistics(player->drum, &statistics);
+  drum_player_statistics(&player->core, &statistics);
   const uint64_t strokes = player->core.strokes - statistics.strikes;
   return (OfflineDrops){.strokes = strokes, .others = statistics.dropped_events - strokes};
 }
@@ -157,6 +210,11 @@ static void interleave(OfflinePlayer *player, uint32_t at, uint32_t frames) {
   }
 }
 
+/* Of a kit that of all its threads. */
+static double computing_time(const OfflinePlayer *player) {
+  return player->kit ? process_seconds() : processor_seconds();
+}
+
 /* Frames @p at to @p end of the block. */
 static Outcome play(OfflinePlayer *player, uint32_t at, uint32_t end) {
   while (at < end && player->outcome == OUTCOME_OK) {
@@ -164,9 +222,9 @@ static Outcome play(OfflinePlayer *player, uint32_t at, uint32_t end) {
     if (player->core.input) {
       sound_input_take(&player->request->input, player->position, frames, player->input);
     }
-    const double start = processor_seconds();
+    const double start = computing_time(player);
     drum_player_play(&player->core, take_message, player, frames);
-    player->computing += processor_seconds() - start;
+    player->computing += computing_time(player) - start;
     interleave(player, at, frames);
     player->position += frames;
     at += frames;
@@ -191,9 +249,12 @@ Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, Trace
 }
 
 void offline_player_free(OfflinePlayer *player) {
+  kit_threads_end(player->threads, player->kit);
   room_mix_free(&player->room);
   tabor_drum_destroy(player->drum);
+  tabor_kit_destroy(player->kit);
   player->drum = NULL;
+  player->kit = NULL;
   free_done(player, true);
   tabor_model_release(player->built);
   preset_models_free(&player->presets);

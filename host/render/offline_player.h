@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file offline_player.h
- * Plays one drum for a rendering: the drum player run as fast as it can, interleaved samples out.
+ * Plays one drum or a kit for a rendering: the drum player run as fast as it can, interleaved samples out.
  *
  * Plays strokes and a MIDI file, or a log. Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
  * A room is that of the request's own drum throughout.
@@ -11,6 +11,7 @@
 
 #include "drums/preset_models.h"
 #include "files/trace_file.h"
+#include "kit/kit_threads.h"
 #include "render/render_request.h"
 #include "sound/drum_player.h"
 
@@ -30,20 +31,23 @@ typedef struct SentSwap {
 
 typedef struct OfflinePlayer {
   RenderRequest *request;
-  TaborDrum *drum;
-  DrumPlayer core; /**< with an output for each of the first drum's microphones */
+  TaborDrum *drum; /**< or a kit */
+  TaborKit *kit;
+  KitThreads *threads; /**< of the kit, or NULL */
+  DrumPlayer core;     /**< of a drum, with an output for each of the first drum's microphones */
   RoomMix room;
   PresetModels presets;
   TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
   TaborModel *built; /**< the same, if it is of a log's; owned */
   SentSwap *swaps;
-  size_t next_event, next_item;   /**< index into the strokes, and into the song */
-  size_t next_message;            /**< index into the log */
-  uint32_t position;              /**< frames played */
-  double peak;                    /**< largest absolute sample */
-  double computing;               /**< processor time used by the drum [s] */
-  Outcome outcome;                /**< of building models of presets */
-  float input[DRUM_PLAYER_BLOCK]; /**< of the next block */
+  size_t next_event,
+    next_item;         /**< index into the strokes, and into the song; of a kit, into its song */
+  size_t next_message; /**< index into the log */
+  uint32_t position;   /**< frames played */
+  double peak;         /**< largest absolute sample */
+  double computing;    /**< processor time used by the drum [s] */
+  Outcome outcome;     /**< of building models of presets */
+  float input[DRUM_PLAYER_BLOCK];                    /**< of the next block */
   double interleaved[MOST_CHANNELS * OFFLINE_BLOCK]; /**< the newest block */
 } OfflinePlayer;
 

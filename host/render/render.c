@@ -6,9 +6,7 @@
 #include "base/command.h"
 #include "base/json_output.h"
 #include "drums/drum_args.h"
-#include "kit/kit_options.h"
 #include "render/render_jobs.h"
-#include "render/render_kit.h"
 #include "render/render_options.h"
 
 /* The file that -o names. */
@@ -23,10 +21,7 @@ static Outcome render_single(RenderBatch *batch) {
 
 static Outcome run(const Arguments *arguments) {
   RenderBatch batch;
-  if (arguments_has(arguments, "kit")) return render_kit(arguments);
-  Outcome outcome = kit_options_refuse(arguments);
-  if (outcome != OUTCOME_OK) return outcome;
-  outcome = render_batch_read(arguments, &batch);
+  Outcome outcome = render_batch_read(arguments, &batch);
   if (outcome == OUTCOME_OK) {
     outcome = batch.folder ? render_jobs_run(&batch) : render_single(&batch);
   }

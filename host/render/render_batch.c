@@ -10,7 +10,6 @@
 #include "drums/drum_args.h"
 #include "platform/files.h"
 #include "platform/paths.h"
-#include "platform/process.h"
 #include "render/render_options.h"
 #include "render/render_outputs.h"
 
@@ -61,7 +60,8 @@ static PresetStem events_stem(const char *events) {
 }
 
 static Outcome name_job(const char *folder, const char *events, RenderJob *job) {
-  const PresetStem preset = preset_stem(preset_argument(&job->arguments));
+  const char *const kit = arguments_value(&job->arguments, "kit");
+  const PresetStem preset = preset_stem(kit ? kit : preset_argument(&job->arguments));
   const PresetStem take = events_stem(events);
   const size_t size =
     strlen(folder) + (size_t)preset.length + (size_t)take.length + sizeof "-" EXTENSION;
@@ -221,15 +221,6 @@ static Outcome check_outputs(const RenderBatch *batch) {
     }
     if (outcome == OUTCOME_OK) outcome = protect_others(batch, job);
   }
-  return outcome;
-}
-
-Outcome render_threads_read(const Arguments *arguments, uint32_t *count) {
-  static const NumberField field = {"--jobs", 1, MOST_JOBS, true};
-  const unsigned processors = process_processors();
-  double threads = processors > MOST_JOBS ? MOST_JOBS : processors;
-  const Outcome outcome = arguments_number(arguments, &field, &threads);
-  *count = (uint32_t)threads;
   return outcome;
 }
 

@@ -12,10 +12,7 @@
 #include <jansson.h>
 #include <stdatomic.h>
 
-#include "base/interrupt.h"
 #include "render/render_request.h"
-
-#define MOST_JOBS INTERRUPT_MOST_THREADS
 
 /** One sound of a batch. */
 typedef struct RenderJob {
@@ -50,8 +47,6 @@ typedef struct RenderBatch {
   double shown;         /**< part of the sound that was shown as played: it never shrinks */
 } RenderBatch;
 
-/** Reads --jobs; the default is the number of processors. */
-Outcome render_threads_read(const Arguments *arguments, uint32_t *count);
 /** Reads the request of a job whose name and arguments are set. */
 Outcome render_job_read(RenderJob *job);
 /** A PlayedFn whose context is the job. */

@@ -116,7 +116,7 @@ static Outcome open_files(Rendering *rendering) {
 /* All files are completed and checked before the first appears. */
 static Outcome deliver_files(Rendering *rendering) {
   RenderRequest *const request = rendering->request;
-  OutputFile *outputs[TABOR_MAX_MICS + 1];
+  OutputFile *outputs[SOUND_FILES_MOST + 1];
   size_t count = 0;
   for (uint32_t i = 0; i < request->output_count; i++) outputs[count++] = &request->outputs[i];
   if (request->has_trace) outputs[count++] = &request->trace;
@@ -130,9 +130,8 @@ static Outcome deliver_files(Rendering *rendering) {
 static void note_cut(const Rendering *rendering) {
   const RenderRequest *const request = rendering->request;
   if (!rendering->ring_out.sounding || request->frames > 0 || request->quiet) return;
-  note(
-    "the drum still sounds where the file ends, %g s after the last stroke; --duration gives more",
-    RING_OUT_MOST_TIME);
+  note("the %s still sounds where the file ends, %g s after the last stroke; --duration gives more",
+       request->kit ? "kit" : "drum", RING_OUT_MOST_TIME);
 }
 
 static Outcome render(Rendering *rendering, json_t **report) {

@@ -8,6 +8,7 @@
 #include "drums/drum_args.h"
 #include "platform/clock.h"
 #include "render/render_file.h"
+#include "render/render_options.h"
 #include "render/render_progress.h"
 
 #define PROGRESS_INTERVAL 0.2 /* [s] */

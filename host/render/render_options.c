@@ -11,8 +11,10 @@
 #include "drums/stereo_pair.h"
 #include "kit/kit_args.h"
 #include "kit/kit_options.h"
+#include "kit/kit_song_input.h"
 #include "midi/midi_mask.h"
 #include "midi/midi_options.h"
+#include "platform/process.h"
 #include "render/render_outputs.h"
 #include "strokes/duration.h"
 #include "strokes/humanize_options.h"
@@ -49,13 +51,23 @@ const Option render_options[] = {
   OPTION_INPUT,
   OPTION_INPUT_LEVEL,
   OPTION_INPUT_MIC,
-  {"split", 0, NULL, "a file for each microphone (default: all); take.wav gives take-NAME.wav"},
+  {"split", 0, NULL,
+   "a file for each microphone (default: all) or drum of a kit; take.wav gives take-NAME.wav"},
   OPTION_GAIN,
   {"normalize", 0, NULL, "amplify all channels together to a peak of -1 dBFS"},
   {"trace", 0, "FILE", "also write displacements, forces and energy, a row a sample, as CSV"},
   {"verbose", 'v', NULL, "print more about what was done"},
   {0},
 };
+
+Outcome render_threads_read(const Arguments *arguments, uint32_t *count) {
+  static const NumberField field = {"--jobs", 1, MOST_JOBS, true};
+  const unsigned processors = process_processors();
+  double threads = processors > MOST_JOBS ? MOST_JOBS : processors;
+  const Outcome outcome = arguments_number(arguments, &field, &threads);
+  *count = (uint32_t)threads;
+  return outcome;
+}
 
 /* A step of reading the command line. */
 typedef Outcome ReadFn(const Arguments *arguments, RenderRequest *request);
@@ -158,9 +170,53 @@ static Outcome read_flags(const Arguments *arguments, RenderRequest *request) {
   return OUTCOME_OK;
 }
 
+static Outcome read_kit(const Arguments *arguments, RenderRequest *request) {
+  static const char *const excluded[] = {"strike", "events",   "each", "trace",
+                                         "mic",    "midi-map", "input"};
+  Outcome outcome = kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                                       "not together; a kit plays a MIDI file into its own mix");
+  if (outcome != OUTCOME_OK) return outcome;
+  if (!arguments_has(arguments, "midi-file"))
+    return refuse("--kit needs --midi-file, the notes to play");
+  request->own_kit = malloc(sizeof *request->own_kit);
+  if (!request->own_kit) return fail_memory();
+  outcome = kit_load(arguments, request->own_kit, &request->samples);
+  if (outcome != OUTCOME_OK) return outcome;
+  render_request_set_kit(request, request->own_kit);
+  return render_threads_read(arguments, &request->threads);
+}
+
+static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request) {
+  KitMidiSetup setup;
+  Humanizer humanizer;
+  Outcome outcome = kit_midi_setup_read(arguments, &setup);
+  if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0, &humanizer);
+  if (outcome != OUTCOME_OK) return outcome;
+  KitMidi *const midi = request->kit_midi = malloc(sizeof *midi);
+  if (!midi) return fail_memory();
+  kit_midi_begin(midi, request->kit, &setup);
+  kit_samples_map(&request->samples, midi->has_sample);
+  return kit_song_read(arguments, midi, humanizer, request->model.sample_rate, &request->kit_song);
+}
+
+static Outcome note_kit_song(const Arguments *arguments, RenderRequest *request) {
+  if (!request->quiet) kit_song_note(arguments_value(arguments, "midi-file"), request->kit_midi);
+  return OUTCOME_OK;
+}
+
+/* The mix, or each drum's part of it. */
+static Outcome read_kit_outputs(const Arguments *arguments, RenderRequest *request) {
+  request->split = arguments_has(arguments, "split");
+  request->audio.channels = 2;
+  request->channels = request->split ? 2 * request->kit->drum_count : 2;
+  for (uint32_t i = 0; i < request->channels; i++) request->mics[i] = request->split ? 2 + i : i;
+  return OUTCOME_OK;
+}
+
 static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = kit_options_refuse(arguments);
   request->preset = preset_argument(arguments);
-  return drum_load(arguments, &request->def);
+  return outcome == OUTCOME_OK ? drum_load(arguments, &request->def) : outcome;
 }
 
 static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
@@ -236,7 +292,7 @@ static Outcome check_replay(const Arguments *arguments) {
     "strike",         "events",         "midi-file", "midi-map", "midi-channel",
     "velocity-curve", "velocity-range", "humanize",  "seed",     "set",
     "rate",           "quality",        "gain",      "stereo",   "input",
-    "input-level",    "input-mic",      "mask-time", "strict",
+    "input-level",    "input-mic",      "mask-time", "strict",   "kit",
   };
   for (size_t i = 0; i < sizeof excluded / sizeof excluded[0]; i++) {
     if (!arguments_has(arguments, excluded[i])) continue;
@@ -293,9 +349,28 @@ Outcome render_request_read(const Arguments *arguments, RenderRequest *request) 
     read_encoding, read_flags, read_gain,           read_replay,
     read_duration, read_mics,  render_outputs_plan, NULL,
   };
-  ReadFn *const *step = arguments_has(arguments, "replay") ? replay : strokes;
+  static ReadFn *const kit[] = {
+    read_encoding, read_flags,       read_gain,           read_kit,      read_model, read_kit_song,
+    read_duration, read_kit_outputs, render_outputs_plan, note_kit_song, NULL,
+  };
+  ReadFn *const *step = strokes;
+  if (arguments_has(arguments, "kit")) step = kit;
+  if (arguments_has(arguments, "replay")) step = replay;
   render_request_clear(request);
   Outcome outcome = OUTCOME_OK;
   for (; outcome == OUTCOME_OK && *step; step++) outcome = (*step)(arguments, request);
   return outcome;
+}
+
+Outcome render_kit_format_read(const Arguments *arguments, const TaborKitDef *kit,
+                               RenderRequest *request) {
+  static ReadFn *const steps[] = {
+    read_encoding, read_flags, read_gain, read_model, read_duration, read_kit_outputs, NULL,
+  };
+  Outcome outcome = OUTCOME_OK;
+  render_request_set_kit(request, kit);
+  for (ReadFn *const *step = steps; outcome == OUTCOME_OK && *step; step++) {
+    outcome = (*step)(arguments, request);
+  }
+  return outcome == OUTCOME_OK ? audio_format_check(&request->audio) : outcome;
 }

@@ -6,6 +6,7 @@
 #ifndef TABOR_HOST_RENDER_OPTIONS_H
 #define TABOR_HOST_RENDER_OPTIONS_H
 
+#include "base/interrupt.h"
 #include "base/options.h"
 #include "render/render_request.h"
 
@@ -21,7 +22,15 @@
 #define OPTION_JOBS                                                                                \
   { "jobs", 'j', "N", "sounds to render at once, 1 to 256 (default: the number of processors)" }
 
+#define MOST_JOBS INTERRUPT_MOST_THREADS
+
 extern const Option render_options[];
+
+/** Reads --jobs; the default is the number of processors. */
+Outcome render_threads_read(const Arguments *arguments, uint32_t *count);
+/** Reads what says how a sound of @p kit, which must outlive the request, is rendered: quality, rate, format, level, length. */
+Outcome render_kit_format_read(const Arguments *arguments, const TaborKitDef *kit,
+                               RenderRequest *request);
 
 /** Reads the command line. Free with render_request_free(), whatever the outcome. */
 Outcome render_request_read(const Arguments *arguments, RenderRequest *request);

@@ -35,7 +35,12 @@ static Outcome plan_single(const Arguments *arguments, const char *name, RenderR
   return OUTCOME_OK;
 }
 
-/* ---- a sound file for each microphone ---- */
+/* ---- a sound file for each microphone, or each drum of a kit ---- */
+
+static const char *part_name(const RenderRequest *request, uint32_t index) {
+  if (request->kit) return request->kit->drum[index].name;
+  return request->def.mic[request->mics[index]].name;
+}
 
 /* "FOLDER/take-top.wav" for "FOLDER/take.wav", which has an extension, and "top". */
 static char *split_name(const char *name, const char *mic) {
@@ -64,8 +69,9 @@ static Outcome plan_split(const Arguments *arguments, const char *name, RenderRe
   }
   if (!audio_container(name, &request->audio.container)) return refuse_extension(name);
   Outcome outcome = OUTCOME_OK;
-  for (uint32_t i = 0; i < request->channels && outcome == OUTCOME_OK; i++) {
-    request->names[i] = split_name(name, request->def.mic[request->mics[i]].name);
+  const uint32_t count = request->kit ? request->kit->drum_count : request->channels;
+  for (uint32_t i = 0; i < count && outcome == OUTCOME_OK; i++) {
+    request->names[i] = split_name(name, part_name(request, i));
     if (!request->names[i]) return fail_memory();
     request->output_count = i + 1;
     outcome = output_plan(&request->outputs[i], request->names[i],
@@ -78,7 +84,8 @@ static Outcome plan_split(const Arguments *arguments, const char *name, RenderRe
 static Outcome plan_sounds(const Arguments *arguments, RenderRequest *request) {
   const char *const given = arguments_value(arguments, "output");
   if (given && !*given) return refuse("-o needs the name of a file");
-  const char *const name = given ? given : DEFAULT_OUTPUT;
+  const char *const usual = request->kit ? DEFAULT_KIT_OUTPUT : DEFAULT_OUTPUT;
+  const char *const name = given ? given : usual;
   const Outcome outcome =
     request->split ? plan_split(arguments, name, request) : plan_single(arguments, name, request);
   return outcome == OUTCOME_OK ? audio_format_check(&request->audio) : outcome;
@@ -113,24 +120,30 @@ static Outcome protect(const RenderRequest *request, const char *name, const cha
 }
 
 Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *request) {
-  const char *const preset = preset_argument(arguments);
+  static const struct {
+    const char *option, *what;
+  } files[] = {{"midi-file", "MIDI file"},
+               {"midi-map", "MIDI map"},
+               {"replay", "log"},
+               {"input", "sound"},
+               {"kit", "kit"}};
   char room[USER_PRESET_PATH];
   const char *events;
   size_t position = 0;
   Outcome outcome = OUTCOME_OK;
-  const char *const file = preset_file(preset, room);
+  const char *const file = request->kit ? NULL : preset_file(preset_argument(arguments), room);
   if (file) outcome = protect(request, file, "preset");
   while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
     outcome = protect(request, events, "events");
   }
-  const char *const song = arguments_value(arguments, "midi-file");
-  const char *const map = arguments_value(arguments, "midi-map");
-  const char *const log = arguments_value(arguments, "replay");
-  if (outcome == OUTCOME_OK && song) outcome = protect(request, song, "MIDI file");
-  if (outcome == OUTCOME_OK && map) outcome = protect(request, map, "MIDI map");
-  if (outcome == OUTCOME_OK && log) outcome = protect(request, log, "log");
-  const char *const input = arguments_value(arguments, "input");
-  if (outcome == OUTCOME_OK && input) outcome = protect(request, input, "sound");
+  for (size_t i = 0; i < sizeof files / sizeof files[0] && outcome == OUTCOME_OK; i++) {
+    const char *const name = arguments_value(arguments, files[i].option);
+    if (name) outcome = protect(request, name, files[i].what);
+  }
+  for (int note = 0; note < MIDI_VALUES && outcome == OUTCOME_OK; note++) {
+    const char *const path = request->samples.notes[note].path;
+    if (path) outcome = protect(request, path, "sample");
+  }
   return outcome;
 }
 

@@ -9,6 +9,7 @@
 #include "render/render_request.h"
 
 #define DEFAULT_OUTPUT "strike.wav"
+#define DEFAULT_KIT_OUTPUT "kit.wav"
 
 /** Reads -o, -n and --trace for @p request, whose drum, microphones and events are read. */
 Outcome render_outputs_plan(const Arguments *arguments, RenderRequest *request);

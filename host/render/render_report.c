@@ -49,7 +49,7 @@ static void warn_of_drops(const OfflineDrops *drops) {
 /* Drums that a song changes to may have other shells. */
 static void warn_of_rims(const RenderRequest *request) {
   unsigned long long strokes = 0;
-  if (request->song.presets > 0 || request->def.shell.mass > 0.0) return;
+  if (request->kit || request->song.presets > 0 || request->def.shell.mass > 0.0) return;
   for (size_t i = 0; i < request->strokes.count; i++) {
     const TaborEvent *const event = &request->strokes.events[i];
     const bool on_rim =
@@ -109,34 +109,62 @@ static json_t *outputs_json(const RenderRequest *request) {
   return list;
 }
 
+/* What a kit has beyond a drum. */
+static json_t *with_kit(json_t *report, const OfflinePlayer *player) {
+  const RenderRequest *const request = player->request;
+  json_t *drums = json_array(), *unknown = json_array(), *outputs = json_array();
+  for (uint32_t i = 0; i < request->kit->drum_count; i++) {
+    TaborStatistics own;
+    tabor_drum_statistics(tabor_kit_drum(player->kit, i), &own);
+    drums = json_with_item(
+      drums, json_pack("{s:o, s:I, s:I}", "name", json_text(request->kit->drum[i].name), "strokes",
+                       (json_int_t)own.strikes, "dropped", (json_int_t)own.dropped_events));
+  }
+  for (int note = 0; request->kit_midi && note < MIDI_VALUES; note++) {
+    const json_int_t strokes = (json_int_t)request->kit_midi->unknown[note];
+    if (strokes == 0) continue;
+    unknown = json_with_item(unknown, json_pack("{s:i, s:I}", "note", note, "strokes", strokes));
+  }
+  for (uint32_t i = 0; i < request->output_count; i++) {
+    outputs = json_with_item(outputs, json_text(request->outputs[i].name));
+  }
+  report = json_with_field(report, "kit", json_text(request->kit->name));
+  report = json_with_field(report, "drums", drums);
+  report = json_with_field(report, "unknown_notes", unknown);
+  return json_with_field(report, "outputs", outputs);
+}
+
 static json_t *report_json(const OfflinePlayer *player, const TaborStatistics *statistics,
                            const TaborLedger *ledger) {
   const RenderRequest *const request = player->request;
   json_t *const newton =
     json_pack("{s:o, s:I, s:I}", "mean", json_number(newton_mean(statistics)), "max",
               (json_int_t)statistics->newton_max, "capped", (json_int_t)statistics->newton_capped);
-  return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset",
-                   json_text(request->preset), "rate", (json_int_t)request->audio.rate, "frames",
-                   (json_int_t)player->position, "channels", (json_int_t)request->channels, "peak",
-                   json_number(player->peak), "real_time_factor",
-                   json_number(real_time_factor(player)), "newton", newton, "energy",
-                   energy_json(ledger), "output", outputs_json(request), "trace",
-                   request->has_trace ? json_text(request->trace.name) : json_null());
+  json_t *const report =
+    json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "preset",
+              json_text(request->preset), "rate", (json_int_t)request->audio.rate, "frames",
+              (json_int_t)player->position, "channels", (json_int_t)request->channels, "peak",
+              json_number(player->peak), "real_time_factor", json_number(real_time_factor(player)),
+              "newton", newton, "energy", energy_json(ledger), "output", outputs_json(request),
+              "trace", request->has_trace ? json_text(request->trace.name) : json_null());
+  return request->kit ? with_kit(report, player) : report;
 }
 
 static void note_summary(const OfflinePlayer *player) {
   const RenderRequest *const request = player->request;
   const OutputFile *const first = &request->outputs[0];
   const OutputFile *const last = &request->outputs[request->output_count - 1];
+  const uint32_t channels = request->kit ? request->audio.channels : request->channels;
   char peak[32] = "silent";
   if (player->peak > 0) {
     (void)snprintf(peak, sizeof peak, "peak %.1f dBFS", decibels(player->peak));
   }
-  note("%s%s%s: %s, %.2f s, %u Hz, %u channel%s, %s",
+  note("%s%s%s: %s%s, %.2f s, %u Hz, %u channel%s, %s",
        strcmp(first->name, "-") == 0 ? "standard output" : first->name,
-       first == last ? "" : " ... ", first == last ? "" : last->name, request->preset,
-       seconds(player), (unsigned)request->audio.rate, (unsigned)request->channels,
-       request->channels == 1 ? "" : "s", peak);
+       first == last ? "" : " ... ", first == last ? "" : last->name, request->kit ? "kit " : "",
+       request->preset, seconds(player), (unsigned)request->audio.rate, (unsigned)channels,
+       channels == 1 ? "" : "s", peak);
+  if (request->kit) note("computed in %.2f of real time", real_time_factor(player));
 }
 
 static void warn_of_silence(const OfflinePlayer *player) {
@@ -150,13 +178,17 @@ static void warn_of_silence(const OfflinePlayer *player) {
   }
 }
 
-static void note_details(const OfflinePlayer *player, const TaborStatistics *statistics,
-                         const TaborLedger *ledger) {
+static void note_model(const OfflinePlayer *player) {
   TaborModelInfo info;
   tabor_model_info(tabor_drum_model(player->drum), &info);
   note("%u modes up to %.0f Hz, %u wire%s with %u contact points", (unsigned)info.mode_count,
        info.two_way_bandwidth, (unsigned)info.wire_count, info.wire_count == 1 ? "" : "s",
        (unsigned)info.contact_points);
+}
+
+static void note_details(const OfflinePlayer *player, const TaborStatistics *statistics,
+                         const TaborLedger *ledger) {
+  if (player->drum) note_model(player);
   note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
        real_time_factor(player), newton_mean(statistics), (unsigned)statistics->newton_max,
        (unsigned long long)statistics->newton_capped);
@@ -171,8 +203,8 @@ static void note_details(const OfflinePlayer *player, const TaborStatistics *sta
 Outcome render_report(const OfflinePlayer *player, json_t **report) {
   TaborStatistics statistics;
   TaborLedger ledger;
-  tabor_drum_statistics(player->drum, &statistics);
-  tabor_drum_ledger(player->drum, &ledger);
+  drum_player_statistics(&player->core, &statistics);
+  drum_player_ledger(&player->core, &ledger);
   const OfflineDrops drops = offline_player_drops(player);
   warn_of_saturation(player);
   warn_of_silence(player);

@@ -108,9 +108,9 @@ static void leave_former(DrumPlayer *player) {
 
 /* The new room first, while the outputs still are the drum alone: it must not answer what fades in the former. */
 static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
-  if (player->room) room_mix_play(player->room, player->sound, player->heard, at, frames);
+  if (player->room) room_mix_play(player->room, player->sound, (uint32_t)player->heard, at, frames);
   if (!player->former) return;
-  room_mix_play(player->former, player->sound, player->heard, at, frames);
+  room_mix_play(player->former, player->sound, (uint32_t)player->heard, at, frames);
   if (!room_mix_is_fading(player->former)) leave_former(player);
 }
 
@@ -153,23 +153,24 @@ static void compute_drum(DrumPlayer *player, uint32_t count, float *const *outpu
 static void compute_kit(DrumPlayer *player, uint32_t count, float *const *outputs,
                         uint32_t frames) {
   float *const left = outputs[0], *const right = outputs[1];
-  const TaborKitOutputs to = {.stereo = {left, right}};
+  TaborKitOutputs to = {.stereo = {left, right}};
+  for (uint32_t i = 2; i < player->outputs; i++) to.drum[i / 2 - 1][i % 2] = outputs[i];
   tabor_kit_process(player->kit, player->events, count, &to, frames);
-  if (!left || !right) return;
-  if (player->samples) kit_samples_add(player->samples, left, right, frames);
+  if (player->samples && left && right) kit_samples_add(player->samples, left, right, frames);
   for (uint32_t i = 0; i < frames; i++) {
     const double gain = fader_next(&player->mix);
-    if (fabsf(left[i]) > player->loudest) player->loudest = fabsf(left[i]);
-    if (fabsf(right[i]) > player->loudest) player->loudest = fabsf(right[i]);
-    left[i] = (float)(gain * (double)left[i]);
-    right[i] = (float)(gain * (double)right[i]);
+    for (uint32_t k = 0; k < player->outputs; k++) {
+      if (!outputs[k]) continue;
+      if (fabsf(outputs[k][i]) > player->loudest) player->loudest = fabsf(outputs[k][i]);
+      outputs[k][i] = (float)(gain * (double)outputs[k][i]);
+    }
   }
 }
 
 static void compute(DrumPlayer *player, uint32_t at, uint32_t frames) {
-  const uint32_t played = player->heard | (player->room ? player->room->feeds : 0);
+  const uint64_t played = player->heard | (player->room ? player->room->feeds : 0);
   const uint32_t count = events_within(player, frames);
-  float *outputs[TABOR_MAX_MICS] = {NULL};
+  float *outputs[DRUM_PLAYER_OUTPUTS] = {NULL};
   for (uint32_t i = 0; i < player->outputs; i++) {
     float *const sound = player->sound[i] + at;
     if ((player->drum || player->kit) && played >> i & 1u) {
@@ -234,15 +235,24 @@ bool drum_player_is_silent(const DrumPlayer *player) {
   return !player->drum || tabor_drum_is_silent(player->drum);
 }
 
-double drum_player_energy(const DrumPlayer *player) {
+void drum_player_ledger(const DrumPlayer *player, TaborLedger *sum) {
   const TaborDrum *drum;
-  double stored = 0;
+  *sum = (TaborLedger){0};
   for (uint32_t i = 0; (drum = drum_at(player, i)) != NULL; i++) {
-    TaborLedger ledger;
-    tabor_drum_ledger(drum, &ledger);
-    stored += ledger.stored;
+    TaborLedger own;
+    tabor_drum_ledger(drum, &own);
+    sum->injected += own.injected;
+    sum->control += own.control;
+    sum->stored += own.stored;
+    sum->head_loss += own.head_loss;
+    sum->wire_loss += own.wire_loss;
+    sum->contact_loss += own.contact_loss;
+    sum->damper_loss += own.damper_loss;
+    sum->shell_loss += own.shell_loss;
+    sum->radiated += own.radiated;
+    sum->removed += own.removed;
+    sum->residual += own.residual;
   }
-  return stored;
 }
 
 void drum_player_statistics(const DrumPlayer *player, TaborStatistics *sum) {

@@ -3,7 +3,7 @@
  * @file drum_player.h
  * Plays a drum or a kit: messages become events with their frames, and blocks are computed. Render, play and plugins
  * differ in where messages come from and where the sound goes; this is what they share. Outputs of a drum are its
- * microphones, those of a kit its mix, left and right, with its samples.
+ * microphones; those of a kit its mix, left and right, with its samples, and then each drum's part of it, without room.
  *
  * A message acts at its frame for every block size: the same messages give the same sound to the bit. One
  * whose frame has passed acts at once. Real-time safe.
@@ -19,6 +19,7 @@
 #define DRUM_PLAYER_MOST_INPUT                                                                     \
   100.0 /**< of a sound that plays to a drum, times full scale: +40 dBFS */
 #define DRUM_PLAYER_BLOCK ROOM_MIX_PIECE /**< most frames of a block */
+#define DRUM_PLAYER_OUTPUTS (2 + 2 * TABOR_KIT_DRUMS)
 #define DRUM_PLAYER_EVENTS 256 /**< most events of a frame; further ones act one frame later */
 
 /** Takes the next message that acts before frame @p end out of @p source. False: there is none. */
@@ -30,11 +31,11 @@ typedef struct DrumPlayer {
   TaborDrum *drum;     /**< or a kit; neither: silence, and events are lost */
   TaborKit *kit;       /**< its room is its own, and it hears no sound from outside */
   KitSamples *samples; /**< beside the kit, or NULL */
-  Fader mix;           /**< gain of a kit's mix; a drum has its own */
+  Fader mix;           /**< gain of a kit's outputs; a drum has its own */
   float loudest; /**< largest sample of the kit before this gain, until somebody sets it to 0 */
   uint64_t position;
   uint32_t outputs;                   /**< that the drum was given by tabor_drum_route() */
-  uint32_t heard;                     /**< bits of the outputs that anybody hears */
+  uint64_t heard;                     /**< bits of the outputs that anybody hears */
   uint32_t strikers[TABOR_KIT_DRUMS]; /**< of the current model of each drum */
   RoomMix *room;                      /**< behind the outputs, or NULL; the host's, as the next */
   RoomMix *former;                    /**< the room before, while it fades; else NULL */
@@ -49,7 +50,7 @@ typedef struct DrumPlayer {
   const float
     *input; /**< [DRUM_PLAYER_BLOCK] sound from outside in the next block [Pa]; NULL: none */
   uint32_t input_mic; /**< microphone at whose place its source is */
-  float sound[TABOR_MAX_MICS]
+  float sound[DRUM_PLAYER_OUTPUTS]
              [DRUM_PLAYER_BLOCK]; /**< the newest block of each output that is heard */
 } DrumPlayer;
 
@@ -62,10 +63,10 @@ void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples,
                          double rate) REALTIME;
 /** True if drum or kit are silent, and samples; a drum's room is not asked. */
 bool drum_player_is_silent(const DrumPlayer *player) REALTIME;
-/** What is stored in all drums [J]. */
-double drum_player_energy(const DrumPlayer *player) REALTIME;
-/** Counters of the drum, or of all drums of the kit together. */
-void drum_player_statistics(const DrumPlayer *player, TaborStatistics *statistics) REALTIME;
+/** Energy account of the drum, or of all drums of the kit together. */
+void drum_player_ledger(const DrumPlayer *player, TaborLedger *sum) REALTIME;
+/** Counters likewise. */
+void drum_player_statistics(const DrumPlayer *player, TaborStatistics *sum) REALTIME;
 /** Puts @p room behind the outputs; the one before fades out, and is left then. */
 void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;
 /** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */

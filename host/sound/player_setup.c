@@ -62,7 +62,8 @@ Outcome player_create(const PlayerSetup *setup, Player **created) {
   player->rate = setup->rate;
   player->channels = setup->channels;
   memcpy(player->mics, setup->mics, sizeof player->mics);
-  for (uint32_t i = 0; i < setup->channels; i++) player->core.heard |= 1u << setup->mics[i];
+  for (uint32_t i = 0; i < setup->channels; i++)
+    player->core.heard |= UINT64_C(1) << setup->mics[i];
   player->width = setup->width;
   player->logs = setup->logs;
   set_end(player, setup);

@@ -30,7 +30,9 @@ bool ring_out_is_over(RingOut *ring_out, DrumPlayer *player) {
   const uint64_t position = player->position;
   const bool is_alone = room_is_over(player);
   if (position <= ring_out->last_event) return false;
-  const double stored = drum_player_energy(player);
+  TaborLedger ledger;
+  drum_player_ledger(player, &ledger);
+  const double stored = ledger.stored;
   if (stored > ring_out->loudest) ring_out->loudest = stored;
   if (position < ring_out->least) return false;
   const bool silent =

@@ -66,7 +66,14 @@ check "one stroke on the hi-hat" grep -q 'no drum of the kit: 42 closed hi-hat (
 check "a line about the file" grep -q '^mix.wav: kit standard, 0.80 s, 48000 Hz, 2 channels, peak -' "$err"
 
 run render --kit standard --midi-file song.mid --quality draft --duration 0.3 -o begun.wav
-check "a song goes on after --duration" grep -q "^'song.mid' goes on until 0.5 s; the sound stops at --duration$" "$err"
+check "a song goes on after --duration" grep -q "^what is played goes on until 0.5 s; the sound stops at 0.3 s$" "$err"
+run "${short[@]}" --normalize --verbose -o loud.wav
+check "the mix can be normalized" grep -q '^loud.wav: kit standard, .*, peak -1.0 dBFS$' "$err"
+check "its energy is told" grep -q '^energy in J: injected ' "$err"
+done_quietly "${short[@]}" -q -o folder/
+same_bytes "in a folder" mix.wav folder/standard.wav
+done_quietly "${short[@]}" -q --stereo -o stereo.wav
+same_bytes "its mix is stereo as it is" mix.wav stereo.wav
 
 done_quietly "${short[@]}" -q -o again.wav
 done_quietly render --kit ./shown.ini "${short[@]:3}" -q -o shown.wav
@@ -148,6 +155,8 @@ failed "cannot read 'none.flac'" "${short[@]}" --set note.42.sample=none.flac
 
 refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart --midi-file song.mid
 refused "--kit needs --midi-file" render --kit standard
+refused "--replay and --kit" render --kit standard --replay take.log
+refused "--kit and --trace" "${short[@]}" --trace trace.csv
 refused "--kit and --strike" render --kit standard --midi-file song.mid --strike time=0
 refused "--kit and 'tom-12'" render tom-12 --kit standard --midi-file song.mid
 refused "a kit has no key 'kit.couplng'; did you mean 'coupling'" "${short[@]}" --set kit.couplng=off
@@ -158,7 +167,9 @@ refused "drum.snare: batter.tension = 1 is outside 100 to 20000" "${short[@]}" -
 refused "note 36 plays both" "${short[@]}" --set drum.snare.rim=36
 refused "-o 'mix.txt'" "${short[@]}" -o mix.txt
 cp song.mid song.wav
-refused "would overwrite 'song.wav'" render --kit standard --midi-file song.wav -o song.wav
+cp hat.wav kept.wav
+refused "would overwrite the sample 'kept.wav'" "${short[@]}" --set note.42.sample=kept.wav -o kept.wav
+refused "would overwrite the MIDI file 'song.wav'" render --kit standard --midi-file song.wav -o song.wav
 printf '[drum.a]\npreset = tom-12\nhaed = 38\n' >bad.ini
 refused "bad.ini:3: .*haed" render --kit ./bad.ini --midi-file song.mid
 printf '[kit]\nname = empty\n' >empty.ini

@@ -58,7 +58,7 @@ static Outcome show_kit(const Arguments *arguments) {
   if (outcome != OUTCOME_OK) return outcome;
   outcome = kit_load(arguments, &def, &samples);
   if (outcome == OUTCOME_OK) {
-    outcome = kit_text_write(&def, &samples, "'tabor show'", print_text, NULL);
+    outcome = kit_text_write(&def, &samples, KIT_TEXT_SHORT, "'tabor show'", print_text, NULL);
   }
   kit_samples_free(&samples);
   return outcome;

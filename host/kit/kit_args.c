@@ -7,23 +7,9 @@
 #include "drums/drum_args.h"
 #include "kit/kit_file.h"
 
-/* The samples of a kit file being read. */
-typedef struct NoteReader {
-  const char *path;
-  KitSamples *samples;
-} NoteReader;
-
-/* A PresetPairFn for sections "note.N". */
-static bool set_note_pair(void *context, const char *section, const char *key, const char *value,
-                          unsigned line, char *message, size_t size) {
-  (void)line;
-  const NoteReader *const notes = context;
-  return kit_samples_set(notes->samples, notes->path, section, key, value, message, size);
-}
-
 static Outcome load_file(const char *path, TaborKitDef *def, KitSamples *samples) {
-  NoteReader notes = {.path = path, .samples = samples};
-  const KitFileReader reader = {.def = def, .note = set_note_pair, .context = &notes};
+  KitSampleReader notes = {.file = path, .samples = samples};
+  const KitFileReader reader = {.def = def, .note = kit_samples_take_pair, .context = &notes};
   char message[2 * TABOR_TEXT_SIZE];
   switch (kit_file_read(path, &reader, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;

@@ -8,6 +8,7 @@
 
 #include "base/number.h"
 #include "files/audio_clip.h"
+#include "platform/files.h"
 #include "platform/paths.h"
 
 #define FADE_TIME 0.015 /* [s], as of a drum's silence */
@@ -71,6 +72,24 @@ bool kit_samples_set(KitSamples *samples, const char *file, const char *section,
   (void)snprintf(message, size, "[%.40s] has no key '%.40s'; allowed: sample, gain, choke", section,
                  key);
   return false;
+}
+
+bool kit_samples_take_pair(void *context, const char *section, const char *key, const char *value,
+                           unsigned line, char *message, size_t size) {
+  const KitSampleReader *const reader = context;
+  (void)line;
+  return kit_samples_set(reader->samples, reader->file, section, key, value, message, size);
+}
+
+KitSamples kit_samples_from_root(const KitSamples *samples) {
+  KitSamples rooted;
+  kit_samples_begin(&rooted);
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    const KitSample *const sample = &samples->notes[note];
+    rooted.notes[note] = (KitSample){.gain_db = sample->gain_db, .choke = sample->choke};
+    if (sample->path) rooted.notes[note].path = file_absolute(sample->path);
+  }
+  return rooted;
 }
 
 void kit_samples_map(const KitSamples *samples, bool has_sample[MIDI_VALUES]) {

@@ -17,6 +17,12 @@
 #include "base/message.h"
 #include "sound/kit_samples.h"
 
+/** Who reads the samples of a kit file. */
+typedef struct KitSampleReader {
+  const char *file; /**< beside which they lie */
+  KitSamples *samples;
+} KitSampleReader;
+
 /** Initialises without samples. */
 void kit_samples_begin(KitSamples *samples);
 /**
@@ -25,6 +31,11 @@ void kit_samples_begin(KitSamples *samples);
  */
 bool kit_samples_set(KitSamples *samples, const char *file, const char *section, const char *key,
                      const char *value, char *message, size_t size);
+/** kit_samples_set() as a PresetPairFn, whose context is a KitSampleReader. */
+bool kit_samples_take_pair(void *reader, const char *section, const char *key, const char *value,
+                           unsigned line, char *message, size_t size);
+/** What a kit file says of @p samples, wherever that file will be: paths from the root. Free with kit_samples_free(). */
+KitSamples kit_samples_from_root(const KitSamples *samples);
 /** Says for each note whether it has a sample. */
 void kit_samples_map(const KitSamples *samples, bool has_sample[MIDI_VALUES]);
 /** Reads the files, for @p rate [Hz]. */

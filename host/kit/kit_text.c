@@ -11,6 +11,7 @@
 
 /* Where the text goes, and what became of it. */
 typedef struct Text {
+  KitTextKind kind;
   PresetSink *sink;
   void *context;
   Outcome outcome;
@@ -124,10 +125,11 @@ static bool has_all_of(const TaborDrumDef *def, const TaborDrumDef *preset) {
 static void give_drum(Text *text, const TaborKitDrumDef *drum) {
   TaborDrumDef preset;
   TaborError error;
-  const bool known = tabor_drum_def_preset(&preset, drum->def.name, &error) == TABOR_OK &&
+  const bool known = text->kind == KIT_TEXT_SHORT &&
+                     tabor_drum_def_preset(&preset, drum->def.name, &error) == TABOR_OK &&
                      has_all_of(&drum->def, &preset);
   give(text, "\n[drum.%s]\n", drum->name);
-  if (known) give(text, "preset = %s\n", drum->def.name);
+  give(text, "preset = %s\n", known ? drum->def.name : "none");
   give_number(text, "x", drum->x, "m");
   give_number(text, "y", drum->y, "m");
   give_number(text, "height", drum->height, "m");
@@ -141,7 +143,7 @@ static void give_drum(Text *text, const TaborKitDrumDef *drum) {
   for (uint8_t stroke = TABOR_KIT_STROKE_HEAD; midi_stroke_names[stroke]; stroke++) {
     give_notes(text, drum, stroke);
   }
-  if (!known) tabor_drum_def_default(&preset);
+  if (!known) tabor_drum_def_clear(&preset);
   give_changes(text, &drum->def, &preset, "");
 }
 
@@ -174,9 +176,10 @@ static Outcome drop(void *context, const char *text, size_t size) {
 }
 
 /* Twice: what no kit file can hold is refused before the first line is given. */
-Outcome kit_text_write(const TaborKitDef *def, const KitSamples *samples, const char *by,
-                       PresetSink *sink, void *context) {
-  Text check = {.sink = drop}, text = {.sink = sink, .context = context};
+Outcome kit_text_write(const TaborKitDef *def, const KitSamples *samples, KitTextKind kind,
+                       const char *by, PresetSink *sink, void *context) {
+  Text check = {.kind = kind, .sink = drop},
+       text = {.kind = kind, .sink = sink, .context = context};
   give_all(&check, def, samples, by);
   if (check.outcome != OUTCOME_OK) return check.outcome;
   give_all(&text, def, samples, by);

@@ -11,11 +11,14 @@
 #include "drums/preset_text.h"
 #include "kit/kit_sample_files.h"
 
+/** Whether a drum is its preset and what differs from it, or all its parameters, which then are the same in every version. */
+typedef enum KitTextKind { KIT_TEXT_SHORT, KIT_TEXT_WHOLE } KitTextKind;
+
 /**
- * Gives the text to @p sink, line by line: of each drum its preset and what differs from it. A drum whose name is that of
- * no built-in preset has all its parameters. @p by says in the first line who wrote it, such as "'tabor show'".
+ * Gives the text to @p sink, line by line. A drum whose name is that of
+ * no built-in preset always has all its parameters. @p by says in the first line who wrote it, such as "'tabor show'".
  */
-Outcome kit_text_write(const TaborKitDef *def, const KitSamples *samples, const char *by,
-                       PresetSink *sink, void *context);
+Outcome kit_text_write(const TaborKitDef *def, const KitSamples *samples, KitTextKind kind,
+                       const char *by, PresetSink *sink, void *context);
 
 #endif

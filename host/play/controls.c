@@ -473,7 +473,7 @@ typedef struct KitText {
 /* A PresetWriterFn. */
 static Outcome write_kit(const void *what, PresetSink *sink, void *context) {
   const KitText *const text = what;
-  return kit_text_write(&text->kit, &text->samples, "'tabor play'", sink, context);
+  return kit_text_write(&text->kit, &text->samples, KIT_TEXT_SHORT, "'tabor play'", sink, context);
 }
 
 /* With its drums as they are now, and samples where they are, wherever the file will be. */
@@ -484,11 +484,7 @@ static Outcome save_kit(const Controls *controls, const char *path) {
   for (uint32_t i = 0; i < text->kit.drum_count; i++) {
     model_builder_definition(controls->builders[i], &text->kit.drum[i].def);
   }
-  for (int note = 0; note < MIDI_VALUES; note++) {
-    const KitSample *const sample = &controls->samples->notes[note];
-    text->samples.notes[note] = (KitSample){.gain_db = sample->gain_db, .choke = sample->choke};
-    if (sample->path) text->samples.notes[note].path = file_absolute(sample->path);
-  }
+  text->samples = kit_samples_from_root(controls->samples);
   const Outcome outcome = preset_text_save(path, write_kit, text);
   kit_samples_free(&text->samples);
   free(text);
@@ -557,7 +553,7 @@ static void run_silence(Controls *controls, const char *text, double time) {
   (void)text;
   const PlayerMessage message = {.frame = frame_at(controls, time),
                                  .type = PLAYER_EVENT,
-                                 .drum = TABOR_KIT_ALL,
+                                 .drum = controls->kit ? TABOR_KIT_ALL : 0,
                                  .event = {.type = TABOR_EVENT_SILENCE}};
   (void)player_send(controls->player, SOURCE_KEYS, &message);
   tell(controls, "silence");

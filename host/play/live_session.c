@@ -214,13 +214,17 @@ static Outcome start_log(LiveSession *session) {
     .player = session->player,
     .start = {.rate = request->model.sample_rate,
               .gain = request->gain,
-              .channels = request->channels},
-    .model = tabor_drum_model(session->drum),
+              .channels = request->channels,
+              .kit = request->kit,
+              .samples = &request->samples},
+    .model = tabor_drum_model(session->kit ? tabor_kit_drum(session->kit, 0) : session->drum),
     .preset = request->preset,
   };
   memcpy(setup.start.mics, request->mics, sizeof setup.start.mics);
   const Outcome outcome = log_writer_start(&setup, &request->log, &session->log);
-  model_builder_log(session->builders[0], session->log);
+  for (uint32_t i = 0; i < session->drum_count; i++) {
+    model_builder_log(session->builders[i], session->log);
+  }
   return outcome;
 }
 

@@ -20,6 +20,7 @@ struct LogWriter {
 
   pthread_mutex_t lock; /* of a line, and of what follows */
   Outcome outcome;      /* of writing */
+  uint32_t models;      /* number of the newest */
   uint64_t complete;    /* frame up to which the log has every message */
   uint64_t marked;      /* frame of the mark in the file */
   size_t mark_size;     /* its length: the next line is written over it [bytes] */
@@ -138,9 +139,13 @@ Outcome log_writer_start(const LogWriterSetup *setup, OutputFile *output, LogWri
   return outcome;
 }
 
-void log_writer_add_model(LogWriter *writer, uint32_t number, const TaborModel *model,
-                          const char *preset) {
-  if (writer) add_line(writer, log_line_model(number, model, preset));
+uint32_t log_writer_add_model(LogWriter *writer, const TaborModel *model, const char *preset) {
+  if (!writer) return 0;
+  (void)pthread_mutex_lock(&writer->lock);
+  const uint32_t number = ++writer->models;
+  add_line_locked(writer, log_line_model(number, model, preset));
+  (void)pthread_mutex_unlock(&writer->lock);
+  return number;
 }
 
 void log_writer_wait(const LogWriter *writer) {

@@ -12,7 +12,7 @@
 #define TABOR_HOST_LOG_WRITER_H
 
 #include "base/output_file.h"
-#include "sound/log_line.h"
+#include "render/log_line.h"
 #include "sound/player.h"
 
 typedef struct LogWriter LogWriter;
@@ -21,16 +21,15 @@ typedef struct LogWriter LogWriter;
 typedef struct LogWriterSetup {
   Player *player;
   LogStart start;          /**< without the program's version */
-  const TaborModel *model; /**< of the drum at the start */
+  const TaborModel *model; /**< of the drum at the start, or of one of the kit's */
   const char *preset;
 } LogWriterSetup;
 
 /** Starts to write. @p output is planned and must outlive the writer. */
 Outcome log_writer_start(const LogWriterSetup *setup, OutputFile *output, LogWriter **writer);
-/** Adds a model before the message that changes the drum to it is sent. Any thread but the audio thread. NULL is
- * allowed. */
-void log_writer_add_model(LogWriter *writer, uint32_t number, const TaborModel *model,
-                          const char *preset);
+/** Adds a model before the message that changes a drum to it is sent; returns its number for that message. Any thread but the
+ * audio thread. NULL is allowed. */
+uint32_t log_writer_add_model(LogWriter *writer, const TaborModel *model, const char *preset);
 /** Waits until the log has room for what may wait. NULL is allowed. */
 void log_writer_wait(const LogWriter *writer);
 /**

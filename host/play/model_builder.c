@@ -43,7 +43,6 @@ struct ModelBuilder {
   /* the thread's; if sound waits, under lock */
   pthread_t thread;
   TaborModel *model; /* the newest, which the drum has or will have */
-  uint32_t models;   /* its number in the log */
   Pending *pending;
 };
 
@@ -170,14 +169,12 @@ static Outcome send_model(ModelBuilder *builder, TaborModel *model, const char *
                            .type = PLAYER_MODEL,
                            .drum = builder->drum,
                            .strikers = def->striker_count,
-                           .model = builder->models + 1,
                            .event = {.type = begins_anew ? TABOR_EVENT_REPLACE : TABOR_EVENT_SWAP}};
   const Outcome outcome = prepare_swap(builder, model, &message.event.swap);
   TaborModel *const unused = outcome == OUTCOME_OK ? builder->model : model;
   if (outcome == OUTCOME_OK) {
     builder->model = model;
-    builder->models++;
-    log_writer_add_model(builder->log, message.model, model, preset);
+    message.model = log_writer_add_model(builder->log, model, preset);
     (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
   }
   tabor_model_release(unused); /* drum and swaps keep their own references */

@@ -81,7 +81,7 @@ static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
 }
 
 static Outcome read_kit(const Arguments *arguments, PlayRequest *request) {
-  static const char *const excluded[] = {"log", "events", "midi-map", "mic"};
+  static const char *const excluded[] = {"events", "midi-map", "mic"};
   Outcome outcome = kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
                                        "a kit is played by MIDI, and heard in its own mix");
   if (outcome != OUTCOME_OK) return outcome;

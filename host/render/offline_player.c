@@ -15,7 +15,7 @@ static Outcome open_drum(OfflinePlayer *player) {
   const RenderRequest *const request = player->request;
   Outcome outcome = drum_create(&request->def, &request->model, request->shared, &player->drum);
   if (outcome != OUTCOME_OK) return outcome;
-  player->model = (TaborModel *)tabor_drum_model(player->drum);
+  player->models[0] = (TaborModel *)tabor_drum_model(player->drum);
   drum_player_begin(&player->core, request->def.mic_count, request->gain);
   outcome = room_create(&request->def, request->model.sample_rate, &player->room);
   if (outcome != OUTCOME_OK) return outcome;
@@ -51,6 +51,9 @@ static Outcome open_kit(OfflinePlayer *player) {
   Outcome outcome = kit_samples_load(&request->samples, rate);
   if (outcome == OUTCOME_OK) outcome = build_kit(player);
   if (outcome != OUTCOME_OK) return outcome;
+  for (uint32_t i = 0; i < request->kit->drum_count; i++) {
+    player->models[i] = (TaborModel *)tabor_drum_model(tabor_kit_drum(player->kit, i));
+  }
   player->threads = kit_threads_begin(player->kit, request->threads);
   drum_player_begin(&player->core, 2 + 2 * request->kit->drum_count, request->gain);
   drum_player_set_kit(&player->core, player->kit, request->split ? NULL : &request->samples, rate);
@@ -84,17 +87,18 @@ static void free_done(OfflinePlayer *player, bool all) {
   }
 }
 
-static Outcome prepare_swap(OfflinePlayer *player, TaborModel *model, TaborSwap **swap) {
+static Outcome prepare_swap(OfflinePlayer *player, uint32_t drum, TaborModel *model,
+                            TaborSwap **swap) {
   SentSwap *const sent = calloc(1, sizeof *sent);
   TaborError error;
   if (!sent) return fail_memory();
-  if (tabor_swap_create(player->model, model, &sent->swap, &error) != TABOR_OK) {
+  if (tabor_swap_create(player->models[drum], model, &sent->swap, &error) != TABOR_OK) {
     free(sent);
     return report_engine_error(&error);
   }
   sent->next = player->swaps;
   player->swaps = sent;
-  player->model = model;
+  player->models[drum] = model;
   *swap = sent->swap;
   return OUTCOME_OK;
 }
@@ -102,10 +106,10 @@ static Outcome prepare_swap(OfflinePlayer *player, TaborModel *model, TaborSwap 
 /* Completes the message that changes the drum to @p model. */
 static Outcome change_model(OfflinePlayer *player, TaborModel *model, PlayerMessage *message) {
   free_done(player, false);
-  const Outcome outcome = prepare_swap(player, model, &message->event.swap);
+  const Outcome outcome = prepare_swap(player, message->drum, model, &message->event.swap);
   if (outcome != OUTCOME_OK) return outcome;
   message->strikers = tabor_model_definition(model)->striker_count;
-  drum_keep_mics(&player->request->def, model, message->event.swap);
+  if (!player->kit) drum_keep_mics(&player->request->def, model, message->event.swap);
   return outcome;
 }
 
@@ -125,8 +129,9 @@ static Outcome change_logged(OfflinePlayer *player, PlayerMessage *message) {
   options.quality = drum->quality;
   Outcome outcome = model_build(&drum->def, &options, &model);
   if (outcome == OUTCOME_OK) outcome = change_model(player, model, message);
-  TaborModel *const unused = outcome == OUTCOME_OK ? player->built : model;
-  if (outcome == OUTCOME_OK) player->built = model;
+  TaborModel **const built = &player->built[message->drum];
+  TaborModel *const unused = outcome == OUTCOME_OK ? *built : model;
+  if (outcome == OUTCOME_OK) *built = model;
   tabor_model_release(unused);
   return outcome;
 }
@@ -174,11 +179,11 @@ static bool take_of_kit(OfflinePlayer *player, uint64_t end, PlayerMessage *mess
 /* A DrumSourceFn. */
 static bool take_message(void *source, uint64_t end, PlayerMessage *message) {
   OfflinePlayer *const player = source;
-  if (player->kit) return take_of_kit(player, end, message);
   const MidiSongItem *const item = next_item(player);
   const TaborEvent *const event = next_event(player);
   if (player->outcome != OUTCOME_OK) return false;
   if (player->request->replays) return take_logged(player, end, message);
+  if (player->kit) return take_of_kit(player, end, message);
   if (item && item->frame < end && (!event || item->frame <= event->frame)) {
     return take_item(player, item, message);
   }
@@ -256,6 +261,6 @@ void offline_player_free(OfflinePlayer *player) {
   player->drum = NULL;
   player->kit = NULL;
   free_done(player, true);
-  tabor_model_release(player->built);
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) tabor_model_release(player->built[i]);
   preset_models_free(&player->presets);
 }

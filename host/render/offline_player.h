@@ -37,8 +37,9 @@ typedef struct OfflinePlayer {
   DrumPlayer core;     /**< of a drum, with an output for each of the first drum's microphones */
   RoomMix room;
   PresetModels presets;
-  TaborModel *model; /**< that the drum has, or will have after the newest swap; borrowed */
-  TaborModel *built; /**< the same, if it is of a log's; owned */
+  TaborModel *models
+    [TABOR_KIT_DRUMS]; /**< that each drum has, or will have after the newest swap; borrowed */
+  TaborModel *built[TABOR_KIT_DRUMS]; /**< the same, if it is of a log's; owned */
   SentSwap *swaps;
   size_t next_event,
     next_item;         /**< index into the strokes, and into the song; of a kit, into its song */

@@ -144,7 +144,19 @@ static Outcome take_pair(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
+/* The mix, or each drum's part of it. */
+static Outcome read_kit_outputs(const Arguments *arguments, RenderRequest *request) {
+  if (arguments_has(arguments, "mic"))
+    return refuse("--mic: a kit is heard in its own mix; --split gives each drum's part of it");
+  request->split = arguments_has(arguments, "split");
+  request->audio.channels = 2;
+  request->channels = request->split ? 2 * request->kit->drum_count : 2;
+  for (uint32_t i = 0; i < request->channels; i++) request->mics[i] = request->split ? 2 + i : i;
+  return OUTCOME_OK;
+}
+
 static Outcome read_mics(const Arguments *arguments, RenderRequest *request) {
+  if (request->kit) return read_kit_outputs(arguments, request);
   request->split = arguments_has(arguments, "split");
   const char *name;
   size_t position = 0;
@@ -201,15 +213,6 @@ static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request)
 
 static Outcome note_kit_song(const Arguments *arguments, RenderRequest *request) {
   if (!request->quiet) kit_song_note(arguments_value(arguments, "midi-file"), request->kit_midi);
-  return OUTCOME_OK;
-}
-
-/* The mix, or each drum's part of it. */
-static Outcome read_kit_outputs(const Arguments *arguments, RenderRequest *request) {
-  request->split = arguments_has(arguments, "split");
-  request->audio.channels = 2;
-  request->channels = request->split ? 2 * request->kit->drum_count : 2;
-  for (uint32_t i = 0; i < request->channels; i++) request->mics[i] = request->split ? 2 + i : i;
   return OUTCOME_OK;
 }
 
@@ -324,8 +327,14 @@ static Outcome read_replay(const Arguments *arguments, RenderRequest *request) {
   if (outcome == OUTCOME_OK) outcome = replay_read(name, replay);
   if (outcome != OUTCOME_OK) return outcome;
   request->replays = true;
-  request->preset = replay->drum->preset;
   request->def = replay->drum->def;
+  if (replay->kit) {
+    render_request_set_kit(request, &replay->kit->def);
+    request->samples = replay->kit->samples;
+    kit_samples_begin(&replay->kit->samples);
+    outcome = render_threads_read(arguments, &request->threads);
+  }
+  request->preset = replay->drum->preset;
   tabor_model_options_default(&request->model);
   request->model.sample_rate = replay->start.rate;
   request->model.quality = replay->drum->quality;
@@ -333,7 +342,7 @@ static Outcome read_replay(const Arguments *arguments, RenderRequest *request) {
   request->gain = replay->start.gain;
   request->frames = replay->frames;
   note_replay(name, request);
-  return OUTCOME_OK;
+  return outcome;
 }
 
 /* ---- all of it ---- */
@@ -350,8 +359,8 @@ Outcome render_request_read(const Arguments *arguments, RenderRequest *request) 
     read_duration, read_mics,  render_outputs_plan, NULL,
   };
   static ReadFn *const kit[] = {
-    read_encoding, read_flags,       read_gain,           read_kit,      read_model, read_kit_song,
-    read_duration, read_kit_outputs, render_outputs_plan, note_kit_song, NULL,
+    read_encoding, read_flags, read_gain,           read_kit,      read_model, read_kit_song,
+    read_duration, read_mics,  render_outputs_plan, note_kit_song, NULL,
   };
   ReadFn *const *step = strokes;
   if (arguments_has(arguments, "kit")) step = kit;
@@ -365,7 +374,7 @@ Outcome render_request_read(const Arguments *arguments, RenderRequest *request) 
 Outcome render_kit_format_read(const Arguments *arguments, const TaborKitDef *kit,
                                RenderRequest *request) {
   static ReadFn *const steps[] = {
-    read_encoding, read_flags, read_gain, read_model, read_duration, read_kit_outputs, NULL,
+    read_encoding, read_flags, read_gain, read_model, read_duration, read_mics, NULL,
   };
   Outcome outcome = OUTCOME_OK;
   render_request_set_kit(request, kit);

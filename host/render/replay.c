@@ -11,9 +11,9 @@
 /* A log while it is being read. */
 typedef struct Reader {
   Replay *replay;
-  char where[INPUT_PLACE_SIZE]; /* "take.log:3:" */
-  uint32_t swapped;             /* number of the model that was changed to last */
-  bool is_over;                 /* the last line has been read */
+  char where[INPUT_PLACE_SIZE];      /* "take.log:3:" */
+  uint32_t swapped[TABOR_KIT_DRUMS]; /* number of the model that each drum was changed to last */
+  bool is_over;                      /* the last line has been read */
 } Reader;
 
 /* ---- lists ---- */
@@ -53,7 +53,9 @@ static Outcome take_start(Reader *reader, LogLine *line) {
   if (reader->replay->drum) return refuse("%s the log starts twice", reader->where);
   reader->replay->start = line->start;
   reader->replay->drum = line->drum;
+  reader->replay->kit = line->kit;
   line->drum = NULL;
+  line->kit = NULL;
   return OUTCOME_OK;
 }
 
@@ -63,18 +65,36 @@ static Outcome take_model(const Reader *reader, LogLine *line) {
   return refuse("%s model %u: expected number %zu", reader->where, (unsigned)line->model, expected);
 }
 
+/* A drum of the kit, one of its samples, or the only drum. */
+static Outcome check_address(const Reader *reader, const PlayerMessage *message) {
+  const LogKit *const kit = reader->replay->kit;
+  const uint32_t drums = kit ? kit->def.drum_count : 1, drum = message->drum;
+  const bool is_note = drum >= KIT_SAMPLE && drum < KIT_SAMPLE + MIDI_VALUES;
+  const bool is_event = message->type != PLAYER_MODEL;
+  if (drum < drums || (kit && is_event && drum == TABOR_KIT_ALL)) return OUTCOME_OK;
+  if (kit && is_event && is_note && kit->samples.notes[drum - KIT_SAMPLE].path) return OUTCOME_OK;
+  if (is_note) {
+    return refuse("%s note %u: there is no sample for it", reader->where,
+                  (unsigned)(drum - KIT_SAMPLE));
+  }
+  return refuse("%s drum: not one of the log's, which has %u", reader->where, (unsigned)drums);
+}
+
 static Outcome take_message(Reader *reader, const PlayerMessage *message) {
   Replay *const replay = reader->replay;
+  const Outcome outcome = check_address(reader, message);
+  if (outcome != OUTCOME_OK) return outcome;
   if (replay->count > 0 && message->frame < replay->messages[replay->count - 1].frame) {
     return refuse("%s frame %llu: earlier than the one before", reader->where,
                   (unsigned long long)message->frame);
   }
   if (message->type == PLAYER_MODEL) {
-    if (message->model <= reader->swapped || message->model > replay->model_count) {
+    uint32_t *const swapped = &reader->swapped[message->drum];
+    if (message->model <= *swapped || message->model > replay->model_count) {
       return refuse("%s model %u: not a new one of the lines before", reader->where,
                     (unsigned)message->model);
     }
-    reader->swapped = message->model;
+    *swapped = message->model;
   }
   return append_message(replay, message);
 }
@@ -138,6 +158,7 @@ static Outcome read_line(Reader *reader, const char *text, size_t length) {
   Outcome outcome = log_line_read(reader->where, text, length, &line);
   if (outcome == OUTCOME_OK) outcome = take_line(reader, &line);
   free(line.drum);
+  log_kit_free(line.kit);
   return outcome;
 }
 
@@ -180,5 +201,6 @@ void replay_free(Replay *replay) {
   free(replay->models);
   free(replay->messages);
   free(replay->drum);
+  log_kit_free(replay->kit);
   *replay = (Replay){0};
 }

@@ -6,12 +6,13 @@
 #ifndef TABOR_HOST_REPLAY_H
 #define TABOR_HOST_REPLAY_H
 
-#include "sound/log_line.h"
+#include "render/log_line.h"
 
 /** A performance. Initialise with {0}. */
 typedef struct Replay {
   LogStart start;
   LogDrum *drum; /**< at the start */
+  LogKit *kit;   /**< at the start, or NULL */
   PlayerMessage *messages;
   size_t count, capacity;
   LogDrum **models; /**< that messages change to; number 1 comes first */

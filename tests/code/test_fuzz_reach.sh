@@ -28,7 +28,7 @@ events_file 30  host/strokes/events_file.c
 keymap      30  host/ui/keymap.c
 kit         28  engine/src/kit/
 kit         21  engine/src/definition/
-log         17  host/sound/log_line.c
+log         17  host/render/log_line.c
 log         17  engine/src/definition/
 manifest    17  host/library/library_manifest.c
 midi_file   28  host/midi/midi_file.c

@@ -39,7 +39,6 @@ wait $child
 same "status after SIGINT" 130 $?
 
 refused "unknown kit" play --kit standart --backend null
-refused "--kit and --log" "${short[@]}" --log take.log
 refused "--kit and 'tom-12'" play tom-12 --kit standard --backend null
 refused "needs --record" play --kit standard --backend file --duration 1
 refused "--midi-in" play --kit standard --backend file --duration 1 --record take.wav --midi-in all

@@ -121,6 +121,58 @@ echo "messages: $(grep -c '^{"frame":' take.log), models: $(grep -c '^{"model":'
 holds "keys were heard: $(grep -c '"swap"\|"replace"' take.log) changes of the model" \
   "$(grep -c '"swap"\|"replace"' take.log) > 0"
 
+# ---- kits ----
+
+cat >small.ini <<'END'
+[drum.snare]
+preset = frame-drum
+head = 38
+buzz = 40
+[drum.kick]
+preset = bass-drum-22
+x = 0.5
+head = 36
+[note.42]
+sample = hat.wav
+choke = 1
+END
+done_quietly render frame-drum -q --quality draft --duration 0.2 -o hat.wav
+# Bass drum and hi-hat, snare drum, a hi-hat that is grabbed, the drums' volume, a buzz.
+hex="4d546864000000060000000100604d54726b"
+track="00992470 00992a70 30992660 10992a70 08a92a40 10b90740 18992870 30892800 18992460 40ff2f00"
+# shellcheck disable=SC2059
+printf "$(sed 's/../\\x&/g' <<<"$hex$(printf '%08x' $(($(tr -d ' ' <<<"$track" | wc -c) / 2)))$(tr -d ' ' <<<"$track")")" >kit.mid
+for buffer in 16 4096; do
+  done_quietly play --kit ./small.ini -q --backend file --record take.wav --log take.log --midi-file kit.mid --quality draft \
+    --gain -3 --buffer "$buffer"
+  mkdir -p elsewhere
+  (cd elsewhere && "$TABOR" render -q --replay ../take.log -o ../again-take.wav)
+  check "a kit from another folder, --buffer $buffer" cmp take.wav again-take.wav
+done
+for field in '"note":42,"event":"strike"' '"note":42,"event":"silence"' '"drum":1,"event":"strike"' '"event":"gain"' '"event":"release"'; do
+  check "the log of a kit has $field" grep -q "$field" take.log
+done
+done_quietly render -q --replay take.log -o parts.wav --split
+check "--split gives each drum of the log" test -s parts-kick.wav -a -s parts-snare.wav
+refused "--mic: a kit is heard in its own mix" render -o x.wav --replay take.log --mic top
+sed 's/"drum":1,/"drum":2,/' take.log >damaged.log
+refused "damaged.log:2: drum: not one of the log's, which has 2" render -o x.wav --replay damaged.log
+sed 's/"note":42/"note":43/' take.log >damaged.log
+refused "damaged.log:3: note 43: there is no sample" render -o x.wav --replay damaged.log
+sed '1s/head = 38/haed = 38/' take.log >damaged.log
+refused "damaged.log:1: .*haed" render -o x.wav --replay damaged.log
+
+# With keys: another tuning of one drum, another preset of the other, both while the kit rings.
+printf '%s\n' 'wait ? help' 'type a' 'wait strokes 1  ' 'type :set batter.pitch C3\r' 'wait batter.pitch = C3' 'type sd.' 'type a]' \
+  'gone (building)' 'type asd' 'type :gain -6\r' 'wait gain -6.0' 'type ,asd' 'type :undo\r' 'wait again' 'gone (building)' 'type a' \
+  'type :silence\r' 'wait silence' 'type a' 'type :quit\r' >script
+"$TYPIST" script "$TABOR" play --kit ./small.ini --humanize 0 --backend null --quality draft --record take.wav --format float --log take.log >typed
+same "the kit ends well" "status 0" "$(grep '^status' typed)"
+run render -q --replay take.log -o again-take.wav --format float
+same "status of the replay" 0 "$status"
+check "a kit that is tuned and changed" "$INSPECT" equal take.wav again-take.wav
+same "each drum changes" "2 1" "$(grep -c '"swap":[0-9]*}' take.log) $(grep -c '"replace":[0-9]*,"drum":1}' take.log)"
+
 # ---- signals and disks ----
 
 for signal in INT TERM; do

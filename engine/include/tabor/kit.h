@@ -127,7 +127,8 @@ TABOR_API TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, T
  * Sets one field from text. Keys are `kit.KEY` and `room.KEY`, as the fields above and those of TaborRoomDef are
  * called, and `drum.NAME.KEY`, where a new NAME adds a drum. KEY is
  *
- * - `preset`: the drum becomes this built-in preset; place, mix and notes stay;
+ * - `preset`: the drum becomes this built-in preset, or with "none" what tabor_drum_def_clear() makes of it; place, mix and
+ *   notes stay;
  * - a field of TaborKitDrumDef: `x`, `y`, `height`, `tilt`, `facing`, `gain`, `pan`, `wake`, `choke`, `mic`;
  * - `head`, `rimshot`, `cross-stick`, `rim`, `buzz`, `sweep`: the notes that play it so, as "38, 40"; "" none;
  * - a key of the drum itself, as `batter.pitch`.

@@ -147,6 +147,10 @@ static TaborStatus find_drum(const TaborKitDef *def, const char *key, const char
 static TaborStatus set_preset(TaborKitDrumDef *drum, const char *key, const char *text,
                               TaborError *error) {
   TaborError own;
+  if (strcmp(text, "none") == 0) {
+    tabor_drum_def_clear(&drum->def);
+    return tb_error_clear(error);
+  }
   const TaborStatus status = tabor_drum_def_preset(&drum->def, text, &own);
   if (status == TABOR_OK) return tb_error_clear(error);
   return tb_error_set(error, status, key, text, NAN, NAN, "%s: %s", key, own.message);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "sound/log_line.h"
+#include "render/log_line.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,6 +8,8 @@
 
 #include "base/json_output.h"
 #include "drums/drum_args.h"
+#include "kit/kit_file.h"
+#include "kit/kit_text.h"
 #include "strokes/stroke.h"
 
 #define KEY_SIZE (2 * TABOR_NAME_SIZE)
@@ -21,6 +23,7 @@ static const char *const event_names[] = {
   [TABOR_EVENT_DAMP] = "damp",           [TABOR_EVENT_RELEASE] = "release",
   [TABOR_EVENT_PARAMETER] = "parameter", [TABOR_EVENT_RESET] = "reset",
   [TABOR_EVENT_MOVE] = "move",           [TABOR_EVENT_SILENCE] = "silence",
+  [TABOR_EVENT_GAIN] = "gain",
 };
 #define EVENT_NAMES (sizeof event_names / sizeof event_names[0])
 
@@ -60,25 +63,70 @@ static json_t *drum_json(const TaborDrumDef *def) {
   return list;
 }
 
-static json_t *with_drum(json_t *object, const TaborModel *model, const char *preset) {
+static json_t *with_preset(json_t *object, const TaborModel *model, const char *preset) {
   TaborModelInfo info;
   tabor_model_info(model, &info);
   object = json_with_field(object, "preset", json_text(preset));
-  object = json_with_field(object, "quality", json_text(quality_name(info.quality)));
+  return json_with_field(object, "quality", json_text(quality_name(info.quality)));
+}
+
+static json_t *with_drum(json_t *object, const TaborModel *model, const char *preset) {
+  object = with_preset(object, model, preset);
   return json_with_field(object, "drum", drum_json(tabor_model_definition(model)));
 }
 
-char *log_line_start(const LogStart *start, const TaborModel *model, const char *preset) {
-  const TaborDrumDef *const def = tabor_model_definition(model);
+/* A text that grows. */
+typedef struct Growing {
+  char *text; /* NULL: memory was short */
+  size_t length, room;
+} Growing;
+
+/* A PresetSink. */
+static Outcome grow(void *context, const char *text, size_t size) {
+  Growing *const growing = context;
+  if (growing->length + size + 1 > growing->room) {
+    const size_t room = 2 * (growing->length + size + 1);
+    char *const larger = realloc(growing->text, room);
+    if (!larger) return fail_memory();
+    growing->text = larger;
+    growing->room = room;
+  }
+  memcpy(growing->text + growing->length, text, size);
+  growing->length += size;
+  growing->text[growing->length] = '\0';
+  return OUTCOME_OK;
+}
+
+/* NULL: the kit cannot be written, which has been said. */
+static json_t *kit_json(const LogStart *start) {
+  Growing growing = {0};
+  KitSamples samples = kit_samples_from_root(start->samples);
+  const Outcome outcome =
+    kit_text_write(start->kit, &samples, KIT_TEXT_WHOLE, "'tabor play'", grow, &growing);
+  json_t *const text = outcome == OUTCOME_OK ? json_text(growing.text) : NULL;
+  kit_samples_free(&samples);
+  free(growing.text);
+  return text;
+}
+
+static json_t *mics_json(const LogStart *start, const TaborDrumDef *def) {
   json_t *mics = json_array();
   for (uint32_t i = 0; i < start->channels; i++) {
     mics = json_with_item(mics, json_text(def->mic[start->mics[i]].name));
   }
+  return mics;
+}
+
+char *log_line_start(const LogStart *start, const TaborModel *model, const char *preset) {
   json_t *object = json_with_field(json_object(), "tabor_log", integer_json(LOG_VERSION));
   object = json_with_field(object, "program", json_text(start->program));
   object = json_with_field(object, "rate", json_real(start->rate));
   object = json_with_field(object, "gain", json_real(start->gain));
-  object = json_with_field(object, "mics", mics);
+  if (start->kit) {
+    object = with_preset(object, model, preset);
+    return write_line(json_with_field(object, "kit", kit_json(start)));
+  }
+  object = json_with_field(object, "mics", mics_json(start, tabor_model_definition(model)));
   return write_line(with_drum(object, model, preset));
 }
 
@@ -121,13 +169,23 @@ static json_t *with_event(json_t *object, const TaborEvent *event) {
   return with_number(object, "value", event->value);
 }
 
+/* Of a kit, the drum or the sample. */
+static json_t *with_address(json_t *object, uint32_t drum) {
+  if (drum == TABOR_KIT_ALL) return json_with_field(object, "drum", json_text("all"));
+  if (drum < KIT_SAMPLE) return with_integer(object, "drum", drum);
+  return json_with_field(object, "note", integer_json(drum - KIT_SAMPLE));
+}
+
 char *log_line_message(const PlayerMessage *message) {
   const bool replaces = message->event.type == TABOR_EVENT_REPLACE;
   json_t *object = json_with_field(json_object(), "frame", integer_json(message->frame));
   switch (message->type) {
-  case PLAYER_EVENT: object = with_event(object, &message->event); break;
+  case PLAYER_EVENT:
+    object = with_event(with_address(object, message->drum), &message->event);
+    break;
   case PLAYER_MODEL:
     object = json_with_field(object, replaces ? "replace" : "swap", integer_json(message->model));
+    object = with_address(object, message->drum);
     break;
   case PLAYER_GAIN: object = json_with_field(object, "gain", json_number(message->value)); break;
   default: object = json_with_field(object, "expression", json_number(message->value)); break;
@@ -272,6 +330,40 @@ static void take_drum(Fields *fields, LogLine *line) {
   (void)json_object_del(fields->object, "drum");
 }
 
+/* ---- kits ---- */
+
+void log_kit_free(LogKit *kit) {
+  if (!kit) return;
+  kit_samples_free(&kit->samples);
+  free(kit);
+}
+
+static Outcome read_kit(const char *where, const char *text, LogKit *kit) {
+  char message[2 * TABOR_TEXT_SIZE];
+  KitSampleReader notes = {.file = "", .samples = &kit->samples};
+  const KitFileReader reader = {.def = &kit->def, .note = kit_samples_take_pair, .context = &notes};
+  kit_samples_begin(&kit->samples);
+  if (kit_file_parse("kit", text, strlen(text), &reader, message, sizeof message) ==
+        PRESET_FILE_OK &&
+      kit_file_check("kit", &kit->def, message, sizeof message)) {
+    return OUTCOME_OK;
+  }
+  return refuse("%s %s", where, message);
+}
+
+static void take_kit(Fields *fields, LogLine *line) {
+  const char *const text = json_string_value(json_object_get(fields->object, "kit"));
+  LogDrum *const drum = line->drum = calloc(1, sizeof *drum);
+  LogKit *const kit = line->kit = calloc(1, sizeof *kit);
+  if (!text) complain(fields, "kit", "the text of a kit file");
+  if (!drum || !kit) fields->outcome = fail_memory();
+  if (fields->outcome != OUTCOME_OK) return;
+  take_text(fields, "preset", drum->preset, sizeof drum->preset);
+  drum->quality = take_quality(fields);
+  if (fields->outcome == OUTCOME_OK) fields->outcome = read_kit(fields->where, text, kit);
+  (void)json_object_del(fields->object, "kit");
+}
+
 /* ---- kinds of lines ---- */
 
 static void take_mics(Fields *fields, const TaborDrumDef *def, LogStart *start) {
@@ -298,6 +390,10 @@ static void take_start(Fields *fields, LogLine *line) {
   take_text(fields, "program", start->program, sizeof start->program);
   start->rate = take_number_within(fields, "rate", 22050, 192000);
   start->gain = take_number_within(fields, "gain", 0, MOST_GAIN);
+  if (has(fields, "kit")) {
+    take_kit(fields, line);
+    return;
+  }
   take_drum(fields, line);
   if (fields->outcome == OUTCOME_OK) take_mics(fields, &line->drum->def, start);
 }
@@ -335,6 +431,18 @@ static void take_event(Fields *fields, TaborEvent *event) {
   event->value = take_number(fields, "value");
 }
 
+static uint32_t take_address(Fields *fields) {
+  const char *const word = json_string_value(json_object_get(fields->object, "drum"));
+  if (has(fields, "note")) {
+    return KIT_SAMPLE + (uint32_t)take_integer(fields, "note", MIDI_VALUES - 1);
+  }
+  if (!word || strcmp(word, "all") != 0) {
+    return (uint32_t)take_integer(fields, "drum", TABOR_KIT_DRUMS - 1);
+  }
+  (void)json_object_del(fields->object, "drum");
+  return TABOR_KIT_ALL;
+}
+
 static void take_message(Fields *fields, LogLine *line) {
   PlayerMessage *const message = &line->message;
   line->type = LOG_MESSAGE;
@@ -344,10 +452,12 @@ static void take_message(Fields *fields, LogLine *line) {
     message->value = take_number(fields, has(fields, "gain") ? "gain" : "expression");
   } else if (has(fields, "swap") || has(fields, "replace")) {
     message->type = PLAYER_MODEL;
+    message->drum = take_address(fields);
     message->event.type = has(fields, "swap") ? TABOR_EVENT_SWAP : TABOR_EVENT_REPLACE;
     message->model = take_index(fields, has(fields, "swap") ? "swap" : "replace");
   } else {
     message->type = PLAYER_EVENT;
+    message->drum = take_address(fields);
     take_event(fields, &message->event);
   }
 }

@@ -13,6 +13,9 @@
  *     {"frame":9600,"swap":1}
  *     {"frames":48000,"lost":0}
  *
+ * Of a kit, the first line has "kit", the text of its file with all parameters of each drum, in place of "mics" and "drum";
+ * events and swaps have "drum", the number of the drum from 0 (left out: 0) or "all", or "note", that of a sample.
+ *
  * The first line has the drum of the start, the last the number of frames that were played. While the drum plays, the
  * last line is a mark, {"played":24000,"lost":0}: everything that acted before this frame is in the lines above. The
  * next lines are written over it, so a whole log has none. Messages are in the order in which they acted, each with the
@@ -23,6 +26,7 @@
 #define TABOR_HOST_LOG_LINE_H
 
 #include "base/message.h"
+#include "kit/kit_sample_files.h"
 #include "sound/player_message.h"
 
 #define LOG_VERSION 1
@@ -36,20 +40,31 @@ typedef struct LogDrum {
   TaborDrumDef def;
 } LogDrum;
 
+/** A kit at the start. */
+typedef struct LogKit {
+  TaborKitDef def;
+  KitSamples samples; /**< not read yet */
+} LogKit;
+
 /** How a performance started, apart from its drum. */
 typedef struct LogStart {
   char program[TABOR_NAME_SIZE]; /**< version */
   double rate;                   /**< [Hz] */
   double gain;                   /**< factor */
+  const TaborKitDef *kit;        /**< to be written; or NULL */
+  const KitSamples *samples;     /**< of the kit, to be written */
   uint32_t channels;
-  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index among the drum's microphones */
+  uint32_t mics
+    [TABOR_MAX_MICS]; /**< of each channel: index among the drum's microphones, of a kit its output */
 } LogStart;
 
 /** A line that was read. */
 typedef struct LogLine {
   LogLineType type;
-  LogStart start;        /**< of LOG_START */
-  LogDrum *drum;         /**< of LOG_START and LOG_MODEL; the caller frees it */
+  LogStart start; /**< of LOG_START */
+  LogDrum *
+    drum; /**< of LOG_START and LOG_MODEL, of a kit's start without definition; the caller frees it */
+  LogKit *kit;           /**< of a kit's LOG_START; free with log_kit_free() */
   uint32_t model;        /**< its number, of LOG_MODEL; those of a log are 1, 2, ... */
   PlayerMessage message; /**< of LOG_MESSAGE; a swap itself and its strikers are not in the text */
   uint64_t frames, lost; /**< of LOG_MARK and LOG_END: frames played, messages lost */
@@ -62,12 +77,15 @@ char *log_line_message(const PlayerMessage *message);
 char *log_line_mark(uint64_t frames, uint64_t lost);
 char *log_line_end(uint64_t frames, uint64_t lost);
 
+/** NULL is allowed. */
+void log_kit_free(LogKit *kit);
+
 /** True if the text is no whole JSON value, as the last line of a log whose writer was killed. */
 bool log_line_is_cut(const char *text, size_t length);
 
 /**
  * Reads a line of @p length bytes. Refuses what no log has, in a message that begins with @p where, such as
- * "take.log:3:". line->drum is NULL or to be freed, whatever the outcome.
+ * "take.log:3:". line->drum and line->kit are NULL or to be freed, whatever the outcome.
  */
 Outcome log_line_read(const char *where, const char *text, size_t length, LogLine *line);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of a log: what is written is read back to the bit. */
-#include "sound/log_line.h"
+#include "render/log_line.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -30,6 +30,7 @@ static void assert_same_message(const PlayerMessage *message) {
   assert_int_equal(line.type, LOG_MESSAGE);
   assert_true(line.message.frame == message->frame);
   assert_int_equal(line.message.type, message->type);
+  assert_int_equal(line.message.drum, message->drum);
   assert_int_equal(line.message.model, message->model);
   assert_same_number(line.message.value, message->value);
   assert_int_equal(read->type, event->type);
@@ -108,6 +109,27 @@ static void gains_and_changes_are_read_back(void **state) {
     &(PlayerMessage){.type = PLAYER_MODEL, .model = 7, .event = {.type = TABOR_EVENT_SWAP}});
   assert_same_message(
     &(PlayerMessage){.type = PLAYER_MODEL, .model = 8, .event = {.type = TABOR_EVENT_REPLACE}});
+}
+
+/* A drum of a kit, all of them, and a sample. */
+static void addresses_are_read_back(void **state) {
+  (void)state;
+  static const uint32_t drums[] = {
+    0, 1, TABOR_KIT_DRUMS - 1, TABOR_KIT_ALL, KIT_SAMPLE, KIT_SAMPLE + MIDI_VALUES - 1};
+  for (size_t i = 0; i < sizeof drums / sizeof drums[0]; i++) {
+    PlayerMessage message = {.frame = 7, .type = PLAYER_EVENT, .drum = drums[i]};
+    message.event = (TaborEvent){.type = TABOR_EVENT_STRIKE, .velocity = 1};
+    assert_same_message(&message);
+    message.event = (TaborEvent){.type = TABOR_EVENT_GAIN, .value = 0.25};
+    assert_same_message(&message);
+    if (drums[i] >= TABOR_KIT_DRUMS) continue;
+    message = (PlayerMessage){.frame = 7,
+                              .type = PLAYER_MODEL,
+                              .drum = drums[i],
+                              .model = 3,
+                              .event = {.type = TABOR_EVENT_SWAP}};
+    assert_same_message(&message);
+  }
 }
 
 static void check_frames(const LogLine *line, LogLineType type) {
@@ -196,6 +218,45 @@ static void every_preset_is_read_back(void **state) {
   }
 }
 
+static void check_kit(const char *name, const KitSamples *samples) {
+  static TaborKitDef kit;
+  TaborModelOptions options;
+  TaborDrumDef placed;
+  TaborModel *model;
+  assert_int_equal(tabor_kit_def_preset(&kit, name, NULL), TABOR_OK);
+  for (uint32_t i = 0; i < kit.drum_count; i++) vary(&kit.drum[i].def, i);
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_DRAFT;
+  assert_int_equal(tabor_kit_def_place(&kit, 0, &placed, NULL), TABOR_OK);
+  assert_int_equal(tabor_model_create(&placed, &options, &model, NULL), TABOR_OK);
+  const LogStart start = {
+    .program = "1", .rate = 48000, .gain = 1, .channels = 2, .kit = &kit, .samples = samples};
+  const LogLine line = read_back(log_line_start(&start, model, name));
+  assert_int_equal(line.type, LOG_START);
+  assert_int_equal(line.drum->quality, TABOR_QUALITY_DRAFT);
+  assert_string_equal(line.drum->preset, name);
+  assert_memory_equal(&line.kit->def, &kit, sizeof kit);
+  for (int note = 0; note < MIDI_VALUES; note++) {
+    const KitSample *const sample = &samples->notes[note], *const read =
+                                                             &line.kit->samples.notes[note];
+    assert_same_number(sample->gain_db, read->gain_db);
+    assert_int_equal(sample->choke, read->choke);
+    if (sample->path) assert_string_equal(sample->path, read->path);
+  }
+  free(line.drum);
+  log_kit_free(line.kit);
+  tabor_model_release(model);
+}
+
+static void every_kit_is_read_back(void **state) {
+  (void)state;
+  static char path[] = "/"; /* from the root already, and there */
+  KitSamples samples;
+  kit_samples_begin(&samples);
+  samples.notes[42] = (KitSample){.path = path, .gain_db = -0.1, .choke = 3};
+  for (uint32_t i = 0; i < tabor_kit_count(); i++) check_kit(tabor_kit(i)->name, &samples);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(events_are_read_back_to_the_bit),
@@ -204,7 +265,9 @@ int main(void) {
     cmocka_unit_test(mark_and_end_are_read_back),
     cmocka_unit_test(the_end_is_as_long_as_the_mark),
     cmocka_unit_test(a_cut_line_is_seen),
+    cmocka_unit_test(addresses_are_read_back),
     cmocka_unit_test(every_preset_is_read_back),
+    cmocka_unit_test(every_kit_is_read_back),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

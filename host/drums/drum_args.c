@@ -13,18 +13,6 @@ const char *preset_argument(const Arguments *arguments) {
   return arguments->operand ? arguments->operand : DEFAULT_PRESET;
 }
 
-bool preset_is_file(const char *preset) {
-  const size_t length = strlen(preset);
-  return path_has_folder(preset) || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
-}
-
-PresetStem preset_stem(const char *preset) {
-  const char *const base = path_base(preset);
-  const size_t length = strlen(base);
-  const bool is_ini = length > 4 && strcmp(base + length - 4, ".ini") == 0;
-  return (PresetStem){base, (int)(is_ini ? length - 4 : length)};
-}
-
 static Outcome load_file(const char *path, TaborDrumDef *def) {
   char message[2 * TABOR_TEXT_SIZE];
   switch (drum_file_read(path, def, message, sizeof message)) {

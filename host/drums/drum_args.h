@@ -29,20 +29,11 @@
 
 /** Returns PRESET of the command line, or the default. */
 const char *preset_argument(const Arguments *arguments);
-/** True if @p preset is a file: it has a folder part or ends in ".ini". */
-bool preset_is_file(const char *preset);
 /**
  * Returns the file of @p preset: itself, or the user's of that name (user_presets.h), written to @p room. NULL if no file has
  * it: the built-in presets come first.
  */
 const char *preset_file(const char *preset, char room[USER_PRESET_PATH]);
-/** Start of the file names for a preset. */
-typedef struct PresetStem {
-  const char *text;
-  int length;
-} PresetStem;
-/** Gives "snare-14x5.5" for "snare-14x5.5" and for "drums/snare-14x5.5.ini". */
-PresetStem preset_stem(const char *preset);
 /** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
 const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);

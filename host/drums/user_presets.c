@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "platform/files.h"
+#include "platform/paths.h"
 
 static bool fits(int length) { return length >= 0 && length < USER_PRESET_PATH; }
 
@@ -28,4 +29,16 @@ bool user_preset_path(const char *name, char path[USER_PRESET_PATH]) {
 
 const char *user_preset_find(const char *name, char room[USER_PRESET_PATH]) {
   return user_preset_path(name, room) && file_exists(room) ? room : NULL;
+}
+
+bool preset_is_file(const char *preset) {
+  const size_t length = strlen(preset);
+  return path_has_folder(preset) || (length >= 4 && strcmp(preset + length - 4, ".ini") == 0);
+}
+
+PresetStem preset_stem(const char *preset) {
+  const char *const base = path_base(preset);
+  const size_t length = strlen(base);
+  const bool is_ini = length > 4 && strcmp(base + length - 4, ".ini") == 0;
+  return (PresetStem){base, (int)(is_ini ? length - 4 : length)};
 }

@@ -20,4 +20,14 @@ bool user_preset_path(const char *name, char path[USER_PRESET_PATH]);
 /** Returns the file of the preset @p name, in @p room; NULL if there is none. */
 const char *user_preset_find(const char *name, char room[USER_PRESET_PATH]);
 
+/** True if @p preset is a file: it has a folder part or ends in ".ini". */
+bool preset_is_file(const char *preset);
+/** Start of the file names for a preset. */
+typedef struct PresetStem {
+  const char *text;
+  int length;
+} PresetStem;
+/** Gives "snare-14x5.5" for "snare-14x5.5" and for "drums/snare-14x5.5.ini". */
+PresetStem preset_stem(const char *preset);
+
 #endif

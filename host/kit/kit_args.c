@@ -79,7 +79,7 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *
   const Outcome outcome = check_drum(def, key);
   TaborError error;
   if (outcome != OUTCOME_OK) return outcome;
-  if (tabor_kit_def_set(def, key, equals + 1, &error) == TABOR_OK) return OUTCOME_OK;
+  if (kit_file_set(def, key, equals + 1, &error) == TABOR_OK) return OUTCOME_OK;
   return report_engine_error(&error);
 }
 
@@ -101,6 +101,7 @@ Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *sampl
   kit_samples_begin(samples);
   if (!*kit) return refuse("--kit needs the name of a kit");
   Outcome outcome = load(kit, def, samples);
+  if (outcome == OUTCOME_OK && !*def->name) kit_name_after(def, kit);
   while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {
     outcome = apply_setting(setting, def, samples);
   }

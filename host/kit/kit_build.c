@@ -58,22 +58,13 @@ Outcome kit_models_build(const TaborKitDef *def, const TaborModelOptions *option
   return outcome;
 }
 
+void kit_fit_mic(TaborKitDrumDef *drum) {
+  if (*drum->mic && tabor_drum_def_find_mic(&drum->def, drum->mic) < 0) *drum->mic = '\0';
+}
+
 void kit_models_release(TaborModel *models[TABOR_KIT_DRUMS]) {
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     tabor_model_release(models[i]);
     models[i] = NULL;
   }
-}
-
-Outcome kit_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
-                  TaborKit **kit) {
-  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
-  TaborError error;
-  *kit = NULL;
-  Outcome outcome = kit_models_build(def, options, threads, models);
-  if (outcome == OUTCOME_OK && tabor_kit_create(def, models, kit, &error) != TABOR_OK) {
-    outcome = report_engine_error(&error);
-  }
-  kit_models_release(models);
-  return outcome;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_build.h
- * Builds a kit: the models of its drums on several threads.
+ * Builds the models of a kit's drums on several threads.
  */
 #ifndef TABOR_HOST_KIT_BUILD_H
 #define TABOR_HOST_KIT_BUILD_H
@@ -14,10 +14,9 @@
  * error all of them are NULL. */
 Outcome kit_models_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
                          TaborModel *models[TABOR_KIT_DRUMS]);
+/** Lets a drum that lacks its close microphone, as one that another preset has replaced, be heard by its first. */
+void kit_fit_mic(TaborKitDrumDef *drum);
 /** Releases models, which may be NULL. */
 void kit_models_release(TaborModel *models[TABOR_KIT_DRUMS]);
-/** Builds the models of @p def with @p options on at most @p threads threads, and the kit. On an error *kit is NULL. */
-Outcome kit_build(const TaborKitDef *def, const TaborModelOptions *options, uint32_t threads,
-                  TaborKit **kit);
 
 #endif

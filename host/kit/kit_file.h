@@ -24,7 +24,11 @@ PresetFileStatus kit_file_read(const char *path, const KitFileReader *reader, ch
 /** The same of a text, which messages call @p name. */
 PresetFileStatus kit_file_parse(const char *name, const char *text, size_t length,
                                 const KitFileReader *reader, char *message, size_t size);
-/** True if the definition can play: it has a drum and passes tabor_kit_def_validate(). Otherwise @p message says why. */
+/** tabor_kit_def_set(), where the preset of a drum may be the user's own, too: a name, or a file. */
+TaborStatus kit_file_set(TaborKitDef *def, const char *key, const char *value, TaborError *error);
+/** Names a kit as its file is called, without folder and extension. */
+void kit_name_after(TaborKitDef *def, const char *path);
+/** True if the definition can play: it has a drum, each can stand in its place, and passes tabor_kit_def_validate(). Otherwise @p message says why. */
 bool kit_file_check(const char *name, const TaborKitDef *def, char *message, size_t size);
 /** True for a section "note.N". */
 bool kit_file_is_note(const char *section);

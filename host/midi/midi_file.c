@@ -138,6 +138,7 @@ static MidiFileStatus add_entry(Reader *reader, size_t at, Entry entry) {
 static MidiFileStatus break_off(Reader *reader, size_t at) {
   warn_at(reader, at, "the track breaks off in an event, which is passed over");
   reader->at = reader->end;
+  reader->ended = true;
   return MIDI_FILE_OK;
 }
 
@@ -275,6 +276,9 @@ static MidiFileStatus take_track(Reader *reader, uint32_t length) {
   reader->status = 0;
   reader->ended = false;
   while (status == MIDI_FILE_OK && !reader->ended && left(reader) > 0) status = take_event(reader);
+  if (status == MIDI_FILE_OK && !reader->ended) {
+    warn_at(reader, reader->at, "the track ends without an event that says so");
+  }
   if (status == MIDI_FILE_OK && left(reader) > 0) {
     warn_at(reader, reader->at, "%zu bytes behind the end of the track are passed over",
             left(reader));
@@ -385,9 +389,12 @@ static MidiFileStatus take_header(Reader *reader) {
   MidiFileStatus status = enter_riff(reader);
   if (status != MIDI_FILE_OK) return status;
   const size_t at = reader->at;
-  if (left(reader) < CHUNK_HEAD + HEADER_LEAST || !is_chunk(reader, "MThd")) {
+  if (left(reader) < CHUNK_HEAD || !is_chunk(reader, "MThd")) {
     return refuse_at(reader, at,
                      "not a Standard MIDI File: it does not begin with a header 'MThd'");
+  }
+  if (left(reader) < CHUNK_HEAD + HEADER_LEAST) {
+    return refuse_at(reader, at, "the file breaks off in its header");
   }
   status = enter_chunk(reader, &length);
   if (status != MIDI_FILE_OK) return status;

@@ -299,6 +299,8 @@ Outcome console_open(LiveSession *session, Console **created) {
     controls_begin(session->player, session->builders, request->kit, session->facts.rate,
                    20 * log10(request->gain), request->humanizer);
   console->controls.samples = &request->samples;
+  const char *const kit = arguments_value(request->arguments, "kit");
+  controls_opened(&console->controls, kit ? kit : request->preset);
   console->controls.midi = session->midi;
   console->controls.midi_map = arguments_value(request->arguments, "midi-map");
   console->escape_time = -ESCAPE_TIME;

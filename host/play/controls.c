@@ -9,11 +9,13 @@
 
 #include "base/folder.h"
 #include "base/number.h"
+#include "base/suggest.h"
 #include "drums/drum_args.h"
 #include "drums/drum_file.h"
 #include "drums/preset_text.h"
 #include "drums/user_presets.h"
 #include "kit/kit_args.h"
+#include "kit/kit_build.h"
 #include "kit/kit_file.h"
 #include "kit/kit_sample_files.h"
 #include "kit/kit_text.h"
@@ -344,6 +346,12 @@ static uint32_t first_drum(const TaborKitDef *kit) {
   return kit && drum < kit->drum_count ? drum : 0;
 }
 
+void controls_opened(Controls *controls, const char *name) {
+  char room[USER_PRESET_PATH];
+  const char *const file = preset_is_file(name) ? name : user_preset_find(name, room);
+  (void)snprintf(controls->own, sizeof controls->own, "%s", file ? file : "");
+}
+
 Controls controls_begin(Player *player, ModelBuilder *const *builders, const TaborKitDef *kit,
                         double rate, double gain_db, Humanizer humanizer) {
   TaborDrumDef def;
@@ -392,6 +400,14 @@ static void run_set(Controls *controls, const char *text, double time) {
     (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
     return;
   }
+  if (controls->kit && (strncmp(key, "drum.", 5) == 0 || strncmp(key, "kit.", 4) == 0) &&
+      strcmp(key, "drum.name") != 0 && strcmp(key, "drum.comment") != 0) {
+    (void)refuse(
+      "set %s: keys here are those of one drum, which ':drum NAME' chooses; start with --set "
+      "%s=%s for the kit",
+      key, key, value);
+    return;
+  }
   set_words(controls, time, key, value);
 }
 
@@ -428,11 +444,9 @@ static void run_redo(Controls *controls, const char *text, double time) {
     tell_again(controls, key);
 }
 
-/* Keeps what the user wrote: a file that is no drum, or no kit, is not replaced by one. */
-static bool may_replace(const Controls *controls, const char *path) {
+static bool is_of_this_kind(const Controls *controls, const char *path) {
   char message[2 * TABOR_TEXT_SIZE];
   TaborDrumDef def;
-  if (!file_exists(path)) return true;
   if (!controls->kit) {
     return drum_file_read(path, &def, message, sizeof message) == PRESET_FILE_OK;
   }
@@ -443,7 +457,17 @@ static bool may_replace(const Controls *controls, const char *path) {
   return is_kit;
 }
 
-/* Names the file of a user's preset, and makes its folder. Nothing else may have the name, or lie there. */
+/* Keeps what the user wrote: only a drum is replaced by a drum, and a kit by a kit, and only what this session has saved or
+   opened before, unless it is told to. */
+static Outcome check_replaced(const Controls *controls, const char *path, bool replaces) {
+  const char *const kind = controls->kit ? "kit" : "drum";
+  if (!file_exists(path)) return OUTCOME_OK;
+  if (!is_of_this_kind(controls, path)) return refuse("save: %s is no %s, and stays", path, kind);
+  if (replaces || strcmp(path, controls->own) == 0) return OUTCOME_OK;
+  return refuse("save: %s is there already; ':save! NAME' replaces it", path);
+}
+
+/* Names the file of a user's preset, and makes its folder. */
 static Outcome plan_user_preset(const Controls *controls, const char *name,
                                 char path[USER_PRESET_PATH]) {
   const char *const kind = controls->kit ? "kit" : "drum";
@@ -455,8 +479,6 @@ static Outcome plan_user_preset(const Controls *controls, const char *name,
   const Outcome outcome = folder_create_whole(path);
   if (outcome != OUTCOME_OK) return outcome;
   if (!user_preset_path(name, path)) return refuse("save: the name is too long");
-  if (!may_replace(controls, path))
-    return refuse("save %s: %s is no %s, and stays", name, path, kind);
   return OUTCOME_OK;
 }
 
@@ -483,7 +505,9 @@ static Outcome save_kit(const Controls *controls, const char *path) {
   text->kit = *controls->kit;
   for (uint32_t i = 0; i < text->kit.drum_count; i++) {
     model_builder_definition(controls->builders[i], &text->kit.drum[i].def);
+    kit_fit_mic(&text->kit.drum[i]);
   }
+  kit_name_after(&text->kit, path);
   text->samples = kit_samples_from_root(controls->samples);
   const Outcome outcome = preset_text_save(path, write_kit, text);
   kit_samples_free(&text->samples);
@@ -491,28 +515,48 @@ static Outcome save_kit(const Controls *controls, const char *path) {
   return outcome;
 }
 
-static void run_save(Controls *controls, const char *text, double time) {
+static void save(Controls *controls, const char *name, bool replaces) {
   char room[USER_PRESET_PATH];
-  const bool is_file = preset_is_file(text);
-  const char *const path = is_file ? text : room;
+  const bool is_file = preset_is_file(name);
+  const char *const path = is_file ? name : room;
   TaborDrumDef def;
-  (void)time;
-  if (!is_file && plan_user_preset(controls, text, room) != OUTCOME_OK) return;
+  if (!is_file && plan_user_preset(controls, name, room) != OUTCOME_OK) return;
+  if (check_replaced(controls, path, replaces) != OUTCOME_OK) return;
   model_builder_definition(builder_of(controls), &def);
   const Outcome outcome =
     controls->kit ? save_kit(controls, path) : preset_text_save(path, write_drum, &def);
-  if (outcome == OUTCOME_OK) tell(controls, "saved %s", path);
+  if (outcome != OUTCOME_OK) return;
+  (void)snprintf(controls->own, sizeof controls->own, "%s", path);
+  tell(controls, "saved %s", path);
+}
+
+static void run_save(Controls *controls, const char *text, double time) {
+  (void)time;
+  save(controls, text, false);
+}
+
+static void run_replace(Controls *controls, const char *text, double time) {
+  (void)time;
+  save(controls, text, true);
+}
+
+/* A NameAt. */
+static const char *drum_name_at(const void *kit, size_t index) {
+  const TaborKitDef *const def = kit;
+  return index < def->drum_count ? def->drum[index].name : NULL;
 }
 
 static void run_drum(Controls *controls, const char *text, double time) {
   (void)time;
   const int drum = controls->kit ? tabor_kit_def_find(controls->kit, text) : -1;
-  if (drum >= 0) {
+  if (!controls->kit) {
+    (void)refuse("drum %.80s: there is one drum; --kit plays several", text);
+  } else if (drum >= 0) {
     choose_drum(controls, (uint32_t)drum);
   } else {
-    (void)refuse(controls->kit ? "drum: the kit has no drum '%.80s'"
-                               : "drum %.80s: there is one drum; --kit plays several",
-                 text);
+    char hint[512];
+    suggest_choice(hint, sizeof hint, text, "", drum_name_at, controls->kit);
+    (void)refuse("drum: the kit has no drum '%.80s'%s", text, hint);
   }
 }
 
@@ -520,6 +564,7 @@ static void run_preset(Controls *controls, const char *text, double time) {
   const uint64_t frame = frame_at(controls, time);
   if (model_builder_preset(builder_of(controls), frame, text) != OUTCOME_OK) return;
   forget_switches(controls);
+  controls_opened(controls, text);
   tell(controls, "preset %s", text);
 }
 
@@ -573,11 +618,11 @@ static void run_quit(Controls *controls, const char *text, double time) {
 
 static void run_command(Controls *controls, const char *text, double time) {
   static void (*const runs[COMMAND_WORDS])(Controls *, const char *, double) = {
-    [COMMAND_LEARN] = run_learn,       [COMMAND_UNDO] = run_undo,       [COMMAND_REDO] = run_redo,
-    [COMMAND_SAVE] = run_save,         [COMMAND_DRUM] = run_drum,       [COMMAND_SET] = run_set,
-    [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,       [COMMAND_SPEED] = run_speed,
-    [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence, [COMMAND_HELP] = run_help,
-    [COMMAND_QUIT] = run_quit,
+    [COMMAND_LEARN] = run_learn, [COMMAND_UNDO] = run_undo,         [COMMAND_REDO] = run_redo,
+    [COMMAND_SAVE] = run_save,   [COMMAND_REPLACE] = run_replace,   [COMMAND_DRUM] = run_drum,
+    [COMMAND_SET] = run_set,     [COMMAND_PRESET] = run_preset,     [COMMAND_GAIN] = run_gain,
+    [COMMAND_SPEED] = run_speed, [COMMAND_HUMANIZE] = run_humanize, [COMMAND_SILENCE] = run_silence,
+    [COMMAND_HELP] = run_help,   [COMMAND_QUIT] = run_quit,
   };
   CommandWord command;
   const char *rest;

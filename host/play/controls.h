@@ -9,6 +9,7 @@
 #ifndef TABOR_HOST_CONTROLS_H
 #define TABOR_HOST_CONTROLS_H
 
+#include "drums/user_presets.h"
 #include "play/model_builder.h"
 #include "play/play_midi.h"
 #include "strokes/humanize.h"
@@ -36,6 +37,8 @@ typedef struct Controls {
   unsigned hand;     /**< hand of the next buzz, 0 or 1 */
   /** Time at which each hand lifts its buzzing stick, the last hand its sweeping brush [s]; 0: none held. */
   double release_time[CONTROLS_HANDS];
+  char own
+    [USER_PRESET_PATH]; /**< the file that was opened or saved last, which a save may replace; or "" */
   char learns[TABOR_NAME_SIZE]; /**< what the next controller will move, or "" */
   /** Requests of the user; the caller resets opens_command. */
   bool opens_command, shows_help, quits;
@@ -47,6 +50,8 @@ typedef struct Controls {
  * plays the snare drum's note, or the first. */
 Controls controls_begin(Player *player, ModelBuilder *const *builders, const TaborKitDef *kit,
                         double rate, double gain_db, Humanizer humanizer);
+/** Tells that the drum or kit is the one called @p name. */
+void controls_opened(Controls *controls, const char *name);
 /** Executes the action of a key pressed at @p time [s of CLOCK_MONOTONIC]. */
 void controls_act(Controls *controls, const Action *action, double time);
 /** Ends the waiting for a controller that was to be learned: false if none was. */

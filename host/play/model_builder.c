@@ -11,6 +11,7 @@
 #include "drums/drum_args.h"
 #include "drums/live_headroom.h"
 #include "drums/model_build.h"
+#include "kit/kit_build.h"
 
 /* A swap on its way. */
 typedef struct Pending {
@@ -213,10 +214,13 @@ static Outcome build(ModelBuilder *builder, const TaborDrumDef *def,
   TaborDrumDef placed = *def;
   TaborError error;
   if (builder->kit) {
-    builder->kit->drum[builder->drum].def = *def;
-    if (tabor_kit_def_place(builder->kit, builder->drum, &placed, &error) != TABOR_OK) {
-      return report_engine_error(&error);
-    }
+    TaborKitDrumDef *const drum = &builder->kit->drum[builder->drum];
+    const TaborKitDrumDef before = *drum;
+    drum->def = *def;
+    kit_fit_mic(drum);
+    const TaborStatus status = tabor_kit_def_place(builder->kit, builder->drum, &placed, &error);
+    *drum = before;
+    if (status != TABOR_OK) return report_engine_error(&error);
   }
   return model_build_quietly(&placed, options, model);
 }

@@ -9,12 +9,19 @@ static const struct {
   const char *word;
   const char *usage; /* what has to follow; NULL: nothing may */
 } commands[COMMAND_WORDS] = {
-  [COMMAND_SET] = {"set", "KEY VALUE"},  [COMMAND_LEARN] = {"learn", "KEY"},
-  [COMMAND_UNDO] = {"undo", NULL},       [COMMAND_REDO] = {"redo", NULL},
-  [COMMAND_SAVE] = {"save", "NAME"},     [COMMAND_DRUM] = {"drum", "NAME"},
-  [COMMAND_PRESET] = {"preset", "NAME"}, [COMMAND_GAIN] = {"gain", "DB"},
-  [COMMAND_SPEED] = {"speed", "M/S"},    [COMMAND_HUMANIZE] = {"humanize", "AMOUNT"},
-  [COMMAND_SILENCE] = {"silence", NULL}, [COMMAND_HELP] = {"help", NULL},
+  [COMMAND_SET] = {"set", "KEY VALUE"},
+  [COMMAND_LEARN] = {"learn", "KEY"},
+  [COMMAND_UNDO] = {"undo", NULL},
+  [COMMAND_REDO] = {"redo", NULL},
+  [COMMAND_SAVE] = {"save", "NAME"},
+  [COMMAND_REPLACE] = {"save!", "NAME"},
+  [COMMAND_DRUM] = {"drum", "NAME"},
+  [COMMAND_PRESET] = {"preset", "NAME"},
+  [COMMAND_GAIN] = {"gain", "DB"},
+  [COMMAND_SPEED] = {"speed", "M/S"},
+  [COMMAND_HUMANIZE] = {"humanize", "AMOUNT"},
+  [COMMAND_SILENCE] = {"silence", NULL},
+  [COMMAND_HELP] = {"help", NULL},
   [COMMAND_QUIT] = {"quit", NULL},
 };
 

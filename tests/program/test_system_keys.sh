@@ -123,6 +123,12 @@ types 'type :set batter.tension 5000\r' 'wait batter.tension = 5000' 'type :set 
 same "one's own drum is saved in one's own folder" "$(cat other.ini)" "$(cat data/tabor/mine.ini)"
 "$TABOR" show mine >"$out"
 same "it is found by its name" "$(tail -n +2 other.ini)" "$(tail -n +2 "$out")"
+# Only what this session opened or saved is replaced, unless it is told to; what is no drum never is.
+printf 'my notes\n' >notes.ini
+types 'type :save mine\r' "wait mine.ini is there already" 'type :save ./notes.ini\r' 'wait notes.ini is no drum' \
+  'type :save! ./notes.ini\r' 'wait notes.ini is no drum' 'type :save! mine\r' 'wait saved' 'type :preset mine\r' 'wait tabor  mine' \
+  'type :save mine\r' 'wait saved'
+same "what is no drum stays" "my notes" "$(cat notes.ini)"
 "$TABOR" show --kit jazz >data/tabor/club.ini
 types 'type :save club\r' 'wait club.ini is no drum'
 "$TABOR" show --kit club >"$out"
@@ -153,9 +159,10 @@ sample = hat.wav
 END
 "$TABOR" render frame-drum --quality draft --duration 0.1 -q -o hat.wav
 played=(--kit ./small.ini --quality draft)
+printf '[drum.kick]\npreset = bass-drum-22\nmic = inside\nhead = 36\n[drum.own]\npreset = mine\nx = 0.6\nhead = 38\n' >own.ini
 types 'wait snare, snare-14x5.5' 'type a' 'wait strokes 1  ' 'type b' 'wait snares off' 'type .' 'wait drum tom' \
   'wait tom, tom-12' 'type b' 'wait this drum has no snares' 'type sd' 'wait strokes 3  ' 'type .' 'wait snare, snare' \
-  'type ,' 'wait tom, tom-12' 'type :drum sanre\r' "wait the kit has no drum 'sanre'" 'type :drum snare\r' 'wait snare, snare' \
+  'type ,' 'wait tom, tom-12' 'type :drum sanre\r' "wait the kit has no drum 'sanre'; did you mean 'snare'" 'type :set drum.tom.batter.pitch A3\r' 'wait those of one drum' 'type :drum snare\r' 'wait snare, snare' \
   'type :drum tom\r' 'wait tom, tom-12' 'type :set batter.pitch A3\r' 'wait batter.pitch = A3' 'gone (building)' \
   'type :undo\r' 'wait again' 'type :redo\r' 'wait (Batter head pitch A3)' 'gone (building)' 'type ]' 'wait tom, floor-tom-16' 'gone (building)' \
   'type a' 'wait strokes 4  ' 'type :set room.kind=hall\r' 'wait the room stays' 'type :gain -6\r' 'wait gain -6.0 dB' \
@@ -165,6 +172,13 @@ types 'wait snare, snare-14x5.5' 'type a' 'wait strokes 1  ' 'type b' 'wait snar
 same "the kit is saved with its drums as they are" "snare-14x5.5 floor-tom-16" \
   "$(sed -n 's/^preset = //p' "$out" | xargs)"
 same "and with its samples, wherever it is" "$PWD/hat.wav" "$(sed -n 's/^sample = //p' "$out")"
+same "and called as it is saved" "name = band" "$(grep '^name = ' "$out")"
+# A drum whose new preset lacks the kit's close microphone; a preset of one's own in a kit's file.
+played=(--kit ./own.ini --quality draft)
+types 'wait own, frame-drum' 'type :drum kick\r' 'type :preset tom-12\r' 'wait kick, tom-12' 'gone (building)' 'type a' 'wait strokes 1  ' \
+  'type :save ./other.ini\r' 'wait other.ini is no kit' 'type :save ./changed.ini\r' 'wait saved'
+"$TABOR" show --kit ./changed.ini >"$out"
+same "it is saved as it plays" "tom-12" "$(sed -n '/drum.kick/,/drum.own/s/^preset = //p' "$out")"
 played=("${dull[@]}")
 types 'type .' 'wait there is one drum' 'type :drum tom\r' 'wait there is one drum'
 

@@ -230,7 +230,8 @@ TABOR_API const TaborKitDef *tabor_kit_definition(const TaborKit *kit);
  *
  * @param kit     the kit.
  * @param events  @p count events, sorted by frame; may be NULL when count is 0. A swap must be made for a model of a
- *                placed definition; only microphones with the kit's own names are mixed.
+ *                placed definition; only microphones with the kit's own names are mixed, and of a drum that lacks
+ *                its close microphone the first.
  * @param count   number of events.
  * @param outputs where the sound goes; samples overwrite the arrays. NULL: nowhere.
  * @param frames  samples of each output; may be 0: all events then act at once.

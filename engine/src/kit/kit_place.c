@@ -93,6 +93,19 @@ static void add_overhead(const TaborKitDef *def, uint32_t drum, int side, TaborD
   add_mic(placed, side == 0 ? TABOR_KIT_LEFT : TABOR_KIT_RIGHT, to_drum(&def->drum[drum], way));
 }
 
+/* "top, bottom" */
+static void list_mics(const TaborDrumDef *def, char names[TABOR_TEXT_SIZE]) {
+  size_t at = 0;
+  names[0] = '\0';
+  for (uint32_t i = 0; i < def->mic_count; i++) {
+    const size_t length = strlen(def->mic[i].name), gap = i > 0 ? 2 : 0;
+    if (at + gap + length >= TABOR_TEXT_SIZE) return;
+    memcpy(names + at, ", ", gap);
+    memcpy(names + at + gap, def->mic[i].name, length + 1);
+    at += gap + length;
+  }
+}
+
 static TaborStatus check_mics(const TaborKitDrumDef *drum, const TaborDrumDef *placed,
                               TaborError *error) {
   if (placed->mic_count > TABOR_KIT_OWN_MICS) {
@@ -101,8 +114,10 @@ static TaborStatus check_mics(const TaborKitDrumDef *drum, const TaborDrumDef *p
                         (unsigned)placed->mic_count, TABOR_KIT_OWN_MICS);
   }
   if (!*drum->mic || tabor_drum_def_find_mic(placed, drum->mic) >= 0) return TABOR_OK;
+  char names[TABOR_TEXT_SIZE];
+  list_mics(placed, names);
   return tb_error_set(error, TABOR_ERROR_NAME, "mic", drum->mic, NAN, NAN,
-                      "%s: it has no microphone '%s'", drum->name, drum->mic);
+                      "%s: it has no microphone '%s'; there are: %s", drum->name, drum->mic, names);
 }
 
 static TaborStatus check_overheads(const TaborKitDrumDef *drum, const TaborDrumDef *placed,

@@ -45,6 +45,42 @@ bool kit_song_compose(KitSong *song, const MidiFile *file, KitMidi *midi, Humani
   return complete;
 }
 
+/* Both are in order of time; at one frame the song's events come first. */
+static bool merge(KitSong *song, uint32_t drum, const TaborEvent *events, size_t count) {
+  TaborKitEvent *const merged = calloc(song->count + count, sizeof *merged);
+  if (!merged) return false;
+  size_t own = 0, added = 0;
+  for (size_t i = 0; i < song->count + count; i++) {
+    const bool is_own =
+      own < song->count && (added == count || song->events[own].event.frame <= events[added].frame);
+    merged[i] = is_own ? song->events[own++] : (TaborKitEvent){drum, events[added++]};
+  }
+  free(song->events);
+  song->events = merged;
+  song->count += count;
+  song->last_frame = merged[song->count - 1].event.frame;
+  return true;
+}
+
+bool kit_song_add_strokes(KitSong *song, const TaborKitDef *kit, Humanizer humanizer,
+                          const Strokes strokes[TABOR_KIT_DRUMS]) {
+  for (uint32_t drum = 0; drum < kit->drum_count; drum++) {
+    const Strokes *const own = &strokes[drum];
+    if (own->count == 0) continue;
+    for (size_t i = 0; i < own->count; i++) {
+      humanize(&humanizer, kit->drum[drum].def.shell.radius, &own->events[i]);
+    }
+    if (!merge(song, drum, own->events, own->count)) return false;
+  }
+  return true;
+}
+
+uint32_t kit_song_last_stroke(const KitSong *song) {
+  size_t last = song->count;
+  while (last > 0 && song->events[last - 1].event.type == TABOR_EVENT_RELEASE) last--;
+  return last > 0 ? song->events[last - 1].event.frame : 0;
+}
+
 bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]) {
   uint64_t strokes = 0;
   for (uint32_t i = 0; i < midi->count; i++) strokes += midi->strokes[i];

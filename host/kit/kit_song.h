@@ -9,6 +9,7 @@
 #include "kit/kit_midi.h"
 #include "midi/midi_file.h"
 #include "strokes/humanize.h"
+#include "strokes/strokes.h"
 
 typedef struct KitSong {
   TaborKitEvent *events; /**< sorted by frame, which counts from the start */
@@ -22,6 +23,12 @@ typedef struct KitSong {
  */
 bool kit_song_compose(KitSong *song, const MidiFile *file, KitMidi *midi, Humanizer humanizer,
                       double rate);
+/** Adds @p strokes to each drum of @p kit, behind the song's own events of their frame; they are scattered by @p humanizer. False
+ * without memory. */
+bool kit_song_add_strokes(KitSong *song, const TaborKitDef *kit, Humanizer humanizer,
+                          const Strokes strokes[TABOR_KIT_DRUMS]);
+/** Frame of the last event that is not a release; 0 if there is none. */
+uint32_t kit_song_last_stroke(const KitSong *song);
 /** Refuses what has no stroke, or too many: false, and the reason in @p error. */
 bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]);
 void kit_song_free(KitSong *song);

@@ -69,14 +69,13 @@ static Outcome add_kit_events(LiveSession *session, const KitSong *song) {
 static Outcome add_kit_song(LiveSession *session) {
   const PlayRequest *const request = session->request;
   const char *const name = arguments_value(request->arguments, "midi-file");
-  if (!name) return OUTCOME_OK;
   KitMidi *const midi = malloc(sizeof *midi);
   if (!midi) return fail_memory();
   KitSong song = {0};
   play_request_kit_midi(request, midi);
-  Outcome outcome =
-    kit_song_read(request->arguments, midi, request->humanizer, request->model.sample_rate, &song);
-  if (outcome == OUTCOME_OK && !request->quiet) kit_song_note(name, midi);
+  Outcome outcome = kit_song_read(request->arguments, request->kit, midi, request->humanizer,
+                                  request->model.sample_rate, &song);
+  if (outcome == OUTCOME_OK && name && !request->quiet) kit_song_note(name, midi);
   if (outcome == OUTCOME_OK) outcome = add_kit_events(session, &song);
   session->song_ignored = kit_midi_unknown(midi);
   kit_song_free(&song);
@@ -115,7 +114,7 @@ static Outcome read_score(LiveSession *session) {
   if (session->request->kit) {
     const Outcome outcome = add_kit_song(session);
     cue_queue_sort(&session->queue);
-    return outcome;
+    return outcome == OUTCOME_OK ? check_duration(session) : outcome;
   }
   Outcome outcome = read_strokes(session, &strokes);
   if (outcome == OUTCOME_OK) outcome = cue_queue_add_strokes(&session->queue, &strokes);

@@ -81,7 +81,7 @@ static Outcome read_keys(const Arguments *arguments, PlayRequest *request) {
 }
 
 static Outcome read_kit(const Arguments *arguments, PlayRequest *request) {
-  static const char *const excluded[] = {"events", "midi-map", "mic"};
+  static const char *const excluded[] = {"midi-map", "mic"};
   Outcome outcome = kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
                                        "a kit has notes for its drums, and a mix of its own");
   if (outcome != OUTCOME_OK) return outcome;

@@ -32,6 +32,7 @@ static Outcome run(const Arguments *arguments) {
 static const char notes[] =
   "A stroke is written --strike time=0,velocity=2.5,radius=0.05,angle=30,striker=stick:\n"
   "  time       when [s], 0 to 3600\n"
+  "  drum       of --kit alone, which needs it: one of its drums, by name\n"
   "  velocity   how fast [m/s], 0.01 to 30, or midi=1..127 as --velocity-range has it\n"
   "  radius     how far from the centre [m], or in per cent of the head, as 80%\n"
   "  angle      in which direction [degrees], counter-clockwise from +x\n"
@@ -76,7 +77,8 @@ static const char notes[] =
   "unless asked\n"
   "for. The sound that is written is that of the drum alone.\n"
   "\n"
-  "--kit plays --midi-file on a kit, into its stereo mix, kit.wav unless -o names it; --split "
+  "--kit plays --midi-file and strokes on a kit, into its stereo mix, kit.wav unless -o names it; "
+  "--split "
   "gives\n"
   "a stereo file for each drum. --set KEY=VALUE changes the kit, as drum.snare.batter.pitch=G3.\n"
   "\n"

@@ -183,49 +183,21 @@ static Outcome read_flags(const Arguments *arguments, RenderRequest *request) {
 }
 
 static Outcome read_kit(const Arguments *arguments, RenderRequest *request) {
-  static const char *const excluded[] = {"strike", "events",   "each", "trace",
-                                         "mic",    "midi-map", "input"};
-  Outcome outcome = kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
-                                       "not together; a kit plays a MIDI file into its own mix");
+  static const char *const excluded[] = {"trace", "midi-map", "mic", "input"};
+  Outcome outcome =
+    kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
+                       "not together; a kit has notes for its drums, and a mix of its own");
   if (outcome != OUTCOME_OK) return outcome;
-  if (!arguments_has(arguments, "midi-file"))
-    return refuse("--kit needs --midi-file, the notes to play");
+  if (!arguments_has(arguments, "midi-file") && !arguments_has(arguments, "events") &&
+      !arguments_has(arguments, "strike")) {
+    return refuse("--kit needs what to play: --midi-file, --events or --strike");
+  }
   request->own_kit = malloc(sizeof *request->own_kit);
   if (!request->own_kit) return fail_memory();
   outcome = kit_load(arguments, request->own_kit, &request->samples);
   if (outcome != OUTCOME_OK) return outcome;
   render_request_set_kit(request, request->own_kit);
   return render_threads_read(arguments, &request->threads);
-}
-
-static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request) {
-  KitMidiSetup setup;
-  Humanizer humanizer;
-  Outcome outcome = kit_midi_setup_read(arguments, &setup);
-  if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0, &humanizer);
-  if (outcome != OUTCOME_OK) return outcome;
-  KitMidi *const midi = request->kit_midi = malloc(sizeof *midi);
-  if (!midi) return fail_memory();
-  kit_midi_begin(midi, request->kit, &setup);
-  kit_samples_map(&request->samples, midi->has_sample);
-  return kit_song_read(arguments, midi, humanizer, request->model.sample_rate, &request->kit_song);
-}
-
-static Outcome note_kit_song(const Arguments *arguments, RenderRequest *request) {
-  if (!request->quiet) kit_song_note(arguments_value(arguments, "midi-file"), request->kit_midi);
-  return OUTCOME_OK;
-}
-
-static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
-  const Outcome outcome = kit_options_refuse(arguments);
-  request->preset = preset_argument(arguments);
-  return outcome == OUTCOME_OK ? drum_load(arguments, &request->def) : outcome;
-}
-
-static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
-  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
-  request->audio.rate = (uint32_t)request->model.sample_rate;
-  return outcome;
 }
 
 /* Only one thing can come from there. */
@@ -239,6 +211,40 @@ static Outcome check_standard_input(const Arguments *arguments) {
       return refuse("--events - and --midi-file -: allowed: one of them");
   }
   return OUTCOME_OK;
+}
+
+static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request) {
+  KitMidiSetup setup;
+  Humanizer humanizer;
+  Outcome outcome = kit_midi_setup_read(arguments, &setup);
+  if (outcome == OUTCOME_OK) outcome = humanize_read(arguments, 0, &humanizer);
+  if (outcome != OUTCOME_OK) return outcome;
+  KitMidi *const midi = request->kit_midi = malloc(sizeof *midi);
+  if (!midi) return fail_memory();
+  kit_midi_begin(midi, request->kit, &setup);
+  kit_samples_map(&request->samples, midi->has_sample);
+  outcome = check_standard_input(arguments);
+  if (outcome != OUTCOME_OK) return outcome;
+  return kit_song_read(arguments, request->kit, midi, humanizer, request->model.sample_rate,
+                       &request->kit_song);
+}
+
+static Outcome note_kit_song(const Arguments *arguments, RenderRequest *request) {
+  const char *const name = arguments_value(arguments, "midi-file");
+  if (name && !request->quiet) kit_song_note(name, request->kit_midi);
+  return OUTCOME_OK;
+}
+
+static Outcome read_drum(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = kit_options_refuse(arguments);
+  request->preset = preset_argument(arguments);
+  return outcome == OUTCOME_OK ? drum_load(arguments, &request->def) : outcome;
+}
+
+static Outcome read_model(const Arguments *arguments, RenderRequest *request) {
+  const Outcome outcome = model_options_read(arguments, &request->def, &request->model);
+  request->audio.rate = (uint32_t)request->model.sample_rate;
+  return outcome;
 }
 
 static Outcome read_strokes(const Arguments *arguments, RenderRequest *request) {

@@ -53,5 +53,6 @@ uint32_t render_request_last_frame(const RenderRequest *request) {
 }
 
 uint32_t render_request_last_stroke(const RenderRequest *request) {
+  if (request->kit) return kit_song_last_stroke(&request->kit_song);
   return or_song_end(request, strokes_last_stroke(&request->strokes));
 }

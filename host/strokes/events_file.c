@@ -18,8 +18,9 @@ typedef struct Reader {
   char where[INPUT_PLACE_SIZE]; /* "drums.csv:3:" */
   const StrokeField *columns[STROKE_FIELDS];
   size_t column_count; /* 0 until the header was read */
-  const TaborDrumDef *def;
-  Strokes *strokes;
+  const StrokeTarget *target;
+  Strokes *strokes; /* of each drum */
+  size_t count;     /* strokes of the file */
 } Reader;
 
 /* ---- fields ---- */
@@ -90,23 +91,41 @@ static Outcome read_header(Reader *reader, char *line) {
   return outcome;
 }
 
-static Outcome read_row(Reader *reader, char *line) {
-  Stroke stroke = stroke_default(reader->def, reader->where);
-  stroke.response = reader->strokes->response;
+static Outcome split_row(const Reader *reader, char *line, Field values[STROKE_FIELDS]) {
   size_t count = 0;
   for (char *cursor = line; cursor; count++) {
     Field value;
-    Outcome outcome = take_field(reader, &cursor, &value);
-    if (outcome == OUTCOME_OK && count < reader->column_count && value.length > 0) {
-      outcome = stroke_set(&stroke, reader->columns[count], value.text, value.length);
-    }
+    const Outcome outcome = take_field(reader, &cursor, &value);
     if (outcome != OUTCOME_OK) return outcome;
+    if (count < STROKE_FIELDS) values[count] = value;
   }
-  if (count != reader->column_count) {
-    return refuse("%s fields: %zu; the header names %zu", reader->where, count,
-                  reader->column_count);
+  if (count == reader->column_count) return OUTCOME_OK;
+  return refuse("%s fields: %zu; the header names %zu", reader->where, count, reader->column_count);
+}
+
+/* The drum decides what the other fields may be. */
+static Outcome begin_stroke(const Reader *reader, const Field *values, Stroke *stroke) {
+  size_t i = 0;
+  while (i < reader->column_count && !stroke_field_is_drum(reader->columns[i])) i++;
+  const bool is_named = i < reader->column_count && values[i].length > 0;
+  return stroke_begin(reader->target, reader->where, is_named ? values[i].text : NULL,
+                      is_named ? values[i].length : 0, stroke);
+}
+
+static Outcome read_row(Reader *reader, char *line) {
+  Field values[STROKE_FIELDS];
+  Stroke stroke;
+  Outcome outcome = split_row(reader, line, values);
+  if (outcome == OUTCOME_OK) outcome = begin_stroke(reader, values, &stroke);
+  if (outcome != OUTCOME_OK) return outcome;
+  stroke.response = reader->strokes->response;
+  for (size_t i = 0; i < reader->column_count && outcome == OUTCOME_OK; i++) {
+    if (values[i].length == 0) continue;
+    outcome = stroke_set(&stroke, reader->columns[i], values[i].text, values[i].length);
   }
-  return strokes_add(reader->strokes, &stroke);
+  if (outcome == OUTCOME_OK) outcome = strokes_add(&reader->strokes[stroke.drum], &stroke);
+  reader->count++;
+  return outcome;
 }
 
 /* Spreadsheets end files with lines of commas. */
@@ -136,22 +155,21 @@ static Outcome read_lines(Reader *reader) {
   }
   char *line = reader->text;
   if (strncmp(line, BYTE_ORDER_MARK, 3) == 0) line += 3;
-  const size_t before = reader->strokes->count;
   Outcome outcome = OUTCOME_OK;
   for (reader->line = 1; line && outcome == OUTCOME_OK; reader->line++) {
     char *const next = end_line(line);
     outcome = read_line(reader, line);
     line = next;
   }
-  if (outcome == OUTCOME_OK && reader->strokes->count == before) {
+  if (outcome == OUTCOME_OK && reader->count == 0) {
     return refuse("%s: the file holds no stroke", input_name(reader->name));
   }
   return outcome;
 }
 
-Outcome events_file_read(const char *name, const TaborDrumDef *def, Strokes *strokes) {
+Outcome events_file_read(const char *name, const StrokeTarget *target, Strokes *strokes) {
   if (!*name) return refuse("--events needs the name of a file");
-  Reader reader = {.name = name, .def = def, .strokes = strokes};
+  Reader reader = {.name = name, .target = target, .strokes = strokes};
   Outcome outcome = input_file_read(name, EVENTS_FILE_LIMIT, &reader.text, &reader.length);
   if (outcome == OUTCOME_OK) outcome = read_lines(&reader);
   free(reader.text);

@@ -16,7 +16,8 @@
 
 #define EVENTS_FILE_LIMIT (8 * 1024 * 1024) /**< bytes */
 
-/** Adds the strokes of file @p name, "-" for standard input; refuses a file without strokes. */
-Outcome events_file_read(const char *name, const TaborDrumDef *def, Strokes *strokes);
+/** Adds the strokes of file @p name, "-" for standard input, to @p strokes, of a kit to those of each drum; refuses a file without
+ * strokes. */
+Outcome events_file_read(const char *name, const StrokeTarget *target, Strokes *strokes);
 
 #endif

@@ -22,6 +22,12 @@ struct StrokeField {
   unsigned sets; /* no two fields of a stroke may set the same */
 };
 
+/* stroke_begin() has taken it. */
+static Outcome read_drum(Stroke *stroke, const Label *label, const char *value) {
+  (void)stroke, (void)label, (void)value;
+  return OUTCOME_OK;
+}
+
 static Outcome read_time(Stroke *stroke, const Label *label, const char *value) {
   const NumberField field = {label->text, 0, 3600, false};
   return number_read(&field, value, &stroke->time);
@@ -199,6 +205,7 @@ static const StrokeField fields[STROKE_FIELDS] = {
   {"place", read_place, SETS_PLACE},
   {"displacement", read_displacement, SETS_DISPLACEMENT},
   {"pull", read_pull, SETS_PULL},
+  {"drum", read_drum, 16384},
 };
 
 static const char *field_name_at(const void *list, size_t index) {
@@ -241,6 +248,35 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
                             .radius = def->strike.radius,
                             .angle = def->strike.angle,
                             .technique = def->strike.technique}};
+}
+
+bool stroke_field_is_drum(const StrokeField *field) { return field->read == read_drum; }
+
+/* A NameAt. */
+static const char *drum_name_at(const void *kit, size_t index) {
+  const TaborKitDef *const def = kit;
+  return index < def->drum_count ? def->drum[index].name : NULL;
+}
+
+Outcome stroke_begin(const StrokeTarget *target, const char *where, const char *name, size_t length,
+                     Stroke *stroke) {
+  char word[TABOR_NAME_SIZE] = "", hint[512];
+  if (!target->kit) {
+    *stroke = stroke_default(target->def, where);
+    return name ? refuse("%s drum: only a kit's strokes have one", where) : OUTCOME_OK;
+  }
+  if (name && length < sizeof word) memcpy(word, name, length);
+  const int drum = tabor_kit_def_find(target->kit, word);
+  suggest_choice(hint, sizeof hint, word, "", drum_name_at, target->kit);
+  if (!name) return refuse("%s drum: a kit's stroke needs one%s", where, hint);
+  if (drum < 0) {
+    return refuse("%s drum '%.*s': the kit has no such drum%s", where,
+                  (int)(length < 80 ? length : 80), name, hint);
+  }
+  *stroke = stroke_default(&target->kit->drum[drum].def, where);
+  stroke->kit = target->kit;
+  stroke->drum = (uint32_t)drum;
+  return OUTCOME_OK;
 }
 
 bool stroke_says_hold(const Stroke *stroke) { return stroke->set & SETS_HOLD; }

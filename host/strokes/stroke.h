@@ -12,9 +12,11 @@
 #include "base/message.h"
 #include "midi/midi_speed.h"
 
-/** Number of fields: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event; and of a pluck wire,
+#include <tabor/kit.h>
+
+/** Number of fields: drum, time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event; and of a pluck wire,
     place, displacement, pull */
-#define STROKE_FIELDS 15
+#define STROKE_FIELDS 16
 #define TECHNIQUE_NAMES (TABOR_TECHNIQUE_PLUCK + 1)
 
 #define STROKE_HOLD 0.5        /**< default duration of a buzz or a sweep [s] */
@@ -33,9 +35,17 @@ typedef struct Pluck {
   double pull;         /**< time until the finger lets go [s] */
 } Pluck;
 
+/** What is struck: a drum, or one of a kit, which the field "drum" names. */
+typedef struct StrokeTarget {
+  const TaborDrumDef *def; /**< the drum, of a kit unused */
+  const TaborKitDef *kit;  /**< or NULL */
+} StrokeTarget;
+
 /** A stroke whose fields are being read. */
 typedef struct Stroke {
   const TaborDrumDef *def;
+  const TaborKitDef *kit; /**< of which it is drum number `drum`; or NULL */
+  uint32_t drum;
   const char *where;     /**< "--strike" or "drums.csv:3:", for messages; not copied */
   unsigned set;          /**< set of the fields read so far */
   double time;           /**< [s] */
@@ -58,6 +68,14 @@ bool stroke_is_held(const TaborEvent *event);
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** Returns the preset's own stroke, at time 0. */
 Stroke stroke_default(const TaborDrumDef *def, const char *where);
+/**
+ * The same of the drum that @p name of @p length bytes, the value of the field "drum", says. NULL: there is no such field. Refused are a
+ * kit's stroke without it, an unknown name, and a name where there is one drum.
+ */
+Outcome stroke_begin(const StrokeTarget *target, const char *where, const char *name, size_t length,
+                     Stroke *stroke);
+/** True of the field "drum", which stroke_begin() has taken. */
+bool stroke_field_is_drum(const StrokeField *field);
 /** Finds the field whose name is these @p length bytes; NULL if there is none. */
 const StrokeField *stroke_field(const char *name, size_t length);
 const char *stroke_field_name(const StrokeField *field);

@@ -21,5 +21,8 @@
  */
 Outcome strokes_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                      Strokes *strokes);
+/** The same for a kit: @p strokes of each of its drums, none unless they are asked for. Free each, whatever the outcome. */
+Outcome strokes_read_for_kit(const Arguments *arguments, const TaborKitDef *kit, double rate,
+                             Strokes strokes[TABOR_KIT_DRUMS]);
 
 #endif

@@ -13,7 +13,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char message[1000] = "";
   Strokes strokes = {.rate = 48000.0};
   const MessageCapture before = message_capture(message, sizeof message);
-  const Outcome outcome = events_file_read(fuzz_file(data, size), &def, &strokes);
+  const StrokeTarget target = {.def = &def};
+  const Outcome outcome = events_file_read(fuzz_file(data, size), &target, &strokes);
   if (outcome == OUTCOME_OK) strokes_sort(&strokes);
   message_release(before);
   fuzz_require(outcome == OUTCOME_OK || message[0] != '\0', "a refusal has a reason");

@@ -106,6 +106,32 @@ same_bytes "on the command line as in the file" hats.wav set.wav
 done_quietly render --kit ./mine.ini --midi-file song.mid --quality draft --duration 1.2 -q -o none.wav
 other_bytes "it is heard" hats.wav none.wav
 
+# ---- strokes that are written down ----
+
+# The notes of the song, as the program plays them; in other orders of columns and of rows.
+cat >strokes.csv <<'END'
+velocity,drum,time,technique,id,hold
+3,kick,0,,,
+,snare,0.25,,,
+2,"low-tom",0.5,,,
+1.5,snare,0.6,buzz,7,0.1
+END
+strokes=(render --kit standard --quality draft --duration 0.8 -q)
+done_quietly "${strokes[@]}" --events strokes.csv -o rows.wav
+{ head -n 1 strokes.csv; tail -n +2 strokes.csv | tac; } >turned.csv
+done_quietly "${strokes[@]}" --events turned.csv -o turned.wav
+same_bytes "in any order of rows" rows.wav turned.wav
+done_quietly "${strokes[@]}" --strike drum=kick,velocity=3 --strike time=0.25,drum=snare --strike time=0.5,drum=low-tom,velocity=2 \
+  --strike id=7,velocity=1.5,time=0.6,hold=0.1,technique=buzz,drum=snare -o fields.wav
+same_bytes "as fields" rows.wav fields.wav
+done_quietly "${strokes[@]}" --events strokes.csv --each -o each/
+same_bytes "a sound for each file" rows.wav each/standard-strokes.wav
+run "${short[@]}" --events strokes.csv --json -o both.wav
+same "beside a song" "kick 2, snare 3" "$(json drums.0.name) $(json drums.0.strokes), $(json drums.1.name) $(json drums.1.strokes)"
+done_quietly play --kit standard --backend file --quality draft --humanize 0 --events strokes.csv --midi-file song.mid --duration 0.8 \
+  -q --record played.wav
+same_bytes "played as they are rendered" both.wav played.wav
+
 # ---- maps by name ----
 
 maps_by_name() {
@@ -154,10 +180,18 @@ refused "rate is 48000 Hz, that of the kit 44100 Hz; --rate 48000 fits" "${short
 failed "cannot read 'none.flac'" "${short[@]}" --set note.42.sample=none.flac
 
 refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart --midi-file song.mid
-refused "--kit needs --midi-file" render --kit standard
+refused "--kit needs what to play: --midi-file, --events or --strike" render --kit standard
 refused "--replay and --kit" render --kit standard --replay take.log
 refused "--kit and --trace" "${short[@]}" --trace trace.csv
-refused "--kit and --strike" render --kit standard --midi-file song.mid --strike time=0
+refused "--strike drum: a kit's stroke needs one; there are: kick, snare," "${short[@]}" --strike time=0
+refused "--strike drum 'snar': the kit has no such drum; did you mean 'snare'" "${short[@]}" --strike drum=snar
+refused "--strike drum: given twice" "${short[@]}" --strike drum=snare,drum=kick
+refused "--strike drum: only a kit's strokes have one" render tom-12 --strike drum=snare
+refused "--strike radius '0.25': out of range" "${short[@]}" --strike drum=snare,radius=0.25
+printf 'time,drum\n0,snare\n0.1,\n' >nobody.csv
+refused "nobody.csv:3: drum: a kit's stroke needs one" "${short[@]}" --events nobody.csv
+refused "too short; the last stroke comes at 3 s" render --kit standard --strike drum=snare,time=3 --duration 1
+refused "--events - and --midi-file -" render --kit standard --midi-file - --events -
 refused "--kit and 'tom-12'" render tom-12 --kit standard --midi-file song.mid
 refused "a kit has no key 'kit.couplng'; did you mean 'coupling'" "${short[@]}" --set kit.couplng=off
 refused "a kit has no key 'drum.snare.hight'; did you mean 'height'" "${short[@]}" --set drum.snare.hight=1

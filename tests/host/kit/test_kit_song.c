@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A MIDI file as events of a kit: every message of a long file, each at its frame. */
 #include "kit/kit_song_input.h" /* before cmocka, whose fail() is a macro */
+#include "midi/midi_options.h"
+#include "strokes/stroke_options.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -41,7 +43,9 @@ static void write_song(uint32_t strokes, uint8_t first) {
 }
 
 static Outcome read_song(double amount) {
-  static const Option options[] = {OPTION_MIDI_FILE, OPTION_STRICT, OPTION_MASK_TIME, {0}};
+  static const Option options[] = {
+    OPTION_MIDI_FILE,      OPTION_STRICT, OPTION_MASK_TIME, OPTION_VELOCITY_CURVE,
+    OPTION_VELOCITY_RANGE, OPTION_STRIKE, OPTION_EVENTS,    {0}};
   static const Command command = {.name = "render", .options = options};
   static char program[] = "render", option[] = "--midi-file", name[] = "test_kit_song.mid";
   char *const words[] = {program, option, name};
@@ -49,7 +53,7 @@ static Outcome read_song(double amount) {
   assert_int_equal(tabor_kit_def_preset(&kit, "standard", NULL), TABOR_OK);
   assert_int_equal(arguments_read(&command, 3, words, &arguments), OUTCOME_OK);
   kit_midi_begin(&midi, &kit, &kit_midi_setup_default);
-  const Outcome outcome = kit_song_read(&arguments, &midi, humanizer(amount, 1), RATE, &song);
+  const Outcome outcome = kit_song_read(&arguments, &kit, &midi, humanizer(amount, 1), RATE, &song);
   arguments_free(&arguments);
   return outcome;
 }

@@ -53,8 +53,7 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
                          .maximum = 24,
                          .fallback = 0,
                          .unit = "dB",
-                         .off = true,
-                         .rebuilds = true},
+                         .off = true},
   [KIT_KNOB_OVERHEADS] = {.symbol = "overheads",
                           .name = "Overheads",
                           .group = "Levels",
@@ -62,8 +61,7 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
                           .maximum = 24,
                           .fallback = 0,
                           .unit = "dB",
-                          .off = true,
-                          .rebuilds = true},
+                          .off = true},
   [KIT_KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                                .name = "Velocity curve",
                                .group = "Kit",
@@ -126,6 +124,11 @@ double kit_knob_factor(KitKnobId id, float value) {
   return value <= kit_knobs[id].minimum ? 0 : pow(10, (double)value / 20);
 }
 
+double kit_knob_beside(KitKnobId id, float value, double own, double least) {
+  if (value <= kit_knobs[id].minimum) return KIT_KNOB_NONE;
+  return fmin(fmax(own + (double)value, least), 24);
+}
+
 int kit_knob_text(KitKnobId id, float value, char *text, size_t size) {
   const KitKnob *const knob = &kit_knobs[id];
   if (knob->choices) return choice_text(knob->choices, (int)value, text, (uint32_t)size);
@@ -150,16 +153,6 @@ static void tune_drum(TaborDrumDef *def, float semitones) {
   if (tabor_drum_def_validate(&tuned, NULL) == TABOR_OK) *def = tuned;
 }
 
-static void set_coupling(float value, TaborKitDef *def) {
-  def->coupled = def->coupled && value > kit_knobs[KIT_KNOB_COUPLING].minimum;
-  def->coupling = fmin(fmax(def->coupling + (double)value, -60), 24);
-}
-
-static void set_overheads(float value, TaborKitDef *def) {
-  const bool is_off = value <= kit_knobs[KIT_KNOB_OVERHEADS].minimum;
-  def->overheads = is_off ? -120 : fmin(def->overheads + (double)value, 24);
-}
-
 bool kit_knob_is_own(float kit) { return kit >= kit_knobs[KIT_KNOB_KIT].maximum; }
 
 TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error) {
@@ -174,8 +167,6 @@ TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, Ta
   const TaborStatus status = kit_knob_kit(values[KIT_KNOB_KIT], own, def, error);
   if (status != TABOR_OK) return status;
   if (values[KIT_KNOB_ROOM] > 0) def->room.kind = (uint32_t)values[KIT_KNOB_ROOM] - 1u;
-  set_coupling(values[KIT_KNOB_COUPLING], def);
-  set_overheads(values[KIT_KNOB_OVERHEADS], def);
   for (uint32_t i = 0; i < KIT_KNOB_DRUMS && i < def->drum_count; i++) {
     tune_drum(&def->drum[i].def, values[KIT_KNOB_TUNE + i]);
   }

@@ -46,6 +46,9 @@ extern const KitKnob kit_knobs[KIT_KNOB_COUNT];
 float kit_knob_clamp(KitKnobId id, double value) REALTIME;
 /** Converts a level or gain [dB] to a factor: the lowest gives 0. */
 double kit_knob_factor(KitKnobId id, float value) REALTIME;
+#define KIT_KNOB_NONE (-120.0) /**< [dB] of a kit's own value: nothing at all */
+/** What becomes of a kit's own value @p own [dB], at least @p least, beside a knob. */
+double kit_knob_beside(KitKnobId id, float value, double own, double least) REALTIME;
 /** Writes a value with its unit as a text; its length, or a negative number. */
 int kit_knob_text(KitKnobId id, float value, char *text, size_t size);
 /** True for the value of KIT_KNOB_KIT, its last, that stands for the user's own kit. */

@@ -60,12 +60,28 @@ static void set_gains(KitPluginPlayer *player) {
   }
 }
 
-/* A new kit's gains are 1. */
+static void set_value(KitPluginPlayer *player, KitKnobId id) REALTIME;
+static void set_value(KitPluginPlayer *player, KitKnobId id) {
+  const KitVoice *const voice = player->now;
+  const bool is_coupling = id == KIT_KNOB_COUPLING;
+  if (!voice || (is_coupling && !tabor_kit_definition(voice->kit)->coupled)) return;
+  const double value = is_coupling
+                         ? kit_knob_beside(id, player->values[id], voice->coupling, -60)
+                         : kit_knob_beside(id, player->values[id], voice->overheads, KIT_KNOB_NONE);
+  const TaborEvent event = {.type = TABOR_EVENT_PARAMETER,
+                            .parameter = is_coupling ? TABOR_KIT_COUPLING : TABOR_KIT_OVERHEADS,
+                            .value = value};
+  add_event(player, (TaborKitEvent){.drum = TABOR_KIT_MIX, .event = event}, player->at);
+}
+
+/* A new kit's gains are 1, its values its own. */
 static void set_first_gains(KitPluginPlayer *player) REALTIME;
 static void set_first_gains(KitPluginPlayer *player) {
   for (uint32_t i = 0; i < player->now->drum_count; i++) {
     if (gain_of(player, i) != 1) set_gain(player, i, player->at);
   }
+  if (player->values[KIT_KNOB_COUPLING] != 0) set_value(player, KIT_KNOB_COUPLING);
+  if (player->values[KIT_KNOB_OVERHEADS] != 0) set_value(player, KIT_KNOB_OVERHEADS);
 }
 
 static void set_response(KitPluginPlayer *player) REALTIME;
@@ -83,6 +99,8 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
   if (kit_knobs[id].rebuilds) return;
   if (id == KIT_KNOB_VELOCITY_CURVE || id == KIT_KNOB_VELOCITY_RANGE) {
     set_response(player);
+  } else if (id == KIT_KNOB_COUPLING || id == KIT_KNOB_OVERHEADS) {
+    set_value(player, id);
   } else if (id == KIT_KNOB_GAIN) {
     set_gains(player);
   } else if (player->now && id - KIT_KNOB_LEVEL < player->now->drum_count) {

@@ -103,6 +103,8 @@ static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voi
   TaborStatus status = kit_knobs_define(worker->wanted, worker->own, def, error);
   if (status != TABOR_OK) return status;
   voice->drum_count = def->drum_count;
+  voice->coupling = def->coupling;
+  voice->overheads = def->overheads;
   status = take_models(worker, def, voice, error);
   if (status == TABOR_OK) status = tabor_kit_create(def, voice->models, &voice->kit, error);
   if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, &setup);

@@ -25,6 +25,7 @@ typedef struct KitVoice {
   TaborKit *kit;
   KitMidi midi;
   uint32_t drum_count;
+  double coupling, overheads;          /**< the kit's own [dB], beside which knobs stand */
   TaborModel *models[TABOR_KIT_DRUMS]; /**< from the cache */
 } KitVoice;
 

@@ -54,6 +54,13 @@ static TaborKitEvent stroke(const TaborKitDef *def, uint32_t drum, uint32_t fram
   return event;
 }
 
+static TaborKitEvent value_at(uint32_t frame, uint32_t parameter, double value) {
+  return (TaborKitEvent){
+    .drum = TABOR_KIT_MIX,
+    .event = {
+      .frame = frame, .type = TABOR_EVENT_PARAMETER, .parameter = parameter, .value = value}};
+}
+
 /* ---- the sum --------------------------------------------------------------------------------- */
 
 /* The stereo mix of drums that do not hear each other, without a room. */
@@ -216,18 +223,23 @@ static void blocks_and_saved_states_change_no_bit(void **state) {
   set(def, "drum.d0.choke", "1");
   set(def, "drum.d2.choke", "1");
   TaborKit *kit = new_kit(def);
-  const TaborKitEvent events[] = {stroke(def, 0, 0, 6.0), stroke(def, 1, 700, 2.0),
-                                  stroke(def, 2, 4097, 5.0)};
-  play_in_blocks(kit, events, 3, LENGTH, whole[0], whole[1]);
+  const TaborKitEvent events[] = {stroke(def, 0, 0, 6.0),
+                                  stroke(def, 1, 700, 2.0),
+                                  value_at(901, TABOR_KIT_COUPLING, 9.0),
+                                  stroke(def, 2, 4097, 5.0),
+                                  value_at(4950, TABOR_KIT_OVERHEADS, -6.0), /* when it is saved, */
+                                  value_at(4951, TABOR_KIT_COUPLING, -120.0)}; /* both move */
+  enum { COUNT = sizeof events / sizeof *events };
+  play_in_blocks(kit, events, COUNT, LENGTH, whole[0], whole[1]);
   for (size_t b = 0; b < sizeof BLOCKS / sizeof *BLOCKS; b++) {
     tabor_kit_reset(kit);
-    play_in_blocks(kit, events, 3, BLOCKS[b], parts[0], parts[1]);
+    play_in_blocks(kit, events, COUNT, BLOCKS[b], parts[0], parts[1]);
     assert_memory_equal(whole, parts, sizeof whole);
   }
   tabor_kit_reset(kit);
   enum { SAVED = 5001 };
   TaborKitOutputs outputs = {.stereo = {parts[0], parts[1]}};
-  tabor_kit_process(kit, events, 3, &outputs, SAVED);
+  tabor_kit_process(kit, events, COUNT, &outputs, SAVED);
   const size_t size = tabor_kit_state_size(kit);
   char *bytes = malloc(size);
   tabor_kit_state_save(kit, bytes);
@@ -242,6 +254,104 @@ static void blocks_and_saved_states_change_no_bit(void **state) {
   assert_int_equal(tabor_kit_state_load(other, bytes, size - 1), TABOR_ERROR_STATE);
   free(bytes);
   tabor_kit_destroy(other);
+  tabor_kit_destroy(kit);
+  free(def);
+}
+
+/* ---- live values ----------------------------------------------------------------------------- */
+
+/* A value that is given before anything was heard is the definition's. */
+static void a_first_value_is_as_if_it_were_defined(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12", "tom-12"}, *const VALUES[] = {"-3.7", "-120"};
+  static float moved[LENGTH], defined[LENGTH];
+  for (int i = 0; i < 2; i++) {
+    TaborKitDef *def = kit_of(2, PRESETS);
+    TaborKit *kit = new_kit(def);
+    const TaborKitEvent events[] = {value_at(0, TABOR_KIT_OVERHEADS, atof(VALUES[i])),
+                                    stroke(def, 0, 10, 4.0)};
+    tabor_kit_process(kit, events, 2, &(TaborKitOutputs){.stereo = {moved}}, LENGTH);
+    tabor_kit_destroy(kit);
+    set(def, "kit.overheads", VALUES[i]);
+    kit = new_kit(def);
+    tabor_kit_process(kit, events + 1, 1, &(TaborKitOutputs){.stereo = {defined}}, LENGTH);
+    assert_memory_equal(moved, defined, sizeof moved);
+    tabor_kit_destroy(kit);
+    free(def);
+  }
+}
+
+/* Work of the air on a drum that nobody strikes, at a coupling in dB; without wires it must be awake. */
+static double heard_work(double coupling, bool live) {
+  static const char *const PRESETS[] = {"bass-drum-22", "tom-12"};
+  char text[32];
+  TaborKitDef *def = kit_of(2, PRESETS);
+  snprintf(text, sizeof text, "%g", coupling);
+  if (!live) set(def, "kit.coupling", text);
+  TaborKit *kit = new_kit(def);
+  const TaborKitEvent events[] = {value_at(0, TABOR_KIT_COUPLING, coupling),
+                                  stroke(def, 0, 10, 6.0), stroke(def, 1, 10, 0.01)};
+  tabor_kit_process(kit, events + !live, live ? 3 : 2, NULL, LENGTH);
+  const double work = tb_drum_air_energy(kit->voices[1].drum).work;
+  tabor_kit_destroy(kit);
+  free(def);
+  return work;
+}
+
+static void the_coupling_moves_as_it_is_defined(void **state) {
+  (void)state;
+  const double usual = heard_work(0, false), louder = heard_work(6, false);
+  print_message("work of the air %.3g J, at +6 dB %.3g\n", usual, louder);
+  assert_true(usual != 0.0 && fabs(louder / usual) > 1.5);
+  assert_true(fabs(heard_work(6, true) / louder - 1.0) < 1e-4);
+  assert_true(heard_work(0, true) == usual);
+  assert_true(heard_work(-120, true) == 0.0);
+}
+
+/* From one value to another and back in 5 ms each, without a step; then the sound is as before. */
+static void overheads_move_smoothly(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12"};
+  static float still[LENGTH], moved[LENGTH];
+  TaborKitDef *def = kit_of(1, PRESETS);
+  set(def, "drum.d0.gain", "-120");
+  TaborKit *kit = new_kit(def);
+  const TaborKitEvent events[] = {stroke(def, 0, 0, 4.0), value_at(2000, TABOR_KIT_OVERHEADS, -6.0),
+                                  value_at(6000, TABOR_KIT_OVERHEADS, 0.0)};
+  const double half = pow(10.0, -6.0 / 20);
+  tabor_kit_process(kit, events, 1, &(TaborKitOutputs){.stereo = {still}}, LENGTH);
+  tabor_kit_reset(kit);
+  tabor_kit_process(kit, events, 3, &(TaborKitOutputs){.stereo = {moved}}, LENGTH);
+  for (int f = 0; f < LENGTH; f++) {
+    const double down = fmin(fmax((f - 1999) / 240.0, 0.0), 1.0),
+                 up = fmin(fmax((f - 5999) / 240.0, 0.0), 1.0);
+    const double factor = 1.0 + (half - 1.0) * (down - up);
+    assert_true(fabs((double)moved[f] - factor * (double)still[f]) <=
+                1e-6 * fabs((double)still[f]));
+  }
+  tabor_kit_destroy(kit);
+  free(def);
+}
+
+static void what_is_no_value_of_the_kit_is_dropped(void **state) {
+  (void)state;
+  static const char *const PRESETS[] = {"tom-12"};
+  TaborKitDef *def = kit_of(1, PRESETS);
+  TaborKit *kit = new_kit(def);
+  const TaborKitEvent events[] = {value_at(0, TABOR_KIT_OVERHEADS, 24.1),
+                                  value_at(0, TABOR_KIT_OVERHEADS, NAN),
+                                  value_at(0, TABOR_KIT_COUPLING, -61.0),
+                                  value_at(0, 2, 0.0),
+                                  {.drum = TABOR_KIT_MIX, .event = {.type = TABOR_EVENT_STRIKE}},
+                                  value_at(0, TABOR_KIT_OVERHEADS, 24.0),
+                                  value_at(0, TABOR_KIT_COUPLING, -60.0)};
+  tabor_kit_process(kit, events, 7, NULL, 0);
+  assert_int_equal(tabor_kit_dropped(kit), 5);
+  tabor_kit_destroy(kit);
+  set(def, "kit.coupling", "off");
+  kit = new_kit(def);
+  tabor_kit_process(kit, events + 6, 1, NULL, 64);
+  assert_int_equal(tabor_kit_dropped(kit), 1);
   tabor_kit_destroy(kit);
   free(def);
 }
@@ -585,6 +695,10 @@ int main(int argc, char **argv) {
     cmocka_unit_test(late_events_act_at_the_end_of_their_block),
     cmocka_unit_test(a_room_is_as_loud_for_a_kit_as_for_its_drum),
     cmocka_unit_test(blocks_and_saved_states_change_no_bit),
+    cmocka_unit_test(a_first_value_is_as_if_it_were_defined),
+    cmocka_unit_test(the_coupling_moves_as_it_is_defined),
+    cmocka_unit_test(overheads_move_smoothly),
+    cmocka_unit_test(what_is_no_value_of_the_kit_is_dropped),
     cmocka_unit_test(a_stroke_chokes_its_group),
     cmocka_unit_test(a_flood_of_events_sounds_alike_in_all_blocks),
     cmocka_unit_test(a_debt_of_events_is_part_of_the_state),

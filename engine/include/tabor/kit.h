@@ -43,6 +43,7 @@ extern "C" {
 #define TABOR_KIT_DRUMS 16       /**< drums of one kit */
 #define TABOR_KIT_NOTES 128      /**< notes of MIDI */
 #define TABOR_KIT_ALL UINT32_MAX /**< address of an event that goes to every drum */
+#define TABOR_KIT_MIX (UINT32_MAX - 1u) /**< address of an event for the kit's own values */
 #define TABOR_KIT_OWN_MICS                                                                         \
   5 /**< a drum's own microphones in a kit at most; the kit adds three of its own */
 
@@ -167,9 +168,19 @@ typedef void TaborKitJob(void *kit, uint32_t drum);
 /** Calls @p job(kit, drum) for each drum < @p count: see tabor_kit_set_runner(). */
 typedef void TaborKitRun(void *context, TaborKitJob *job, void *kit, uint32_t count);
 
+/**
+ * Values of a kit that move while it plays: the `parameter` of a TABOR_EVENT_PARAMETER for TABOR_KIT_MIX, whose `value` is in
+ * dB, within the range of the field in TaborKitDef; otherwise it is dropped. A value is reached over 5 ms, or at once by a kit
+ * that has not played since it was created or reset. tabor_kit_reset() brings back the definition's.
+ */
+typedef enum TaborKitParameter {
+  TABOR_KIT_OVERHEADS, /**< gain of the overheads, -120 (none) to 24 */
+  TABOR_KIT_COUPLING   /**< how loud others are heard, -60 to 24, or -120: not at all. A kit with `coupled` 0 drops it */
+} TaborKitParameter;
+
 /** An event of a drum. */
 typedef struct TaborKitEvent {
-  uint32_t drum;    /**< index of the drum, or TABOR_KIT_ALL; another one: the event is dropped */
+  uint32_t drum;    /**< index of the drum, TABOR_KIT_ALL or TABOR_KIT_MIX; another one: the event is dropped */
   TaborEvent event; /**< as for tabor_drum_process() */
 } TaborKitEvent;
 

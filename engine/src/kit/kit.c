@@ -55,8 +55,69 @@ static void pass_events(TaborKit *kit) {
   for (; piece->next < piece->count; piece->next++) {
     const TaborKitEvent *const event = &piece->events[piece->next];
     if (!piece->last && event->event.frame >= end) return;
-    kit->dropped += event->drum >= kit->def.drum_count && event->drum != TABOR_KIT_ALL;
+    const bool is_kits = event->drum == TABOR_KIT_ALL || event->drum == TABOR_KIT_MIX;
+    kit->dropped += event->drum >= kit->def.drum_count && !is_kits;
   }
+}
+
+/* ---- live values ----------------------------------------------------------------------------- */
+
+static void move_to(TaborKit *kit, TbKitRamp *ramp, double target) {
+  const uint64_t length = kit->frame == 0 ? 0 : kit->ramp; /* nothing has been heard yet */
+  ramp->target = target;
+  ramp->left = length;
+  if (length == 0) ramp->now = target;
+  ramp->step = length > 0 ? (target - ramp->now) / (double)length : 0.0;
+}
+
+static double next_of(TbKitRamp *ramp) {
+  if (ramp->left == 0) return ramp->now;
+  ramp->left--;
+  ramp->now = ramp->left == 0 ? ramp->target : ramp->now + ramp->step;
+  return ramp->now;
+}
+
+/* False: the event is dropped. */
+static bool set_value(TaborKit *kit, const TaborEvent *event) {
+  const double value = event->value;
+  if (event->type != TABOR_EVENT_PARAMETER || !(value >= -120.0 && value <= 24.0)) return false;
+  if (event->parameter == TABOR_KIT_OVERHEADS) {
+    move_to(kit, &kit->overheads, tb_kit_factor(value));
+    return true;
+  }
+  const bool is_coupling = event->parameter == TABOR_KIT_COUPLING && kit->def.coupled;
+  if (!is_coupling || (value < -60.0 && value > -120.0)) return false;
+  move_to(kit, &kit->coupling, tb_kit_factor(value) / tb_kit_factor(kit->def.coupling));
+  return true;
+}
+
+/* Events from `next` on that act by frame `until` of the block; returns the first that does not. */
+static uint32_t set_values(TaborKit *kit, uint32_t next, uint32_t until) {
+  const TbKitPiece *const piece = &kit->now;
+  for (; next < piece->count && piece->events[next].event.frame <= until; next++) {
+    if (piece->events[next].drum != TABOR_KIT_MIX) continue;
+    kit->dropped += !set_value(kit, &piece->events[next].event);
+  }
+  return next;
+}
+
+/* Factors of each frame of the piece; what comes past the block's end acts at its last frame, as in a drum. */
+static void follow_values(TaborKit *kit) {
+  TbKitPiece *const piece = &kit->now;
+  uint32_t next = piece->next;
+  for (uint32_t i = 0; i < piece->frames; i++) {
+    const bool is_last = piece->last && i + 1 == piece->frames;
+    next = set_values(kit, next, is_last ? UINT32_MAX : piece->start + i);
+    piece->overheads[i] = next_of(&kit->overheads);
+    piece->coupling[i] = (float)next_of(&kit->coupling);
+  }
+  if (piece->last) (void)set_values(kit, next, UINT32_MAX);
+}
+
+static void reset_values(TaborKit *kit) {
+  const double overheads = tb_kit_factor(kit->def.overheads);
+  kit->overheads = (TbKitRamp){.now = overheads, .target = overheads};
+  kit->coupling = (TbKitRamp){.now = 1.0, .target = 1.0};
 }
 
 /* ---- the air between drums ------------------------------------------------------------------- */
@@ -69,7 +130,7 @@ static void hear(const TaborKit *kit, uint32_t from, const TbKitVoice *by, uint3
   const uint64_t start = kit->frame - by->delay[from];
   const float strength = (float)by->strength[from];
   for (uint32_t i = 0; i < frames; i++) {
-    heard[i] += strength * source->said[(uint32_t)(start + i) & mask];
+    heard[i] += strength * kit->now.coupling[i] * source->said[(uint32_t)(start + i) & mask];
   }
 }
 
@@ -178,14 +239,15 @@ typedef struct Mix {
   float close[2][TB_KIT_PIECE];
 } Mix;
 
-static void mix_drum(const TbKitVoice *voice, uint32_t at, uint32_t frames, float *const part[2],
-                     Mix *mix) {
+static void mix_drum(const TaborKit *kit, const TbKitVoice *voice, float *const part[2], Mix *mix) {
+  const uint32_t at = kit->now.start, frames = kit->now.frames;
   for (uint32_t frame = 0; frame < frames; frame++) {
+    const double overhead = kit->now.overheads[frame] * voice->full_scale / kit->def.full_scale;
     const double close = sample_of(voice, voice->close, frame);
     const double pair[2] = {sample_of(voice, voice->left, frame),
                             sample_of(voice, voice->right, frame)};
     for (int side = 0; side < 2; side++) {
-      const float far_part = (float)(voice->overhead * pair[side]);
+      const float far_part = (float)(overhead * pair[side]);
       const float close_part = (float)(voice->pan[side] * close);
       mix->overheads[side][frame] += far_part;
       mix->close[side][frame] += close_part;
@@ -207,12 +269,13 @@ static void play_piece(TaborKit *kit) {
   Mix mix;
   float *none[2] = {NULL, NULL};
   memset(&mix, 0, sizeof mix);
+  follow_values(kit);
   play_all(kit);
   pass_events(kit);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     TbKitVoice *const voice = &kit->voices[i];
     if (kit->def.coupled) say(kit, voice, voice->heard, frames);
-    mix_drum(voice, at, frames, outputs ? outputs->drum[i] : none, &mix);
+    mix_drum(kit, voice, outputs ? outputs->drum[i] : none, &mix);
     if (outputs) give_mics(voice, at, frames, outputs->mic[i]);
   }
   for (int side = 0; side < 2; side++) {
@@ -271,6 +334,7 @@ void tabor_kit_reset(TaborKit *kit) {
   }
   kit->muffled = false;
   tabor_room_reset(kit->room);
+  reset_values(kit);
   kit->frame = kit->dropped = 0;
 }
 
@@ -297,6 +361,7 @@ typedef struct StateHead {
   uint64_t size, frame, dropped, muffled;
   double passed[TABOR_KIT_DRUMS][2];
   TbAirEnergy forgotten[TABOR_KIT_DRUMS];
+  TbKitRamp overheads, coupling;
 } StateHead;
 
 static size_t ring_bytes(const TaborKit *kit) { return kit->ring * sizeof(float); }
@@ -313,7 +378,9 @@ static StateHead head_of(const TaborKit *kit) {
   StateHead head = {.size = tabor_kit_state_size(kit),
                     .frame = kit->frame,
                     .dropped = kit->dropped,
-                    .muffled = kit->muffled};
+                    .muffled = kit->muffled,
+                    .overheads = kit->overheads,
+                    .coupling = kit->coupling};
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     memcpy(head.passed[i], kit->voices[i].passed, sizeof head.passed[i]);
     head.forgotten[i] = kit->voices[i].drum->forgotten;
@@ -340,8 +407,15 @@ void tabor_kit_state_save(const TaborKit *kit, void *bytes) {
 
 static bool is_sound(double value) { return fabs(value) <= LOUDEST; }
 
+static bool is_ramp(const TaborKit *kit, const TbKitRamp *ramp) {
+  static const double MOST = 1e6; /* more than 84 dB */
+  return ramp->now >= 0.0 && ramp->now <= MOST && ramp->target >= 0.0 && ramp->target <= MOST &&
+         fabs(ramp->step) <= MOST && ramp->left <= kit->ramp;
+}
+
 static bool check_head(const TaborKit *kit, const StateHead *head) {
-  bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1;
+  bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1 &&
+               is_ramp(kit, &head->overheads) && is_ramp(kit, &head->coupling);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     sound &= is_sound(head->passed[i][0]) && is_sound(head->passed[i][1]) &&
              is_sound(head->forgotten[i].radiated) && is_sound(head->forgotten[i].work);
@@ -353,6 +427,8 @@ static void load_head(TaborKit *kit, const StateHead *head) {
   kit->frame = head->frame;
   kit->dropped = head->dropped;
   kit->muffled = head->muffled != 0;
+  kit->overheads = head->overheads;
+  kit->coupling = head->coupling;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     memcpy(kit->voices[i].passed, head->passed[i], sizeof head->passed[i]);
     kit->voices[i].drum->forgotten = head->forgotten[i];

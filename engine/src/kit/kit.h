@@ -20,6 +20,7 @@
 
 #define TB_KIT_PIECE 64u      /* frames at once at most */
 #define TB_KIT_HIGHEST 1000.0 /* [Hz] */
+#define TB_KIT_RAMP 0.005     /* [s] */
 #define TB_KIT_CAUGHT 0.25
 #define TB_KIT_LOUDEST 200.0f /* [Pa]: 140 dB */
 
@@ -28,10 +29,10 @@ typedef struct TbKitVoice {
   TaborDrum *drum;
   const TaborModel *model;          /* for which the next six are */
   uint32_t left, right, air, close; /* microphones, or TB_NO_MIC */
-  double overhead;                  /* factor of left and right in the mix */
-  double wake;                      /* [Pa]; infinite without wires */
-  double pan[2];                    /* factors of the close microphone */
-  uint32_t choke;                   /* group, or 0 */
+  double full_scale; /* of the drum [Pa]: with the kit's, a factor of left and right */
+  double wake;       /* [Pa]; infinite without wires */
+  double pan[2];     /* factors of the close microphone */
+  uint32_t choke;    /* group, or 0 */
   uint32_t delay[TABOR_KIT_DRUMS];  /* of each other drum's sound [frames] */
   double strength[TABOR_KIT_DRUMS]; /* factor on it */
   float *said;                      /* [ring] pressure at its microphone of the air, by frames */
@@ -40,6 +41,12 @@ typedef struct TbKitVoice {
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;
 
+/* A factor that moves linearly, TB_KIT_RAMP seconds long. */
+typedef struct TbKitRamp {
+  double now, target, step;
+  uint64_t left; /* frames until the target */
+} TbKitRamp;
+
 /* What is computed at once: some frames of a block. */
 typedef struct TbKitPiece {
   const TaborKitEvent *events; /* [count] of the block; those before `next` have acted */
@@ -47,6 +54,8 @@ typedef struct TbKitPiece {
   uint32_t start, frames; /* of the block */
   bool last;              /* of the block's pieces */
   const TaborKitOutputs *outputs;
+  double overheads[TB_KIT_PIECE]; /* factors of each frame */
+  float coupling[TB_KIT_PIECE];
 } TbKitPiece;
 
 struct TaborKit {
@@ -54,9 +63,12 @@ struct TaborKit {
   TaborKitDef def;
   TbKitVoice *voices; /* [def.drum_count] */
   TaborRoom *room;
-  uint32_t piece;   /* frames at once */
-  double low[3];    /* the low-pass of the air: gain, and two feedbacks */
-  bool muffled;     /* the air is silent: see air_is_passive() */
+  uint32_t piece; /* frames at once */
+  double low[3];  /* the low-pass of the air: gain, and two feedbacks */
+  bool muffled;   /* the air is silent: see air_is_passive() */
+  /* Factors of the overheads, and of the coupling beside the definition's. */
+  TbKitRamp overheads, coupling;
+  uint32_t ramp;    /* frames of a ramp */
   uint32_t ring;    /* length of each ring, a power of 2 */
   uint64_t frame;   /* since the last reset */
   uint64_t dropped; /* events for drums that are not there */

@@ -34,6 +34,6 @@ void tb_kit_voice_bind(const TaborKit *kit, uint32_t drum) {
   voice->air = find_mic(&model->def, TABOR_KIT_AIR);
   voice->close = *def->mic ? find_mic(&model->def, def->mic) : 0;
   if (voice->close == TB_NO_MIC) voice->close = 0; /* of another preset, by a swap */
-  voice->overhead = tb_kit_factor(kit->def.overheads) * model->def.full_scale / kit->def.full_scale;
+  voice->full_scale = model->def.full_scale;
   voice->wake = model->wires.count > 0 ? def->wake : INFINITY;
 }

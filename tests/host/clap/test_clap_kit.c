@@ -132,6 +132,46 @@ static void levels_are_factors(void **state) {
   clap_host_close(host);
 }
 
+/* Overheads that move every 10 ms while a drum rings move at once, and what rings goes on: nothing is built or faded. */
+static void overheads_move_while_drums_ring(void **state) {
+  (void)state;
+  enum { STEP = 480, STEPS = 20, RINGS = 2 + 2 * 2 };
+  ClapHost *const still = open_kit(0), *const moved = open_kit(0);
+  (void)strike(still, 48, 2);
+  (void)strike(moved, 48, 2);
+  for (int i = 0; i < STEPS; i++) {
+    clap_host_set_id(moved, 0, KIT_KNOB_OVERHEADS, i % 2 == 0 ? -60 : 0);
+    clap_host_run(moved, STEP);
+    clap_host_run(still, STEP);
+    const float a = still->sound[RINGS][STEP - 1], b = moved->sound[RINGS][STEP - 1];
+    if (i % 2 == 0) assert_true(a != b);
+    if (i % 2 == 1)
+      assert_memory_equal(still->sound[RINGS] + STEP / 2, moved->sound[RINGS] + STEP / 2,
+                          STEP / 2 * sizeof a);
+  }
+  assert_true(peak(moved, RINGS, STEP) > 1e-4);
+  clap_host_close(still);
+  clap_host_close(moved);
+}
+
+/* Where drums do not hear each other, a drum that is not struck is silent. */
+static void the_coupling_moves_at_once(void **state) {
+  (void)state;
+  static const double couplings[] = {0, -60};
+  for (int i = 0; i < 2; i++) {
+    ClapHost *const host = open_kit(0);
+    clap_host_run(host, CLAP_BLOCK);
+    clap_host_set_id(host, 0, KIT_KNOB_COUPLING, couplings[i]);
+    clap_host_run(host, CLAP_BLOCK);
+    (void)strike(host, 48, 2);
+    clap_host_run(host, CLAP_BLOCK);
+    print_message("snare drum beside a tom at %g dB: %g\n", couplings[i],
+                  peak(host, 2 + 2 * 1, CLAP_BLOCK));
+    assert_true((peak(host, 2 + 2 * 1, CLAP_BLOCK) > 0) == (i == 0));
+    clap_host_close(host);
+  }
+}
+
 /* A new beginning forgets controllers, not knobs. */
 static void knobs_outlive_a_reset(void **state) {
   (void)state;
@@ -412,6 +452,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(a_state_has_the_own_kit),
     cmocka_unit_test(files_that_are_no_kits),
     cmocka_unit_test(levels_are_factors),
+    cmocka_unit_test(overheads_move_while_drums_ring),
+    cmocka_unit_test(the_coupling_moves_at_once),
     cmocka_unit_test(knobs_outlive_a_reset),
     cmocka_unit_test(tuning_moves_the_pitch),
     cmocka_unit_test(another_kit_comes_without_a_click),

@@ -62,8 +62,8 @@ static json_t *log_json(const LiveSession *session) {
 /* What a kit has beyond a drum. */
 static json_t *with_kit(json_t *report, const LiveSession *session, const PlayStatus *status) {
   const TaborKitDef *const kit = session->request->kit;
-  json_t *drums = json_array();
   if (!kit) return report;
+  json_t *drums = json_array();
   for (uint32_t i = 0; i < kit->drum_count; i++) {
     TaborStatistics statistics;
     tabor_drum_statistics(tabor_kit_drum(session->kit, i), &statistics);

@@ -40,9 +40,9 @@
 extern "C" {
 #endif
 
-#define TABOR_KIT_DRUMS 16       /**< drums of one kit */
-#define TABOR_KIT_NOTES 128      /**< notes of MIDI */
-#define TABOR_KIT_ALL UINT32_MAX /**< address of an event that goes to every drum */
+#define TABOR_KIT_DRUMS 16              /**< drums of one kit */
+#define TABOR_KIT_NOTES 128             /**< notes of MIDI */
+#define TABOR_KIT_ALL UINT32_MAX        /**< address of an event that goes to every drum */
 #define TABOR_KIT_MIX (UINT32_MAX - 1u) /**< address of an event for the kit's own values */
 #define TABOR_KIT_OWN_MICS                                                                         \
   5 /**< a drum's own microphones in a kit at most; the kit adds three of its own */
@@ -175,12 +175,13 @@ typedef void TaborKitRun(void *context, TaborKitJob *job, void *kit, uint32_t co
  */
 typedef enum TaborKitParameter {
   TABOR_KIT_OVERHEADS, /**< gain of the overheads, -120 (none) to 24 */
-  TABOR_KIT_COUPLING   /**< how loud others are heard, -60 to 24, or -120: not at all. A kit with `coupled` 0 drops it */
+  TABOR_KIT_COUPLING /**< how loud others are heard, -60 to 24, or -120: not at all. A kit with `coupled` 0 drops it */
 } TaborKitParameter;
 
 /** An event of a drum. */
 typedef struct TaborKitEvent {
-  uint32_t drum;    /**< index of the drum, TABOR_KIT_ALL or TABOR_KIT_MIX; another one: the event is dropped */
+  uint32_t
+    drum; /**< index of the drum, TABOR_KIT_ALL or TABOR_KIT_MIX; another one: the event is dropped */
   TaborEvent event; /**< as for tabor_drum_process() */
 } TaborKitEvent;
 

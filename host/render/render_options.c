@@ -183,7 +183,8 @@ static Outcome read_flags(const Arguments *arguments, RenderRequest *request) {
 }
 
 static Outcome read_kit(const Arguments *arguments, RenderRequest *request) {
-  static const char *const excluded[] = {"trace", "midi-map", "mic", "input"};
+  static const char *const excluded[] = {"trace", "midi-map",    "mic",
+                                         "input", "input-level", "input-mic"};
   Outcome outcome =
     kit_refuse_options(arguments, excluded, sizeof excluded / sizeof *excluded,
                        "not together; a kit has notes for its drums, and a mix of its own");

@@ -156,7 +156,8 @@ static Outcome read_event(Stroke *stroke, const Label *label, const char *value)
 }
 
 static Outcome read_wire(Stroke *stroke, const Label *label, const char *value) {
-  const NumberField field = {label->text, 1, TABOR_MAX_WIRES, true};
+  const uint32_t wires = stroke->def->wires.count; /* without any, the stroke is refused */
+  const NumberField field = {label->text, 1, wires > 0 ? wires : TABOR_MAX_WIRES, true};
   return number_read(&field, value, &stroke->pluck.wire);
 }
 
@@ -329,10 +330,6 @@ static Outcome complete_pluck(const Stroke *stroke, TaborEvent *event) {
   const uint32_t wires = stroke->def->wires.count;
   const Pluck *const pluck = &stroke->pluck;
   if (wires == 0) return refuse("%s technique 'pluck': the drum has no wires", stroke->where);
-  if (pluck->wire > wires) {
-    return refuse("%s wire '%.10g': out of range; allowed: 1 to %u", stroke->where, pluck->wire,
-                  wires);
-  }
   if (stroke->set & SETS_OF_OTHERS) {
     return refuse("%s %s: a pluck has none; it has wire, place, displacement and pull",
                   stroke->where, field_among(stroke, SETS_OF_OTHERS));

@@ -110,7 +110,7 @@ refused "FIELD=VALUE" render --strike velocity=2,
 refused "FIELD=VALUE" render --strike ,velocity=2
 refused "unknown field 'velocty'; did you mean 'velocity'" render --strike velocty=2
 refused "unknown field ''" render --strike =2
-refused "unknown field 'foo'; there are: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event, wire, place, displacement, pull$" \
+refused "unknown field 'foo'; there are: time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event, wire, place, displacement, pull, drum$" \
   render --strike foo=2
 refused "time: given twice" render --strike time=1,time=2
 refused "given twice" render --strike velocity=1,midi=3

@@ -49,6 +49,11 @@ const char *drum_mic_name(const void *def, size_t index) {
   return index < drum->mic_count ? drum->mic[index].name : NULL;
 }
 
+const char *kit_drum_name(const void *kit, size_t index) {
+  const TaborKitDef *const def = kit;
+  return index < def->drum_count ? def->drum[index].name : NULL;
+}
+
 const char *drum_striker_name(const void *def, size_t index) {
   const TaborDrumDef *const drum = def;
   return index < drum->striker_count ? drum->striker[index].name : NULL;

@@ -6,6 +6,8 @@
 #ifndef TABOR_HOST_DRUM_ARGS_H
 #define TABOR_HOST_DRUM_ARGS_H
 
+#include <tabor/kit.h>
+
 #include "base/options.h"
 #include "drums/default_preset.h"
 #include "drums/preset_place.h"
@@ -37,6 +39,8 @@ const char *preset_file(const char *preset, char room[USER_PRESET_PATH]);
 /** Names of a TaborDrumDef's microphones and strikers, for suggest(). */
 const char *drum_mic_name(const void *def, size_t index);
 const char *drum_striker_name(const void *def, size_t index);
+/** Names of a TaborKitDef's drums, likewise. */
+const char *kit_drum_name(const void *kit, size_t index);
 /** Lets the outputs after @p swap be the microphones of @p model that correspond to those of @p first, in their order: by
  * name, else by index, else the first. */
 void drum_keep_mics(const TaborDrumDef *first, const TaborModel *model, TaborSwap *swap);

@@ -540,12 +540,6 @@ static void run_replace(Controls *controls, const char *text, double time) {
   save(controls, text, true);
 }
 
-/* A NameAt. */
-static const char *drum_name_at(const void *kit, size_t index) {
-  const TaborKitDef *const def = kit;
-  return index < def->drum_count ? def->drum[index].name : NULL;
-}
-
 static void run_drum(Controls *controls, const char *text, double time) {
   (void)time;
   const int drum = controls->kit ? tabor_kit_def_find(controls->kit, text) : -1;
@@ -555,7 +549,7 @@ static void run_drum(Controls *controls, const char *text, double time) {
     choose_drum(controls, (uint32_t)drum);
   } else {
     char hint[512];
-    suggest_choice(hint, sizeof hint, text, "", drum_name_at, controls->kit);
+    suggest_choice(hint, sizeof hint, text, "", kit_drum_name, controls->kit);
     (void)refuse("drum: the kit has no drum '%.80s'%s", text, hint);
   }
 }

@@ -253,12 +253,6 @@ Stroke stroke_default(const TaborDrumDef *def, const char *where) {
 
 bool stroke_field_is_drum(const StrokeField *field) { return field->read == read_drum; }
 
-/* A NameAt. */
-static const char *drum_name_at(const void *kit, size_t index) {
-  const TaborKitDef *const def = kit;
-  return index < def->drum_count ? def->drum[index].name : NULL;
-}
-
 Outcome stroke_begin(const StrokeTarget *target, const char *where, const char *name, size_t length,
                      Stroke *stroke) {
   char word[TABOR_NAME_SIZE] = "", hint[512];
@@ -268,7 +262,7 @@ Outcome stroke_begin(const StrokeTarget *target, const char *where, const char *
   }
   if (name && length < sizeof word) memcpy(word, name, length);
   const int drum = tabor_kit_def_find(target->kit, word);
-  suggest_choice(hint, sizeof hint, word, "", drum_name_at, target->kit);
+  suggest_choice(hint, sizeof hint, word, "", kit_drum_name, target->kit);
   if (!name) return refuse("%s drum: a kit's stroke needs one%s", where, hint);
   if (drum < 0) {
     return refuse("%s drum '%.*s': the kit has no such drum%s", where,

@@ -127,6 +127,7 @@ static Outcome read_score(LiveSession *session) {
 static Outcome create_builder(LiveSession *session, const ModelBuilderSetup *part) {
   ModelBuilderSetup setup = *part;
   setup.options = session->request->model;
+  setup.sending = &session->sending;
   setup.waits = session->request->backend->waits;
   return model_builder_create(&setup, &session->builders[session->drum_count++]);
 }
@@ -239,6 +240,7 @@ static Outcome start_recorder(LiveSession *session) {
 Outcome live_session_open(LiveSession *session, PlayRequest *request) {
   memset(session, 0, sizeof *session);
   session->request = request;
+  (void)pthread_mutex_init(&session->sending, NULL);
   Outcome outcome = open_device(session);
   if (outcome == OUTCOME_OK) outcome = read_score(session);
   if (outcome == OUTCOME_OK) outcome = create_instrument(session);
@@ -453,5 +455,6 @@ void live_session_close(LiveSession *session, Outcome outcome) {
   tabor_drum_destroy(session->drum); /* before swaps whose former drums they may still play */
   tabor_kit_destroy(session->kit);
   for (uint32_t i = 0; i < session->drum_count; i++) model_builder_destroy(session->builders[i]);
+  (void)pthread_mutex_destroy(&session->sending);
   cue_queue_free(&session->queue);
 }

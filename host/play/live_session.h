@@ -7,6 +7,8 @@
 #ifndef TABOR_HOST_LIVE_SESSION_H
 #define TABOR_HOST_LIVE_SESSION_H
 
+#include <pthread.h>
+
 #include "play/cue_queue.h"
 #include "play/model_builder.h"
 #include "play/play_midi.h"
@@ -21,6 +23,7 @@ typedef struct LiveSession {
   TaborKit *kit;
   ModelBuilder *builders[TABOR_KIT_DRUMS]; /**< of each drum of the kit, or of the drum */
   uint32_t drum_count;
+  pthread_mutex_t sending; /**< of the builders */
   Player *player;
   TakeWriter *writer;
   LogWriter *log; /**< NULL without --log */

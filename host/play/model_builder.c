@@ -26,7 +26,8 @@ struct ModelBuilder {
   uint32_t drum;      /* of the kit, else 0 */
   bool waits;
   Player *player;
-  LogWriter *log; /* or NULL */
+  pthread_mutex_t *sending; /* or NULL */
+  LogWriter *log;           /* or NULL */
 
   /* under lock */
   pthread_mutex_t lock;
@@ -66,6 +67,7 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   builder->options = setup->options;
   builder->first = builder->wanted = builder->built = *setup->def;
   builder->drum = setup->drum;
+  builder->sending = setup->sending;
   builder->waits = setup->waits;
   builder->is_listed = setup->is_listed;
   (void)snprintf(builder->preset, sizeof builder->preset, "%s", setup->preset);
@@ -73,6 +75,14 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   builder->model = setup->model;
   tabor_model_retain(builder->model);
   return copy_kit(builder, setup->kit);
+}
+
+/* ---- messages --------------------------------------------------------------------------------- */
+
+static void send(ModelBuilder *builder, PlayerSource source, const PlayerMessage *message) {
+  if (builder->sending) (void)pthread_mutex_lock(builder->sending);
+  (void)player_send(builder->player, source, message);
+  if (builder->sending) (void)pthread_mutex_unlock(builder->sending);
 }
 
 /* ---- live keys ------------------------------------------------------------------------------ */
@@ -105,7 +115,7 @@ static void send_live(ModelBuilder *builder, uint64_t frame, const TaborParamete
               .index = mic_of(tabor_model_definition(builder->model), key),
               .value = number_of(&builder->wanted, key)},
   };
-  (void)player_send(builder->player, SOURCE_CHANGES, &message);
+  send(builder, SOURCE_CHANGES, &message);
 }
 
 /* The wires' grid is made for values not far above those of its model. */
@@ -176,7 +186,7 @@ static Outcome send_model(ModelBuilder *builder, TaborModel *model, const char *
   if (outcome == OUTCOME_OK) {
     builder->model = model;
     message.model = log_writer_add_model(builder->log, model, preset);
-    (void)player_send(builder->player, SOURCE_SWAPS, &message); /* few: there is always room */
+    send(builder, SOURCE_SWAPS, &message); /* few: there is always room */
   }
   tabor_model_release(unused); /* drum and swaps keep their own references */
   return outcome;

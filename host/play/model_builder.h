@@ -13,6 +13,8 @@
 #ifndef TABOR_HOST_MODEL_BUILDER_H
 #define TABOR_HOST_MODEL_BUILDER_H
 
+#include <pthread.h>
+
 #include "play/drum_history.h"
 #include "play/log_writer.h"
 #include "sound/player.h"
@@ -29,6 +31,9 @@ typedef struct ModelBuilderSetup {
   /** Kit of which it is drum number `drum`, copied; NULL: it is no kit's. */
   const TaborKitDef *kit;
   uint32_t drum;
+  /** Held while a message is sent: of a kit the same for all builders, since a player's sources are one thread each; outlives
+   * them. NULL: nobody else sends. */
+  pthread_mutex_t *sending;
   bool waits; /**< sound waits for changes */
 } ModelBuilderSetup;
 

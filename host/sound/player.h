@@ -25,11 +25,11 @@
 
 /** Senders of messages, one thread each. At one frame, the order here is the order of execution. */
 typedef enum PlayerSource {
-  SOURCE_SWAPS,   /**< model_builder.h */
-  SOURCE_CHANGES, /**< model_builder.h, whose lock serialises the threads that send */
-  SOURCE_SCORE,   /**< --events and --midi-file */
-  SOURCE_MIDI,    /**< MIDI inputs */
-  SOURCE_KEYS,    /**< the computer keyboard and the command line */
+  SOURCE_SWAPS, /**< model_builder.h */
+  SOURCE_CHANGES, /**< model_builder.h, whose locks serialise the threads that send, as for SOURCE_SWAPS */
+  SOURCE_SCORE, /**< --events and --midi-file */
+  SOURCE_MIDI,  /**< MIDI inputs */
+  SOURCE_KEYS,  /**< the computer keyboard and the command line */
   SOURCE_COUNT
 } PlayerSource;
 

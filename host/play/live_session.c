@@ -56,11 +56,7 @@ static Outcome read_strokes(LiveSession *session, Strokes *strokes) {
 static Outcome add_kit_events(LiveSession *session, const KitSong *song) {
   Outcome outcome = OUTCOME_OK;
   for (size_t i = 0; i < song->count && outcome == OUTCOME_OK; i++) {
-    const TaborKitEvent *const event = &song->events[i];
-    const Cue cue = {.message = {.frame = event->event.frame,
-                                 .type = PLAYER_EVENT,
-                                 .drum = event->drum,
-                                 .event = event->event}};
+    const Cue cue = {.message = player_message_from_kit(&song->events[i])};
     outcome = cue_queue_add(&session->queue, &cue);
   }
   return outcome;

@@ -170,8 +170,7 @@ static bool take_of_kit(OfflinePlayer *player, uint64_t end, PlayerMessage *mess
   if (player->next_item == song->count) return false;
   const TaborKitEvent *const next = &song->events[player->next_item];
   if (next->event.frame >= end) return false;
-  *message = (PlayerMessage){
-    .frame = next->event.frame, .type = PLAYER_EVENT, .drum = next->drum, .event = next->event};
+  *message = player_message_from_kit(next);
   player->next_item++;
   return true;
 }

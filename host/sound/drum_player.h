@@ -65,7 +65,7 @@ void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples,
 bool drum_player_is_silent(const DrumPlayer *player) REALTIME;
 /** Energy account of the drum, or of all drums of the kit together. */
 void drum_player_ledger(const DrumPlayer *player, TaborLedger *sum) REALTIME;
-/** Counters likewise. */
+/** Counters likewise: those that renderings and sessions report; the others are 0. */
 void drum_player_statistics(const DrumPlayer *player, TaborStatistics *sum) REALTIME;
 /** Puts @p room behind the outputs; the one before fades out, and is left then. */
 void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;

@@ -31,6 +31,12 @@ typedef struct PlayerMessage {
   TaborEvent event; /**< its own frame is ignored */
 } PlayerMessage;
 
+/** The message for an event of a kit, whose own frame it has. */
+static inline PlayerMessage player_message_from_kit(const TaborKitEvent *event) REALTIME;
+static inline PlayerMessage player_message_from_kit(const TaborKitEvent *event) {
+  return (PlayerMessage){
+    .frame = event->event.frame, .type = PLAYER_EVENT, .drum = event->drum, .event = event->event};
+}
 /** The message for a MIDI action at @p frame. False for a preset, whose model has to be built first. */
 bool player_message_from_midi(const MidiAction *action, uint64_t frame,
                               PlayerMessage *message) REALTIME;

@@ -62,19 +62,8 @@ static void pass_events(TaborKit *kit) {
 
 /* ---- live values ----------------------------------------------------------------------------- */
 
-static void move_to(TaborKit *kit, TbKitRamp *ramp, double target) {
-  const uint64_t length = kit->frame == 0 ? 0 : kit->ramp; /* nothing has been heard yet */
-  ramp->target = target;
-  ramp->left = length;
-  if (length == 0) ramp->now = target;
-  ramp->step = length > 0 ? (target - ramp->now) / (double)length : 0.0;
-}
-
-static double next_of(TbKitRamp *ramp) {
-  if (ramp->left == 0) return ramp->now;
-  ramp->left--;
-  ramp->now = ramp->left == 0 ? ramp->target : ramp->now + ramp->step;
-  return ramp->now;
+static void move_to(const TaborKit *kit, TbLiveParam *live, double target) {
+  tb_live_move(live, target, kit->frame == 0 ? 0 : kit->ramp); /* at once: nothing was heard yet */
 }
 
 /* False: the event is dropped. */
@@ -108,16 +97,15 @@ static void follow_values(TaborKit *kit) {
   for (uint32_t i = 0; i < piece->frames; i++) {
     const bool is_last = piece->last && i + 1 == piece->frames;
     next = set_values(kit, next, is_last ? UINT32_MAX : piece->start + i);
-    piece->overheads[i] = next_of(&kit->overheads);
-    piece->coupling[i] = (float)next_of(&kit->coupling);
+    piece->overheads[i] = tb_live_next(&kit->overheads);
+    piece->coupling[i] = (float)tb_live_next(&kit->coupling);
   }
   if (piece->last) (void)set_values(kit, next, UINT32_MAX);
 }
 
 static void reset_values(TaborKit *kit) {
-  const double overheads = tb_kit_factor(kit->def.overheads);
-  kit->overheads = (TbKitRamp){.now = overheads, .target = overheads};
-  kit->coupling = (TbKitRamp){.now = 1.0, .target = 1.0};
+  tb_live_move(&kit->overheads, tb_kit_factor(kit->def.overheads), 0);
+  tb_live_move(&kit->coupling, 1.0, 0);
 }
 
 /* ---- the air between drums ------------------------------------------------------------------- */
@@ -361,7 +349,7 @@ typedef struct StateHead {
   uint64_t size, frame, dropped, muffled;
   double passed[TABOR_KIT_DRUMS][2];
   TbAirEnergy forgotten[TABOR_KIT_DRUMS];
-  TbKitRamp overheads, coupling;
+  TbLiveParam overheads, coupling;
 } StateHead;
 
 static size_t ring_bytes(const TaborKit *kit) { return kit->ring * sizeof(float); }
@@ -407,15 +395,13 @@ void tabor_kit_state_save(const TaborKit *kit, void *bytes) {
 
 static bool is_sound(double value) { return fabs(value) <= LOUDEST; }
 
-static bool is_ramp(const TaborKit *kit, const TbKitRamp *ramp) {
-  static const double MOST = 1e6; /* more than 84 dB */
-  return ramp->now >= 0.0 && ramp->now <= MOST && ramp->target >= 0.0 && ramp->target <= MOST &&
-         fabs(ramp->step) <= MOST && ramp->left <= kit->ramp;
+static bool is_factor(const TaborKit *kit, const TbLiveParam *live) {
+  return tb_live_is_gain(live) && live->left <= kit->ramp;
 }
 
 static bool check_head(const TaborKit *kit, const StateHead *head) {
   bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1 &&
-               is_ramp(kit, &head->overheads) && is_ramp(kit, &head->coupling);
+               is_factor(kit, &head->overheads) && is_factor(kit, &head->coupling);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     sound &= is_sound(head->passed[i][0]) && is_sound(head->passed[i][1]) &&
              is_sound(head->forgotten[i].radiated) && is_sound(head->forgotten[i].work);

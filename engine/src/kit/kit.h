@@ -20,7 +20,6 @@
 
 #define TB_KIT_PIECE 64u      /* frames at once at most */
 #define TB_KIT_HIGHEST 1000.0 /* [Hz] */
-#define TB_KIT_RAMP 0.005     /* [s] */
 #define TB_KIT_CAUGHT 0.25
 #define TB_KIT_LOUDEST 200.0f /* [Pa]: 140 dB */
 
@@ -40,12 +39,6 @@ typedef struct TbKitVoice {
   uint32_t quiet;                   /* frames since it was not 0, up to the ring's length */
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;
-
-/* A factor that moves linearly, TB_KIT_RAMP seconds long. */
-typedef struct TbKitRamp {
-  double now, target, step;
-  uint64_t left; /* frames until the target */
-} TbKitRamp;
 
 /* What is computed at once: some frames of a block. */
 typedef struct TbKitPiece {
@@ -67,8 +60,8 @@ struct TaborKit {
   double low[3];  /* the low-pass of the air: gain, and two feedbacks */
   bool muffled;   /* the air is silent: see air_is_passive() */
   /* Factors of the overheads, and of the coupling beside the definition's. */
-  TbKitRamp overheads, coupling;
-  uint32_t ramp;    /* frames of a ramp */
+  TbLiveParam overheads, coupling;
+  uint32_t ramp;    /* frames that they take to move */
   uint32_t ring;    /* length of each ring, a power of 2 */
   uint64_t frame;   /* since the last reset */
   uint64_t dropped; /* events for drums that are not there */

@@ -144,7 +144,7 @@ static TaborStatus create_voices(TaborKit *kit, TaborModel *const *models, Tabor
   }
   prepare_ways(kit);
   prepare_low_pass(kit, models[0]->sample_rate);
-  kit->ramp = (uint32_t)(TB_KIT_RAMP * models[0]->sample_rate);
+  kit->ramp = (uint32_t)(TB_LIVE_TIME * models[0]->sample_rate);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     kit->voices[i].said =
       kit->allocator.allocate(kit->ring * sizeof(float), kit->allocator.context);

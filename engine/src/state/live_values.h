@@ -3,7 +3,12 @@
 #ifndef TB_LIVE_VALUES_H
 #define TB_LIVE_VALUES_H
 
+#include <math.h>
+
 #include "tabor/tabor.h"
+
+#define TB_LIVE_TIME 0.005    /* [s] that a move takes */
+#define TB_LIVE_MOST_GAIN 1e6 /* 120 dB */
 
 typedef enum TbLiveIndex {
   TB_LIVE_TENSION,
@@ -22,6 +27,28 @@ typedef struct TbLiveParam {
   double now, target, step; /* step per sample while `left` samples remain */
   uint32_t left;
 } TbLiveParam;
+
+/* Starts a linear move of `samples` samples; 0: the value is there at once. Audio-safe, as all here. */
+static inline void tb_live_move(TbLiveParam *live, double target, uint32_t samples) {
+  live->target = target;
+  live->left = samples;
+  if (samples == 0) live->now = target;
+  live->step = samples > 0 ? (target - live->now) / (double)samples : 0.0;
+}
+
+/* Advances by one sample; returns the value. */
+static inline double tb_live_next(TbLiveParam *live) {
+  if (live->left == 0) return live->now;
+  const double next = live->now + live->step;
+  live->now = --live->left == 0 ? live->target : next;
+  return live->now;
+}
+
+/* True if it is a gain in its range, as read from a state. */
+static inline bool tb_live_is_gain(const TbLiveParam *live) {
+  return live->now >= 0.0 && live->now <= TB_LIVE_MOST_GAIN && live->target >= 0.0 &&
+         live->target <= TB_LIVE_MOST_GAIN && fabs(live->step) <= TB_LIVE_MOST_GAIN;
+}
 
 typedef struct TbLiveValues {
   TbLiveParam values[TB_LIVE_COUNT];

@@ -10,9 +10,7 @@
 #include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
 
-static const double SMOOTHING = 0.005;          /* [s] */
 static const double TENSION_SLEW = 0.01 / 64.0; /* relative change per sample at most */
-static const double MOST_GAIN = 1e6;            /* 120 dB */
 enum { WIRE_SAMPLES = 8 };                      /* that wires' tension and damping take at once */
 
 static double definition_value(const TaborDrumDef *def, uint32_t index) {
@@ -111,10 +109,7 @@ static bool in_range(const TbLiveParam *live, const TaborParameter *info) {
 }
 
 bool tb_live_params_in_range(const TbState *state) {
-  const TbLiveParam *output = &state->live.output;
-  if (!(output->now >= 0.0 && output->now <= MOST_GAIN && output->target >= 0.0 &&
-        output->target <= MOST_GAIN && fabs(output->step) <= MOST_GAIN))
-    return false;
+  if (!tb_live_is_gain(&state->live.output)) return false;
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const uint32_t parameter = PARAMETERS[i < TB_LIVE_GAIN ? i : TB_LIVE_GAIN];
     if (!in_range(&state->live.values[i], &tb_param_by_id(parameter)->info)) return false;
@@ -123,9 +118,7 @@ bool tb_live_params_in_range(const TbState *state) {
 }
 
 static void move_to(TbLiveParam *live, double target, double rate) {
-  live->target = target;
-  live->left = (uint32_t)(SMOOTHING * rate) + 1u;
-  live->step = (live->target - live->now) / (double)live->left;
+  tb_live_move(live, target, (uint32_t)(TB_LIVE_TIME * rate) + 1u);
 }
 
 bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double value) {
@@ -141,9 +134,9 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
 
 void tb_live_params_gain(TbView *view, double value, bool at_once) {
   TbLiveParam *output = &view->state->live.output;
-  const double gain = clamp(value, 0.0, MOST_GAIN);
+  const double gain = clamp(value, 0.0, TB_LIVE_MOST_GAIN);
   move_to(output, gain, view->model->sample_rate);
-  if (at_once) *output = (TbLiveParam){.now = gain, .target = gain};
+  if (at_once) tb_live_move(output, gain, 0);
 }
 
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
@@ -164,21 +157,16 @@ bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
 /* True if the value moved. */
 static bool advance(TbLiveParam *live, bool slewed) {
   if (live->left == 0) return false;
-  double next = live->now + live->step;
-  if (--live->left == 0) next = live->target;
+  const double before = live->now, next = tb_live_next(live);
   if (slewed) { /* stay under way until the limit lets it arrive */
-    const double most = live->now * TENSION_SLEW;
-    next = clamp(next, live->now - most, live->now + most);
-    if (live->left == 0 && next != live->target) live->left = 1;
+    const double most = before * TENSION_SLEW;
+    live->now = clamp(next, before - most, before + most);
+    if (live->left == 0 && live->now != live->target) live->left = 1;
   }
-  live->now = next;
   return true;
 }
 
-double tb_live_params_gain_step(TbState *state) {
-  (void)advance(&state->live.output, false);
-  return state->live.output.now;
-}
+double tb_live_params_gain_step(TbState *state) { return tb_live_next(&state->live.output); }
 
 static bool under_way(const TbLiveParam *live, uint32_t first, uint32_t end) {
   bool moving = false;

@@ -9,12 +9,12 @@
 #include "clap/instance_drum.h"
 #include "clap/parameters.h"
 #include "clap/stream_text.h"
-#include "plugin/definition_text.h"
+#include "drums/definition_text.h"
 
 #define FIRST_LINE "tabor-state 1\n"
 #define DEFINITION "definition\n"
 #define HEAD_LIMIT 16384u /* bytes in front of the definition */
-#define STATE_LIMIT (HEAD_LIMIT + DEFINITION_TEXT_LIMIT)
+#define STATE_LIMIT (HEAD_LIMIT + TABOR_TEXT_LIMIT)
 
 /* ---- saving --------------------------------------------------------------------------------- */
 
@@ -37,7 +37,7 @@ static bool save(const clap_plugin_t *plugin, const clap_ostream_t *stream) {
   char head[HEAD_LIMIT];
   SavedState saved;
   instance_save(instance, &saved);
-  char *const text = definition_write(&saved.def);
+  char *const text = definition_write(&saved.def, TABOR_TEXT_KEEP, NULL, NULL);
   if (!text) return false;
   const size_t length = write_head(instance, &saved, head);
   const bool is_written =

@@ -7,14 +7,13 @@
 
 #include "clap/kit_instance.h"
 #include "clap/stream_text.h"
-#include "drums/preset_file.h"
 
 #define FIRST_LINE "tabor-kit-state 1\n"
 #define KIT_LINE "name "
 #define OWN "own" /* name of the user's own kit */
 #define OWN_LINE "kit-file\n"
 #define HEAD_LIMIT 16384u /* bytes in front of the user's own kit */
-#define LIMIT (HEAD_LIMIT + PRESET_FILE_LIMIT)
+#define LIMIT (HEAD_LIMIT + TABOR_TEXT_LIMIT)
 
 static const char *kit_name(float kit) {
   return kit_knob_is_own(kit) ? OWN : tabor_kit((uint32_t)kit)->name;

@@ -102,8 +102,7 @@ static void describe_all(const Receiver *receiver) {
 static bool describe_file(const Receiver *receiver, const char *path, TaborKitDef *kit,
                           char *message) {
   TaborDrumDef drum;
-  const KitFileReader reader = {.def = kit};
-  const bool is_kit = kit_file_read(path, &reader, message, MESSAGE) == PRESET_FILE_OK;
+  const bool is_kit = kit_file_read(path, kit, message, MESSAGE) == PRESET_FILE_OK;
   if (!is_kit && drum_file_read(path, &drum, message, MESSAGE) != PRESET_FILE_OK) return false;
   if (receiver->begin_preset(receiver, is_kit ? kit->name : drum.name, NULL)) {
     receiver->set_flags(receiver, CLAP_PRESET_DISCOVERY_IS_USER_CONTENT);

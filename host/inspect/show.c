@@ -4,74 +4,70 @@
  * `tabor show`: prints a drum's parameters as a preset file, or a kit as a kit file, which reads back to the same.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/command.h"
 #include "base/json_output.h"
+#include "drums/definition_text.h"
 #include "drums/drum_args.h"
-#include "drums/preset_file.h"
-#include "drums/preset_text.h"
 #include "kit/kit_args.h"
-#include "kit/kit_text.h"
 
-static Outcome print_text(void *context, const char *text, size_t size) {
-  (void)context;
-  (void)fwrite(text, 1, size, stdout);
+static Outcome print_text(char *text, const TaborError *error) {
+  if (!text) return report_engine_error(error);
+  (void)fputs(text, stdout);
+  free(text);
   return OUTCOME_OK;
 }
 
 /* ---- as JSON ---- */
 
-static json_t *value_json(const PresetEntry *entry) {
-  const TaborParameterType type = entry->parameter->type;
-  if (type != TABOR_TYPE_NUMBER && type != TABOR_TYPE_WHOLE) return json_text(entry->value);
-  return json_loads(entry->value, JSON_DECODE_ANY | JSON_DECODE_INT_AS_REAL, NULL);
+static json_t *value_json(const TaborParameter *parameter, const char *value) {
+  const TaborParameterType type = parameter->type;
+  if (type != TABOR_TYPE_NUMBER && type != TABOR_TYPE_WHOLE) return json_text(value);
+  return json_loads(value, JSON_DECODE_ANY | JSON_DECODE_INT_AS_REAL, NULL);
 }
 
-static json_t *entry_json(const PresetEntry *entry) {
-  const TaborParameter *const parameter = entry->parameter;
-  return json_pack("{s:s, s:o, s:s, s:o, s:o, s:b, s:s}", "key", entry->key, "value",
-                   value_json(entry), "unit", parameter->unit, "minimum",
+static json_t *entry_json(const char *key, const char *value) {
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  return json_pack("{s:s, s:o, s:s, s:o, s:o, s:b, s:s}", "key", key, "value",
+                   value_json(parameter, value), "unit", parameter->unit, "minimum",
                    json_number(parameter->minimum), "maximum", json_number(parameter->maximum),
                    "live", (int)parameter->live, "text", parameter->text);
 }
 
 static Outcome print_json(const TaborDrumDef *def) {
   json_t *list = json_array();
-  PresetEntry entry;
-  Outcome outcome = OUTCOME_OK;
-  for (uint32_t i = 0; preset_entry_read(def, i, &entry, &outcome); i++) {
-    list = json_with_item(list, entry_json(&entry));
+  char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
+  TaborError error;
+  for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
+    if (tabor_drum_def_get(def, key, value, sizeof value, &error) != TABOR_OK) {
+      json_decref(list);
+      return report_engine_error(&error);
+    }
+    list = json_with_item(list, entry_json(key, value));
   }
-  if (outcome == OUTCOME_OK) {
-    return json_print(json_pack("{s:o, s:o}", "name", json_text(def->name), "parameters", list));
-  }
-  json_decref(list);
-  return outcome;
+  return json_print(json_pack("{s:o, s:o}", "name", json_text(def->name), "parameters", list));
 }
 
 static Outcome show_kit(const Arguments *arguments) {
   static const char *const excluded[] = {"json"};
   TaborKitDef def;
-  KitSamples samples;
+  TaborError error;
   Outcome outcome = kit_refuse_options(arguments, excluded, 1, "a kit is shown as its file");
+  if (outcome == OUTCOME_OK) outcome = kit_load(arguments, &def);
   if (outcome != OUTCOME_OK) return outcome;
-  outcome = kit_load(arguments, &def, &samples);
-  if (outcome == OUTCOME_OK) {
-    outcome = kit_text_write(&def, &samples, KIT_TEXT_SHORT, "'tabor show'", print_text, NULL);
-  }
-  kit_samples_free(&samples);
-  return outcome;
+  return print_text(definition_write_kit(&def, TABOR_TEXT_EDIT, "'tabor show'", &error), &error);
 }
 
 static Outcome run(const Arguments *arguments) {
   if (arguments_has(arguments, "kit")) return show_kit(arguments);
   TaborDrumDef def;
+  TaborError error;
   const Outcome outcome = drum_load(arguments, &def);
   if (outcome != OUTCOME_OK) return outcome;
-  return arguments_has(arguments, "json")
-           ? print_json(&def)
-           : preset_text_write(&def, "'tabor show'", print_text, NULL);
+  if (arguments_has(arguments, "json")) return print_json(&def);
+  return print_text(definition_write(&def, TABOR_TEXT_EDIT, "'tabor show'", &error), &error);
 }
 
 static const Option options[] = {OPTION_SET, OPTION_KIT, {0}};

@@ -7,11 +7,9 @@
 #include "drums/drum_args.h"
 #include "kit/kit_file.h"
 
-static Outcome load_file(const char *path, TaborKitDef *def, KitSamples *samples) {
-  KitSampleReader notes = {.file = path, .samples = samples};
-  const KitFileReader reader = {.def = def, .note = kit_samples_take_pair, .context = &notes};
+static Outcome load_file(const char *path, TaborKitDef *def) {
   char message[2 * TABOR_TEXT_SIZE];
-  switch (kit_file_read(path, &reader, message, sizeof message)) {
+  switch (kit_file_read(path, def, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;
   case PRESET_FILE_UNREADABLE: return fail("%s", message);
   case PRESET_FILE_INVALID: break;
@@ -33,11 +31,11 @@ bool kit_is_builtin(const char *name) {
 }
 
 /* By name the built-in kits come before the user's. */
-static Outcome load(const char *kit, TaborKitDef *def, KitSamples *samples) {
+static Outcome load(const char *kit, TaborKitDef *def) {
   char room[USER_PRESET_PATH];
   const char *file = preset_is_file(kit) ? kit : NULL;
   if (!file && !kit_is_builtin(kit)) file = user_preset_find(kit, room);
-  return file ? load_file(file, def, samples) : load_builtin(kit, def);
+  return file ? load_file(file, def) : load_builtin(kit, def);
 }
 
 /* A drum that is not there is a mistake, unless its preset is given. */
@@ -54,20 +52,7 @@ static Outcome check_drum(const TaborKitDef *def, const char *key) {
                 key, name, name);
 }
 
-/* note.42.sample=hat.wav */
-static Outcome set_note(const char *key, const char *value, KitSamples *samples) {
-  char section[4 * TABOR_NAME_SIZE], message[2 * TABOR_TEXT_SIZE];
-  const char *const dot = strrchr(key, '.');
-  const size_t length = (size_t)(dot - key);
-  memcpy(section, key, length);
-  section[length] = '\0';
-  if (kit_samples_set(samples, "", section, dot + 1, value, message, sizeof message)) {
-    return OUTCOME_OK;
-  }
-  return refuse("--set '%.80s': %s", key, message);
-}
-
-static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *samples) {
+static Outcome apply_setting(const char *setting, TaborKitDef *def) {
   const char *const equals = strchr(setting, '=');
   char key[4 * TABOR_NAME_SIZE];
   const size_t length = equals ? (size_t)(equals - setting) : 0;
@@ -75,7 +60,6 @@ static Outcome apply_setting(const char *setting, TaborKitDef *def, KitSamples *
   if (length >= sizeof key) return refuse("--set '%.80s...': no key is so long", setting);
   memcpy(key, setting, length);
   key[length] = '\0';
-  if (kit_file_is_note(key)) return set_note(key, equals + 1, samples);
   const Outcome outcome = check_drum(def, key);
   TaborError error;
   if (outcome != OUTCOME_OK) return outcome;
@@ -93,17 +77,16 @@ Outcome kit_refuse_options(const Arguments *arguments, const char *const *exclud
   return refuse("--kit and '%.80s': the kit has the drums", arguments->operand);
 }
 
-Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *samples) {
+Outcome kit_load(const Arguments *arguments, TaborKitDef *def) {
   const char *const kit = arguments_value(arguments, "kit");
   const char *setting;
   size_t position = 0;
   char message[2 * TABOR_TEXT_SIZE];
-  kit_samples_begin(samples);
   if (!*kit) return refuse("--kit needs the name of a kit");
-  Outcome outcome = load(kit, def, samples);
+  Outcome outcome = load(kit, def);
   if (outcome == OUTCOME_OK && !*def->name) kit_name_after(def, kit);
   while (outcome == OUTCOME_OK && (setting = arguments_next(arguments, "set", &position))) {
-    outcome = apply_setting(setting, def, samples);
+    outcome = apply_setting(setting, def);
   }
   if (outcome != OUTCOME_OK) return outcome;
   return kit_file_check(kit, def, message, sizeof message) ? OUTCOME_OK : refuse("%s", message);

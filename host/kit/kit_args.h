@@ -9,7 +9,6 @@
 #include <tabor/kit.h>
 
 #include "base/options.h"
-#include "kit/kit_sample_files.h"
 
 /** Row of an option table for the option that kit_load() reads. */
 #define OPTION_KIT                                                                                 \
@@ -24,8 +23,7 @@ Outcome kit_refuse_options(const Arguments *arguments, const char *const *exclud
 bool kit_is_builtin(const char *name);
 
 /** Reads --kit: a name that 'tabor presets --kits' lists, or a file: with a '/' in it, or ending in .ini. Applies every
- * --set in order, and validates the result. *samples gets the kit's samples, which are not read yet; free it with
- * kit_samples_free(), whatever the outcome. */
-Outcome kit_load(const Arguments *arguments, TaborKitDef *def, KitSamples *samples);
+ * --set in order, and validates the result. */
+Outcome kit_load(const Arguments *arguments, TaborKitDef *def);
 
 #endif

@@ -2,12 +2,13 @@
 #include "kit/kit_file.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "drums/drum_file.h"
 #include "drums/user_presets.h"
-
-bool kit_file_is_note(const char *section) { return strncmp(section, "note.", 5) == 0; }
+#include "platform/files.h"
+#include "platform/paths.h"
 
 /* Of "drum.NAME.preset" the drum, which is there or becomes the next; NULL: it is another key, or there can be none. */
 static TaborDrumDef *drum_of_preset(TaborKitDef *def, const char *key) {
@@ -44,36 +45,73 @@ void kit_name_after(TaborKitDef *def, const char *path) {
   (void)snprintf(def->name, sizeof def->name, "%.*s", stem.length, stem.text);
 }
 
-/* A PresetPairFn. */
-static bool set_pair(void *context, const char *section, const char *key, const char *value,
-                     unsigned line, char *message, size_t size) {
-  const KitFileReader *const reader = context;
-  if (kit_file_is_note(section)) {
-    return !reader->note || reader->note(reader->context, section, key, value, line, message, size);
+/* ---- sound files ---- */
+
+/* "FOLDER/hat.wav" beside "FOLDER/kit.ini"; a path of its own stays. False if there is no room for it. */
+static bool move_beside(const char *file, char sample[TABOR_TEXT_SIZE]) {
+  const size_t folder = path_has_folder(sample) ? 0 : (size_t)(path_base(file) - file);
+  const size_t length = strlen(sample);
+  if (folder + length >= TABOR_TEXT_SIZE) return false;
+  memmove(sample + folder, sample, length + 1);
+  memcpy(sample, file, folder);
+  return true;
+}
+
+static PresetFileStatus move_samples(const char *file, TaborKitDef *def, char *message,
+                                     size_t size) {
+  for (unsigned note = 0; note < TABOR_KIT_NOTES; note++) {
+    char *const sample = def->note[note].sample;
+    if (!*sample || move_beside(file, sample)) continue;
+    TaborError error = {.line = 0};
+    (void)snprintf(error.message, sizeof error.message,
+                   "note.%u.sample: with its folder the name is longer than %d bytes", note,
+                   TABOR_TEXT_SIZE - 1);
+    return preset_file_refuse(file, &error, message, size);
   }
-  char full[2 * TABOR_NAME_SIZE + 256];
-  (void)snprintf(full, sizeof full, "%s.%s", section, key ? key : "");
-  TaborError error;
-  const TaborStatus status = key ? kit_file_set(reader->def, full, value, &error)
-                                 : tabor_kit_def_section(reader->def, section, &error);
-  if (status == TABOR_OK) return true;
-  const char *const hint = strcmp(section, "drum") == 0 ? "; is this file a drum, not a kit?" : "";
-  (void)snprintf(message, size, "%s%s", error.message, hint);
-  return false;
+  return PRESET_FILE_OK;
 }
 
-PresetFileStatus kit_file_read(const char *path, const KitFileReader *reader, char *message,
-                               size_t size) {
-  KitFileReader own = *reader;
-  tabor_kit_def_default(own.def);
-  return preset_file_read(path, set_pair, &own, message, size);
+/* A name that is too long from the root stays as it is. */
+void kit_file_root_samples(TaborKitDef *def) {
+  for (unsigned note = 0; note < TABOR_KIT_NOTES; note++) {
+    char *const sample = def->note[note].sample;
+    char *const rooted = *sample ? file_absolute(sample) : NULL;
+    if (rooted && strlen(rooted) < TABOR_TEXT_SIZE) memcpy(sample, rooted, strlen(rooted) + 1);
+    free(rooted);
+  }
 }
 
-PresetFileStatus kit_file_parse(const char *name, const char *text, size_t length,
-                                const KitFileReader *reader, char *message, size_t size) {
-  KitFileReader own = *reader;
-  tabor_kit_def_default(own.def);
-  return preset_file_parse(name, text, length, set_pair, &own, message, size);
+/* ---- files ---- */
+
+/* A TaborTextTake. */
+static TaborStatus take_line(void *def, const TaborTextLine *line, TaborError *error) {
+  char key[2 * TABOR_TEXT_WORD + 2];
+  (void)snprintf(key, sizeof key, "%s%s%s", line->section, *line->section ? "." : "",
+                 line->key ? line->key : "");
+  const TaborStatus status = line->key ? kit_file_set(def, key, line->value, error)
+                                       : tabor_kit_def_section(def, line->section, error);
+  if (status == TABOR_OK || strcmp(line->section, "drum") != 0) return status;
+  const size_t length = strlen(error->message);
+  (void)snprintf(error->message + length, sizeof error->message - length,
+                 "; is this file a drum, not a kit?");
+  return status;
+}
+
+PresetFileStatus kit_file_parse(const char *name, const char *text, size_t length, TaborKitDef *def,
+                                char *message, size_t size) {
+  tabor_kit_def_default(def);
+  const PresetFileStatus status =
+    preset_file_parse(name, text, length, take_line, def, message, size);
+  return status == PRESET_FILE_OK ? move_samples(name, def, message, size) : status;
+}
+
+PresetFileStatus kit_file_read(const char *path, TaborKitDef *def, char *message, size_t size) {
+  char *text;
+  size_t length;
+  PresetFileStatus status = preset_file_load(path, &text, &length, message, size);
+  if (status == PRESET_FILE_OK) status = kit_file_parse(path, text, length, def, message, size);
+  free(text);
+  return status;
 }
 
 bool kit_file_check(const char *name, const TaborKitDef *def, char *message, size_t size) {

@@ -14,32 +14,17 @@
 #ifndef TABOR_HOST_KIT_SAMPLE_FILES_H
 #define TABOR_HOST_KIT_SAMPLE_FILES_H
 
+#include <tabor/kit.h>
+
 #include "base/message.h"
 #include "sound/kit_samples.h"
 
-/** Who reads the samples of a kit file. */
-typedef struct KitSampleReader {
-  const char *file; /**< beside which they lie */
-  KitSamples *samples;
-} KitSampleReader;
-
 /** Initialises without samples. */
 void kit_samples_begin(KitSamples *samples);
-/**
- * Takes a line of section "note.N" of the kit file @p file; @p key is NULL for the section itself. False, with one line in
- * @p message, if it is not understood.
- */
-bool kit_samples_set(KitSamples *samples, const char *file, const char *section, const char *key,
-                     const char *value, char *message, size_t size);
-/** kit_samples_set() as a PresetPairFn, whose context is a KitSampleReader. */
-bool kit_samples_take_pair(void *reader, const char *section, const char *key, const char *value,
-                           unsigned line, char *message, size_t size);
-/** What a kit file says of @p samples, wherever that file will be: paths from the root. Free with kit_samples_free(). */
-KitSamples kit_samples_from_root(const KitSamples *samples);
 /** Says for each note whether it has a sample. */
-void kit_samples_map(const KitSamples *samples, bool has_sample[MIDI_VALUES]);
-/** Reads the files, for @p rate [Hz]. */
-Outcome kit_samples_load(KitSamples *samples, double rate);
+void kit_samples_map(const TaborKitDef *def, bool has_sample[MIDI_VALUES]);
+/** Reads the files of a kit into *samples, which has none, for @p rate [Hz]. */
+Outcome kit_samples_load(KitSamples *samples, const TaborKitDef *def, double rate);
 void kit_samples_free(KitSamples *samples);
 
 #endif

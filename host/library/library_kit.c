@@ -119,19 +119,17 @@ static Outcome check_options(const Arguments *arguments) {
 }
 
 /* Sound files for notes are the user's already. */
-static void note_samples(const Arguments *arguments, const KitSamples *samples) {
+static void note_samples(const Arguments *arguments, const TaborKitDef *def) {
   if (arguments_has(arguments, "quiet")) return;
-  for (int i = 0; i < MIDI_VALUES; i++) {
-    if (!samples->notes[i].path) continue;
-    note("note %d: its sound file '%s' is not put into the library", i, samples->notes[i].path);
+  for (int i = 0; i < TABOR_KIT_NOTES; i++) {
+    if (!def->note[i].sample[0]) continue;
+    note("note %d: its sound file '%s' is not put into the library", i, def->note[i].sample);
   }
 }
 
 static Outcome load(const Arguments *arguments, TaborKitDef *def) {
-  KitSamples samples;
-  const Outcome outcome = kit_load(arguments, def, &samples);
-  if (outcome == OUTCOME_OK) note_samples(arguments, &samples);
-  kit_samples_free(&samples);
+  const Outcome outcome = kit_load(arguments, def);
+  if (outcome == OUTCOME_OK) note_samples(arguments, def);
   return outcome;
 }
 

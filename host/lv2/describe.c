@@ -14,12 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/definition_text.h"
 #include "lv2/describe_kit.h"
 #include "lv2/describe_parts.h"
 #include "lv2/ports.h"
 #include "lv2/turtle.h"
 #include "lv2/uris.h"
-#include "plugin/definition_text.h"
 
 static TaborDrumDef usual;
 
@@ -177,7 +177,7 @@ static void put_preset_port(KnobId id, double value, bool *first) {
 }
 
 static void put_preset_state(const TaborDrumDef *def, const double values[KNOB_SEEN]) {
-  char *const text = definition_write(def);
+  char *const text = definition_write(def, TABOR_TEXT_KEEP, NULL, NULL);
   if (!text) turtle_fail("out of memory");
   put(" ;\n\tstate:state [\n\t\t<%s> \"%d\"^^xsd:int ;\n\t\t<%s> ", URI_STATE_VERSION,
       STATE_VERSION, URI_STATE_DEFINITION);

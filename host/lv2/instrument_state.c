@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/definition_text.h"
 #include "lv2/instrument.h"
 #include "lv2/uris.h"
-#include "plugin/definition_text.h"
 
 #define PLAIN (LV2_STATE_IS_POD | LV2_STATE_IS_PORTABLE)
 
@@ -42,7 +42,7 @@ static LV2_State_Status save(LV2_Handle handle, LV2_State_Store_Function store,
   Instrument *const instrument = handle;
   SavedState saved;
   model_worker_save(&instrument->worker, &saved);
-  char *const text = definition_write(&saved.def);
+  char *const text = definition_write(&saved.def, TABOR_TEXT_KEEP, NULL, NULL);
   if (!text) return LV2_STATE_ERR_NO_SPACE;
   const LV2_State_Status status = store_all(&instrument->urids, &saved, text, store, state);
   free(text);

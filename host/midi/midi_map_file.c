@@ -248,20 +248,21 @@ static Outcome set_pair(Reader *reader, const char *key, const char *value) {
   return refuse("%s: unknown key%s", reader->where, hint);
 }
 
-/* A PresetPairFn. Says itself what is wrong. */
-static bool take_pair(void *context, const char *section, const char *key, const char *value,
-                      unsigned line, char *message, size_t size) {
+/* A TaborTextTake. Says itself what is wrong. */
+static TaborStatus take_line(void *context, const TaborTextLine *line, TaborError *error) {
   Reader *const reader = context;
   const size_t length = strlen(reader->path);
   const bool cut = length > LONGEST_PLACE;
-  (void)message;
-  (void)size;
-  (void)snprintf(reader->where, sizeof reader->where, "%s%s:%u: %s%s%s", cut ? "..." : "",
-                 cut ? reader->path + length - LONGEST_PLACE : reader->path, line, key ? "" : "[",
-                 key ? key : section, key ? "" : "]");
-  const Outcome outcome = key ? set_pair(reader, key, value) : begin_section(reader, section);
+  const bool is_key = line->key != NULL;
+  (void)error;
+  (void)snprintf(reader->where, sizeof reader->where, "%s%s:%lu: %s%s%s", cut ? "..." : "",
+                 cut ? reader->path + length - LONGEST_PLACE : reader->path,
+                 (unsigned long)line->number, is_key ? "" : "[", is_key ? line->key : line->section,
+                 is_key ? "" : "]");
+  const Outcome outcome =
+    is_key ? set_pair(reader, line->key, line->value) : begin_section(reader, line->section);
   reader->refused = outcome != OUTCOME_OK;
-  return !reader->refused;
+  return reader->refused ? TABOR_ERROR_VALUE : TABOR_OK;
 }
 
 Outcome midi_map_file_read(const char *path, MidiMap *map) {
@@ -269,7 +270,7 @@ Outcome midi_map_file_read(const char *path, MidiMap *map) {
   Reader reader = {.path = path, .map = map};
   midi_map_default(map);
   const PresetFileStatus status =
-    preset_file_read(path, take_pair, &reader, message, sizeof message);
+    preset_file_read(path, take_line, &reader, message, sizeof message);
   if (status == PRESET_FILE_OK) return OUTCOME_OK;
   if (status == PRESET_FILE_UNREADABLE) return fail("%s", message);
   return reader.refused ? OUTCOME_REFUSED : refuse("%s", message);

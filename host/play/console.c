@@ -298,7 +298,6 @@ Outcome console_open(LiveSession *session, Console **created) {
   console->controls =
     controls_begin(session->player, session->builders, request->kit, session->facts.rate,
                    20 * log10(request->gain), request->humanizer);
-  console->controls.samples = &request->samples;
   const char *const kit = arguments_value(request->arguments, "kit");
   controls_opened(&console->controls, kit ? kit : request->preset);
   console->controls.midi = session->midi;

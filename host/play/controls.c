@@ -10,15 +10,14 @@
 #include "base/folder.h"
 #include "base/number.h"
 #include "base/suggest.h"
+#include "base/text_file.h"
+#include "drums/definition_text.h"
 #include "drums/drum_args.h"
 #include "drums/drum_file.h"
-#include "drums/preset_text.h"
 #include "drums/user_presets.h"
 #include "kit/kit_args.h"
 #include "kit/kit_build.h"
 #include "kit/kit_file.h"
-#include "kit/kit_sample_files.h"
-#include "kit/kit_text.h"
 #include "midi/midi_map_file.h"
 #include "platform/files.h"
 #include "play/player_words.h"
@@ -450,10 +449,9 @@ static bool is_of_this_kind(const Controls *controls, const char *path) {
   if (!controls->kit) {
     return drum_file_read(path, &def, message, sizeof message) == PRESET_FILE_OK;
   }
-  const KitFileReader reader = {.def = malloc(sizeof *reader.def)};
-  const bool is_kit =
-    reader.def && kit_file_read(path, &reader, message, sizeof message) == PRESET_FILE_OK;
-  free(reader.def);
+  TaborKitDef *const kit = malloc(sizeof *kit);
+  const bool is_kit = kit && kit_file_read(path, kit, message, sizeof message) == PRESET_FILE_OK;
+  free(kit);
   return is_kit;
 }
 
@@ -482,49 +480,46 @@ static Outcome plan_user_preset(const Controls *controls, const char *name,
   return OUTCOME_OK;
 }
 
-/* A PresetWriterFn. */
-static Outcome write_drum(const void *def, PresetSink *sink, void *context) {
-  return preset_text_write(def, "'tabor play'", sink, context);
+/* NULL: what was wrong has been said. */
+static char *drum_text(const Controls *controls) {
+  TaborDrumDef def;
+  TaborError error;
+  model_builder_definition(builder_of(controls), &def);
+  char *const text = definition_write(&def, TABOR_TEXT_EDIT, "'tabor play'", &error);
+  if (!text) (void)report_engine_error(&error);
+  return text;
 }
 
-typedef struct KitText {
-  TaborKitDef kit;
-  KitSamples samples;
-} KitText;
-
-/* A PresetWriterFn. */
-static Outcome write_kit(const void *what, PresetSink *sink, void *context) {
-  const KitText *const text = what;
-  return kit_text_write(&text->kit, &text->samples, KIT_TEXT_SHORT, "'tabor play'", sink, context);
-}
-
-/* With its drums as they are now, and samples where they are, wherever the file will be. */
-static Outcome save_kit(const Controls *controls, const char *path) {
-  KitText *const text = calloc(1, sizeof *text);
-  if (!text) return fail_memory();
-  text->kit = *controls->kit;
-  for (uint32_t i = 0; i < text->kit.drum_count; i++) {
-    model_builder_definition(controls->builders[i], &text->kit.drum[i].def);
-    kit_fit_mic(&text->kit.drum[i]);
+/* With its drums as they are now, and sound files where they are, wherever the kit's file will be. */
+static char *kit_text(const Controls *controls, const char *path) {
+  TaborError error;
+  TaborKitDef *const kit = malloc(sizeof *kit);
+  if (!kit) {
+    (void)fail_memory();
+    return NULL;
   }
-  kit_name_after(&text->kit, path);
-  text->samples = kit_samples_from_root(controls->samples);
-  const Outcome outcome = preset_text_save(path, write_kit, text);
-  kit_samples_free(&text->samples);
-  free(text);
-  return outcome;
+  *kit = *controls->kit;
+  for (uint32_t i = 0; i < kit->drum_count; i++) {
+    model_builder_definition(controls->builders[i], &kit->drum[i].def);
+    kit_fit_mic(&kit->drum[i]);
+  }
+  kit_name_after(kit, path);
+  kit_file_root_samples(kit);
+  char *const text = definition_write_kit(kit, TABOR_TEXT_EDIT, "'tabor play'", &error);
+  if (!text) (void)report_engine_error(&error);
+  free(kit);
+  return text;
 }
 
 static void save(Controls *controls, const char *name, bool replaces) {
   char room[USER_PRESET_PATH];
   const bool is_file = preset_is_file(name);
   const char *const path = is_file ? name : room;
-  TaborDrumDef def;
   if (!is_file && plan_user_preset(controls, name, room) != OUTCOME_OK) return;
   if (check_replaced(controls, path, replaces) != OUTCOME_OK) return;
-  model_builder_definition(builder_of(controls), &def);
-  const Outcome outcome =
-    controls->kit ? save_kit(controls, path) : preset_text_save(path, write_drum, &def);
+  char *const text = controls->kit ? kit_text(controls, path) : drum_text(controls);
+  const Outcome outcome = text ? text_file_write(path, text, false) : OUTCOME_FAILED;
+  free(text);
   if (outcome != OUTCOME_OK) return;
   (void)snprintf(controls->own, sizeof controls->own, "%s", path);
   tell(controls, "saved %s", path);

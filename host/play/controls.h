@@ -22,7 +22,6 @@ typedef struct Controls {
   Player *player;
   ModelBuilder *const *builders; /**< of the kit's drums, or of the drum */
   const TaborKitDef *kit;        /**< or NULL */
-  const KitSamples *samples;     /**< of the kit */
   uint32_t drum;                 /**< that the keys strike and change: of the kit, else 0 */
   PlayMidi *midi;                /**< live MIDI, or NULL */
   const char *midi_map;          /**< file of --midi-map, or NULL */

@@ -148,7 +148,7 @@ static Outcome create_kit(LiveSession *session) {
   const TaborKitDef *const kit = request->kit;
   TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
   TaborError error;
-  Outcome outcome = kit_samples_load(&request->samples, request->model.sample_rate);
+  Outcome outcome = kit_samples_load(&request->samples, kit, request->model.sample_rate);
   if (outcome == OUTCOME_OK) {
     outcome = kit_models_build(kit, &request->model, process_processors(), models);
   }
@@ -211,8 +211,7 @@ static Outcome start_log(LiveSession *session) {
     .start = {.rate = request->model.sample_rate,
               .gain = request->gain,
               .channels = request->channels,
-              .kit = request->kit,
-              .samples = &request->samples},
+              .kit = request->kit},
     .model = tabor_drum_model(session->kit ? tabor_kit_drum(session->kit, 0) : session->drum),
     .preset = request->preset,
   };

@@ -87,7 +87,7 @@ static Outcome read_kit(const Arguments *arguments, PlayRequest *request) {
   if (outcome != OUTCOME_OK) return outcome;
   request->kit = malloc(sizeof *request->kit);
   if (!request->kit) return fail_memory();
-  outcome = kit_load(arguments, request->kit, &request->samples);
+  outcome = kit_load(arguments, request->kit);
   if (outcome != OUTCOME_OK) return outcome;
   request->preset = request->kit->name;
   request->def = request->kit->drum[0].def;
@@ -174,11 +174,10 @@ static Outcome read_log(const Arguments *arguments, PlayRequest *request) {
   return refuse("--record and --log: both name the file '%s'", name);
 }
 
-static Outcome protect_samples(const OutputFile *output, const char *kind,
-                               const KitSamples *samples) {
-  for (int note = 0; note < MIDI_VALUES; note++) {
-    const char *const path = samples->notes[note].path;
-    if (path && output_overwrites(output, path)) {
+static Outcome protect_samples(const OutputFile *output, const char *kind, const TaborKitDef *kit) {
+  for (int note = 0; kit && note < TABOR_KIT_NOTES; note++) {
+    const char *const path = kit->note[note].sample;
+    if (*path && output_overwrites(output, path)) {
       return refuse("the %s would overwrite the sample '%s'", kind, path);
     }
   }
@@ -211,7 +210,7 @@ static Outcome protect_from(const OutputFile *output, const char *kind,
       return refuse("the %s would overwrite the events '%s'", kind, name);
     }
   }
-  return protect_samples(output, kind, &request->samples);
+  return protect_samples(output, kind, request->kit);
 }
 
 static Outcome protect_inputs(const Arguments *arguments, PlayRequest *request) {
@@ -240,7 +239,7 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
 
 void play_request_kit_midi(const PlayRequest *request, KitMidi *midi) {
   kit_midi_begin(midi, request->kit, &request->kit_midi);
-  kit_samples_map(&request->samples, midi->has_sample);
+  kit_samples_map(request->kit, midi->has_sample);
 }
 
 void play_request_free(PlayRequest *request) {

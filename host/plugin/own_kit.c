@@ -40,8 +40,7 @@ static char *copy_of(const char *text, size_t length) {
 
 static bool read_kit(const char *name, const char *text, size_t length, TaborKitDef *def,
                      char *message, size_t size) {
-  const KitFileReader reader = {.def = def};
-  return kit_file_parse(name, text, length, &reader, message, size) == PRESET_FILE_OK &&
+  return kit_file_parse(name, text, length, def, message, size) == PRESET_FILE_OK &&
          kit_file_check(name, def, message, size);
 }
 

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "base/json_output.h"
+#include "drums/definition_text.h"
 #include "drums/drum_args.h"
 #include "kit/kit_file.h"
-#include "kit/kit_text.h"
 #include "strokes/stroke.h"
 
 #define KEY_SIZE (2 * TABOR_NAME_SIZE)
@@ -75,38 +75,22 @@ static json_t *with_drum(json_t *object, const TaborModel *model, const char *pr
   return json_with_field(object, "drum", drum_json(tabor_model_definition(model)));
 }
 
-/* A text that grows. */
-typedef struct Growing {
-  char *text; /* NULL: memory was short */
-  size_t length, room;
-} Growing;
-
-/* A PresetSink. */
-static Outcome grow(void *context, const char *text, size_t size) {
-  Growing *const growing = context;
-  if (growing->length + size + 1 > growing->room) {
-    const size_t room = 2 * (growing->length + size + 1);
-    char *const larger = realloc(growing->text, room);
-    if (!larger) return fail_memory();
-    growing->text = larger;
-    growing->room = room;
-  }
-  memcpy(growing->text + growing->length, text, size);
-  growing->length += size;
-  growing->text[growing->length] = '\0';
-  return OUTCOME_OK;
-}
-
 /* NULL: the kit cannot be written, which has been said. */
-static json_t *kit_json(const LogStart *start) {
-  Growing growing = {0};
-  KitSamples samples = kit_samples_from_root(start->samples);
-  const Outcome outcome =
-    kit_text_write(start->kit, &samples, KIT_TEXT_WHOLE, "'tabor play'", grow, &growing);
-  json_t *const text = outcome == OUTCOME_OK ? json_text(growing.text) : NULL;
-  kit_samples_free(&samples);
-  free(growing.text);
-  return text;
+static json_t *kit_json(const TaborKitDef *kit) {
+  TaborKitDef *const rooted = malloc(sizeof *rooted);
+  TaborError error;
+  if (!rooted) {
+    (void)fail_memory();
+    return NULL;
+  }
+  *rooted = *kit;
+  kit_file_root_samples(rooted);
+  char *const text = definition_write_kit(rooted, TABOR_TEXT_KEEP, NULL, &error);
+  free(rooted);
+  if (!text) (void)report_engine_error(&error);
+  json_t *const json = text ? json_text(text) : NULL;
+  free(text);
+  return json;
 }
 
 static json_t *mics_json(const LogStart *start, const TaborDrumDef *def) {
@@ -124,7 +108,7 @@ char *log_line_start(const LogStart *start, const TaborModel *model, const char 
   object = json_with_field(object, "gain", json_real(start->gain));
   if (start->kit) {
     object = with_preset(object, model, preset);
-    return write_line(json_with_field(object, "kit", kit_json(start)));
+    return write_line(json_with_field(object, "kit", kit_json(start->kit)));
   }
   object = json_with_field(object, "mics", mics_json(start, tabor_model_definition(model)));
   return write_line(with_drum(object, model, preset));
@@ -332,20 +316,10 @@ static void take_drum(Fields *fields, LogLine *line) {
 
 /* ---- kits ---- */
 
-void log_kit_free(LogKit *kit) {
-  if (!kit) return;
-  kit_samples_free(&kit->samples);
-  free(kit);
-}
-
-static Outcome read_kit(const char *where, const char *text, LogKit *kit) {
+static Outcome read_kit(const char *where, const char *text, TaborKitDef *kit) {
   char message[2 * TABOR_TEXT_SIZE];
-  KitSampleReader notes = {.file = "", .samples = &kit->samples};
-  const KitFileReader reader = {.def = &kit->def, .note = kit_samples_take_pair, .context = &notes};
-  kit_samples_begin(&kit->samples);
-  if (kit_file_parse("kit", text, strlen(text), &reader, message, sizeof message) ==
-        PRESET_FILE_OK &&
-      kit_file_check("kit", &kit->def, message, sizeof message)) {
+  if (kit_file_parse("kit", text, strlen(text), kit, message, sizeof message) == PRESET_FILE_OK &&
+      kit_file_check("kit", kit, message, sizeof message)) {
     return OUTCOME_OK;
   }
   return refuse("%s %s", where, message);
@@ -354,7 +328,7 @@ static Outcome read_kit(const char *where, const char *text, LogKit *kit) {
 static void take_kit(Fields *fields, LogLine *line) {
   const char *const text = json_string_value(json_object_get(fields->object, "kit"));
   LogDrum *const drum = line->drum = calloc(1, sizeof *drum);
-  LogKit *const kit = line->kit = calloc(1, sizeof *kit);
+  TaborKitDef *const kit = line->kit = calloc(1, sizeof *kit);
   if (!text) complain(fields, "kit", "the text of a kit file");
   if (!drum || !kit) fields->outcome = fail_memory();
   if (fields->outcome != OUTCOME_OK) return;

@@ -40,19 +40,12 @@ typedef struct LogDrum {
   TaborDrumDef def;
 } LogDrum;
 
-/** A kit at the start. */
-typedef struct LogKit {
-  TaborKitDef def;
-  KitSamples samples; /**< not read yet */
-} LogKit;
-
 /** How a performance started, apart from its drum. */
 typedef struct LogStart {
   char program[TABOR_NAME_SIZE]; /**< version */
   double rate;                   /**< [Hz] */
   double gain;                   /**< factor */
   const TaborKitDef *kit;        /**< to be written; or NULL */
-  const KitSamples *samples;     /**< of the kit, to be written */
   uint32_t channels;
   uint32_t mics
     [TABOR_MAX_MICS]; /**< of each channel: index among the drum's microphones, of a kit its output */
@@ -64,7 +57,7 @@ typedef struct LogLine {
   LogStart start; /**< of LOG_START */
   LogDrum *
     drum; /**< of LOG_START and LOG_MODEL, of a kit's start without definition; the caller frees it */
-  LogKit *kit;           /**< of a kit's LOG_START; free with log_kit_free() */
+  TaborKitDef *kit;      /**< of a kit's LOG_START; the caller frees it */
   uint32_t model;        /**< its number, of LOG_MODEL; those of a log are 1, 2, ... */
   PlayerMessage message; /**< of LOG_MESSAGE; a swap itself and its strikers are not in the text */
   uint64_t frames, lost; /**< of LOG_MARK and LOG_END: frames played, messages lost */
@@ -76,9 +69,6 @@ char *log_line_model(uint32_t number, const TaborModel *model, const char *prese
 char *log_line_message(const PlayerMessage *message);
 char *log_line_mark(uint64_t frames, uint64_t lost);
 char *log_line_end(uint64_t frames, uint64_t lost);
-
-/** NULL is allowed. */
-void log_kit_free(LogKit *kit);
 
 /** True if the text is no whole JSON value, as the last line of a log whose writer was killed. */
 bool log_line_is_cut(const char *text, size_t length);

@@ -48,7 +48,7 @@ static Outcome build_kit(OfflinePlayer *player) {
 static Outcome open_kit(OfflinePlayer *player) {
   RenderRequest *const request = player->request;
   const double rate = request->model.sample_rate;
-  Outcome outcome = kit_samples_load(&request->samples, rate);
+  Outcome outcome = kit_samples_load(&request->samples, request->kit, rate);
   if (outcome == OUTCOME_OK) outcome = build_kit(player);
   if (outcome != OUTCOME_OK) return outcome;
   for (uint32_t i = 0; i < request->kit->drum_count; i++) {

@@ -195,7 +195,7 @@ static Outcome read_kit(const Arguments *arguments, RenderRequest *request) {
   }
   request->own_kit = malloc(sizeof *request->own_kit);
   if (!request->own_kit) return fail_memory();
-  outcome = kit_load(arguments, request->own_kit, &request->samples);
+  outcome = kit_load(arguments, request->own_kit);
   if (outcome != OUTCOME_OK) return outcome;
   render_request_set_kit(request, request->own_kit);
   return render_threads_read(arguments, &request->threads);
@@ -223,7 +223,7 @@ static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request)
   KitMidi *const midi = request->kit_midi = malloc(sizeof *midi);
   if (!midi) return fail_memory();
   kit_midi_begin(midi, request->kit, &setup);
-  kit_samples_map(&request->samples, midi->has_sample);
+  kit_samples_map(request->kit, midi->has_sample);
   outcome = check_standard_input(arguments);
   if (outcome != OUTCOME_OK) return outcome;
   return kit_song_read(arguments, request->kit, midi, humanizer, request->model.sample_rate,
@@ -336,9 +336,7 @@ static Outcome read_replay(const Arguments *arguments, RenderRequest *request) {
   request->replays = true;
   request->def = replay->drum->def;
   if (replay->kit) {
-    render_request_set_kit(request, &replay->kit->def);
-    request->samples = replay->kit->samples;
-    kit_samples_begin(&replay->kit->samples);
+    render_request_set_kit(request, replay->kit);
     outcome = render_threads_read(arguments, &request->threads);
   }
   request->preset = replay->drum->preset;

@@ -140,9 +140,9 @@ Outcome render_outputs_protect(const Arguments *arguments, const RenderRequest *
     const char *const name = arguments_value(arguments, files[i].option);
     if (name) outcome = protect(request, name, files[i].what);
   }
-  for (int note = 0; note < MIDI_VALUES && outcome == OUTCOME_OK; note++) {
-    const char *const path = request->samples.notes[note].path;
-    if (path) outcome = protect(request, path, "sample");
+  for (int i = 0; request->kit && i < TABOR_KIT_NOTES && outcome == OUTCOME_OK; i++) {
+    const char *const path = request->kit->note[i].sample;
+    if (*path) outcome = protect(request, path, "sample");
   }
   return outcome;
 }

@@ -67,12 +67,12 @@ static Outcome take_model(const Reader *reader, LogLine *line) {
 
 /* A drum of the kit, one of its samples, or the only drum. */
 static Outcome check_address(const Reader *reader, const PlayerMessage *message) {
-  const LogKit *const kit = reader->replay->kit;
-  const uint32_t drums = kit ? kit->def.drum_count : 1, drum = message->drum;
+  const TaborKitDef *const kit = reader->replay->kit;
+  const uint32_t drums = kit ? kit->drum_count : 1, drum = message->drum;
   const bool is_note = drum >= KIT_SAMPLE && drum < KIT_SAMPLE + MIDI_VALUES;
   const bool is_event = message->type != PLAYER_MODEL;
   if (drum < drums || (kit && is_event && drum == TABOR_KIT_ALL)) return OUTCOME_OK;
-  if (kit && is_event && is_note && kit->samples.notes[drum - KIT_SAMPLE].path) return OUTCOME_OK;
+  if (kit && is_event && is_note && kit->note[drum - KIT_SAMPLE].sample[0]) return OUTCOME_OK;
   if (is_note) {
     return refuse("%s note %u: there is no sample for it", reader->where,
                   (unsigned)(drum - KIT_SAMPLE));
@@ -158,7 +158,7 @@ static Outcome read_line(Reader *reader, const char *text, size_t length) {
   Outcome outcome = log_line_read(reader->where, text, length, &line);
   if (outcome == OUTCOME_OK) outcome = take_line(reader, &line);
   free(line.drum);
-  log_kit_free(line.kit);
+  free(line.kit);
   return outcome;
 }
 
@@ -201,6 +201,6 @@ void replay_free(Replay *replay) {
   free(replay->models);
   free(replay->messages);
   free(replay->drum);
-  log_kit_free(replay->kit);
+  free(replay->kit);
   *replay = (Replay){0};
 }

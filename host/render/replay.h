@@ -11,8 +11,8 @@
 /** A performance. Initialise with {0}. */
 typedef struct Replay {
   LogStart start;
-  LogDrum *drum; /**< at the start */
-  LogKit *kit;   /**< at the start, or NULL */
+  LogDrum *drum;    /**< at the start */
+  TaborKitDef *kit; /**< at the start, or NULL */
   PlayerMessage *messages;
   size_t count, capacity;
   LogDrum **models; /**< that messages change to; number 1 comes first */

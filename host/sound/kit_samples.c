@@ -34,6 +34,7 @@ static KitSampleVoice *free_voice(KitSamples *samples) {
 void kit_samples_strike(KitSamples *samples, uint32_t note, double strength, uint32_t offset) {
   const KitSample *const sample = &samples->notes[note];
   choke(samples, sample->choke, offset);
+  if (!sample->sound[0]) return;
   *free_voice(samples) =
     (KitSampleVoice){.sample = sample, .wait = offset, .gain = (float)(strength * strength)};
 }

@@ -21,10 +21,8 @@
   32 /**< sounding at once; a further stroke takes the place of the oldest */
 
 typedef struct KitSample {
-  char *path; /**< NULL: the note has none */
-  double gain_db;
   uint32_t choke;
-  float *sound[2]; /**< the same for both sides if mono */
+  float *sound[2]; /**< NULL: the note has none; the second one if it is mono */
   uint32_t frames;
 } KitSample;
 

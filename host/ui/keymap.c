@@ -255,26 +255,27 @@ static bool read_key(Line *line) {
   return false;
 }
 
-/* A PresetPairFn. */
-static bool take_pair(void *context, const char *section, const char *key, const char *value,
-                      unsigned line_number, char *message, size_t size) {
-  (void)line_number;
+/* A TaborTextTake. */
+static TaborStatus take_line(void *context, const TaborTextLine *text, TaborError *error) {
   Keymap *const keymap = context;
-  if (strcmp(section, "keys") != 0) {
-    (void)snprintf(message, size, "unknown section [%s]; allowed: [keys]", section);
-    return false;
+  Line line = {.key = text->key,
+               .action = text->value,
+               .message = error->message,
+               .size = sizeof error->message};
+  if (strcmp(text->section, "keys") != 0) {
+    (void)snprintf(line.message, line.size, "unknown section [%s]; allowed: [keys]", text->section);
+    return TABOR_ERROR_KEY;
   }
-  if (!key) return true;
-  Line line = {.key = key, .action = value, .message = message, .size = size};
-  if (!read_key(&line) || !read_action(&line)) return false;
-  if (bind(keymap, &line.binding)) return true;
-  (void)snprintf(message, size, "too many keys; allowed: up to %d", MOST_KEYS);
-  return false;
+  if (!text->key) return TABOR_OK;
+  if (!read_key(&line) || !read_action(&line)) return TABOR_ERROR_VALUE;
+  if (bind(keymap, &line.binding)) return TABOR_OK;
+  (void)snprintf(line.message, line.size, "too many keys; allowed: up to %d", MOST_KEYS);
+  return TABOR_ERROR_FULL;
 }
 
 Outcome keymap_read(const char *path, Keymap *keymap) {
   char message[2 * TABOR_TEXT_SIZE];
-  switch (preset_file_read(path, take_pair, keymap, message, sizeof message)) {
+  switch (preset_file_read(path, take_line, keymap, message, sizeof message)) {
   case PRESET_FILE_OK: return OUTCOME_OK;
   case PRESET_FILE_UNREADABLE: return fail("--keys: %s", message);
   case PRESET_FILE_INVALID: break;

@@ -23,7 +23,7 @@ clap        16  host/plugin/
 clap        18  engine/src/model/
 clap        20  engine/src/room/
 definition  26  engine/src/definition/
-definition  36  host/plugin/definition_text.c
+definition  25  host/drums/definition_text.c
 events_file 30  host/strokes/events_file.c
 keymap      30  host/ui/keymap.c
 kit         28  engine/src/kit/

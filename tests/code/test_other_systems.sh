@@ -12,13 +12,13 @@ windows=x86_64-w64-mingw32-gcc-posix
 collect_headers() {
   local module
   mkdir headers modules
-  printf '#include <%s.h>\n' stdarg stddef stdint setjmp cmocka jansson sndfile fftw3 ini portaudio rtmidi_c >all.c
+  printf '#include <%s.h>\n' stdarg stddef stdint setjmp cmocka jansson sndfile fftw3 portaudio rtmidi_c >all.c
   # shellcheck disable=SC2046 # a list of options
-  "$CC" -M $(pkg-config --cflags cmocka jansson sndfile fftw3 inih portaudio-2.0 rtmidi) all.c 2>log | tr ' \\' '\n\n' |
-    grep -E '/(cmocka|jansson|jansson_config|sndfile|fftw3|ini|portaudio|rtmidi_c)\.h$' | sort -u >found ||
+  "$CC" -M $(pkg-config --cflags cmocka jansson sndfile fftw3 portaudio-2.0 rtmidi) all.c 2>log | tr ' \\' '\n\n' |
+    grep -E '/(cmocka|jansson|jansson_config|sndfile|fftw3|portaudio|rtmidi_c)\.h$' | sort -u >found ||
     { cat log >&2; complain "the libraries' headers were not found"; }
   xargs cp -t headers <found
-  for module in cmocka jansson sndfile fftw3 inih portaudio-2.0 rtmidi; do
+  for module in cmocka jansson sndfile fftw3 portaudio-2.0 rtmidi; do
     printf 'Name: %s\nDescription: headers\nVersion: 1\nCflags: -I%s\n' $module "$PWD/headers" >"modules/$module.pc"
   done
 }

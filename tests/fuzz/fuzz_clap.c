@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "clap_host.h"
+#include "drums/definition_text.h"
 #include "fuzz.h"
-#include "plugin/definition_text.h"
 
 enum { MOST_EVENTS = 64, MOST_BLOCKS = 24, MOST_FRAMES = 512 };
 
@@ -55,7 +55,7 @@ static void make_small(ClapHost *host) {
   def.quality.two_way_bandwidth = 500;
   def.quality.bandwidth = 1000;
   def.quality.wire_points = 8;
-  char *const text = definition_write(&def);
+  char *const text = definition_write(&def, TABOR_TEXT_KEEP, NULL, NULL);
   fuzz_require(text != NULL, "memory");
   set_state(&given, HEAD, sizeof HEAD - 1);
   memcpy(given.bytes + given.size, text, strlen(text));

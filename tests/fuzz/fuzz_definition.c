@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Definitions as the plugins save them (plugin/definition_text.h): refused with a reason, or valid, and written as they
+/* Definitions as the plugins save them (drums/definition_text.h): refused with a reason, or valid, and written as they
  * were read. */
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/definition_text.h"
 #include "fuzz.h"
-#include "plugin/definition_text.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   TaborDrumDef def, again;
@@ -16,10 +16,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     return 0;
   }
   fuzz_require(tabor_drum_def_validate(&def, NULL) == TABOR_OK, "what was read is valid");
-  char *const text = definition_write(&def);
+  char *const text = definition_write(&def, TABOR_TEXT_KEEP, NULL, NULL);
   fuzz_require(text != NULL, "memory");
   fuzz_require(definition_read(text, strlen(text), &again, &error), "what was written is read");
-  char *const second = definition_write(&again);
+  char *const second = definition_write(&again, TABOR_TEXT_KEEP, NULL, NULL);
   fuzz_require(second != NULL && strcmp(text, second) == 0, "it comes back as it was");
   free(second);
   free(text);

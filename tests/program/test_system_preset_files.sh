@@ -52,12 +52,12 @@ bad "bad.ini"
 bad "bad.ini"
 printf '[drum]\nname = caf\351\n' >bad.ini
 bad "bad.ini"
-with "; $(printf 'x%.0s' {1..300})"
+with "; $(printf 'x%.0s' {1..900})"
 bad "bad.ini"
-with "; $(printf 'x%.0s' {1..198})"
+with "; $(printf 'x%.0s' {1..510})"
 bad "bad.ini"
-{ cat good.ini && for ((i = 0; i < 1400; i++)); do echo "; forty-eight bytes of comment to fill a preset up"; done; } >bad.ini
-check "the large preset is too large" test "$(wc -c <bad.ini)" -gt 65536
+{ cat good.ini && for ((i = 0; i < 22000; i++)); do echo "; forty-eight bytes of comment to fill a preset up"; done; } >bad.ini
+check "the large preset is too large" test "$(wc -c <bad.ini)" -gt 1048576
 bad "bad.ini"
 echo 'tension = 3000' >bad.ini
 bad "bad.ini"

@@ -15,7 +15,7 @@
 #define CLAP_EVENTS 1024
 #define CLAP_CHANNELS 18  /**< most channels of all outputs */
 #define CLAP_PORTS 9      /**< most outputs */
-#define CLAP_STATE 131072 /**< most bytes of a state */
+#define CLAP_STATE 1200000 /**< most bytes of a state */
 
 typedef union ClapEvent {
   clap_event_header_t header;

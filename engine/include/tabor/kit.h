@@ -4,7 +4,7 @@
  * Several drums that are played as one instrument, in one room, and hear each other.
  *
  * - A *kit definition* (TaborKitDef) is a plain struct: drums, where they stand, which notes play them, how loud
- *   they are in the mix. It has some 130 kB: allocate it.
+ *   they are in the mix. It has some 170 kB: allocate it.
  * - A *kit* (TaborKit) is the sounding instrument. It takes events that are addressed to drums and fills outputs: a
  *   stereo mix, each drum's part of it, each microphone.
  *
@@ -87,6 +87,16 @@ typedef struct TaborKitDrumDef {
   uint8_t notes[TABOR_KIT_NOTES]; /**< a TaborKitStroke for each note */
 } TaborKitDrumDef;
 
+/**
+ * A sound file that a note plays: what a kit does not model, as a hi-hat. The library does not read files, it only keeps their
+ * names; the program that plays the kit does.
+ */
+typedef struct TaborKitNoteDef {
+  char sample[TABOR_TEXT_SIZE]; /**< name of the file; "", the default: the note plays none */
+  double gain;                  /**< of it [dB], -120 to 24, default 0 */
+  uint32_t choke; /**< a stroke fades others of the same group; 0, the default: none, to 15 */
+} TaborKitNoteDef;
+
 /** A whole kit. Plain data. */
 typedef struct TaborKitDef {
   uint32_t struct_size;          /**< set by tabor_kit_def_default() */
@@ -106,6 +116,7 @@ typedef struct TaborKitDef {
   TaborRoomDef room;                     /**< around the kit; heard through the overheads */
   uint32_t drum_count;                   /**< 0 to TABOR_KIT_DRUMS; a kit that plays needs one */
   TaborKitDrumDef drum[TABOR_KIT_DRUMS]; /**< the drums */
+  TaborKitNoteDef note[TABOR_KIT_NOTES]; /**< sound files by their notes of General MIDI */
 } TaborKitDef;
 
 /** A built-in kit: name for tabor_kit_def_preset(), description, and name of its text file in kits/. */
@@ -126,7 +137,7 @@ TABOR_API void tabor_kit_def_default(TaborKitDef *def);
 TABOR_API TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, TaborError *error);
 /**
  * Sets one field from text. Keys are `kit.KEY` and `room.KEY`, as the fields above and those of TaborRoomDef are
- * called, and `drum.NAME.KEY`, where a new NAME adds a drum. KEY is
+ * called; `note.N.sample`, `note.N.gain` and `note.N.choke`; and `drum.NAME.KEY`, where a new NAME adds a drum. KEY is
  *
  * - `preset`: the drum becomes this built-in preset, or with "none" what tabor_drum_def_clear() makes of it; place, mix and
  *   notes stay;
@@ -139,10 +150,34 @@ TABOR_API TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, T
  */
 TABOR_API TaborStatus tabor_kit_def_set(TaborKitDef *def, const char *key, const char *value,
                                         TaborError *error);
-/** Begins a section of a kit file: `kit`, `room` or `drum.NAME`, which adds that drum. TABOR_ERROR_KEY,
+/** Begins a section of a kit file: `kit`, `room`, `note.N` or `drum.NAME`, which adds that drum. TABOR_ERROR_KEY,
  * TABOR_ERROR_FULL. */
 TABOR_API TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section,
                                             TaborError *error);
+/**
+ * Writes the value of @p key, which tabor_kit_def_set() takes, to @p text, in at most @p size bytes with the terminator; it
+ * reads back to the same bits. Of `drum.NAME.preset` that is the built-in preset of the drum's own name if the drum has all
+ * parameters of it, otherwise "none". TABOR_ERROR_NAME for a drum that the kit lacks; TABOR_ERROR_KEY; TABOR_ERROR_ARGUMENT
+ * if the text does not fit, for which 2 * TABOR_TEXT_SIZE bytes are enough.
+ */
+TABOR_API TaborStatus tabor_kit_def_get(const TaborKitDef *def, const char *key, char *text,
+                                        size_t size, TaborError *error);
+/**
+ * Writes full key @p index of @p def, from 0 in the order of kit files, to @p key, which has @p size bytes. False past the
+ * last key, or if the key does not fit; 4 * TABOR_NAME_SIZE bytes are enough. Notes without a sound file are skipped.
+ */
+TABOR_API bool tabor_kit_def_key(const TaborKitDef *def, uint32_t index, char *key, size_t size);
+/**
+ * Reads a definition from the text of a kit file: what tabor_kit_def_set() makes of each key, after
+ * tabor_kit_def_default(). On an error @p def is unchanged: those of tabor_text_read(), tabor_kit_def_set() and
+ * tabor_kit_def_section(). Rules that involve several fields are left to tabor_kit_def_validate().
+ */
+TABOR_API TaborStatus tabor_kit_def_read(TaborKitDef *def, const char *text, size_t size,
+                                         TaborError *error);
+/** Writes a definition as the text of a kit file, which tabor_kit_def_read() reads back to the same bits:
+ * parameters and errors as of tabor_drum_def_write(). */
+TABOR_API TaborStatus tabor_kit_def_write(const TaborKitDef *def, uint32_t form, char *text,
+                                          size_t size, size_t *length, TaborError *error);
 /**
  * Checks ranges and rules: every drum by tabor_drum_def_validate(), one drum for each note, names that differ. The message
  * names the drum.

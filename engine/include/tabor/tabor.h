@@ -99,6 +99,9 @@ typedef struct TaborError {
   double minimum;                /**< least allowed value; NaN where no range applies */
   double maximum;                /**< greatest allowed value; NaN where no range applies */
   char message[TABOR_TEXT_SIZE]; /**< one line for a person, without a line feed */
+  uint32_t
+    line; /**< of the text that was read, from 1; 0: no text was, or it is wrong as a whole */
+  uint32_t column; /**< byte of that line at which the error begins, from 1; 0 without a line */
 } TaborError;
 
 /* ------------------------------------------------------------------------------------------------
@@ -590,6 +593,85 @@ TABOR_API TaborStatus tabor_drum_def_pitch(const TaborDrumDef *def, uint32_t hea
 TABOR_API int tabor_drum_def_find_striker(const TaborDrumDef *def, const char *name);
 /** Index of the microphone @p name, or -1. */
 TABOR_API int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name);
+/** @} */
+
+/* ------------------------------------------------------------------------------------------------
+ * Text
+ * --------------------------------------------------------------------------------------------- */
+
+#define TABOR_TEXT_LIMIT 1048576 /**< longest text [bytes] */
+#define TABOR_TEXT_LINE 511      /**< longest line of a text, without its end [bytes] */
+#define TABOR_TEXT_WORD 127      /**< longest name of a section, and longest key [bytes] */
+
+/** A line of a text: a section begins, or a key has a value. Pointers are good until the call returns. */
+typedef struct TaborTextLine {
+  const char *section; /**< in which it stands, or which begins; "" before the first */
+  const char *key;     /**< NULL where a section begins */
+  const char *value;   /**< "" if nothing follows the '='; NULL where a section begins */
+  uint32_t number;     /**< of the line, from 1 */
+} TaborTextLine;
+
+/** Takes a line for tabor_text_read(). Anything but TABOR_OK, with a message in @p error, ends the reading. */
+typedef TaborStatus TaborTextTake(void *context, const TaborTextLine *line, TaborError *error);
+
+/** What a text is for. */
+typedef enum TaborTextForm {
+  TABOR_TEXT_EDIT, /**< for people: units and descriptions as comments; of a kit's drum what its preset has otherwise */
+  TABOR_TEXT_KEEP /**< for sessions and logs: every value and no comment, the same in every version */
+} TaborTextForm;
+
+/** @name Set-up: definitions as text
+ * SET-UP: any thread but the audio thread.
+ *
+ * Files of presets and kits, and all else of this form, are UTF-8:
+ *
+ *     ; a comment
+ *     [batter]
+ *     tension = 3000   ; N/m: why
+ *
+ * A comment begins with ';', after a value with a blank and ';', and a line of it with '#', too. What could be a
+ * mistake is refused: control characters but tabs and line ends; invalid UTF-8; lines, names of sections and keys that are
+ * too long; indented lines; text behind a section's ']'; a line without '='; sections, and keys of a section, that occur
+ * twice; and a last line without a line end, since a text that was cut off there would give another number. A key that stands
+ * before the first section has to be a full one, as `batter.tension`. */
+/** @{ */
+
+/**
+ * Gives each section and each key of a text to @p take, in order; none if the text as a whole is malformed.
+ *
+ * @param text    @p size bytes, which need no terminator.
+ * @param size    0 to TABOR_TEXT_LIMIT.
+ * @param take    takes them.
+ * @param context goes to @p take.
+ * @param error   says what is wrong and in which line and column; its message does not repeat them. May be NULL.
+ *
+ * Errors: TABOR_ERROR_VALUE for a malformed text, TABOR_ERROR_MEMORY, and what @p take returns.
+ */
+TABOR_API TaborStatus tabor_text_read(const char *text, size_t size, TaborTextTake *take,
+                                      void *context, TaborError *error);
+/**
+ * Reads a definition from the text of a preset file: what tabor_drum_def_set() makes of each key, after
+ * tabor_drum_def_clear(). On an error @p def is unchanged: those of tabor_text_read(), tabor_drum_def_set() and
+ * tabor_drum_def_section(). Rules that involve several fields are left to tabor_drum_def_validate().
+ */
+TABOR_API TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, size_t size,
+                                          TaborError *error);
+/**
+ * Writes a definition as the text of a preset file, which tabor_drum_def_read() reads back to the same bits.
+ *
+ * @param def    the definition.
+ * @param form   a TaborTextForm.
+ * @param text   receives the text with its terminator; NULL: its length alone is asked for.
+ * @param size   bytes of @p text; 0 if that is NULL.
+ * @param length receives the bytes without the terminator, unless it is NULL.
+ * @param error  may be NULL.
+ *
+ * Errors: TABOR_ERROR_VALUE for a text parameter that would read back otherwise, as there are no quotes (it begins or ends
+ * with a blank, begins with ';', or has " ;" in it); those of tabor_drum_def_get(); TABOR_ERROR_ARGUMENT if the text does
+ * not fit: @p text is then "".
+ */
+TABOR_API TaborStatus tabor_drum_def_write(const TaborDrumDef *def, uint32_t form, char *text,
+                                           size_t size, size_t *length, TaborError *error);
 /** @} */
 
 /* ------------------------------------------------------------------------------------------------

@@ -55,6 +55,23 @@ typedef bool TbVisit(void *context, const TbParam *param, uint32_t element);
  */
 bool tb_walk(const TaborDrumDef *def, TbVisit *visit, void *context);
 
+/** Called for a full key. Returning false ends the walk. */
+typedef bool TbKeyVisit(void *context, const char *key);
+
+/** Visits the keys of tabor_drum_def_key(), in order. Returns false if a visit returned false. */
+bool tb_def_walk_keys(const TaborDrumDef *def, TbKeyVisit *visit, void *context);
+
+/** The walk to key number `left`, which goes to `key`. */
+typedef struct TbKeySearch {
+  uint32_t left;
+  char *key;
+  size_t size; /**< bytes of key */
+  bool fits;   /**< it was found and fits */
+} TbKeySearch;
+
+/** A TbKeyVisit, whose context is a TbKeySearch. */
+bool tb_count_key(void *context, const char *key);
+
 /** Writes the existing or possible full key nearest to @p text, "" if none is near. */
 void tb_def_key_nearest(const TaborDrumDef *def, const char *text, char nearest[TB_DEF_KEY_SIZE]);
 

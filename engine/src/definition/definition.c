@@ -238,32 +238,41 @@ TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *t
                       "%s: the value does not fit into %zu bytes", key, size);
 }
 
-/* The walk to key number `left`. */
-typedef struct KeySearch {
+/* A walk over the keys that have values. */
+typedef struct KeyWalk {
   const TaborDrumDef *def;
-  uint32_t left;
-  const TbParam *param;
-  uint32_t element;
-} KeySearch;
+  TbKeyVisit *visit;
+  void *context;
+} KeyWalk;
 
-static bool count_key(void *context, const TbParam *param, uint32_t element) {
-  KeySearch *const search = context;
-  const TbValue value = tb_def_value_load(param, tb_param_field_const(param, search->def, element));
-  if (tb_def_value_follows(param, &value) || search->left-- > 0) return true;
-  search->param = param;
-  search->element = element;
+/* A TbVisit. */
+static bool visit_key(void *context, const TbParam *param, uint32_t element) {
+  const KeyWalk *const walk = context;
+  const TbValue value = tb_def_value_load(param, tb_param_field_const(param, walk->def, element));
+  char key[TB_DEF_KEY_SIZE];
+  if (tb_def_value_follows(param, &value)) return true;
+  tb_def_key_write(walk->def, param, element, key);
+  return walk->visit(walk->context, key);
+}
+
+bool tb_def_walk_keys(const TaborDrumDef *def, TbKeyVisit *visit, void *context) {
+  KeyWalk walk = {def, visit, context};
+  return tb_walk(def, visit_key, &walk);
+}
+
+bool tb_count_key(void *context, const char *key) {
+  TbKeySearch *const search = context;
+  if (search->left-- > 0) return true;
+  search->fits = strlen(key) < search->size;
+  if (search->fits) memcpy(search->key, key, strlen(key) + 1);
   return false;
 }
 
 bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char *key, size_t size) {
   if (!def || !key) return false;
-  KeySearch search = {.def = def, .left = index};
-  if (tb_walk(def, count_key, &search)) return false;
-  char text[TB_DEF_KEY_SIZE];
-  tb_def_key_write(def, search.param, search.element, text);
-  if (strlen(text) >= size) return false;
-  memcpy(key, text, strlen(text) + 1);
-  return true;
+  TbKeySearch search = {.left = index, .key = key, .size = size};
+  (void)tb_def_walk_keys(def, tb_count_key, &search);
+  return search.fits;
 }
 
 int tabor_drum_def_find_striker(const TaborDrumDef *def, const char *name) {

@@ -93,6 +93,20 @@ TaborStatus tb_error_null(TaborError *error, const char *what) {
                       "the %s is NULL", what);
 }
 
+TaborStatus tb_error_place(TaborError *error, TaborStatus status, uint32_t line, uint32_t column) {
+  if (!error) return status;
+  error->line = line;
+  error->column = column;
+  return status;
+}
+
+TaborStatus tb_error_add(TaborError *error, TaborStatus status, const char *text) {
+  if (!error) return status;
+  const size_t length = strlen(error->message);
+  tb_text_copy(error->message + length, sizeof error->message - length, text);
+  return status;
+}
+
 TaborStatus tb_error_clear(TaborError *error) {
   return tb_error_set(error, TABOR_OK, NULL, NULL, (double)NAN, (double)NAN, "%s", "");
 }

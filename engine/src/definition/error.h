@@ -39,6 +39,12 @@ TaborStatus tb_error_set(TaborError *error, TaborStatus status, const char *key,
 /** Reports a NULL argument: "the WHAT is NULL". */
 TaborStatus tb_error_null(TaborError *error, const char *what);
 
+/** Says where in a text the error is, and returns @p status. */
+TaborStatus tb_error_place(TaborError *error, TaborStatus status, uint32_t line, uint32_t column);
+
+/** Adds @p text to the message as far as there is room, and returns @p status. */
+TaborStatus tb_error_add(TaborError *error, TaborStatus status, const char *text);
+
 /** Sets @p error, if it is not NULL, to TABOR_OK without key, value, range or message. */
 TaborStatus tb_error_clear(TaborError *error);
 

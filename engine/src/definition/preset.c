@@ -40,15 +40,5 @@ TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborErro
   if (!name) return tb_error_null(error, "preset's name");
   const TbPreset *const preset = find_preset(name);
   if (!preset) return refuse_preset(name, error);
-  TaborDrumDef read;
-  tabor_drum_def_clear(&read);
-  for (uint32_t i = 0; i < preset->pair_count; i++) {
-    const TbPresetPair *const pair = &preset->pairs[i];
-    const TaborStatus status = pair->value
-                                 ? tabor_drum_def_set(&read, pair->key, pair->value, error)
-                                 : tabor_drum_def_section(&read, pair->key, error);
-    if (status != TABOR_OK) return status; /* test_preset sees to it that this never happens */
-  }
-  *def = read;
-  return tb_error_clear(error);
+  return tabor_drum_def_read(def, preset->text, preset->size, error);
 }

@@ -9,15 +9,10 @@
 
 #include "tabor/tabor.h"
 
-/** A line of a preset: "batter.tension", "3000". A section's line is "batter", NULL. */
-typedef struct TbPresetPair {
-  const char *key, *value;
-} TbPresetPair;
-
 typedef struct TbPreset {
   TaborPresetInfo info;
-  const TbPresetPair *pairs;
-  uint32_t pair_count;
+  const char *text; /**< for tabor_drum_def_read() or tabor_kit_def_read(); no terminator */
+  size_t size;
 } TbPreset;
 
 extern const TbPreset tb_presets[];

@@ -3,6 +3,7 @@
 #include "kit/kit_def.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "definition/def_text.h"
@@ -44,8 +45,7 @@ static TaborStatus check_fields(const TbKitField *fields, uint32_t count, const 
                                 const char *of, TaborError *error) {
   for (uint32_t i = 0; i < count; i++) {
     const TbKitField *const field = &fields[i];
-    double value;
-    memcpy(&value, (const char *)values + field->offset, sizeof value);
+    const double value = tb_kit_field_value(field, values);
     if (value >= field->minimum && value <= field->maximum) continue;
     return tb_error_set(error, TABOR_ERROR_RANGE, field->key, NULL, field->minimum, field->maximum,
                         "%s: %s is %g %s; allowed: %g to %g", of, field->key, value, field->unit,
@@ -119,6 +119,26 @@ static TaborStatus check_notes(const TaborKitDef *def, TaborError *error) {
   return TABOR_OK;
 }
 
+static TaborStatus check_samples(const TaborKitDef *def, TaborError *error) {
+  for (uint32_t note = 0; note < TABOR_KIT_NOTES; note++) {
+    const TaborKitNoteDef *const sample = &def->note[note];
+    char key[TABOR_NAME_SIZE];
+    (void)snprintf(key, sizeof key, "note.%lu", (unsigned long)note);
+    if (!tb_text_is_valid(sample->sample, sizeof sample->sample)) {
+      return tb_error_set(error, TABOR_ERROR_VALUE, key, NULL, NAN, NAN,
+                          "%s: the name of its sound file is not a line of printable text", key);
+    }
+    if (sample->choke > TB_KIT_MOST_CHOKE) {
+      return tb_error_set(error, TABOR_ERROR_RANGE, key, NULL, 0.0, TB_KIT_MOST_CHOKE,
+                          "%s: choke group %u; allowed: 0 (none) to %u", key,
+                          (unsigned)sample->choke, TB_KIT_MOST_CHOKE);
+    }
+    const TaborStatus status = check_fields(&tb_kit_note_gain, 1, sample, key, error);
+    if (status != TABOR_OK) return status;
+  }
+  return TABOR_OK;
+}
+
 TaborStatus tabor_kit_def_validate(const TaborKitDef *def, TaborError *error) {
   TaborStatus status = tb_kit_check_struct(def, error);
   if (status != TABOR_OK) return status;
@@ -139,5 +159,6 @@ TaborStatus tabor_kit_def_validate(const TaborKitDef *def, TaborError *error) {
     if (status == TABOR_OK) status = check_choices(drum, error);
     if (status == TABOR_OK) status = check_drum(drum, error);
   }
-  return status == TABOR_OK ? check_notes(def, error) : status;
+  if (status == TABOR_OK) status = check_notes(def, error);
+  return status == TABOR_OK ? check_samples(def, error) : status;
 }

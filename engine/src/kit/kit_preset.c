@@ -23,22 +23,13 @@ static TaborStatus refuse_kit(const char *name, TaborError *error) {
                       *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
 }
 
-static TaborStatus read_kit(const TbPreset *kit, TaborKitDef *def, TaborError *error) {
-  TaborStatus status = TABOR_OK;
-  tabor_kit_def_default(def);
-  for (uint32_t i = 0; i < kit->pair_count && status == TABOR_OK; i++) {
-    const TbPresetPair *const pair = &kit->pairs[i];
-    status = pair->value ? tabor_kit_def_set(def, pair->key, pair->value, error)
-                         : tabor_kit_def_section(def, pair->key, error);
-  }
-  return status; /* test_kit_def sees to it that it is never an error */
-}
-
 TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, TaborError *error) {
   if (!def) return tb_error_null(error, "kit definition");
   if (!name) return tb_error_null(error, "kit's name");
   for (uint32_t i = 0; i < tb_kit_count; i++) {
-    if (strcmp(tb_kits[i].info.name, name) == 0) return read_kit(&tb_kits[i], def, error);
+    const TbPreset *const kit = &tb_kits[i];
+    if (strcmp(kit->info.name, name) != 0) continue;
+    return tabor_kit_def_read(def, kit->text, kit->size, error);
   }
   return refuse_kit(name, error);
 }

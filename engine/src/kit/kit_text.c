@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Kit definitions from text: keys and sections. */
+/* Kit definitions from text: keys, sections, and whole texts. */
 #define _POSIX_C_SOURCE 200809L /* strnlen */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "definition/def_key.h"
@@ -156,14 +157,14 @@ static TaborStatus set_preset(TaborKitDrumDef *drum, const char *key, const char
   return tb_error_set(error, status, key, text, NAN, NAN, "%s: %s", key, own.message);
 }
 
-static TaborStatus set_choke(TaborKitDrumDef *drum, const char *key, const char *text,
+static TaborStatus set_choke(uint32_t *choke, const char *key, const char *text,
                              TaborError *error) {
   uint32_t group;
   if (tb_whole_parse(text, &group) != TB_PARSE_OK || group > TB_KIT_MOST_CHOKE) {
     return tb_error_set(error, TABOR_ERROR_RANGE, key, text, 0.0, TB_KIT_MOST_CHOKE,
                         "%s '%s': allowed are 0 (none) to %u", key, text, TB_KIT_MOST_CHOKE);
   }
-  drum->choke = group;
+  *choke = group;
   return tb_error_clear(error);
 }
 
@@ -218,7 +219,7 @@ static TaborStatus set_own(TaborKitDrumDef *drum, const char *key, const char *n
 static TaborStatus set_drum(TaborKitDrumDef *drum, const char *key, const char *name,
                             const char *text, TaborError *error) {
   if (strcmp(name, "preset") == 0) return set_preset(drum, key, text, error);
-  if (strcmp(name, "choke") == 0) return set_choke(drum, key, text, error);
+  if (strcmp(name, "choke") == 0) return set_choke(&drum->choke, key, text, error);
   if (strcmp(name, "mic") == 0) return copy_text(drum->mic, sizeof drum->mic, key, text, error);
   for (uint32_t stroke = 1; stroke < TB_KIT_STROKES; stroke++) {
     if (strcmp(name, tb_kit_stroke_word(stroke)) == 0) {
@@ -253,6 +254,31 @@ static TaborStatus set_drum_key(TaborKitDef *def, const char *key, const char *t
   return TABOR_OK;
 }
 
+/* ---- [note.N] -------------------------------------------------------------------------------- */
+
+static TaborStatus refuse_note(const char *key, TaborError *error) {
+  return tb_error_set(error, TABOR_ERROR_KEY, key, NULL, 0.0, TABOR_KIT_NOTES - 1,
+                      "'%s': allowed are note.0 to note.%d, with the keys sample, gain and choke",
+                      key, TABOR_KIT_NOTES - 1);
+}
+
+static TaborStatus set_note(TaborKitDef *def, const char *key, const char *text,
+                            TaborError *error) {
+  const char *rest;
+  double number;
+  const int index = tb_kit_note_parse(key, &rest);
+  if (index < 0) return refuse_note(key, error);
+  TaborKitNoteDef *const note = &def->note[index];
+  if (strcmp(rest, ".sample") == 0) {
+    return copy_text(note->sample, sizeof note->sample, key, text, error);
+  }
+  if (strcmp(rest, ".choke") == 0) return set_choke(&note->choke, key, text, error);
+  if (strcmp(rest, ".gain") != 0) return refuse_note(key, error);
+  const TaborStatus status = read_number(&tb_kit_note_gain, key, text, &number, error);
+  if (status == TABOR_OK) note->gain = number;
+  return status;
+}
+
 /* ---- all of them ----------------------------------------------------------------------------- */
 
 static bool begins(const char *text, const char *start) {
@@ -268,6 +294,7 @@ TaborStatus tabor_kit_def_set(TaborKitDef *def, const char *key, const char *val
   if (begins(key, "kit.")) return set_kit(def, key, key + strlen("kit."), value, error);
   if (begins(key, "room.")) return set_room(def, key, value, error);
   if (begins(key, DRUM_SECTION)) return set_drum_key(def, key, value, error);
+  if (begins(key, "note.")) return set_note(def, key, value, error);
   return refuse_key(key, error);
 }
 
@@ -276,6 +303,11 @@ TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborEr
   if (status != TABOR_OK) return status;
   if (!section) return tb_error_null(error, "section");
   if (strcmp(section, "kit") == 0 || strcmp(section, "room") == 0) return tb_error_clear(error);
+  if (begins(section, "note.")) {
+    const char *rest;
+    const bool is_note = tb_kit_note_parse(section, &rest) >= 0 && *rest == '\0';
+    return is_note ? tb_error_clear(error) : refuse_note(section, error);
+  }
   if (!begins(section, DRUM_SECTION)) return refuse_unknown("section", section, error);
   const char *const name = section + strlen(DRUM_SECTION);
   uint32_t index;
@@ -283,4 +315,23 @@ TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborEr
   if (status != TABOR_OK) return status;
   if (index == def->drum_count) new_drum(&def->drum[def->drum_count++], name, strlen(name));
   return tb_error_clear(error);
+}
+
+/* A TaborTextTake. */
+static TaborStatus take_line(void *def, const TaborTextLine *line, TaborError *error) {
+  char key[2 * TABOR_TEXT_WORD + 2];
+  if (!line->key) return tabor_kit_def_section(def, line->section, error);
+  (void)snprintf(key, sizeof key, "%s%s%s", line->section, *line->section ? "." : "", line->key);
+  return tabor_kit_def_set(def, key, line->value, error);
+}
+
+TaborStatus tabor_kit_def_read(TaborKitDef *def, const char *text, size_t size, TaborError *error) {
+  if (!def) return tb_error_null(error, "kit definition");
+  TaborKitDef *const read = malloc(sizeof *read);
+  if (!read) return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN, "out of memory");
+  tabor_kit_def_default(read);
+  const TaborStatus status = tabor_text_read(text, size, take_line, read, error);
+  if (status == TABOR_OK) *def = *read;
+  free(read);
+  return status;
 }

@@ -27,10 +27,14 @@ class Error(ValueError):
     status : str
         ``"argument"``, ``"key"``, ``"name"``, ``"value"``, ``"range"``, ``"full"``, ``"numerics"``, ``"state"``,
         ``"limit"`` or ``"cancelled"``.
+    line, column : int or None
+        Of a text that was read: the line, and the byte of it where the error begins, from 1.
     index : int or None
         In `render_kit`, the place of the drum among those asked for.
     """
 
+    line: Optional[int] = None
+    column: Optional[int] = None
     index: Optional[int] = None
 
     def __init__(self, message: str, status: str = "", key: str = "", value: str = "",
@@ -121,8 +125,30 @@ def check(function: Callable[..., int], *arguments: Any) -> None:
         raise MemoryError(message)
     is_unknown = status in (lib.TABOR_ERROR_KEY, lib.TABOR_ERROR_NAME)
     name = str(ffi.string(ffi.cast("TaborStatus", status))).rpartition("_")[2].lower()
-    raise (UnknownNameError if is_unknown else Error)(message, name, text(error.key), text(error.value),
-                                                      error.minimum, error.maximum)
+    refused = (UnknownNameError if is_unknown else Error)(message, name, text(error.key), text(error.value),
+                                                          error.minimum, error.maximum)
+    if error.line:
+        refused.line, refused.column = error.line, error.column
+    raise refused
+
+
+def read_ini(function: Callable[..., int], thing: Any, ini: bytes, name: str) -> None:
+    """Reads the text of a preset or kit file into a struct; an Error begins with the file's name, unless it is "", and the line."""
+    try:
+        check(function, thing, ini, len(ini))
+    except Error as error:
+        where = [f"{name}:{error.line}" if name else f"line {error.line}"] if error.line else [name] * bool(name)
+        error.args = (": ".join([*where, str(error)]),)
+        raise
+
+
+def written_ini(function: Callable[..., int], thing: Any) -> str:
+    """The text of a preset or kit file, as people edit it."""
+    length = ffi.new("size_t *")
+    check(function, thing, lib.TABOR_TEXT_EDIT, ffi.NULL, 0, length)
+    written = ffi.new("char[]", length[0] + 1)
+    check(function, thing, lib.TABOR_TEXT_EDIT, written, length[0] + 1, ffi.NULL)
+    return text(written)
 
 
 def saved_state(thing: Any, size: Callable[..., int], save: Callable[..., None]) -> bytes:

@@ -10,13 +10,11 @@ import shutil
 from numbers import Integral
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
-from ._ini import read_pairs
-from ._library import Error, check, choice_of, encoded, ffi, lib, text
+from ._library import check, choice_of, encoded, ffi, lib, read_ini, text, written_ini
 
 #: A parameter's value: a number, or the word of a choice, or text.
 Value = Union[float, int, str]
 
-_LINE_LIMIT = 198  # bytes of a line that the program reads
 _HEADS = ("batter", "resonant")
 
 
@@ -122,7 +120,7 @@ class Definition(Mapping[str, Value]):
         Parameters
         ----------
         ini : str
-            Lines ``[section]`` and ``key = value``; a comment begins with ``;``.
+            Lines ``[section]`` and ``key = value``, each with a line end; a comment begins with ``;``.
 
         Returns
         -------
@@ -134,20 +132,12 @@ class Definition(Mapping[str, Value]):
         Error
             A line is not understood, or a value is not allowed.
         """
-        return cls._read(ini, "")
+        return cls._read(ini.encode("utf-8", "surrogatepass"), "")
 
     @classmethod
-    def _read(cls, ini: str, name: str) -> Definition:
+    def _read(cls, ini: bytes, name: str) -> Definition:
         made = cls()
-        lib.tabor_drum_def_clear(made._c)
-
-        def take(section: str, key: Optional[str], value: str) -> None:
-            if key is None:
-                check(lib.tabor_drum_def_section, made._c, encoded(section, "section"))
-            else:
-                made[f"{section}.{key}"] = value
-
-        read_pairs(ini, name, take)
+        read_ini(lib.tabor_drum_def_read, made._c, ini, name)
         made.validate()
         return made
 
@@ -170,9 +160,9 @@ class Definition(Mapping[str, Value]):
         OSError
             The file cannot be read.
         Error
-            A line is not understood, or a value is not allowed.
+            A line is not understood, or a value is not allowed; `Error.line` says which.
         """
-        with open(path, encoding="utf-8") as file:
+        with open(path, "rb") as file:
             return cls._read(file.read(), os.fspath(path))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
@@ -194,8 +184,6 @@ class Definition(Mapping[str, Value]):
             `Error.key` says which. Nothing is written then.
         """
         self.validate()
-        for key in self:
-            _check_line(key, self._written(key))
         _write_file(os.fspath(path), self.to_ini())
 
     def to_ini(self) -> str:
@@ -204,15 +192,15 @@ class Definition(Mapping[str, Value]):
         Returns
         -------
         str
-            Every parameter, in its section; the program `tabor` and `from_ini` read it.
+            Every parameter, in its section, with its unit and meaning as a comment; the program `tabor` and `from_ini`
+            read it.
+
+        Raises
+        ------
+        Error
+            A preset file cannot hold one of the texts: `Error.key` says which.
         """
-        lines: List[str] = []
-        for full in self:
-            section, _, key = full.rpartition(".")
-            if f"[{section}]" not in lines:
-                lines += ["", f"[{section}]"]
-            lines.append(f"{key} = {self._written(full)}")
-        return "\n".join(lines[1:]) + "\n"
+        return written_ini(lib.tabor_drum_def_write, self._c)
 
     def __setitem__(self, key: str, value: Value) -> None:
         written = value if isinstance(value, str) else _written(value)
@@ -355,17 +343,6 @@ def _restored(fingerprint: Tuple[Tuple[str, str], ...]) -> Definition:
     lib.tabor_drum_def_clear(made._c)
     made.update(dict(fingerprint))
     return made
-
-
-def _check_line(key: str, written: str) -> None:
-    """Raises Error for text that a preset file cannot hold, which has no way to quote."""
-    line = f"{key.rpartition('.')[2]} = {written}"
-    ends = written.strip() == written and not written.startswith(";") and " ;" not in written
-    if not ends or any(ord(letter) < 32 or ord(letter) == 127 for letter in written):
-        raise Error(f"{key}: a preset file cannot hold this text: {written!r}", "value", key, written)
-    if len(line.encode()) > _LINE_LIMIT:
-        raise Error(f"{key}: a preset file's lines hold {_LINE_LIMIT} bytes; this one has {len(line.encode())}",
-                    "value", key, written)
 
 
 def _write_file(path: str, content: str) -> None:

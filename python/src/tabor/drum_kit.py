@@ -11,8 +11,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._ini import read_pairs
-from ._library import Error, UnknownNameError, check, encoded, ffi, fields, index_of, lib, midi_lib, text
+from ._library import Error, UnknownNameError, check, encoded, ffi, fields, index_of, lib, midi_lib, read_ini, text
 from ._numbers import number, whole
 from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
@@ -95,19 +94,8 @@ class Kit:
         if isinstance(kit, str) and "/" not in kit and not kit.endswith(".ini"):
             check(lib.tabor_kit_def_preset, self._def, encoded(kit, "kit"))
             return
-        with open(kit, encoding="utf-8") as file:
-            ini = file.read()
-        lib.tabor_kit_def_default(self._def)
-        read_pairs(ini, os.fspath(kit), self._take)
-
-    def _take(self, section: str, key: Optional[str], value: str) -> None:
-        """A section or a pair of a kit file."""
-        if section.startswith("note."):
-            return
-        if key is None:
-            check(lib.tabor_kit_def_section, self._def, encoded(section, "section"))
-        else:
-            check(lib.tabor_kit_def_set, self._def, encoded(f"{section}.{key}", "key"), encoded(value, "value"))
+        with open(kit, "rb") as file:
+            read_ini(lib.tabor_kit_def_read, self._def, file.read(), os.fspath(kit))
 
     def _require_drum(self, key: str) -> None:
         """A setting of a drum that is not there is a mistake, unless its preset is given."""

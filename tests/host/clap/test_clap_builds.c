@@ -46,14 +46,29 @@ static ClapHost *open_draft(void) {
   return host;
 }
 
-/* Loads the instance's own state with `lines` at its end, which win over those before. */
+/* Sets what the lines "key = value" say. */
+static void set_lines(TaborDrumDef *def, const char *lines) {
+  char key[2 * TABOR_NAME_SIZE], value[TABOR_NAME_SIZE];
+  int used;
+  for (; sscanf(lines, "%127s = %63s\n%n", key, value, &used) == 2; lines += used) {
+    assert_int_equal(tabor_drum_def_set(def, key, value, NULL), TABOR_OK);
+  }
+}
+
+/* Loads the instance's own state with `lines` in its drum. */
 static void change_drum(ClapHost *host, const char *lines) {
   static ClapState saved;
+  TaborDrumDef def;
+  size_t length;
   clap_host_save(host, &saved);
-  const size_t length = strlen(lines);
-  assert_true(saved.size + length <= sizeof saved.bytes);
-  memcpy(saved.bytes + saved.size, lines, length);
-  saved.size += length;
+  char *const text = strstr(saved.bytes, "definition\n") + strlen("definition\n");
+  const size_t before = (size_t)(text - saved.bytes);
+  assert_int_equal(tabor_drum_def_read(&def, text, saved.size - before, NULL), TABOR_OK);
+  set_lines(&def, lines);
+  assert_int_equal(
+    tabor_drum_def_write(&def, TABOR_TEXT_KEEP, text, sizeof saved.bytes - before, &length, NULL),
+    TABOR_OK);
+  saved.size = before + length;
   saved.at = 0;
   assert_true(clap_host_load(host, &saved));
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sound files that stand for what a kit does not model. */
 #include "base/message.h"
+#include "kit/kit_file.h"
 #include "kit/kit_sample_files.h" /* before cmocka, whose fail() is a macro */
 
 #include <math.h>
@@ -102,24 +103,32 @@ static void a_choke_fades_the_sample_and_its_group(void **state) {
   }
 }
 
-static void sections_are_read_or_refused(void **state) {
-  KitSamples *samples = *state;
-  char message[200] = "";
-  assert_true(kit_samples_set(samples, "kits/a.ini", "note.51", "sample", "ride.wav", message,
-                              sizeof message));
-  assert_string_equal(samples->notes[51].path, "kits/ride.wav");
-  assert_true(
-    kit_samples_set(samples, "kits/a.ini", "note.51", "choke", "3", message, sizeof message));
-  assert_int_equal(samples->notes[51].choke, 3);
-  static const char *const bad[][3] = {{"note.128", "gain", "0"}, {"note.x", "gain", "0"},
-                                       {"note.51", "gain", "25"}, {"note.51", "choke", "1.5"},
-                                       {"note.51", "pitch", "1"}, {"note.51", "gain", "loud"}};
+/* Sound files lie beside their kit file, unless they have a folder of their own. */
+static void files_are_beside_the_kit(void **state) {
+  (void)state;
+  static TaborKitDef kit;
+  char message[400];
+  const char *const text = "[note.51]\nsample = ride.wav\nchoke = 3\n[note.52]\nsample = ./a.wav\n";
+  assert_int_equal(kit_file_parse("kits/a.ini", text, strlen(text), &kit, message, sizeof message),
+                   PRESET_FILE_OK);
+  assert_string_equal(kit.note[51].sample, "kits/ride.wav");
+  assert_string_equal(kit.note[52].sample, "./a.wav");
+  assert_int_equal(kit.note[51].choke, 3);
+  static const char *const bad[] = {"[note.128]\ngain = 0\n",  "[note.x]\ngain = 0\n",
+                                    "[note.51]\ngain = 25\n",  "[note.51]\nchoke = 1.5\n",
+                                    "[note.51]\npitch = 1\n",  "[note.51]\ngain = loud\n",
+                                    "[note.51]\nchoke = 16\n", "[note]\n"};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    message[0] = '\0';
-    assert_false(
-      kit_samples_set(samples, "a.ini", bad[i][0], bad[i][1], bad[i][2], message, sizeof message));
-    assert_true(message[0] != '\0');
+    assert_int_equal(kit_file_parse("a.ini", bad[i], strlen(bad[i]), &kit, message, sizeof message),
+                     PRESET_FILE_INVALID);
+    assert_true(strncmp(message, "a.ini:", 6) == 0);
   }
+  char folder[TABOR_TEXT_SIZE + 8];
+  memset(folder, 'f', sizeof folder);
+  memcpy(folder + sizeof folder - 7, "/a.ini", 7);
+  assert_int_equal(kit_file_parse(folder, text, strlen(text), &kit, message, sizeof message),
+                   PRESET_FILE_INVALID);
+  assert_non_null(strstr(message, "longer than 255 bytes"));
 }
 
 /* A file of 8 frames, 0.5 and, if there are two, -0.25. */
@@ -137,17 +146,20 @@ static void write_file(const char *name, int channels) {
 /* 20 dB are a factor of 10 in pressure. */
 static void files_are_read_with_their_gain(void **state) {
   KitSamples *samples = *state;
-  static const char *const NAMES[] = {"test_kit_samples-mono.wav", "test_kit_samples-pair.wav"};
-  static const char *const SECTIONS[] = {"note.51", "note.52"}, *const GAINS[] = {"-20", "6.0206"};
+  static TaborKitDef kit;
+  static const TaborKitNoteDef NOTES[] = {{"test_kit_samples-mono.wav", -20, 0},
+                                          {"test_kit_samples-pair.wav", 6.0206, 2}};
   char message[200];
+  tabor_kit_def_default(&kit);
   for (int i = 0; i < 2; i++) {
-    write_file(NAMES[i], i + 1);
-    assert_true(kit_samples_set(samples, "kit.ini", SECTIONS[i], "sample", NAMES[i], message, 200));
-    assert_true(kit_samples_set(samples, "kit.ini", SECTIONS[i], "gain", GAINS[i], message, 200));
+    write_file(NOTES[i].sample, i + 1);
+    kit.note[51 + i] = NOTES[i];
   }
-  assert_int_equal(kit_samples_load(samples, 48000.0), OUTCOME_OK);
+  kit_samples_free(samples);
+  assert_int_equal(kit_samples_load(samples, &kit, 48000.0), OUTCOME_OK);
   const KitSample *mono = &samples->notes[51], *pair = &samples->notes[52];
   assert_true(mono->frames == 8 && pair->frames == 8);
+  assert_true(mono->choke == 0 && pair->choke == 2);
   assert_null(mono->sound[1]);
   for (int f = 0; f < 8; f++) {
     assert_true(fabsf(mono->sound[0][f] - 0.05f) < 1e-6f);
@@ -157,14 +169,13 @@ static void files_are_read_with_their_gain(void **state) {
   assert_true(samples->fade == 720); /* 15 ms */
   KitSamples other;
   kit_samples_begin(&other);
-  assert_true(kit_samples_set(&other, "kit.ini", "note.51", "sample", NAMES[0], message, 200));
   const MessageCapture before = message_capture(message, sizeof message);
-  const Outcome outcome = kit_samples_load(&other, 44100.0);
+  const Outcome outcome = kit_samples_load(&other, &kit, 44100.0);
   message_release(before);
   assert_int_not_equal(outcome, OUTCOME_OK);
   assert_non_null(strstr(message, "48000 Hz"));
   kit_samples_free(&other);
-  for (int i = 0; i < 2; i++) remove(NAMES[i]);
+  for (int i = 0; i < 2; i++) remove(NOTES[i].sample);
 }
 
 int main(void) {
@@ -174,7 +185,7 @@ int main(void) {
                                     clean_up),
     cmocka_unit_test_setup_teardown(a_choke_fades_the_sample_and_its_group, prepare, clean_up),
     cmocka_unit_test_setup_teardown(files_are_read_with_their_gain, prepare, clean_up),
-    cmocka_unit_test_setup_teardown(sections_are_read_or_refused, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(files_are_beside_the_kit, prepare, clean_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -543,9 +543,9 @@ static void test_keys_of_kits(void **state) {
   assert_false(tabor_kit_def_key(kit, 0, key, 4));
   static const struct {
     const char *key, *value;
-  } known[] = {{"kit.overheads", "-11"},     {"drum.snare.preset", "snare-14x5.5"},
+  } known[] = {{"kit.overheads", "-11"},  {"drum.snare.preset", "snare-14x5.5"},
                {"drum.snare.head", "38"}, {"note.42.sample", "hat.wav"},
-               {"note.43.sample", ""},       {"note.42.gain", "0"},
+               {"note.43.sample", ""},    {"note.42.gain", "0"},
                {"drum.kick.tilt", "90"}};
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
     assert_int_equal(tabor_kit_def_get(kit, known[i].key, value, sizeof value, &error), TABOR_OK);

@@ -13,8 +13,8 @@
 
 #define CLAP_BLOCK 8192 /**< most frames of a block */
 #define CLAP_EVENTS 1024
-#define CLAP_CHANNELS 18  /**< most channels of all outputs */
-#define CLAP_PORTS 9      /**< most outputs */
+#define CLAP_CHANNELS 18   /**< most channels of all outputs */
+#define CLAP_PORTS 9       /**< most outputs */
 #define CLAP_STATE 1200000 /**< most bytes of a state */
 
 typedef union ClapEvent {

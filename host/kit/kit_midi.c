@@ -76,6 +76,17 @@ void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *s
   }
 }
 
+void kit_midi_follow(KitMidi *midi, const KitMidi *from) {
+  memcpy(midi->unknown, from->unknown, sizeof midi->unknown);
+  memcpy(midi->strokes, from->strokes, sizeof midi->strokes);
+  for (uint32_t i = 0; i < midi->count && i < from->count; i++) {
+    const MidiBinding binding = midi->drums[i].binding;
+    midi->drums[i] = from->drums[i];
+    midi->drums[i].map = &midi->maps[i];
+    midi->drums[i].binding = binding;
+  }
+}
+
 void kit_midi_rest(KitMidi *midi) {
   for (uint32_t i = 0; i < midi->count; i++) {
     const MidiBinding binding = midi->drums[i].binding;

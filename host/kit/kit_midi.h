@@ -47,6 +47,8 @@ typedef struct KitMidi {
 MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note);
 /** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. */
 void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
+/** AUDIO. Goes on with what controllers and notes have moved in @p from, which is of a kit with the same drums and notes. */
+void kit_midi_follow(KitMidi *midi, const KitMidi *from) REALTIME;
 /** AUDIO. Forgets what controllers and notes have moved; counts stay. */
 void kit_midi_rest(KitMidi *midi) REALTIME;
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. One for a sample is addressed to

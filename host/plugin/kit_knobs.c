@@ -15,7 +15,7 @@
 #define TUNE(n)                                                                                    \
   {                                                                                                \
     .symbol = "tune_" #n, .name = "Drum " #n " tuning", .group = "Tuning", .minimum = -12,         \
-    .maximum = 12, .fallback = 0, .unit = "semitones", .rebuilds = true                            \
+    .maximum = 12, .fallback = 0, .unit = "semitones", .rebuilds = true, .follows = true           \
   }
 
 const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
@@ -36,7 +36,8 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
                         .fallback = 1,
                         .unit = "",
                         .choices = "Draft|Live|Studio",
-                        .rebuilds = true},
+                        .rebuilds = true,
+                        .follows = true},
   [KIT_KNOB_ROOM] = {.symbol = "room",
                      .name = "Room",
                      .group = "Kit",
@@ -45,7 +46,8 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
                      .fallback = 0,
                      .unit = "",
                      .choices = "The kit's|None|Booth|Studio|Hall",
-                     .rebuilds = true},
+                     .rebuilds = true,
+                     .follows = true},
   [KIT_KNOB_COUPLING] = {.symbol = "coupling",
                          .name = "Drums hear each other",
                          .group = "Kit",

@@ -38,6 +38,7 @@ typedef struct KitKnob {
   const char *choices; /**< words separated by '|', for 0, 1, ...; or NULL */
   bool off;            /**< the minimum is "Off" */
   bool rebuilds;       /**< takes effect by building another kit */
+  bool follows;        /**< which goes on with the drums that ring */
 } KitKnob;
 
 extern const KitKnob kit_knobs[KIT_KNOB_COUNT];

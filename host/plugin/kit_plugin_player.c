@@ -151,27 +151,61 @@ void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) {
 
 /* ---- kits that come and go ------------------------------------------------------------------ */
 
+static bool has_left(const KitPluginPlayer *player) REALTIME;
+static bool has_left(const KitPluginPlayer *player) {
+  return player->rings ? tabor_kit_is_silent(player->leaving->kit) : player->fade == 0;
+}
+
 /* Until the worker has taken the one before, it is kept. */
 static void retire(KitPluginPlayer *player) REALTIME;
 static void retire(KitPluginPlayer *player) {
   KitVoice *expected = NULL;
-  if (!player->leaving || player->fade > 0) return;
+  if (!player->leaving || !has_left(player)) return;
   if (atomic_compare_exchange_strong(&player->worker->retired, &expected, player->leaving)) {
     player->leaving = NULL;
   }
 }
 
+/* Two kits are heard at once: one that rings out makes way for a third. */
+static void end_ringing(KitPluginPlayer *player) REALTIME;
+static void end_ringing(KitPluginPlayer *player) {
+  if (player->rings) player->fade = player->fade_frames;
+  player->rings = false;
+}
+
+static void end_at_once(KitPluginPlayer *player) REALTIME;
+static void end_at_once(KitPluginPlayer *player) {
+  player->rings = false;
+  player->fade = 0;
+}
+
+static void change_to(KitPluginPlayer *player, KitVoice *next) REALTIME;
+static void change_to(KitPluginPlayer *player, KitVoice *next) {
+  player->leaving = player->now;
+  player->rings = next->follows;
+  player->fade = player->now && !next->follows ? player->fade_frames : 0;
+  player->now = next;
+  memcpy(player->playing, player->asked, sizeof player->playing);
+  player->own_playing = player->own_asked;
+  if (next->follows) {
+    kit_midi_follow(&next->midi, &player->leaving->midi);
+    tabor_kit_take_over(next->kit, player->leaving->kit);
+  }
+  set_response(player);
+  set_first_gains(player);
+}
+
 static void receive(KitPluginPlayer *player) REALTIME;
 static void receive(KitPluginPlayer *player) {
   KitWorker *const worker = player->worker;
-  if (player->leaving || atomic_load(&worker->phase) != KIT_PHASE_ANSWERED) return;
+  if (atomic_load(&worker->phase) != KIT_PHASE_ANSWERED) return;
+  if (player->leaving) {
+    end_ringing(player);
+    return;
+  }
   if (worker->answer) {
-    player->leaving = player->now;
-    player->fade = player->now ? player->fade_frames : 0;
-    player->now = worker->answer;
+    change_to(player, worker->answer);
     worker->answer = NULL;
-    set_response(player);
-    set_first_gains(player);
   } else if (!worker->failed) {
     player->has_asked = false; /* it was cancelled: ask again */
   }
@@ -187,13 +221,36 @@ static float wish(const KitPluginPlayer *player, uint32_t id) {
   return id == KIT_KNOB_QUALITY && !player->exports && value > most ? most : value;
 }
 
+/* True if the knobs want another kit than the one that was built for `values` and a version of the user's own. If `drums`, only
+ * what changes the drums counts. */
+static bool is_another(const KitPluginPlayer *player, const float *values, unsigned own,
+                       bool drums) REALTIME;
+static bool is_another(const KitPluginPlayer *player, const float *values, unsigned own,
+                       bool drums) {
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) {
+    const bool counts = kit_knobs[i].rebuilds && !(drums && kit_knobs[i].follows);
+    if (counts && wish(player, i) != values[i]) return true;
+  }
+  return kit_knob_is_own(player->values[KIT_KNOB_KIT]) &&
+         own != own_kit_version(player->worker->own);
+}
+
 static bool is_wanted(const KitPluginPlayer *player) REALTIME;
 static bool is_wanted(const KitPluginPlayer *player) {
-  for (uint32_t i = 0; player->has_asked && i < KIT_KNOB_COUNT; i++) {
-    if (kit_knobs[i].rebuilds && wish(player, i) != player->asked[i]) return false;
-  }
-  if (!kit_knob_is_own(player->values[KIT_KNOB_KIT])) return player->has_asked;
-  return player->has_asked && player->own_asked == own_kit_version(player->worker->own);
+  return player->has_asked && !is_another(player, player->asked, player->own_asked, false);
+}
+
+/* A kit that is being built is dropped for another kit or quality. One of another tuning or room is built to its end, since the
+ * next one would be dropped as well while a knob moves. */
+static bool is_outdated(const KitPluginPlayer *player) REALTIME;
+static bool is_outdated(const KitPluginPlayer *player) {
+  return wish(player, KIT_KNOB_QUALITY) != player->asked[KIT_KNOB_QUALITY] ||
+         is_another(player, player->asked, player->own_asked, true);
+}
+
+static bool has_drums(const KitPluginPlayer *player) REALTIME;
+static bool has_drums(const KitPluginPlayer *player) {
+  return player->now && !is_another(player, player->playing, player->own_playing, true);
 }
 
 static void ask(KitPluginPlayer *player) REALTIME;
@@ -201,9 +258,10 @@ static void ask(KitPluginPlayer *player) {
   KitWorker *const worker = player->worker;
   if (is_wanted(player)) return;
   if (atomic_load(&worker->phase) != KIT_PHASE_IDLE) {
-    atomic_store(&worker->is_outdated, true);
+    if (is_outdated(player)) atomic_store(&worker->is_outdated, true);
     return;
   }
+  worker->playing = has_drums(player) ? player->now : NULL;
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->asked[i] = wish(player, i);
   player->own_asked = own_kit_version(worker->own);
   memcpy(worker->wanted, player->asked, sizeof worker->wanted);
@@ -227,7 +285,7 @@ void kit_plugin_player_wait(KitPluginPlayer *player) {
   const struct timespec moment = {.tv_nsec = PAUSE};
   for (;;) {
     const bool has_answer = atomic_load(&player->worker->phase) == KIT_PHASE_ANSWERED;
-    if (has_answer) player->fade = 0; /* of a kit that left less than a fade ago: two are enough */
+    if (has_answer) end_at_once(player); /* one that left less than a fade ago: two are enough */
     kit_plugin_player_keep_up(player);
     if (kit_plugin_player_is_settled(player)) return;
     if (atomic_load(&player->worker->is_cancelled)) return;
@@ -275,8 +333,9 @@ static void add_faded(const KitPluginPlayer *player, const float *from, float *t
 static void add_faded(const KitPluginPlayer *player, const float *from, float *to,
                       uint32_t frames) {
   if (!to) return;
-  for (uint32_t i = 0; i < frames && i < player->fade; i++) {
-    to[i] += from[i] * ((float)(player->fade - i) / (float)player->fade_frames);
+  for (uint32_t i = 0; i < frames && (player->rings || i < player->fade); i++) {
+    to[i] +=
+      player->rings ? from[i] : from[i] * ((float)(player->fade - i) / (float)player->fade_frames);
   }
 }
 
@@ -321,7 +380,8 @@ static uint32_t play_piece(KitPluginPlayer *player, uint32_t next, uint32_t fram
   } else {
     clear_all(&outputs, frames);
   }
-  if (player->leaving && player->fade > 0) play_leaving(player, &outputs, frames);
+  if (player->leaving && (player->rings || player->fade > 0))
+    play_leaving(player, &outputs, frames);
   player->at += frames;
   return count;
 }
@@ -349,7 +409,7 @@ bool kit_plugin_player_is_silent(const KitPluginPlayer *player) {
 
 /* The kit's gains are 1 again, and knobs set them; controllers begin anew. */
 void kit_plugin_player_rest(KitPluginPlayer *player) {
-  player->fade = 0;
+  end_at_once(player);
   player->at = player->event_count = 0;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
   if (!player->now) return;

@@ -2,7 +2,8 @@
 /**
  * @file kit_plugin_player.h
  * The audio side of the plugin Tabor Kit: messages and knobs at their frames become events of the kit, whose mix and drums
- * fill a host's block. When another kit has been built, the one before fades out beside it.
+ * fill a host's block. A kit that is tuned or stands in another room goes on with the drums that ring, and what is not in it
+ * any more, as the sound in the room of before, rings out beside it. Another kit plays anew, and the one before fades out beside it.
  */
 #ifndef TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
 #define TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
@@ -27,11 +28,13 @@ typedef struct KitPluginStroke {
 
 typedef struct KitPluginPlayer {
   KitWorker *worker;
-  KitVoice *now, *leaving;           /**< leaving: fades out */
-  uint32_t fade, fade_frames;        /**< frames that are left of it, and all */
+  KitVoice *now, *leaving;           /**< leaving: is heard beside it */
+  bool rings;                        /**< the one that leaves rings out; else it fades */
+  uint32_t fade, fade_frames;        /**< frames that are left of the fade, and all */
   float values[KIT_KNOB_COUNT];      /**< of the knobs */
   float asked[KIT_KNOB_COUNT];       /**< of the newest request */
-  unsigned own_asked;                /**< version of the own kit in it */
+  float playing[KIT_KNOB_COUNT];     /**< of the request whose kit plays */
+  unsigned own_asked, own_playing;   /**< versions of the own kit in them */
   bool has_asked;                    /**< a request was answered or is under way */
   bool exports;                      /**< the host renders, and waits for kits */
   double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */

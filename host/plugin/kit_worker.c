@@ -97,6 +97,15 @@ static KitMidiSetup setup_of(const float *wanted) {
   return setup;
 }
 
+/* The drums of a kit that is tuned, or stands in another room, are those of before. */
+static TaborStatus follow(const KitWorker *worker, KitVoice *voice, TaborError *error) {
+  uint8_t drums[TABOR_KIT_DRUMS];
+  voice->follows = worker->playing != NULL;
+  if (!voice->follows) return TABOR_OK;
+  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) drums[i] = (uint8_t)i;
+  return tabor_kit_follow(voice->kit, worker->playing->kit, drums, error);
+}
+
 static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voice,
                               TaborError *error) {
   const KitMidiSetup setup = setup_of(worker->wanted);
@@ -107,6 +116,7 @@ static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voi
   voice->overheads = def->overheads;
   status = take_models(worker, def, voice, error);
   if (status == TABOR_OK) status = tabor_kit_create(def, voice->models, &voice->kit, error);
+  if (status == TABOR_OK) status = follow(worker, voice, error);
   if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, &setup);
   return status;
 }

@@ -25,6 +25,7 @@ typedef struct KitVoice {
   TaborKit *kit;
   KitMidi midi;
   uint32_t drum_count;
+  bool follows;                        /**< goes on with the drums of the kit before it */
   double coupling, overheads;          /**< the kit's own [dB], beside which knobs stand */
   TaborModel *models[TABOR_KIT_DRUMS]; /**< from the cache */
 } KitVoice;
@@ -49,6 +50,7 @@ typedef struct KitWorker {
   atomic_bool is_cancelled;     /**< nothing is to be built */
   atomic_bool is_outdated;      /**< the audio thread wants another kit than the one being built */
   float wanted[KIT_KNOB_COUNT]; /**< the request */
+  const KitVoice *playing;      /**< whose drums the kit is to go on with, or NULL */
   bool is_held;                 /**< its quality is below the knob's, since this is no export */
   bool has_said_held;
   KitVoice *answer;            /**< NULL: none could be built */

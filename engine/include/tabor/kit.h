@@ -44,6 +44,7 @@ extern "C" {
 #define TABOR_KIT_NOTES 128             /**< notes of MIDI */
 #define TABOR_KIT_ALL UINT32_MAX        /**< address of an event that goes to every drum */
 #define TABOR_KIT_MIX (UINT32_MAX - 1u) /**< address of an event for the kit's own values */
+#define TABOR_KIT_NEW 0xffu /**< a drum that goes on with none, for tabor_kit_follow() */
 #define TABOR_KIT_OWN_MICS                                                                         \
   5 /**< a drum's own microphones in a kit at most; the kit adds three of its own */
 
@@ -256,6 +257,19 @@ TABOR_API void tabor_kit_destroy(TaborKit *kit);
  * the caller's: for an audio thread it must not lock.
  */
 TABOR_API void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context);
+/**
+ * Prepares that @p kit, which has not played yet, takes the place of the kit @p from, which plays: so a kit's tuning, room, mix,
+ * places and drums change while it rings.
+ *
+ * @param kit   the follower.
+ * @param from  the kit before. Until tabor_kit_take_over() no drum of it may be swapped.
+ * @param drums [drum_count of @p kit]: drum of @p from that each drum goes on with, or TABOR_KIT_NEW. One that has the same
+ *              model rings on as it is, to the bit; one of another model continues as by a swap (tabor_swap_create()).
+ * @param error may be NULL. TABOR_ERROR_ARGUMENT for kits of two sample rates, a drum that is not there or asked for twice,
+ *              or a kit that follows already; those of tabor_swap_create().
+ */
+TABOR_API TaborStatus tabor_kit_follow(TaborKit *kit, const TaborKit *from, const uint8_t *drums,
+                                       TaborError *error);
 /** @} */
 
 /** @name Looking at kits
@@ -289,6 +303,14 @@ TABOR_API const TaborKitDef *tabor_kit_definition(const TaborKit *kit);
  */
 TABOR_API void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uint32_t count,
                                  const TaborKitOutputs *outputs, uint32_t frames);
+/**
+ * Lets @p kit take the place of @p from as tabor_kit_follow() has prepared it: its next frame is the one that @p from would
+ * have played. Drums that go on ring on in @p kit, with their gains and live values, and hear what is on its way to them; so does the
+ * room if it is the same. Overheads and coupling move to the values of the definition within 5 ms. Drums of @p from that are left, and
+ * a room that is another one, ring on in @p from, which may be played beside @p kit as long as they are to be heard. Does nothing
+ * if @p kit was not prepared for @p from.
+ */
+TABOR_API void tabor_kit_take_over(TaborKit *kit, TaborKit *from);
 /** True if every drum and the room are silent: the outputs are then exactly 0 until the next event. */
 TABOR_API bool tabor_kit_is_silent(const TaborKit *kit);
 /** Brings all drums and the room to rest, by tabor_drum_reset() and tabor_room_reset(): the kit is as a new one. */

@@ -164,7 +164,7 @@ static void say(TaborKit *kit, TbKitVoice *voice, const float *said, uint32_t fr
 
 /* True if the air has given drums no more than what it may have caught of their sound. */
 static bool air_is_passive(const TaborKit *kit) {
-  double radiated = 0.0, work = 0.0;
+  double radiated = kit->left.radiated, work = kit->left.work;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     const TbAirEnergy energy = tb_drum_air_energy(kit->voices[i].drum);
     radiated += energy.radiated;
@@ -321,6 +321,7 @@ void tabor_kit_reset(TaborKit *kit) {
     voice->passed[0] = voice->passed[1] = 0.0;
   }
   kit->muffled = false;
+  kit->left = (TbAirEnergy){.radiated = 0.0};
   tabor_room_reset(kit->room);
   reset_values(kit);
   kit->frame = kit->dropped = 0;
@@ -348,7 +349,7 @@ static const double LOUDEST = 1e15; /* as of a drum's state */
 typedef struct StateHead {
   uint64_t size, frame, dropped, muffled;
   double passed[TABOR_KIT_DRUMS][2];
-  TbAirEnergy forgotten[TABOR_KIT_DRUMS];
+  TbAirEnergy forgotten[TABOR_KIT_DRUMS], left;
   TbLiveParam overheads, coupling;
 } StateHead;
 
@@ -367,6 +368,7 @@ static StateHead head_of(const TaborKit *kit) {
                     .frame = kit->frame,
                     .dropped = kit->dropped,
                     .muffled = kit->muffled,
+                    .left = kit->left,
                     .overheads = kit->overheads,
                     .coupling = kit->coupling};
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
@@ -401,7 +403,8 @@ static bool is_factor(const TaborKit *kit, const TbLiveParam *live) {
 
 static bool check_head(const TaborKit *kit, const StateHead *head) {
   bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1 &&
-               is_factor(kit, &head->overheads) && is_factor(kit, &head->coupling);
+               is_factor(kit, &head->overheads) && is_factor(kit, &head->coupling) &&
+               is_sound(head->left.radiated) && is_sound(head->left.work);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     sound &= is_sound(head->passed[i][0]) && is_sound(head->passed[i][1]) &&
              is_sound(head->forgotten[i].radiated) && is_sound(head->forgotten[i].work);
@@ -413,6 +416,7 @@ static void load_head(TaborKit *kit, const StateHead *head) {
   kit->frame = head->frame;
   kit->dropped = head->dropped;
   kit->muffled = head->muffled != 0;
+  kit->left = head->left;
   kit->overheads = head->overheads;
   kit->coupling = head->coupling;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {

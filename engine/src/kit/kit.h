@@ -21,6 +21,7 @@
 #define TB_KIT_PIECE 64u      /* frames at once at most */
 #define TB_KIT_HIGHEST 1000.0 /* [Hz] */
 #define TB_KIT_CAUGHT 0.25
+#define TB_KIT_SWAPS 6u
 #define TB_KIT_LOUDEST 200.0f /* [Pa]: 140 dB */
 
 /* One drum, and what it is in the mix. */
@@ -37,6 +38,9 @@ typedef struct TbKitVoice {
   float *said;                      /* [ring] pressure at its microphone of the air, by frames */
   double passed[2];                 /* memory of the low-pass on it */
   uint32_t quiet;                   /* frames since it was not 0, up to the ring's length */
+  uint8_t before;                   /* drum of the kit that is followed, or TABOR_KIT_NEW */
+  /* Of the drum, or NULL: with which it goes on, then those of before that still sound (drum/tails.h: four). */
+  TaborSwap *swaps[TB_KIT_SWAPS];
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;
 
@@ -56,9 +60,11 @@ struct TaborKit {
   TaborKitDef def;
   TbKitVoice *voices; /* [def.drum_count] */
   TaborRoom *room;
-  uint32_t piece; /* frames at once */
-  double low[3];  /* the low-pass of the air: gain, and two feedbacks */
-  bool muffled;   /* the air is silent: see air_is_passive() */
+  uint32_t piece;          /* frames at once */
+  double low[3];           /* the low-pass of the air: gain, and two feedbacks */
+  bool muffled;            /* the air is silent: see air_is_passive() */
+  TbAirEnergy left;        /* what drums have taken out of its account that are left behind */
+  const TaborKit *follows; /* until tabor_kit_take_over() */
   /* Factors of the overheads, and of the coupling beside the definition's. */
   TbLiveParam overheads, coupling;
   uint32_t ramp;    /* frames that they take to move */

@@ -137,6 +137,7 @@ static TaborStatus create_voices(TaborKit *kit, TaborModel *const *models, Tabor
   memset(kit->voices, 0, size);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     TbKitVoice *const voice = &kit->voices[i];
+    voice->before = TABOR_KIT_NEW;
     const TaborStatus status = tabor_drum_create(models[i], &voice->drum, error);
     if (status != TABOR_OK) return status;
     tb_kit_voice_bind(kit, i);
@@ -182,6 +183,7 @@ void tabor_kit_destroy(TaborKit *kit) {
   const TaborAllocator allocator = kit->allocator;
   for (uint32_t i = 0; kit->voices && i < kit->def.drum_count; i++) {
     tabor_drum_destroy(kit->voices[i].drum);
+    for (uint32_t k = 0; k < TB_KIT_SWAPS; k++) tabor_swap_destroy(kit->voices[i].swaps[k]);
     if (kit->voices[i].said) allocator.release(kit->voices[i].said, allocator.context);
   }
   if (kit->voices) allocator.release(kit->voices, allocator.context);

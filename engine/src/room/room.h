@@ -94,6 +94,8 @@ struct TaborRoom {
 
 /* Fills in everything but allocator and state. Of a room of kind none only info.kind. */
 void tb_room_plan(TaborRoom *room, const TaborDrumDef *def, double sample_rate);
+/* True if both are the same room around the same drum, so that one may go on with the other's state. */
+bool tb_room_is_same(const TaborRoom *a, const TaborRoom *b);
 /* Bytes of the state, a multiple of 8. */
 size_t tb_room_state_bytes(const TaborRoom *room);
 /* Audio-safe: computes frames `from` to `from` + `frames`; frames <= room->piece. */

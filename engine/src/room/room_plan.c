@@ -255,6 +255,10 @@ static uint64_t fingerprint_of(const TaborRoom *room) {
   return tb_checksum((const char *)room + from, until - from);
 }
 
+bool tb_room_is_same(const TaborRoom *a, const TaborRoom *b) {
+  return a->info.kind == b->info.kind && a->fingerprint == b->fingerprint;
+}
+
 void tb_room_plan(TaborRoom *room, const TaborDrumDef *def, double sample_rate) {
   room->info.kind = def->room.kind;
   if (def->room.kind != TABOR_ROOM_NONE) {

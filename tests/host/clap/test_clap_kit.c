@@ -217,6 +217,48 @@ static void tuning_moves_the_pitch(void **state) {
   assert_true(rates[1] > 1.5 * rates[0]);
 }
 
+/* What a knob does, in every second block, to a tom that rings beside others. */
+typedef struct Automation {
+  KitKnobId knob;
+  double values[2];
+  bool keeps_tom; /* the tom itself has the same bits, too */
+} Automation;
+
+/* While a drum is tuned or the room changes, nothing fades: the other drums have the same bits, and the tom rings on. */
+static void automate(const Automation *automation) {
+  enum { STEP = 480, STEPS = 12, KICKS = 2, SNARES = 4, TOMS = 6 }; /* channels */
+  ClapHost *const hosts[2] = {open_kit(0), open_kit(0)};
+  for (int i = 0; i < 2; i++) {
+    clap_host_set_id(hosts[i], 0, KIT_KNOB_COUPLING, -60);
+    clap_host_run(hosts[i], CLAP_BLOCK);
+    (void)strike(hosts[i], 36, 2);
+    (void)strike(hosts[i], 48, 2);
+    (void)strike(hosts[i], 38, 2);
+  }
+  ClapHost *const still = hosts[0], *const moved = hosts[1];
+  for (int i = 0; i < STEPS; i++) {
+    clap_host_set_id(moved, 0, automation->knob, automation->values[i % 2]);
+    clap_host_run(moved, STEP);
+    clap_host_run(still, STEP);
+    const size_t bytes = STEP * sizeof(float);
+    assert_memory_equal(still->sound[SNARES], moved->sound[SNARES], bytes);
+    assert_memory_equal(still->sound[KICKS], moved->sound[KICKS], bytes);
+    const bool is_same = memcmp(still->sound[TOMS], moved->sound[TOMS], bytes) == 0;
+    assert_int_equal(is_same, automation->keeps_tom);
+    assert_true(peak(still, SNARES, STEP) > 0 && peak(still, KICKS, STEP) > 0);
+    assert_true(peak(moved, TOMS, STEP) > 0.3 * peak(still, TOMS, STEP));
+  }
+  assert_string_equal(moved->said, "");
+  clap_host_close(still);
+  clap_host_close(moved);
+}
+
+static void tuning_and_rooms_move_while_drums_ring(void **state) {
+  (void)state;
+  automate(&(Automation){KIT_KNOB_TUNE + 2, {2, -1}, false});
+  automate(&(Automation){KIT_KNOB_ROOM, {4, 1}, true});
+}
+
 /* A kit that is exchanged while it rings fades out: nothing jumps. */
 static void another_kit_comes_without_a_click(void **state) {
   (void)state;
@@ -456,6 +498,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(the_coupling_moves_at_once),
     cmocka_unit_test(knobs_outlive_a_reset),
     cmocka_unit_test(tuning_moves_the_pitch),
+    cmocka_unit_test(tuning_and_rooms_move_while_drums_ring),
     cmocka_unit_test(another_kit_comes_without_a_click),
     cmocka_unit_test(a_choke_silences_its_drum_alone),
     cmocka_unit_test(notes_have_names),

@@ -109,6 +109,31 @@ static void key_pressure_lays_a_hand_on_the_notes_drum(void **state) {
   assert_int_equal(take(0xA9, 42, 127), 0);
 }
 
+/* A buzz that was begun before the kit was tuned ends with its note, and a hand is lifted. */
+static void a_kit_that_follows_knows_what_is_held(void **state) {
+  (void)state;
+  const int snare = tabor_kit_def_find(kit, "snare");
+  kit->drum[snare].notes[29] = TABOR_KIT_STROKE_BUZZ;
+  kit_midi_begin(midi, kit, &kit_midi_setup_default);
+  KitMidi *const before = midi, *const after = malloc(sizeof *after);
+  kit->drum[snare].def.strike.radius *= 0.5;
+  kit_midi_begin(after, kit, &kit_midi_setup_default);
+  assert_int_equal(take(0x99, 29, 100), 1);
+  assert_int_equal(events[0].event.technique, TABOR_TECHNIQUE_BUZZ);
+  assert_int_equal(take(0xA9, 50, 127), 1);
+  kit_midi_follow(after, before);
+  midi = after;
+  free(before);
+  assert_int_equal(take(0x89, 29, 0), 1);
+  assert_int_equal(events[0].drum, snare);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_RELEASE);
+  assert_int_equal(take(0xA9, 50, 0), 1);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_RELEASE);
+  assert_int_equal(take(0x99, 38, 100), 1); /* where the kit has it now */
+  assert_true(events[0].event.radius == kit->drum[snare].def.strike.radius);
+  assert_int_equal(midi->strokes[snare], 2);
+}
+
 static void other_channels_are_passed_over(void **state) {
   (void)state;
   KitMidiSetup setup = kit_midi_setup_default;
@@ -280,6 +305,7 @@ int main(void) {
     cmocka_unit_test_setup_teardown(silence_and_gain_reach_all_drums, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_velocity_prefix_is_for_one_note, prepare, clean_up),
     cmocka_unit_test_setup_teardown(key_pressure_lays_a_hand_on_the_notes_drum, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_kit_that_follows_knows_what_is_held, prepare, clean_up),
     cmocka_unit_test_setup_teardown(other_channels_are_passed_over, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_map_by_name_translates_notes, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_sample_is_struck_and_choked_but_not_ended, prepare, clean_up),

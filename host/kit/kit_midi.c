@@ -202,7 +202,7 @@ static uint32_t take_for_sample(const KitMidi *midi, const MidiMessage *message,
   const bool choke = chokes(message);
   const bool strikes = midi_kind(message) == MIDI_NOTE_ON && message->data[1] > 0;
   if (!choke && !strikes) return 0;
-  *event = (TaborKitEvent){.drum = KIT_SAMPLE + midi->general[message->data[0]]};
+  *event = (TaborKitEvent){.drum = TABOR_KIT_NOTE + midi->general[message->data[0]]};
   event->event.type = choke ? TABOR_EVENT_SILENCE : TABOR_EVENT_STRIKE;
   if (strikes) event->event.velocity = strength(midi, message);
   return 1;

@@ -15,7 +15,6 @@
 
 #include "midi/kit_map.h"
 #include "midi/midi_to_events.h"
-#include "sound/kit_samples.h"
 
 #define KIT_MIDI_NOBODY 0xff
 #define KIT_MIDI_MOST_EVENTS (MIDI_MOST_ACTIONS * TABOR_KIT_DRUMS) /**< of one message */
@@ -52,7 +51,7 @@ void kit_midi_follow(KitMidi *midi, const KitMidi *from) REALTIME;
 /** AUDIO. Forgets what controllers and notes have moved; counts stay. */
 void kit_midi_rest(KitMidi *midi) REALTIME;
 /** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. One for a sample is addressed to
- * KIT_SAMPLE and the note of General MIDI. */
+ * TABOR_KIT_NOTE and the note of General MIDI. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
 /** Number of strokes on notes that play no drum. */

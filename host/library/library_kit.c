@@ -130,6 +130,7 @@ static void note_samples(const Arguments *arguments, const TaborKitDef *def) {
 static Outcome load(const Arguments *arguments, TaborKitDef *def) {
   const Outcome outcome = kit_load(arguments, def);
   if (outcome == OUTCOME_OK) note_samples(arguments, def);
+  memset(def->note, 0, sizeof def->note);
   return outcome;
 }
 

@@ -148,10 +148,7 @@ static Outcome create_kit(LiveSession *session) {
   const TaborKitDef *const kit = request->kit;
   TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
   TaborError error;
-  Outcome outcome = kit_samples_load(&request->samples, kit, request->model.sample_rate);
-  if (outcome == OUTCOME_OK) {
-    outcome = kit_models_build(kit, &request->model, process_processors(), models);
-  }
+  Outcome outcome = kit_models_build(kit, &request->model, process_processors(), models);
   for (uint32_t i = 0; i < kit->drum_count && outcome == OUTCOME_OK; i++) {
     const TaborDrumDef *const def = &kit->drum[i].def;
     const ModelBuilderSetup setup = {
@@ -161,6 +158,7 @@ static Outcome create_kit(LiveSession *session) {
   if (outcome == OUTCOME_OK && tabor_kit_create(kit, models, &session->kit, &error) != TABOR_OK) {
     outcome = report_engine_error(&error);
   }
+  if (outcome == OUTCOME_OK) outcome = kit_samples_load(session->kit);
   kit_models_release(models);
   return outcome;
 }
@@ -187,7 +185,6 @@ static Outcome create_player(LiveSession *session) {
     .drum = session->drum,
     .def = &request->def,
     .kit = session->kit,
-    .samples = &session->request->samples,
     .rate = request->model.sample_rate,
     .channels = request->channels,
     .width = session->facts.width,

@@ -244,7 +244,6 @@ void play_request_kit_midi(const PlayRequest *request, KitMidi *midi) {
 
 void play_request_free(PlayRequest *request) {
   record_request_free(&request->record);
-  kit_samples_free(&request->samples);
   free(request->kit);
   output_discard(&request->log);
   midi_song_free(&request->song);

@@ -20,7 +20,6 @@ typedef struct PlayRequest {
   const char *preset; /**< of the drum, or the kit's name */
   TaborDrumDef def;   /**< of a kit the first drum's */
   TaborKitDef *kit;   /**< or NULL */
-  KitSamples samples; /**< of the kit; not read yet */
   KitMidiSetup kit_midi;
   TaborModelOptions model; /**< the rate is the device's */
   uint32_t channels;

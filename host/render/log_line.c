@@ -156,8 +156,8 @@ static json_t *with_event(json_t *object, const TaborEvent *event) {
 /* Of a kit, the drum or the sample. */
 static json_t *with_address(json_t *object, uint32_t drum) {
   if (drum == TABOR_KIT_ALL) return json_with_field(object, "drum", json_text("all"));
-  if (drum < KIT_SAMPLE) return with_integer(object, "drum", drum);
-  return json_with_field(object, "note", integer_json(drum - KIT_SAMPLE));
+  if (drum < TABOR_KIT_NOTE) return with_integer(object, "drum", drum);
+  return json_with_field(object, "note", integer_json(drum - TABOR_KIT_NOTE));
 }
 
 char *log_line_message(const PlayerMessage *message) {
@@ -408,7 +408,7 @@ static void take_event(Fields *fields, TaborEvent *event) {
 static uint32_t take_address(Fields *fields) {
   const char *const word = json_string_value(json_object_get(fields->object, "drum"));
   if (has(fields, "note")) {
-    return KIT_SAMPLE + (uint32_t)take_integer(fields, "note", MIDI_VALUES - 1);
+    return TABOR_KIT_NOTE + (uint32_t)take_integer(fields, "note", MIDI_VALUES - 1);
   }
   if (!word || strcmp(word, "all") != 0) {
     return (uint32_t)take_integer(fields, "drum", TABOR_KIT_DRUMS - 1);

@@ -48,15 +48,15 @@ static Outcome build_kit(OfflinePlayer *player) {
 static Outcome open_kit(OfflinePlayer *player) {
   RenderRequest *const request = player->request;
   const double rate = request->model.sample_rate;
-  Outcome outcome = kit_samples_load(&request->samples, request->kit, rate);
-  if (outcome == OUTCOME_OK) outcome = build_kit(player);
+  Outcome outcome = build_kit(player);
+  if (outcome == OUTCOME_OK && !request->split) outcome = kit_samples_load(player->kit);
   if (outcome != OUTCOME_OK) return outcome;
   for (uint32_t i = 0; i < request->kit->drum_count; i++) {
     player->models[i] = (TaborModel *)tabor_drum_model(tabor_kit_drum(player->kit, i));
   }
   player->threads = kit_threads_begin(player->kit, request->threads);
   drum_player_begin(&player->core, 2 + 2 * request->kit->drum_count, request->gain);
-  drum_player_set_kit(&player->core, player->kit, request->split ? NULL : &request->samples, rate);
+  drum_player_set_kit(&player->core, player->kit, rate);
   return OUTCOME_OK;
 }
 

@@ -30,7 +30,6 @@ void render_request_free(RenderRequest *request) {
   strokes_free(&request->strokes);
   midi_song_free(&request->song);
   kit_song_free(&request->kit_song);
-  kit_samples_free(&request->samples);
   free(request->kit_midi);
   free(request->own_kit);
   request->kit_midi = NULL;

@@ -24,7 +24,6 @@ typedef struct RenderRequest {
   TaborKitDef *own_kit;          /**< the same, to be freed; or NULL */
   TaborModel *const *kit_models; /**< of its drums, or NULL: they are built */
   uint32_t threads;              /**< to build and compute a kit on */
-  KitSamples samples;            /**< of the kit */
   KitMidi *kit_midi;             /**< that has read the song, or NULL */
   KitSong kit_song;
   TaborModelOptions model;

@@ -69,13 +69,13 @@ static Outcome take_model(const Reader *reader, LogLine *line) {
 static Outcome check_address(const Reader *reader, const PlayerMessage *message) {
   const TaborKitDef *const kit = reader->replay->kit;
   const uint32_t drums = kit ? kit->drum_count : 1, drum = message->drum;
-  const bool is_note = drum >= KIT_SAMPLE && drum < KIT_SAMPLE + MIDI_VALUES;
+  const bool is_note = drum >= TABOR_KIT_NOTE && drum < TABOR_KIT_NOTE + MIDI_VALUES;
   const bool is_event = message->type != PLAYER_MODEL;
   if (drum < drums || (kit && is_event && drum == TABOR_KIT_ALL)) return OUTCOME_OK;
-  if (kit && is_event && is_note && kit->note[drum - KIT_SAMPLE].sample[0]) return OUTCOME_OK;
+  if (kit && is_event && is_note && kit->note[drum - TABOR_KIT_NOTE].sample[0]) return OUTCOME_OK;
   if (is_note) {
     return refuse("%s note %u: there is no sample for it", reader->where,
-                  (unsigned)(drum - KIT_SAMPLE));
+                  (unsigned)(drum - TABOR_KIT_NOTE));
   }
   return refuse("%s drum: not one of the log's, which has %u", reader->where, (unsigned)drums);
 }

@@ -23,15 +23,11 @@ bool player_message_from_midi(const MidiAction *action, uint64_t frame, PlayerMe
 /* ---- messages ------------------------------------------------------------------------------- */
 
 static void add_event(DrumPlayer *player, uint32_t drum, const TaborEvent *event, uint32_t offset) {
-  if (drum >= KIT_SAMPLE && drum < KIT_SAMPLE + MIDI_VALUES) {
-    if (player->samples) kit_samples_take(player->samples, drum - KIT_SAMPLE, event, offset);
-    return;
-  }
   TaborKitEvent *const added = &player->events[player->count++];
   *added = (TaborKitEvent){.drum = drum, .event = *event};
   added->event.frame = offset;
   if (drum < TABOR_KIT_DRUMS) fit_striker(&added->event, player->strikers[drum]);
-  player->strokes += added->event.type == TABOR_EVENT_STRIKE;
+  player->strokes += added->event.type == TABOR_EVENT_STRIKE && drum < TABOR_KIT_NOTE;
 }
 
 static void add_gain(DrumPlayer *player, uint32_t offset) {
@@ -156,7 +152,6 @@ static void compute_kit(DrumPlayer *player, uint32_t count, float *const *output
   TaborKitOutputs to = {.stereo = {left, right}};
   for (uint32_t i = 2; i < player->outputs; i++) to.drum[i / 2 - 1][i % 2] = outputs[i];
   tabor_kit_process(player->kit, player->events, count, &to, frames);
-  if (player->samples && left && right) kit_samples_add(player->samples, left, right, frames);
   for (uint32_t i = 0; i < frames; i++) {
     const double gain = fader_next(&player->mix);
     for (uint32_t k = 0; k < player->outputs; k++) {
@@ -210,10 +205,9 @@ void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers
   add_gain(player, 0);
 }
 
-void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples, double rate) {
+void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, double rate) {
   const TaborKitDef *const def = tabor_kit_definition(kit);
   player->kit = kit;
-  player->samples = samples;
   player->mix = fader_at(player->gain * player->expression, rate);
   for (uint32_t i = 0; i < def->drum_count; i++) {
     player->strikers[i] = def->drum[i].def.striker_count;
@@ -230,7 +224,6 @@ static const TaborDrum *drum_at(const DrumPlayer *player, uint32_t index) {
 }
 
 bool drum_player_is_silent(const DrumPlayer *player) {
-  if (player->samples && !kit_samples_are_silent(player->samples)) return false;
   if (player->kit) return tabor_kit_is_silent(player->kit);
   return !player->drum || tabor_drum_is_silent(player->drum);
 }

@@ -12,7 +12,6 @@
 #define TABOR_HOST_DRUM_PLAYER_H
 
 #include "sound/fader.h"
-#include "sound/kit_samples.h"
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
 
@@ -28,11 +27,10 @@ typedef bool DrumSourceFn(void *source, uint64_t end, PlayerMessage *message) RE
 typedef void DrumWitnessFn(void *context, const PlayerMessage *message, uint64_t frame) REALTIME;
 
 typedef struct DrumPlayer {
-  TaborDrum *drum;     /**< or a kit; neither: silence, and events are lost */
-  TaborKit *kit;       /**< its room is its own, and it hears no sound from outside */
-  KitSamples *samples; /**< beside the kit, or NULL */
-  Fader mix;           /**< gain of a kit's outputs; a drum has its own */
-  float loudest; /**< largest sample of the kit before this gain, until somebody sets it to 0 */
+  TaborDrum *drum; /**< or a kit; neither: silence, and events are lost */
+  TaborKit *kit;   /**< its room is its own, and it hears no sound from outside */
+  Fader mix;       /**< gain of a kit's outputs; a drum has its own */
+  float loudest;   /**< largest sample of the kit before this gain, until somebody sets it to 0 */
   uint64_t position;
   uint32_t outputs;                   /**< that the drum was given by tabor_drum_route() */
   uint64_t heard;                     /**< bits of the outputs that anybody hears */
@@ -59,8 +57,7 @@ void drum_player_begin(DrumPlayer *player, uint32_t outputs, double gain) REALTI
 /** Gives the player its drum, at rest, with its outputs chosen and with so many strikers. */
 void drum_player_set_drum(DrumPlayer *player, TaborDrum *drum, uint32_t strikers) REALTIME;
 /** Gives the player a kit, at rest, and its samples, which may be NULL; @p rate is theirs [Hz]. */
-void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, KitSamples *samples,
-                         double rate) REALTIME;
+void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, double rate) REALTIME;
 /** True if drum or kit are silent, and samples; a drum's room is not asked. */
 bool drum_player_is_silent(const DrumPlayer *player) REALTIME;
 /** Energy account of the drum, or of all drums of the kit together. */

@@ -18,7 +18,6 @@
 
 #include "base/message.h"
 #include "base/realtime.h"
-#include "sound/kit_samples.h"
 #include "sound/play_status.h"
 #include "sound/player_message.h"
 #include "sound/recording.h"
@@ -38,7 +37,6 @@ typedef struct PlayerSetup {
   TaborDrum *drum;         /**< at rest, with its microphones as outputs; owned by the caller */
   const TaborDrumDef *def; /**< of the drum, and of the room */
   TaborKit *kit;           /**< in place of drum and def; its channels are left and right */
-  KitSamples *samples;     /**< beside the kit, or NULL */
   double rate;             /**< sample rate of the model [Hz] */
   uint32_t channels;       /**< 1 to TABOR_MAX_MICS */
   uint32_t mics[TABOR_MAX_MICS]; /**< output of each channel */

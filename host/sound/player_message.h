@@ -24,7 +24,8 @@ typedef enum PlayerMessageType {
 typedef struct PlayerMessage {
   uint64_t frame; /**< since playing started, or PLAYER_NOW */
   uint32_t type;  /**< a PlayerMessageType */
-  uint32_t drum;  /**< of a kit, or TABOR_KIT_ALL, or KIT_SAMPLE and a note: of events and models */
+  uint32_t
+    drum; /**< of a kit, or TABOR_KIT_ALL, or TABOR_KIT_NOTE and a note: of events and models */
   uint32_t strikers; /**< number of strikers of the new model */
   uint32_t model;    /**< number of the new model in a log (log_line.h) */
   double value;

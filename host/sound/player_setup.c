@@ -42,7 +42,7 @@ static Outcome set_instrument(Player *player, const PlayerSetup *setup) {
   DrumPlayer *const core = &player->core;
   if (setup->kit) {
     drum_player_begin(core, 2, setup->gain);
-    drum_player_set_kit(core, setup->kit, setup->samples, setup->rate);
+    drum_player_set_kit(core, setup->kit, setup->rate);
     return OUTCOME_OK;
   }
   drum_player_begin(core, setup->def->mic_count, setup->gain);

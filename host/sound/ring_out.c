@@ -22,7 +22,7 @@ static bool room_is_over(DrumPlayer *player) REALTIME;
 static bool room_is_over(DrumPlayer *player) {
   const bool is_quiet = player->loudest < QUIET;
   player->loudest = 0;
-  if (player->samples && !kit_samples_are_silent(player->samples)) return false;
+  if (player->kit && tabor_kit_sounds(player->kit) > 0) return false;
   return player->kit ? is_quiet : !player->room || room_mix_is_over(player->room);
 }
 

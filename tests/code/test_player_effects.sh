@@ -48,7 +48,7 @@ if [ -n "$clap" ]; then
 else
   skip_part "the CLAP plugins: there are no CLAP headers (tools/setup --plugins brings them)"
 fi
-names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out sound/kit_samples strokes/humanize
+names="sound/player sound/drum_player base/spsc_queue sound/frame_clock sound/ring_out strokes/humanize
   midi/midi_to_events midi/midi_speed midi/midi_stream"
 for name in $names $plugins; do
   effects "$source/host/$name.c" || fail "-Wfunction-effects: $name.c"

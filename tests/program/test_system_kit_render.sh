@@ -176,7 +176,8 @@ refused "--place-cc = 120|--place-cc.*120" "${short[@]}" --map roland --place-cc
 printf '[note.42]\nsample = hat.wav\npitch = 2\n' >wrong.ini
 refused "wrong.ini:3: 'note.42.pitch': allowed are" render --kit ./wrong.ini --midi-file song.mid
 refused "note.0 to note.127" "${short[@]}" --set note.128.sample=hat.wav
-refused "rate is 48000 Hz, that of the kit 44100 Hz; --rate 48000 fits" "${short[@]}" --set note.42.sample=hat.wav --rate 44100
+run "${short[@]}" --set note.42.sample=hat.wav --rate 44100 -o rate.wav
+same "a sample at another rate" 0 "$status"
 failed "cannot read 'none.flac'" "${short[@]}" --set note.42.sample=none.flac
 
 refused "unknown kit 'standart'.*did you mean 'standard'" render --kit standart --midi-file song.mid

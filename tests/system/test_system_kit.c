@@ -283,7 +283,7 @@ static void what_is_no_value_of_the_kit_is_dropped(void **state) {
   const TaborKitEvent events[] = {value_at(0, TABOR_KIT_OVERHEADS, 24.1),
                                   value_at(0, TABOR_KIT_OVERHEADS, NAN),
                                   value_at(0, TABOR_KIT_COUPLING, -61.0),
-                                  value_at(0, 2, 0.0),
+                                  value_at(0, 3, 0.0),
                                   {.drum = TABOR_KIT_MIX, .event = {.type = TABOR_EVENT_STRIKE}},
                                   value_at(0, TABOR_KIT_OVERHEADS, 24.0),
                                   value_at(0, TABOR_KIT_COUPLING, -60.0)};

@@ -44,6 +44,8 @@ extern "C" {
 #define TABOR_KIT_NOTES 128             /**< notes of MIDI */
 #define TABOR_KIT_ALL UINT32_MAX        /**< address of an event that goes to every drum */
 #define TABOR_KIT_MIX (UINT32_MAX - 1u) /**< address of an event for the kit's own values */
+#define TABOR_KIT_NOTE                                                                             \
+  0x1000u                   /**< address of an event for the sound of a note: this and the note */
 #define TABOR_KIT_NEW 0xffu /**< a drum that goes on with none, for tabor_kit_follow() */
 #define TABOR_KIT_OWN_MICS                                                                         \
   5 /**< a drum's own microphones in a kit at most; the kit adds three of its own */
@@ -90,7 +92,8 @@ typedef struct TaborKitDrumDef {
 
 /**
  * A sound file that a note plays: what a kit does not model, as a hi-hat. The library does not read files, it only keeps their
- * names; the program that plays the kit does.
+ * names; the program that plays the kit gives it the sound (tabor_kit_set_sample()). It is added to the mix; no drum hears it, and the
+ * room does not.
  */
 typedef struct TaborKitNoteDef {
   char sample[TABOR_TEXT_SIZE]; /**< name of the file; "", the default: the note plays none */
@@ -211,14 +214,18 @@ typedef void TaborKitRun(void *context, TaborKitJob *job, void *kit, uint32_t co
  */
 typedef enum TaborKitParameter {
   TABOR_KIT_OVERHEADS, /**< gain of the overheads, -120 (none) to 24 */
-  TABOR_KIT_COUPLING /**< how loud others are heard, -60 to 24, or -120: not at all. A kit with `coupled` 0 drops it */
+  TABOR_KIT_COUPLING, /**< how loud others are heard, -60 to 24, or -120: not at all. A kit with `coupled` 0 drops it */
+  TABOR_KIT_SAMPLES /**< gain of the sounds of notes, -120 (none) to 24; at first, and after a reset, 0 */
 } TaborKitParameter;
 
 /** An event of a drum. */
 typedef struct TaborKitEvent {
   uint32_t
-    drum; /**< index of the drum, TABOR_KIT_ALL or TABOR_KIT_MIX; another one: the event is dropped */
-  TaborEvent event; /**< as for tabor_drum_process() */
+    drum; /**< index of the drum, TABOR_KIT_ALL, TABOR_KIT_MIX or TABOR_KIT_NOTE and a note; another one: the event is dropped */
+  /** As for tabor_drum_process(). For the sound of a note a stroke, whose `velocity` is its strength from 0 to 1, the square of which is
+   * how loud it is, or a silence, which fades it and others of its group within 15 ms; otherwise it is dropped. A
+   * note whose definition names a file, but that was given no sound, is silent. */
+  TaborEvent event;
 } TaborKitEvent;
 
 /** Where a block goes. Any pointer may be NULL: that output is not computed. */
@@ -257,6 +264,20 @@ TABOR_API void tabor_kit_destroy(TaborKit *kit);
  * the caller's: for an audio thread it must not lock.
  */
 TABOR_API void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context);
+/**
+ * Gives a note of a kit, which must not play meanwhile, its sound, with the gain and the group of its definition.
+ *
+ * @param kit    the kit.
+ * @param note   0 to TABOR_KIT_NOTES - 1.
+ * @param left   [frames]: copied.
+ * @param right  [frames], or NULL: the same as the left side.
+ * @param frames number of frames; may be 0.
+ * @param rate   of the sound, 1000 to 1e6 Hz; it is converted to that of the kit.
+ * @param error  may be NULL. TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE, TABOR_ERROR_MEMORY; the note keeps the sound that it had.
+ */
+TABOR_API TaborStatus tabor_kit_set_sample(TaborKit *kit, uint32_t note, const float *left,
+                                           const float *right, uint32_t frames, double rate,
+                                           TaborError *error);
 /**
  * Prepares that @p kit, which has not played yet, takes the place of the kit @p from, which plays: so a kit's tuning, room, mix,
  * places and drums change while it rings.
@@ -306,12 +327,14 @@ TABOR_API void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uin
 /**
  * Lets @p kit take the place of @p from as tabor_kit_follow() has prepared it: its next frame is the one that @p from would
  * have played. Drums that go on ring on in @p kit, with their gains and live values, and hear what is on its way to them; so does the
- * room if it is the same. Overheads and coupling move to the values of the definition within 5 ms. Drums of @p from that are left, and
+ * room if it is the same, and so do the sounds of notes if these are defined alike: @p kit needs none of its own then. Overheads and coupling move to the values of the definition within 5 ms. Drums of @p from that are left, and
  * a room that is another one, ring on in @p from, which may be played beside @p kit as long as they are to be heard. Does nothing
  * if @p kit was not prepared for @p from.
  */
 TABOR_API void tabor_kit_take_over(TaborKit *kit, TaborKit *from);
-/** True if every drum and the room are silent: the outputs are then exactly 0 until the next event. */
+/** Number of strokes on notes with a sound that still sound. */
+TABOR_API uint32_t tabor_kit_sounds(const TaborKit *kit);
+/** True if every drum, the room and all sounds of notes are silent: the outputs are then exactly 0 until the next event. */
 TABOR_API bool tabor_kit_is_silent(const TaborKit *kit);
 /** Brings all drums and the room to rest, by tabor_drum_reset() and tabor_room_reset(): the kit is as a new one. */
 TABOR_API void tabor_kit_reset(TaborKit *kit);

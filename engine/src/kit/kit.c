@@ -48,6 +48,12 @@ static TbEventList events_for(const Listener *listener) {
                        .context = listener};
 }
 
+/* The note for whose sound the event is, or TABOR_KIT_NOTES. */
+static uint32_t note_of(const TaborKitEvent *event) {
+  const uint32_t note = event->drum - TABOR_KIT_NOTE;
+  return note < TABOR_KIT_NOTES ? note : TABOR_KIT_NOTES;
+}
+
 /* Passes over the piece's events once the drums have played them; counts those that are for none. */
 static void pass_events(TaborKit *kit) {
   TbKitPiece *const piece = &kit->now;
@@ -55,7 +61,8 @@ static void pass_events(TaborKit *kit) {
   for (; piece->next < piece->count; piece->next++) {
     const TaborKitEvent *const event = &piece->events[piece->next];
     if (!piece->last && event->event.frame >= end) return;
-    const bool is_kits = event->drum == TABOR_KIT_ALL || event->drum == TABOR_KIT_MIX;
+    const bool is_kits = event->drum == TABOR_KIT_ALL || event->drum == TABOR_KIT_MIX ||
+                         note_of(event) < TABOR_KIT_NOTES;
     kit->dropped += event->drum >= kit->def.drum_count && !is_kits;
   }
 }
@@ -74,18 +81,35 @@ static bool set_value(TaborKit *kit, const TaborEvent *event) {
     move_to(kit, &kit->overheads, tb_kit_factor(value));
     return true;
   }
+  if (event->parameter == TABOR_KIT_SAMPLES) {
+    move_to(kit, &kit->samples.shots.gain, tb_kit_factor(value));
+    return true;
+  }
   const bool is_coupling = event->parameter == TABOR_KIT_COUPLING && kit->def.coupled;
   if (!is_coupling || (value < -60.0 && value > -120.0)) return false;
   move_to(kit, &kit->coupling, tb_kit_factor(value) / tb_kit_factor(kit->def.coupling));
   return true;
 }
 
+/* What is the kit's own in an event: values and sounds of notes. `offset` is its frame of the piece. */
+static void act(TaborKit *kit, const TaborKitEvent *event, uint32_t offset) {
+  const uint32_t note = note_of(event), type = event->event.type;
+  const bool ends = type == TABOR_EVENT_SILENCE || type == TABOR_EVENT_RESET;
+  if (event->drum == TABOR_KIT_MIX) {
+    kit->dropped += !set_value(kit, &event->event);
+  } else if (note < TABOR_KIT_NOTES) {
+    const bool acts = tb_kit_samples_act(&kit->samples, note, &event->event, offset);
+    kit->dropped += !acts && !(kit->def.note[note].sample[0] && !kit->samples.notes[note].sound[0]);
+  } else if (event->drum == TABOR_KIT_ALL && ends) {
+    tb_kit_samples_silence(&kit->samples, offset);
+  }
+}
+
 /* Events from `next` on that act by frame `until` of the block; returns the first that does not. */
-static uint32_t set_values(TaborKit *kit, uint32_t next, uint32_t until) {
+static uint32_t act_until(TaborKit *kit, uint32_t next, uint32_t until, uint32_t offset) {
   const TbKitPiece *const piece = &kit->now;
   for (; next < piece->count && piece->events[next].event.frame <= until; next++) {
-    if (piece->events[next].drum != TABOR_KIT_MIX) continue;
-    kit->dropped += !set_value(kit, &piece->events[next].event);
+    act(kit, &piece->events[next], offset);
   }
   return next;
 }
@@ -96,11 +120,12 @@ static void follow_values(TaborKit *kit) {
   uint32_t next = piece->next;
   for (uint32_t i = 0; i < piece->frames; i++) {
     const bool is_last = piece->last && i + 1 == piece->frames;
-    next = set_values(kit, next, is_last ? UINT32_MAX : piece->start + i);
+    next = act_until(kit, next, is_last ? UINT32_MAX : piece->start + i, i);
     piece->overheads[i] = tb_live_next(&kit->overheads);
     piece->coupling[i] = (float)tb_live_next(&kit->coupling);
+    piece->sounds[i] = (float)tb_live_next(&kit->samples.shots.gain);
   }
-  if (piece->last) (void)set_values(kit, next, UINT32_MAX);
+  if (piece->last) (void)act_until(kit, next, UINT32_MAX, piece->frames);
 }
 
 static void reset_values(TaborKit *kit) {
@@ -272,6 +297,7 @@ static void play_piece(TaborKit *kit) {
   const float *const dry[2] = {mix.overheads[0], mix.overheads[1]};
   float *const wet[2] = {mix.close[0], mix.close[1]};
   tabor_room_process(kit->room, dry, wet, frames);
+  tb_kit_samples_add(&kit->samples, kit->now.sounds, wet[0], wet[1], frames);
   for (int side = 0; outputs && side < 2; side++) {
     if (outputs->stereo[side]) {
       memcpy(outputs->stereo[side] + at, mix.close[side], frames * sizeof(float));
@@ -305,11 +331,13 @@ void tabor_kit_process(TaborKit *kit, const TaborKitEvent *events, uint32_t coun
 
 /* ---- the kit as a whole ---------------------------------------------------------------------- */
 
+uint32_t tabor_kit_sounds(const TaborKit *kit) { return tb_kit_shots_count(&kit->samples.shots); }
+
 bool tabor_kit_is_silent(const TaborKit *kit) {
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     if (!tabor_drum_is_silent(kit->voices[i].drum)) return false;
   }
-  return tabor_room_is_silent(kit->room);
+  return tabor_room_is_silent(kit->room) && tabor_kit_sounds(kit) == 0;
 }
 
 void tabor_kit_reset(TaborKit *kit) {
@@ -323,6 +351,7 @@ void tabor_kit_reset(TaborKit *kit) {
   kit->muffled = false;
   kit->left = (TbAirEnergy){.radiated = 0.0};
   tabor_room_reset(kit->room);
+  tb_kit_samples_reset(&kit->samples);
   reset_values(kit);
   kit->frame = kit->dropped = 0;
 }
@@ -351,6 +380,7 @@ typedef struct StateHead {
   double passed[TABOR_KIT_DRUMS][2];
   TbAirEnergy forgotten[TABOR_KIT_DRUMS], left;
   TbLiveParam overheads, coupling;
+  TbKitShots shots;
 } StateHead;
 
 static size_t ring_bytes(const TaborKit *kit) { return kit->ring * sizeof(float); }
@@ -370,7 +400,8 @@ static StateHead head_of(const TaborKit *kit) {
                     .muffled = kit->muffled,
                     .left = kit->left,
                     .overheads = kit->overheads,
-                    .coupling = kit->coupling};
+                    .coupling = kit->coupling,
+                    .shots = kit->samples.shots};
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     memcpy(head.passed[i], kit->voices[i].passed, sizeof head.passed[i]);
     head.forgotten[i] = kit->voices[i].drum->forgotten;
@@ -404,7 +435,8 @@ static bool is_factor(const TaborKit *kit, const TbLiveParam *live) {
 static bool check_head(const TaborKit *kit, const StateHead *head) {
   bool sound = head->size == tabor_kit_state_size(kit) && head->muffled <= 1 &&
                is_factor(kit, &head->overheads) && is_factor(kit, &head->coupling) &&
-               is_sound(head->left.radiated) && is_sound(head->left.work);
+               is_sound(head->left.radiated) && is_sound(head->left.work) &&
+               tb_kit_shots_fit(&head->shots, &kit->samples);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     sound &= is_sound(head->passed[i][0]) && is_sound(head->passed[i][1]) &&
              is_sound(head->forgotten[i].radiated) && is_sound(head->forgotten[i].work);
@@ -419,6 +451,7 @@ static void load_head(TaborKit *kit, const StateHead *head) {
   kit->left = head->left;
   kit->overheads = head->overheads;
   kit->coupling = head->coupling;
+  kit->samples.shots = head->shots;
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     memcpy(kit->voices[i].passed, head->passed[i], sizeof head->passed[i]);
     kit->voices[i].drum->forgotten = head->forgotten[i];

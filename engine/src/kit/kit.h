@@ -16,6 +16,7 @@
 #define TB_KIT_H
 
 #include "drum/drum.h"
+#include "kit/kit_samples.h"
 #include "tabor/kit.h"
 
 #define TB_KIT_PIECE 64u      /* frames at once at most */
@@ -52,7 +53,7 @@ typedef struct TbKitPiece {
   bool last;              /* of the block's pieces */
   const TaborKitOutputs *outputs;
   double overheads[TB_KIT_PIECE]; /* factors of each frame */
-  float coupling[TB_KIT_PIECE];
+  float coupling[TB_KIT_PIECE], sounds[TB_KIT_PIECE];
 } TbKitPiece;
 
 struct TaborKit {
@@ -60,10 +61,12 @@ struct TaborKit {
   TaborKitDef def;
   TbKitVoice *voices; /* [def.drum_count] */
   TaborRoom *room;
-  uint32_t piece;          /* frames at once */
-  double low[3];           /* the low-pass of the air: gain, and two feedbacks */
-  bool muffled;            /* the air is silent: see air_is_passive() */
-  TbAirEnergy left;        /* what drums have taken out of its account that are left behind */
+  uint32_t piece;   /* frames at once */
+  double low[3];    /* the low-pass of the air: gain, and two feedbacks */
+  bool muffled;     /* the air is silent: see air_is_passive() */
+  TbAirEnergy left; /* what drums have taken out of its account that are left behind */
+  TbKitSamples samples;
+  bool has_sounds;         /* of the kit that it follows */
   const TaborKit *follows; /* until tabor_kit_take_over() */
   /* Factors of the overheads, and of the coupling beside the definition's. */
   TbLiveParam overheads, coupling;

@@ -146,6 +146,7 @@ static TaborStatus create_voices(TaborKit *kit, TaborModel *const *models, Tabor
   prepare_ways(kit);
   prepare_low_pass(kit, models[0]->sample_rate);
   kit->ramp = (uint32_t)(TB_LIVE_TIME * models[0]->sample_rate);
+  kit->samples.fade = (uint32_t)(TB_KIT_SAMPLE_FADE * models[0]->sample_rate);
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     kit->voices[i].said =
       kit->allocator.allocate(kit->ring * sizeof(float), kit->allocator.context);
@@ -188,5 +189,28 @@ void tabor_kit_destroy(TaborKit *kit) {
   }
   if (kit->voices) allocator.release(kit->voices, allocator.context);
   tabor_room_destroy(kit->room);
+  tb_kit_samples_free(&kit->samples, &allocator);
   allocator.release(kit, allocator.context);
+}
+
+/* ---- sounds of notes ------------------------------------------------------------------------- */
+
+TaborStatus tabor_kit_set_sample(TaborKit *kit, uint32_t note, const float *left,
+                                 const float *right, uint32_t frames, double rate,
+                                 TaborError *error) {
+  static const double LEAST = 1e3, MOST = 1e6; /* [Hz] */
+  if (!kit) return tb_error_null(error, "kit");
+  if (!left) return tb_error_null(error, "left side");
+  if (note >= TABOR_KIT_NOTES) {
+    return tb_error_set(error, TABOR_ERROR_ARGUMENT, "note", NULL, 0.0, TABOR_KIT_NOTES - 1,
+                        "note %u; allowed: 0 to %d", (unsigned)note, TABOR_KIT_NOTES - 1);
+  }
+  if (!(rate >= LEAST && rate <= MOST)) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "rate", NULL, LEAST, MOST,
+                        "a sample rate of %g Hz; allowed: %g to %g", rate, LEAST, MOST);
+  }
+  const double own = kit->voices[0].model->sample_rate;
+  const bool is_set = tb_kit_sample_set(&kit->samples.notes[note], &kit->def.note[note], left,
+                                        right, frames, rate, own, &kit->allocator);
+  return is_set ? tb_error_clear(error) : memory_error(error);
 }

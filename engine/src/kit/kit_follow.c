@@ -64,6 +64,7 @@ TaborStatus tabor_kit_follow(TaborKit *kit, const TaborKit *from, const uint8_t 
     return status;
   }
   kit->follows = from;
+  kit->has_sounds = memcmp(kit->def.note, from->def.note, sizeof kit->def.note) == 0;
   return tb_error_clear(error);
 }
 
@@ -130,6 +131,14 @@ static void take_values(TaborKit *kit, const TaborKit *from) {
   tb_live_move(&kit->coupling, 1.0, kit->frame == 0 ? 0 : kit->ramp);
 }
 
+static void take_sounds(TaborKit *kit, TaborKit *from) {
+  const TbKitSamples own = kit->samples;
+  kit->samples.shots.gain = from->samples.shots.gain;
+  if (!kit->has_sounds) return;
+  kit->samples = from->samples;
+  from->samples = own;
+}
+
 void tabor_kit_take_over(TaborKit *kit, TaborKit *from) {
   if (!kit->follows || kit->follows != from) return;
   kit->frame = from->frame;
@@ -140,6 +149,7 @@ void tabor_kit_take_over(TaborKit *kit, TaborKit *from) {
   for (uint32_t i = 0; i < kit->def.drum_count; i++) {
     if (kit->voices[i].before != TABOR_KIT_NEW) take_drum(kit, i, from);
   }
+  take_sounds(kit, from);
   if (tb_room_is_same(kit->room, from->room)) {
     TaborRoom *const room = kit->room;
     kit->room = from->room;

@@ -184,7 +184,7 @@ static void a_map_by_name_finds_samples(void **state) {
   use_map("roland");
   midi->has_sample[46] = true;
   assert_int_equal(take(0x99, 26, 127), 1);
-  assert_int_equal(events[0].drum, KIT_SAMPLE + 46);
+  assert_int_equal(events[0].drum, TABOR_KIT_NOTE + 46);
   assert_int_equal(events[0].event.type, TABOR_EVENT_STRIKE);
   assert_true(events[0].event.velocity == 1);
   assert_int_equal(take(0x99, 22, 127), 0);
@@ -206,7 +206,7 @@ static void a_sample_is_struck_and_choked_but_not_ended(void **state) {
   assert_int_equal(take(0xA9, 49, 0), 0);
   assert_int_equal(take(0xA9, 49, 1), 0);
   assert_int_equal(take(0xA9, 49, 2), 1);
-  assert_int_equal(events[0].drum, KIT_SAMPLE + 49);
+  assert_int_equal(events[0].drum, TABOR_KIT_NOTE + 49);
   assert_int_equal(events[0].event.type, TABOR_EVENT_SILENCE);
   assert_int_equal(midi->unknown[49], 0);
 }
@@ -275,7 +275,7 @@ static void key_pressure_chokes_a_sample(void **state) {
   midi->has_sample[49] = true;
   for (uint8_t note = 49; note <= 55; note += 6) {
     assert_int_equal(take(0xA9, note, 127), 1);
-    assert_int_equal(events[0].drum, KIT_SAMPLE + 49);
+    assert_int_equal(events[0].drum, TABOR_KIT_NOTE + 49);
     assert_int_equal(events[0].event.type, TABOR_EVENT_SILENCE);
     assert_int_equal(take(0xA9, note, 0), 0);
     assert_int_equal(take(0xA9, note, 1), 0);

@@ -115,7 +115,7 @@ static void gains_and_changes_are_read_back(void **state) {
 static void addresses_are_read_back(void **state) {
   (void)state;
   static const uint32_t drums[] = {
-    0, 1, TABOR_KIT_DRUMS - 1, TABOR_KIT_ALL, KIT_SAMPLE, KIT_SAMPLE + MIDI_VALUES - 1};
+    0, 1, TABOR_KIT_DRUMS - 1, TABOR_KIT_ALL, TABOR_KIT_NOTE, TABOR_KIT_NOTE + MIDI_VALUES - 1};
   for (size_t i = 0; i < sizeof drums / sizeof drums[0]; i++) {
     PlayerMessage message = {.frame = 7, .type = PLAYER_EVENT, .drum = drums[i]};
     message.event = (TaborEvent){.type = TABOR_EVENT_STRIKE, .velocity = 1};

@@ -212,6 +212,11 @@ static bool has_sample(const KitMidi *midi, uint8_t note) {
   return midi->general[note] != KIT_MAP_NOTHING && midi->has_sample[midi->general[note]];
 }
 
+uint32_t kit_midi_address(const KitMidi *midi, uint8_t note) {
+  if (midi->owner[note] != KIT_MIDI_NOBODY) return midi->owner[note];
+  return has_sample(midi, note) ? TABOR_KIT_NOTE + midi->general[note] : KIT_MIDI_NOWHERE;
+}
+
 static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEvent *event) {
   const uint8_t note = message->data[0], owner = midi->owner[note];
   const int channel = midi->maps[0].channel;

@@ -17,6 +17,7 @@
 #include "midi/midi_to_events.h"
 
 #define KIT_MIDI_NOBODY 0xff
+#define KIT_MIDI_NOWHERE (UINT32_MAX - 2u)                         /**< no address of an event */
 #define KIT_MIDI_MOST_EVENTS (MIDI_MOST_ACTIONS * TABOR_KIT_DRUMS) /**< of one message */
 
 /** What the options for MIDI say. */
@@ -54,6 +55,8 @@ void kit_midi_rest(KitMidi *midi) REALTIME;
  * TABOR_KIT_NOTE and the note of General MIDI. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
+/** Where the events of a note go: a drum, or the sound of a note; KIT_MIDI_NOWHERE if it plays nothing. */
+uint32_t kit_midi_address(const KitMidi *midi, uint8_t note) REALTIME;
 /** Number of strokes on notes that play no drum. */
 uint64_t kit_midi_unknown(const KitMidi *midi) REALTIME;
 /** Name of a note of General MIDI's percussion, as "closed hi-hat"; NULL for others. */

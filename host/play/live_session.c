@@ -158,7 +158,7 @@ static Outcome create_kit(LiveSession *session) {
   if (outcome == OUTCOME_OK && tabor_kit_create(kit, models, &session->kit, &error) != TABOR_OK) {
     outcome = report_engine_error(&error);
   }
-  if (outcome == OUTCOME_OK) outcome = kit_samples_load(session->kit);
+  if (outcome == OUTCOME_OK) outcome = kit_sample_files_read(session->kit);
   kit_models_release(models);
   return outcome;
 }

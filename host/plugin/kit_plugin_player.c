@@ -60,6 +60,12 @@ static void set_gains(KitPluginPlayer *player) {
   }
 }
 
+static void add_value(KitPluginPlayer *player, uint32_t parameter, double value) REALTIME;
+static void add_value(KitPluginPlayer *player, uint32_t parameter, double value) {
+  const TaborEvent event = {.type = TABOR_EVENT_PARAMETER, .parameter = parameter, .value = value};
+  add_event(player, (TaborKitEvent){.drum = TABOR_KIT_MIX, .event = event}, player->at);
+}
+
 static void set_value(KitPluginPlayer *player, KitKnobId id) REALTIME;
 static void set_value(KitPluginPlayer *player, KitKnobId id) {
   const KitVoice *const voice = player->now;
@@ -68,10 +74,14 @@ static void set_value(KitPluginPlayer *player, KitKnobId id) {
   const double value = is_coupling
                          ? kit_knob_beside(id, player->values[id], voice->coupling, -60)
                          : kit_knob_beside(id, player->values[id], voice->overheads, KIT_KNOB_NONE);
-  const TaborEvent event = {.type = TABOR_EVENT_PARAMETER,
-                            .parameter = is_coupling ? TABOR_KIT_COUPLING : TABOR_KIT_OVERHEADS,
-                            .value = value};
-  add_event(player, (TaborKitEvent){.drum = TABOR_KIT_MIX, .event = event}, player->at);
+  add_value(player, is_coupling ? TABOR_KIT_COUPLING : TABOR_KIT_OVERHEADS, value);
+}
+
+/* The gain is for all outputs, and so for the sounds of notes, too. */
+static void set_samples(KitPluginPlayer *player) REALTIME;
+static void set_samples(KitPluginPlayer *player) {
+  const float gain = player->values[KIT_KNOB_GAIN];
+  add_value(player, TABOR_KIT_SAMPLES, kit_knob_beside(KIT_KNOB_GAIN, gain, 0, KIT_KNOB_NONE));
 }
 
 /* A new kit's gains are 1, its values its own. */
@@ -80,6 +90,7 @@ static void set_first_gains(KitPluginPlayer *player) {
   for (uint32_t i = 0; i < player->now->drum_count; i++) {
     if (gain_of(player, i) != 1) set_gain(player, i, player->at);
   }
+  if (player->values[KIT_KNOB_GAIN] != 0) set_samples(player);
   if (player->values[KIT_KNOB_COUPLING] != 0) set_value(player, KIT_KNOB_COUPLING);
   if (player->values[KIT_KNOB_OVERHEADS] != 0) set_value(player, KIT_KNOB_OVERHEADS);
 }
@@ -103,6 +114,7 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
     set_value(player, id);
   } else if (id == KIT_KNOB_GAIN) {
     set_gains(player);
+    if (player->now) set_samples(player);
   } else if (player->now && id - KIT_KNOB_LEVEL < player->now->drum_count) {
     set_gain(player, id - KIT_KNOB_LEVEL, player->at);
   }
@@ -143,8 +155,8 @@ void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) {
   TaborKitEvent silence = {.drum = TABOR_KIT_ALL, .event = {.type = TABOR_EVENT_SILENCE}};
   if (!player->now) return;
   if (key >= 0) {
-    silence.drum = player->now->midi.owner[key];
-    if (silence.drum == KIT_MIDI_NOBODY) return;
+    silence.drum = kit_midi_address(&player->now->midi, (uint8_t)key);
+    if (silence.drum == KIT_MIDI_NOWHERE) return;
   }
   add_event(player, silence, frame);
 }

@@ -7,6 +7,7 @@
 
 #include "plugin/model_cache.h"
 #include "plugin/model_worker.h"
+#include "plugin/sound_file.h"
 
 void kit_voice_destroy(KitVoice *voice) {
   if (!voice) return;
@@ -106,6 +107,21 @@ static TaborStatus follow(const KitWorker *worker, KitVoice *voice, TaborError *
   return tabor_kit_follow(voice->kit, worker->playing->kit, drums, error);
 }
 
+/* A KitSoundFn. A note whose file cannot be read is silent. */
+static bool read_sound(void *context, const char *name, KitSound *sound) {
+  const KitWorker *const worker = context;
+  char message[TABOR_TEXT_SIZE];
+  const bool is_read = sound_file_read(name, sound, message, sizeof message);
+  if (!is_read && worker->say) worker->say(worker->context, message);
+  return true;
+}
+
+/* A kit that follows another one has its sounds. */
+static TaborStatus load_sounds(KitWorker *worker, KitVoice *voice, TaborError *error) {
+  if (voice->follows) return TABOR_OK;
+  return kit_samples_load(voice->kit, read_sound, worker, error);
+}
+
 static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voice,
                               TaborError *error) {
   const KitMidiSetup setup = setup_of(worker->wanted);
@@ -117,7 +133,10 @@ static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voi
   status = take_models(worker, def, voice, error);
   if (status == TABOR_OK) status = tabor_kit_create(def, voice->models, &voice->kit, error);
   if (status == TABOR_OK) status = follow(worker, voice, error);
-  if (status == TABOR_OK) kit_midi_begin(&voice->midi, def, &setup);
+  if (status == TABOR_OK) status = load_sounds(worker, voice, error);
+  if (status != TABOR_OK) return status;
+  kit_midi_begin(&voice->midi, def, &setup);
+  kit_samples_map(def, voice->midi.has_sample);
   return status;
 }
 

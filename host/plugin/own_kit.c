@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/definition_text.h"
 #include "kit/kit_file.h"
 
 bool own_kit_begin(OwnKit *own) {
@@ -38,24 +39,33 @@ static char *copy_of(const char *text, size_t length) {
   return copy;
 }
 
-static bool read_kit(const char *name, const char *text, size_t length, TaborKitDef *def,
-                     char *message, size_t size) {
-  return kit_file_parse(name, text, length, def, message, size) == PRESET_FILE_OK &&
-         kit_file_check(name, def, message, size);
+static bool has_samples(const TaborKitDef *def) {
+  uint32_t note = 0;
+  while (note < TABOR_KIT_NOTES && !def->note[note].sample[0]) note++;
+  return note < TABOR_KIT_NOTES;
+}
+
+/* As it stands in the file, unless that names sound files beside it, which are to be found from a session, too. */
+static char *text_of(const char *text, size_t length, TaborKitDef *def) {
+  if (!has_samples(def)) return copy_of(text, length);
+  kit_file_root_samples(def);
+  return definition_write_kit(def, TABOR_TEXT_EDIT, "Tabor Kit", NULL);
 }
 
 static bool take(OwnKit *own, const char *name, const char *text, size_t length, char *message,
                  size_t size) {
   TaborKitDef *const def = malloc(sizeof *def);
-  char *const copy = copy_of(text, length);
-  const bool has_memory = def && copy;
-  if (!has_memory) (void)snprintf(message, size, "%s: out of memory", name);
-  if (has_memory && read_kit(name, text, length, def, message, size)) {
-    replace(own, copy, length, def);
+  if (!def) (void)snprintf(message, size, "%s: out of memory", name);
+  const bool is_read = def &&
+                       kit_file_parse(name, text, length, def, message, size) == PRESET_FILE_OK &&
+                       kit_file_check(name, def, message, size);
+  char *const copy = is_read ? text_of(text, length, def) : NULL;
+  if (copy) {
+    replace(own, copy, strlen(copy), def);
     return true;
   }
+  if (is_read) (void)snprintf(message, size, "%s: out of memory", name);
   free(def);
-  free(copy);
   return false;
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file own_kit.h
- * A kit of the user's, from a kit file (docs/kit.md): its text, which sessions save, and what it says. Notes that the file
- * gives a sample play nothing in a plugin.
+ * A kit of the user's, from a kit file (docs/kit.md): its text, which sessions save, and what it says. Sound files have their
+ * names from the root in it.
  *
  * Where only the audio thread hears of a file, it asks, and a worker takes the file: own_kit_ask(), own_kit_work().
  * Threads: any but the audio thread, several at once, where nothing else is said.

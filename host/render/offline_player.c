@@ -49,7 +49,7 @@ static Outcome open_kit(OfflinePlayer *player) {
   RenderRequest *const request = player->request;
   const double rate = request->model.sample_rate;
   Outcome outcome = build_kit(player);
-  if (outcome == OUTCOME_OK && !request->split) outcome = kit_samples_load(player->kit);
+  if (outcome == OUTCOME_OK && !request->split) outcome = kit_sample_files_read(player->kit);
   if (outcome != OUTCOME_OK) return outcome;
   for (uint32_t i = 0; i < request->kit->drum_count; i++) {
     player->models[i] = (TaborModel *)tabor_drum_model(tabor_kit_drum(player->kit, i));

@@ -310,14 +310,17 @@ void song_write_random(uint64_t seed) {
 
 /* ---- kits ----------------------------------------------------------------------------------- */
 
+enum { FIRST_SOUND = 47 };
+
 static double between(uint64_t *random, double least, double most) {
   return least + (most - least) * (double)(midi_random(random) % 1000) / 999;
 }
 
-/* Every third note from `first` on, of those that random songs play. */
+/* Every third note from `first` on, of those that random songs play and that have no sound. */
 static void write_notes(FILE *file, uint32_t first, uint32_t drums) {
   fprintf(file, "head = %u", 36u + first);
-  for (uint32_t note = 36 + first + drums; note <= 50; note += drums) fprintf(file, ",%u", note);
+  for (uint32_t note = 36 + first + drums; note < FIRST_SOUND; note += drums)
+    fprintf(file, ",%u", note);
   fprintf(file, "\n");
 }
 
@@ -332,6 +335,36 @@ static void write_drum(FILE *file, uint32_t number, uint32_t drums, uint64_t *ra
           between(random, -1, 1), between(random, 0.1, 2), below(random, 3));
   fprintf(file, "strike.velocity = %.3f\n", between(random, 1, 6));
   write_notes(file, number, drums);
+}
+
+/* Noise that falls, of `channels` channels at `rate`. */
+static void write_sound(const char *name, int channels, int rate, uint64_t *random) {
+  enum { SOUND_FRAMES = 6000 };
+  char path[256];
+  SF_INFO info = {
+    .samplerate = rate, .channels = channels, .format = SF_FORMAT_WAV | SF_FORMAT_PCM_16};
+  song_path(path, sizeof path, name);
+  SNDFILE *const file = sf_open(path, SFM_WRITE, &info);
+  assert_non_null(file);
+  for (int i = 0; i < SOUND_FRAMES; i++) {
+    float frame[2];
+    for (int k = 0; k < 2; k++) {
+      frame[k] = (float)(between(random, -0.05, 0.05) * (SOUND_FRAMES - i) / SOUND_FRAMES);
+    }
+    assert_int_equal(sf_writef_float(file, frame, 1), 1);
+  }
+  assert_int_equal(sf_close(file), 0);
+}
+
+/* The highest notes that random songs play: sounds beside the kit's file, of its own rate and of another one. */
+static void write_sounds(FILE *file, uint64_t *random) {
+  static const char *const names[] = {"sound-one.wav", "sound-pair.wav"};
+  write_sound(names[0], 1, 44100, random);
+  write_sound(names[1], 2, 48000, random);
+  for (uint32_t note = FIRST_SOUND; note <= 50; note++) {
+    fprintf(file, "[note.%u]\nsample = %s\ngain = %.1f\nchoke = %u\n", note, names[note % 2],
+            between(random, -12, 0), below(random, 2));
+  }
 }
 
 /* So soft that play, which clips what is beyond full scale, has nothing to clip. */
@@ -350,6 +383,7 @@ void kit_write_random(uint64_t seed) {
   }
   fprintf(file, "[room]\nkind = %s\n", rooms[below(&seed, 4)]);
   for (uint32_t i = 0; i < drums; i++) write_drum(file, i, drums, &seed);
+  write_sounds(file, &seed);
   assert_int_equal(fclose(file), 0);
 }
 

@@ -417,6 +417,10 @@ static void a_state_has_the_own_kit(void **state) {
   memcpy(sound, host->sound[0], sizeof sound);
   assert_true(strike(other, 36, 0) > 0);
   assert_memory_equal(sound, other->sound[0], sizeof sound);
+  clap_host_run(other, CLAP_BLOCK);
+  other->plugin->reset(other->plugin);
+  (void)strike(other, 48, 0); /* has a sound file, and no drum */
+  assert_true(peak(other, 0, CLAP_BLOCK) > 1e-3 && peak(other, 2, CLAP_BLOCK) == 0);
   const clap_plugin_note_name_t *const names = clap_host_extension(other, CLAP_EXT_NOTE_NAME);
   clap_note_name_t name;
   assert_true(names->get(other->plugin, 0, &name));
@@ -424,6 +428,22 @@ static void a_state_has_the_own_kit(void **state) {
   assert_string_equal(name.name, "d0");
   clap_host_close(host);
   clap_host_close(other);
+}
+
+/* A note whose file is gone is silent, and the host's log has the reason; all else plays. */
+static void a_sound_that_is_gone_is_said(void **state) {
+  (void)state;
+  char path[256];
+  kit_write_random(7);
+  song_path(path, sizeof path, "sound-one.wav");
+  assert_int_equal(remove(path), 0);
+  ClapHost *const host = open_own_kit();
+  (void)strike(host, 48, 0);
+  assert_true(peak(host, 0, CLAP_BLOCK) == 0);
+  (void)strike(host, 47, 0);
+  assert_true(peak(host, 0, CLAP_BLOCK) > 1e-3);
+  assert_non_null(strstr(host->said, "sound-one.wav"));
+  clap_host_close(host);
 }
 
 static void files_that_are_no_kits(void **state) {
@@ -492,6 +512,7 @@ int main(int argc, char **argv) {
     cmocka_unit_test(random_songs_are_those_of_render),
     cmocka_unit_test(random_kits_are_those_of_render),
     cmocka_unit_test(a_state_has_the_own_kit),
+    cmocka_unit_test(a_sound_that_is_gone_is_said),
     cmocka_unit_test(files_that_are_no_kits),
     cmocka_unit_test(levels_are_factors),
     cmocka_unit_test(overheads_move_while_drums_ring),

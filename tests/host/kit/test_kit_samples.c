@@ -91,7 +91,7 @@ static void files_are_read_with_their_gain(void **state) {
   kit_samples_map(&kit, has_sample);
   assert_true(has_sample[51] && has_sample[52] && !has_sample[53]);
   TaborKit *const made = new_kit(&kit);
-  assert_int_equal(kit_samples_load(made), OUTCOME_OK);
+  assert_int_equal(kit_sample_files_read(made), OUTCOME_OK);
   for (uint32_t i = 0; i < 2; i++) {
     float sides[2][FRAMES + 1];
     const TaborKitEvent stroke = {.drum = TABOR_KIT_NOTE + 51 + i,
@@ -108,7 +108,7 @@ static void files_are_read_with_their_gain(void **state) {
   for (int i = 0; i < 2; i++) remove(NOTES[i].sample);
   TaborKit *const lacking = new_kit(&kit);
   const MessageCapture before = message_capture(message, sizeof message);
-  const Outcome outcome = kit_samples_load(lacking);
+  const Outcome outcome = kit_sample_files_read(lacking);
   message_release(before);
   assert_int_not_equal(outcome, OUTCOME_OK);
   assert_non_null(strstr(message, NOTES[0].sample));

@@ -4,8 +4,8 @@
  * Prints hashes of the library's results, for tools/same-sound and test_system_sound_hashes. It uses only the
  * public interface, so it can be linked to the library of another commit.
  *
- *     sound_hashes list                                      the built-in presets
- *     sound_hashes hash PRESET QUALITY [SECONDS [FOLDER]]    a line for each case
+ *     sound_hashes list                                      the built-in presets and kits
+ *     sound_hashes hash PRESET|KIT QUALITY [SECONDS [FOLDER]]    a line for each case
  *     sound_hashes summary QUALITY [baseline|avx2|avx512]    one hash of the presets
  *     sound_hashes difference FILE FILE                      largest difference of two sounds [dB re peak]
  *
@@ -14,6 +14,8 @@
  * blocks of 64 frames. Cheap cases play also in blocks of 1 and of 1000, and "everything" also with the baseline
  * instructions ("64-baseline"); the hashes of one case must be the same for all of these. The case "model"
  * hashes the facts and modes of the model instead of a sound.
+ *
+ * Of a kit (kit_hashes.c) SOUND covers the mix, each drum's part of it and all microphones, LEDGER those of all drums.
  *
  * FOLDER receives the samples of each case as native floats, in the file PRESET-QUALITY-CASE. SECONDS is 0.05
  * by default or if 0; then studio and reference play a quarter of it, snare drums at reference a twentieth.
@@ -24,7 +26,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tabor/tabor.h"
+#include "hashes.h"
+#include "kit_hashes.h"
 
 static const double SAMPLE_RATE = 48000.0; /* [Hz] */
 static const double SECONDS = 0.05;        /* of every case */
@@ -41,47 +44,6 @@ static TaborInstructions usual_instructions = TABOR_INSTRUCTIONS_AUTO;
 static _Noreturn void fail(const char *what, const char *which) {
   (void)fprintf(stderr, "sound_hashes: %s%s%s\n", what, *which ? ": " : "", which);
   exit(2);
-}
-
-/* ---- hashes: FNV-1a, 64 bits ---------------------------------------------------------------- */
-
-typedef uint64_t Hash;
-
-static const Hash HASH_START = 14695981039346656037u;
-
-static Hash hash_bytes(Hash hash, const void *bytes, size_t size) {
-  const unsigned char *p = bytes;
-  for (size_t i = 0; i < size; i++) hash = (hash ^ p[i]) * 1099511628211u;
-  return hash;
-}
-
-static Hash hash_number(Hash hash, double number) {
-  return hash_bytes(hash, &number, sizeof number);
-}
-
-static Hash hash_count(Hash hash, uint64_t count) { return hash_bytes(hash, &count, sizeof count); }
-
-static Hash hash_ledger(Hash hash, const TaborDrum *drum) {
-  TaborLedger l;
-  tabor_drum_ledger(drum, &l);
-  const double numbers[] = {l.injected,  l.control,      l.stored,      l.head_loss,
-                            l.wire_loss, l.contact_loss, l.damper_loss, l.shell_loss,
-                            l.radiated,  l.removed,      l.high_band,   l.residual};
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-    hash = hash_number(hash, numbers[i]);
-  return hash;
-}
-
-static Hash hash_statistics(Hash hash, const TaborDrum *drum) {
-  TaborStatistics s;
-  tabor_drum_statistics(drum, &s);
-  const uint64_t counts[] = {
-    s.frames,         s.slept_frames, s.strikes,           s.late_events, s.misordered_events,
-    s.dropped_events, s.solves,       s.newton_iterations, s.newton_max,  s.newton_capped,
-    s.work_corrected, s.fallbacks,    s.guarded,           s.recovered,   s.contact_sum,
-    s.contact_max,    s.in_play};
-  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) hash = hash_count(hash, counts[i]);
-  return hash;
 }
 
 static Hash hash_probe(Hash hash, const TaborDrum *drum) {
@@ -619,6 +581,7 @@ static void print_difference(const char *path, const char *other) {
 
 static void print_presets(void) {
   for (uint32_t i = 0; i < tabor_preset_count(); i++) printf("%s\n", tabor_preset(i)->name);
+  kit_hashes_list();
 }
 
 int main(int argc, char **argv) {
@@ -630,14 +593,18 @@ int main(int argc, char **argv) {
     s.seconds = argc > 4 ? strtod(argv[4], NULL) : 0.0;
     if (!(s.seconds >= 0.0 && s.seconds * SAMPLE_RATE <= MAX_FRAMES))
       fail("not a duration", argv[4]);
-    print_all(&s);
+    if (kit_hashes_is_kit(s.preset)) {
+      kit_hashes_print(s.preset, s.quality_name, quality_of(s.quality_name), s.seconds, s.folder);
+    } else {
+      print_all(&s);
+    }
   } else if (strcmp(verb, "summary") == 0 && (argc == 3 || argc == 4)) {
     if (argc == 4) usual_instructions = instructions_of(argv[3]);
     print_summary(argv[2]);
   } else if (strcmp(verb, "difference") == 0 && argc == 4) {
     print_difference(argv[2], argv[3]);
   } else {
-    fail("usage: sound_hashes list | hash PRESET QUALITY [SECONDS [FOLDER]] | "
+    fail("usage: sound_hashes list | hash PRESET|KIT QUALITY [SECONDS [FOLDER]] | "
          "summary QUALITY [INSTRUCTIONS] | difference FILE FILE",
          "");
   }

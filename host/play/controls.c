@@ -367,6 +367,10 @@ Controls controls_begin(Player *player, ModelBuilder *const *builders, const Tab
                        .last_place = def.strike.radius / def.shell.radius,
                        .last_speed = def.strike.velocity};
   forget_switches(&controls);
+  if (kit) {
+    controls.kit_values[TABOR_KIT_OVERHEADS] = kit->overheads;
+    controls.kit_values[TABOR_KIT_COUPLING] = kit->coupled ? kit->coupling : KIT_VALUE_NONE;
+  }
   return controls;
 }
 
@@ -387,6 +391,28 @@ static void set_words(Controls *controls, double time, const char *key, const ch
   tell(controls, "%s = %s%s%s%s", key, value, *unit ? " " : "", unit, words);
 }
 
+/* Overheads, coupling and samples of the kit move at once. */
+static void set_kit_value(Controls *controls, double time, int value, const char *text) {
+  double number = 0;
+  if (value == TABOR_KIT_COUPLING && !controls->kit->coupled) {
+    (void)refuse("set kit.coupling: this kit was started with it off");
+    return;
+  }
+  if (kit_value_read(value, text, &number) != OUTCOME_OK) return;
+  const PlayerMessage message = {
+    .frame = frame_at(controls, time),
+    .type = PLAYER_EVENT,
+    .drum = TABOR_KIT_MIX,
+    .event = {.type = TABOR_EVENT_PARAMETER, .parameter = (uint32_t)value, .value = number}};
+  if (!player_send(controls->player, SOURCE_KEYS, &message)) return;
+  controls->kit_values[value] = number;
+  if (number > KIT_VALUE_NONE) {
+    tell(controls, "%s = %g dB", kit_value_keys[value], number);
+  } else {
+    tell(controls, "%s = off", kit_value_keys[value]);
+  }
+}
+
 static void run_set(Controls *controls, const char *text, double time) {
   const size_t length = strcspn(text, " =");
   char key[CONTROLS_TEXT_SIZE];
@@ -397,6 +423,11 @@ static void run_set(Controls *controls, const char *text, double time) {
   value += strspn(value, " ");
   if (!*value) {
     (void)refuse("set %s: the value is missing, as in 'set wires.tension 20'", key);
+    return;
+  }
+  const int kit_value = controls->kit ? kit_value_find(key) : -1;
+  if (kit_value >= 0) {
+    set_kit_value(controls, time, kit_value, value);
     return;
   }
   if (controls->kit && (strncmp(key, "drum.", 5) == 0 || strncmp(key, "kit.", 4) == 0) &&
@@ -503,6 +534,7 @@ static char *kit_text(const Controls *controls, const char *path) {
     model_builder_definition(controls->builders[i], &kit->drum[i].def);
     kit_fit_mic(&kit->drum[i]);
   }
+  for (int i = 0; i < KIT_VALUES; i++) kit_value_define(kit, i, controls->kit_values[i]);
   kit_name_after(kit, path);
   kit_file_root_samples(kit);
   char *const text = definition_write_kit(kit, TABOR_TEXT_EDIT, "'tabor play'", &error);

@@ -10,6 +10,7 @@
 #define TABOR_HOST_CONTROLS_H
 
 #include "drums/user_presets.h"
+#include "kit/kit_values.h"
 #include "play/model_builder.h"
 #include "play/play_midi.h"
 #include "strokes/humanize.h"
@@ -22,6 +23,7 @@ typedef struct Controls {
   Player *player;
   ModelBuilder *const *builders; /**< of the kit's drums, or of the drum */
   const TaborKitDef *kit;        /**< or NULL */
+  double kit_values[KIT_VALUES]; /**< of the kit, by TaborKitParameter [dB] */
   uint32_t drum;                 /**< that the keys strike and change: of the kit, else 0 */
   PlayMidi *midi;                /**< live MIDI, or NULL */
   const char *midi_map;          /**< file of --midi-map, or NULL */

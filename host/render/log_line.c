@@ -10,6 +10,7 @@
 #include "drums/definition_text.h"
 #include "drums/drum_args.h"
 #include "kit/kit_file.h"
+#include "kit/kit_values.h"
 #include "strokes/stroke.h"
 
 #define KEY_SIZE (2 * TABOR_NAME_SIZE)
@@ -138,11 +139,16 @@ static json_t *with_parameter(json_t *object, uint32_t id) {
   return json_with_field(object, "parameter", json_text(name));
 }
 
-static json_t *with_event(json_t *object, const TaborEvent *event) {
+static json_t *with_event(json_t *object, uint32_t drum, const TaborEvent *event) {
   object = json_with_field(object, "event", json_text(event_names[event->type]));
   object = with_integer(object, "id", event->id);
   object = with_integer(object, "striker", event->striker);
-  if (event->type == TABOR_EVENT_PARAMETER) object = with_parameter(object, event->parameter);
+  if (event->type == TABOR_EVENT_PARAMETER && drum == TABOR_KIT_MIX) {
+    const char *const key = kit_value_keys[event->parameter];
+    object = json_with_field(object, "parameter", json_text(key));
+  } else if (event->type == TABOR_EVENT_PARAMETER) {
+    object = with_parameter(object, event->parameter);
+  }
   object = with_integer(object, "index", event->index);
   if (event->technique != TABOR_TECHNIQUE_NORMAL) {
     object = json_with_field(object, "technique", json_text(technique_names[event->technique]));
@@ -153,9 +159,10 @@ static json_t *with_event(json_t *object, const TaborEvent *event) {
   return with_number(object, "value", event->value);
 }
 
-/* Of a kit, the drum or the sample. */
+/* Of a kit, the drum, the sample or the mix. */
 static json_t *with_address(json_t *object, uint32_t drum) {
   if (drum == TABOR_KIT_ALL) return json_with_field(object, "drum", json_text("all"));
+  if (drum == TABOR_KIT_MIX) return json_with_field(object, "drum", json_text("mix"));
   if (drum < TABOR_KIT_NOTE) return with_integer(object, "drum", drum);
   return json_with_field(object, "note", integer_json(drum - TABOR_KIT_NOTE));
 }
@@ -165,7 +172,7 @@ char *log_line_message(const PlayerMessage *message) {
   json_t *object = json_with_field(json_object(), "frame", integer_json(message->frame));
   switch (message->type) {
   case PLAYER_EVENT:
-    object = with_event(with_address(object, message->drum), &message->event);
+    object = with_event(with_address(object, message->drum), message->drum, &message->event);
     break;
   case PLAYER_MODEL:
     object = json_with_field(object, replaces ? "replace" : "swap", integer_json(message->model));
@@ -378,6 +385,14 @@ static void take_model(Fields *fields, LogLine *line) {
   take_drum(fields, line);
 }
 
+static uint32_t take_kit_value(Fields *fields) {
+  char name[KEY_SIZE];
+  take_text(fields, "parameter", name, sizeof name);
+  const int value = kit_value_find(name);
+  if (value < 0) complain(fields, "parameter", "a key of the kit that moves while it plays");
+  return value < 0 ? 0 : (uint32_t)value;
+}
+
 static uint32_t take_parameter(Fields *fields) {
   char name[KEY_SIZE], other[KEY_SIZE];
   const TaborParameter *parameter = NULL;
@@ -390,11 +405,13 @@ static uint32_t take_parameter(Fields *fields) {
   return 0;
 }
 
-static void take_event(Fields *fields, TaborEvent *event) {
+static void take_event(Fields *fields, uint32_t drum, TaborEvent *event) {
   event->type = take_name(fields, "event", event_names, EVENT_NAMES);
   event->id = take_index(fields, "id");
   event->striker = take_index(fields, "striker");
-  if (event->type == TABOR_EVENT_PARAMETER) event->parameter = take_parameter(fields);
+  if (event->type == TABOR_EVENT_PARAMETER) {
+    event->parameter = drum == TABOR_KIT_MIX ? take_kit_value(fields) : take_parameter(fields);
+  }
   event->index = take_index(fields, "index");
   if (has(fields, "technique")) {
     event->technique = take_name(fields, "technique", technique_names, TECHNIQUE_NAMES);
@@ -410,11 +427,10 @@ static uint32_t take_address(Fields *fields) {
   if (has(fields, "note")) {
     return TABOR_KIT_NOTE + (uint32_t)take_integer(fields, "note", MIDI_VALUES - 1);
   }
-  if (!word || strcmp(word, "all") != 0) {
-    return (uint32_t)take_integer(fields, "drum", TABOR_KIT_DRUMS - 1);
-  }
+  const bool is_all = word && strcmp(word, "all") == 0, is_mix = word && strcmp(word, "mix") == 0;
+  if (!is_all && !is_mix) return (uint32_t)take_integer(fields, "drum", TABOR_KIT_DRUMS - 1);
   (void)json_object_del(fields->object, "drum");
-  return TABOR_KIT_ALL;
+  return is_all ? TABOR_KIT_ALL : TABOR_KIT_MIX;
 }
 
 static void take_message(Fields *fields, LogLine *line) {
@@ -432,7 +448,7 @@ static void take_message(Fields *fields, LogLine *line) {
   } else {
     message->type = PLAYER_EVENT;
     message->drum = take_address(fields);
-    take_event(fields, &message->event);
+    take_event(fields, message->drum, &message->event);
   }
 }
 

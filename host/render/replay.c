@@ -71,7 +71,8 @@ static Outcome check_address(const Reader *reader, const PlayerMessage *message)
   const uint32_t drums = kit ? kit->drum_count : 1, drum = message->drum;
   const bool is_note = drum >= TABOR_KIT_NOTE && drum < TABOR_KIT_NOTE + MIDI_VALUES;
   const bool is_event = message->type != PLAYER_MODEL;
-  if (drum < drums || (kit && is_event && drum == TABOR_KIT_ALL)) return OUTCOME_OK;
+  const bool is_whole = drum == TABOR_KIT_ALL || drum == TABOR_KIT_MIX;
+  if (drum < drums || (kit && is_event && is_whole)) return OUTCOME_OK;
   if (kit && is_event && is_note && kit->note[drum - TABOR_KIT_NOTE].sample[0]) return OUTCOME_OK;
   if (is_note) {
     return refuse("%s note %u: there is no sample for it", reader->where,

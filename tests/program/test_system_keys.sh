@@ -166,11 +166,14 @@ types 'wait snare, snare-14x5.5' 'type a' 'wait strokes 1  ' 'type b' 'wait snar
   'type :drum tom\r' 'wait tom, tom-12' 'type :set batter.pitch A3\r' 'wait batter.pitch = A3' 'gone (building)' \
   'type :undo\r' 'wait again' 'type :redo\r' 'wait (Batter head pitch A3)' 'gone (building)' 'type ]' 'wait tom, floor-tom-16' 'gone (building)' \
   'type a' 'wait strokes 4  ' 'type :set room.kind=hall\r' 'wait the room stays' 'type :gain -6\r' 'wait gain -6.0 dB' \
+  'type :set kit.overheads=-9\r' 'wait kit.overheads = -9 dB' 'type :set kit.coupling 25\r' 'wait allowed: -60 to 24' \
+  'type :set kit.coupling off\r' 'wait kit.coupling = off' 'type :set kit.name=x\r' 'wait those of one drum' \
   'type :save standard\r' 'wait that is a built-in kit' 'type :save mine\r' 'wait mine.ini is no kit' \
   'type :save band\r' 'wait /data/tabor/band.ini' 'type :silence\r' 'wait asleep'
 "$TABOR" show --kit band >"$out"
 same "the kit is saved with its drums as they are" "snare-14x5.5 floor-tom-16" \
   "$(sed -n 's/^preset = //p' "$out" | xargs)"
+same "and with its overheads and coupling" "overheads = -9 coupling = off" "$(grep -oE '^(overheads|coupling) = [^ ]+' "$out" | sort -r | xargs)"
 same "and with its samples, wherever it is" "$PWD/hat.wav" "$(sed -n 's/^sample = //p' "$out")"
 same "and called as it is saved" "name = band" "$(grep '^name = ' "$out")"
 # A drum whose new preset lacks the kit's close microphone; a preset of one's own in a kit's file.

@@ -164,7 +164,8 @@ refused "damaged.log:1: .*haed" render -o x.wav --replay damaged.log
 
 # With keys: another tuning of one drum, another preset of the other, both while the kit rings.
 printf '%s\n' 'wait ? help' 'type a' 'wait strokes 1  ' 'type :set batter.pitch C3\r' 'wait batter.pitch = C3' 'type sd.' 'type a]' \
-  'gone (building)' 'type asd' 'type :gain -6\r' 'wait gain -6.0' 'type ,asd' 'type :undo\r' 'wait again' 'gone (building)' 'type a' \
+  'gone (building)' 'type asd' 'type :gain -6\r' 'wait gain -6.0' \
+  'type :set kit.overheads -20\r' 'wait kit.overheads = -20 dB' 'type a' 'type :set kit.coupling off\r' 'wait kit.coupling = off' 'type ,asd' 'type :undo\r' 'wait again' 'gone (building)' 'type a' \
   'type :silence\r' 'wait silence' 'type a' 'type :quit\r' >script
 "$TYPIST" script "$TABOR" play --kit ./small.ini --humanize 0 --backend null --quality draft --record take.wav --format float --log take.log >typed
 same "the kit ends well" "status 0" "$(grep '^status' typed)"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of a log: what is written is read back to the bit. */
+#include "kit/kit_values.h"
 #include "render/log_line.h"
 
 #include <math.h>
@@ -132,6 +133,18 @@ static void addresses_are_read_back(void **state) {
   }
 }
 
+/* A value of the mix, whose parameters have names of their own. */
+static void values_of_a_kit_are_read_back(void **state) {
+  (void)state;
+  for (uint32_t i = 0; i < KIT_VALUES; i++) {
+    assert_same_message(
+      &(PlayerMessage){.frame = 9,
+                       .type = PLAYER_EVENT,
+                       .drum = TABOR_KIT_MIX,
+                       .event = {.type = TABOR_EVENT_PARAMETER, .parameter = i, .value = -0.1}});
+  }
+}
+
 static void check_frames(const LogLine *line, LogLineType type) {
   assert_int_equal(line->type, type);
   assert_true(line->frames == 9007199254740992u);
@@ -257,6 +270,7 @@ int main(void) {
     cmocka_unit_test(the_end_is_as_long_as_the_mark),
     cmocka_unit_test(a_cut_line_is_seen),
     cmocka_unit_test(addresses_are_read_back),
+    cmocka_unit_test(values_of_a_kit_are_read_back),
     cmocka_unit_test(every_preset_is_read_back),
     cmocka_unit_test(every_kit_is_read_back),
   };

@@ -15,7 +15,7 @@ def declarations(header: str) -> str:
     """The part of a header that cffi reads: constants, types and functions."""
     text = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
     text = text.replace("\\\n", " ")
-    constants = re.findall(r"^#define (TABOR_\w+) +(\d+)\s*$", text, flags=re.MULTILINE)
+    constants = re.findall(r"^#define (TABOR_\w+) +(\d+|0x[0-9a-f]+)u?\s*$", text, flags=re.MULTILINE)
     text = re.sub(r"^\s*#.*$", "", text, flags=re.MULTILINE)
     text = re.sub(r'extern "C" \{(.*)\}', r"\1", text, flags=re.DOTALL)
     text = re.sub(r"\bTABOR_API\b", "", text)

@@ -61,6 +61,7 @@ void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *s
   kit_map_table(setup->map, table);
   memset(midi, 0, sizeof *midi);
   for (int note = 0; note < MIDI_VALUES; note++) midi->general[note] = table[note].general;
+  for (int note = 0; note < MIDI_VALUES; note++) midi->has_sample[note] = kit->note[note].sample[0];
   memset(midi->owner, KIT_MIDI_NOBODY, sizeof midi->owner);
   midi->count = kit->drum_count;
   for (uint32_t i = 0; i < kit->drum_count; i++) {

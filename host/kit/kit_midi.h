@@ -32,11 +32,11 @@ typedef struct KitMidiSetup {
 extern const KitMidiSetup kit_midi_setup_default;
 
 typedef struct KitMidi {
-  uint32_t count;                /**< drums */
-  uint8_t owner[MIDI_VALUES];    /**< drum of each note, or KIT_MIDI_NOBODY */
-  uint8_t general[MIDI_VALUES];  /**< what each note stands for (kit_map.h) */
-  bool has_sample[MIDI_VALUES];  /**< of a General MIDI note; to be set after kit_midi_begin() */
-  uint64_t unknown[MIDI_VALUES]; /**< strokes on notes that play no drum */
+  uint32_t count;                      /**< drums */
+  uint8_t owner[MIDI_VALUES];          /**< drum of each note, or KIT_MIDI_NOBODY */
+  uint8_t general[MIDI_VALUES];        /**< what each note stands for (kit_map.h) */
+  bool has_sample[MIDI_VALUES];        /**< of a General MIDI note */
+  uint64_t unknown[MIDI_VALUES];       /**< strokes on notes that play no drum */
   uint64_t strokes[TABOR_KIT_DRUMS];   /**< on each drum */
   double head_radius[TABOR_KIT_DRUMS]; /**< [m] */
   MidiMap maps[TABOR_KIT_DRUMS];

@@ -3,10 +3,6 @@
 
 #include <stdlib.h>
 
-void kit_samples_map(const TaborKitDef *def, bool has_sample[MIDI_VALUES]) {
-  for (int note = 0; note < MIDI_VALUES; note++) has_sample[note] = def->note[note].sample[0] != 0;
-}
-
 static TaborStatus load(TaborKit *kit, uint32_t note, KitSoundFn *read, void *context,
                         TaborError *error) {
   KitSound sound = {{NULL, NULL}, 0, 0};

@@ -15,8 +15,6 @@
 
 #include <tabor/kit.h>
 
-#include "midi/midi_stream.h"
-
 #define KIT_SOUND_LONGEST 120.0 /**< longest sound [s] */
 
 /** A sound file in memory. */
@@ -30,8 +28,6 @@ typedef struct KitSound {
 /** Reads a file. False: nothing more is to be read, and what is wrong has been said. */
 typedef bool KitSoundFn(void *context, const char *name, KitSound *sound);
 
-/** Says for each note whether it has a sample. */
-void kit_samples_map(const TaborKitDef *def, bool has_sample[MIDI_VALUES]);
 /** Gives the kit, which does not play yet, the sounds of its definition. TABOR_ERROR_CANCELLED if @p read returned false; errors
  * of tabor_kit_set_sample(). */
 TaborStatus kit_samples_load(TaborKit *kit, KitSoundFn *read, void *context, TaborError *error);

@@ -239,7 +239,6 @@ Outcome play_request_read(const Arguments *arguments, PlayRequest *request) {
 
 void play_request_kit_midi(const PlayRequest *request, KitMidi *midi) {
   kit_midi_begin(midi, request->kit, &request->kit_midi);
-  kit_samples_map(request->kit, midi->has_sample);
 }
 
 void play_request_free(PlayRequest *request) {

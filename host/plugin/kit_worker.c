@@ -136,7 +136,6 @@ static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voi
   if (status == TABOR_OK) status = load_sounds(worker, voice, error);
   if (status != TABOR_OK) return status;
   kit_midi_begin(&voice->midi, def, &setup);
-  kit_samples_map(def, voice->midi.has_sample);
   return status;
 }
 

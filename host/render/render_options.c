@@ -223,7 +223,6 @@ static Outcome read_kit_song(const Arguments *arguments, RenderRequest *request)
   KitMidi *const midi = request->kit_midi = malloc(sizeof *midi);
   if (!midi) return fail_memory();
   kit_midi_begin(midi, request->kit, &setup);
-  kit_samples_map(request->kit, midi->has_sample);
   outcome = check_standard_input(arguments);
   if (outcome != OUTCOME_OK) return outcome;
   return kit_song_read(arguments, request->kit, midi, humanizer, request->model.sample_rate,

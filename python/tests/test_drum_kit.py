@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Kits of drums that hear each other."""
 
+import os
+import wave
+
 import numpy as np
 import pytest
 
@@ -79,3 +82,59 @@ def test_what_is_refused(kit, tmp_path):
         kit.process(10, [("tabor", tabor.strike(1.0))])
     with pytest.raises(ValueError, match="stay"):
         kit.process(10, [("tabor", tabor.replace(0, kit.models["bodhran"]))])
+
+
+def write_wave(path, sides, rate):
+    with wave.open(os.fspath(path), "wb") as file:
+        file.setnchannels(len(sides))
+        file.setsampwidth(2)
+        file.setframerate(rate)
+        file.writeframes(np.round(np.array(sides).T * 32767).astype("<i2").tobytes())
+
+
+@pytest.fixture
+def hats(tmp_path):
+    """A kit file with a drum and two sounds, one of another rate."""
+    noise = np.random.default_rng(1).uniform(-0.2, 0.2, (2, 3000))
+    write_wave(tmp_path / "hat.wav", noise[:1], 44100)
+    write_wave(tmp_path / "open.wav", noise, 48000)
+    (tmp_path / "hats.ini").write_text(
+        "[drum.tabor]\npreset = tabor\nhead = 45\n[note.42]\nsample = hat.wav\nchoke = 1\n"
+        "[note.46]\nsample = open.wav\ngain = -6\nchoke = 1\n", encoding="utf-8")
+    return tmp_path / "hats.ini"
+
+
+def test_sounds_of_notes_are_those_of_the_program(hats, program_sound, tmp_path):
+    track = bytes((0, 0x99, 46, 127, 60, 0x99, 42, 90, 0, 0x99, 45, 100, 0, 0xFF, 0x2F, 0))
+    song = tmp_path / "song.mid"
+    song.write_bytes(b"MThd\0\0\0\6\0\0\0\1\1\xe0MTrk" + len(track).to_bytes(4, "big") + track)
+    theirs = program_sound("--kit", str(hats), "--midi-file", str(song), "--quality", "draft", "--duration", "0.2",
+                           channels=2)
+    kit = tabor.Kit(hats, quality="draft")
+    assert list(kit.samples) == [42, 46] and kit.samples[42] == os.fspath(hats.parent / "hat.wav")
+    events = kit.midi_events(song)
+    assert [name for name, _ in events] == ["note.46", "note.42", "tabor"]
+    assert np.array_equal(kit.render(song, 0.2), theirs)
+    assert np.abs(theirs[:, :1000]).max() > 0.01
+
+
+def test_a_sound_may_come_from_anywhere(hats):
+    kit = tabor.Kit(hats, {"kit.coupling": "off"}, quality="draft")
+    kit.set_sample(46, np.full(100, 0.5), kit.sample_rate)
+    mix = kit.process(200, [("note.46", tabor.strike(0, velocity=0.5))])
+    assert np.allclose(mix[:, :100], 0.5 * 0.25 * 10 ** -0.3, atol=1e-6) and not mix[:, 100:].any()
+    with pytest.raises(ValueError, match="shape"):
+        kit.set_sample(46, np.zeros((3, 10)), 48000)
+    with pytest.raises(tabor.Error, match="sample rate"):
+        kit.set_sample(46, np.zeros(10), 1)
+    with pytest.raises(KeyError, match="no note"):
+        kit.process(10, [("note.128", tabor.strike(0))])
+    with pytest.raises(ValueError, match="struck and silenced"):
+        kit.process(10, [("note.46", tabor.gain(0, 1))])
+
+
+def test_a_file_that_is_gone_is_said(hats):
+    (hats.parent / "hat.wav").unlink()
+    with pytest.warns(UserWarning, match="note 42 is silent"):
+        kit = tabor.Kit(hats, quality="draft")
+    assert not kit.process(100, [("note.42", tabor.strike(0, velocity=1))]).any()

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import os
 import threading
+import warnings
+import wave
 from itertools import count, takewhile
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -16,7 +18,7 @@ from ._numbers import number, whole
 from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
-from .events import Event, place
+from .events import TYPES, Event, place
 from .midi import Path, composed, event_of
 from .model import Model
 
@@ -40,6 +42,19 @@ def kits() -> Tuple[Preset, ...]:
 def _maps() -> List[str]:
     """Names of the maps of `Kit.midi_events`."""
     return [text(name) for name in takewhile(bool, map(midi_lib.song_events_map_name, count()))]
+
+
+def _read_wave(path: str) -> Tuple[NDArray[np.float32], int]:
+    """The sound of a WAV file of 16, 24 or 32 bits, its first two channels, and its rate."""
+    with wave.open(path, "rb") as file:
+        width, channels = file.getsampwidth(), file.getnchannels()
+        if width not in (2, 3, 4):
+            raise ValueError(f"{8 * width} bits are not read; allowed: 16, 24, 32")
+        data = np.frombuffer(file.readframes(file.getnframes()), np.uint8).reshape(-1, width)
+        words = np.zeros((len(data), 4), np.uint8)
+        words[:, 4 - width:] = data
+        sound = words.view("<i4").reshape(-1, channels)[:, :2].T / np.float32(2**31)
+        return sound.astype(np.float32), file.getframerate()
 
 
 class Kit:
@@ -77,6 +92,7 @@ class Kit:
     def __init__(self, kit: Path = "standard", settings: Optional[Mapping[str, Value]] = None,
                  sample_rate: Optional[float] = None, quality: Optional[str] = None) -> None:
         self._def = ffi.new("TaborKitDef *")
+        self._folder = os.getcwd()
         self._define(kit)
         for key, value in (settings or {}).items():
             self._require_drum(key)
@@ -89,6 +105,8 @@ class Kit:
         check(lib.tabor_kit_create, self._def, models, made)
         self._c = ffi.gc(made[0], lib.tabor_kit_destroy)
         self._lock = threading.Lock()
+        for note, path in self.samples.items():
+            self._load_sample(note, path)
 
     def _define(self, kit: Path) -> None:
         if isinstance(kit, str) and "/" not in kit and not kit.endswith(".ini"):
@@ -96,6 +114,7 @@ class Kit:
             return
         with open(kit, "rb") as file:
             read_ini(lib.tabor_kit_def_read, self._def, file.read(), os.fspath(kit))
+        self._folder = os.path.dirname(os.path.abspath(kit))
 
     def _require_drum(self, key: str) -> None:
         """A setting of a drum that is not there is a mistake, unless its preset is given."""
@@ -126,6 +145,48 @@ class Kit:
         return dict(zip(self._drums, self._models))
 
     @property
+    def samples(self) -> Dict[int, str]:
+        """The sound files of notes that play no drum, by General MIDI's notes; a name without a folder is beside the kit's file."""
+        names = ((note, text(self._def.note[note].sample)) for note in range(lib.TABOR_KIT_NOTES))
+        return {note: os.path.join(self._folder, name) for note, name in names if name}
+
+    def set_sample(self, note: int, sound: NDArray[Any], sample_rate: float) -> None:
+        """Gives a note its sound, with the gain and the choke group that the kit defines for it.
+
+        Parameters
+        ----------
+        note : int
+            0 to 127, as in ``("note.42", tabor.strike(0, velocity=1))``.
+        sound : ndarray of float, shape (frames,) or (2, frames)
+            Mono, or left and right; 1.0 is full scale.
+        sample_rate : float
+            Its sample rate [Hz], which is converted to that of the kit.
+
+        Raises
+        ------
+        Error
+            There is no such note, or the rate is not one from 1 kHz to 1 MHz.
+        ValueError
+            The sound has another shape.
+        """
+        sides = np.atleast_2d(np.ascontiguousarray(sound, np.float32))
+        if sides.ndim != 2 or sides.shape[0] not in (1, 2):
+            raise ValueError(f"set_sample: a sound has the shape (frames,) or (2, frames), not {np.shape(sound)}")
+        left, right = (ffi.cast("float *", side.ctypes.data) for side in (sides[0], sides[-1]))
+        with self._lock:
+            check(lib.tabor_kit_set_sample, self._c, whole("set_sample: note", note, 0, lib.TABOR_KIT_NOTES - 1), left,
+                  right if len(sides) == 2 else ffi.NULL, sides.shape[1], float(sample_rate))
+
+    def _load_sample(self, note: int, path: str) -> None:
+        """Reads a WAV file; a note whose file cannot be read is silent."""
+        try:
+            sound, rate = _read_wave(path)
+        except (OSError, EOFError, ValueError, wave.Error) as error:
+            warnings.warn(f"note {note} is silent: {path}: {error}; Kit.set_sample takes any sound", stacklevel=3)
+            return
+        self.set_sample(note, sound, rate)
+
+    @property
     def sample_rate(self) -> float:
         """The sample rate [Hz]."""
         return self._models[0].sample_rate
@@ -138,7 +199,9 @@ class Kit:
         frames : int
             How many samples.
         events : sequence of (str or None, Event)
-            What happens meanwhile, and to which drum; None: to all. An event at t seconds acts at frame t x rate.
+            What happens meanwhile, and to which drum; None: to all. An event at t seconds acts at frame t x rate. The
+            sound of note 42 has the name "note.42"; the velocity of a stroke, 0 to 1, is its strength there, the square of
+            which is how loud it is, and a silence fades it.
 
         Returns
         -------
@@ -198,7 +261,11 @@ class Kit:
         snare, toms = (whole("place_cc", controller, 0, 119) for controller in place_cc)
         chosen = -1 if notes_of is None else index_of(_maps(), notes_of, "map")
         rows = composed(path, strict, midi_lib.song_events_of_kit, self._def, chosen, snare, toms, self.sample_rate)
-        return [(self._drums[row.drum], event_of(row.event, self.sample_rate, {})) for row in rows]
+        return [(self._name_of(row.drum), event_of(row.event, self.sample_rate, {})) for row in rows]
+
+    def _name_of(self, drum: int) -> str:
+        """The name of an address."""
+        return self._drums[drum] if drum < len(self._drums) else f"note.{drum - lib.TABOR_KIT_NOTE}"
 
     def _refuse_held(self) -> None:
         for drum, name in enumerate(self._drums):
@@ -243,11 +310,25 @@ class Kit:
         made: List[Tuple[int, Dict[str, Any]]] = []
         for name, event in events:
             for frame, placed in place([event], self.sample_rate, frames):
+                if name is not None and name.startswith("note."):
+                    made.append((frame, self._of_note(name, frame, placed)))
+                    continue
                 if "model" in placed.fields:
                     raise ValueError(f"{placed.kind}: the drums of a kit stay")
                 made += [(frame, {"drum": drum, "event": _values(frame, placed, self._models[drum])})
                          for drum in self._addressed(name)]
         return [values for _, values in sorted(made, key=lambda pair: pair[0])]
+
+    def _of_note(self, name: str, frame: int, event: Event) -> Dict[str, Any]:
+        """An event for the sound of a note."""
+        number_of = name[len("note."):]
+        if not number_of.isdecimal() or int(number_of) >= lib.TABOR_KIT_NOTES:
+            raise UnknownNameError(f"{name!r} is no note; there are note.0 to note.127", "name", "drum", name)
+        if event.kind not in ("strike", "silence"):
+            raise ValueError(f"{event.kind}: the sound of a note is struck and silenced")
+        strength = event.fields.get("velocity")
+        return {"drum": lib.TABOR_KIT_NOTE + int(number_of),
+                "event": {"frame": frame, "type": TYPES[event.kind], "velocity": 1.0 if strength is None else strength}}
 
     def _addressed(self, name: Optional[str]) -> Sequence[int]:
         if name is None:

@@ -138,3 +138,19 @@ def test_a_file_that_is_gone_is_said(hats):
     with pytest.warns(UserWarning, match="note 42 is silent"):
         kit = tabor.Kit(hats, quality="draft")
     assert not kit.process(100, [("note.42", tabor.strike(0, velocity=1))]).any()
+
+
+def test_held_notes_are_those_of_the_program(program_sound, tmp_path):
+    (tmp_path / "held.ini").write_text(
+        "[drum.tabor]\npreset = tabor\nhead = 45\nbuzz = 47\n[drum.frame]\npreset = frame-drum\nx = 0.6\n"
+        "striker.brush.kind = brush\nhead = 48\nsweep = 50\n", encoding="utf-8")
+    track = bytes((0, 0x99, 47, 100, 30, 0x99, 50, 80, 20, 0xA9, 47, 90, 10, 0xB9, 16, 100, 20, 0xB9, 17, 30,
+                   60, 0x89, 47, 0, 20, 0x89, 50, 0, 0, 0xFF, 0x2F, 0))
+    song = tmp_path / "song.mid"
+    song.write_bytes(b"MThd\0\0\0\6\0\0\0\1\1\xe0MTrk" + len(track).to_bytes(4, "big") + track)
+    theirs = program_sound("--kit", str(tmp_path / "held.ini"), "--midi-file", str(song), "--quality", "draft", "--duration",
+                           "0.4", channels=2)
+    kit = tabor.Kit(tmp_path / "held.ini", quality="draft")
+    kinds = [event.kind for _, event in kit.midi_events(song)]
+    assert {"strike", "press", "move", "release"} <= set(kinds)
+    assert np.array_equal(kit.render(song, 0.4), theirs)

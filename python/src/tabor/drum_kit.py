@@ -254,24 +254,19 @@ class Kit:
         OSError
             The file cannot be read.
         Error
-            It is not a MIDI file, none of its notes plays a drum, there is no such map, or the kit has notes that buzz or
-            sweep, which the program alone plays.
+            It is not a MIDI file, none of its notes plays a drum, or there is no such map.
         """
-        self._refuse_held()
         snare, toms = (whole("place_cc", controller, 0, 119) for controller in place_cc)
         chosen = -1 if notes_of is None else index_of(_maps(), notes_of, "map")
         rows = composed(path, strict, midi_lib.song_events_of_kit, self._def, chosen, snare, toms, self.sample_rate)
-        return [(self._name_of(row.drum), event_of(row.event, self.sample_rate, {})) for row in rows]
+        return [(self._name_of(row.drum), event_of(row.event, self.sample_rate, {}, self._strikers_of(row.drum))) for row in rows]
+
+    def _strikers_of(self, drum: int) -> Tuple[str, ...]:
+        return self._models[drum].definition.strikers if drum < len(self._models) else ()
 
     def _name_of(self, drum: int) -> str:
         """The name of an address."""
         return self._drums[drum] if drum < len(self._drums) else f"note.{drum - lib.TABOR_KIT_NOTE}"
-
-    def _refuse_held(self) -> None:
-        for drum, name in enumerate(self._drums):
-            for note, stroke in enumerate(self._def.drum[drum].notes):
-                if stroke in (lib.TABOR_KIT_STROKE_BUZZ, lib.TABOR_KIT_STROKE_SWEEP):
-                    raise Error(f"note {note} of {name} is held: `tabor render --kit` plays such notes", "value")
 
     def render(self, events: Union[Path, Sequence[KitEvent]], duration: float, *,
                notes_of: Optional[str] = None) -> NDArray[np.float32]:

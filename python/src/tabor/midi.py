@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Union
+from typing import Any, Callable, Dict, List, Mapping, Sequence, Union
 
 from ._library import Error, ffi, lib, midi_lib, text
 from .definition import Definition, presets
-from .events import TECHNIQUES, Event, change, damp, gain, release, replace, silence, strike
+from .events import TECHNIQUES, Event, change, damp, gain, move, press, release, replace, silence, strike
 from .model import Model
 
 #: The name of a MIDI file.
@@ -96,12 +96,16 @@ def _refuse(name: str, reason: str) -> None:
         raise Error(f"{name}: {reason}", "value")
 
 
-def event_of(row: Any, rate: float, models: Mapping[int, Model]) -> Event:
-    """An event of the library, which the default map or a kit has made; its drum's own striker strikes."""
+def event_of(row: Any, rate: float, models: Mapping[int, Model], strikers: Sequence[str] = ()) -> Event:
+    """An event of the library, which the default map or a kit has made; without `strikers` the drum's own one strikes."""
     time = row.frame / rate
     if row.type == lib.TABOR_EVENT_STRIKE:
         return strike(time, row.velocity, radius=row.radius, angle=row.angle, technique=TECHNIQUES[row.technique],
-                      pressure=row.value, id=row.id)
+                      striker=strikers[row.striker] if strikers else None, pressure=row.value, id=row.id)
+    if row.type == lib.TABOR_EVENT_PRESS:
+        return press(time, row.value, id=row.id)
+    if row.type == lib.TABOR_EVENT_MOVE:
+        return move(time, row.radius, row.angle, seconds=row.value, id=row.id)
     if row.type == lib.TABOR_EVENT_DAMP:
         return damp(time, row.value, radius=row.radius, angle=row.angle, id=row.id)
     if row.type == lib.TABOR_EVENT_RELEASE:

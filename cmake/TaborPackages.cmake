@@ -67,6 +67,11 @@ set(CPACK_DEBIAN_CLAP_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThese are the instrume
 set(CPACK_DEBIAN_VST3_PACKAGE_NAME tabor-vst3)
 set(CPACK_DEBIAN_VST3_DESCRIPTION "${TABOR_DEBIAN_ABOUT}\nThese are the instruments for VST3 plugin hosts.")
 
+# It reads the sound files of a kit; plugins load without it.
+foreach(component IN ITEMS LV2 CLAP VST3)
+  set(CPACK_DEBIAN_${component}_PACKAGE_RECOMMENDS libsndfile1)
+endforeach()
+
 if(BUILD_SHARED_LIBS)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${TABOR_DEBIAN_SAME_VERSION}")
 else()

@@ -63,6 +63,7 @@ for package in "${names[@]}"; do
     *) continue ;;
   esac
   field "$package" Depends | grep -q libtabor && complain "$package needs the library: $(field "$package" Depends)"
+  [ "$(field "$package" Recommends)" = libsndfile1 ] || complain "$package does not recommend libsndfile1"
   field "$package" Depends | grep -q 'libc6' || complain "$package needs nothing: $(field "$package" Depends)"
 done
 

@@ -165,9 +165,11 @@ refused "damaged.log:1: .*haed" render -o x.wav --replay damaged.log
 # With keys: another tuning of one drum, another preset of the other, both while the kit rings.
 printf '%s\n' 'wait ? help' 'type a' 'wait strokes 1  ' 'type :set batter.pitch C3\r' 'wait batter.pitch = C3' 'type sd.' 'type a]' \
   'gone (building)' 'type asd' 'type :gain -6\r' 'wait gain -6.0' \
-  'type :set kit.overheads -20\r' 'wait kit.overheads = -20 dB' 'type a' 'type :set kit.coupling off\r' 'wait kit.coupling = off' 'type ,asd' 'type :undo\r' 'wait again' 'gone (building)' 'type a' \
+  'type :set kit.overheads -40\r' 'wait kit.overheads = -40 dB' 'type a' 'type :set kit.coupling off\r' 'wait kit.coupling = off' 'type ,asd' 'type :undo\r' 'wait again' 'gone (building)' 'type a' \
   'type :silence\r' 'wait silence' 'type a' 'type :quit\r' >script
-"$TYPIST" script "$TABOR" play --kit ./small.ini --humanize 0 --backend null --quality draft --record take.wav --format float --log take.log >typed
+# So soft that strokes that come at once, where keys wait for a processor, are not clipped, which a replay is not either.
+soft=(--set kit.overheads=-30 --set drum.snare.gain=-30 --set drum.kick.gain=-30)
+"$TYPIST" script "$TABOR" play --kit ./small.ini "${soft[@]}" --humanize 0 --backend null --quality draft --record take.wav --format float --log take.log >typed
 same "the kit ends well" "status 0" "$(grep '^status' typed)"
 run render -q --replay take.log -o again-take.wav --format float
 same "status of the replay" 0 "$status"

@@ -18,19 +18,18 @@ static bool refuse(TaborError *error, TaborStatus status, const char *message) {
   return false;
 }
 
-static void write_first_line(char *text, size_t size, const char *what, const char *by) {
-  text[0] = '\0';
-  if (!by) return;
-  (void)snprintf(text, size, "; A Tabor %s, written by %s. SI units, angles in degrees.\n\n", what,
-                 by);
-}
-
-static char *write_text(WriteFn *write, const void *def, TaborTextForm form, const char *first,
-                        TaborError *error) {
+/* `what` it is, and by whom it is written, unless that is NULL, stand in its first line. */
+static char *write_text(WriteFn *write, const void *def, TaborTextForm form, const char *what,
+                        const char *by, TaborError *error) {
+  char first[160] = "";
   size_t length;
   TaborError own;
   if (!error) error = &own;
   if (write(def, form, NULL, 0, &length, error) != TABOR_OK) return NULL;
+  if (by) {
+    (void)snprintf(first, sizeof first,
+                   "; A Tabor %s, written by %s. SI units, angles in degrees.\n\n", what, by);
+  }
   const size_t before = strlen(first);
   char *const text = malloc(before + length + 1);
   if (!text) {
@@ -49,9 +48,7 @@ static TaborStatus write_drum(const void *def, uint32_t form, char *text, size_t
 
 char *definition_write(const TaborDrumDef *def, TaborTextForm form, const char *by,
                        TaborError *error) {
-  char first[160];
-  write_first_line(first, sizeof first, "preset", by);
-  return write_text(write_drum, def, form, first, error);
+  return write_text(write_drum, def, form, "preset", by, error);
 }
 
 static TaborStatus write_kit(const void *def, uint32_t form, char *text, size_t size,
@@ -61,19 +58,14 @@ static TaborStatus write_kit(const void *def, uint32_t form, char *text, size_t 
 
 char *definition_write_kit(const TaborKitDef *def, TaborTextForm form, const char *by,
                            TaborError *error) {
-  char first[160];
-  write_first_line(first, sizeof first, "kit", by);
-  return write_text(write_kit, def, form, first, error);
+  return write_text(write_kit, def, form, "kit", by, error);
 }
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
 /* A TaborTextTake. */
 static TaborStatus take_line(void *def, const TaborTextLine *line, TaborError *error) {
-  char key[2 * TABOR_TEXT_WORD + 2];
-  (void)snprintf(key, sizeof key, "%s%s%s", line->section, *line->section ? "." : "",
-                 line->key ? line->key : "");
-  const TaborStatus status = line->key ? tabor_drum_def_set(def, key, line->value, error)
+  const TaborStatus status = line->key ? tabor_drum_def_set(def, line->full, line->value, error)
                                        : tabor_drum_def_section(def, line->section, error);
   return status == TABOR_ERROR_KEY ? TABOR_OK : status;
 }

@@ -85,10 +85,7 @@ void kit_file_root_samples(TaborKitDef *def) {
 
 /* A TaborTextTake. */
 static TaborStatus take_line(void *def, const TaborTextLine *line, TaborError *error) {
-  char key[2 * TABOR_TEXT_WORD + 2];
-  (void)snprintf(key, sizeof key, "%s%s%s", line->section, *line->section ? "." : "",
-                 line->key ? line->key : "");
-  const TaborStatus status = line->key ? kit_file_set(def, key, line->value, error)
+  const TaborStatus status = line->key ? kit_file_set(def, line->full, line->value, error)
                                        : tabor_kit_def_section(def, line->section, error);
   if (status == TABOR_OK || strcmp(line->section, "drum") != 0) return status;
   const size_t length = strlen(error->message);

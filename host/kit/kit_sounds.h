@@ -15,8 +15,6 @@
 
 #include <tabor/kit.h>
 
-#define KIT_SOUND_LONGEST 120.0 /**< longest sound [s] */
-
 /** A sound file in memory. */
 typedef struct KitSound {
   float

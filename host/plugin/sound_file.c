@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "files/audio_clip.h"
 #include "platform/shared_library.h"
 
 enum { CHUNK = 4096 }; /* frames read at once */
@@ -63,7 +64,7 @@ static bool read_frames(const Library *library, SNDFILE *file, const SF_INFO *in
 static const char *read_open(const Library *library, SNDFILE *file, const SF_INFO *info,
                              KitSound *sound) {
   if (info->channels < 1 || info->channels > 1024) return "it has too many channels";
-  if (info->frames < 0 || (double)info->frames > KIT_SOUND_LONGEST * info->samplerate) {
+  if (info->frames < 0 || (double)info->frames > AUDIO_CLIP_LONGEST * info->samplerate) {
     return "it is longer than 120 s";
   }
   const bool is_read = make_room(sound, info) && read_frames(library, file, info, sound);

@@ -40,13 +40,26 @@ static inline TaborModel *placed_model(const TaborKitDef *def, uint32_t drum) {
   return physics_model(&placed, RATE, quality());
 }
 
-static inline TaborKit *new_kit(const TaborKitDef *def) {
-  TaborModel *models[TABOR_KIT_DRUMS];
+static inline TaborKit *kit_with(const TaborKitDef *def, TaborModel *const *models) {
   TaborKit *kit;
   TaborError error = {0};
-  for (uint32_t i = 0; i < def->drum_count; i++) models[i] = placed_model(def, i);
   if (tabor_kit_create(def, models, &kit, &error) != TABOR_OK) fail_msg("%s", error.message);
+  return kit;
+}
+
+static inline void models_of(const TaborKitDef *def, TaborModel **models) {
+  for (uint32_t i = 0; i < def->drum_count; i++) models[i] = placed_model(def, i);
+}
+
+static inline void release_models(const TaborKitDef *def, TaborModel **models) {
   for (uint32_t i = 0; i < def->drum_count; i++) tabor_model_release(models[i]);
+}
+
+static inline TaborKit *new_kit(const TaborKitDef *def) {
+  TaborModel *models[TABOR_KIT_DRUMS];
+  models_of(def, models);
+  TaborKit *const kit = kit_with(def, models);
+  release_models(def, models);
   return kit;
 }
 

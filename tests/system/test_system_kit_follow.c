@@ -33,22 +33,6 @@ static void follow(TaborKit *kit, TaborKit *from, const uint8_t *drums) {
   tabor_kit_take_over(kit, from);
 }
 
-/* A kit as this one but for its `models`, which the caller gives. */
-static TaborKit *kit_with(const TaborKitDef *def, TaborModel *const *models) {
-  TaborKit *kit;
-  TaborError error = {0};
-  if (tabor_kit_create(def, models, &kit, &error) != TABOR_OK) fail_msg("%s", error.message);
-  return kit;
-}
-
-static void models_of(const TaborKitDef *def, TaborModel **models) {
-  for (uint32_t i = 0; i < def->drum_count; i++) models[i] = placed_model(def, i);
-}
-
-static void release(const TaborKitDef *def, TaborModel **models) {
-  for (uint32_t i = 0; i < def->drum_count; i++) tabor_model_release(models[i]);
-}
-
 /* Without a change nothing changes; a saved state, too, is what it would have been. */
 static void a_kit_that_follows_its_like_plays_on_to_the_bit(void **state) {
   (void)state;
@@ -79,7 +63,7 @@ static void a_kit_that_follows_its_like_plays_on_to_the_bit(void **state) {
   tabor_kit_destroy(first);
   tabor_kit_destroy(second);
   tabor_kit_destroy(whole);
-  release(def, models);
+  release_models(def, models);
   free(def);
 }
 
@@ -110,7 +94,7 @@ static void a_drum_that_is_tuned_is_swapped(void **state) {
   tabor_swap_destroy(swap);
   tabor_kit_destroy(second);
   tabor_model_release(after[2]);
-  release(def, models);
+  release_models(def, models);
   free(tuned);
   free(def);
 }
@@ -151,7 +135,7 @@ static void drums_come_and_go_while_others_ring(void **state) {
   tabor_kit_destroy(second);
   tabor_kit_destroy(whole);
   tabor_model_release(after[2]);
-  release(def, models);
+  release_models(def, models);
   free(changed);
   free(def);
 }
@@ -193,7 +177,7 @@ static void a_room_that_is_exchanged_rings_on(void **state) {
   tabor_kit_destroy(first);
   tabor_kit_destroy(second);
   tabor_kit_destroy(whole);
-  release(def, models);
+  release_models(def, models);
   free(hall);
   free(def);
 }
@@ -227,7 +211,7 @@ static void kits_in_turn_create_no_energy(void **state) {
   }
   tabor_kit_destroy(kits[turns]);
   for (int i = 0; i < 2; i++) {
-    release(defs[i], models[i]);
+    release_models(defs[i], models[i]);
     free(defs[i]);
   }
 }
@@ -253,7 +237,7 @@ static void what_cannot_follow_is_refused(void **state) {
   play(first, NULL, 0, &heard, 0, 64);
   tabor_kit_destroy(second); /* its swaps were never sent */
   tabor_kit_destroy(first);
-  release(def, models);
+  release_models(def, models);
   free(def);
 }
 

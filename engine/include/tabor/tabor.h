@@ -607,6 +607,7 @@ TABOR_API int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name)
 typedef struct TaborTextLine {
   const char *section; /**< in which it stands, or which begins; "" before the first */
   const char *key;     /**< NULL where a section begins */
+  const char *full;    /**< the key with its section, "batter.tension"; of a section its name */
   const char *value;   /**< "" if nothing follows the '='; NULL where a section begins */
   uint32_t number;     /**< of the line, from 1 */
 } TaborTextLine;

@@ -176,6 +176,10 @@ void tb_text_copy(char *to, size_t size, const char *from) {
   *to = '\0';
 }
 
+bool tb_begins(const char *text, const char *start) {
+  return strncmp(text, start, strlen(start)) == 0;
+}
+
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
 size_t tb_edit_distance(const char *a, const char *b) {

@@ -51,6 +51,9 @@ bool tb_name_is_valid(const char *text, size_t size);
  * cut between characters. */
 void tb_text_copy(char *to, size_t size, const char *from);
 
+/** True if @p text begins with @p start. */
+bool tb_begins(const char *text, const char *start);
+
 /** Number of insertions, deletions, changes and exchanges of neighbours that turn @p a into
  * @p b. */
 size_t tb_edit_distance(const char *a, const char *b);

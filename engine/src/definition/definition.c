@@ -241,22 +241,27 @@ TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *t
 /* A walk over the keys that have values. */
 typedef struct KeyWalk {
   const TaborDrumDef *def;
+  uint32_t skip; /* that many first */
   TbKeyVisit *visit;
   void *context;
 } KeyWalk;
 
 /* A TbVisit. */
 static bool visit_key(void *context, const TbParam *param, uint32_t element) {
-  const KeyWalk *const walk = context;
+  KeyWalk *const walk = context;
   const TbValue value = tb_def_value_load(param, tb_param_field_const(param, walk->def, element));
   char key[TB_DEF_KEY_SIZE];
   if (tb_def_value_follows(param, &value)) return true;
+  if (walk->skip > 0) {
+    walk->skip--;
+    return true;
+  }
   tb_def_key_write(walk->def, param, element, key);
   return walk->visit(walk->context, key);
 }
 
 bool tb_def_walk_keys(const TaborDrumDef *def, TbKeyVisit *visit, void *context) {
-  KeyWalk walk = {def, visit, context};
+  KeyWalk walk = {.def = def, .visit = visit, .context = context};
   return tb_walk(def, visit_key, &walk);
 }
 
@@ -270,8 +275,9 @@ bool tb_count_key(void *context, const char *key) {
 
 bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char *key, size_t size) {
   if (!def || !key) return false;
-  TbKeySearch search = {.left = index, .key = key, .size = size};
-  (void)tb_def_walk_keys(def, tb_count_key, &search);
+  TbKeySearch search = {.key = key, .size = size};
+  KeyWalk walk = {.def = def, .skip = index, .visit = tb_count_key, .context = &search};
+  (void)tb_walk(def, visit_key, &walk);
   return search.fits;
 }
 

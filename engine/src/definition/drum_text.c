@@ -5,27 +5,21 @@
 #include <string.h>
 
 #include "definition/def_key.h"
+#include "definition/def_text.h"
 #include "definition/definition.h"
 #include "definition/error.h"
 #include "definition/text_write.h"
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-static bool begins(const char *text, const char *start) {
-  return strncmp(text, start, strlen(start)) == 0;
-}
-
 static bool is_of_kit(const char *section) {
-  return strcmp(section, "kit") == 0 || begins(section, "drum.") || begins(section, "note.");
+  return strcmp(section, "kit") == 0 || tb_begins(section, "drum.") || tb_begins(section, "note.");
 }
 
 /* A TaborTextTake. */
 static TaborStatus take_line(void *context, const TaborTextLine *line, TaborError *error) {
   TaborDrumDef *const def = context;
-  char key[2 * TABOR_TEXT_WORD + 2];
-  const char *const dot = *line->section ? "." : "";
-  (void)snprintf(key, sizeof key, "%s%s%s", line->section, dot, line->key ? line->key : "");
-  const TaborStatus status = line->key ? tabor_drum_def_set(def, key, line->value, error)
+  const TaborStatus status = line->key ? tabor_drum_def_set(def, line->full, line->value, error)
                                        : tabor_drum_def_section(def, line->section, error);
   if (status == TABOR_OK || !is_of_kit(line->section)) return status;
   return tb_error_add(error, status, "; is this file a kit, not a drum?");

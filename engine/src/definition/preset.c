@@ -12,33 +12,31 @@ const TaborPresetInfo *tabor_preset(uint32_t index) {
   return index < tb_preset_count ? &tb_presets[index].info : NULL;
 }
 
-static const TbPreset *find_preset(const char *name) {
-  for (uint32_t i = 0; i < tb_preset_count; i++) {
-    if (strcmp(tb_presets[i].info.name, name) == 0) return &tb_presets[i];
-  }
-  return NULL;
-}
-
-static const char *nearest_preset(const char *name) {
+static const char *nearest_name(const TbPreset *table, uint32_t count, const char *name) {
   const char *nearest = "";
   size_t smallest = SIZE_MAX;
-  for (uint32_t i = 0; i < tb_preset_count; i++) {
-    const char *const candidate = tb_presets[i].info.name;
+  for (uint32_t i = 0; i < count; i++) {
+    const char *const candidate = table[i].info.name;
     if (tb_word_is_nearer(name, candidate, &smallest)) nearest = candidate;
   }
   return nearest;
 }
 
-static TaborStatus refuse_preset(const char *name, TaborError *error) {
-  const char *const nearest = nearest_preset(name);
-  return tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN, "unknown preset '%s'%s%s%s",
-                      name, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
+const TbPreset *tb_preset_find(const TbPreset *table, uint32_t count, const char *what,
+                               const char *name, TaborError *error) {
+  for (uint32_t i = 0; i < count; i++) {
+    if (strcmp(table[i].info.name, name) == 0) return &table[i];
+  }
+  const char *const nearest = nearest_name(table, count, name);
+  (void)tb_error_set(error, TABOR_ERROR_NAME, NULL, name, NAN, NAN, "unknown %s '%s'%s%s%s", what,
+                     name, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
+  return NULL;
 }
 
 TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
   if (!def) return tb_error_null(error, "definition");
   if (!name) return tb_error_null(error, "preset's name");
-  const TbPreset *const preset = find_preset(name);
-  if (!preset) return refuse_preset(name, error);
+  const TbPreset *const preset = tb_preset_find(tb_presets, tb_preset_count, "preset", name, error);
+  if (!preset) return TABOR_ERROR_NAME;
   return tabor_drum_def_read(def, preset->text, preset->size, error);
 }

@@ -285,6 +285,7 @@ static TaborStatus place_error(const Line *line, TaborStatus status, TaborError 
 
 static TaborStatus give_lines(Reader *reader, TaborTextTake *take, void *context) {
   char section[TABOR_TEXT_WORD + 1] = "", key[TABOR_TEXT_WORD + 1], value[TABOR_TEXT_LINE + 1];
+  char full[sizeof section + sizeof key];
   Line line;
   TaborStatus status = TABOR_OK;
   rewind_lines(reader);
@@ -293,8 +294,13 @@ static TaborStatus give_lines(Reader *reader, TaborTextTake *take, void *context
     const bool is_pair = line.kind == LINE_PAIR;
     copy_span(is_pair ? key : section, line.name);
     if (is_pair) copy_span(value, line.value);
-    const TaborTextLine given = {section, is_pair ? key : NULL, is_pair ? value : NULL,
-                                 line.number};
+    (void)snprintf(full, sizeof full, "%s%s%s", section, is_pair && *section ? "." : "",
+                   is_pair ? key : "");
+    const TaborTextLine given = {.section = section,
+                                 .key = is_pair ? key : NULL,
+                                 .full = full,
+                                 .value = is_pair ? value : NULL,
+                                 .number = line.number};
     status = take(context, &given, reader->error);
     if (status != TABOR_OK) status = place_error(&line, status, reader->error);
   }

@@ -23,6 +23,11 @@ void tabor_kit_def_default(TaborKitDef *def) {
   def->room = plain.room;
 }
 
+void tb_kit_carry_room(const TaborKitDef *def, TaborDrumDef *carrier) {
+  tabor_drum_def_default(carrier);
+  carrier->room = def->room;
+}
+
 int tabor_kit_def_find(const TaborKitDef *def, const char *name) {
   for (uint32_t i = 0; i < def->drum_count && i < TABOR_KIT_DRUMS; i++) {
     if (strncmp(def->drum[i].name, name, TABOR_NAME_SIZE) == 0) return (int)i;

@@ -14,6 +14,9 @@ extern const uint32_t tb_kit_count;
 /* Visits the keys of tabor_kit_def_key(), in order. Returns false if a visit returned false. */
 bool tb_kit_walk_keys(const TaborKitDef *def, TbKeyVisit *visit, void *context);
 
+/* A drum that carries the kit's room, since a drum's definition knows the keys of one. */
+void tb_kit_carry_room(const TaborKitDef *def, TaborDrumDef *carrier);
+
 /* Checks that `def` is not NULL and has this library's size. */
 TaborStatus tb_kit_check_struct(const TaborKitDef *def, TaborError *error);
 

@@ -62,7 +62,7 @@ int tb_kit_note_parse(const char *text, const char **rest) {
   static const char prefix[] = "note.";
   char digits[4] = "";
   uint32_t note;
-  if (strncmp(text, prefix, sizeof prefix - 1) != 0) return -1;
+  if (!tb_begins(text, prefix)) return -1;
   const char *const start = text + sizeof prefix - 1;
   const size_t length = strspn(start, "0123456789");
   if (length == 0 || length >= sizeof digits) return -1;

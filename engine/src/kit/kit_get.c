@@ -51,20 +51,14 @@ static bool visit_strokes(KeyWalk *walk) {
 /* A TbKeyVisit: of a drum that carries the room. */
 static bool visit_room_key(void *context, const char *key) {
   const KeyWalk *const walk = context;
-  const bool is_room = strncmp(key, ROOM_SECTION, strlen(ROOM_SECTION)) == 0;
+  const bool is_room = tb_begins(key, ROOM_SECTION);
   return !is_room || walk->visit(walk->context, key);
-}
-
-/* A drum's definition knows the keys of a room. */
-static void carry_room(const TaborKitDef *def, TaborDrumDef *carrier) {
-  tabor_drum_def_default(carrier);
-  carrier->room = def->room;
 }
 
 static bool visit_kit(KeyWalk *walk, const TaborKitDef *def) {
   static const char *const texts[] = {"name", "comment", "license", NULL};
   TaborDrumDef carrier;
-  carry_room(def, &carrier);
+  tb_kit_carry_room(def, &carrier);
   (void)snprintf(walk->section, sizeof walk->section, "kit");
   return visit_list(walk, texts) && visit_fields(walk, tb_kit_fields, tb_kit_field_count) &&
          tb_def_walk_keys(&carrier, visit_room_key, walk);
@@ -158,20 +152,18 @@ static TaborStatus give_of_kit(const Value *value, const TaborKitDef *def, const
   return give_field(value, tb_kit_fields, tb_kit_field_count, name, def);
 }
 
-static bool has_all_of(const TaborDrumDef *def, const TaborDrumDef *preset) {
-  char key[KEY_SIZE], text[TABOR_TEXT_SIZE];
-  for (uint32_t i = 0; tabor_drum_def_key(preset, i, key, sizeof key); i++) {
-    if (tabor_drum_def_get(def, key, text, sizeof text, NULL) != TABOR_OK) return false;
-  }
-  return true;
+/* A TbKeyVisit. */
+static bool has_key(void *def, const char *key) {
+  char text[TABOR_TEXT_SIZE];
+  return tabor_drum_def_get(def, key, text, sizeof text, NULL) == TABOR_OK;
 }
 
 /* A drum may have the name of a preset and lack parts of it. */
 static TaborStatus give_preset(const Value *value, const TaborDrumDef *def) {
-  TaborDrumDef preset;
+  TaborDrumDef preset, own = *def;
   const bool is_known = tb_text_is_valid(def->name, sizeof def->name) &&
                         tabor_drum_def_preset(&preset, def->name, NULL) == TABOR_OK &&
-                        has_all_of(def, &preset);
+                        tb_def_walk_keys(&preset, has_key, &own);
   return give(value, is_known ? def->name : "none");
 }
 
@@ -227,7 +219,7 @@ static TaborStatus give_of_note(const Value *value, const TaborKitDef *def) {
 
 static TaborStatus give_of_room(const Value *value, const TaborKitDef *def) {
   TaborDrumDef carrier;
-  carry_room(def, &carrier);
+  tb_kit_carry_room(def, &carrier);
   return tabor_drum_def_get(&carrier, value->key, value->text, value->size, value->error);
 }
 
@@ -239,9 +231,9 @@ TaborStatus tabor_kit_def_get(const TaborKitDef *def, const char *key, char *tex
   if (status != TABOR_OK) return status;
   if (!key) return tb_error_null(error, "key");
   if (!text) return tb_error_null(error, "text");
-  if (strncmp(key, "kit.", 4) == 0) return give_of_kit(&value, def, key + 4);
-  if (strncmp(key, ROOM_SECTION, strlen(ROOM_SECTION)) == 0) return give_of_room(&value, def);
-  if (strncmp(key, "note.", 5) == 0) return give_of_note(&value, def);
-  if (strncmp(key, DRUM_SECTION, strlen(DRUM_SECTION)) != 0) return refuse_key(&value);
+  if (tb_begins(key, "kit.")) return give_of_kit(&value, def, key + 4);
+  if (tb_begins(key, ROOM_SECTION)) return give_of_room(&value, def);
+  if (tb_begins(key, "note.")) return give_of_note(&value, def);
+  if (!tb_begins(key, DRUM_SECTION)) return refuse_key(&value);
   return give_of_drum(&value, def, key + strlen(DRUM_SECTION));
 }

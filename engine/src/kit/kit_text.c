@@ -105,12 +105,10 @@ static TaborStatus set_kit(TaborKitDef *def, const char *key, const char *name, 
   return status;
 }
 
-/* A drum's definition knows the keys of a room. */
 static TaborStatus set_room(TaborKitDef *def, const char *key, const char *text,
                             TaborError *error) {
   TaborDrumDef carrier;
-  tabor_drum_def_default(&carrier);
-  carrier.room = def->room;
+  tb_kit_carry_room(def, &carrier);
   const TaborStatus status = tabor_drum_def_set(&carrier, key, text, error);
   if (status == TABOR_OK) def->room = carrier.room;
   return status;
@@ -281,20 +279,16 @@ static TaborStatus set_note(TaborKitDef *def, const char *key, const char *text,
 
 /* ---- all of them ----------------------------------------------------------------------------- */
 
-static bool begins(const char *text, const char *start) {
-  return strncmp(text, start, strlen(start)) == 0;
-}
-
 TaborStatus tabor_kit_def_set(TaborKitDef *def, const char *key, const char *value,
                               TaborError *error) {
   const TaborStatus status = tb_kit_check_struct(def, error);
   if (status != TABOR_OK) return status;
   if (!key) return tb_error_null(error, "key");
   if (!value) return tb_error_null(error, "text");
-  if (begins(key, "kit.")) return set_kit(def, key, key + strlen("kit."), value, error);
-  if (begins(key, "room.")) return set_room(def, key, value, error);
-  if (begins(key, DRUM_SECTION)) return set_drum_key(def, key, value, error);
-  if (begins(key, "note.")) return set_note(def, key, value, error);
+  if (tb_begins(key, "kit.")) return set_kit(def, key, key + strlen("kit."), value, error);
+  if (tb_begins(key, "room.")) return set_room(def, key, value, error);
+  if (tb_begins(key, DRUM_SECTION)) return set_drum_key(def, key, value, error);
+  if (tb_begins(key, "note.")) return set_note(def, key, value, error);
   return refuse_key(key, error);
 }
 
@@ -303,12 +297,12 @@ TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborEr
   if (status != TABOR_OK) return status;
   if (!section) return tb_error_null(error, "section");
   if (strcmp(section, "kit") == 0 || strcmp(section, "room") == 0) return tb_error_clear(error);
-  if (begins(section, "note.")) {
+  if (tb_begins(section, "note.")) {
     const char *rest;
     const bool is_note = tb_kit_note_parse(section, &rest) >= 0 && *rest == '\0';
     return is_note ? tb_error_clear(error) : refuse_note(section, error);
   }
-  if (!begins(section, DRUM_SECTION)) return refuse_unknown("section", section, error);
+  if (!tb_begins(section, DRUM_SECTION)) return refuse_unknown("section", section, error);
   const char *const name = section + strlen(DRUM_SECTION);
   uint32_t index;
   status = find_drum(def, section, name, strlen(name), &index, error);
@@ -319,10 +313,8 @@ TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *section, TaborEr
 
 /* A TaborTextTake. */
 static TaborStatus take_line(void *def, const TaborTextLine *line, TaborError *error) {
-  char key[2 * TABOR_TEXT_WORD + 2];
   if (!line->key) return tabor_kit_def_section(def, line->section, error);
-  (void)snprintf(key, sizeof key, "%s%s%s", line->section, *line->section ? "." : "", line->key);
-  return tabor_kit_def_set(def, key, line->value, error);
+  return tabor_kit_def_set(def, line->full, line->value, error);
 }
 
 TaborStatus tabor_kit_def_read(TaborKitDef *def, const char *text, size_t size, TaborError *error) {

@@ -2,6 +2,7 @@
 /* Kit definitions as the text of a kit file. */
 #include <string.h>
 
+#include "definition/def_text.h"
 #include "definition/text_write.h"
 #include "kit/kit_def.h"
 #include "kit/kit_fields.h"
@@ -18,7 +19,7 @@ typedef struct KitText {
 /* Bytes of the section in a full key: "kit", "drum.snare" of "drum.snare.batter.tension". */
 static size_t section_length(const char *key) {
   const size_t first = strcspn(key, ".");
-  const bool is_named = strncmp(key, "drum.", 5) == 0 || strncmp(key, "note.", 5) == 0;
+  const bool is_named = tb_begins(key, "drum.") || tb_begins(key, "note.");
   return is_named ? first + 1 + strcspn(key + first + 1, ".") : first;
 }
 
@@ -51,8 +52,8 @@ static bool is_of_base(const KitText *text, const char *key, const char *value) 
 }
 
 static const TbKitField *field_of(const char *section, const char *key) {
-  if (strncmp(section, "note.", 5) == 0) return tb_kit_field_find(&tb_kit_note_gain, 1, key);
-  if (strncmp(section, "drum.", 5) != 0) {
+  if (tb_begins(section, "note.")) return tb_kit_field_find(&tb_kit_note_gain, 1, key);
+  if (!tb_begins(section, "drum.")) {
     return tb_kit_field_find(tb_kit_fields, tb_kit_field_count, key);
   }
   return tb_kit_field_find(tb_kit_drum_fields, tb_kit_drum_field_count, key);
@@ -74,8 +75,8 @@ static void write_pair(KitText *text, const char *full, const char *own, const c
 static void write_key(KitText *text, const char *full, const char *value) {
   const size_t length = section_length(full);
   const char *const key = full + length + 1;
-  const bool is_drum = strncmp(full, "drum.", 5) == 0;
-  const bool is_room = strncmp(full, "room.", 5) == 0;
+  const bool is_drum = tb_begins(full, "drum.");
+  const bool is_room = tb_begins(full, "room.");
   if (is_new_section(text, full, length)) begin_section(text, full, length);
   if (is_drum && strcmp(key, "preset") == 0) {
     write_pair(text, full, NULL, begin_drum(text, value));

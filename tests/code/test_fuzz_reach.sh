@@ -26,6 +26,7 @@ definition  26  engine/src/definition/
 definition  25  host/drums/definition_text.c
 events_file 30  host/strokes/events_file.c
 keymap      30  host/ui/keymap.c
+kit         9   host/drums/definition_text.c
 kit         28  engine/src/kit/
 kit         21  engine/src/definition/
 log         17  host/render/log_line.c

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "clap/instance.h"
-#include "clap/kit_instance.h"
 #include "clap/presets.h"
 
 #define TEXT_OF(number) #number
@@ -19,24 +18,18 @@ static const char *const stereo_features[] = {
 static const char *const effect_features[] = {CLAP_PLUGIN_FEATURE_AUDIO_EFFECT,
                                               CLAP_PLUGIN_FEATURE_STEREO, NULL};
 
-#define PLUGIN(its_id, its_name, its_features, its_description)                                    \
-  {                                                                                                \
-    .clap_version = CLAP_VERSION_INIT, .id = (its_id), .name = (its_name), .vendor = "Tabor",      \
-    .url = "", .manual_url = "", .support_url = "", .version = VERSION_TEXT,                       \
-    .description = (its_description), .features = (its_features)                                   \
-  }
-
-static const clap_plugin_descriptor_t plugins[] = {
-  PLUGIN(ID_DRUM, "Tabor", stereo_features, "A snare drum computed from physics"),
-  PLUGIN(ID_DRUM_MULTI, "Tabor Multi", stereo_features,
-         "A snare drum computed from physics, an output per microphone"),
-  PLUGIN(ID_KIT, "Tabor Kit", stereo_features,
-         "A drum kit computed from physics, an output per drum"),
-  PLUGIN(ID_EFFECT, "Tabor Rattle", effect_features,
-         "A loudspeaker plays the sound to a snare drum, whose snares rattle"),
-};
+static const struct {
+  const char *id;
+  InstrumentKindId kind;
+  const char *const *features;
+} plugins[] = {{ID_DRUM, INSTRUMENT_STEREO, stereo_features},
+               {ID_DRUM_MULTI, INSTRUMENT_MULTI, stereo_features},
+               {ID_KIT, INSTRUMENT_KIT, stereo_features},
+               {ID_EFFECT, INSTRUMENT_EFFECT, effect_features}};
 
 #define PLUGINS (sizeof plugins / sizeof plugins[0])
+
+static clap_plugin_descriptor_t descriptors[PLUGINS];
 
 static uint32_t count(const clap_plugin_factory_t *factory) {
   (void)factory;
@@ -46,26 +39,41 @@ static uint32_t count(const clap_plugin_factory_t *factory) {
 static const clap_plugin_descriptor_t *get_descriptor(const clap_plugin_factory_t *factory,
                                                       uint32_t index) {
   (void)factory;
-  return index < PLUGINS ? &plugins[index] : NULL;
+  return index < PLUGINS ? &descriptors[index] : NULL;
 }
 
 static const clap_plugin_t *create(const clap_plugin_factory_t *factory, const clap_host_t *host,
                                    const char *id) {
   (void)factory;
   if (!clap_version_is_compatible(host->clap_version)) return NULL;
-  size_t i = 0;
-  while (i < PLUGINS && strcmp(id, plugins[i].id) != 0) i++;
-  if (i == PLUGINS) return NULL;
-  if (strcmp(id, ID_KIT) == 0) return kit_instance_create(&plugins[i], host);
-  if (strcmp(id, ID_EFFECT) == 0) return instance_create(&plugins[i], host, KNOBS_EFFECT);
-  return instance_create(&plugins[i], host, strcmp(id, ID_DRUM) == 0 ? KNOBS_STEREO : KNOBS_MULTI);
+  for (size_t i = 0; i < PLUGINS; i++) {
+    if (strcmp(id, plugins[i].id) == 0)
+      return instance_create(&descriptors[i], host, &instrument_kinds[plugins[i].kind]);
+  }
+  return NULL;
 }
 
 static const clap_plugin_factory_t plugin_factory = {
   .get_plugin_count = count, .get_plugin_descriptor = get_descriptor, .create_plugin = create};
 
+static void describe(size_t number) {
+  const InstrumentKind *const kind = &instrument_kinds[plugins[number].kind];
+  descriptors[number] = (clap_plugin_descriptor_t){.clap_version = CLAP_VERSION_INIT,
+                                                   .id = plugins[number].id,
+                                                   .name = kind->name,
+                                                   .vendor = "Tabor",
+                                                   .url = "",
+                                                   .manual_url = "",
+                                                   .support_url = "",
+                                                   .version = VERSION_TEXT,
+                                                   .description = kind->brief,
+                                                   .features = plugins[number].features};
+}
+
+/* CLAP calls it before all else, from one thread. */
 static bool init(const char *path) {
   (void)path;
+  for (size_t i = 0; i < PLUGINS; i++) describe(i);
   return true;
 }
 

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clap/gui_kind.h"
 #include "clap/instance.h"
-#include "clap/kit_instance.h"
-#include "window/window_size.h"
+#include "clap/parameters.h"
+#include "clap/presets.h"
+#include "window/window_of.h"
 
 typedef struct Gui {
   const WindowKind *kind;
@@ -16,17 +16,76 @@ typedef struct Gui {
   clap_id timer;
 } Gui;
 
-static bool is_kit(const clap_plugin_t *plugin) { return strcmp(plugin->desc->id, ID_KIT) == 0; }
+static GuiLink *link_of(const clap_plugin_t *plugin) { return &instance_of(plugin)->link; }
 
-static GuiLink *link_of(const clap_plugin_t *plugin) {
-  return is_kit(plugin) ? &kit_instance_of(plugin)->link : &instance_of(plugin)->link;
-}
-
-static const clap_host_t *host_of(const clap_plugin_t *plugin) {
-  return is_kit(plugin) ? kit_instance_of(plugin)->host : instance_of(plugin)->host;
-}
+static const clap_host_t *host_of(const clap_plugin_t *plugin) { return instance_of(plugin)->host; }
 
 static Gui *gui_of(const clap_plugin_t *plugin) { return link_of(plugin)->gui; }
+
+/* ---- what the window asks of the instance ---------------------------------------------------- */
+
+static float value(void *shell, uint32_t id) {
+  const Instance *const instance = shell;
+  return atomic_load(&instance->instrument->values[id]);
+}
+
+static void push_turn(Instance *instance, uint16_t type, uint32_t id) {
+  gui_link_turn(&instance->link, type, instrument_number(instance->instrument->kind, id),
+                parameters_value(instance->instrument, id));
+  if (instance->params) instance->params->request_flush(instance->host);
+  instance_wake(instance);
+}
+
+static void mark_changed(const Instance *instance) {
+  const clap_host_state_t *const state =
+    instance->host->get_extension(instance->host, CLAP_EXT_STATE);
+  if (state) state->mark_dirty(instance->host);
+}
+
+static void begin(void *shell, uint32_t id) {
+  push_turn(shell, CLAP_EVENT_PARAM_GESTURE_BEGIN, id);
+}
+
+static void turn(void *shell, uint32_t id, double to) {
+  const Instance *const instance = shell;
+  instrument_set(instance->instrument, id, to);
+  push_turn(shell, CLAP_EVENT_PARAM_VALUE, id);
+}
+
+static void end(void *shell, uint32_t id) {
+  push_turn(shell, CLAP_EVENT_PARAM_GESTURE_END, id);
+  mark_changed(shell);
+}
+
+static void use(void *shell, const InstrumentSetting *setting) {
+  instance_use(shell, setting);
+  mark_changed(shell);
+}
+
+static void choose(void *shell, const char *preset) {
+  const Instance *const instance = shell;
+  (void)presets_load.from_location(&instance->plugin, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL,
+                                   preset);
+  mark_changed(instance);
+}
+
+static void play(void *shell) {
+  const Instance *const instance = shell;
+  instance->host->request_process(instance->host);
+}
+
+static void *make_window(Instance *instance, const WindowKind **kind) {
+  const PluginWindowShell shell = {.shell = instance,
+                                   .instrument = instance->instrument,
+                                   .value = value,
+                                   .begin = begin,
+                                   .turn = turn,
+                                   .end = end,
+                                   .use = use,
+                                   .choose = choose,
+                                   .play = play};
+  return window_of(&shell, kind);
+}
 
 /* ---- CLAP's extension ----------------------------------------------------------------------- */
 
@@ -51,9 +110,7 @@ static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, boo
 static Gui *make_gui(const clap_plugin_t *plugin) {
   Gui *const gui = calloc(1, sizeof *gui);
   if (!gui) return NULL;
-  const GuiKind *const kind = is_kit(plugin) ? &gui_kit : &gui_drum;
-  gui->kind = kind->window;
-  gui->window = kind->create(plugin->plugin_data);
+  gui->window = make_window(instance_of(plugin), &gui->kind);
   if (gui->window) return gui;
   free(gui);
   return NULL;

@@ -7,7 +7,7 @@
 
 #define LOWER_BITS 128 /* steps of controller 88 within one of the velocity */
 
-enum { RADIUS_CONTROLLER = 16, ALL_SOUND_OFF = 120 };
+enum { RADIUS_CONTROLLER = 16 };
 
 static uint8_t channel_of(int16_t channel) { return channel < 0 ? 0 : (uint8_t)channel & 0x0Fu; }
 
@@ -83,7 +83,6 @@ uint32_t note_event_messages(const clap_event_header_t *event,
   switch (event->type) {
   case CLAP_EVENT_NOTE_ON: return note_on((const clap_event_note_t *)event, messages);
   case CLAP_EVENT_NOTE_OFF: return note_off((const clap_event_note_t *)event, messages);
-  case CLAP_EVENT_NOTE_CHOKE: *messages = (MidiMessage){MIDI_CONTROL, {ALL_SOUND_OFF, 0}}; return 1;
   case CLAP_EVENT_NOTE_EXPRESSION:
     return expression((const clap_event_note_expression_t *)event, messages);
   case CLAP_EVENT_MIDI: return midi((const clap_event_midi_t *)event, messages);

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file note_events.h
- * CLAP's notes as MIDI messages, so that both dialects have the same meaning.
+ * CLAP's notes as MIDI messages, so that both dialects have the same meaning. A choke is none: it silences what its key plays.
  *
  * | event | message |
  * |---|---|
  * | note on | note on; what 7 bits do not hold of the velocity comes before it, as controller 88 |
  * | note off | note off |
- * | choke | all sound off, controller 120: everything falls silent |
  * | pressure of a note | pressure of its key, or of the channel if the event names no key |
  * | brightness of a note | controller 16: 0 is the centre of the head, 1 the rim |
  *

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "clap/instance.h"
-#include "clap/kit_instance.h"
 #include "clap/presets.h"
 #include "drums/drum_file.h"
 #include "drums/user_presets.h"

@@ -9,8 +9,7 @@
 
 #include <clap/clap.h>
 
-extern const clap_plugin_preset_load_t instance_preset_load; /**< of the plugins of one drum */
-extern const clap_plugin_preset_load_t kit_preset_load;      /**< of Tabor Kit */
+extern const clap_plugin_preset_load_t presets_load;
 extern const clap_preset_discovery_factory_t presets_factory;
 
 #endif

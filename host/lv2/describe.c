@@ -11,78 +11,110 @@
 #include <ctype.h>
 #include <lv2/instance-access/instance-access.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "drums/definition_text.h"
-#include "lv2/describe_kit.h"
 #include "lv2/describe_parts.h"
+#include "lv2/plugins.h"
 #include "lv2/ports.h"
 #include "lv2/turtle.h"
-#include "lv2/uris.h"
-
-static TaborDrumDef usual;
+#include "plugin/knobs.h"
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
 static void put_word(const char *word, double value) { put_point(word, (int)strlen(word), value); }
 
-static void put_knob(KnobSet set, KnobId id) {
-  const Knob *const knob = &knobs[id];
-  const KnobRange range = knob_range_in(set, id, &usual);
+static void put_knob(const Lv2Plugin *plugin, const Instrument *instrument, uint32_t id) {
+  const Knob *const knob = &instrument->kind->knobs[id];
+  const KnobRange *const range = &instrument->ranges[id];
+  const bool is_expensive =
+    knob->kind == KNOB_REBUILD || knob->kind == KNOB_REPLACE || knob->is_costly;
   put("\t\ta lv2:InputPort , lv2:ControlPort ;\n");
   put("\t\tlv2:symbol \"%s\" ;\n\t\tlv2:name \"%s\" ;\n", knob->symbol, knob->name);
-  const double minimum = knob_decimal(port_minimum(&range));
-  put_range(knob_decimal(range.fallback), minimum, knob_decimal(range.maximum));
-  put_unit(range.unit);
-  if (knob_is_bent(&range)) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
-  if (knob->kind == KNOB_REBUILD || id == KNOB_QUALITY) {
-    put("\t\tlv2:portProperty pprops:expensive ;\n");
-  }
+  const double minimum = knob_decimal(port_minimum(range));
+  put_range(knob_decimal(range->fallback), minimum, knob_decimal(range->maximum));
+  put_unit(range->unit);
+  if (knob_is_bent(range)) put("\t\tlv2:portProperty pprops:logarithmic ;\n");
+  if (is_expensive) put("\t\tlv2:portProperty pprops:expensive ;\n");
   if (knob->choices) put_choices(knob->choices);
   if (!isnan(knob->off)) put_word(knob_off_word(knob), fmax(knob->off, minimum));
-  if (knob->top_word) put_word(knob->top_word, knob_decimal(range.maximum));
-  if (id == KNOB_ENABLED)
+  if (knob->top_word) put_word(knob->top_word, knob_decimal(range->maximum));
+  if (knob->is_bypass)
     put("\t\tlv2:portProperty lv2:toggled ;\n\t\tlv2:designation lv2:enabled ;\n");
-  if (id == KNOB_GAIN) put("\t\tlv2:designation param:gain ;\n");
-  put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", URI_GROUP, knob->group);
+  if (knob->is_gain) put("\t\tlv2:designation param:gain ;\n");
+  put("\t\tpg:group <%s%s> ;\n\t\trdfs:comment ", plugin->group, knob->group);
   put_text(knob->comment);
   put("\n");
 }
 
-/* ---- other ports ---------------------------------------------------------------------------- */
+/* ---- sound ---------------------------------------------------------------------------------- */
+
+static const char *const sides[] = {"left", "right"};
 
 static void put_input(uint32_t side) {
-  static const char *const names[] = {"Left", "Right"};
   put("\t\ta lv2:InputPort , lv2:AudioPort ;\n");
-  put("\t\tlv2:symbol \"in_%c%s\" ;\n", tolower(names[side][0]), names[side] + 1);
+  put("\t\tlv2:symbol \"in_%s\" ;\n", sides[side]);
   put_side(side);
-  put("\t\tlv2:name \"Sound %s\"\n", names[side]);
+  put("\t\tlv2:name \"Sound %s\"\n", sides[side]);
 }
 
-static void put_output(bool stereo, uint32_t channel) {
-  static const char *const names[] = {"Top", "Bottom", "Near", "Far", "Left", "Right", "Inside"};
-  const uint32_t first_side = stereo ? 0 : 4;
-  const char *const name = names[stereo ? channel + 4 : channel];
-  put("\t\ta lv2:OutputPort , lv2:AudioPort ;\n");
-  put("\t\tlv2:symbol \"out_%c%s\" ;\n", tolower(name[0]), name + 1);
-  if (!stereo) put("\t\tlv2:portProperty lv2:connectionOptional ;\n");
-  if (channel == first_side || channel == first_side + 1) {
-    put_side(channel - first_side);
-    put("\t\tpg:group <%spair> ;\n", URI_GROUP);
+static const InstrumentOutput *output_of(const InstrumentKind *kind, uint32_t channel) {
+  const InstrumentOutput *output = kind->outputs;
+  while (channel < output->first || channel >= output->first + output->channels) output++;
+  return output;
+}
+
+/* Of the group of an output: the first is the pair of a drum, out_0 of a kit, whose others have their numbers. */
+static const char *output_symbol(const InstrumentKind *kind, const InstrumentOutput *output,
+                                 char symbol[16]) {
+  const unsigned number = (unsigned)(output - kind->outputs);
+  (void)snprintf(symbol, 16, kind->id == INSTRUMENT_KIT ? "out_%u" : "pair", number);
+  return symbol;
+}
+
+/* A microphone by its name; the first output by its sides; others by their numbers and sides. */
+static void put_channel(const InstrumentKind *kind, const InstrumentOutput *output, uint32_t side) {
+  const unsigned number = (unsigned)(output - kind->outputs);
+  if (output->channels == 1) {
+    put("\t\tlv2:symbol \"out_%c%s\" ;\n", tolower(output->name[0]), output->name + 1);
+    put("\t\tlv2:name \"%s\"\n", output->name);
+    return;
   }
-  put("\t\tlv2:name \"%s\"\n", name);
+  if (number == 0) {
+    put("\t\tlv2:symbol \"out_%s\" ;\n", sides[side]);
+  } else {
+    put("\t\tlv2:symbol \"out_%u_%s\" ;\n", number, sides[side]);
+  }
+  put("\t\tlv2:name \"%s %s\"\n", output->name, sides[side]);
 }
 
-static void put_port(KnobSet set, uint32_t number, Port port) {
+static void put_output(const Lv2Plugin *plugin, uint32_t channel) {
+  const InstrumentKind *const kind = &instrument_kinds[plugin->kind];
+  const InstrumentOutput *const output = output_of(kind, channel);
+  const uint32_t side = channel - output->first;
+  char symbol[16];
+  put("\t\ta lv2:OutputPort , lv2:AudioPort ;\n");
+  const bool is_needed = kind->id != INSTRUMENT_MULTI && output == kind->outputs;
+  if (!is_needed) put("\t\tlv2:portProperty lv2:connectionOptional ;\n");
+  if (output->channels == 2) {
+    put_side(side);
+    put("\t\tpg:group <%s%s> ;\n", plugin->group, output_symbol(kind, output, symbol));
+  }
+  put_channel(kind, output, side);
+}
+
+static void put_port(const Lv2Plugin *plugin, const Instrument *instrument, uint32_t number) {
+  const Port port = port_at(instrument->kind, number);
   put("%s[\n\t\tlv2:index %u ;\n", number > 0 ? " , " : "\tlv2:port ", (unsigned)number);
   switch (port.kind) {
-  case PORT_EVENTS: put_events(false); break;
+  case PORT_EVENTS: put_events(); break;
   case PORT_INPUT: put_input(port.index); break;
-  case PORT_OUTPUT: put_output(set != KNOBS_MULTI, port.index); break;
+  case PORT_OUTPUT: put_output(plugin, port.index); break;
   case PORT_FREEWHEEL: put_freewheel(); break;
   case PORT_READY: put_ready(); break;
-  case PORT_KNOB: put_knob(set, (KnobId)port.index); break;
+  case PORT_KNOB: put_knob(plugin, instrument, port.index); break;
   case PORT_NONE: break;
   }
   put("\t]");
@@ -90,25 +122,33 @@ static void put_port(KnobSet set, uint32_t number, Port port) {
 
 /* ---- plugins -------------------------------------------------------------------------------- */
 
-/* Whether a plugin has a knob of the group. */
-static bool is_used(const KnobGroup *group) {
-  KnobId id;
-  for (uint32_t i = 0; (id = knob_at(KNOBS_EFFECT, i)) < KNOB_COUNT; i++) {
-    if (strcmp(knobs[id].group, group->symbol) == 0) return true;
+static bool has_group(const InstrumentKind *kind, const KnobGroup *group) {
+  uint32_t id;
+  for (uint32_t i = 0; (id = instrument_knob_at(kind, i)) < kind->knob_count; i++) {
+    if (strcmp(kind->knobs[id].group, group->symbol) == 0) return true;
   }
   return false;
 }
 
-static void put_groups(void) {
-  for (uint32_t i = 0; i < KNOB_GROUPS; i++) {
-    const KnobGroup *const group = &knob_groups[i];
-    if (!is_used(group)) continue;
-    put("<%s%s>\n\ta pg:InputGroup ;\n\tlv2:symbol \"%s\" ;\n\tlv2:name \"%s\" .\n\n", URI_GROUP,
-        group->symbol, group->symbol, group->name);
+static void put_group(const char *uri, const char *symbol, const char *name, const char *types) {
+  put("<%s%s>\n\ta %s ;\n\tlv2:symbol \"%s\" ;\n\tlv2:name \"%s\" .\n\n", uri, symbol, types,
+      symbol, name);
+}
+
+static void put_groups(const Lv2Plugin *plugin) {
+  const InstrumentKind *const kind = &instrument_kinds[plugin->kind];
+  char symbol[16];
+  for (uint32_t i = 0; i < kind->group_count; i++) {
+    const KnobGroup *const group = &kind->groups[i];
+    if (has_group(kind, group))
+      put_group(plugin->group, group->symbol, group->name, "pg:InputGroup");
   }
-  put("<%spair>\n\ta pg:OutputGroup , pg:StereoGroup ;\n\tlv2:symbol \"pair\" ;\n"
-      "\tlv2:name \"Stereo pair\" .\n\n",
-      URI_GROUP);
+  for (uint32_t i = 0; i < kind->output_count; i++) {
+    const InstrumentOutput *const output = &kind->outputs[i];
+    if (output->channels == 1) continue;
+    put_group(plugin->group, output_symbol(kind, output, symbol), output->name,
+              "pg:OutputGroup , pg:StereoGroup");
+  }
 }
 
 static void put_property(const char *uri, const char *name, const char *label, const char *range) {
@@ -126,34 +166,29 @@ static void put_properties(void) {
   }
 }
 
-#define COMMENT                                                                                    \
-  "Heads that move air, wires that bounce on them, a stick that strikes: no samples. Notes 36 to " \
-  "50 are strokes; controllers 16 and 17 move the place, 20 the strainer; program changes choose " \
-  "drums."
+static void put_file(const char *uri, const char *what) {
+  put("<%s>\n\ta lv2:Parameter ;\n\trdfs:label \"%s file\" ;\n", uri, what);
+  put("\trdfs:comment \"The %s that plays as the user's own: an INI file.\" ;\n", what);
+  put("\trdfs:range atom:Path .\n\n");
+}
 
-static const PluginWords words[] = {
-  [KNOBS_STEREO] = {URI_DRUM, "Tabor", "InstrumentPlugin", "A snare drum computed from physics",
-                    COMMENT},
-  [KNOBS_MULTI] = {URI_DRUM_MULTI, "Tabor Multi", "InstrumentPlugin",
-                   "A snare drum computed from physics, an output per microphone", COMMENT},
-  [KNOBS_EFFECT] = {
-    URI_EFFECT, "Tabor Rattle", "SimulatorPlugin",
-    "A loudspeaker plays the sound to a snare drum, whose snares rattle",
-    "What comes in drives the heads as sound does, the snares with them. " COMMENT}};
-
-static void put_plugin(KnobSet set, bool has_window) {
-  put_plugin_words(&words[set]);
-  if (has_window) put("\tui:ui <%s> ;\n", URI_WINDOW);
+static void put_plugin(const Lv2Plugin *plugin, bool has_window) {
+  const InstrumentKind *const kind = &instrument_kinds[plugin->kind];
+  Instrument *const instrument = instrument_create(kind);
+  char symbol[16];
+  if (!instrument) turtle_fail("out of memory");
+  const PluginWords words = {plugin->uri, kind->name, plugin->type, kind->brief, kind->comment};
+  put_plugin_words(&words);
+  if (has_window) put("\tui:ui <%s> ;\n", plugin->window);
   put("\tlv2:optionalFeature lv2:hardRTCapable , work:schedule , log:log , "
       "state:threadSafeRestore ;\n"
       "\tlv2:extensionData work:interface , state:interface ;\n"
-      "\tpg:mainOutput <%spair> ;\n",
-      URI_GROUP);
-  Port port;
-  for (uint32_t number = 0; (port = port_at(set, number)).kind != PORT_NONE; number++) {
-    put_port(set, number, port);
-  }
+      "\tpatch:writable <%s> ;\n\tpg:mainOutput <%s%s> ;\n",
+      plugin->file, plugin->group, output_symbol(kind, kind->outputs, symbol));
+  for (uint32_t number = 0; port_at(kind, number).kind != PORT_NONE; number++)
+    put_port(plugin, instrument, number);
   put(" .\n\n");
+  instrument_destroy(instrument);
 }
 
 /* ---- presets -------------------------------------------------------------------------------- */
@@ -224,10 +259,9 @@ static void write_manifest(const char *folder, const char *binary, const char *w
       "@prefix urid: <http://lv2plug.in/ns/ext/urid#> .\n"
       "@prefix pset: <http://lv2plug.in/ns/ext/presets#> .\n"
       "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n\n");
-  const char *const uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_KIT, URI_EFFECT};
-  for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
-    put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n", uris[i],
-        binary);
+  for (size_t i = 0; i < INSTRUMENT_KINDS; i++) {
+    put("<%s>\n\ta lv2:Plugin ;\n\tlv2:binary <%s> ;\n\trdfs:seeAlso <tabor.ttl> .\n\n",
+        lv2_plugins[i].uri, binary);
   }
   if (window) {
     put_window(URI_WINDOW, window);
@@ -243,12 +277,12 @@ static void write_manifest(const char *folder, const char *binary, const char *w
 static void write_plugins(const char *folder, bool has_window) {
   turtle_open(folder, "tabor.ttl");
   put_prefixes();
-  put_groups();
+  put_groups(lv2_plugin_find(URI_EFFECT)); /* the drum that has all groups */
+  put_groups(lv2_plugin_find(URI_KIT));
   put_properties();
-  put_plugin(KNOBS_STEREO, has_window);
-  put_plugin(KNOBS_MULTI, has_window);
-  put_plugin(KNOBS_EFFECT, has_window);
-  put_kit(has_window);
+  put_file(URI_DRUM_FILE, "drum");
+  put_file(URI_KIT_FILE, "kit");
+  for (size_t i = 0; i < INSTRUMENT_KINDS; i++) put_plugin(&lv2_plugins[i], has_window);
   turtle_close();
 }
 
@@ -261,7 +295,6 @@ static void write_presets(const char *folder) {
 
 int main(int argc, char **argv) {
   if (argc != 3 && argc != 4) turtle_fail("describe FOLDER BINARY [WINDOW]");
-  if (tabor_drum_def_preset(&usual, DEFAULT_PRESET, NULL) != TABOR_OK) turtle_fail(DEFAULT_PRESET);
   write_manifest(argv[1], argv[2], argv[3]);
   write_plugins(argv[1], argc == 4);
   write_presets(argv[1]);

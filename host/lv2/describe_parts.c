@@ -66,9 +66,9 @@ void put_side(unsigned side) { put("\t\tlv2:designation pg:%s ;\n", side == 0 ? 
 
 /* ---- ports ---------------------------------------------------------------------------------- */
 
-void put_events(bool patch) {
+void put_events(void) {
   put("\t\ta lv2:InputPort , atom:AtomPort ;\n\t\tatom:bufferType atom:Sequence ;\n");
-  put("\t\tatom:supports midi:MidiEvent%s ;\n", patch ? " , patch:Message" : "");
+  put("\t\tatom:supports midi:MidiEvent , patch:Message ;\n");
   put("\t\tlv2:designation lv2:control ;\n"
       "\t\tlv2:symbol \"events\" ;\n\t\tlv2:name \"MIDI\"\n");
 }

@@ -6,8 +6,6 @@
 #ifndef TABOR_LV2_DESCRIBE_PARTS_H
 #define TABOR_LV2_DESCRIBE_PARTS_H
 
-#include <stdbool.h>
-
 typedef struct PluginWords {
   const char *uri, *name;
   const char *kind; /**< class of plugins that LV2 sorts it among */
@@ -31,8 +29,7 @@ void put_side(unsigned side);
 
 /* All lines of a port. */
 
-/** @p patch: it takes files, too. */
-void put_events(bool patch);
+void put_events(void);
 void put_freewheel(void);
 void put_ready(void);
 

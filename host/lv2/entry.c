@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the binary exports: the list of its plugins. */
-#include "lv2/instrument.h"
-#include "lv2/kit_instrument.h"
+#include "lv2/instance.h"
 
 LV2_SYMBOL_EXPORT const LV2_Descriptor *lv2_descriptor(uint32_t index) {
-  const LV2_Descriptor *const plugins[] = {&instrument_stereo, &instrument_multi, &kit_instrument,
-                                           &instrument_effect};
-  return index < sizeof plugins / sizeof plugins[0] ? plugins[index] : NULL;
+  return index < INSTRUMENT_KINDS ? &instance_descriptors[index] : NULL;
 }

@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ports.h
- * The ports of the plugins with one drum.
+ * The ports of the plugins, whose numbers never change.
  *
  *     0                 MIDI
- *     1, 2              inputs of the effect
- *     then              outputs: left and right, or one per microphone
+ *     1, 2              inputs of an effect
+ *     then              outputs, a port for each channel
  *     then              freewheel, ready
- *     then              knobs, in the order of knob_ports; in the multi-output plugin the output of the
- *                       microphone inside stands among them, at PORT_INSIDE, where it was the last port once
+ *     then              knobs, in the order of the instrument
+ *
+ * But in the plugin with an output per microphone the one inside stands among the knobs, after PORT_INSIDE of them, where it was
+ * the last port once.
  */
 #ifndef TABOR_LV2_PORTS_H
 #define TABOR_LV2_PORTS_H
 
 #include <math.h>
-#include <stdbool.h>
-#include <stdint.h>
 
-#include "base/realtime.h"
-#include "plugin/knobs.h"
+#include "plugin/instrument.h"
 
 typedef enum PortKind {
   PORT_EVENTS,
@@ -26,7 +25,7 @@ typedef enum PortKind {
   PORT_OUTPUT, /**< audio; index: the channel */
   PORT_FREEWHEEL,
   PORT_READY,
-  PORT_KNOB, /**< index: a KnobId */
+  PORT_KNOB, /**< index: its id */
   PORT_NONE  /**< past the last */
 } PortKind;
 
@@ -36,10 +35,6 @@ typedef struct Port {
 } Port;
 
 #define PORT_INSIDE 14 /**< knobs of the multi-output plugin before the output inside */
-
-/** Number of audio inputs and outputs of a plugin. */
-static inline uint32_t port_inputs(KnobSet set) REALTIME { return set == KNOBS_EFFECT ? 2 : 0; }
-static inline uint32_t port_outputs(KnobSet set) { return set == KNOBS_MULTI ? 7 : 2; }
 
 /**
  * Ports of pitches are logarithmic, so their range cannot begin at 0, where the knob is off: it begins at the lowest pitch,
@@ -58,9 +53,10 @@ static inline float port_of_knob(const KnobRange *range, float value) REALTIME {
 }
 
 /** Port number @p number of a plugin. */
-static inline Port port_at(KnobSet set, uint32_t number) REALTIME {
-  const bool multi = set == KNOBS_MULTI;
-  const uint32_t inputs = port_inputs(set), outputs = multi ? 6 : 2; /* in one row */
+static inline Port port_at(const InstrumentKind *kind, uint32_t number) REALTIME {
+  const bool multi = kind->id == INSTRUMENT_MULTI;
+  const uint32_t inputs = kind->has_input ? 2 : 0;
+  const uint32_t outputs = multi ? kind->channels - 1 : kind->channels; /* in one row */
   if (number == 0) return (Port){PORT_EVENTS, 0};
   if (number <= inputs) return (Port){PORT_INPUT, number - 1};
   const uint32_t behind = number - inputs;
@@ -69,8 +65,8 @@ static inline Port port_at(KnobSet set, uint32_t number) REALTIME {
   if (behind == outputs + 2) return (Port){PORT_READY, 0};
   const uint32_t place = behind - outputs - 3;
   if (multi && place == PORT_INSIDE) return (Port){PORT_OUTPUT, outputs};
-  const KnobId knob = knob_at(set, place - (multi && place > PORT_INSIDE));
-  return (Port){knob < KNOB_COUNT ? PORT_KNOB : PORT_NONE, knob};
+  const uint32_t knob = instrument_knob_at(kind, place - (multi && place > PORT_INSIDE));
+  return (Port){knob < kind->knob_count ? PORT_KNOB : PORT_NONE, knob};
 }
 
 #endif

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The binary has its own copy of what it shares with the plugins, so a window opens for an instance of its own build alone. */
-#include "lv2/ui.h"
-
 #include <lv2/atom/atom.h>
 #include <lv2/instance-access/instance-access.h>
 #include <lv2/options/options.h>
+#include <lv2/ui/ui.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lv2/uris.h"
+#include "lv2/instance.h"
+#include "window/window_of.h"
 
 /* What the host offers. */
 typedef struct Features {
@@ -21,16 +21,65 @@ typedef struct Features {
   const LV2_Options_Option *options;
 } Features;
 
-/* ---- the host's ports ----------------------------------------------------------------------- */
+typedef struct Ui {
+  Instance *instance;
+  const WindowKind *kind;
+  void *window;
+  LV2UI_Write_Function write;
+  LV2UI_Controller controller;
+  const LV2UI_Touch *touch;         /* or NULL */
+  uint32_t ports[INSTRUMENT_KNOBS]; /* numbers */
+  float values[INSTRUMENT_KNOBS];   /* of the ports */
+} Ui;
 
-void ui_grab(const Ui *ui, uint32_t knob, bool grabbed) {
+static Instrument *instrument_of(const Ui *ui) { return ui->instance->instrument; }
+
+/* ---- what the window asks of the instance ---------------------------------------------------- */
+
+static float value(void *shell, uint32_t id) {
+  const Ui *const ui = shell;
+  return port_to_knob(&instrument_of(ui)->ranges[id], ui->values[id]);
+}
+
+static void grab(const Ui *ui, uint32_t knob, bool grabbed) {
   if (ui->touch) ui->touch->touch(ui->touch->handle, ui->ports[knob], grabbed);
 }
 
-void ui_turn(Ui *ui, uint32_t knob, float value) {
-  ui->values[knob] = value;
-  ui->write(ui->controller, ui->ports[knob], sizeof value, 0, &ui->values[knob]);
+static void begin(void *shell, uint32_t id) { grab(shell, id, true); }
+static void end(void *shell, uint32_t id) { grab(shell, id, false); }
+
+static void turn(void *shell, uint32_t id, double to) {
+  Ui *const ui = shell;
+  const Instrument *const instrument = instrument_of(ui);
+  const KnobRange *const range = &instrument->ranges[id];
+  ui->values[id] = port_of_knob(range, knob_limited(&instrument->kind->knobs[id], range, to));
+  ui->write(ui->controller, ui->ports[id], sizeof(float), 0, &ui->values[id]);
 }
+
+/* The ports first: they turn no knob if they stand where they stood with the drum. */
+static void use(void *shell, const InstrumentSetting *setting) {
+  const Ui *const ui = shell;
+  Instrument *const instrument = instrument_of(ui);
+  const InstrumentKind *const kind = instrument->kind;
+  uint32_t id;
+  for (uint32_t i = 0; (id = instrument_knob_at(kind, i)) < kind->knob_count; i++)
+    turn(shell, id, (double)setting->values[id]);
+  kind->calls->use(instrument, setting);
+}
+
+/* Knobs of parts that the drum lacks stay where they are. */
+static void choose(void *shell, const char *preset) {
+  const Ui *const ui = shell;
+  Instrument *const instrument = instrument_of(ui);
+  char message[INSTRUMENT_MESSAGE];
+  InstrumentSetting setting;
+  instrument_note(instrument, &setting);
+  for (uint32_t i = 0; i < instrument->kind->knob_count; i++) setting.values[i] = value(shell, i);
+  if (instrument->kind->calls->load(instrument, preset, false, &setting, message))
+    use(shell, &setting);
+}
+
+static void play(void *shell) { (void)shell; } /* the host runs the plugin anyway */
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
@@ -66,33 +115,52 @@ static double scale_of(const Features *features) {
 }
 
 static void find_ports(Ui *ui) {
+  const Instrument *const instrument = instrument_of(ui);
   Port port;
-  for (uint32_t i = 0; (port = ui->kind->port_at(ui, i)).kind != PORT_NONE; i++) {
+  for (uint32_t i = 0; (port = port_at(instrument->kind, i)).kind != PORT_NONE; i++) {
     if (port.kind != PORT_KNOB) continue;
     ui->ports[port.index] = i;
-    ui->values[port.index] = ui->kind->fallback(ui, port.index);
+    ui->values[port.index] = instrument->ranges[port.index].fallback;
   }
 }
 
+static bool make_window(Ui *ui) {
+  const PluginWindowShell shell = {.shell = ui,
+                                   .instrument = instrument_of(ui),
+                                   .value = value,
+                                   .begin = begin,
+                                   .turn = turn,
+                                   .end = end,
+                                   .use = use,
+                                   .choose = choose,
+                                   .play = play};
+  ui->window = window_of(&shell, &ui->kind);
+  return ui->window != NULL;
+}
+
 static bool open(Ui *ui, const Features *features, LV2UI_Widget *widget) {
-  const WindowKind *const kind = ui->kind->window;
   uint32_t width, height;
-  ui->window = ui->kind->create(ui);
-  if (!ui->window) return false;
-  window_scale(kind, ui->window, scale_of(features));
-  if (!kind->open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
-  kind->size(ui->window, &width, &height);
+  if (!make_window(ui)) return false;
+  window_scale(ui->kind, ui->window, scale_of(features));
+  if (!ui->kind->open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
+  ui->kind->size(ui->window, &width, &height);
   if (features->resize)
     features->resize->ui_resize(features->resize->handle, (int)width, (int)height);
-  kind->show(ui->window, true);
-  *widget = (LV2UI_Widget)(uintptr_t)kind->id(ui->window);
+  ui->kind->show(ui->window, true);
+  *widget = (LV2UI_Widget)(uintptr_t)ui->kind->id(ui->window);
   return true;
 }
 
 static void cleanup(LV2UI_Handle handle) {
   Ui *const ui = handle;
-  ui->kind->window->destroy(ui->window);
+  ui->kind->destroy(ui->window);
   free(ui);
+}
+
+/* So that what the window looks into is what it takes it for. */
+static bool is_of_this_build(const Instance *instance) {
+  return instance && instance->size == sizeof *instance &&
+         strcmp(instance->version, tabor_version()) == 0;
 }
 
 static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *plugin,
@@ -101,16 +169,13 @@ static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *
                                 const LV2_Feature *const *list) {
   (void)bundle;
   const Features features = find_features(list);
-  const bool is_kit = strcmp(plugin, URI_KIT) == 0;
-  const UiKind *const kind = is_kit ? &ui_kit : &ui_drum;
-  if (strcmp(descriptor->URI, is_kit ? URI_KIT_WINDOW : URI_WINDOW) != 0) return NULL;
-  if (!features.parent || !features.instance || !kind->is_of_this_build(features.instance)) {
-    return NULL;
-  }
+  const Instance *const instance = features.instance;
+  if (!features.parent || !is_of_this_build(instance)) return NULL;
+  const Lv2Plugin *const shown = instance->plugin;
+  if (strcmp(plugin, shown->uri) != 0 || strcmp(descriptor->URI, shown->window) != 0) return NULL;
   Ui *const ui = calloc(1, sizeof *ui);
   if (!ui) return NULL;
-  *ui = (Ui){.kind = kind,
-             .instance = features.instance,
+  *ui = (Ui){.instance = features.instance,
              .write = write,
              .controller = controller,
              .touch = features.touch};
@@ -125,7 +190,7 @@ static LV2UI_Handle instantiate(const LV2UI_Descriptor *descriptor, const char *
 static void port_event(LV2UI_Handle handle, uint32_t number, uint32_t size, uint32_t format,
                        const void *buffer) {
   Ui *const ui = handle;
-  const Port port = ui->kind->port_at(ui, number);
+  const Port port = port_at(instrument_of(ui)->kind, number);
   float to;
   if (format != 0 || size != sizeof to || port.kind != PORT_KNOB) return;
   memcpy(&to, buffer, sizeof to);
@@ -134,14 +199,14 @@ static void port_event(LV2UI_Handle handle, uint32_t number, uint32_t size, uint
 
 static int idle(LV2UI_Handle handle) {
   Ui *const ui = handle;
-  ui->kind->window->update(ui->window);
+  ui->kind->update(ui->window);
   return 0;
 }
 
 static int resize(LV2UI_Feature_Handle handle, int width, int height) {
   if (width <= 0 || height <= 0 || width > INT16_MAX || height > INT16_MAX) return 1;
   Ui *const ui = handle;
-  ui->kind->window->resize(ui->window, (uint32_t)width, (uint32_t)height);
+  ui->kind->resize(ui->window, (uint32_t)width, (uint32_t)height);
   return 0;
 }
 

@@ -22,7 +22,9 @@
 #define URI_STATE_DEFINITION "urn:tabor:state:definition" /**< atom:String, see definition_text.h */
 #define URI_STATE_CONTROL "urn:tabor:state:" /**< atom:Float, with a control's symbol */
 
-#define URI_KIT_FILE "urn:tabor:kit:file"        /**< what a host sets: atom:Path of a kit file */
+#define URI_DRUM_FILE                                                                              \
+  "urn:tabor:drum:file"                   /**< what a host sets: atom:Path of a preset file, and */
+#define URI_KIT_FILE "urn:tabor:kit:file" /**< of a kit file */
 #define URI_STATE_KIT "urn:tabor:state:kit-file" /**< atom:String, the text of a kit file */
 
 #define STATE_VERSION 1 /**< raised when older plugins cannot read newer states */

@@ -8,6 +8,7 @@
 
 #include "drums/pitch_text.h"
 #include "plugin/knob_text.h"
+#include "plugin/knobs.h"
 
 /* KNOB_COUNT if there is none. The stick's hardness is that of the usual striker, which may be another one. */
 static KnobId knob_of(const TaborDrumDef *def, const char *key) {
@@ -27,7 +28,7 @@ static void write_value(const TaborDrumDef *def, KnobId id, double value, char *
     (void)pitch_text(value, text, size);
   } else {
     const KnobRange range = knob_range(id, def);
-    (void)knob_text(id, &range, value, text, size);
+    (void)knob_text(&knobs[id], &range, value, text, size);
   }
 }
 
@@ -57,7 +58,7 @@ const char *player_words_read(const TaborDrumDef *def, const char *key, const ch
     if (!pitch_read(text, &value)) return text;
   } else {
     const KnobRange range = knob_range(id, def);
-    if (!knob_text_read(id, &range, text, &value)) return text;
+    if (!knob_text_read(&knobs[id], &range, text, &value)) return text;
   }
   (void)snprintf(room, PLAYER_WORD_SIZE, "%.9g", value);
   return room;

@@ -2,101 +2,84 @@
 #include "plugin/kit_knobs.h"
 
 #include <math.h>
-#include <stddef.h>
-#include <stdio.h>
-
-#include "plugin/choice_text.h"
 
 #define LEVEL(n)                                                                                   \
   {                                                                                                \
-    .symbol = "level_" #n, .name = "Drum " #n " level", .group = "Levels", .minimum = -60,         \
-    .maximum = 24, .fallback = 0, .unit = "dB", .off = true                                        \
+    .symbol = "level_" #n, .name = "Drum " #n " level", .group = "levels", .kind = KNOB_SETTING,   \
+    .minimum = -60, .maximum = 24, .fallback = 0, .unit = "dB", .off = -60,                        \
+    .comment = "Level of the drum in the mix and at its output."                                   \
   }
 #define TUNE(n)                                                                                    \
   {                                                                                                \
-    .symbol = "tune_" #n, .name = "Drum " #n " tuning", .group = "Tuning", .minimum = -12,         \
-    .maximum = 12, .fallback = 0, .unit = "semitones", .rebuilds = true, .follows = true           \
+    .symbol = "tune_" #n, .name = "Drum " #n " tuning", .group = "tuning", .kind = KNOB_REBUILD,   \
+    .minimum = -12, .maximum = 12, .fallback = 0, .unit = "semitones", .off = NAN, .step = 0.1,    \
+    .comment = "Tunes both heads of the drum. It goes on ringing while it is retuned."             \
   }
 
-const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
+#define CHOICES(most, usual, words)                                                                \
+  .minimum = 0, .maximum = (most), .fallback = (usual), .unit = "", .choices = (words), .off = NAN
+#define DECIBEL .minimum = -60, .maximum = 24, .fallback = 0, .unit = "dB", .off = -60
+
+const Knob kit_knobs[KIT_KNOB_COUNT] = {
   [KIT_KNOB_KIT] = {.symbol = "kit",
                     .name = "Kit",
-                    .group = "Kit",
-                    .minimum = 0,
-                    .maximum = 4,
-                    .fallback = 0,
-                    .unit = "",
-                    .choices = "standard|jazz|marching|frame-drums|Own kit",
-                    .rebuilds = true},
+                    .group = "kit",
+                    .kind = KNOB_REPLACE,
+                    CHOICES(4, 0, "standard|jazz|marching|frame-drums|Own kit"),
+                    .comment = "Which kit plays; the last one is that of a kit file."},
   [KIT_KNOB_QUALITY] = {.symbol = "quality",
                         .name = "Quality",
-                        .group = "Kit",
-                        .minimum = 0,
-                        .maximum = 2,
-                        .fallback = 1,
-                        .unit = "",
-                        .choices = "Draft|Live|Studio",
-                        .rebuilds = true,
-                        .follows = true},
+                        .group = "kit",
+                        .kind = KNOB_REBUILD,
+                        CHOICES(2, 1, "Draft|Live|Studio"),
+                        .comment = "Accuracy against the load of the processor. Studio is for "
+                                   "export."},
   [KIT_KNOB_ROOM] = {.symbol = "room",
                      .name = "Room",
-                     .group = "Kit",
-                     .minimum = 0,
-                     .maximum = 4,
-                     .fallback = 0,
-                     .unit = "",
-                     .choices = "The kit's|None|Booth|Studio|Hall",
-                     .rebuilds = true,
-                     .follows = true},
+                     .group = "kit",
+                     .kind = KNOB_REBUILD,
+                     CHOICES(4, 0, "The kit's|None|Booth|Studio|Hall"),
+                     .comment = "The room in which the kit stands."},
   [KIT_KNOB_COUPLING] = {.symbol = "coupling",
                          .name = "Drums hear each other",
-                         .group = "Kit",
-                         .minimum = -60,
-                         .maximum = 24,
-                         .fallback = 0,
-                         .unit = "dB",
-                         .off = true},
+                         .group = "kit",
+                         .kind = KNOB_SETTING,
+                         DECIBEL,
+                         .comment = "How loud drums are at each other's heads and snares, beside "
+                                    "what the kit says."},
   [KIT_KNOB_OVERHEADS] = {.symbol = "overheads",
                           .name = "Overheads",
-                          .group = "Levels",
-                          .minimum = -60,
-                          .maximum = 24,
-                          .fallback = 0,
-                          .unit = "dB",
-                          .off = true},
+                          .group = "levels",
+                          .kind = KNOB_SETTING,
+                          DECIBEL,
+                          .comment = "Level of the pair above the kit, beside what the kit says."},
   [KIT_KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                                .name = "Velocity curve",
-                               .group = "Kit",
-                               .minimum = 0,
-                               .maximum = 2,
-                               .fallback = 1,
-                               .unit = "",
-                               .choices = "Soft|Linear|Hard"},
+                               .group = "kit",
+                               .kind = KNOB_SETTING,
+                               CHOICES(2, 1, "Soft|Linear|Hard"),
+                               .comment = "Soft: a light touch is already loud."},
   [KIT_KNOB_VELOCITY_RANGE] = {.symbol = "velocity_range",
                                .name = "Velocity range",
-                               .group = "Kit",
-                               .minimum = 0,
-                               .maximum = 1,
-                               .fallback = 0,
-                               .unit = "",
-                               .choices = "Normal|Full"},
+                               .group = "kit",
+                               .kind = KNOB_SETTING,
+                               CHOICES(1, 0, "Normal|Full"),
+                               .comment = "Normal: 1 to 10 m/s, and softer ghost notes below "
+                                          "velocity 20. Full: 0.3 to 12 m/s."},
   [KIT_KNOB_NOTES] = {.symbol = "notes",
                       .name = "Notes of",
-                      .group = "Kit",
-                      .minimum = 0,
-                      .maximum = 5,
-                      .fallback = 0,
-                      .unit = "",
-                      .choices = "General MIDI|roland|yamaha|alesis|superior|addictive",
-                      .rebuilds = true},
+                      .group = "kit",
+                      .kind = KNOB_REPLACE,
+                      CHOICES(5, 0, "General MIDI|roland|yamaha|alesis|superior|addictive"),
+                      .comment = "Which notes play which drums: those of General MIDI, or of a "
+                                 "drum module or sampler."},
   [KIT_KNOB_GAIN] = {.symbol = "gain",
                      .name = "Gain",
-                     .group = "Levels",
-                     .minimum = -60,
-                     .maximum = 24,
-                     .fallback = 0,
-                     .unit = "dB",
-                     .off = true},
+                     .group = "levels",
+                     .kind = KNOB_SETTING,
+                     .is_gain = true,
+                     DECIBEL,
+                     .comment = "Level of all outputs."},
   [KIT_KNOB_LEVEL] = LEVEL(1),
   LEVEL(2),
   LEVEL(3),
@@ -115,27 +98,37 @@ const KitKnob kit_knobs[KIT_KNOB_COUNT] = {
   TUNE(8),
 };
 
-float kit_knob_clamp(KitKnobId id, double value) {
-  const KitKnob *const knob = &kit_knobs[id];
-  if (isnan(value)) return knob->fallback;
-  const double within = fmin(fmax(value, (double)knob->minimum), (double)knob->maximum);
-  return (float)(knob->choices ? trunc(within) : within);
-}
+const KnobGroup kit_knob_groups[KIT_KNOB_GROUPS] = {
+  {"kit", "Kit"}, {"levels", "Levels"}, {"tuning", "Tuning"}};
 
-double kit_knob_factor(KitKnobId id, float value) {
-  return value <= kit_knobs[id].minimum ? 0 : pow(10, (double)value / 20);
+#define ROW(first)                                                                                 \
+  {                                                                                                \
+    (first), (first) + 1, (first) + 2, (first) + 3, (first) + 4, (first) + 5, (first) + 6,         \
+      (first) + 7                                                                                  \
+  }
+
+const KnobPage kit_knob_pages[KIT_KNOB_PAGES] = {
+  {0,
+   "Kit",
+   "Kit",
+   8,
+   {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_COUPLING, KIT_KNOB_OVERHEADS, KIT_KNOB_GAIN,
+    KIT_KNOB_NOTES, KIT_KNOB_VELOCITY_CURVE, KIT_KNOB_QUALITY}},
+  {1, "Drums", "Levels", KIT_KNOB_DRUMS, ROW(KIT_KNOB_LEVEL)},
+  {2, "Drums", "Tuning", KIT_KNOB_DRUMS, ROW(KIT_KNOB_TUNE)},
+};
+
+KnobRange kit_knob_range(KitKnobId id) {
+  const Knob *const knob = &kit_knobs[id];
+  return (KnobRange){.minimum = (float)knob->minimum,
+                     .maximum = (float)knob->maximum,
+                     .fallback = (float)knob->fallback,
+                     .unit = knob->unit};
 }
 
 double kit_knob_beside(KitKnobId id, float value, double own, double least) {
-  if (value <= kit_knobs[id].minimum) return KIT_KNOB_NONE;
+  if ((double)value <= kit_knobs[id].minimum) return KIT_KNOB_NONE;
   return fmin(fmax(own + (double)value, least), 24);
-}
-
-int kit_knob_text(KitKnobId id, float value, char *text, size_t size) {
-  const KitKnob *const knob = &kit_knobs[id];
-  if (knob->choices) return choice_text(knob->choices, (int)value, text, (uint32_t)size);
-  if (knob->off && value <= knob->minimum) return snprintf(text, size, "Off");
-  return snprintf(text, size, "%.6g %s", (double)value, knob->unit);
 }
 
 /* ---- the kit -------------------------------------------------------------------------------- */
@@ -155,12 +148,12 @@ static void tune_drum(TaborDrumDef *def, float semitones) {
   if (tabor_drum_def_validate(&tuned, NULL) == TABOR_OK) *def = tuned;
 }
 
-bool kit_knob_is_own(float kit) { return kit >= kit_knobs[KIT_KNOB_KIT].maximum; }
+bool kit_knob_is_own(float kit) { return (double)kit >= kit_knobs[KIT_KNOB_KIT].maximum; }
 
 TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error) {
   const bool is_own = kit_knob_is_own(kit);
   if (is_own && own_kit_copy(own, def)) return TABOR_OK;
-  const float built_in = is_own ? kit_knobs[KIT_KNOB_KIT].fallback : kit;
+  const double built_in = is_own ? kit_knobs[KIT_KNOB_KIT].fallback : (double)kit;
   return tabor_kit_def_preset(def, tabor_kit((uint32_t)built_in)->name, error);
 }
 

@@ -3,12 +3,10 @@
 
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 #include "plugin/model_worker.h"
 
 static const double FADE = 0.03; /* [s] of a kit that leaves */
-#define PAUSE 1000000            /* [ns] for another thread that is at work already */
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
@@ -16,7 +14,7 @@ void kit_plugin_player_begin(KitPluginPlayer *player, KitWorker *worker) {
   memset(player, 0, sizeof *player);
   player->worker = worker;
   player->fade_frames = (uint32_t)ceil(FADE * worker->rate);
-  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->values[i] = kit_knobs[i].fallback;
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->values[i] = (float)kit_knobs[i].fallback;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
 }
 
@@ -41,9 +39,10 @@ static void add_event(KitPluginPlayer *player, TaborKitEvent event, uint32_t fra
 
 static double gain_of(const KitPluginPlayer *player, uint32_t drum) REALTIME;
 static double gain_of(const KitPluginPlayer *player, uint32_t drum) {
-  const double all = kit_knob_factor(KIT_KNOB_GAIN, player->values[KIT_KNOB_GAIN]);
+  const double all = knob_factor(&kit_knobs[KIT_KNOB_GAIN], player->values[KIT_KNOB_GAIN]);
   const KitKnobId level = (KitKnobId)(KIT_KNOB_LEVEL + drum);
-  const double own = drum < KIT_KNOB_DRUMS ? kit_knob_factor(level, player->values[level]) : 1;
+  const double own =
+    drum < KIT_KNOB_DRUMS ? knob_factor(&kit_knobs[level], player->values[level]) : 1;
   return all * own * player->midi_gain[drum];
 }
 
@@ -107,7 +106,7 @@ static void set_response(KitPluginPlayer *player) {
 void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) {
   if (player->values[id] == value) return;
   player->values[id] = value;
-  if (kit_knobs[id].rebuilds) return;
+  if (kit_knobs[id].kind != KNOB_SETTING) return;
   if (id == KIT_KNOB_VELOCITY_CURVE || id == KIT_KNOB_VELOCITY_RANGE) {
     set_response(player);
   } else if (id == KIT_KNOB_COUPLING || id == KIT_KNOB_OVERHEADS) {
@@ -134,7 +133,7 @@ void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
   }
 }
 
-void kit_plugin_player_strike(KitPluginPlayer *player, const KitPluginStroke *stroke) {
+void kit_plugin_player_strike(KitPluginPlayer *player, const WindowStroke *stroke) {
   if (!player->now || stroke->drum >= player->now->drum_count) return;
   const MidiBinding *const drum = &player->now->midi.drums[stroke->drum].binding;
   const bool is_placed = stroke->radius >= 0;
@@ -185,8 +184,7 @@ static void end_ringing(KitPluginPlayer *player) {
   player->rings = false;
 }
 
-static void end_at_once(KitPluginPlayer *player) REALTIME;
-static void end_at_once(KitPluginPlayer *player) {
+void kit_plugin_player_end_leaving(KitPluginPlayer *player) {
   player->rings = false;
   player->fade = 0;
 }
@@ -207,8 +205,8 @@ static void change_to(KitPluginPlayer *player, KitVoice *next) {
   set_first_gains(player);
 }
 
-static void receive(KitPluginPlayer *player) REALTIME;
-static void receive(KitPluginPlayer *player) {
+void kit_plugin_player_receive(KitPluginPlayer *player) {
+  retire(player);
   KitWorker *const worker = player->worker;
   if (atomic_load(&worker->phase) != KIT_PHASE_ANSWERED) return;
   if (player->leaving) {
@@ -240,7 +238,8 @@ static bool is_another(const KitPluginPlayer *player, const float *values, unsig
 static bool is_another(const KitPluginPlayer *player, const float *values, unsigned own,
                        bool drums) {
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) {
-    const bool counts = kit_knobs[i].rebuilds && !(drums && kit_knobs[i].follows);
+    const KnobKind kind = kit_knobs[i].kind;
+    const bool counts = kind == KNOB_REPLACE || (kind == KNOB_REBUILD && !drums);
     if (counts && wish(player, i) != values[i]) return true;
   }
   return kit_knob_is_own(player->values[KIT_KNOB_KIT]) &&
@@ -283,41 +282,31 @@ static void ask(KitPluginPlayer *player) {
   atomic_store(&worker->phase, KIT_PHASE_ASKED);
 }
 
-void kit_plugin_player_keep_up(KitPluginPlayer *player) {
-  retire(player);
-  receive(player);
+bool kit_plugin_player_ask(KitPluginPlayer *player) {
+  KitWorker *const worker = player->worker;
   ask(player);
+  return atomic_load(&worker->phase) == KIT_PHASE_ASKED || atomic_load(&worker->retired) != NULL;
 }
 
 bool kit_plugin_player_is_settled(const KitPluginPlayer *player) {
   return is_wanted(player) && atomic_load(&player->worker->phase) == KIT_PHASE_IDLE;
 }
 
-void kit_plugin_player_wait(KitPluginPlayer *player) {
-  const struct timespec moment = {.tv_nsec = PAUSE};
-  for (;;) {
-    const bool has_answer = atomic_load(&player->worker->phase) == KIT_PHASE_ANSWERED;
-    if (has_answer) end_at_once(player); /* one that left less than a fade ago: two are enough */
-    kit_plugin_player_keep_up(player);
-    if (kit_plugin_player_is_settled(player)) return;
-    if (atomic_load(&player->worker->is_cancelled)) return;
-    kit_worker_work(player->worker);
-    if (atomic_load(&player->worker->phase) == KIT_PHASE_BUILDING) (void)nanosleep(&moment, NULL);
-  }
-}
-
 /* ---- sound ---------------------------------------------------------------------------------- */
+
+static float *channel_at(const KitPluginPlayer *player, uint32_t channel, uint32_t at) REALTIME;
+static float *channel_at(const KitPluginPlayer *player, uint32_t channel, uint32_t at) {
+  float *const begin = player->buffers->channels[channel];
+  return begin ? begin + at : NULL;
+}
 
 static TaborKitOutputs outputs_at(const KitPluginPlayer *player, uint32_t at) REALTIME;
 static TaborKitOutputs outputs_at(const KitPluginPlayer *player, uint32_t at) {
   TaborKitOutputs outputs = {0};
   for (uint32_t side = 0; side < 2; side++) {
-    float *const mix = player->outputs.mix[side];
-    if (mix) outputs.stereo[side] = mix + at;
-    for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) {
-      float *const drum = player->outputs.drum[i][side];
-      if (drum) outputs.drum[i][side] = drum + at;
-    }
+    outputs.stereo[side] = channel_at(player, side, at);
+    for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++)
+      outputs.drum[i][side] = channel_at(player, 2 + 2 * i + side, at);
   }
   return outputs;
 }
@@ -398,8 +387,8 @@ static uint32_t play_piece(KitPluginPlayer *player, uint32_t next, uint32_t fram
   return count;
 }
 
-void kit_plugin_player_begin_block(KitPluginPlayer *player, const KitPluginOutputs *outputs) {
-  player->outputs = *outputs;
+void kit_plugin_player_begin_block(KitPluginPlayer *player, const PluginBuffers *buffers) {
+  player->buffers = buffers;
   player->at = 0;
 }
 
@@ -421,7 +410,7 @@ bool kit_plugin_player_is_silent(const KitPluginPlayer *player) {
 
 /* The kit's gains are 1 again, and knobs set them; controllers begin anew. */
 void kit_plugin_player_rest(KitPluginPlayer *player) {
-  end_at_once(player);
+  kit_plugin_player_end_leaving(player);
   player->at = player->event_count = 0;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
   if (!player->now) return;

@@ -9,22 +9,11 @@
 #define TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
 
 #include "plugin/kit_worker.h"
+#include "plugin/plugin_buffers.h"
+#include "plugin/window_link.h"
 
 #define KIT_PLUGIN_EVENTS 1024 /**< most events at once; further ones wait until these are played */
 #define KIT_PLUGIN_PIECE 256   /**< most frames at once */
-
-/** Where a block goes; what is NULL goes nowhere. */
-typedef struct KitPluginOutputs {
-  float *mix[2];
-  float *drum[KIT_KNOB_DRUMS][2]; /**< each drum's part of the mix, without the room */
-} KitPluginOutputs;
-
-/** A stroke that no message has brought. */
-typedef struct KitPluginStroke {
-  uint32_t drum;
-  double velocity;      /**< [m/s] */
-  double radius, angle; /**< a part of the head's, or negative: the drum's own place; [deg] */
-} KitPluginStroke;
 
 typedef struct KitPluginPlayer {
   KitWorker *worker;
@@ -42,9 +31,10 @@ typedef struct KitPluginPlayer {
   uint32_t event_count;
   float struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke since it was asked for [m/s] */
 
-  KitPluginOutputs outputs;                              /**< of the block */
-  uint32_t at;                                           /**< frames of it that were played */
-  float sound[2 + 2 * KIT_KNOB_DRUMS][KIT_PLUGIN_PIECE]; /**< of the kit that leaves */
+  const PluginBuffers *
+    buffers; /**< of the block: the mix in stereo, then the part of each drum in it, without the room */
+  uint32_t at;                                    /**< frames of it that were played */
+  float sound[PLUGIN_CHANNELS][KIT_PLUGIN_PIECE]; /**< of the kit that leaves */
 } KitPluginPlayer;
 
 /** SET-UP. All knobs are at their defaults, and no kit is there yet. */
@@ -55,15 +45,14 @@ void kit_plugin_player_end(KitPluginPlayer *player);
 /* AUDIO */
 
 /** Begins a block. */
-void kit_plugin_player_begin_block(KitPluginPlayer *player,
-                                   const KitPluginOutputs *outputs) REALTIME;
+void kit_plugin_player_begin_block(KitPluginPlayer *player, const PluginBuffers *buffers) REALTIME;
 /** Turns a knob, at the next frame that is played. */
 void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) REALTIME;
 /** Takes a message at frame @p frame of the block, not before a frame that was given or played before. */
 void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
                             uint32_t frame) REALTIME;
 /** Strikes a drum at the next frame that is played. */
-void kit_plugin_player_strike(KitPluginPlayer *player, const KitPluginStroke *stroke) REALTIME;
+void kit_plugin_player_strike(KitPluginPlayer *player, const WindowStroke *stroke) REALTIME;
 /** Speed of each drum's fastest stroke since the last call, 0: none. */
 void kit_plugin_player_struck(KitPluginPlayer *player, float struck[TABOR_KIT_DRUMS]) REALTIME;
 /** Silences the drum that @p key plays, or with a negative key all, at frame @p frame. */
@@ -72,15 +61,16 @@ void kit_plugin_player_choke(KitPluginPlayer *player, int key, uint32_t frame) R
 void kit_plugin_player_play(KitPluginPlayer *player, uint32_t end) REALTIME;
 /** Says whether the host exports: in real time no quality is above PLUGIN_LIVE_QUALITY. */
 void kit_plugin_player_export(KitPluginPlayer *player, bool exports) REALTIME;
-/** Takes what the worker has built, and asks for what the knobs want. */
-void kit_plugin_player_keep_up(KitPluginPlayer *player) REALTIME;
+/** Takes what the worker has built. */
+void kit_plugin_player_receive(KitPluginPlayer *player) REALTIME;
+/** Asks for what the knobs want. True: a worker has to run now. */
+bool kit_plugin_player_ask(KitPluginPlayer *player) REALTIME;
+/** A kit that leaves makes room at once. */
+void kit_plugin_player_end_leaving(KitPluginPlayer *player) REALTIME;
 /** True if the kit is the one that the knobs want, or that cannot be built. */
 bool kit_plugin_player_is_settled(const KitPluginPlayer *player) REALTIME;
 bool kit_plugin_player_is_silent(const KitPluginPlayer *player) REALTIME;
 /** Brings everything to rest at once, and forgets what controllers have moved. Knobs stay. */
 void kit_plugin_player_rest(KitPluginPlayer *player) REALTIME;
-
-/** Not AUDIO. Builds, or waits for another thread that does, until the player is settled or the worker is cancelled. */
-void kit_plugin_player_wait(KitPluginPlayer *player);
 
 #endif

@@ -22,33 +22,32 @@ static double limited(const KnobRange *range, double value) {
   return fmin(fmax(value, least_of(range)), most_of(range));
 }
 
-static bool is_part(KnobId id) {
-  return knobs[id].scale == KNOB_IN_PER_CENT || knobs[id].scale == KNOB_IN_ROOTS;
+static bool is_part(const Knob *knob) {
+  return knob->scale == KNOB_IN_PER_CENT || knob->scale == KNOB_IN_ROOTS;
 }
 
 /* A damper of the strength c brakes in proportion to c, and small changes of a small c are heard most: the root. */
-static double part_of(KnobId id, const KnobRange *range, double value) {
+static double part_of(const Knob *knob, const KnobRange *range, double value) {
   const double least = least_of(range), most = most_of(range);
-  if (knobs[id].scale == KNOB_IN_ROOTS) return sqrt((value - least) / (most - least));
+  if (knob->scale == KNOB_IN_ROOTS) return sqrt((value - least) / (most - least));
   return range->logarithmic ? log(value / least) / log(most / least) : value;
 }
 
-static double at_part(KnobId id, const KnobRange *range, double part) {
+static double at_part(const Knob *knob, const KnobRange *range, double part) {
   const double least = least_of(range), most = most_of(range);
-  if (knobs[id].scale == KNOB_IN_ROOTS) return least + (most - least) * part * fabs(part);
+  if (knob->scale == KNOB_IN_ROOTS) return least + (most - least) * part * fabs(part);
   return range->logarithmic ? least * pow(most / least, part) : part;
 }
 
 /* ---- texts ---------------------------------------------------------------------------------- */
 
-int knob_text(KnobId id, const KnobRange *range, double value, char *text, size_t size) {
-  const Knob *const knob = &knobs[id];
+int knob_text(const Knob *knob, const KnobRange *range, double value, char *text, size_t size) {
   const double kept = limited(range, value);
   if (kept == knob->off) return snprintf(text, size, "%s", knob_off_word(knob));
   if (knob->top_word && kept > NEARLY * most_of(range))
     return snprintf(text, size, "%s", knob->top_word);
   if (knob->scale == KNOB_IN_NOTES) return pitch_text(kept, text, size);
-  if (is_part(id)) return snprintf(text, size, "%.4g %%", 100 * part_of(id, range, kept));
+  if (is_part(knob)) return snprintf(text, size, "%.4g %%", 100 * part_of(knob, range, kept));
   return snprintf(text, size, "%.6g%s%s", kept, *range->unit ? " " : "", range->unit);
 }
 
@@ -61,12 +60,12 @@ static const char *read_number(const char *text, double *value) {
 }
 
 /* A number of a part of the whole is one of per cent, unless the knob's unit follows it. */
-static bool read_value(KnobId id, const KnobRange *range, const char *text, double *value) {
-  if (knobs[id].scale == KNOB_IN_NOTES) return pitch_read(text, value);
+static bool read_value(const Knob *knob, const KnobRange *range, const char *text, double *value) {
+  if (knob->scale == KNOB_IN_NOTES) return pitch_read(text, value);
   const char *const unit = read_number(text, value);
   if (!unit) return false;
   const bool is_plain = *range->unit && strcmp(unit, range->unit) == 0;
-  if (is_part(id) && !is_plain) *value = at_part(id, range, *value / 100);
+  if (is_part(knob) && !is_plain) *value = at_part(knob, range, *value / 100);
   return true;
 }
 
@@ -80,16 +79,15 @@ static bool read_word(const Knob *knob, const KnobRange *range, const char *text
   return true;
 }
 
-int knob_label(KnobId id, const KnobRange *range, double value, char *text, size_t size) {
-  if (!knobs[id].choices) return knob_text(id, range, value, text, size);
+int knob_label(const Knob *knob, const KnobRange *range, double value, char *text, size_t size) {
+  if (!knob->choices) return knob_text(knob, range, value, text, size);
   const double kept = fmin(fmax(value, knob_decimal(range->minimum)), knob_decimal(range->maximum));
-  return choice_text(knobs[id].choices, (int)kept, text, (uint32_t)size);
+  return choice_text(knob->choices, (int)kept, text, (uint32_t)size);
 }
 
-bool knob_text_read(KnobId id, const KnobRange *range, const char *text, double *value) {
-  const Knob *const knob = &knobs[id];
+bool knob_text_read(const Knob *knob, const KnobRange *range, const char *text, double *value) {
   double read;
-  if (!read_word(knob, range, text, &read) && !read_value(id, range, text, &read)) return false;
+  if (!read_word(knob, range, text, &read) && !read_value(knob, range, text, &read)) return false;
   *value = limited(range, read);
   return true;
 }

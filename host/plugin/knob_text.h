@@ -9,16 +9,16 @@
 #ifndef TABOR_PLUGIN_KNOB_TEXT_H
 #define TABOR_PLUGIN_KNOB_TEXT_H
 
-#include "plugin/knobs.h"
+#include "plugin/knob.h"
 
-/** Writes @p value, limited to @p range, of knob @p id to @p text. Returns the length as snprintf() does. */
-int knob_text(KnobId id, const KnobRange *range, double value, char *text, size_t size);
+/** Writes @p value, limited to @p range, of @p knob to @p text. Returns the length as snprintf() does. */
+int knob_text(const Knob *knob, const KnobRange *range, double value, char *text, size_t size);
 /** The same, or the word of a knob with choices. */
-int knob_label(KnobId id, const KnobRange *range, double value, char *text, size_t size);
+int knob_label(const Knob *knob, const KnobRange *range, double value, char *text, size_t size);
 /**
  * Reads such a text. Words may be in capitals or not, a unit may be missing, and the value is limited to @p range.
  * False, with @p value unchanged, if @p text is something else.
  */
-bool knob_text_read(KnobId id, const KnobRange *range, const char *text, double *value);
+bool knob_text_read(const Knob *knob, const KnobRange *range, const char *text, double *value);
 
 #endif

@@ -9,7 +9,6 @@
 #include "drums/stereo_pair.h"
 #include "plugin/stick_choice.h"
 
-#define DIGITS 6           /* that a float keeps whatever they are */
 #define LOWEST_LEVEL (-60) /* [dB]: off */
 #define LOWEST_PITCH 20    /* [Hz] and the highest: between them are those of the presets' heads */
 #define HIGHEST_PITCH 900
@@ -193,12 +192,14 @@ const Knob knobs[KNOB_COUNT] = {
                     .unit = "",
                     .choices = "Draft|Live|Studio|Reference",
                     .off = NAN,
+                    .is_costly = true,
                     .comment =
                       "Accuracy against the load of the processor. Studio and Reference are "
                       "for export."},
   [KNOB_GAIN] = {.symbol = "gain",
                  .name = "Gain",
                  .group = "output",
+                 .is_gain = true,
                  .kind = KNOB_SETTING,
                  RANGE(LOWEST_LEVEL, 20),
                  .fallback = 0,
@@ -291,6 +292,7 @@ const Knob knobs[KNOB_COUNT] = {
   [KNOB_ENABLED] = {.symbol = "enabled",
                     .name = "Enabled",
                     .group = "input",
+                    .is_bypass = true,
                     .kind = KNOB_SETTING,
                     RANGE(0, 1),
                     .fallback = 1,
@@ -332,7 +334,7 @@ const KnobPage knob_pages[KNOB_PAGES] = {
   {4, "Sound in", "Sound in", 3, {KNOB_SOUND, KNOB_MIX, KNOB_ENABLED}},
 };
 
-const KnobId knob_ports[KNOB_COUNT] = {
+const uint32_t knob_ports[KNOB_COUNT] = {
   KNOB_BATTER_TENSION,
   KNOB_RESONANT_TENSION,
   KNOB_BATTER_MUFFLING,
@@ -439,62 +441,8 @@ KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual) {
   return range;
 }
 
-const KnobPage *knob_page(KnobSet set, uint32_t place) {
-  for (uint32_t i = 0; i < KNOB_PAGES; i++) {
-    if (knob_is_in(set, knob_pages[i].knobs[0]) && place-- == 0) return &knob_pages[i];
-  }
-  return NULL;
-}
-
-KnobId knob_on_page(KnobSet set, const KnobPage *page, uint32_t place) {
-  for (uint32_t i = 0; i < page->count; i++) {
-    if (knob_is_in(set, page->knobs[i]) && place-- == 0) return page->knobs[i];
-  }
-  return KNOB_COUNT;
-}
-
-/* The part of the way of a bent knob at whose beginning it is off. */
-#define OFF_WAY 0.01
-
-static double ratio(double from, double to, double value) REALTIME;
-static double ratio(double from, double to, double value) {
-  return fmin(fmax(log(value / from) / log(to / from), 0), 1);
-}
-
-double knob_position(const KnobRange *range, double value) {
-  const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
-  if (range->least > 0) {
-    const double way = ratio((double)range->least, most, value);
-    return value <= least ? 0 : OFF_WAY + (1 - OFF_WAY) * way;
-  }
-  return range->logarithmic ? ratio(least, most, value) : (value - least) / (most - least);
-}
-
-double knob_at_position(const KnobRange *range, double position) {
-  const double least = knob_decimal(range->minimum), most = knob_decimal(range->maximum);
-  const double way = fmin(fmax(position, 0), 1);
-  if (range->least > 0) {
-    if (way < OFF_WAY / 2) return least;
-    const double on = fmax((way - OFF_WAY) / (1 - OFF_WAY), 0);
-    return (double)range->least * pow(most / (double)range->least, on);
-  }
-  return range->logarithmic ? least * pow(most / least, way) : least + way * (most - least);
-}
-
 KnobId knob_of_refused_pitch(const TaborError *error) {
   if (error->status != TABOR_ERROR_RANGE) return KNOB_COUNT;
   if (strcmp(error->key, knobs[KNOB_BATTER_PITCH].key) == 0) return KNOB_BATTER_PITCH;
   return strcmp(error->key, knobs[KNOB_RESONANT_PITCH].key) == 0 ? KNOB_RESONANT_PITCH : KNOB_COUNT;
-}
-
-double knob_factor(KnobId id, float value) {
-  return (double)value <= knobs[id].off ? 0 : pow(10, knob_decimal(value) / 20);
-}
-
-double knob_decimal(float value) {
-  if (value == 0 || !isfinite(value)) return (double)value;
-  const int exponent = DIGITS - 1 - (int)floor(log10(fabs((double)value)));
-  const double scale = pow(10, abs(exponent)); /* exact up to 10^22 */
-  return exponent >= 0 ? round((double)value * scale) / scale
-                       : round((double)value / scale) * scale;
 }

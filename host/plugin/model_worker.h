@@ -33,8 +33,6 @@
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
 
-#define MODEL_WORKER_LEAST_RATE 22050 /**< [Hz] of a host for which there are models */
-#define MODEL_WORKER_MOST_RATE 192000
 #define MODEL_WORKER_MOST_SECONDS 15.0      /**< that building a model may take, by its estimate */
 #define MODEL_WORKER_MOST_BYTES 1000000000u /**< that it may take meanwhile */
 

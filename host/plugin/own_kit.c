@@ -97,20 +97,4 @@ bool own_kit_copy(OwnKit *own, TaborKitDef *def) {
   return is_there;
 }
 
-bool own_kit_work(OwnKit *own, char *message, size_t size) {
-  unsigned asked = OWN_KIT_ASKED;
-  if (!atomic_compare_exchange_strong(&own->phase, &asked, OWN_KIT_LOADING)) return true;
-  const bool is_taken = own_kit_load(own, own->path, message, size);
-  atomic_store(&own->phase, OWN_KIT_IDLE);
-  return is_taken;
-}
-
-bool own_kit_ask(OwnKit *own, const char *path, size_t length) {
-  if (length >= OWN_KIT_PATH || atomic_load(&own->phase) != OWN_KIT_IDLE) return false;
-  memcpy(own->path, path, length);
-  own->path[length] = '\0';
-  atomic_store(&own->phase, OWN_KIT_ASKED);
-  return true;
-}
-
 unsigned own_kit_version(const OwnKit *own) { return atomic_load(&own->version); }

@@ -4,7 +4,6 @@
  * A kit of the user's, from a kit file (docs/kit.md): its text, which sessions save, and what it says. Sound files have their
  * names from the root in it.
  *
- * Where only the audio thread hears of a file, it asks, and a worker takes the file: own_kit_ask(), own_kit_work().
  * Threads: any but the audio thread, several at once, where nothing else is said.
  */
 #ifndef TABOR_PLUGIN_OWN_KIT_H
@@ -17,18 +16,12 @@
 
 #include "base/realtime.h"
 
-#define OWN_KIT_PATH 4096 /**< longest path, with its terminator */
-
-typedef enum OwnKitPhase { OWN_KIT_IDLE, OWN_KIT_ASKED, OWN_KIT_LOADING } OwnKitPhase;
-
 typedef struct OwnKit {
   pthread_mutex_t lock; /**< of text and def */
   char *text;           /**< of the file; NULL: there is no kit */
   size_t length;
   TaborKitDef *def;
   atomic_uint version;
-  atomic_uint phase;       /**< an OwnKitPhase: whose the path is */
-  char path[OWN_KIT_PATH]; /**< that was asked for */
 } OwnKit;
 
 /** SET-UP. False if the system has no more locks. */
@@ -42,11 +35,6 @@ bool own_kit_set(OwnKit *own, const char *text, size_t length, char *message, si
 char *own_kit_text(OwnKit *own);
 /** Copies the definition. False if there is none. */
 bool own_kit_copy(OwnKit *own, TaborKitDef *def);
-/** Takes the kit of the file that was asked for, if one was. False, with one line in @p message, if it is none. */
-bool own_kit_work(OwnKit *own, char *message, size_t size);
-/** AUDIO, one thread: asks for a file, whose path has @p length bytes. False: the last one is not yet loaded, or the path is
- * too long. */
-bool own_kit_ask(OwnKit *own, const char *path, size_t length) REALTIME;
 /** ANY. Changes with every kit that is taken; 0: there is none. */
 unsigned own_kit_version(const OwnKit *own) REALTIME;
 

@@ -48,7 +48,7 @@ static void start_over(PluginPlayer *player, const MidiBinding *binding) {
 
 bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo) {
   MidiBinding binding;
-  player->base_gain = stereo ? knob_factor(KNOB_LEVEL_PAIR, STEREO_GAIN_DB) : 1;
+  player->base_gain = stereo ? knob_factor(&knobs[KNOB_LEVEL_PAIR], STEREO_GAIN_DB) : 1;
   drum_player_begin(&player->core, PLUGIN_MICS, player->base_gain);
   player->worker = worker;
   player->rate = rate;

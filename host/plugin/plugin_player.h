@@ -12,6 +12,7 @@
 
 #include "midi/midi_to_events.h"
 #include "plugin/model_worker.h"
+#include "plugin/plugin_buffers.h"
 #include "sound/drum_player.h"
 #include "sound/fader.h"
 #include "strokes/humanize.h"
@@ -89,12 +90,6 @@ typedef struct PluginPlayer {
   uint32_t first_count; /**< number of those at their front that act before MIDI */
 } PluginPlayer;
 
-/** Buffer of each output, or NULL; and of an effect's input, both or none. */
-typedef struct PluginOutputs {
-  float *channels[PLUGIN_MICS];
-  const float *input[2];
-} PluginOutputs;
-
 /* SET-UP */
 
 /** Initialises @p player. False if memory is short. */
@@ -146,7 +141,7 @@ bool plugin_player_is_silent(const PluginPlayer *player) REALTIME;
 /** True if the model worker has answered every request and has nothing else to do. */
 bool plugin_player_is_settled(const PluginPlayer *player) REALTIME;
 /** Plays up to @p most frames into @p outputs, starting at frame @p at. Returns the number of frames. */
-uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+uint32_t plugin_player_play(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                             uint32_t most) REALTIME;
 
 #endif

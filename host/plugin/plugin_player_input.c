@@ -130,7 +130,8 @@ static double modulated(const PluginPlayer *player, KnobId id, double value) {
 }
 
 static double factor_of(const PluginPlayer *player, KnobId id) {
-  const double factor = knob_factor(id, (float)modulated(player, id, (double)player->seen[id]));
+  const double factor =
+    knob_factor(&knobs[id], (float)modulated(player, id, (double)player->seen[id]));
   return knob_is_level(id) ? factor / player->base_gain : factor;
 }
 
@@ -180,7 +181,7 @@ static void turn_setting(PluginPlayer *player, KnobId id, float value, bool at_o
     break;
   case KNOB_GAIN: set_gain(player, factor_of(player, id)); break;
   case KNOB_SOUND:
-    fade_to(player, &player->sound, HEARING_THRESHOLD * knob_factor(id, value), at_once);
+    fade_to(player, &player->sound, HEARING_THRESHOLD * knob_factor(&knobs[id], value), at_once);
     break;
   case KNOB_MIX:
   case KNOB_ENABLED: fade_to(player, &player->mix, part_of_drum(player), at_once); break;

@@ -15,7 +15,7 @@ static bool is_audible(const PluginPlayer *player, KnobId id) {
   return player->levels[id].now != 0 || player->levels[id].left > 0;
 }
 
-static bool hears(const PluginPlayer *player, const PluginOutputs *outputs, PluginMic mic) {
+static bool hears(const PluginPlayer *player, const PluginBuffers *outputs, PluginMic mic) {
   return player->stereo ? is_audible(player, mic_levels[mic]) : outputs->channels[mic] != NULL;
 }
 
@@ -39,9 +39,9 @@ static double limited(float sample) {
 }
 
 /* A loudspeaker plays the mean of both channels at the place of the drum's first microphone. */
-static void take_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+static void take_sound(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                        uint32_t frames) REALTIME;
-static void take_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+static void take_sound(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                        uint32_t frames) {
   player->core.input = outputs->input[0] ? player->pressure : NULL;
   for (uint32_t i = 0; player->core.input && i < frames; i++) {
@@ -51,9 +51,9 @@ static void take_sound(PluginPlayer *player, const PluginOutputs *outputs, uint3
 }
 
 /* The host may use the same buffers for both. */
-static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+static void mix_with_sound(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                            uint32_t frames, const float (*dry)[DRUM_PLAYER_BLOCK]) REALTIME;
-static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+static void mix_with_sound(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                            uint32_t frames, const float (*dry)[DRUM_PLAYER_BLOCK]) {
   for (uint32_t i = 0; i < frames; i++) {
     const double part = fader_next(&player->mix);
@@ -66,9 +66,9 @@ static void mix_with_sound(PluginPlayer *player, const PluginOutputs *outputs, u
   }
 }
 
-static void keep_sound(const PluginOutputs *outputs, uint32_t at, uint32_t frames,
+static void keep_sound(const PluginBuffers *outputs, uint32_t at, uint32_t frames,
                        float (*dry)[DRUM_PLAYER_BLOCK]) REALTIME;
-static void keep_sound(const PluginOutputs *outputs, uint32_t at, uint32_t frames,
+static void keep_sound(const PluginBuffers *outputs, uint32_t at, uint32_t frames,
                        float (*dry)[DRUM_PLAYER_BLOCK]) {
   for (uint32_t side = 0; side < 2; side++) {
     for (uint32_t i = 0; i < frames; i++)
@@ -102,7 +102,7 @@ static void copy_multi(const PluginPlayer *player, float *const *channels, uint3
   }
 }
 
-uint32_t plugin_player_play(PluginPlayer *player, const PluginOutputs *outputs, uint32_t at,
+uint32_t plugin_player_play(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                             uint32_t most) {
   const uint32_t frames = most < DRUM_PLAYER_BLOCK ? most : DRUM_PLAYER_BLOCK;
   player->core.heard = 0;

@@ -1,78 +1,94 @@
 /* SPDX-License-Identifier: MIT */
 #include "plugin/plugin_run.h"
 
+#include <string.h>
 #include <time.h>
 
 #define PAUSE 1000000 /* [ns] for another thread that is at work already */
 
-static void play_until(PluginRun *run, uint32_t end) {
-  while (run->at < end) {
-    run->at += plugin_player_play(run->player, run->outputs, run->at, end - run->at);
-  }
+static const InstrumentCalls *calls_of(const PluginRun *run) REALTIME;
+static const InstrumentCalls *calls_of(const PluginRun *run) {
+  return run->instrument->kind->calls;
 }
 
+static void turn_at(PluginRun *run, uint32_t frame) REALTIME;
 static void turn_at(PluginRun *run, uint32_t frame) {
-  if (!run->events->note_knobs(run->shell, frame)) return;
-  play_until(run, frame);
-  run->events->turn(run->shell);
+  if (!run->events->note_knobs || !run->events->note_knobs(run->shell, frame)) return;
+  calls_of(run)->play(run->instrument, frame);
+  instrument_turn_knobs(run->instrument);
 }
 
+static void take_at(PluginRun *run, uint32_t frame) REALTIME;
 static void take_at(PluginRun *run, uint32_t frame) {
-  plugin_player_begin_frame(run->player);
-  run->events->take(run->shell, frame, frame - run->at);
-  if (!plugin_player_has_choice(run->player)) return;
-  play_until(run, frame);
-  plugin_player_choose(run->player);
+  const InstrumentCalls *const calls = calls_of(run);
+  if (calls->begin_frame) calls->begin_frame(run->instrument);
+  run->events->take(run->shell, frame);
+  if (calls->end_frame) calls->end_frame(run->instrument, frame);
 }
 
+static bool has_to_wait(const PluginRun *run) REALTIME;
 static bool has_to_wait(const PluginRun *run) {
-  return run->waits && !plugin_player_is_settled(run->player);
+  return run->waits && !instrument_is_settled(run->instrument) &&
+         !calls_of(run)->is_cancelled(run->instrument);
 }
 
 /* Plays with everything that comes. False where the run has to wait for another model; then it is to be called
  * again. */
+static bool go_on(PluginRun *run) REALTIME;
 static bool go_on(PluginRun *run) {
-  uint32_t frame = run->at;
-  while (run->events->find(run->shell, run->frames, &frame)) {
-    if (plugin_player_is_full(run->player)) play_until(run, frame);
+  const InstrumentCalls *const calls = calls_of(run);
+  uint32_t frame = run->instrument->at;
+  while (run->events->find(run->shell, &frame)) {
+    if (calls->is_full && calls->is_full(run->instrument)) calls->play(run->instrument, frame);
     if (!run->has_turned) turn_at(run, frame);
     run->has_turned = has_to_wait(run);
     if (run->has_turned) return false;
     take_at(run, frame);
     if (has_to_wait(run)) return false;
   }
-  play_until(run, run->frames);
+  calls->play(run->instrument, run->frames);
   return true;
 }
 
 /* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */
-static bool keep_up(const PluginRun *run) {
-  plugin_player_receive(run->player);
-  run->events->turn(run->shell);
-  return plugin_player_ask(run->player);
+static bool keep_up(Instrument *instrument) REALTIME;
+static bool keep_up(Instrument *instrument) {
+  instrument->kind->calls->receive(instrument);
+  instrument_turn_knobs(instrument);
+  return instrument->kind->calls->ask(instrument);
 }
 
-bool plugin_run_live(PluginRun *run) {
-  plugin_player_export(run->player, false);
-  const bool asks = keep_up(run);
-  (void)go_on(run);
-  return asks;
-}
-
-void plugin_run_wait(const PluginRun *run) {
+static void wait_for_all(Instrument *instrument) {
   const struct timespec moment = {.tv_nsec = PAUSE};
-  ModelWorker *const worker = run->player->worker;
+  const InstrumentCalls *const calls = instrument->kind->calls;
   for (;;) {
-    (void)keep_up(run);
-    if (plugin_player_is_settled(run->player)) return;
-    model_worker_work(worker);
-    if (!model_worker_reply(worker)) (void)nanosleep(&moment, NULL); /* another thread is at it */
+    if (calls->end_leaving && calls->has_answer(instrument)) calls->end_leaving(instrument);
+    (void)keep_up(instrument);
+    if (instrument_is_settled(instrument)) return;
+    if (calls->is_cancelled(instrument)) return;
+    instrument_work(instrument);
+    if (!calls->has_answer(instrument))
+      (void)nanosleep(&moment, NULL); /* another thread is at it */
   }
 }
 
 void plugin_run_waiting(PluginRun *run) {
-  plugin_player_export(run->player, true);
+  calls_of(run)->export_sound(run->instrument, true);
   do {
-    plugin_run_wait(run);
+    wait_for_all(run->instrument);
   } while (!go_on(run));
+}
+
+bool plugin_run_live(PluginRun *run) {
+  calls_of(run)->export_sound(run->instrument, false);
+  const bool asks = keep_up(run->instrument);
+  (void)go_on(run);
+  return asks;
+}
+
+void plugin_run_prepare(Instrument *instrument) {
+  memset(&instrument->buffers, 0, sizeof instrument->buffers);
+  instrument_begin_block(instrument);
+  instrument->kind->calls->export_sound(instrument, atomic_load(&instrument->is_offline));
+  wait_for_all(instrument);
 }

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "plugin/instrument.h"
+
 enum { STROKES = 256 };
 
 bool window_link_begin(WindowLink *link) {
@@ -11,11 +13,12 @@ bool window_link_begin(WindowLink *link) {
 
 void window_link_end(WindowLink *link) { spsc_queue_destroy(&link->strokes); }
 
-void window_link_play(WindowLink *link, PluginPlayer *player) {
+void window_link_play(Instrument *instrument) {
+  SpscQueue *const strokes = &instrument->window.strokes;
   const WindowStroke *stroke;
-  while ((stroke = spsc_queue_peek(&link->strokes)) != NULL) {
-    plugin_player_strike(player, stroke->velocity, stroke->radius, stroke->angle);
-    spsc_queue_pop(&link->strokes);
+  while ((stroke = spsc_queue_peek(strokes)) != NULL) {
+    instrument->kind->calls->strike(instrument, stroke);
+    spsc_queue_pop(strokes);
   }
 }
 
@@ -25,18 +28,14 @@ static float peak_of(const float *samples, uint32_t frames, float peak) {
   return peak;
 }
 
-void window_link_show(WindowLink *link, const PluginPlayer *player, const PluginOutputs *outputs,
-                      uint32_t frames) {
+void window_link_show(Instrument *instrument, uint32_t frames) {
+  WindowLink *const link = &instrument->window;
+  const uint32_t first = instrument->kind->outputs[0].first;
+  instrument->kind->calls->show(instrument);
   if (!atomic_load(&link->is_shown)) return;
   for (uint32_t side = 0; side < 2; side++) {
-    const float *const channel = outputs->channels[side];
+    const float *const channel = instrument->buffers.channels[first + side];
     if (!channel) continue;
-    const float before = atomic_load(&link->peaks[side]);
-    atomic_store(&link->peaks[side], peak_of(channel, frames, before));
+    atomic_store(&link->peaks[side], peak_of(channel, frames, atomic_load(&link->peaks[side])));
   }
-  TaborView *const view = atomic_exchange(&link->asked, NULL);
-  if (!view) return;
-  const TaborDrum *const drum = player->core.drum;
-  if (!drum || !tabor_drum_view(drum, view)) atomic_store(&link->is_stale, true);
-  atomic_store(&link->seen, view);
 }

@@ -5,53 +5,53 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plugin/kit_instrument.h"
+#include "plugin/kit_knobs.h"
+#include "plugin/knob_text.h"
 #include "window/history.h"
 #include "window/kit_window.h"
 #include "window/window_size.h"
 
-static const double TUNE_STEP = 0.1; /* [semitones] */
-
-/* All knobs. */
-typedef struct Setting {
-  float values[KIT_KNOB_COUNT];
-} Setting;
-
 struct KitPluginWindow {
-  KitPluginWindowShell shell;
+  PluginWindowShell shell;
   uint32_t width, height;
   KitWindow *window; /* NULL while it is closed */
   TaborKitDef *kit;  /* that is shown */
   float shown;       /* value of its knob */
   unsigned version;  /* of the user's own kit then */
-  History history;   /* of Setting */
+  History history;   /* of InstrumentSetting */
 };
 
 static float value_of(const KitPluginWindow *window, KitKnobId id) {
-  return window->shell.value(window->shell.instance, id);
+  return window->shell.value(window->shell.shell, id);
 }
 
 /* ---- settings ------------------------------------------------------------------------------- */
 
 static void note_setting(void *context, void *noted) {
   const KitPluginWindow *const window = context;
-  Setting *const setting = noted;
+  InstrumentSetting *const setting = noted;
+  instrument_note(window->shell.instrument, setting);
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) setting->values[i] = value_of(window, (KitKnobId)i);
 }
 
 static void use_setting(void *context, const void *used) {
   const KitPluginWindow *const window = context;
-  const Setting *const setting = used;
-  window->shell.use(window->shell.instance, setting->values);
+  window->shell.use(window->shell.shell, used);
+}
+
+static OwnKit *own_of(const KitPluginWindow *window) {
+  return kit_instrument_own(window->shell.instrument);
 }
 
 /* Where drums stand depends on the kit alone. */
 static void follow_kit(KitPluginWindow *window) {
   const float kit = value_of(window, KIT_KNOB_KIT);
-  const unsigned version = own_kit_version(window->shell.own);
+  const unsigned version = own_kit_version(own_of(window));
   if (kit == window->shown && version == window->version) return;
   window->shown = kit;
   window->version = version;
-  (void)kit_knob_kit(kit, window->shell.own, window->kit, NULL); /* built-in ones are there */
+  (void)kit_knob_kit(kit, own_of(window), window->kit, NULL); /* built-in ones are there */
 }
 
 /* ---- what the window shows and does --------------------------------------------------------- */
@@ -66,7 +66,7 @@ static void show_drum(KitPluginWindow *window, uint32_t number, KitWindowDrum *s
                            .tilt = drum->tilt,
                            .facing = drum->facing};
   memcpy(shown->name, drum->name, sizeof shown->name);
-  shown->struck = (double)atomic_exchange(&window->shell.link->struck[number], 0);
+  shown->struck = (double)atomic_exchange(&window->shell.instrument->window.struck[number], 0);
 }
 
 static void scene(void *context, KitWindowScene *shown) {
@@ -76,55 +76,55 @@ static void scene(void *context, KitWindowScene *shown) {
   shown->is_second = window->history.is_second;
   shown->can_undo = window->history.count > 0;
   for (uint32_t side = 0; side < 2; side++)
-    shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
+    shown->peaks[side] = atomic_exchange(&window->shell.instrument->window.peaks[side], 0);
   shown->drum_count = window->kit->drum_count;
   for (uint32_t i = 0; i < shown->drum_count; i++) show_drum(window, i, &shown->drums[i]);
 }
 
-static void control(void *context, KitKnobId knob, char *value, double *position) {
+static void control(void *context, KitKnobId id, char *value, double *position) {
   const KitPluginWindow *const window = context;
-  const float now = value_of(window, knob), least = kit_knobs[knob].minimum;
-  (void)kit_knob_text(knob, (float)(0.1 * round(10 * (double)now)), value, WINDOW_TEXT);
-  *position = (double)((now - least) / (kit_knobs[knob].maximum - least));
+  const KnobRange *const range = &window->shell.instrument->ranges[id];
+  const double now = (double)value_of(window, id);
+  (void)knob_label(&kit_knobs[id], range, 0.1 * round(10 * now), value, WINDOW_TEXT);
+  *position = knob_position(range, now);
 }
 
 static void begin(void *context, KitKnobId knob) {
   KitPluginWindow *const window = context;
   history_keep(&window->history);
-  window->shell.begin(window->shell.instance, knob);
+  window->shell.begin(window->shell.shell, knob);
 }
 
-static void move(void *context, KitKnobId knob, double position) {
+static void move(void *context, KitKnobId id, double position) {
   KitPluginWindow *const window = context;
-  const double least = (double)kit_knobs[knob].minimum, most = (double)kit_knobs[knob].maximum;
-  const double to = least + position * (most - least);
-  window->shell.turn(window->shell.instance, knob,
-                     knob < KIT_KNOB_TUNE ? to : TUNE_STEP * round(to / TUNE_STEP));
+  const double to = knob_at_position(&window->shell.instrument->ranges[id], position);
+  const double step = kit_knobs[id].step;
+  window->shell.turn(window->shell.shell, id, step > 0 ? step * round(to / step) : to);
 }
 
 static void end(void *context, KitKnobId knob) {
   KitPluginWindow *const window = context;
-  window->shell.end(window->shell.instance, knob);
+  window->shell.end(window->shell.shell, knob);
 }
 
 static void strike(void *context, uint32_t drum, double velocity, double radius, double angle) {
   KitPluginWindow *const window = context;
-  const KitPluginStroke stroke = {drum, velocity, radius, angle};
-  (void)spsc_queue_push(&window->shell.link->strokes, &stroke);
-  window->shell.play(window->shell.instance);
+  const WindowStroke stroke = {drum, velocity, radius, angle};
+  (void)spsc_queue_push(&window->shell.instrument->window.strokes, &stroke);
+  window->shell.play(window->shell.shell);
 }
 
 /* Levels and tunings stay with the numbers of drums, as in the host's own list. The user's own kit is the last, if there is
  * one. */
 static void step_kit(void *context, int steps) {
   KitPluginWindow *const window = context;
-  const bool has_own = own_kit_version(window->shell.own) > 0;
+  const bool has_own = own_kit_version(own_of(window)) > 0;
   const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + (has_own ? 1 : 0);
   const int at = (int)value_of(window, KIT_KNOB_KIT);
   history_keep(&window->history);
-  window->shell.begin(window->shell.instance, KIT_KNOB_KIT);
-  window->shell.turn(window->shell.instance, KIT_KNOB_KIT, (at + steps + kits) % kits);
-  window->shell.end(window->shell.instance, KIT_KNOB_KIT);
+  window->shell.begin(window->shell.shell, KIT_KNOB_KIT);
+  window->shell.turn(window->shell.shell, KIT_KNOB_KIT, (at + steps + kits) % kits);
+  window->shell.end(window->shell.shell, KIT_KNOB_KIT);
 }
 
 static void compare(void *context) { history_compare(&((KitPluginWindow *)context)->history); }
@@ -148,12 +148,12 @@ static void size(const void *opened, uint32_t *width, uint32_t *height) {
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-KitPluginWindow *kit_plugin_window_create(const KitPluginWindowShell *shell) {
+KitPluginWindow *kit_plugin_window_create(const PluginWindowShell *shell) {
   KitPluginWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
-  window->history =
-    (History){.size = sizeof(Setting), .context = window, .note = note_setting, .use = use_setting};
+  window->history = (History){
+    .size = sizeof(InstrumentSetting), .context = window, .note = note_setting, .use = use_setting};
   window->kit = calloc(1, sizeof *window->kit);
   if (!window->kit || !history_begin(&window->history)) {
     free(window->kit);
@@ -188,7 +188,7 @@ static bool is_open(const void *window) {
 
 static void close(void *opened) {
   KitPluginWindow *const window = opened;
-  atomic_store(&window->shell.link->is_shown, false);
+  atomic_store(&window->shell.instrument->window.is_shown, false);
   kit_window_destroy(window->window);
   window->window = NULL;
 }
@@ -204,7 +204,7 @@ static void destroy(void *created) {
 
 static void show(void *opened, bool shown) {
   const KitPluginWindow *const window = opened;
-  atomic_store(&window->shell.link->is_shown, shown);
+  atomic_store(&window->shell.instrument->window.is_shown, shown);
   kit_window_show(window->window, shown);
 }
 

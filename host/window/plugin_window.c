@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plugin/drum_instrument.h"
 #include "plugin/knob_text.h"
 #include "window/drum_window.h"
 #include "window/history.h"
@@ -22,16 +23,16 @@ struct PluginWindow {
   double radius, depth; /* of the drum [m], and its microphones */
   uint32_t mic_count;
   DrumMic mics[TABOR_MAX_MICS];
-  bool is_idle[KNOB_COUNT]; /* knobs of parts that the drum lacks */
-  uint32_t page;            /* of controls */
-  History history;          /* of PluginDrum */
+  bool is_idle[INSTRUMENT_KNOBS]; /* knobs of parts that the drum lacks */
+  uint32_t page;                  /* of controls */
+  History history;                /* of InstrumentSetting */
 };
 
 /* ---- the view ------------------------------------------------------------------------------- */
 
 /* False: the audio thread fills it at this moment. */
 static bool take_view_back(PluginWindow *window) {
-  WindowLink *const link = window->shell.link;
+  WindowLink *const link = &window->shell.instrument->window;
   if (!window->has_view || window->view) return true;
   window->view = atomic_exchange(&link->seen, NULL);
   if (!window->view) window->view = atomic_exchange(&link->asked, NULL);
@@ -47,8 +48,7 @@ static void drop_view(PluginWindow *window) {
 
 /* Of the model that the worker has built last, which the drum soon plays on. */
 static void make_view(PluginWindow *window) {
-  ModelWorker *const worker = window->shell.worker(window->shell.instance);
-  TaborModel *const model = worker ? model_worker_model(worker) : NULL;
+  TaborModel *const model = drum_instrument_model(window->shell.instrument);
   if (!model) return;
   window->has_view = tabor_view_create(model, NULL, &window->view, NULL) == TABOR_OK;
   tabor_model_release(model);
@@ -56,23 +56,22 @@ static void make_view(PluginWindow *window) {
 
 /* ---- drums ---------------------------------------------------------------------------------- */
 
-static void note_drum(void *context, void *setting) {
+static void note_drum(void *context, void *noted) {
   const PluginWindow *const window = context;
-  PluginDrum *const drum = setting;
+  InstrumentSetting *const setting = noted;
   const PluginWindowShell *const shell = &window->shell;
-  shell->save(shell->instance, &drum->saved);
-  for (uint32_t i = 0; i < KNOB_COUNT; i++) {
-    drum->values[i] = shell->value(shell->instance, (KnobId)i);
-    if (i < KNOB_SEEN && isnan(drum->saved.seen[i])) drum->saved.seen[i] = drum->values[i];
-  }
+  instrument_note(shell->instrument, setting);
+  for (uint32_t i = 0; i < shell->instrument->kind->knob_count; i++)
+    setting->values[i] = shell->value(shell->shell, i);
 }
 
 /* Name, microphones and parts of the drum. */
 static void note_looks(PluginWindow *window) {
-  SavedState saved;
-  TaborDrumDef *const def = &saved.def;
-  window->shell.save(window->shell.instance, &saved);
-  _Static_assert(sizeof window->title >= sizeof saved.def.name, "a name is a title");
+  Instrument *const instrument = window->shell.instrument;
+  InstrumentSetting setting;
+  const TaborDrumDef *const def = &setting.def;
+  instrument_note(instrument, &setting);
+  _Static_assert(sizeof window->title >= sizeof setting.def.name, "a name is a title");
   memcpy(window->title, def->name, sizeof def->name);
   window->radius = def->shell.radius;
   window->depth = def->two_headed ? def->shell.depth : 0;
@@ -82,23 +81,24 @@ static void note_looks(PluginWindow *window) {
     window->mics[i] = (DrumMic){.radius = mic->radius, .angle = mic->angle, .height = mic->height};
     memcpy(window->mics[i].name, mic->name, sizeof mic->name);
   }
-  for (uint32_t i = 0; i < KNOB_COUNT; i++) window->is_idle[i] = !knob_has_part(def, (KnobId)i);
+  for (uint32_t i = 0; i < instrument->kind->knob_count; i++)
+    window->is_idle[i] = !instrument->kind->calls->has_part(&setting, i);
 }
 
 static void use_drum(void *context, const void *drum) {
   PluginWindow *const window = context;
-  window->shell.use(window->shell.instance, drum);
+  window->shell.use(window->shell.shell, drum);
   note_looks(window);
 }
 
 /* ---- what the window shows and does --------------------------------------------------------- */
 
 static const KnobPage *page_of(const PluginWindow *window) {
-  return knob_page(window->shell.set, window->page);
+  return instrument_page(window->shell.instrument->kind, window->page);
 }
 
-static KnobId knob_of(const PluginWindow *window, uint32_t number) {
-  return knob_on_page(window->shell.set, page_of(window), number);
+static uint32_t knob_of(const PluginWindow *window, uint32_t number) {
+  return instrument_knob_on_page(window->shell.instrument->kind, page_of(window), number);
 }
 
 static void turn_page(void *context) {
@@ -114,7 +114,7 @@ static void scene(void *context, DrumWindowScene *shown) {
   shown->can_undo = window->history.count > 0;
   (void)snprintf(shown->page, sizeof shown->page, "%s", page_of(window)->name);
   for (uint32_t side = 0; side < 2; side++)
-    shown->peaks[side] = atomic_exchange(&window->shell.link->peaks[side], 0);
+    shown->peaks[side] = atomic_exchange(&window->shell.instrument->window.peaks[side], 0);
   shown->view = window->view;
   shown->radius = window->radius;
   shown->depth = window->depth;
@@ -124,12 +124,14 @@ static void scene(void *context, DrumWindowScene *shown) {
 
 static bool control(void *context, uint32_t number, DrumControl *shown) {
   const PluginWindow *const window = context;
-  const KnobId id = knob_of(window, number);
-  if (id == KNOB_COUNT) return false;
-  const KnobRange *const range = &window->shell.ranges[id];
-  const double now = knob_decimal(window->shell.value(window->shell.instance, id));
-  (void)snprintf(shown->name, WINDOW_TEXT, "%s", knobs[id].name);
-  (void)knob_label(id, range, now, shown->value, WINDOW_TEXT);
+  const Instrument *const instrument = window->shell.instrument;
+  const uint32_t id = knob_of(window, number);
+  if (id == instrument->kind->knob_count) return false;
+  const Knob *const knob = &instrument->kind->knobs[id];
+  const KnobRange *const range = &instrument->ranges[id];
+  const double now = knob_decimal(window->shell.value(window->shell.shell, id));
+  (void)snprintf(shown->name, WINDOW_TEXT, "%s", knob->name);
+  (void)knob_label(knob, range, now, shown->value, WINDOW_TEXT);
   shown->position = knob_position(range, now);
   shown->is_idle = window->is_idle[id];
   if (shown->is_idle) (void)snprintf(shown->value, WINDOW_TEXT, "-");
@@ -139,52 +141,55 @@ static bool control(void *context, uint32_t number, DrumControl *shown) {
 static void begin(void *context, uint32_t number) {
   PluginWindow *const window = context;
   history_keep(&window->history);
-  window->shell.begin(window->shell.instance, knob_of(window, number));
+  window->shell.begin(window->shell.shell, knob_of(window, number));
 }
 
 static void move(void *context, uint32_t number, double position) {
   PluginWindow *const window = context;
-  const KnobId id = knob_of(window, number);
-  const double value = knob_at_position(&window->shell.ranges[id], position);
-  window->shell.turn(window->shell.instance, id, knobs[id].choices ? round(value) : value);
+  const Instrument *const instrument = window->shell.instrument;
+  const uint32_t id = knob_of(window, number);
+  const double value = knob_at_position(&instrument->ranges[id], position);
+  const bool is_choice = instrument->kind->knobs[id].choices != NULL;
+  window->shell.turn(window->shell.shell, id, is_choice ? round(value) : value);
 }
 
 static void end(void *context, uint32_t number) {
   PluginWindow *const window = context;
-  window->shell.end(window->shell.instance, knob_of(window, number));
+  window->shell.end(window->shell.shell, knob_of(window, number));
 }
 
 static void strike(void *context, double velocity, double radius, double angle) {
   PluginWindow *const window = context;
-  const WindowStroke stroke = {velocity, radius, angle};
-  if (!window->shell.worker(window->shell.instance)) return;
-  (void)spsc_queue_push(&window->shell.link->strokes, &stroke);
-  window->shell.play(window->shell.instance);
+  const WindowStroke stroke = {.velocity = velocity, .radius = radius, .angle = angle};
+  if (!window->shell.instrument->is_open) return;
+  (void)spsc_queue_push(&window->shell.instrument->window.strokes, &stroke);
+  window->shell.play(window->shell.shell);
 }
 
 static void move_mic(void *context, uint32_t number, const DrumMic *to) {
   PluginWindow *const window = context;
-  PluginDrum drum;
+  InstrumentSetting setting;
   if (number >= window->mic_count) return;
   history_keep(&window->history);
-  note_drum(window, &drum);
-  TaborMicDef *const mic = &drum.saved.def.mic[number];
+  note_drum(window, &setting);
+  TaborMicDef *const mic = &setting.def.mic[number];
   mic->radius = to->radius;
   mic->angle = to->angle;
   mic->height = to->height;
-  use_drum(window, &drum);
+  use_drum(window, &setting);
 }
 
 /* From a drum that is no preset, the first or the last one. */
 static void step_preset(void *context, int steps) {
   PluginWindow *const window = context;
-  const uint32_t count = tabor_preset_count();
+  const InstrumentKind *const kind = window->shell.instrument->kind;
+  const uint32_t count = kind->preset_count();
   uint32_t at = 0;
-  while (at < count && strcmp(tabor_preset(at)->name, window->title) != 0) at++;
+  while (at < count && strcmp(kind->preset(at)->name, window->title) != 0) at++;
   if (at == count) at = steps > 0 ? count - 1 : 0;
   history_keep(&window->history);
-  const char *const name = tabor_preset((at + count + (uint32_t)steps) % count)->name;
-  window->shell.choose(window->shell.instance, name);
+  const char *const name = kind->preset((at + count + (uint32_t)steps) % count)->name;
+  window->shell.choose(window->shell.shell, name);
   note_looks(window);
 }
 
@@ -213,8 +218,8 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   PluginWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
-  window->history =
-    (History){.size = sizeof(PluginDrum), .context = window, .note = note_drum, .use = use_drum};
+  window->history = (History){
+    .size = sizeof(InstrumentSetting), .context = window, .note = note_drum, .use = use_drum};
   if (!history_begin(&window->history)) {
     free(window);
     return NULL;
@@ -249,7 +254,7 @@ static bool is_open(const void *window) { return ((const PluginWindow *)window)-
 static void close(void *opened) {
   PluginWindow *const window = opened;
   if (!window->drum) return;
-  atomic_store(&window->shell.link->is_shown, false);
+  atomic_store(&window->shell.instrument->window.is_shown, false);
   drop_view(window);
   drum_window_destroy(window->drum);
   window->drum = NULL;
@@ -265,7 +270,7 @@ static void destroy(void *created) {
 
 static void show(void *opened, bool shown) {
   const PluginWindow *const window = opened;
-  atomic_store(&window->shell.link->is_shown, shown);
+  atomic_store(&window->shell.instrument->window.is_shown, shown);
   drum_window_show(window->drum, shown);
 }
 
@@ -276,7 +281,7 @@ static unsigned long id(const void *window) {
 /* The name of the drum changes with a program change, too, of which nobody tells. */
 static void update(void *opened) {
   PluginWindow *const window = opened;
-  WindowLink *const link = window->shell.link;
+  WindowLink *const link = &window->shell.instrument->window;
   if (!window->drum || !take_view_back(window)) return;
   if (window->has_view && atomic_exchange(&link->is_stale, false)) {
     drop_view(window);

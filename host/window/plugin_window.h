@@ -7,31 +7,20 @@
 #ifndef TABOR_WINDOW_PLUGIN_WINDOW_H
 #define TABOR_WINDOW_PLUGIN_WINDOW_H
 
-#include "plugin/window_link.h"
+#include "plugin/instrument.h"
 #include "window/window_kind.h"
-
-/** Drum and knobs. */
-typedef struct PluginDrum {
-  SavedState saved;
-  float values[KNOB_COUNT];
-} PluginDrum;
 
 /** The shell of a plugin format. */
 typedef struct PluginWindowShell {
-  void *instance;
-  WindowLink *link;
-  KnobSet set;
-  const KnobRange *ranges;                /**< [KNOB_COUNT] */
-  ModelWorker *(*worker)(void *instance); /**< NULL: there is no drum now */
-  float (*value)(void *instance, KnobId id);
-  void (*begin)(void *instance, KnobId id); /**< a hand takes the knob */
-  void (*turn)(void *instance, KnobId id, double value);
-  void (*end)(void *instance, KnobId id);
-  void (*save)(void *instance, SavedState *saved);     /**< the drum as it is */
-  void (*use)(void *instance, const PluginDrum *drum); /**< another drum, with its knobs */
-  void (*choose)(void *instance,
-                 const char *preset); /**< a built-in drum, and knobs as it has them */
-  void (*play)(void *instance);       /**< a stroke waits for a block */
+  void *shell;
+  Instrument *instrument;
+  float (*value)(void *shell, uint32_t id);
+  void (*begin)(void *shell, uint32_t id); /**< a hand takes the knob */
+  void (*turn)(void *shell, uint32_t id, double value);
+  void (*end)(void *shell, uint32_t id);
+  void (*use)(void *shell, const InstrumentSetting *setting); /**< another drum, with its knobs */
+  void (*choose)(void *shell, const char *preset); /**< a built-in drum, and knobs as it has them */
+  void (*play)(void *shell);                       /**< a stroke waits for a block */
 } PluginWindowShell;
 
 typedef struct PluginWindow PluginWindow;

@@ -36,10 +36,10 @@ effects() {
   "$compiler" -std=c11 -D_XOPEN_SOURCE=700 -I"$source/engine/include" -I"$source/host" ${clap:+-isystem "$clap"} \
     -include "$work/safe.h" -Wfunction-effects -Werror -fsyntax-only "$1" 2>&1
 }
-plugins="plugin/knobs plugin/model_worker plugin/plugin_run plugin/plugin_player plugin/plugin_player_input
-  plugin/plugin_player_model plugin/plugin_player_sound"
+plugins="plugin/drum_instrument plugin/instrument plugin/kit_instrument plugin/kit_plugin_player plugin/knob plugin/knobs plugin/model_worker plugin/plugin_run plugin/plugin_player plugin/plugin_player_input
+  plugin/plugin_player_model plugin/plugin_player_sound plugin/window_link"
 if pkg-config --exists lv2; then
-  plugins+=" lv2/instrument lv2/kit_instrument lv2/midi_sequence lv2/sequence"
+  plugins+=" lv2/instance lv2/midi_sequence lv2/sequence"
 else
   skip_part "the LV2 plugins: needs lv2-dev"
 fi

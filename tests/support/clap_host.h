@@ -10,6 +10,8 @@
 
 #include "clap/instance.h"
 #include "midi/midi_stream.h"
+#include "plugin/kit_knobs.h"
+#include "plugin/knobs.h"
 
 #define CLAP_BLOCK 8192 /**< most frames of a block */
 #define CLAP_EVENTS 1024

@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-#include "lv2/uris.h"
+#include "lv2/plugins.h"
 
 #define MOST_URIS 256
 
@@ -119,9 +119,7 @@ static int say_all(LV2_Log_Handle handle, LV2_URID type, const char *format, ...
 
 /* ---- an instance ---------------------------------------------------------------------------- */
 
-Port host_port(const PluginHost *host, uint32_t number) {
-  return host->is_kit ? kit_port_at(number) : port_at(host->set, number);
-}
+Port host_port(const PluginHost *host, uint32_t number) { return port_at(host->kind, number); }
 
 float *host_knob(PluginHost *host, uint32_t id) {
   return host->is_kit ? &host->kit_knobs[id] : &host->knobs[id];
@@ -157,21 +155,17 @@ static void set_knobs(PluginHost *host) {
   }
   host->knobs[KNOB_ROOM] = TABOR_ROOM_NONE;
   host->knobs[KNOB_LEVEL_PAIR] = 0;
-  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) host->kit_knobs[i] = kit_knobs[i].fallback;
-}
-
-static KnobSet set_of(const char *uri) {
-  if (strcmp(uri, URI_EFFECT) == 0) return KNOBS_EFFECT;
-  return strcmp(uri, URI_DRUM_MULTI) == 0 ? KNOBS_MULTI : KNOBS_STEREO;
+  for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++)
+    host->kit_knobs[i] = kit_knob_range((KitKnobId)i).fallback;
 }
 
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker) {
   PluginHost *const host = calloc(1, sizeof *host);
   assert_non_null(host);
   host->descriptor = descriptor;
-  host->set = set_of(descriptor->URI);
-  host->is_kit = strcmp(descriptor->URI, URI_KIT) == 0;
-  host->outputs = host->is_kit ? KIT_PORT_OUTPUTS : port_outputs(host->set);
+  host->kind = &instrument_kinds[lv2_plugin_find(descriptor->URI)->kind];
+  host->is_kit = host->kind->id == INSTRUMENT_KIT;
+  host->outputs = host->kind->channels;
   host->worker = worker;
   set_knobs(host);
   host->urids = (LV2_URID_Map){NULL, host_map_feature};

@@ -16,12 +16,13 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "lv2/kit_ports.h"
+#include "lv2/ports.h"
+#include "plugin/kit_knobs.h"
 #include "plugin/knobs.h"
 #include "plugin_songs.h"
 
 #define HOST_BLOCK 8192 /**< most frames of a run */
-#define HOST_OUTPUTS KIT_PORT_OUTPUTS
+#define HOST_OUTPUTS PLUGIN_CHANNELS
 #define HOST_ROOM 65536 /**< buffer for the events of a run [bytes] */
 #define HOST_PROPERTIES 64
 
@@ -49,7 +50,7 @@ typedef struct HostState {
 typedef struct PluginHost {
   const LV2_Descriptor *descriptor;
   LV2_Handle handle;
-  KnobSet set;
+  const InstrumentKind *kind;
   bool is_kit;
   HostWorker worker;
   uint32_t outputs;

@@ -19,8 +19,6 @@
 
 #include <cmocka.h>
 
-#include "clap/kit_instance.h"
-
 #define FRAMES 480u
 
 static const clap_plugin_entry_t *entry;

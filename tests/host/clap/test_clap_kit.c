@@ -8,8 +8,7 @@
  * `songs` plays NUMBER random songs on all kits.
  */
 #include "clap_songs.h"
-
-#include "clap/kit_instance.h"
+#include "midi/kit_map.h"
 
 #include <math.h>
 #include <setjmp.h>

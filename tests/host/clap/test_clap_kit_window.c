@@ -19,7 +19,6 @@
 
 #include <cmocka.h>
 
-#include "clap/kit_instance.h"
 #include "counted_calls.h"
 #include "kit_window_checks.h"
 #include "window_checks.h"

@@ -6,8 +6,6 @@
  */
 #include "clap_host.h"
 
-#include "clap/kit_instance.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <setjmp.h>

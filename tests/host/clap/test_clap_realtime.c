@@ -18,7 +18,6 @@
 
 #include <cmocka.h>
 
-#include "clap/kit_instance.h"
 #include "counted_calls.h"
 #include "float_mode.h"
 #include "midi_writer.h"
@@ -34,7 +33,8 @@ static double random_part(uint64_t *random) {
 }
 
 static bool is_ready(const ClapHost *host) {
-  return plugin_player_is_ready(&instance_of(host->plugin)->player);
+  const Instrument *const instrument = instrument_of(host->plugin);
+  return instrument->kind->calls->is_ready(instrument);
 }
 
 static void counted_run(ClapHost *host, uint32_t frames) {
@@ -156,15 +156,14 @@ static void nor_those_of_a_kit(void **state) {
   clap_host_set_id(host, 0, KIT_KNOB_QUALITY, 0);
   clap_host_flush(host);
   clap_host_activate(host);
-  const KitPluginPlayer *const player = &kit_instance_of(host->plugin)->player;
   for (uint64_t position = 0; position < (uint64_t)(48000 * seconds) || changes < least_changes;) {
-    const bool change = kit_plugin_player_is_settled(player) && random_part(&random) < 0.1;
+    const bool change = is_ready(host) && random_part(&random) < 0.1;
     const uint32_t frames = (uint32_t)(midi_random(&random) % 1500);
     send_to_kit(host, &random, change);
     counted_run(host, frames);
     position += frames;
     changes += change;
-    if (!kit_plugin_player_is_settled(player)) (void)nanosleep(&moment, NULL);
+    if (!is_ready(host)) (void)nanosleep(&moment, NULL);
   }
   clap_host_close(host);
   assert_int_equal(model_cache_count(), 0);

@@ -23,7 +23,7 @@
 #  include <lv2/presets/presets.h>
 
 #  include "drums/definition_text.h"
-#  include "lv2/uris.h"
+#  include "lv2/plugins.h"
 #  include "midi/kit_map.h"
 #  include "plugin/knob_text.h"
 
@@ -32,8 +32,7 @@ static LilvWorld *world;
 static TaborDrumDef usual;
 
 static const char *const plugin_uris[] = {URI_DRUM, URI_DRUM_MULTI, URI_EFFECT, URI_KIT};
-static const KnobSet sets[] = {KNOBS_STEREO, KNOBS_MULTI, KNOBS_EFFECT};
-enum { DRUMS = 2, SHELLS, PLUGINS }; /* the first two have presets, the first three a state */
+enum { DRUMS = 2, PLUGINS = 4 }; /* the first two have presets */
 
 static LilvNode *uri(const char *text) { return lilv_new_uri(world, text); }
 
@@ -87,10 +86,12 @@ static bool port_has(const LilvPlugin *plugin, const LilvPort *port, const char 
 
 /* ---- the plugins ---------------------------------------------------------------------------- */
 
-/* Port number `number` of plugin_uris[plugin]. */
-static Port binary_port(size_t plugin, uint32_t number) {
-  return plugin < SHELLS ? port_at(sets[plugin], number) : kit_port_at(number);
+static const InstrumentKind *kind_of(size_t plugin) {
+  return &instrument_kinds[lv2_plugin_find(plugin_uris[plugin])->kind];
 }
+
+/* Port number `number` of plugin_uris[plugin]. */
+static Port binary_port(size_t plugin, uint32_t number) { return port_at(kind_of(plugin), number); }
 
 static uint32_t port_count(size_t plugin) {
   uint32_t count = 0;
@@ -111,8 +112,8 @@ static void test_ports_are_those_of_the_binary(void **state) {
       lilv_file_uri_parse(lilv_node_as_uri(lilv_plugin_get_library_uri(plugin)), NULL);
     const LV2_Descriptor *const descriptor = host_descriptor(binary, plugin_uris[i]);
     assert_non_null(descriptor->extension_data(LV2_STATE__interface));
-    assert_int_equal(descriptor->extension_data(LV2_WORKER__interface) != NULL, i < SHELLS);
-    assert_int_equal(count_values(plugin, LV2_CORE__extensionData), i < SHELLS ? 2 : 1);
+    assert_non_null(descriptor->extension_data(LV2_WORKER__interface));
+    assert_int_equal(count_values(plugin, LV2_CORE__extensionData), 2);
     assert_null(descriptor->extension_data("urn:tabor:nothing"));
     lilv_free((void *)binary);
   }
@@ -246,20 +247,25 @@ static float point_of(const LilvPlugin *plugin, const LilvPort *port, const char
   return value;
 }
 
-static void check_knob(KnobSet set, const LilvPlugin *plugin, const LilvPort *port, KnobId id) {
-  const KnobRange range = knob_range_in(set, id, &usual);
-  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knobs[id].symbol);
-  check_range(plugin, port, &range);
+static void check_knob(const LilvPlugin *plugin, const LilvPort *port, const Knob *knob,
+                       const KnobRange *range) {
+  const bool is_built = knob->kind == KNOB_REBUILD || knob->kind == KNOB_REPLACE;
+  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knob->symbol);
+  LilvNode *const name = lilv_port_get_name(plugin, port);
+  assert_string_equal(lilv_node_as_string(name), knob->name);
+  lilv_node_free(name);
+  check_range(plugin, port, range);
   const bool ratios = port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#logarithmic");
-  assert_int_equal(ratios, knob_is_bent(&range));
-  if (ratios) assert_true(port_minimum(&range) > 0);
-  if (!isnan(knobs[id].off)) {
-    assert_true(point_of(plugin, port, knob_off_word(&knobs[id])) ==
-                fmaxf((float)knobs[id].off, port_minimum(&range)));
+  assert_int_equal(ratios, knob_is_bent(range));
+  if (ratios) assert_true(port_minimum(range) > 0);
+  assert_int_equal(port_has(plugin, port, LV2_CORE__enumeration), knob->choices != NULL);
+  assert_int_equal(port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#expensive"),
+                   is_built || knob->is_costly);
+  if (!isnan(knob->off)) {
+    assert_true(point_of(plugin, port, knob_off_word(knob)) ==
+                fmaxf((float)knob->off, port_minimum(range)));
   }
-  if (knobs[id].top_word) {
-    assert_true(point_of(plugin, port, knobs[id].top_word) == range.maximum);
-  }
+  if (knob->top_word) assert_true(point_of(plugin, port, knob->top_word) == range->maximum);
   check_comment(plugin, port);
 }
 
@@ -277,14 +283,17 @@ static void check_key(KnobId id) {
 
 static void test_knobs(void **state) {
   (void)state;
-  for (size_t i = 0; i < SHELLS; i++) {
+  for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
+    Instrument *const instrument = instrument_create(kind_of(i));
     Port port;
-    for (uint32_t index = 0; (port = port_at(sets[i], index)).kind != PORT_NONE; index++) {
+    for (uint32_t index = 0; (port = binary_port(i, index)).kind != PORT_NONE; index++) {
       if (port.kind != PORT_KNOB) continue;
-      check_knob(sets[i], plugin, lilv_plugin_get_port_by_index(plugin, index), (KnobId)port.index);
-      if (port.index < KNOB_KEYS) check_key((KnobId)port.index);
+      check_knob(plugin, lilv_plugin_get_port_by_index(plugin, index),
+                 &instrument->kind->knobs[port.index], &instrument->ranges[port.index]);
+      if (instrument->kind->knobs[port.index].key) check_key((KnobId)port.index);
     }
+    instrument_destroy(instrument);
   }
 }
 
@@ -315,35 +324,11 @@ static void test_choices_of_the_drum_do_not_change(void **state) {
   assert_true(tabor_preset_count() >= count);
   assert_true(range.maximum == (float)tabor_preset_count() - 1);
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
-    (void)knob_label(KNOB_DRUM, &range, i, word, sizeof word);
+    (void)knob_label(&knobs[KNOB_DRUM], &range, i, word, sizeof word);
     assert_string_equal(word, tabor_preset(i)->name);
     if (i < count) assert_string_equal(word, drums[i]);
   }
   assert_string_equal(tabor_preset((uint32_t)range.fallback)->name, DEFAULT_PRESET);
-}
-
-static void check_kit_knob(const LilvPlugin *plugin, const LilvPort *port, const KitKnob *knob) {
-  const KnobRange range = {
-    .minimum = knob->minimum, .maximum = knob->maximum, .fallback = knob->fallback};
-  assert_string_equal(lilv_node_as_string(lilv_port_get_symbol(plugin, port)), knob->symbol);
-  LilvNode *const name = lilv_port_get_name(plugin, port);
-  assert_string_equal(lilv_node_as_string(name), knob->name);
-  lilv_node_free(name);
-  check_range(plugin, port, &range);
-  assert_int_equal(port_has(plugin, port, LV2_CORE__enumeration), knob->choices != NULL);
-  assert_int_equal(port_has(plugin, port, "http://lv2plug.in/ns/ext/port-props#expensive"),
-                   knob->rebuilds);
-  if (knob->off) assert_true(point_of(plugin, port, "Off") == knob->minimum);
-}
-
-static void test_knobs_of_the_kit(void **state) {
-  (void)state;
-  const LilvPlugin *const plugin = find_plugin(URI_KIT);
-  Port port;
-  for (uint32_t index = 0; (port = kit_port_at(index)).kind != PORT_NONE; index++) {
-    if (port.kind != PORT_KNOB) continue;
-    check_kit_knob(plugin, lilv_plugin_get_port_by_index(plugin, index), &kit_knobs[port.index]);
-  }
 }
 
 static void check_point(const LilvPlugin *plugin, KitKnobId id, const char *label, float value) {
@@ -503,7 +488,6 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_symbols_do_not_change),
     cmocka_unit_test(test_knobs),
     cmocka_unit_test(test_choices_of_the_drum_do_not_change),
-    cmocka_unit_test(test_knobs_of_the_kit),
     cmocka_unit_test(test_choices_of_the_kit_do_not_change),
     cmocka_unit_test(test_what_hosts_look_for),
     cmocka_unit_test(test_presets_are_the_built_in_ones),

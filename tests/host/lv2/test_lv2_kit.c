@@ -54,7 +54,7 @@ static Take pair_of(const Take *take, uint32_t pair) {
 static void same_mix(uint32_t kit, const char *options, const uint32_t *blocks, size_t count) {
   Take expected, take;
   take_open(&expected, 2);
-  take_open(&take, KIT_PORT_OUTPUTS);
+  take_open(&take, PLUGIN_CHANNELS);
   take_from(rendered, options, NULL, &expected);
   for (size_t i = 0; i < count; i++) {
     play_song(kit, blocks[i], &take);
@@ -80,7 +80,7 @@ static void the_usual_quality_is_live(void **state) {
     skip();
   }
   take_open(&expected, 2);
-  take_open(&take, KIT_PORT_OUTPUTS);
+  take_open(&take, PLUGIN_CHANNELS);
   song_write_all();
   take_from(rendered, "--kit standard --quality live", NULL, &expected);
   PluginHost *const host = host_open(host_descriptor(plugins, URI_KIT), HOST_WITHOUT_WORKER);
@@ -99,7 +99,7 @@ static void each_drum_is_that_of_split(void **state) {
   static const char *const drums[] = {"kick", "snare", "high-tom", "low-tom", "floor-tom"};
   Take expected, take;
   take_open(&expected, 2);
-  take_open(&take, KIT_PORT_OUTPUTS);
+  take_open(&take, PLUGIN_CHANNELS);
   song_write_all();
   take_from(rendered, "--kit standard --quality draft --split", NULL, &expected);
   play_song(0, 256, &take);
@@ -111,7 +111,7 @@ static void each_drum_is_that_of_split(void **state) {
     const Take drum = pair_of(&take, 1 + i);
     take_compare(&expected, &drum, 256);
   }
-  for (uint32_t i = 12; i < KIT_PORT_OUTPUTS; i++) {
+  for (uint32_t i = 12; i < PLUGIN_CHANNELS; i++) {
     assert_true(host_peak(take.sound[i], take.frames) == 0);
   }
   take_close(&expected);
@@ -199,7 +199,7 @@ static void random_kits_are_those_of_render(void **state) {
   Take expected, played, take;
   take_open(&expected, 2);
   take_open(&played, 2);
-  take_open(&take, KIT_PORT_OUTPUTS);
+  take_open(&take, PLUGIN_CHANNELS);
   song_path(path, sizeof path, "kit.ini");
   (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
   for (uint64_t seed = 1; seed <= random_songs; seed++) {
@@ -228,9 +228,11 @@ static void a_session_has_the_own_kit(void **state) {
   kit_write_random(7);
   PluginHost *const host = open_own_kit(), *const other = open_kit(tabor_kit_count());
   host_save(host, &saved);
-  assert_int_equal(saved.count, 1);
-  assert_non_null(host_property(&saved, URI_STATE_KIT));
+  assert_int_equal(saved.count, 2);
+  const HostProperty *const kit = host_property(&saved, URI_STATE_KIT);
+  const HostState of_before = {.properties = {*kit}, .count = 1}; /* without a version */
   assert_int_equal(host_restore(other, &saved), LV2_STATE_SUCCESS);
+  assert_int_equal(host_restore(other, &of_before), LV2_STATE_SUCCESS);
   assert_true(strike(host, 36, 0) > 0);
   assert_true(strike(other, 36, 0) > 0);
   assert_memory_equal(host->sound[0], other->sound[0], sizeof host->sound[0]);
@@ -290,7 +292,7 @@ static void ports_are_all_that_a_session_needs(void **state) {
     both[i]->descriptor->activate(both[i]->handle);
     assert_true(strike(both[i], 38, 0) > 1e-4);
   }
-  for (uint32_t i = 0; i < KIT_PORT_OUTPUTS; i++) {
+  for (uint32_t i = 0; i < PLUGIN_CHANNELS; i++) {
     assert_memory_equal(fresh->sound[i], used->sound[i], sizeof fresh->sound[i]);
   }
   host_close(fresh);
@@ -359,7 +361,7 @@ static void nor_does_it_click_in_real_time(void **state) {
 
 static void connect_nothing(PluginHost *host, PortKind kind, uint32_t index) {
   Port port;
-  for (uint32_t number = 0; (port = kit_port_at(number)).kind != PORT_NONE; number++) {
+  for (uint32_t number = 0; (port = host_port(host, number)).kind != PORT_NONE; number++) {
     if (port.kind != kind || port.index != index) continue;
     host->descriptor->connect_port(host->handle, number, NULL);
     return;
@@ -378,7 +380,7 @@ static void knobs_that_are_no_numbers(void **state) {
   host->kit_knobs[KIT_KNOB_QUALITY] = -1e30f;
   assert_true(strike(host, 38, 1) == strike(plain, 38, 1));
   assert_string_equal(host->said, "");
-  for (uint32_t i = 0; i < KIT_PORT_OUTPUTS; i++) {
+  for (uint32_t i = 0; i < PLUGIN_CHANNELS; i++) {
     assert_memory_equal(host->sound[i], plain->sound[i], sizeof host->sound[i]);
   }
   host_close(host);
@@ -389,7 +391,7 @@ static void knobs_that_are_no_numbers(void **state) {
 static void ports_that_are_not_connected(void **state) {
   (void)state;
   PluginHost *const host = open_kit(0), *const plain = open_kit(0);
-  for (uint32_t i = 2; i < KIT_PORT_OUTPUTS; i++) connect_nothing(host, PORT_OUTPUT, i);
+  for (uint32_t i = 2; i < PLUGIN_CHANNELS; i++) connect_nothing(host, PORT_OUTPUT, i);
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) {
     if (i != KIT_KNOB_QUALITY) connect_nothing(host, PORT_KNOB, i);
   }

@@ -61,7 +61,7 @@ static void same_as_render(const char *uri, const char *options, void (*prepare)
                            const uint32_t *blocks, size_t count) {
   const bool stereo = strcmp(uri, URI_DRUM) == 0;
   Take expected;
-  take_open(&expected, port_outputs(stereo ? KNOBS_STEREO : KNOBS_MULTI));
+  take_open(&expected, instrument_kinds[stereo ? INSTRUMENT_STEREO : INSTRUMENT_MULTI].channels);
   take_from(rendered, options, stereo ? pair : all, &expected);
   same_in_plugin(uri, &expected, prepare, blocks, count);
   take_close(&expected);

@@ -243,7 +243,7 @@ static void test_optional_ports(void **state) {
   enum { BOTTOM = 1 };
   PluginHost *const host = open_plugin(URI_DRUM_MULTI), *const all = open_plugin(URI_DRUM_MULTI);
   Port port;
-  for (uint32_t i = 0; (port = port_at(KNOBS_MULTI, i)).kind != PORT_NONE; i++) {
+  for (uint32_t i = 0; (port = host_port(host, i)).kind != PORT_NONE; i++) {
     const bool optional = port.kind == PORT_OUTPUT ? port.index != BOTTOM : port.kind != PORT_KNOB;
     if (optional && port.kind != PORT_EVENTS) {
       host->descriptor->connect_port(host->handle, i, NULL);

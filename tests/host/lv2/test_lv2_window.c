@@ -22,7 +22,7 @@
 #include <cmocka.h>
 
 #include "counted_calls.h"
-#include "lv2/instrument.h"
+#include "lv2/instance.h"
 #include "lv2/uris.h"
 #include "window_checks.h"
 
@@ -45,9 +45,9 @@ static void open_host(Opened *opened, const char *uri, float scale) {
 static double peak_of(const PluginHost *host) { return host_peak(host->sound[0], FRAMES); }
 
 static const char *name_of(const Opened *opened) {
-  static SavedState saved;
-  Instrument *const instrument = opened->host->handle;
-  model_worker_save(&instrument->worker, &saved);
+  static InstrumentSetting saved;
+  Instance *const instance = opened->host->handle;
+  instance->instrument->kind->calls->note(instance->instrument, &saved);
   return saved.def.name;
 }
 
@@ -99,16 +99,16 @@ static void a_preset_comes_with_its_knobs(void **state) {
   (void)state;
   Opened opened;
   TaborDrumDef def;
-  SavedState saved;
+  InstrumentSetting saved;
   open_host(&opened, URI_DRUM, 1);
-  Instrument *const instrument = opened.host->handle;
+  Instance *const instance = opened.host->handle;
   assert_string_equal(name_of(&opened), DEFAULT_PRESET);
   click(&opened, 682, 34); /* the next preset */
   host_wait(opened.host);
   assert_string_not_equal(name_of(&opened), DEFAULT_PRESET);
   print_message("%s\n", name_of(&opened));
   assert_int_equal(tabor_drum_def_preset(&def, name_of(&opened), NULL), TABOR_OK);
-  model_worker_save(&instrument->worker, &saved);
+  instance->instrument->kind->calls->note(instance->instrument, &saved);
   assert_true(saved.def.batter.tension == def.batter.tension);
   assert_true(fabs((double)opened.host->knobs[KNOB_BATTER_TENSION] / def.batter.tension - 1) <
               1e-6);
@@ -153,12 +153,12 @@ static void controls_of_missing_parts_are_idle(void **state) {
   (void)state;
   enum { RESONANT_PITCH_Y = CONTROL_Y + CONTROL_ROW + 26, BATTER_PITCH_Y = CONTROL_Y + 26 };
   Opened opened;
-  SavedState saved;
+  InstrumentSetting saved;
   open_host(&opened, URI_DRUM, 1);
-  Instrument *const instrument = opened.host->handle;
-  model_worker_save(&instrument->worker, &saved);
+  Instance *const instance = opened.host->handle;
+  instance->instrument->kind->calls->note(instance->instrument, &saved);
   assert_int_equal(tabor_drum_def_preset(&saved.def, "frame-drum", NULL), TABOR_OK);
-  model_worker_restore(&instrument->worker, &saved);
+  instance->instrument->kind->calls->use(instance->instrument, &saved);
   host_wait(opened.host);
   close_window(&opened);
   open_window(&opened, 1);
@@ -203,7 +203,7 @@ static LV2UI_Handle open_with(const LV2_Feature *const *features, const char *pl
 static void it_opens_for_its_own_instances_alone(void **state) {
   (void)state;
   PluginHost *const host = open_draft(URI_DRUM);
-  Instrument *const instrument = host->handle;
+  Instance *const instance = host->handle;
   const xcb_window_t outer = x11_server_window(&server, WIDTH, HEIGHT);
   const LV2_Feature parent = {LV2_UI__parent, (void *)(uintptr_t)outer},
                     access = {LV2_INSTANCE_ACCESS_URI, host->handle};
@@ -211,9 +211,9 @@ static void it_opens_for_its_own_instances_alone(void **state) {
   assert_null(open_with((const LV2_Feature *const[]){&access, NULL}, URI_DRUM));
   const LV2_Feature *const both[] = {&parent, &access, NULL};
   assert_null(open_with(both, URI_KIT));
-  instrument->version = "0.0.0";
+  instance->version = "0.0.0";
   assert_null(open_with(both, URI_DRUM));
-  instrument->version = tabor_version();
+  instance->version = tabor_version();
   const LV2UI_Handle ui = open_with(both, URI_DRUM);
   assert_non_null(ui);
   lv2ui_descriptor(0)->cleanup(ui);

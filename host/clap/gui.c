@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clap/instance.h"
+#include "clap/host_calls.h"
 #include "clap/parameters.h"
 #include "clap/presets.h"
 #include "window/window_of.h"
@@ -33,7 +33,7 @@ static void push_turn(Instance *instance, uint16_t type, uint32_t id) {
   gui_link_turn(&instance->link, type, instrument_number(instance->instrument->kind, id),
                 parameters_value(instance->instrument, id));
   if (instance->params) instance->params->request_flush(instance->host);
-  instance_wake(instance);
+  host_wake(instance);
 }
 
 static void mark_changed(const Instance *instance) {
@@ -58,7 +58,7 @@ static void end(void *shell, uint32_t id) {
 }
 
 static void use(void *shell, const InstrumentSetting *setting) {
-  instance_use(shell, setting);
+  host_use(shell, setting);
   mark_changed(shell);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "clap/gui.h"
+#include "clap/host_calls.h"
 #include "clap/note_events.h"
 #include "clap/parameters.h"
 #include "clap/ports.h"
@@ -97,18 +98,6 @@ static void reset(const clap_plugin_t *plugin) {
 /* CLAP declares these calls thread-safe: hosts only note what they are asked for. The compiler cannot know that of a pointer. */
 typedef void RequestFn(const clap_host_t *host) REALTIME;
 
-void instance_wake(const Instance *instance) {
-  if (instance->instrument->is_open) instance->host->request_process(instance->host);
-}
-
-void instance_use(Instance *instance, const InstrumentSetting *setting) {
-  Instrument *const instrument = instance->instrument;
-  instrument_set_all(instrument, setting->values);
-  instrument->kind->calls->use(instrument, setting);
-  parameters_tell(instance);
-  instance_wake(instance);
-}
-
 static void call_main_thread(Instance *instance) REALTIME {
   const Instrument *const instrument = instance->instrument;
   const bool has_news = atomic_load(&instrument->has_moved) || atomic_load(&instrument->is_renamed);
@@ -120,7 +109,7 @@ static void call_main_thread(Instance *instance) REALTIME {
 static void on_main_thread(const clap_plugin_t *plugin) {
   Instance *const instance = instance_of(plugin);
   atomic_store(&instance->is_called, false);
-  if (atomic_exchange(&instance->instrument->has_moved, false)) parameters_tell(instance);
+  if (atomic_exchange(&instance->instrument->has_moved, false)) host_rescan(instance);
   if (atomic_exchange(&instance->instrument->is_renamed, false) && instance->note_names)
     instance->note_names->changed(instance->host);
 }

@@ -43,9 +43,5 @@ static inline Instrument *instrument_of(const clap_plugin_t *plugin) {
 /** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short. */
 const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
                                      const clap_host_t *host, const InstrumentKind *kind);
-/** ANY. A block has to ask for what a session, a preset or a knob wants. */
-void instance_wake(const Instance *instance);
-/** MAIN. Takes a setting, knobs and all, and tells the host. */
-void instance_use(Instance *instance, const InstrumentSetting *setting);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "clap/host_calls.h"
 #include "plugin/choice_text.h"
 #include "plugin/knob_text.h"
 
@@ -123,10 +124,6 @@ static bool get_info(const clap_plugin_t *plugin, uint32_t index, clap_param_inf
   return true;
 }
 
-void parameters_tell(Instance *instance) {
-  if (instance->params) instance->params->rescan(instance->host, CLAP_PARAM_RESCAN_VALUES);
-}
-
 double parameters_value(const Instrument *instrument, uint32_t id) {
   return of_range(instrument, id, atomic_load(&instrument->values[id]));
 }
@@ -149,7 +146,7 @@ static void flush(const clap_plugin_t *plugin, const clap_input_events_t *in,
     const clap_event_header_t *const event = in->get(in, i);
     if (event && parameters_take(instance, event)) any = true;
   }
-  if (any) instance_wake(instance);
+  if (any) host_wake(instance);
 }
 
 const clap_plugin_params_t parameters_extension = {.count = count,

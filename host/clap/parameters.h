@@ -16,8 +16,6 @@ extern const clap_plugin_remote_controls_t parameters_remote_controls;
 /** Notes the value or modulation that @p event brings. False: it brings none. */
 bool parameters_take(Instance *instance, const clap_event_header_t *event) REALTIME;
 
-/** MAIN. Tells the host that knobs have moved of which it does not know. */
-void parameters_tell(Instance *instance);
 /** The value of a knob's parameter as the host sees it. */
 double parameters_value(const Instrument *instrument, uint32_t knob);
 

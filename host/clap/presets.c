@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "clap/instance.h"
+#include "clap/host_calls.h"
 
 static bool read_preset(Instrument *instrument, uint32_t kind, const char *location,
                         const char *key, InstrumentSetting *setting, char *message) {
@@ -27,7 +27,7 @@ static bool from_location(const clap_plugin_t *plugin, uint32_t kind, const char
   if (!loader) loader = host->get_extension(host, CLAP_EXT_PRESET_LOAD_COMPAT);
   instrument_note(instance->instrument, &setting);
   const bool is_read = read_preset(instance->instrument, kind, location, key, &setting, message);
-  if (is_read) instance_use(instance, &setting);
+  if (is_read) host_use(instance, &setting);
   if (loader && is_read) loader->loaded(host, kind, location, key);
   if (loader && !is_read) loader->on_error(host, kind, location, key, 0, message);
   return is_read;

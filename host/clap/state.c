@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clap/instance.h"
+#include "clap/host_calls.h"
 #include "clap/stream_text.h"
 
 #define NAME_LINE "name "
@@ -145,7 +145,7 @@ static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
   const char *const wrong = read_state(instance->instrument, state, &setting, message);
   free(state);
   if (wrong) return refuse(instance->instrument, wrong);
-  instance_use(instance, &setting);
+  host_use(instance, &setting);
   return true;
 }
 

@@ -120,7 +120,7 @@ def a_kit(axes: Axes) -> None:
     tensions = np.linspace(1500, 4500, 5)
     drums = [tabor.Definition("tom-12", {"batter.tension": float(tension)}) for tension in tensions]
     takes = [[tabor.strike(0, velocity)] for velocity in (1.0, 3.0, 9.0)]
-    kit = tabor.render_kit(drums, takes, duration=0.5, progress=lambda done, total: print(f"a kit: {done} of {total}"))
+    kit = tabor.render_takes(drums, takes, duration=0.5, progress=lambda done, total: print(f"a kit: {done} of {total}"))
     spectra: Any = np.abs(np.fft.rfft(kit[:, :, 0], axis=-1))
     frequencies = np.fft.rfftfreq(kit.shape[-1], 1 / RATE)
     below = frequencies < 500

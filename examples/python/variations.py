@@ -47,7 +47,7 @@ def main() -> None:
 
     drums = variations(options.preset, options.count, options.seed)
     start, used = time.perf_counter(), time.process_time()
-    sounds = tabor.render_kit(drums, duration=options.duration, workers=options.workers, progress=progress)
+    sounds = tabor.render_takes(drums, duration=options.duration, workers=options.workers, progress=progress)
     took, used = time.perf_counter() - start, time.process_time() - used
     peaks = 20 * np.log10(np.abs(sounds).max(axis=(1, 2, 3)))
     print(f"{len(drums)} x {options.duration:g} s of {options.preset}: {took:.1f} s, {used:.1f} s of processor time; "

@@ -84,7 +84,7 @@ def test_a_kit_goes_on_after_ctrl_c(monkeypatch, press_ctrl_c):
         return [("tabor", event) for event in strokes(start)]
     kit = tabor.Kit("frame-drums", quality="draft")
     whole = kit.render(events(), FRAMES / RATE)
-    press_ctrl_c(tabor.drum_kit, "tabor_kit_process")
+    press_ctrl_c(tabor.kit, "tabor_kit_process")
     with pytest.raises(KeyboardInterrupt):
         kit.render(events(), FRAMES / RATE)
     monkeypatch.undo()
@@ -136,7 +136,7 @@ def test_a_build_says_how_far_it_is():
 def test_an_interrupt_ends_the_builds_of_other_threads(snare, monkeypatch):
     """The first take is done, and ends all, while the second drum's build is under way and waits for just that."""
     building, given_up, heard = threading.Event(), threading.Event(), []
-    original, stop = tabor.kit.model_of, tabor.kit._Jobs.stop
+    original, stop = tabor.takes.model_of, tabor.takes._Jobs.stop
 
     def model_of(drum, rate, quality, progress):
         def hear(done):
@@ -153,8 +153,8 @@ def test_an_interrupt_ends_the_builds_of_other_threads(snare, monkeypatch):
     def interrupt(done, total):
         building.wait()
         raise KeyboardInterrupt
-    monkeypatch.setattr(tabor.kit, "model_of", model_of)
-    monkeypatch.setattr(tabor.kit._Jobs, "stop", stop_and_tell)
+    monkeypatch.setattr(tabor.takes, "model_of", model_of)
+    monkeypatch.setattr(tabor.takes._Jobs, "stop", stop_and_tell)
     with pytest.raises(KeyboardInterrupt):
-        tabor.render_kit([snare, "snare-14x5.5"], duration=0.01, workers=2, progress=interrupt)
+        tabor.render_takes([snare, "snare-14x5.5"], duration=0.01, workers=2, progress=interrupt)
     assert len(heard) == 1

@@ -1,144 +1,156 @@
 # SPDX-License-Identifier: MIT
-import sys
-import threading
+"""Kits of drums that hear each other."""
+
+import os
+import wave
 
 import numpy as np
 import pytest
 
 import tabor
-import tabor.kit
-import tabor.model
-
-DRUMS = [tabor.Definition("frame-drum", {"batter.tension": tension}) for tension in (2000, 2500, 3000)]
-TAKES = [[tabor.strike(0, 1.0)], [tabor.strike(0, 4.0), tabor.strike(0.02, 2.0)]]
-DRAFT = {"duration": 0.05, "quality": "draft"}
 
 
-@pytest.mark.parametrize("workers", [1, 2, 5])
-def test_a_kit_is_what_each_drum_renders(workers):
-    kit = tabor.render_kit(DRUMS, TAKES, mics=["far", "top"], workers=workers, **DRAFT)
-    assert kit.shape == (3, 2, 2, 2400) and kit.dtype == np.float32
-    for drum, sounds in zip(DRUMS, kit):
-        for take, sound in zip(TAKES, sounds):
-            np.testing.assert_array_equal(sound, tabor.render(drum, take, mics=["far", "top"], **DRAFT))
+@pytest.fixture(scope="module")
+def kit():
+    return tabor.Kit("frame-drums", quality="draft")
 
 
-def test_one_stroke_and_the_usual_microphone_unless_told():
-    kit = tabor.render_kit(["frame-drum", tabor.Model("tabor", quality="draft")], **DRAFT)
-    assert kit.shape == (2, 1, 1, 2400)
-    np.testing.assert_array_equal(kit[1, 0], tabor.render("tabor", **DRAFT))
+STROKES = [("tabor", tabor.strike(0.01, velocity=4)), ("bodhran", tabor.strike(0.05)), (None, tabor.silence(0.15))]
 
 
-def test_rooms_are_heard():
-    hall = tabor.Definition("frame-drum", {"room.kind": "hall"})
-    np.testing.assert_array_equal(tabor.render_kit([hall], **DRAFT)[0, 0], tabor.render(hall, **DRAFT))
+def test_kits_are_listed():
+    assert "standard" in [row.name for row in tabor.kits()]
+    assert all(row.comment for row in tabor.kits())
 
 
-def test_a_drum_is_computed_once(monkeypatch):
-    built = []
-    def count(*arguments):
-        built.append(arguments[0])
-        return original(*arguments)
-    original = tabor.kit.model_of
-    monkeypatch.setattr(tabor.kit, "model_of", count)
-    kit = tabor.render_kit([DRUMS[0], DRUMS[1], DRUMS[0].copy()], TAKES * 2, **DRAFT)
-    assert len(built) == 2
-    np.testing.assert_array_equal(kit[0], kit[2])
-    assert (kit[0] != kit[1]).any()
+def test_settings_of_drums_that_are_not_there():
+    with pytest.raises(tabor.UnknownNameError, match="no drum 'snar'"):
+        tabor.Kit("standard", {"drum.snar.batter.pitch": "A3"})
+    added = tabor.Kit("frame-drums", {"drum.high.preset": "tom-10", "drum.high.x": 1}, quality="draft")
+    assert added.drums[-1] == "high"
 
 
-def test_progress_counts_in_the_calling_thread():
-    seen = []
-    def note(*counts):
-        seen.append((counts, threading.get_ident()))
-    tabor.render_kit(DRUMS + DRUMS[:1], TAKES, progress=note, **DRAFT)
-    counts = [pair for pair, _ in seen]
-    assert counts == sorted(set(counts)) and counts[-1] == (8, 8)
-    assert {thread for _, thread in seen} == {threading.get_ident()}
+def test_facts(kit):
+    assert kit.drums == ("bodhran", "frame-drum", "string-bodhran", "tabor")
+    assert kit.sample_rate == 48000
+    assert kit.models["tabor"].mics[-1] == "kit"
+    assert "frame-drums" in repr(kit)
 
 
-def test_two_drums_are_computed_at_the_same_time(monkeypatch):
-    """Each of two jobs waits for the other one to have begun."""
-    both = threading.Barrier(2, timeout=60)
-    original = tabor.kit.model_of
-    def meet(*arguments):
-        both.wait()
-        return original(*arguments)
-    monkeypatch.setattr(tabor.kit, "model_of", meet)
-    tabor.render_kit(DRUMS[:2], workers=2, **DRAFT)
+def test_sound_and_counters(kit):
+    sound = kit.render(STROKES, 0.2)
+    assert sound.shape == (2, 9600) and sound.dtype == np.float32
+    assert np.abs(sound).max() > 1e-3 and np.abs(sound).max() < 2
+    assert kit.statistics("tabor").strikes == 1
+    assert kit.statistics("frame-drum").strikes == 0
+    assert kit.ledger("tabor").injected > 0
 
 
-def test_other_threads_run_while_a_model_is_computed(monkeypatch):
-    """The library lets go of Python's lock. Here no thread loses the lock unless it lets go, so this one gets it before
-    the model is there only if the library does. A slow start of this thread is no failure: there are ten attempts."""
-    began, ended = threading.Event(), threading.Event()
-    original = tabor.model.check
-    def announced(*arguments):
-        began.set()
-        original(*arguments)
-    def build():
-        tabor.Model(definition)
-        ended.set()
-    def computing_while_this_runs():
-        began.clear()
-        ended.clear()
-        thread = threading.Thread(target=build)
-        thread.start()
-        began.wait()
-        computing = not ended.is_set()
-        thread.join()
-        return computing
-    definition = tabor.Definition("snare-14x5.5")
-    monkeypatch.setattr(tabor.model, "check", announced)
-    interval = sys.getswitchinterval()
-    sys.setswitchinterval(1000)
-    try:
-        assert any(computing_while_this_runs() for _ in range(10))
-    finally:
-        sys.setswitchinterval(interval)
+def test_blocks_and_states_change_no_bit(kit):
+    whole = kit.render(STROKES, 0.2)
+    kit.reset()
+    first = kit.process(4000, STROKES[:2])
+    state = kit.save()
+    other = tabor.Kit("frame-drums", quality="draft")
+    other.load(state)
+    silence = [(None, tabor.silence(0.15 - 4000 / 48000))]
+    assert np.array_equal(np.hstack((first, other.process(5600, silence))), whole)
+    with pytest.raises(tabor.Error):
+        other.load(state[:-1])
 
 
-def test_an_error_says_which_drum():
-    wrong = tabor.Definition("frame-drum", {"strike.radius": 0.6})
-    before = threading.active_count()
-    with pytest.raises(tabor.Error) as refused:
-        tabor.render_kit([DRUMS[0], wrong, DRUMS[1]], **DRAFT)
-    assert (refused.value.index, refused.value.key) == (1, "strike.radius")
-    with pytest.raises(tabor.UnknownNameError) as refused:
-        tabor.render_kit(["frame-drum", "tom-12"], mics=["nowhere"], workers=1, **DRAFT)
-    assert refused.value.index == 0
-    assert threading.active_count() == before
+def test_the_program_says_the_same(kit, program_sound, tmp_path):
+    track = bytes((0, 0x99, 45, 127, 0, 0xFF, 0x2F, 0))  # velocity 127 is 10 m/s
+    song = tmp_path / "song.mid"
+    song.write_bytes(b"MThd\0\0\0\6\0\0\0\1\1\xe0MTrk" + len(track).to_bytes(4, "big") + track)
+    theirs = program_sound("--kit", "frame-drums", "--midi-file", str(song), "--quality", "draft", "--duration", "0.2",
+                           channels=2)
+    assert np.array_equal(kit.render([("tabor", tabor.strike(0, velocity=10))], 0.2), theirs)
 
 
-def test_an_exception_of_progress_ends_it():
-    def interrupt(done, total):
-        raise KeyboardInterrupt
-    before = threading.active_count()
-    with pytest.raises(KeyboardInterrupt):
-        tabor.render_kit(DRUMS, TAKES, progress=interrupt, **DRAFT)
-    assert threading.active_count() == before
+def test_what_is_refused(kit, tmp_path):
+    (tmp_path / "drum.ini").write_text("\n[drum]\nname = x\n", encoding="utf-8")
+    with pytest.raises(tabor.Error, match=r"drum\.ini:2: a kit has no section 'drum'"):
+        tabor.Kit(tmp_path / "drum.ini")
+    with pytest.raises(tabor.Error, match="did you mean"):
+        tabor.Kit("standart")
+    with pytest.raises(tabor.Error, match="kit has no key"):
+        tabor.Kit("frame-drums", {"kit.colour": "red"})
+    with pytest.raises(KeyError, match="no drum is called"):
+        kit.process(10, [("snare", tabor.strike())])
+    with pytest.raises(ValueError, match="outside"):
+        kit.process(10, [("tabor", tabor.strike(1.0))])
+    with pytest.raises(ValueError, match="stay"):
+        kit.process(10, [("tabor", tabor.replace(0, kit.models["bodhran"]))])
 
 
-def test_what_makes_no_kit():
-    with pytest.raises(TypeError):
-        tabor.render_kit("frame-drum")
-    with pytest.raises(ValueError, match="workers 0"):
-        tabor.render_kit(DRUMS, workers=0)
-    with pytest.raises(ValueError, match="48000 Hz, not for 44100 Hz"):
-        tabor.render_kit([tabor.Model("tabor", quality="draft")], sample_rate=44100)
-    assert tabor.render_kit([], duration=0.01).shape == (0, 1, 1, 480)
-    assert tabor.render_kit(DRUMS, [], **DRAFT).shape == (3, 0, 1, 2400)
+def write_wave(path, sides, rate):
+    with wave.open(os.fspath(path), "wb") as file:
+        file.setnchannels(len(sides))
+        file.setsampwidth(2)
+        file.setframerate(rate)
+        file.writeframes(np.round(np.array(sides).T * 32767).astype("<i2").tobytes())
 
 
-def test_takes_ring_out_unless_told():
-    takes = [[tabor.strike(0, 1)], [tabor.strike(0, 1), tabor.strike(0.7, 3)]]
-    models = [tabor.Model("tabor", quality="draft"), tabor.Model("frame-drum", quality="draft")]
-    kit = tabor.render_kit(models + models[:1], takes)
-    sounds = [[tabor.render(model, take) for take in takes] for model in models + models[:1]]
-    lengths = {sound.shape[1] for row in sounds for sound in row}
-    assert kit.shape == (3, 2, 1, max(lengths)) and len(lengths) > 1
-    for row, expected in zip(kit, sounds):
-        for sound, alone in zip(row, expected):
-            np.testing.assert_array_equal(sound[:, :alone.shape[1]], alone)
-            assert (sound[:, alone.shape[1]:] == 0).all()
-    assert tabor.render_kit([]).shape == (0, 1, 1, 0)
+@pytest.fixture
+def hats(tmp_path):
+    """A kit file with a drum and two sounds, one of another rate."""
+    noise = np.random.default_rng(1).uniform(-0.2, 0.2, (2, 3000))
+    write_wave(tmp_path / "hat.wav", noise[:1], 44100)
+    write_wave(tmp_path / "open.wav", noise, 48000)
+    (tmp_path / "hats.ini").write_text(
+        "[drum.tabor]\npreset = tabor\nhead = 45\n[note.42]\nsample = hat.wav\nchoke = 1\n"
+        "[note.46]\nsample = open.wav\ngain = -6\nchoke = 1\n", encoding="utf-8")
+    return tmp_path / "hats.ini"
+
+
+def test_sounds_of_notes_are_those_of_the_program(hats, program_sound, tmp_path):
+    track = bytes((0, 0x99, 46, 127, 60, 0x99, 42, 90, 0, 0x99, 45, 100, 0, 0xFF, 0x2F, 0))
+    song = tmp_path / "song.mid"
+    song.write_bytes(b"MThd\0\0\0\6\0\0\0\1\1\xe0MTrk" + len(track).to_bytes(4, "big") + track)
+    theirs = program_sound("--kit", str(hats), "--midi-file", str(song), "--quality", "draft", "--duration", "0.2",
+                           channels=2)
+    kit = tabor.Kit(hats, quality="draft")
+    assert list(kit.samples) == [42, 46] and kit.samples[42] == os.fspath(hats.parent / "hat.wav")
+    events = kit.midi_events(song)
+    assert [name for name, _ in events] == ["note.46", "note.42", "tabor"]
+    assert np.array_equal(kit.render(song, 0.2), theirs)
+    assert np.abs(theirs[:, :1000]).max() > 0.01
+
+
+def test_a_sound_may_come_from_anywhere(hats):
+    kit = tabor.Kit(hats, {"kit.coupling": "off"}, quality="draft")
+    kit.set_sample(46, np.full(100, 0.5), kit.sample_rate)
+    mix = kit.process(200, [("note.46", tabor.strike(0, velocity=0.5))])
+    assert np.allclose(mix[:, :100], 0.5 * 0.25 * 10 ** -0.3, atol=1e-6) and not mix[:, 100:].any()
+    with pytest.raises(ValueError, match="shape"):
+        kit.set_sample(46, np.zeros((3, 10)), 48000)
+    with pytest.raises(tabor.Error, match="sample rate"):
+        kit.set_sample(46, np.zeros(10), 1)
+    with pytest.raises(KeyError, match="no note"):
+        kit.process(10, [("note.128", tabor.strike(0))])
+    with pytest.raises(ValueError, match="struck and silenced"):
+        kit.process(10, [("note.46", tabor.gain(0, 1))])
+
+
+def test_a_file_that_is_gone_is_said(hats):
+    (hats.parent / "hat.wav").unlink()
+    with pytest.warns(UserWarning, match="note 42 is silent"):
+        kit = tabor.Kit(hats, quality="draft")
+    assert not kit.process(100, [("note.42", tabor.strike(0, velocity=1))]).any()
+
+
+def test_held_notes_are_those_of_the_program(program_sound, tmp_path):
+    (tmp_path / "held.ini").write_text(
+        "[drum.tabor]\npreset = tabor\nhead = 45\nbuzz = 47\n[drum.frame]\npreset = frame-drum\nx = 0.6\n"
+        "striker.brush.kind = brush\nhead = 48\nsweep = 50\n", encoding="utf-8")
+    track = bytes((0, 0x99, 47, 100, 30, 0x99, 50, 80, 20, 0xA9, 47, 90, 10, 0xB9, 16, 100, 20, 0xB9, 17, 30,
+                   60, 0x89, 47, 0, 20, 0x89, 50, 0, 0, 0xFF, 0x2F, 0))
+    song = tmp_path / "song.mid"
+    song.write_bytes(b"MThd\0\0\0\6\0\0\0\1\1\xe0MTrk" + len(track).to_bytes(4, "big") + track)
+    theirs = program_sound("--kit", str(tmp_path / "held.ini"), "--midi-file", str(song), "--quality", "draft", "--duration",
+                           "0.4", channels=2)
+    kit = tabor.Kit(tmp_path / "held.ini", quality="draft")
+    kinds = [event.kind for _, event in kit.midi_events(song)]
+    assert {"strike", "press", "move", "release"} <= set(kinds)
+    assert np.array_equal(kit.render(song, 0.4), theirs)

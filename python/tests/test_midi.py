@@ -137,13 +137,13 @@ def test_ticks_are_parts_of_a_quarter_or_of_a_frame_of_film(division, program_so
 
 def test_files_are_takes_of_a_kit_and_can_be_added_to(tmp_path, snare):
     path = song(tmp_path / "song.mid", *SONGS["every note"])
-    kit = tabor.render_kit([snare], [path, [tabor.strike()]])
+    kit = tabor.render_takes([snare], [path, [tabor.strike()]])
     np.testing.assert_array_equal(kit[0, 0], tabor.render(snare, path))
     events = tabor.midi_events(path, snare)
     assert len(events) == 11 and events[0].kind == "strike"
     assert tabor.render(snare, events + [tabor.strike(1.5)]).shape[1] > 48000
     with pytest.raises(TypeError, match="takes is a sequence"):
-        tabor.render_kit([snare], "song.mid")
+        tabor.render_takes([snare], "song.mid")
 
 
 def test_wrong_files_are_refused(tmp_path, snare):

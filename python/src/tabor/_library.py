@@ -30,7 +30,7 @@ class Error(ValueError):
     line, column : int or None
         Of a text that was read: the line, and the byte of it where the error begins, from 1.
     index : int or None
-        In `render_kit`, the place of the drum among those asked for.
+        In `render_takes`, the place of the drum among those asked for.
     """
 
     line: Optional[int] = None

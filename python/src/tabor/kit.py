@@ -1,236 +1,411 @@
 # SPDX-License-Identifier: MIT
-"""Many drums at once: jobs for threads, since the library computes while other Python goes on."""
+"""Several drums in one room that hear each other."""
 
 from __future__ import annotations
 
 import os
 import threading
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+import warnings
+import wave
+from itertools import count, takewhile
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import Error
-from .definition import Definition
-from .events import strike
-from .model import Model, Playable, model_of
-from .rendering import Happening, Setting, frames_of, heard_mics
+from ._library import Error, UnknownNameError, check, encoded, ffi, fields, index_of, lib, midi_lib, read_ini, text
+from ._numbers import number, whole
+from ._pieces import KIT_PIECE, pieces
+from .definition import Definition, Preset, Value
+from .drum import Ledger, Statistics, _values
+from .events import TYPES, Event, place
+from .midi import Path, composed, event_of
+from .model import Model
 
-_Job = Callable[[], None]
-
-
-class _Jobs:
-    """Jobs that threads do; a job may add others, which come before those that were there."""
-
-    def __init__(self, jobs: List[_Job], total: int) -> None:
-        self._waiting = jobs[::-1]
-        self._running = 0
-        self._changed = threading.Condition()
-        self.error: Optional[BaseException] = None
-        self.total = total
-        self.done = 0
-
-    def stopped(self) -> bool:
-        """True once a job has failed, or all are given up."""
-        return self.error is not None
-
-    def go_on(self, done: float) -> None:
-        """Hears of a model's build, and ends it once the jobs are given up."""
-        if self.stopped():
-            raise InterruptedError("the jobs are given up")
-
-    def add(self, jobs: Sequence[_Job]) -> None:
-        """Adds jobs, to be done in this order."""
-        with self._changed:
-            self._waiting += jobs[::-1]
-            self._changed.notify_all()
-
-    def count(self) -> None:
-        """One of the total is done."""
-        with self._changed:
-            self.done += 1
-            self._changed.notify_all()
-
-    def stop(self, error: BaseException) -> None:
-        """Gives up what waits."""
-        with self._changed:
-            self.error = self.error or error
-            self._waiting.clear()
-            self._changed.notify_all()
-
-    def _next(self) -> Optional[_Job]:
-        with self._changed:
-            while not self._waiting and self._running and not self.stopped():
-                self._changed.wait()
-            if not self._waiting:
-                return None
-            self._running += 1
-            return self._waiting.pop()
-
-    def work(self) -> None:
-        """Does jobs until there are none, in a thread."""
-        while True:
-            job = self._next()
-            if job is None:
-                return
-            try:
-                job()
-            except BaseException as error:  # raised again where the threads were started
-                self.stop(error)
-            with self._changed:
-                self._running -= 1
-                self._changed.notify_all()
-
-    def wait(self, done: int) -> int:
-        """Waits until more are done than this, or all has ended; how many are done."""
-        with self._changed:
-            while self.done == done < self.total and not self.stopped():
-                self._changed.wait()
-            return self.done
+_MOST_FRAMES = 2**31 - 1
+#: An event and the name of the drum that it is for; None: all drums.
+KitEvent = Tuple[Optional[str], Event]
 
 
-def _run(jobs: _Jobs, workers: int, progress: Optional[Callable[[int, int], object]]) -> None:
-    threads = [threading.Thread(target=jobs.work, name=f"tabor-{i}", daemon=True) for i in range(workers)]
-    for thread in threads:
-        thread.start()
-    try:
-        done = 0
-        while done < jobs.total and not jobs.stopped():
-            done = jobs.wait(done)
-            if progress and not jobs.stopped():
-                progress(done, jobs.total)
-    except BaseException as error:  # of progress, or an interrupt
-        jobs.stop(error)
-    for thread in threads:
-        thread.join()
-    if jobs.error is not None:
-        raise jobs.error
-
-
-def _same(drums: Sequence[Playable]) -> List[Tuple[Playable, List[int]]]:
-    """The different drums, each with its places: equal definitions share a model."""
-    places: Dict[Any, Tuple[Playable, List[int]]] = {}
-    for i, drum in enumerate(drums):
-        key = drum._fingerprint() if isinstance(drum, Definition) else drum
-        places.setdefault(key, (drum, []))[1].append(i)
-    return list(places.values())
-
-
-def _processors() -> int:
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:  # not on every system
-        return os.cpu_count() or 1
-
-
-def _marked(error: Error, index: int) -> Error:
-    error.index = index
-    return error
-
-
-class _Sounds:
-    """The sounds of a kit: drums, takes, microphones, frames; without a number of frames each has its own length."""
-
-    def __init__(self, drums: int, takes: int, rows: int, frames: Optional[int]) -> None:
-        self._shape = (drums, takes, rows)
-        self._out = None if frames is None else np.zeros(self._shape + (frames,), np.float32)
-        self._apart: Dict[Tuple[int, int], NDArray[np.float32]] = {}
-
-    def play(self, setting: Setting, events: Happening, places: Sequence[int], take: int,
-             stopped: Callable[[], bool]) -> None:
-        """Plays a take, whose sound is that of several equal drums. Threads play different takes or drums."""
-        if self._out is None:
-            sound = setting.ring_out(events, stopped)
-            self._apart.update({(place, take): sound for place in places})
-            return
-        setting.play(events, self._out[places[0], take], stopped)
-        for place in places[1:]:
-            self._out[place, take] = self._out[places[0], take]
-
-    def all(self) -> NDArray[np.float32]:
-        """All in one array."""
-        if self._out is not None:
-            return self._out
-        longest = max((sound.shape[1] for sound in self._apart.values()), default=0)
-        out = np.zeros(self._shape + (longest,), np.float32)
-        for (place, take), sound in self._apart.items():
-            out[place, take, :, :sound.shape[1]] = sound
-        return out
-
-
-def render_kit(drums: Sequence[Playable], takes: Optional[Sequence[Happening]] = None,
-               duration: Optional[float] = None, *, mics: Optional[Sequence[str]] = None,
-               sample_rate: Optional[float] = None, quality: Optional[str] = None, workers: Optional[int] = None,
-               progress: Optional[Callable[[int, int], object]] = None) -> NDArray[np.float32]:
-    """Renders every take on every drum, in parallel. Each drum is computed once.
-
-    Parameters
-    ----------
-    drums : sequence of Model, Definition or str
-        The drums; those that are equal are computed once.
-    takes : sequence of sequences of Event, or of names of MIDI files, optional
-        What happens in each take, which begins on a drum at rest; one take of one stroke unless given.
-    duration : float, optional
-        Of each take [s]. Unless given, each rings out, as by `render`; zeros follow those that are shorter than the
-        longest.
-    mics : sequence of str, optional
-        Names of the microphones, which all drums must have; the usual one of each drum unless given.
-    sample_rate : float, optional
-        [Hz]; 48,000 unless given. Models have their own, which must be the same.
-    quality : {"live", "draft", "studio", "reference", "definition"}, optional
-        Accuracy against cost; ``"live"`` unless given.
-    workers : int, optional
-        Threads; as many as there are processors unless given.
-    progress : callable, optional
-        Called as ``progress(done, total)`` in the calling thread, after takes.
+def kits() -> Tuple[Preset, ...]:
+    """The built-in kits.
 
     Returns
     -------
-    ndarray of float32, shape (len(drums), len(takes), len(mics), frames)
-        The sounds, as by `render`, with the same bits whatever `workers` is.
+    tuple of Preset
+        Names and descriptions.
+    """
+    rows = [lib.tabor_kit(i) for i in range(lib.tabor_kit_count())]
+    return tuple(Preset(text(row.name), text(row.comment)) for row in rows)
+
+
+def _maps() -> List[str]:
+    """Names of the maps of `Kit.midi_events`."""
+    return [text(name) for name in takewhile(bool, map(midi_lib.song_events_map_name, count()))]
+
+
+def _read_wave(path: str) -> Tuple[NDArray[np.float32], int]:
+    """The sound of a WAV file of 16, 24 or 32 bits, its first two channels, and its rate."""
+    with wave.open(path, "rb") as file:
+        width, channels = file.getsampwidth(), file.getnchannels()
+        if width not in (2, 3, 4):
+            raise ValueError(f"{8 * width} bits are not read; allowed: 16, 24, 32")
+        data = np.frombuffer(file.readframes(file.getnframes()), np.uint8).reshape(-1, width)
+        words = np.zeros((len(data), 4), np.uint8)
+        words[:, 4 - width:] = data
+        sound = words.view("<i4").reshape(-1, channels)[:, :2].T / np.float32(2**31)
+        return sound.astype(np.float32), file.getframerate()
+
+
+class Kit:
+    """A kit of drums, at rest to begin with.
+
+    Parameters
+    ----------
+    kit : str or path
+        Name of a built-in kit, as `kits` lists them, or of a kit file, as `tabor show --kit` writes one: with a ``/`` in it
+        or ending in ``.ini``. Samples of the file play nothing here.
+    settings : mapping of str to str or number, optional
+        Changes, as ``{"drum.snare.batter.pitch": "G3", "kit.coupling": "off"}`` (docs/kit.md has the keys).
+    sample_rate : float, optional
+        [Hz], 48,000 unless given.
+    quality : str, optional
+        One of `QUALITIES`, ``"live"`` unless given.
 
     Raises
     ------
+    OSError
+        The file cannot be read.
     Error
-        A definition is not allowed; `Error.key` says why, `Error.index` which. The other takes are given up.
+        There is no such kit, a line of the file is not understood, or a setting is not allowed.
+
+    Notes
+    -----
+    The sound does not depend on its division into blocks. Threads take turns at one kit.
 
     Examples
     --------
-    >>> drums = [tabor.Definition("frame-drum", {"batter.tension": tension}) for tension in (2000, 3000)]
-    >>> tabor.render_kit(drums, [[tabor.strike(velocity=1)], [tabor.strike(velocity=4)]], duration=0.25).shape
-    (2, 2, 1, 12000)
+    >>> kit = tabor.Kit("standard")
+    >>> sound = kit.process(48000, [("kick", tabor.strike(0, velocity=5)), ("snare", tabor.strike(0.5))])
     """
-    if isinstance(drums, (str, Definition, Model)):
-        raise TypeError("drums is a sequence, as [drum]")
-    if isinstance(takes, (str, os.PathLike)):
-        raise TypeError(f"takes is a sequence, as [{takes!r}]")
-    takes = [[strike()]] if takes is None else takes
-    workers = _processors() if workers is None else workers
-    if workers < 1:
-        raise ValueError(f"workers {workers}: allowed: 1 or more")
-    given = [drum.sample_rate for drum in drums if isinstance(drum, Model)]
-    rate = sample_rate if sample_rate is not None else (given or [48000.0])[0]
-    rows = 1 if mics is None else len(mics)
-    frames = None if duration is None else frames_of(duration, rate)
-    sounds = _Sounds(len(drums), len(takes), rows, frames)
 
-    def play(setting: Setting, places: Sequence[int], take: int) -> _Job:
-        def job() -> None:
-            sounds.play(setting, takes[take], places, take, jobs.stopped)
-            for _ in places:
-                jobs.count()
-        return job
+    def __init__(self, kit: Path = "standard", settings: Optional[Mapping[str, Value]] = None,
+                 sample_rate: Optional[float] = None, quality: Optional[str] = None) -> None:
+        self._def = ffi.new("TaborKitDef *")
+        self._folder = os.getcwd()
+        self._define(kit)
+        for key, value in (settings or {}).items():
+            self._require_drum(key)
+            check(lib.tabor_kit_def_set, self._def, encoded(key, "key"), encoded(str(value), "value"))
+        check(lib.tabor_kit_def_validate, self._def)
+        self._drums = tuple(text(self._def.drum[i].name) for i in range(self._def.drum_count))
+        self._models = tuple(Model(self._placed(i), sample_rate, quality) for i in range(len(self._drums)))
+        models = ffi.new("TaborModel *[]", [model._c for model in self._models])
+        made = ffi.new("TaborKit **")
+        check(lib.tabor_kit_create, self._def, models, made)
+        self._c = ffi.gc(made[0], lib.tabor_kit_destroy)
+        self._lock = threading.Lock()
+        for note, path in self.samples.items():
+            self._load_sample(note, path)
 
-    def build(drum: Playable, places: Sequence[int]) -> _Job:
-        def job() -> None:
-            try:
-                model = model_of(drum, rate, quality, jobs.go_on)
-                setting = Setting(model, heard_mics(model, mics))
-            except Error as error:
-                raise _marked(error, places[0]) from None
-            jobs.add([play(setting, places, take) for take in range(len(takes))])
-        return job
+    def _define(self, kit: Path) -> None:
+        if isinstance(kit, str) and "/" not in kit and not kit.endswith(".ini"):
+            check(lib.tabor_kit_def_preset, self._def, encoded(kit, "kit"))
+            return
+        with open(kit, "rb") as file:
+            read_ini(lib.tabor_kit_def_read, self._def, file.read(), os.fspath(kit))
+        self._folder = os.path.dirname(os.path.abspath(kit))
 
-    jobs = _Jobs([build(drum, places) for drum, places in _same(drums)], len(drums) * len(takes))
-    _run(jobs, workers, progress)
-    return sounds.all()
+    def _require_drum(self, key: str) -> None:
+        """A setting of a drum that is not there is a mistake, unless its preset is given."""
+        words = key.split(".")
+        if words[0] != "drum" or len(words) < 3 or words[2:] == ["preset"]:
+            return
+        if lib.tabor_kit_def_find(self._def, encoded(words[1], "drum")) < 0:
+            raise UnknownNameError(f"{key}: the kit has no drum {words[1]!r}; a setting 'drum.{words[1]}.preset' adds it", "name",
+                                   key, words[1])
+
+    def _placed(self, drum: int) -> Definition:
+        """The drum as it stands in the kit."""
+        definition = ffi.new("TaborDrumDef *")
+        check(lib.tabor_kit_def_place, self._def, drum, definition)
+        return Definition._of(definition[0])
+
+    def __repr__(self) -> str:
+        return f"<tabor.Kit {text(self._def.name)!r}, {self.sample_rate:g} Hz, drums {', '.join(self._drums)}>"
+
+    @property
+    def drums(self) -> Tuple[str, ...]:
+        """Names of the drums."""
+        return self._drums
+
+    @property
+    def models(self) -> Dict[str, Model]:
+        """The model of each drum."""
+        return dict(zip(self._drums, self._models))
+
+    @property
+    def samples(self) -> Dict[int, str]:
+        """The sound files of notes that play no drum, by General MIDI's notes; a name without a folder is beside the kit's file."""
+        names = ((note, text(self._def.note[note].sample)) for note in range(lib.TABOR_KIT_NOTES))
+        return {note: os.path.join(self._folder, name) for note, name in names if name}
+
+    def set_sample(self, note: int, sound: NDArray[Any], sample_rate: float) -> None:
+        """Gives a note its sound, with the gain and the choke group that the kit defines for it.
+
+        Parameters
+        ----------
+        note : int
+            0 to 127, as in ``("note.42", tabor.strike(0, velocity=1))``.
+        sound : ndarray of float, shape (frames,) or (2, frames)
+            Mono, or left and right; 1.0 is full scale.
+        sample_rate : float
+            Its sample rate [Hz], which is converted to that of the kit.
+
+        Raises
+        ------
+        Error
+            There is no such note, or the rate is not one from 1 kHz to 1 MHz.
+        ValueError
+            The sound has another shape.
+        """
+        sides = np.atleast_2d(np.ascontiguousarray(sound, np.float32))
+        if sides.ndim != 2 or sides.shape[0] not in (1, 2):
+            raise ValueError(f"set_sample: a sound has the shape (frames,) or (2, frames), not {np.shape(sound)}")
+        left, right = (ffi.cast("float *", side.ctypes.data) for side in (sides[0], sides[-1]))
+        with self._lock:
+            check(lib.tabor_kit_set_sample, self._c, whole("set_sample: note", note, 0, lib.TABOR_KIT_NOTES - 1), left,
+                  right if len(sides) == 2 else ffi.NULL, sides.shape[1], float(sample_rate))
+
+    def _load_sample(self, note: int, path: str) -> None:
+        """Reads a WAV file; a note whose file cannot be read is silent."""
+        try:
+            sound, rate = _read_wave(path)
+        except (OSError, EOFError, ValueError, wave.Error) as error:
+            warnings.warn(f"note {note} is silent: {path}: {error}; Kit.set_sample takes any sound", stacklevel=3)
+            return
+        self.set_sample(note, sound, rate)
+
+    @property
+    def sample_rate(self) -> float:
+        """The sample rate [Hz]."""
+        return self._models[0].sample_rate
+
+    def process(self, frames: int, events: Sequence[KitEvent] = ()) -> NDArray[np.float32]:
+        """Plays on.
+
+        Parameters
+        ----------
+        frames : int
+            How many samples.
+        events : sequence of (str or None, Event)
+            What happens meanwhile, and to which drum; None: to all. An event at t seconds acts at frame t x rate. The
+            sound of note 42 has the name "note.42"; the velocity of a stroke, 0 to 1, is its strength there, the square of
+            which is how loud it is, and a silence fades it.
+
+        Returns
+        -------
+        ndarray of float32, shape (2, frames)
+            The stereo mix, with the room.
+
+        Raises
+        ------
+        ValueError
+            An event is later than these frames, is for no drum of the kit, or is a swap, which kits do not take. The kit
+            then stays as it is.
+        KeyboardInterrupt
+            Ctrl-C ends the call as that of `Drum.process`: the kit can be used, and has played the frames that `statistics`
+            counts.
+        """
+        frames = whole("process: frames", frames, 0, _MOST_FRAMES)
+        made = ffi.new("TaborKitEvent[]", self._prepare(events, frames))
+        out = np.empty((2, frames), np.float32)
+        outputs = ffi.new("TaborKitOutputs *")
+        with self._lock:
+            for piece in pieces(frames, [row.event for row in made], KIT_PIECE):
+                for side in range(2):
+                    outputs.stereo[side] = ffi.cast("float *", out[side, piece.start:].ctypes.data)
+                lib.tabor_kit_process(self._c, made + piece.first, piece.events, outputs, piece.frames)
+        return out
+
+    def midi_events(self, path: Path, *, notes_of: Optional[str] = None,
+                    place_cc: Tuple[int, int] = (16, 18), strict: bool = False) -> List[KitEvent]:
+        """The strokes and other events of a MIDI file, as `tabor render --kit --midi-file` plays them.
+
+        Parameters
+        ----------
+        path : str or path
+            Name of a Standard MIDI File of format 0 or 1.
+        notes_of : {"roland", "yamaha", "alesis", "superior", "addictive"}, optional
+            What the notes are those of (``--map``). Unless given they are those of the kit: General MIDI's in the
+            built-in ones.
+        place_cc : (int, int), optional
+            With `notes_of`: controllers, 0 to 119, of a stroke's place on the snare drum and on the toms.
+        strict : bool
+            Whether to refuse a file in which anything is wrong, instead of a `MidiWarning`.
+
+        Returns
+        -------
+        list of (str, Event)
+            Each with the name of its drum, in the order in which they act.
+
+        Raises
+        ------
+        OSError
+            The file cannot be read.
+        Error
+            It is not a MIDI file, none of its notes plays a drum, or there is no such map.
+        """
+        snare, toms = (whole("place_cc", controller, 0, 119) for controller in place_cc)
+        chosen = -1 if notes_of is None else index_of(_maps(), notes_of, "map")
+        rows = composed(path, strict, midi_lib.song_events_of_kit, self._def, chosen, snare, toms, self.sample_rate)
+        return [(self._name_of(row.drum), event_of(row.event, self.sample_rate, {}, self._strikers_of(row.drum))) for row in rows]
+
+    def _strikers_of(self, drum: int) -> Tuple[str, ...]:
+        return self._models[drum].definition.strikers if drum < len(self._models) else ()
+
+    def _name_of(self, drum: int) -> str:
+        """The name of an address."""
+        return self._drums[drum] if drum < len(self._drums) else f"note.{drum - lib.TABOR_KIT_NOTE}"
+
+    def render(self, events: Union[Path, Sequence[KitEvent]], duration: float, *,
+               notes_of: Optional[str] = None) -> NDArray[np.float32]:
+        """Plays from rest.
+
+        Parameters
+        ----------
+        events : str, path or sequence of (str or None, Event)
+            Name of a MIDI file, as for `midi_events`; its events after the end are left out. Or what happens, as for
+            `process`.
+        duration : float
+            Length [s].
+        notes_of : str, optional
+            Of a MIDI file: as for `midi_events`.
+
+        Returns
+        -------
+        ndarray of float32, shape (2, frames)
+            The stereo mix.
+
+        Raises
+        ------
+        ValueError, KeyboardInterrupt
+            As from `process`.
+        """
+        frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
+        if isinstance(events, (str, os.PathLike)):
+            events = [(drum, event) for drum, event in self.midi_events(events, notes_of=notes_of)
+                      if round(event.time * self.sample_rate) < frames]
+        self._prepare(events, frames)  # before anything changes
+        self.reset()
+        return self.process(frames, events)
+
+    def _prepare(self, events: Sequence[KitEvent], frames: int) -> List[Dict[str, Any]]:
+        """The events for the library, in order."""
+        made: List[Tuple[int, Dict[str, Any]]] = []
+        for name, event in events:
+            for frame, placed in place([event], self.sample_rate, frames):
+                if name is not None and name.startswith("note."):
+                    made.append((frame, self._of_note(name, frame, placed)))
+                    continue
+                if "model" in placed.fields:
+                    raise ValueError(f"{placed.kind}: the drums of a kit stay")
+                made += [(frame, {"drum": drum, "event": _values(frame, placed, self._models[drum])})
+                         for drum in self._addressed(name)]
+        return [values for _, values in sorted(made, key=lambda pair: pair[0])]
+
+    def _of_note(self, name: str, frame: int, event: Event) -> Dict[str, Any]:
+        """An event for the sound of a note."""
+        number_of = name[len("note."):]
+        if not number_of.isdecimal() or int(number_of) >= lib.TABOR_KIT_NOTES:
+            raise UnknownNameError(f"{name!r} is no note; there are note.0 to note.127", "name", "drum", name)
+        if event.kind not in ("strike", "silence"):
+            raise ValueError(f"{event.kind}: the sound of a note is struck and silenced")
+        strength = event.fields.get("velocity")
+        return {"drum": lib.TABOR_KIT_NOTE + int(number_of),
+                "event": {"frame": frame, "type": TYPES[event.kind], "velocity": 1.0 if strength is None else strength}}
+
+    def _addressed(self, name: Optional[str]) -> Sequence[int]:
+        if name is None:
+            return range(len(self._drums))
+        if name not in self._drums:
+            raise UnknownNameError(f"no drum is called {name!r}; there are {', '.join(self._drums)}", "name", "drum",
+                                   str(name))
+        return (self._drums.index(name),)
+
+    def _drum(self, name: str) -> Any:
+        return lib.tabor_kit_drum(self._c, self._addressed(name)[0])
+
+    def ledger(self, drum: str) -> Ledger:
+        """Where the energy of a drum went since creation or reset.
+
+        Parameters
+        ----------
+        drum : str
+            Its name.
+
+        Returns
+        -------
+        Ledger
+            Energies [J]; the work of others' sound counts as injected.
+        """
+        with self._lock:
+            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._drum(drum)))
+
+    def statistics(self, drum: str) -> Statistics:
+        """What was counted of a drum since creation or reset.
+
+        Parameters
+        ----------
+        drum : str
+            Its name.
+
+        Returns
+        -------
+        Statistics
+            Counters.
+        """
+        with self._lock:
+            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics,
+                                       self._drum(drum)))
+
+    @property
+    def is_silent(self) -> bool:
+        """True once everything has died away."""
+        with self._lock:
+            return bool(lib.tabor_kit_is_silent(self._c))
+
+    def reset(self) -> None:
+        """Brings all drums and the room to rest."""
+        with self._lock:
+            lib.tabor_kit_reset(self._c)
+
+    def save(self) -> bytes:
+        """Saves the state of the kit.
+
+        Returns
+        -------
+        bytes
+            For `load` of a kit like this one.
+        """
+        with self._lock:
+            state = ffi.new("char[]", lib.tabor_kit_state_size(self._c))
+            lib.tabor_kit_state_save(self._c, state)
+            return bytes(ffi.buffer(state))
+
+    def load(self, state: bytes) -> None:
+        """Goes on from a saved state, with the same bits.
+
+        Parameters
+        ----------
+        state : bytes
+            What `save` gave.
+
+        Raises
+        ------
+        Error
+            The bytes are damaged, or of another kit.
+        """
+        with self._lock:
+            if lib.tabor_kit_state_load(self._c, state, len(state)) != lib.TABOR_OK:
+                raise Error("the saved state is damaged, or of another kit than this one", "state")

@@ -23,7 +23,7 @@ class MidiWarning(UserWarning):
 def midi_events(path: Path, model: Model, *, strict: bool = False) -> List[Event]:
     """The strokes and other events of a MIDI file, as `tabor render --midi-file` plays them.
 
-    `render` and `render_kit` do this for a file's name in the place of events. Call it to add other events to those of
+    `render` and `render_takes` do this for a file's name in the place of events. Call it to add other events to those of
     the file.
 
     Parameters

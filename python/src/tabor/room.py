@@ -36,7 +36,7 @@ class RoomInfo(NamedTuple):
 class Room:
     """The room around a drum, which ``[room]`` of its definition describes.
 
-    It hears the drum by two of its microphones, the `feeds`. `render` and `render_kit` add rooms by themselves.
+    It hears the drum by two of its microphones, the `feeds`. `render` and `render_takes` add rooms by themselves.
 
     Parameters
     ----------
